@@ -1,0 +1,176 @@
+// The records of the stream, one struct a kind; the sensor kinds are the vocabulary of hal/sensor itself.
+// Field order, decimals and ranges: host/share/doc/stream.md. Every value is exactly what its line can express.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/base/units.hpp"
+#include "hal/sensor/blob_frame.hpp"
+#include "hal/sensor/camera.hpp"
+#include "hal/sensor/link_state.hpp"
+#include "hal/sensor/odometry.hpp"
+
+namespace fencepost::record {
+
+inline constexpr std::uint32_t kFormat = 1;    ///< the only stream format there is
+inline constexpr std::size_t kMaxLine = 1024;  ///< characters, line end included
+
+enum class Kind : std::uint8_t {
+  kHeader,
+  kCamera,
+  kSignature,
+  kOdometry,
+  kFrame,
+  kPosition,
+  kObject,
+  kAlert,
+  kDigest,
+  kLink,
+  kStatus,
+  kSetting,
+};
+
+/// FPHDR: starts a run; all state resets.
+struct Header {
+  std::uint32_t format = kFormat;
+  sensor::Text product;
+  sensor::Text version;
+  sensor::Text target;
+  sensor::Text profile;
+  friend constexpr bool operator==(const Header&, const Header&) = default;
+};
+
+/// FPSIG: one colour signature.
+struct Signature {
+  std::uint8_t signature = 0;
+  sensor::Rgb rgb;
+  sensor::Text name;
+  friend constexpr bool operator==(const Signature&, const Signature&) = default;
+};
+
+/// FPPOS: pose after correction by landmarks.
+struct Position {
+  base::Time t;
+  base::Metres x;
+  base::Metres y;
+  base::Radians heading;
+  base::Metres sigma_xy;
+  base::Radians sigma_heading;
+  friend constexpr bool operator==(const Position&, const Position&) = default;
+};
+
+enum class ObjectState : std::uint8_t { kTentative, kConfirmed, kLost };
+
+constexpr std::string_view name(ObjectState state) {
+  switch (state) {
+    case ObjectState::kTentative: return "tentative";
+    case ObjectState::kConfirmed: return "confirmed";
+    case ObjectState::kLost: return "lost";
+  }
+  return "tentative";
+}
+
+/// FPOBJ: the estimate of one object. x, y in the map frame; bearing and distance as in FPALR.
+struct ObjectReport {
+  base::Time t;
+  std::uint32_t id = 0;
+  std::uint8_t signature = 0;
+  std::uint32_t views = 0;
+  base::Metres x;
+  base::Metres y;
+  base::Metres radius;
+  base::Metres z_min;
+  base::Metres z_max;
+  base::Radians bearing;
+  base::Metres distance;
+  base::Ratio2 confidence;
+  ObjectState state = ObjectState::kTentative;
+  friend constexpr bool operator==(const ObjectReport&, const ObjectReport&) = default;
+};
+
+enum class AlertLevel : std::uint8_t { kClear, kNotice, kWarn, kStop };
+
+constexpr std::string_view name(AlertLevel level) {
+  switch (level) {
+    case AlertLevel::kClear: return "clear";
+    case AlertLevel::kNotice: return "notice";
+    case AlertLevel::kWarn: return "warn";
+    case AlertLevel::kStop: return "stop";
+  }
+  return "clear";
+}
+
+/// FPALR: bearing and distance in the robot frame, from its origin to the nearest point of the alert model.
+struct AlertReport {
+  base::Time t;
+  AlertLevel level = AlertLevel::kClear;
+  std::uint32_t id = 0;
+  std::uint8_t signature = 0;
+  base::Radians bearing;
+  base::Metres distance;
+  std::optional<base::Duration> ttc;  ///< time to contact; empty when not closing
+  base::Ratio2 confidence;
+  friend constexpr bool operator==(const AlertReport&, const AlertReport&) = default;
+};
+
+/// FPDIG: state digest after that frame.
+struct DigestReport {
+  std::uint32_t frame = 0;
+  std::uint64_t digest = 0;
+  friend constexpr bool operator==(const DigestReport&, const DigestReport&) = default;
+};
+
+/// FPLNK: a device's link changed.
+struct LinkReport {
+  base::Time t;
+  sensor::Text device;
+  sensor::LinkState state = sensor::LinkState::kAbsent;
+  sensor::Text detail;
+  friend constexpr bool operator==(const LinkReport&, const LinkReport&) = default;
+};
+
+/// FPSTA: counters since boot, once a second. loop_us_max is not reproducible.
+struct StatusReport {
+  base::Time t;
+  std::uint32_t frames = 0;
+  std::uint32_t blobs = 0;
+  std::uint32_t blobs_dropped = 0;
+  std::uint32_t odometry = 0;
+  std::uint32_t rejected = 0;
+  std::uint32_t refused = 0;
+  std::uint32_t records_dropped = 0;
+  std::uint32_t objects = 0;
+  std::uint32_t loop_us_max = 0;
+  friend constexpr bool operator==(const StatusReport&, const StatusReport&) = default;
+};
+
+/// FPCFG: a setting in force or changed.
+struct Setting {
+  sensor::Text key;
+  sensor::Text value;
+  friend constexpr bool operator==(const Setting&, const Setting&) = default;
+};
+
+/// Why a line that starts with $FP was not used.
+enum class Reject : std::uint8_t {
+  kCrc,
+  kKind,
+  kFields,
+  kNumber,
+  kRange,
+  kLength,
+  kTruncated,
+  kTime,
+  kFormat,
+};
+inline constexpr std::size_t kRejectReasons = 9;
+
+constexpr std::string_view name(Reject reason) {
+  constexpr std::string_view kNames[kRejectReasons] = {"crc",    "kind",      "fields", "number", "range",
+                                                       "length", "truncated", "time",   "format"};
+  return kNames[static_cast<std::size_t>(reason)];
+}
+
+}  // namespace fencepost::record

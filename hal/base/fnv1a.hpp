@@ -1,0 +1,43 @@
+// FNV-1a, 64 bit, over an explicit little-endian serialisation: the state digest of the record stream.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace fencepost::base {
+
+class Fnv1a64 {
+ public:
+  static constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325ULL;
+  static constexpr std::uint64_t kPrime = 0x100000001b3ULL;
+
+  /// Continues a chain: pass the previous value to hash "previous, then these bytes".
+  constexpr explicit Fnv1a64(std::uint64_t state = kOffsetBasis) : state_(state) {}
+
+  constexpr void u8(std::uint8_t v) { state_ = (state_ ^ v) * kPrime; }
+  constexpr void u16(std::uint16_t v) {
+    u8(static_cast<std::uint8_t>(v & 0xFFU));
+    u8(static_cast<std::uint8_t>(static_cast<unsigned>(v) >> 8U));
+  }
+  constexpr void u32(std::uint32_t v) {
+    for (unsigned shift = 0; shift < 32; shift += 8) u8(static_cast<std::uint8_t>((v >> shift) & 0xFFU));
+  }
+  constexpr void i32(std::int32_t v) { u32(static_cast<std::uint32_t>(v)); }
+  constexpr void i64(std::int64_t v) {
+    u32(static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) & 0xFFFFFFFFU));
+    u32(static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) >> 32U));
+  }
+  /// The IEEE-754 bits. memcpy, since one of our targets' libraries lacks std::bit_cast.
+  void f32(float v) {
+    std::uint32_t bits = 0;
+    static_assert(sizeof bits == sizeof v);
+    std::memcpy(&bits, &v, sizeof bits);
+    u32(bits);
+  }
+  [[nodiscard]] constexpr std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace fencepost::base

@@ -1,0 +1,47 @@
+// A value or the reason why there is none. No exceptions below host/.
+#pragma once
+
+#include "hal/base/check.hpp"
+
+namespace fencepost::base {
+
+/// Why a bus or a sensor gave nothing. `kNotReady` is normal; the others are counted by whoever sees them.
+enum class Error : unsigned char {
+  kNotReady,  ///< nothing yet: ask again
+  kBadInput,  ///< bytes arrived that make no sense: dropped
+  kFull,      ///< no room: the caller keeps the item or counts its loss
+  kGone,      ///< the device is not there any more
+  kRefused,   ///< the device or the system said no
+};
+
+/// Holds a T, or an E that says why not. T must be default constructible (it is left value-initialised on error).
+template <class T, class E = Error>
+class [[nodiscard]] Result {
+ public:
+  constexpr Result(const T& value) : value_(value), ok_(true) {}  // NOLINT(google-explicit-constructor)
+  constexpr Result(E error) : error_(error), ok_(false) {}        // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] constexpr bool ok() const { return ok_; }
+  constexpr explicit operator bool() const { return ok_; }
+
+  /// The value; asking for it on error is a bug and traps.
+  [[nodiscard]] constexpr const T& value() const {
+    FENCEPOST_CHECK(ok_);
+    return value_;
+  }
+  [[nodiscard]] constexpr const T& operator*() const { return value(); }
+  [[nodiscard]] constexpr const T* operator->() const { return &value(); }
+
+  /// The reason; asking for it on success is a bug and traps.
+  [[nodiscard]] constexpr E error() const {
+    FENCEPOST_CHECK(!ok_);
+    return error_;
+  }
+
+ private:
+  T value_{};
+  E error_{};
+  bool ok_;
+};
+
+}  // namespace fencepost::base

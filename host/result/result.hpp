@@ -1,0 +1,79 @@
+// What a replay found, as the result document and the report show it (the JSON layout is in share/doc/results.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/record/records.hpp"
+#include "host/geometry/polygon.hpp"
+
+namespace fencepost::host {
+
+struct Circle {
+  Point center;
+  double radius = 0;
+};
+
+/// One model of one object. `geometry` empty: the model has nothing to say, `reason` says why.
+struct ModelResult {
+  std::string name;              ///< cylinder, cylinder_paper, carve, clip, ...
+  MultiPolygon geometry;         ///< map frame, metres
+  std::optional<Circle> circle;  ///< cylinders only
+  std::string reason;
+};
+
+struct ObjectResult {
+  std::uint32_t id = 0;
+  std::uint8_t signature = 0;
+  record::ObjectState state = record::ObjectState::kTentative;
+  std::uint32_t views = 0;
+  double z_min = 0;
+  double z_max = 0;
+  double confidence = 0;
+  std::vector<ModelResult> models;
+};
+
+struct PoseResult {
+  double t = 0;
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+};
+
+/// Why a well-formed frame was not used.
+struct RefusedFrames {
+  std::uint64_t no_pose = 0;
+  std::uint64_t odometry_gap = 0;
+  std::uint64_t no_camera = 0;
+  std::uint64_t queue = 0;
+};
+
+struct RejectedLines {
+  std::uint64_t count = 0;
+  std::uint64_t first_line = 0;  ///< 1-based; 0 when count is 0
+};
+
+struct LogCounts {
+  std::uint64_t records = 0;  ///< accepted
+  std::uint64_t frames = 0;
+  std::uint64_t odometry = 0;
+  std::uint64_t foreign = 0;
+  RefusedFrames refused;
+  std::array<RejectedLines, record::kRejectReasons> rejected{};
+};
+
+struct ResultDocument {
+  LogCounts log;
+  std::uint64_t digest = 0;
+  std::string profile;
+  std::optional<PoseResult> pose;           ///< the last one
+  std::vector<ObjectResult> objects;        ///< every state
+  std::vector<record::AlertReport> alerts;  ///< in order of time
+  std::vector<PoseResult> path;             ///< every odometry sample; drawn by the report, not part of the JSON
+  std::vector<record::Signature> signatures;
+};
+
+}  // namespace fencepost::host

@@ -1,0 +1,89 @@
+// World truth, camera, path and noise of one simulated run (the file layout is in share/doc/scene.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/sensor/blob_frame.hpp"
+#include "hal/sensor/camera.hpp"
+#include "host/geometry/polygon.hpp"
+
+namespace fencepost::host {
+
+struct SceneSignature {
+  std::uint8_t id = 0;
+  std::string name;
+  sensor::Rgb rgb;
+};
+
+struct SceneObject {
+  std::string name;
+  std::uint8_t signature = 0;
+  double base = 0;    ///< m above the floor
+  double height = 0;  ///< m
+  Polygon footprint;  ///< map frame, m; a circle is given as a 256-gon of the circle's area
+};
+
+/// The robot drives around `center`; the camera, not the robot, looks at the centre or outwards.
+struct ArcPath {
+  Point center;
+  double radius = 1;
+  double start = 0;  ///< rad
+  double sweep = 0;  ///< rad, sign is the direction
+  int views = 0;     ///< camera frames
+  bool look_outwards = false;
+};
+struct WaypointPath {
+  std::vector<Point> points;
+  double speed = 0.2;      ///< m/s
+  double turn_rate = 0.8;  ///< rad/s, turns on the spot
+};
+struct TimedPose {
+  double t = 0;
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+};
+struct PosesPath {
+  std::vector<TimedPose> poses;  ///< interpolated, headings the short way round
+};
+
+/// All zero: only integer pixels. Meaning and unit of each key: share/doc/scene.md.
+struct SceneNoise {
+  double edge_px = 0;
+  double loss_probability = 0;
+  double loss_min = 0.1;
+  double loss_max = 0.5;
+  double split_share = 0.3;
+  double growth_probability = 0;
+  double growth_max = 0.3;
+  double miss_probability = 0;
+  double false_rate = 0;
+  double signature_swap_probability = 0;
+  double pose_xy = 0;
+  double pose_heading = 0;
+  double drift_scale = 0;
+  double drift_turn = 0;
+  double drift_walk = 0;
+  double yaw_error = 0;
+  double pitch_error = 0;
+  double latency_jitter = 0;
+  double frame_drop_probability = 0;
+};
+
+struct Scene {
+  std::uint64_t seed = 1;
+  sensor::CameraIntrinsics camera;
+  double rate = 50;  ///< frames/s
+  int max_blobs = 16;
+  double robot_width = 0.2;
+  std::vector<SceneSignature> signatures;
+  std::vector<SceneObject> objects;
+  std::variant<std::monostate, ArcPath, WaypointPath, PosesPath> path;
+  SceneNoise noise;
+};
+
+}  // namespace fencepost::host

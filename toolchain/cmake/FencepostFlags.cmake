@@ -1,0 +1,22 @@
+# Compiler flags, in three interface targets: everything, the robot's code (hal, drivers, firmware), the desk's.
+
+add_library(fencepost_flags INTERFACE)
+target_compile_features(fencepost_flags INTERFACE cxx_std_20)
+target_include_directories(fencepost_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_options(fencepost_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wundef
+  -Wimplicit-fallthrough
+  # The digest must not depend on the compiler's taste for fused multiply-adds.
+  -ffp-contract=off)
+# Eigen's vector reductions add in another order; one definition for every translation unit that sees Eigen.
+target_compile_definitions(fencepost_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_NO_MALLOC EIGEN_MPL2_ONLY)
+if(FENCEPOST_SANITIZE)
+  target_compile_options(fencepost_flags INTERFACE -fsanitize=${FENCEPOST_SANITIZE} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
+  target_link_options(fencepost_flags INTERFACE -fsanitize=${FENCEPOST_SANITIZE})
+endif()
+
+add_library(fencepost_robot_flags INTERFACE)
+target_link_libraries(fencepost_robot_flags INTERFACE fencepost_flags)
+# What the boards are built with; the desk builds the same code the same way.
+target_compile_options(fencepost_robot_flags INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics)

@@ -1,0 +1,11 @@
+# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ...): one GoogleTest program, its cases known to CTest.
+function(fencepost_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_flags GTest::gtest GTest::gtest_main)
+  # Recordings by others live beside the checkout and are never part of it; tests that need them skip without.
+  target_compile_definitions(${name} PRIVATE
+    FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    FENCEPOST_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
+  gtest_discover_tests(${name} PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
+endfunction()
