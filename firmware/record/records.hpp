@@ -14,8 +14,8 @@
 
 namespace fencepost::record {
 
-inline constexpr std::uint32_t kFormat = 1;    ///< the only stream format there is
-inline constexpr std::size_t kMaxLine = 1024;  ///< characters, line end included
+inline constexpr std::uint32_t kStreamFormat = 1;  ///< the only stream format there is
+inline constexpr std::size_t kMaxLine = 1024;      ///< characters, line end included
 
 enum class Kind : std::uint8_t {
   kHeader,
@@ -34,7 +34,7 @@ enum class Kind : std::uint8_t {
 
 /// FPHDR: starts a run; all state resets.
 struct Header {
-  std::uint32_t format = kFormat;
+  std::uint32_t format = kStreamFormat;
   sensor::Text product;
   sensor::Text version;
   sensor::Text target;
