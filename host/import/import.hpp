@@ -1,0 +1,62 @@
+// Recordings by others, turned into our record stream (formats and choices: share/doc/import.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/base/result.hpp"
+#include "host/scene/scene.hpp"
+
+namespace fencepost::host {
+
+struct ImportError {
+  std::string where;  ///< "file" or "file:line"
+  std::string what;
+  std::string remedy;
+  [[nodiscard]] std::string message() const;  ///< "where: what; remedy"
+};
+
+struct ImportSummary {
+  std::uint64_t frames = 0;
+  std::uint64_t blobs = 0;
+  std::uint64_t odometry = 0;
+  /// What was left out and why, e.g. {"rows of other robots", 120}; zero counts are not listed.
+  std::vector<std::pair<std::string, std::uint64_t>> skipped;
+  std::vector<std::string> notes;  ///< choices worth telling the user, one sentence each
+};
+
+struct Imported {
+  std::string log;             ///< a whole record stream
+  std::optional<Scene> truth;  ///< where the source knows it; has no path
+  ImportSummary summary;
+};
+
+using ImportResult = base::Result<Imported, ImportError>;
+
+/// Bearing intervals of one object on a ring of views. CSV with the header
+/// frame,cam_x,cam_y,cam_heading,bearing_lo,bearing_hi,lo_touches_border,hi_touches_border,excluded
+/// (m, rad; bearings relative to cam_heading, counter-clockwise; lo = right end).
+ImportResult import_rings(const std::string& csv_path);
+
+enum class PoseSource : unsigned char {
+  kTruth,     ///< the survey's poses as odometry
+  kOdometry,  ///< the logged velocities, integrated from the true pose at the window's start
+};
+
+struct MrclamOptions {
+  std::optional<int> robot;  ///< RobotN_*.dat; empty: the only one there is
+  PoseSource poses = PoseSource::kTruth;
+  double diameter = 0.12;      ///< m, assumed of every landmark
+  std::optional<double> from;  ///< s from the recording's start
+  std::optional<double> to;
+  bool include_robots = false;  ///< also the other robots, which move
+};
+
+/// UTIAS multi-robot data set (MRCLAM): a folder with RobotN_Odometry.dat, RobotN_Groundtruth.dat,
+/// RobotN_Measurement.dat, Barcodes.dat, Landmark_Groundtruth.dat.
+ImportResult import_mrclam(const std::string& folder, const MrclamOptions& options);
+
+}  // namespace fencepost::host

@@ -1,0 +1,42 @@
+// What only a simulator knows about its frames. For tests and measurements; no product code reads it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hal/sensor/blob_frame.hpp"
+#include "host/scene/scene.hpp"
+#include "host/simulate/simulate.hpp"
+
+namespace fencepost::host {
+
+/// What one side of a blob's box really is.
+enum class BlobEnd : unsigned char {
+  kEdge,      ///< the object's own edge, but for jitter
+  kBorder,    ///< within the image border (x1 <= 1, x2 >= width - 2): censored
+  kOccluded,  ///< the object goes on behind a nearer one
+  kLost,      ///< noise took a piece away on this side
+  kGrown,     ///< noise added a piece on this side
+};
+
+struct BlobTruth {
+  std::optional<std::size_t> object;  ///< index into Scene::objects; empty: a false blob
+  BlobEnd left = BlobEnd::kEdge;
+  BlobEnd right = BlobEnd::kEdge;
+  double distance = 0;  ///< m, from the camera to the nearest visible point, in the plane, along the optical axis
+};
+
+struct FrameTruth {
+  sensor::BlobFrame frame;  ///< as written
+  base::Time exposure;
+  TimedPose pose;                ///< true pose of the robot at the exposure
+  std::vector<BlobTruth> blobs;  ///< one for each blob of `frame`, same order
+};
+
+/// `simulate`, telling the truth about every written frame as well.
+base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& scene, const LineSink& sink,
+                                                                 const std::function<void(const FrameTruth&)>& truth);
+
+}  // namespace fencepost::host
