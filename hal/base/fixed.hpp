@@ -3,12 +3,19 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "hal/base/check.hpp"
 
 namespace fencepost::base {
+
+/// The smallest counter for 0..N: on a part with 16 KB, eight bytes of count for four items are a waste.
+template <std::size_t N>
+using CountFor =
+    std::conditional_t<(N <= 0xFF), std::uint8_t, std::conditional_t<(N <= 0xFFFF), std::uint16_t, std::uint32_t>>;
 
 /// A vector of at most N elements, stored in place. T is trivially destructible and default constructible.
 template <class T, std::size_t N>
@@ -22,23 +29,24 @@ class FixedVector {
   /// False, and nothing stored, when full.
   [[nodiscard]] constexpr bool push_back(const T& item) {
     if (full()) return false;
-    items_[size_++] = item;
+    items_[size_] = item;
+    size_ = static_cast<CountFor<N>>(size_ + 1);
     return true;
   }
   constexpr void clear() { size_ = 0; }
   constexpr void pop_back() {
     FENCEPOST_CHECK(size_ > 0);
-    --size_;
+    size_ = static_cast<CountFor<N>>(size_ - 1);
   }
   /// Keeps the order of the others.
   constexpr void erase_at(std::size_t index) {
     FENCEPOST_CHECK(index < size_);
     for (std::size_t i = index + 1; i < size_; ++i) items_[i - 1] = items_[i];
-    --size_;
+    size_ = static_cast<CountFor<N>>(size_ - 1);
   }
   constexpr void truncate(std::size_t size) {
     FENCEPOST_CHECK(size <= size_);
-    size_ = size;
+    size_ = static_cast<CountFor<N>>(size);
   }
 
   constexpr T& operator[](std::size_t i) {
@@ -65,7 +73,7 @@ class FixedVector {
 
  private:
   std::array<T, N> items_{};
-  std::size_t size_ = 0;
+  CountFor<N> size_ = 0;
 };
 
 /// A first-in first-out queue of at most N elements; index 0 is the oldest.
@@ -81,19 +89,19 @@ class Ring {
   [[nodiscard]] constexpr bool push_back(const T& item) {
     if (full()) return false;
     items_[(head_ + size_) % N] = item;
-    ++size_;
+    size_ = static_cast<CountFor<N>>(size_ + 1);
     return true;
   }
   /// Makes room by dropping the oldest.
   constexpr void push_over_oldest(const T& item) {
     if (full()) pop_front();
     items_[(head_ + size_) % N] = item;
-    ++size_;
+    size_ = static_cast<CountFor<N>>(size_ + 1);
   }
   constexpr void pop_front() {
     FENCEPOST_CHECK(size_ > 0);
-    head_ = (head_ + 1) % N;
-    --size_;
+    head_ = static_cast<CountFor<N>>((head_ + 1U) % N);
+    size_ = static_cast<CountFor<N>>(size_ - 1);
   }
   constexpr void clear() { head_ = size_ = 0; }
 
@@ -106,12 +114,12 @@ class Ring {
     return items_[(head_ + i) % N];
   }
   [[nodiscard]] constexpr const T& front() const { return (*this)[0]; }
-  [[nodiscard]] constexpr const T& back() const { return (*this)[size_ - 1]; }
+  [[nodiscard]] constexpr const T& back() const { return (*this)[size_ - 1U]; }
 
  private:
   std::array<T, N> items_{};
-  std::size_t head_ = 0;
-  std::size_t size_ = 0;
+  CountFor<N> head_ = 0;
+  CountFor<N> size_ = 0;
 };
 
 /// A string of at most N characters.
@@ -121,7 +129,7 @@ class FixedString {
   constexpr FixedString() = default;
   /// Cuts what does not fit.
   constexpr FixedString(std::string_view text) {  // NOLINT(google-explicit-constructor)
-    size_ = text.size() < N ? text.size() : N;
+    size_ = static_cast<CountFor<N>>(text.size() < N ? text.size() : N);
     for (std::size_t i = 0; i < size_; ++i) characters_[i] = text[i];
   }
   constexpr FixedString(const char* text) : FixedString(std::string_view(text)) {}  // NOLINT
@@ -130,14 +138,15 @@ class FixedString {
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
   [[nodiscard]] constexpr bool push_back(char c) {
     if (size_ == N) return false;
-    characters_[size_++] = c;
+    characters_[size_] = c;
+    size_ = static_cast<CountFor<N>>(size_ + 1);
     return true;
   }
   friend constexpr bool operator==(const FixedString& a, const FixedString& b) { return a.view() == b.view(); }
 
  private:
   std::array<char, N> characters_{};
-  std::size_t size_ = 0;
+  CountFor<N> size_ = 0;
 };
 
 }  // namespace fencepost::base

@@ -14,14 +14,14 @@
 namespace fencepost::host {
 
 struct ReplayOptions {
-  std::string profile;                               ///< micro, small, full; empty: the log's FPHDR, else full
-  std::optional<sensor::CameraIntrinsics> camera;    ///< in force from the start, for logs without FPCAM
-  std::optional<double> from;                        ///< s, stream time; earlier records are not used
+  std::string profile;                             ///< micro, small, full; empty: the log's FPHDR, else full
+  std::optional<sensor::CameraIntrinsics> camera;  ///< in force from the start, for logs without FPCAM
+  std::optional<double> from;                      ///< s, stream time; earlier records are not used
   std::optional<double> to;
-  std::optional<std::uint64_t> frames;               ///< stop after the N-th accepted frame record
-  bool check = false;                                ///< compare logged FPOBJ, FPALR and FPDIG with our own
-  std::function<void(std::string_view)> text;        ///< gets each console sentence, without line end
-  std::function<void(std::string_view)> log;         ///< gets each line of the log this run writes, with line end
+  std::optional<std::uint64_t> frames;         ///< stop after the N-th accepted frame record
+  bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
+  std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
+  std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
 };
 
 struct CheckOutcome {
@@ -38,6 +38,7 @@ struct Unreadable {
 struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
+  std::vector<std::string> complaints;   ///< signatures or settings that were not taken, one sentence each
   std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame
 };
 

@@ -1,0 +1,56 @@
+#include "firmware/app/alerts.hpp"
+
+namespace fencepost::app {
+
+using config::Key;
+using record::AlertLevel;
+
+AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack) {
+  if (!obstacle.known) return AlertLevel::kClear;
+  const auto near = [&](Key key) { return obstacle.distance <= slack * settings.number(key); };
+  const auto soon = [&](Key key) { return obstacle.closing && obstacle.ttc <= slack * settings.number(key); };
+  if (!obstacle.in_path) return near(Key::kAlertWarn) ? AlertLevel::kNotice : AlertLevel::kClear;
+  if (near(Key::kAlertStop) || soon(Key::kAlertTtcStop)) return AlertLevel::kStop;
+  if (near(Key::kAlertWarn) || soon(Key::kAlertTtcWarn)) return AlertLevel::kWarn;
+  if (near(Key::kAlertNotice)) return AlertLevel::kNotice;
+  return AlertLevel::kClear;
+}
+
+std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
+                                const config::Settings& settings, base::Time now) {
+  if (state.id != object.id) {
+    state = AlertState{};
+    state.id = object.id;
+  }
+  const bool credible = object.confirmed && object.missed_in_a_row < kGoneAfterMisses;
+  const AlertLevel due = credible ? level_for(obstacle, settings, 1.0F) : AlertLevel::kClear;
+  if (due > state.level) {
+    state.level = due;
+    state.easing = false;
+    state.said_at = now;
+    return due;
+  }
+  const AlertLevel held = credible ? level_for(obstacle, settings, kHysteresis) : AlertLevel::kClear;
+  if (held < state.level) {
+    if (!state.easing) {
+      state.easing = true;
+      state.easing_since = now;
+    }
+    if (now - state.easing_since >= kEaseAfter) {
+      state.level = held;
+      state.easing = false;
+      state.said_at = now;
+      return held;
+    }
+  } else {
+    state.easing = false;
+  }
+  const base::Duration interval{base::Time::kPerUnit / settings.raw(Key::kAlertRate)};
+  if (state.level > AlertLevel::kClear && now - state.said_at >= interval) {
+    state.said_at = now;
+    return state.level;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fencepost::app

@@ -1,0 +1,39 @@
+// From obstacles to alerts: levels with hysteresis, one state per object, repeated at a bounded rate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/app/obstacle.hpp"
+#include "firmware/config/settings.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/base/units.hpp"
+
+namespace fencepost::app {
+
+/// What was last said about one object.
+struct AlertState {
+  std::uint32_t id = 0;  ///< 0: nothing yet
+  record::AlertLevel level = record::AlertLevel::kClear;
+  bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
+  base::Time easing_since;
+  base::Time said_at;
+};
+
+/// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
+inline constexpr float kHysteresis = 1.15F;
+inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
+
+/// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
+inline constexpr std::uint16_t kGoneAfterMisses = 12;
+
+/// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
+/// anything else as near as alert.warn is worth a notice.
+record::AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack);
+
+/// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of notice
+/// and above at most alert.rate times a second, an easing once it has lasted.
+std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
+                                        const config::Settings& settings, base::Time now);
+
+}  // namespace fencepost::app

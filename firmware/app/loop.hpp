@@ -1,0 +1,70 @@
+// The loop of the robot: two sensors in, one console out. Nothing in here waits.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "firmware/app/pipeline.hpp"
+#include "hal/bus/byte_link.hpp"
+#include "hal/sensor/sources.hpp"
+
+namespace fencepost::app {
+
+/// A byte on the link is a char in the queue.
+inline std::span<const std::uint8_t> as_octets(std::span<const char> text) {
+  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
+}
+
+template <class Profile, sensor::BlobCamera Camera, sensor::OdometrySource Odometry, bus::ByteLink Link>
+class Loop {
+ public:
+  Loop(Memory<Profile>& memory, Camera& camera, Odometry& odometry, Link& console, Mode mode)
+      : pipeline_(memory, mode), camera_(camera), odometry_(odometry), console_(console) {}
+
+  /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
+  /// one turn happened to find: a replay, which has one input a turn, does the same.
+  void step(base::Time now) {
+    if (take_odometry(now)) settle();
+    if (take_frame(now)) settle();
+    speak();
+  }
+
+  [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
+
+ private:
+  bool take_odometry(base::Time now) {
+    const base::Result<sensor::OdometrySample> sample = odometry_.poll(now);
+    if (sample) pipeline_.take(*sample);
+    return sample.ok();
+  }
+
+  bool take_frame(base::Time now) {
+    const base::Result<sensor::BlobFrame> frame = camera_.poll(now);
+    if (frame) pipeline_.take(*frame);
+    pipeline_.memory().counters.blobs_dropped = camera_.dropped();
+    return frame.ok();
+  }
+
+  // What one input sets in motion.
+  void settle() {
+    speak();
+    while (pipeline_.place_next_frame()) speak();
+    pipeline_.watch_without_frames();
+    pipeline_.tell_status();
+    speak();
+  }
+
+  void speak() {
+    auto& output = pipeline_.memory().output;
+    if (output.waiting().empty()) return;
+    const base::Result<std::size_t> taken = console_.write(as_octets(output.waiting()));
+    if (taken) output.taken(*taken);
+  }
+
+  Pipeline<Profile> pipeline_;
+  Camera& camera_;
+  Odometry& odometry_;
+  Link& console_;
+};
+
+}  // namespace fencepost::app

@@ -1,0 +1,95 @@
+// The one owner of memory: everything that the loop remembers, in one static object. Why static: a part that fails for
+// want of memory must fail at compile time, on the desk, and not after ten minutes in front of a class.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/app/alerts.hpp"
+#include "firmware/app/output_queue.hpp"
+#include "firmware/config/profile.hpp"
+#include "firmware/config/settings.hpp"
+#include "firmware/recon/map.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/sensor/camera.hpp"
+
+namespace fencepost::app {
+
+/// Why a well-formed frame was not used.
+enum class Refusal : std::uint8_t { kNoPose, kOdometryGap, kNoCamera, kQueue };
+inline constexpr std::size_t kRefusals = 4;
+
+/// Since boot.
+struct Counters {
+  std::uint32_t frames = 0;  ///< frames used
+  std::uint32_t blobs = 0;   ///< blobs in them
+  std::uint32_t blobs_dropped = 0;
+  std::uint32_t odometry = 0;
+  std::uint32_t rejected = 0;
+  std::array<std::uint32_t, kRefusals> refused{};
+  std::uint32_t records_dropped = 0;
+  std::uint32_t loop_us_max = 0;
+
+  [[nodiscard]] std::uint32_t refused_in_all() const {
+    std::uint32_t sum = 0;
+    for (const std::uint32_t count : refused) sum += count;
+    return sum;
+  }
+};
+
+/// What was last reported of one object.
+struct ReportState {
+  std::uint32_t id = 0;
+  record::ObjectState state = record::ObjectState::kTentative;
+  base::Time at;
+};
+
+/// The calibration in force and the one before it, which frames that still wait may need.
+struct Calibration {
+  bool known = false;
+  std::uint8_t current = 0;
+  sensor::CameraIntrinsics intrinsics;
+  std::array<recon::CameraModel, 2> models{};
+};
+
+/// The clock of the run and what has been told when. Stream times.
+struct Run {
+  std::optional<base::Time> time;          ///< the latest t of any input
+  const record::Header* header = nullptr;  ///< still to be told
+  base::Time watched_at;
+  base::Time status_at;
+  base::Time calibration_at;
+  std::uint8_t telling = 0;  ///< next calibration record to tell
+  bool told = false;         ///< all of them are queued
+};
+
+template <class Profile>
+struct Memory {
+  Run run;
+  recon::Map<Profile> map;
+  recon::FrameQueue waiting;
+  recon::PoseHistory<Profile::kPoses> poses;
+  Calibration calibration;
+  base::FixedVector<record::Signature, Profile::kSignatures> signatures;
+  config::Settings settings;
+  recon::MeasurementNoise noise;
+  std::array<AlertState, Profile::kObjects> alerts{};
+  std::array<ReportState, Profile::kObjects> reports{};
+  Counters counters;
+  OutputQueue<Profile::kOutputBytes> output;
+};
+
+/// What is still to come into the same budget: the console's input line, the hybrid, the pose correction.
+template <class Profile>
+inline constexpr std::size_t kReserved =
+    record::kMaxLine + Profile::kObjects* Profile::kHybridReserve + Profile::kPoseReserve;
+
+template <class Profile>
+inline constexpr bool kFits = sizeof(Memory<Profile>) + kReserved<Profile> <= Profile::kBudget;
+
+static_assert(kFits<config::Micro>);
+static_assert(kFits<config::Small>);
+static_assert(kFits<config::Full>);
+
+}  // namespace fencepost::app

@@ -1,0 +1,57 @@
+#include "firmware/app/obstacle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::app {
+namespace {
+
+using recon::Vec2;
+
+// Below this the robot counts as standing (m/s): its path is then straight ahead.
+constexpr float kStanding = 0.01F;
+// A range rate below this is not closing (m/s).
+constexpr float kNotClosing = 0.005F;
+// Arcs tighter than this are turns on the spot: the strip ahead is then straight (m).
+constexpr float kTightestArc = 0.15F;
+// Flatter arcs than this are straight to the eye (m).
+constexpr float kFlattestArc = 50.0F;
+
+// Is the disc (center, radius), robot frame, in the strip of half width w that the motion sweeps?
+bool swept(const Vec2& center, float radius, const RobotPath& path) {
+  const float direction = path.motion.forward < -kStanding ? -1.0F : 1.0F;
+  const bool ahead = direction * center.x() > -radius;
+  if (!ahead) return false;
+  const float speed = std::fabs(path.motion.forward);
+  const float turn = std::fabs(path.motion.turn);
+  const bool arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
+  if (!arc) return std::fabs(center.y()) - radius <= path.half_width;
+  const float arc_radius = path.motion.forward / path.motion.turn;  // signed: positive turns left
+  const Vec2 pivot{0, arc_radius};
+  const float from_pivot = std::sqrt((center - pivot).squaredNorm());
+  return std::fabs(from_pivot - std::fabs(arc_radius)) - radius <= path.half_width;
+}
+
+}  // namespace
+
+Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
+  const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+  if (!cylinder.ok()) return {};
+  const base::SinCos heading = base::sincos_urad(pose.heading);
+  const Vec2 away = cylinder.center - recon::offset_from(object.origin, pose.position);
+  const Vec2 center{heading.cos * away.x() + heading.sin * away.y(), heading.cos * away.y() - heading.sin * away.x()};
+  const float range = std::sqrt(center.squaredNorm());
+  Obstacle obstacle;
+  obstacle.known = true;
+  obstacle.bearing = base::atan2_rad(center.y(), center.x());
+  obstacle.distance = std::max(0.0F, range - cylinder.radius);
+  obstacle.in_path = swept(center, cylinder.radius, path);
+  const float closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
+  obstacle.closing = closing_speed > kNotClosing;
+  if (obstacle.closing) obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / closing_speed;
+  return obstacle;
+}
+
+}  // namespace fencepost::app

@@ -1,0 +1,29 @@
+// One object as the moving robot sees it: how near, how soon, in the way or not.
+#pragma once
+
+#include "firmware/recon/object.hpp"
+#include "firmware/recon/pose_history.hpp"
+
+namespace fencepost::app {
+
+/// The strip of floor that the robot is about to sweep.
+struct RobotPath {
+  recon::Motion motion;
+  float half_width = 0.15F;  ///< half the robot's width plus the margin, m
+  float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
+};
+
+/// Robot frame: origin midway between the wheels, x forward, y left.
+struct Obstacle {
+  bool known = false;  ///< the object has an alert model
+  float bearing = 0;   ///< rad, of the nearest point
+  float distance = 0;  ///< m, from the robot's origin to the nearest point; 0 inside
+  bool closing = false;
+  float ttc = 0;  ///< s, until the robot's body touches, if closing
+  bool in_path = false;
+};
+
+/// Alert model: the cylinder. `pose` is where the robot is now.
+Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path);
+
+}  // namespace fencepost::app

@@ -1,0 +1,58 @@
+// Lines on their way to the console. A line is queued whole or not at all.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/record/encode.hpp"
+
+namespace fencepost::app {
+
+template <std::size_t N>
+class OutputQueue {
+  static_assert(N >= record::kMaxLine, "the longest line must fit");
+
+ public:
+  /// Queues the record's line; false when there is no room now.
+  template <class Record>
+  [[nodiscard]] bool put(const Record& record) {
+    return put_line([&record](std::span<char> room) { return record::encode(record, room); });
+  }
+
+  /// Queues what `write(room)` writes; it returns the length, or 0 if the room is too small.
+  template <class Write>
+  [[nodiscard]] bool put_line(Write&& write) {
+    std::size_t size = write(std::span<char>(bytes_).subspan(end_));
+    if (size == 0 && begin_ > 0) {
+      to_front();
+      size = write(std::span<char>(bytes_).subspan(end_));
+    }
+    end_ += size;
+    return size > 0;
+  }
+
+  [[nodiscard]] std::span<const char> waiting() const { return std::span(bytes_).subspan(begin_, end_ - begin_); }
+  /// The first `size` waiting bytes have been taken over by the link.
+  void taken(std::size_t size) {
+    begin_ += size;
+    if (begin_ == end_) begin_ = end_ = 0;
+  }
+  [[nodiscard]] std::size_t room() const { return N - (end_ - begin_); }
+  void clear() { begin_ = end_ = 0; }
+
+ private:
+  void to_front() {
+    const std::size_t size = end_ - begin_;
+    for (std::size_t i = 0; i < size; ++i) bytes_[i] = bytes_[begin_ + i];
+    begin_ = 0;
+    end_ = size;
+  }
+
+  std::array<char, N> bytes_{};
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+};
+
+}  // namespace fencepost::app

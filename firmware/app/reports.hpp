@@ -1,0 +1,21 @@
+// From the map's floats to the records of the stream: the only place where estimates are rounded to decimals.
+#pragma once
+
+#include "firmware/app/obstacle.hpp"
+#include "firmware/recon/object.hpp"
+#include "firmware/record/records.hpp"
+
+namespace fencepost::app {
+
+/// An object not seen for this long is lost from sight; its place in the map stays.
+inline constexpr base::Duration kLostAfter = base::milliseconds(1000);
+
+record::ObjectState state_of(const recon::ObjectCore& object, base::Time now);
+
+/// Needs an estimate: object.cylinder.estimate().ok().
+record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now);
+
+record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
+                                 base::Time now);
+
+}  // namespace fencepost::app

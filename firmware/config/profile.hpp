@@ -1,0 +1,55 @@
+// How much fits into one part. Every capacity of the loop is here, with its reason; the bytes that follow from them are
+// checked against the budget where the memory is defined (firmware/app/memory.hpp).
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace fencepost::config {
+
+/// 16 KB of RAM (micro:bit v1): the loop gets 10 KB, the rest is stack and start-up.
+struct Micro {
+  static constexpr std::string_view kName = "micro";
+  static constexpr std::size_t kObjects = 4;
+  static constexpr std::size_t kSignatures = 4;
+  static constexpr std::size_t kPoses = 24;           ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
+  static constexpr std::size_t kPending = 6;          ///< tangents kept until an object has a place
+  static constexpr std::size_t kClipVertices = 24;    ///< 8 bytes each; more edges are given up by least area
+  static constexpr std::size_t kGridCells = 32;       ///< a side: 128 bytes
+  static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
+  static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included
+  static constexpr std::size_t kHybridReserve = 512;  ///< bytes an object, for the tangent-space filter
+  static constexpr std::size_t kPoseReserve = 1024;   ///< bytes, for the pose correction by landmarks
+};
+
+/// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
+struct Small {
+  static constexpr std::string_view kName = "small";
+  static constexpr std::size_t kObjects = 8;
+  static constexpr std::size_t kSignatures = 8;
+  static constexpr std::size_t kPoses = 64;
+  static constexpr std::size_t kPending = 16;
+  static constexpr std::size_t kClipVertices = 96;
+  static constexpr std::size_t kGridCells = 64;
+  static constexpr std::size_t kOutputBytes = 4096;
+  static constexpr std::size_t kBudget = 64 * 1024;
+  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kPoseReserve = 1536;
+};
+
+/// The desk and Linux brains.
+struct Full {
+  static constexpr std::string_view kName = "full";
+  static constexpr std::size_t kObjects = 32;
+  static constexpr std::size_t kSignatures = 32;
+  static constexpr std::size_t kPoses = 256;
+  static constexpr std::size_t kPending = 64;
+  static constexpr std::size_t kClipVertices = 192;  ///< 75 views of a round object need at most 154
+  static constexpr std::size_t kGridCells = 128;
+  static constexpr std::size_t kOutputBytes = 16384;
+  static constexpr std::size_t kBudget = 320 * 1024;
+  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kPoseReserve = 1536;
+};
+
+}  // namespace fencepost::config

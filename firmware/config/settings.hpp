@@ -1,0 +1,81 @@
+// The settings of one robot: names, units, defaults and ranges in one table; `set`, `get`, `help` and FPCFG all read
+// it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/sensor/camera.hpp"
+
+namespace fencepost::config {
+
+enum class Key : std::uint8_t {
+  kAlertStop,
+  kAlertWarn,
+  kAlertNotice,
+  kAlertTtcStop,
+  kAlertTtcWarn,
+  kRobotWidth,
+  kRobotMargin,
+  kConfirmK,
+  kConfirmN,
+  kAlertRate,
+  kCorrectPose,
+};
+inline constexpr std::size_t kKeys = 11;
+
+struct KeyInfo {
+  std::string_view name;
+  std::string_view unit;      ///< "on|off" for switches
+  std::int32_t decimals = 0;  ///< values are counts of 10^-decimals
+  std::int32_t initial = 0;
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+  std::string_view help;
+};
+
+/// By Key.
+inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
+    {"alert.stop", "m", 2, 25, 0, 1000, "in the path and this near: stop"},
+    {"alert.warn", "m", 2, 50, 0, 1000, "in the path and this near: warn"},
+    {"alert.notice", "m", 2, 100, 0, 1000, "in the path and this near: notice"},
+    {"alert.ttc_stop", "s", 1, 8, 0, 600, "in the path and this soon: stop"},
+    {"alert.ttc_warn", "s", 1, 20, 0, 600, "in the path and this soon: warn"},
+    {"robot.width", "m", 2, 20, 2, 500, "across the wheels"},
+    {"robot.margin", "m", 2, 5, 0, 500, "kept free on either side"},
+    {"confirm.k", "", 0, 3, 1, 16, "sightings that confirm an object"},
+    {"confirm.n", "", 0, 5, 1, 16, "among this many frames"},
+    {"alert.rate", "/s", 0, 5, 1, 50, "repeated alerts of one object"},
+    {"correct.pose", "on|off", 0, 0, 0, 1, "correct the pose by landmarks seen again"},
+}};
+
+constexpr const KeyInfo& info(Key key) { return kKeyInfo[static_cast<std::size_t>(key)]; }
+
+/// Why a setting was not taken.
+enum class SettingError : std::uint8_t { kUnknownKey, kNotANumber, kOutOfRange };
+
+class Settings {
+ public:
+  constexpr Settings() {
+    for (std::size_t i = 0; i < kKeys; ++i) values_[i] = kKeyInfo[i].initial;
+  }
+
+  /// Count of 10^-decimals units.
+  [[nodiscard]] constexpr std::int32_t raw(Key key) const { return values_[static_cast<std::size_t>(key)]; }
+  /// In the key's unit.
+  [[nodiscard]] float number(Key key) const;
+
+  /// Takes `value` as written on the console. Nothing changes on an error.
+  std::optional<SettingError> set(std::string_view key, std::string_view value);
+  /// As FPCFG and `get` write it: exactly the key's decimals, or on/off.
+  [[nodiscard]] sensor::Text text(Key key) const;
+
+  friend constexpr bool operator==(const Settings&, const Settings&) = default;
+
+ private:
+  std::array<std::int32_t, kKeys> values_{};
+};
+
+}  // namespace fencepost::config

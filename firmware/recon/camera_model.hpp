@@ -1,0 +1,74 @@
+// From pixel columns and rows to directions on the ground plane (host/share/doc/frames.md; formats of the stream).
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/geometry.hpp"
+#include "hal/base/units.hpp"
+#include "hal/sensor/blob_frame.hpp"
+#include "hal/sensor/camera.hpp"
+
+namespace fencepost::recon {
+
+/// One calibrated camera in floats, ready for use. Frame "level camera": at the lens, x along the optical axis
+/// projected on the ground, y left, metres.
+struct CameraModel {
+  float fx = 1;
+  float fy = 1;
+  float cx = 0;
+  float cy = 0;
+  float k1 = 0;
+  Vec2 pitch{1, 0};          ///< cosine, sine; looking down is positive
+  Vec2 yaw{1, 0};            ///< cosine, sine of the mount's yaw
+  Vec2 position{0, 0};       ///< robot frame, m
+  float height = 0;          ///< of the lens above the floor, m
+  bool pitch_known = false;  ///< false: ground rows say nothing
+  std::int16_t width = 2;
+  std::int16_t rows = 2;
+  base::Duration latency;
+};
+
+CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics);
+
+/// One edge of an interval: a direction in the level camera frame, or no bound at all.
+struct EdgeRay {
+  Vec2 direction{1, 0};  ///< unit, level camera frame
+  bool censored = true;  ///< on the image border or hidden: it bounds nothing
+};
+
+/// How far a ray falls below the horizontal for each metre of forward depth.
+struct RowSlope {
+  float drop = 0;
+  bool censored = true;
+};
+
+/// One blob, reduced to what the plane needs. Level camera frame.
+struct BlobRays {
+  EdgeRay left;
+  EdgeRay right;
+  Vec2 center{1, 0};  ///< unit, of the interval's centre column: the paper's bearing
+  RowSlope top;
+  RowSlope bottom;
+};
+
+/// The four numbers of a box that reconstruction needs; inclusive pixel coordinates.
+struct Box {
+  std::int16_t x1 = 0;
+  std::int16_t y1 = 0;
+  std::int16_t x2 = 0;
+  std::int16_t y2 = 0;
+};
+
+/// Continuous edges are x1-0.5 and x2+0.5. An end within one pixel of the border is censored (x1 <= 1,
+/// x2 >= width-2; rows y1 <= 1, y2 >= rows-2), since the object may go on outside the image.
+BlobRays rays_of_box(const CameraModel& camera, const Box& box);
+
+/// Undistorted normalised coordinates of a pixel position: x right, y down, at depth 1.
+/// Inverts x_d = x_u (1 + k1 r_u^2) with a fixed number of Newton steps.
+Vec2 undistort(const CameraModel& camera, float u, float v);
+
+/// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
+/// image when it points sideways or backwards. For prediction; distortion is left out.
+float column_of(const CameraModel& camera, const Vec2& direction);
+
+}  // namespace fencepost::recon

@@ -1,0 +1,213 @@
+#include "firmware/recon/cylinder.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::recon {
+namespace {
+
+// A typical obstacle, used only for the very first guess of a distance (m).
+constexpr float kTypicalRadius = 0.08F;
+constexpr float kNearestGuess = 0.2F;
+constexpr float kFarthestGuess = 2.5F;
+
+// All ground rows of an object share one pitch error, so together they count as this many independent ones.
+constexpr float kIndependentRows = 4.0F;
+
+// A row prediction that differs from the edges by more than this many sigmas belongs to an object above the floor.
+constexpr float kRowGate = 3.0F;
+
+// The distance is called unknown while its sigma exceeds this share of it.
+constexpr float kMaxDistanceSigmaShare = 0.25F;
+
+// Radii outside this range are not obstacles of a small robot but contradictions (m).
+constexpr float kLargestRadius = 1.5F;
+
+// Inlier share and outlier level of the mixture that weighs each tangent (algorithms: Lin = 0.9 N(e; s),
+// Lout = 0.1 / 0.3 m).
+constexpr float kOutlierLevel = 0.1F / 0.3F;
+constexpr float kInlierShare = 0.9F;
+constexpr float kSqrtTwoPi = 2.5066283F;
+
+// Agreement is averaged over about this many tangents; below the floor the past is forgotten by this factor a view.
+constexpr float kAgreementGain = 1.0F / 16.0F;
+constexpr float kAgreementFloor = 0.35F;
+constexpr float kForgetting = 0.8F;
+
+// Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose float digits.
+constexpr float kMaxInformation = 4.0e7F;
+
+// exp(-x) for x >= 0 by (1 - x/16)^16: within 0.02 of exp, and exactly 0 beyond 16. Only + - *.
+float soft_exp_minus(float x) {
+  if (x >= 16.0F) return 0.0F;
+  float y = 1.0F - x / 16.0F;
+  y *= y;
+  y *= y;
+  y *= y;
+  return y * y;
+}
+
+// Probability that a tangent with residual e and variance s2 is a good one.
+float inlier_probability(float e, float s2) {
+  const float inlier = kInlierShare * soft_exp_minus(0.5F * e * e / s2) / (std::sqrt(s2) * kSqrtTwoPi);
+  return inlier / (inlier + kOutlierLevel);
+}
+
+CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& lens) {
+  CylinderEstimate estimate;
+  const Symmetric3& m = equations.information;
+  if (!(m.rr > 0)) return estimate;
+  Eigen::Matrix3f information;
+  information << m.xx, m.xy, m.xr, m.xy, m.yy, m.yr, m.xr, m.yr, m.rr;
+  estimate.refusal = CylinderRefusal::kParallax;
+  const Eigen::LLT<Eigen::Matrix3f> factor(information);
+  if (factor.info() != Eigen::Success) return estimate;
+  const Eigen::Vector3f solution =
+      factor.solve(Eigen::Vector3f(equations.moment.x(), equations.moment.y(), equations.moment_radius));
+  const Eigen::Vector3f of_x = factor.solve(Eigen::Vector3f(1, 0, 0));
+  const Eigen::Vector3f of_y = factor.solve(Eigen::Vector3f(0, 1, 0));
+  const Eigen::Vector3f of_r = factor.solve(Eigen::Vector3f(0, 0, 1));
+  estimate.covariance = {of_x(0), of_x(1), of_y(1), of_x(2), of_y(2), of_r(2)};
+  estimate.center = solution.head<2>();
+  estimate.radius = solution(2);
+  const Vec2 away = estimate.center - lens;
+  const float distance_squared = away.squaredNorm();
+  const float limit = kMaxDistanceSigmaShare * distance_squared;
+  // position_along(away) = distance^2 times the variance of the distance
+  if (!(estimate.covariance.position_along(away) < limit * limit)) return estimate;
+  const bool plausible = estimate.radius > 0 && estimate.radius < kLargestRadius;
+  estimate.refusal = plausible ? CylinderRefusal::kNone : CylinderRefusal::kImplausible;
+  return estimate;
+}
+
+}  // namespace
+
+float CylinderEstimate::outline_sigma() const {
+  return std::sqrt(covariance.rr + 0.5F * (covariance.xx + covariance.yy));
+}
+
+void Symmetric3::scale(float factor) {
+  xx *= factor;
+  xy *= factor;
+  yy *= factor;
+  xr *= factor;
+  yr *= factor;
+  rr *= factor;
+}
+
+void Symmetric3::add(const Symmetric3& other) {
+  xx += other.xx;
+  xy += other.xy;
+  yy += other.yy;
+  xr += other.xr;
+  yr += other.yr;
+  rr += other.rr;
+}
+
+void NormalEquations::add(const Vec2& normal, float bound, float weight) {
+  const Vec2 weighted = weight * normal;
+  information.add({weighted.x() * normal.x(), weighted.x() * normal.y(), weighted.y() * normal.y(), weighted.x(),
+                   weighted.y(), weight});
+  moment += bound * weighted;
+  moment_radius += bound * weight;
+}
+
+void NormalEquations::add(const NormalEquations& other) {
+  information.add(other.information);
+  moment += other.moment;
+  moment_radius += other.moment_radius;
+}
+
+void NormalEquations::move_origin(const Vec2& shift) {
+  // h' = h - n.shift in every row, so the moments change by the information's position columns.
+  const Symmetric3& m = information;
+  moment.x() -= m.xx * shift.x() + m.xy * shift.y();
+  moment.y() -= m.xy * shift.x() + m.yy * shift.y();
+  moment_radius -= m.xr * shift.x() + m.yr * shift.y();
+}
+
+void NormalEquations::scale(float factor) {
+  information.scale(factor);
+  moment *= factor;
+  moment_radius *= factor;
+}
+
+void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
+  const Vec2 lens = sighting.lens_from(origin);
+  const float distance =
+      estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
+  const float radius = estimate_.ok() ? estimate_.radius : kTypicalRadius;
+  const float shape = noise.roundness * radius;
+  const float shape_variance = shape * shape;
+  if (estimate_.ok() && agreement_ < kAgreementFloor) {
+    edges_.scale(kForgetting);
+    rows_.scale(kForgetting);
+    row_count_ *= kForgetting;
+  }
+  if (!sighting.left.censored) {
+    const float variance = edge_variance(sighting, sighting.left, distance, noise) + shape_variance;
+    add_tangent(edges_, left_tangent(sighting, origin), variance, novelty);
+  }
+  if (!sighting.right.censored) {
+    const float variance = edge_variance(sighting, sighting.right, distance, noise) + shape_variance;
+    add_tangent(edges_, right_tangent(sighting, origin), variance, novelty);
+  }
+  const RowDepth row = row_depth(sighting, noise);
+  if (row.known) {
+    const Vec2 normal = -sighting.axis;
+    const HalfPlane front{normal, normal.dot(lens) - row.depth};
+    const float weight = novelty / (row.variance + shape_variance);
+    rows_.add(front.normal, front.bound, weight);
+    row_count_ += novelty;
+  }
+}
+
+void Cylinder::add_tangent(NormalEquations& equations, const HalfPlane& tangent, float variance, float novelty) {
+  float weight = novelty / variance;
+  if (estimate_.ok()) {
+    const float residual = tangent.bound - tangent.normal.dot(estimate_.center) - estimate_.radius;
+    const float expected = variance + estimate_.covariance.along(tangent.normal);
+    const float inlier = inlier_probability(residual, expected);
+    agreement_ += kAgreementGain * (inlier - agreement_);
+    weight *= inlier;
+  }
+  equations.add(tangent.normal, tangent.bound, weight);
+  if (equations.information.rr > kMaxInformation) equations.scale(0.5F);
+}
+
+void Cylinder::solve(const Vec2& lens) {
+  const CylinderEstimate from_edges = solve_equations(edges_, lens);
+  if (!(row_count_ > 0) || (from_edges.ok() && !rows_agree(from_edges))) {
+    estimate_ = from_edges;
+    return;
+  }
+  NormalEquations both = rows_;
+  both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
+  both.add(edges_);
+  estimate_ = solve_equations(both, lens);
+}
+
+bool Cylinder::rows_agree(const CylinderEstimate& from_edges) const {
+  const float weight = rows_.information.rr;
+  const Vec2 mean_normal{rows_.information.xr / weight, rows_.information.yr / weight};
+  const float residual = rows_.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
+  const float share = row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F;
+  const float variance = 1.0F / (weight * share) + from_edges.covariance.along(mean_normal);
+  return residual * residual <= kRowGate * kRowGate * variance;
+}
+
+void Cylinder::move_origin(const Vec2& shift) {
+  edges_.move_origin(shift);
+  rows_.move_origin(shift);
+  estimate_.center -= shift;
+}
+
+float prior_distance(const Sighting& sighting) {
+  // sin of the half angle between the rays; a censored end makes the object look smaller, that is farther.
+  const float sine = cross(sighting.right.direction, sighting.left.direction);
+  const float half = std::max(0.5F * sine, 1e-3F);
+  return std::clamp(kTypicalRadius / half, kNearestGuess, kFarthestGuess);
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,101 @@
+#include "firmware/recon/digest.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+void hash_vec(base::Fnv1a64& hash, const Vec2& v) {
+  hash.f32(v.x());
+  hash.f32(v.y());
+}
+
+void hash_symmetric(base::Fnv1a64& hash, const Symmetric3& m) {
+  hash.f32(m.xx);
+  hash.f32(m.xy);
+  hash.f32(m.yy);
+  hash.f32(m.xr);
+  hash.f32(m.yr);
+  hash.f32(m.rr);
+}
+
+void hash_equations(base::Fnv1a64& hash, const NormalEquations& equations) {
+  hash_symmetric(hash, equations.information);
+  hash_vec(hash, equations.moment);
+  hash.f32(equations.moment_radius);
+}
+
+void hash_band(base::Fnv1a64& hash, const HeightBand::Sums& sums) {
+  hash_vec(hash, sums.slope);
+  hash.f32(sums.start);
+  hash.f32(sums.drop);
+  hash.f32(sums.height);
+  hash.f32(sums.views);
+}
+
+}  // namespace
+
+void hash_pose(base::Fnv1a64& hash, const MapPose& pose) {
+  hash.i32(pose.position.x);
+  hash.i32(pose.position.y);
+  hash.i32(pose.heading);
+}
+
+void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
+  hash.u32(object.id);
+  hash.u8(object.signature);
+  hash.u8(object.confirmed ? 1 : 0);
+  hash.u8(object.arenas);
+  hash.u32(object.views);
+  hash.i64(object.last_seen.raw);
+  hash.u16(object.history.bits);
+  hash.u8(object.history.length);
+  hash.u16(object.missed_in_a_row);
+  hash.f32(object.presence);
+  hash.i32(object.origin.x);
+  hash.i32(object.origin.y);
+  hash_vec(hash, object.last_lens);
+  hash_vec(hash, object.last_bearing);
+  hash_equations(hash, object.cylinder.edges());
+  hash_equations(hash, object.cylinder.rows());
+  hash.f32(object.cylinder.row_count());
+  hash.f32(object.cylinder.agreement());
+  const CylinderEstimate& estimate = object.cylinder.estimate();
+  hash.u8(static_cast<std::uint8_t>(estimate.refusal));
+  if (estimate.ok()) {
+    hash_vec(hash, estimate.center);
+    hash.f32(estimate.radius);
+    hash_symmetric(hash, estimate.covariance);
+  }
+  const CylinderPaper::Sums& paper = object.cylinder_paper.sums();
+  hash.f32(paper.nxx);
+  hash.f32(paper.nxy);
+  hash.f32(paper.nyy);
+  hash_vec(hash, paper.moment);
+  hash_vec(hash, paper.reach);
+  hash.f32(paper.start);
+  hash.f32(paper.views);
+  hash_band(hash, object.band.bottom());
+  hash_band(hash, object.band.top());
+}
+
+void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices) {
+  hash.u16(static_cast<std::uint16_t>(vertices.size()));
+  for (const Vec2& vertex : vertices) hash_vec(hash, vertex);
+}
+
+void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t placements,
+               std::span<const std::uint32_t> words) {
+  hash_vec(hash, placement.low);
+  hash.f32(placement.cell);
+  hash.u8(placements);
+  for (const std::uint32_t word : words) hash.u32(word);
+}
+
+void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents) {
+  hash.u16(static_cast<std::uint16_t>(tangents.size()));
+  for (const HalfPlane& tangent : tangents) {
+    hash_vec(hash, tangent.normal);
+    hash.f32(tangent.bound);
+  }
+}
+
+}  // namespace fencepost::recon

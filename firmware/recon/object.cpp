@@ -1,0 +1,29 @@
+#include "firmware/recon/object.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::recon {
+namespace {
+
+// A view counts in full when the lens moved by this share of the distance since the last one.
+constexpr float kNovelShare = 0.03F;
+constexpr float kLeastNovelty = 0.05F;
+
+}  // namespace
+
+float ObjectCore::confidence() const {
+  const CylinderEstimate& estimate = cylinder.estimate();
+  if (!estimate.ok()) return 0;
+  const float uncertainty = std::sqrt(std::min(1.0F, estimate.outline_sigma() / estimate.radius));
+  return (1.0F - uncertainty) * presence;
+}
+
+float ObjectCore::novelty(const Vec2& lens) const {
+  const Vec2 center = cylinder.estimate().ok() ? cylinder.estimate().center : Vec2{0, 0};
+  const float distance = std::max(0.05F, std::sqrt((center - lens).squaredNorm()));
+  const float moved_by = std::sqrt((lens - last_lens).squaredNorm());
+  return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,133 @@
+// One object: what it is, how often it was seen, and its models. All views of it pass through observe().
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/carve.hpp"
+#include "firmware/recon/clip.hpp"
+#include "firmware/recon/cylinder.hpp"
+#include "firmware/recon/cylinder_paper.hpp"
+#include "firmware/recon/height_band.hpp"
+#include "firmware/recon/sighting.hpp"
+#include "hal/base/fixed.hpp"
+#include "hal/base/units.hpp"
+
+namespace fencepost::recon {
+
+/// The last frames in which the object could be seen, newest in bit 0: 1 = it was.
+struct SightingHistory {
+  std::uint16_t bits = 0;
+  std::uint8_t length = 0;
+
+  void push(bool seen) {
+    bits = static_cast<std::uint16_t>((static_cast<unsigned>(bits) << 1U) | (seen ? 1U : 0U));
+    if (length < 16) ++length;
+  }
+  /// Sightings among the last `n` (at most 16).
+  [[nodiscard]] int seen_of_last(int n) const {
+    const unsigned mask = n >= 16 ? 0xFFFFU : (1U << static_cast<unsigned>(n)) - 1U;
+    return __builtin_popcount(bits & mask);
+  }
+};
+
+/// What does not depend on the profile.
+struct ObjectCore {
+  std::uint32_t id = 0;  ///< 0: free slot
+  std::uint8_t signature = 0;
+  bool confirmed = false;
+  std::uint8_t arenas = 0;  ///< how often the models were given a place
+  std::uint32_t views = 0;
+  base::Time last_seen;
+  SightingHistory history;
+  std::uint16_t missed_in_a_row = 0;  ///< frames in which it should have been seen and was not, since the last sighting
+  float presence = 1;                 ///< running share of expected sightings that came
+  MapPoint origin;                    ///< of the local frame of all models
+  Vec2 last_lens{0, 0};               ///< local
+  Vec2 last_bearing{1, 0};            ///< unit, map axes
+  Cylinder cylinder;
+  CylinderPaper cylinder_paper;
+  HeightBand band;
+
+  [[nodiscard]] bool used() const { return id != 0; }
+  [[nodiscard]] bool placed() const { return arenas > 0; }
+
+  /// In [0, 1]: 1 - sqrt(outline sigma / radius), times the share of expected sightings that came; 0 without cylinder.
+  [[nodiscard]] float confidence() const;
+  /// Weight of a view from `lens`: what a parked robot sees again is not news. In [0.05, 1].
+  [[nodiscard]] float novelty(const Vec2& lens) const;
+};
+
+/// The bounded number of times that models may start again elsewhere because their first place was wrong.
+inline constexpr std::uint8_t kMaxArenas = 4;
+
+template <class Profile>
+struct Object : ObjectCore {
+  base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen before there was a place
+  ConvexClip<Profile::kClipVertices> clip;
+  CarveGrid<Profile::kGridCells> grid;
+
+  /// Starts a new object at its first sighting.
+  void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
+    *this = Object{};
+    id = new_id;
+    signature = new_signature;
+    last_seen = t;
+    last_lens = first.lens_from(first.anchor);
+    origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
+    last_lens = first.lens_from(origin);
+  }
+
+  /// One more view of the object.
+  void observe(const Sighting& sighting, base::Time t, const MeasurementNoise& noise) {
+    const Vec2 lens = sighting.lens_from(origin);
+    cylinder.add(sighting, origin, views == 0 ? 1.0F : novelty(lens), noise);
+    cylinder_paper.add(sighting, origin);
+    band.add(sighting, origin);
+    cylinder.solve(lens);
+    last_lens = lens;
+    last_bearing = sighting.center;
+    last_seen = t;
+    missed_in_a_row = 0;
+    ++views;
+    if (cylinder.estimate().ok() && must_move()) move_arena();
+    if (!sighting.left.censored) cut(left_tangent(sighting, origin));
+    if (!sighting.right.censored) cut(right_tangent(sighting, origin));
+    if (placed()) grid.refine(clip.vertices());
+  }
+
+ private:
+  // The estimate has left the inner half of the arena.
+  [[nodiscard]] bool must_move() const {
+    if (!placed()) return true;
+    constexpr float kInner = 0.75F * kArenaHalfSide;
+    return arenas < kMaxArenas && cylinder.estimate().center.squaredNorm() > kInner * kInner;
+  }
+
+  // Puts the models around the estimate; clip and grid start solid again, then take the tangents that waited.
+  void move_arena() {
+    const MapPoint target = moved(origin, cylinder.estimate().center);
+    const Vec2 shift = offset_from(origin, target);
+    origin = target;
+    last_lens -= shift;
+    cylinder.move_origin(shift);
+    cylinder_paper.move_origin(shift);
+    band.move_origin(shift);
+    clip.start();
+    grid.start();
+    ++arenas;
+    for (const HalfPlane& tangent : pending) cut(seen_from(tangent, shift));
+    pending.clear();
+  }
+
+  void cut(const HalfPlane& tangent) {
+    if (placed()) {
+      clip.cut(tangent);
+      grid.carve(tangent);
+      return;
+    }
+    if (pending.full()) pending.erase_at(0);  // the oldest, farthest one: forgetting a cut is always safe
+    static_cast<void>(pending.push_back(tangent));
+  }
+};
+
+}  // namespace fencepost::recon

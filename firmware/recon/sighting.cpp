@@ -1,0 +1,61 @@
+#include "firmware/recon/sighting.hpp"
+
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::recon {
+
+LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
+  const base::SinCos heading = base::sincos_urad(robot.heading);
+  const Vec2 map_R_robot{heading.cos, heading.sin};
+  return {robot.position, rotated(map_R_robot, camera.position), rotated(map_R_robot, camera.yaw)};
+}
+
+Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const BlobRays& rays) {
+  Sighting sighting;
+  sighting.anchor = pose.anchor;
+  sighting.lens = pose.lens;
+  sighting.axis = pose.axis;
+  sighting.center = rotated(pose.axis, rays.center);
+  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored};
+  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored};
+  sighting.top = rays.top;
+  sighting.bottom = rays.bottom;
+  sighting.focal = camera.fx;
+  sighting.lens_height = camera.height;
+  sighting.rows_known = camera.pitch_known && camera.height > 0;
+  return sighting;
+}
+
+HalfPlane left_tangent(const Sighting& sighting, MapPoint origin) {
+  const Vec2 normal = left_of(sighting.left.direction);
+  return {normal, normal.dot(sighting.lens_from(origin))};
+}
+
+HalfPlane right_tangent(const Sighting& sighting, MapPoint origin) {
+  const Vec2 normal = -left_of(sighting.right.direction);
+  return {normal, normal.dot(sighting.lens_from(origin))};
+}
+
+float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise) {
+  const float cos_beta = ray.direction.dot(sighting.axis);
+  const float pixel = distance * cos_beta * cos_beta / sighting.focal * noise.edge_px;
+  const float heading = distance * noise.heading;
+  return pixel * pixel + heading * heading + noise.position * noise.position;
+}
+
+RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
+  if (!sighting.rows_known || sighting.bottom.censored) return {};
+  if (sighting.left.censored && sighting.right.censored) return {};
+  if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
+  const float depth = sighting.lens_height / sighting.bottom.drop;
+  // dX = X^2 / (f h) dv; the pitch moves the row by f dpitch.
+  const float per_radian = depth * depth / sighting.lens_height;
+  const float row = noise.row_px / sighting.focal;
+  const float variance =
+      per_radian * per_radian * (row * row + noise.pitch * noise.pitch) + noise.position * noise.position;
+  return {true, depth, variance};
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,194 @@
+#include "host/replay/models.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace fencepost::host {
+namespace {
+
+constexpr int kCircleVertices = 64;
+
+Point to_map(recon::MapPoint origin, double x, double y) {
+  return {static_cast<double>(origin.x) / recon::kMapUnitsPerMetre + x,
+          static_cast<double>(origin.y) / recon::kMapUnitsPerMetre + y};
+}
+
+void set_circle(ModelResult& model, Point center, double radius) {
+  model.circle = Circle{center, radius};
+  // The polygon's area is n/2 R^2 sin(2 pi / n); R makes it pi r^2.
+  const double step = 2 * std::numbers::pi / kCircleVertices;
+  const double outer = radius * std::sqrt(2 * std::numbers::pi / (kCircleVertices * std::sin(step)));
+  Polygon polygon;
+  for (int i = 0; i < kCircleVertices; ++i) {
+    polygon.outer.push_back({center.x + outer * std::cos(i * step), center.y + outer * std::sin(i * step)});
+  }
+  model.geometry.push_back(std::move(polygon));
+}
+
+double signed_area(const LinearRing& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[(i + 1) % ring.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+// Traces the boundaries between solid and empty cells, solid on the left. Corners are (column, row) of the lattice.
+class OutlineTracer {
+ public:
+  using Corner = std::pair<int, int>;
+
+  OutlineTracer(std::size_t cells, std::span<const std::uint32_t> words)
+      : cells_(static_cast<int>(cells)), words_(words) {
+    for (int j = 0; j < cells_; ++j) {
+      for (int i = 0; i < cells_; ++i) add_cell_edges(i, j);
+    }
+  }
+
+  std::vector<std::vector<Corner>> loops() {
+    std::vector<std::vector<Corner>> all;
+    while (!edges_.empty()) all.push_back(trace());
+    return all;
+  }
+
+ private:
+  [[nodiscard]] bool solid(int i, int j) const {
+    if (i < 0 || j < 0 || i >= cells_ || j >= cells_) return false;
+    const auto index = static_cast<std::size_t>(j * cells_ + i);
+    return ((words_[index / 32] >> (index % 32)) & 1U) != 0;
+  }
+  void add_cell_edges(int i, int j) {
+    if (!solid(i, j)) return;
+    if (!solid(i, j - 1)) edges_.insert({{i, j}, {i + 1, j}});
+    if (!solid(i + 1, j)) edges_.insert({{i + 1, j}, {i + 1, j + 1}});
+    if (!solid(i, j + 1)) edges_.insert({{i + 1, j + 1}, {i, j + 1}});
+    if (!solid(i - 1, j)) edges_.insert({{i, j + 1}, {i, j}});
+  }
+  // Where two solid cells meet at a corner only, turn left: the cells stay apart, and every loop is simple.
+  std::vector<Corner> trace() {
+    std::vector<Corner> loop;
+    const Corner start = edges_.begin()->first;
+    Corner at = start;
+    Corner direction{0, 0};
+    do {
+      auto [first, last] = edges_.equal_range(at);
+      auto chosen = first;
+      for (auto edge = first; edge != last; ++edge) {
+        const Corner next{edge->second.first - at.first, edge->second.second - at.second};
+        if (direction.first * next.second - direction.second * next.first > 0) chosen = edge;
+      }
+      const Corner next{chosen->second.first - at.first, chosen->second.second - at.second};
+      if (next != direction) loop.push_back(at);
+      direction = next;
+      at = chosen->second;
+      edges_.erase(chosen);
+    } while (at != start);
+    return loop;
+  }
+
+  int cells_;
+  std::span<const std::uint32_t> words_;
+  std::multimap<Corner, Corner> edges_;
+};
+
+// Does `outer` contain the lattice loop's first point, moved a little into the loop's inside?
+bool contains(const LinearRing& ring, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const bool crosses = (ring[i].y > p.y) != (ring[j].y > p.y);
+    if (crosses && p.x < (ring[j].x - ring[i].x) * (p.y - ring[i].y) / (ring[j].y - ring[i].y) + ring[i].x) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+ModelResult cylinder_model(const recon::ObjectCore& object) {
+  const recon::CylinderEstimate& estimate = object.cylinder.estimate();
+  ModelResult model;
+  model.name = "cylinder";
+  model.reason = std::string(name(estimate.refusal));
+  if (!estimate.ok()) return model;
+  const auto x = static_cast<double>(estimate.center.x());
+  const auto y = static_cast<double>(estimate.center.y());
+  set_circle(model, to_map(object.origin, x, y), static_cast<double>(estimate.radius));
+  return model;
+}
+
+ModelResult cylinder_paper_model(const recon::ObjectCore& object) {
+  const recon::PaperCylinder cylinder = object.cylinder_paper.solve();
+  ModelResult model;
+  model.name = "cylinder_paper";
+  if (!cylinder.ok) {
+    model.reason = "fewer than two bearings that cross";
+    return model;
+  }
+  const auto x = static_cast<double>(cylinder.center.x());
+  const auto y = static_cast<double>(cylinder.center.y());
+  set_circle(model, to_map(object.origin, x, y), static_cast<double>(cylinder.radius));
+  return model;
+}
+
+ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::Vec2> vertices) {
+  ModelResult model;
+  model.name = "clip";
+  if (vertices.size() < 3) {
+    model.reason = object.placed() ? "contradictory wedges carved everything away" : "no place yet";
+    return model;
+  }
+  Polygon polygon;
+  for (const recon::Vec2& v : vertices) {
+    polygon.outer.push_back(to_map(object.origin, static_cast<double>(v.x()), static_cast<double>(v.y())));
+  }
+  model.geometry.push_back(std::move(polygon));
+  return model;
+}
+
+ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
+                        std::span<const std::uint32_t> words) {
+  ModelResult model;
+  model.name = "carve";
+  if (!object.placed()) {
+    model.reason = "no place yet";
+    return model;
+  }
+  std::vector<LinearRing> holes;
+  for (const auto& loop : OutlineTracer(cells, words).loops()) {
+    LinearRing ring;
+    for (const auto& [column, row] : loop) {
+      const auto cell = static_cast<double>(placement.cell);
+      ring.push_back(to_map(object.origin, static_cast<double>(placement.low.x()) + column * cell,
+                            static_cast<double>(placement.low.y()) + row * cell));
+    }
+    if (signed_area(ring) > 0) {
+      model.geometry.push_back({std::move(ring), {}});
+    } else {
+      holes.push_back(std::move(ring));
+    }
+  }
+  for (LinearRing& hole : holes) {
+    // The middle of the hole's first side lies on the boundary of exactly one solid region: step into it.
+    const Point a = hole[0];
+    const Point b = hole[1];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double step = 0.25 * static_cast<double>(placement.cell) / length;
+    const Point inside{(a.x + b.x) / 2 - (b.y - a.y) * step, (a.y + b.y) / 2 + (b.x - a.x) * step};
+    for (Polygon& polygon : model.geometry) {
+      if (!contains(polygon.outer, inside)) continue;
+      polygon.holes.push_back(std::move(hole));
+      break;
+    }
+  }
+  if (model.geometry.empty()) model.reason = "contradictory wedges carved everything away";
+  return model;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,50 @@
+// What a run wrote: its own log, heard as it is written.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/record/stream_reader.hpp"
+
+namespace fencepost::host {
+
+/// Splits the bytes of the log into lines, keeps the alerts and hands on what `replay --check` compares.
+class OwnLog {
+ public:
+  struct Listeners {
+    std::function<void(std::string_view)> line;  ///< each line, line end included
+    std::function<void(const record::AlertReport&)> alert;
+    std::function<void(const record::ObjectReport&)> object;
+    std::function<void(const record::DigestReport&)> digest;
+  };
+
+  explicit OwnLog(Listeners listeners) : listeners_(std::move(listeners)) {}
+
+  void hear(std::string_view bytes) {
+    for (const char byte : bytes) {
+      line_.push_back(byte);
+      reader_.push(byte, *this);
+      if (byte != '\n') continue;
+      if (listeners_.line) listeners_.line(line_);
+      line_.clear();
+    }
+  }
+
+  // The sink of the reader.
+  void accept(const record::AlertReport& alert) { listeners_.alert(alert); }
+  void accept(const record::ObjectReport& object) { listeners_.object(object); }
+  void accept(const record::DigestReport& digest) { listeners_.digest(digest); }
+  template <class Record>
+  void accept(const Record&) {}
+
+ private:
+  Listeners listeners_;
+  std::string line_;
+  std::array<char, record::StreamReader::kBuffer> buffer_{};
+  record::StreamReader reader_{buffer_};
+};
+
+}  // namespace fencepost::host

@@ -1,0 +1,95 @@
+#include "host/replay/runner.hpp"
+
+#include <algorithm>
+
+#include "firmware/app/loop.hpp"
+#include "host/replay/log_sensors.hpp"
+#include "host/replay/models.hpp"
+
+namespace fencepost::host {
+namespace {
+
+template <class Profile>
+class ProfileRunner final : public Runner {
+ public:
+  explicit ProfileRunner(std::function<void(std::string_view)> log)
+      : link_(std::move(log)), loop_(*memory_, camera_, odometry_, link_, app::Mode::kLog) {}
+
+  void start_run(const record::Header& header) override {
+    header_ = header;
+    loop_.pipeline().start_run(header_);
+  }
+  void take(const sensor::CameraIntrinsics& camera) override { loop_.pipeline().set_camera(camera); }
+  void take(const record::Signature& signature) override {
+    if (loop_.pipeline().set_signature(signature)) return;
+    complaints_.push_back("signature " + std::to_string(signature.signature) + ": profile " +
+                          std::string(Profile::kName) + " names only " + std::to_string(Profile::kSignatures));
+  }
+  void take(const record::Setting& setting) override {
+    if (!loop_.pipeline().set(setting.key.view(), setting.value.view())) return;
+    complaints_.push_back("setting " + std::string(setting.key.view()) + " = " + std::string(setting.value.view()) +
+                          " is not known here");
+  }
+  void take(const sensor::OdometrySample& sample) override {
+    odometry_.offer(sample);
+    loop_.step(sample.t);
+  }
+  void take(const sensor::BlobFrame& frame) override {
+    camera_.offer(frame);
+    loop_.step(frame.t);
+  }
+  void finish() override { loop_.pipeline().finish(); }
+
+  [[nodiscard]] const app::Counters& counters() const override { return memory_->counters; }
+  [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
+  [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
+
+  [[nodiscard]] std::vector<ObjectResult> objects() const override {
+    std::vector<ObjectResult> results;
+    for (const auto& object : memory_->map.slots()) {
+      if (object.used()) results.push_back(describe_object(object));
+    }
+    std::sort(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    return results;
+  }
+
+ private:
+  [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {
+    ObjectResult result;
+    result.id = object.id;
+    result.signature = object.signature;
+    result.state = app::state_of(object, memory_->run.time.value_or(base::Time{}));
+    result.views = object.views;
+    result.confidence = static_cast<double>(object.confidence());
+    const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+    if (cylinder.ok()) {
+      const recon::HeightRange band = object.band.at(cylinder.center, cylinder.radius);
+      result.z_min = static_cast<double>(band.z_min);
+      result.z_max = static_cast<double>(band.z_max);
+    }
+    result.models.push_back(cylinder_model(object));
+    result.models.push_back(cylinder_paper_model(object));
+    result.models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
+    result.models.push_back(clip_model(object, object.clip.vertices()));
+    return result;
+  }
+
+  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  record::Header header_;
+  LogCamera camera_;
+  LogOdometry odometry_;
+  ListeningLink link_;
+  app::Loop<Profile, LogCamera, LogOdometry, ListeningLink> loop_;
+  std::vector<std::string> complaints_;
+};
+
+}  // namespace
+
+std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log) {
+  if (profile == config::Micro::kName) return std::make_unique<ProfileRunner<config::Micro>>(std::move(log));
+  if (profile == config::Small::kName) return std::make_unique<ProfileRunner<config::Small>>(std::move(log));
+  if (profile == config::Full::kName) return std::make_unique<ProfileRunner<config::Full>>(std::move(log));
+  return nullptr;
+}
+
+}  // namespace fencepost::host

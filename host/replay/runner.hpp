@@ -1,0 +1,41 @@
+// The robot's loop on the desk, one instance a profile, behind one interface.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "firmware/app/memory.hpp"
+#include "firmware/record/records.hpp"
+#include "host/result/result.hpp"
+
+namespace fencepost::host {
+
+class Runner {
+ public:
+  virtual ~Runner() = default;
+
+  virtual void start_run(const record::Header& header) = 0;
+  virtual void take(const sensor::CameraIntrinsics& camera) = 0;
+  virtual void take(const record::Signature& signature) = 0;
+  virtual void take(const record::Setting& setting) = 0;
+  virtual void take(const sensor::OdometrySample& sample) = 0;
+  virtual void take(const sensor::BlobFrame& frame) = 0;
+  virtual void finish() = 0;
+
+  [[nodiscard]] virtual const app::Counters& counters() const = 0;
+  [[nodiscard]] virtual std::uint64_t digest() const = 0;
+  /// All objects with all models of the profile.
+  [[nodiscard]] virtual std::vector<ObjectResult> objects() const = 0;
+  /// Signatures and settings that did not fit or were not understood, one sentence each.
+  [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;
+};
+
+/// `log` hears every byte of the log that this run writes. nullptr for an unknown profile name.
+std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log);
+
+/// The names that make_runner knows, as an error message lists them.
+inline constexpr std::string_view kProfileNames = "micro, small, full";
+
+}  // namespace fencepost::host
