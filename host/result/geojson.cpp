@@ -1,0 +1,52 @@
+#include "host/result/geojson.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/geometry/rings.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kLengthDecimals = 6;  ///< a micrometre: far below any model's error, and short to read
+constexpr std::size_t kSmallestRing = 3;
+
+Json ring_json(LinearRing ring, bool counter_clockwise) {
+  if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  Json points = Json::array();
+  for (const Point& p : ring) {
+    points.push_back(Json::array({rounded(p.x, kLengthDecimals), rounded(p.y, kLengthDecimals)}));
+  }
+  points.push_back(points.front());
+  return points;
+}
+
+Json polygon_json(const Polygon& polygon) {
+  Json rings = Json::array({ring_json(polygon.outer, true)});
+  for (const LinearRing& hole : polygon.holes) {
+    if (hole.size() >= kSmallestRing) rings.push_back(ring_json(hole, false));
+  }
+  return rings;
+}
+
+}  // namespace
+
+Json rounded(double value, int decimals) {
+  if (!std::isfinite(value)) return nullptr;
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale + 0.0;  // + 0.0 turns -0 into 0
+}
+
+Json to_geojson(const MultiPolygon& geometry) {
+  Json polygons = Json::array();
+  for (const Polygon& polygon : geometry) {
+    if (polygon.outer.size() >= kSmallestRing) polygons.push_back(polygon_json(polygon));
+  }
+  if (polygons.empty()) return nullptr;
+  if (polygons.size() == 1) return {{"type", "Polygon"}, {"coordinates", polygons.front()}};
+  return {{"type", "MultiPolygon"}, {"coordinates", polygons}};
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,28 @@
+// The result document as text for a terminal.
+#pragma once
+
+#include <string>
+
+#include "host/result/result.hpp"
+
+namespace fencepost::host {
+
+struct TextOptions {
+  bool colour = false;  ///< ANSI colours; only for a terminal
+};
+
+/// One line per object under a head of two lines (names, units), at most 80 columns for values of ordinary size.
+/// "-" where a model has nothing to say. Says so when there is no object.
+std::string object_table(const ResultDocument& document, const TextOptions& options = {});
+
+/// One sentence: `12.380 s  STOP    red  0.24 m  12 deg left, contact in 1.1 s  (object 3)`.
+std::string alert_sentence(const ResultDocument& document, const record::AlertReport& alert,
+                           const TextOptions& options = {});
+
+/// One sentence per alert, in order.
+std::string alert_list(const ResultDocument& document, const TextOptions& options = {});
+
+/// One line: objects, alerts, frames, profile and digest.
+std::string summary_line(const ResultDocument& document);
+
+}  // namespace fencepost::host

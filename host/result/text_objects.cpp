@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/geometry/planar.hpp"
+#include "host/result/lookup.hpp"
+#include "host/result/printable.hpp"
+#include "host/result/text.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr std::size_t kNameWidth = 10;
+constexpr std::size_t kAreaColumns = 2;     ///< more do not fit into 80 columns
+constexpr double kSquareCentimetres = 1e4;  ///< per m^2
+
+std::string number(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+/// The models whose area is shown: the most useful ones the profile has.
+std::vector<std::string> area_columns(const ResultDocument& document) {
+  const std::vector<std::string> present = model_names(document);
+  std::vector<std::string> columns;
+  for (const char* name : {"hybrid", "carve", "clip"}) {
+    const bool has = std::find(present.begin(), present.end(), name) != present.end();
+    if (has && columns.size() < kAreaColumns) columns.emplace_back(name);
+  }
+  return columns;
+}
+
+std::string area_cell(const ObjectResult& object, const std::string& model_name) {
+  const ModelResult* model = find_model(object, model_name);
+  if (model == nullptr || model->geometry.empty()) return "-";
+  return number(area(model->geometry) * kSquareCentimetres, 0);
+}
+
+std::string object_row(const ResultDocument& document, const ObjectResult& object,
+                       const std::vector<std::string>& areas) {
+  const Circle* circle = object_circle(object);
+  const std::string name = printable(signature_name(document, object.signature)).substr(0, kNameWidth);
+  std::string row = fmt::format("{:>3} {:<10} {:<9} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5}", object.id, name,
+                                record::name(object.state), object.views, circle ? number(circle->center.x, 3) : "-",
+                                circle ? number(circle->center.y, 3) : "-", circle ? number(circle->radius, 3) : "-",
+                                number(object.z_max - object.z_min, 3), number(object.confidence, 2));
+  for (const std::string& model : areas) row += fmt::format(" {:>6}", area_cell(object, model));
+  return row + "\n";
+}
+
+}  // namespace
+
+std::string object_table(const ResultDocument& document, const TextOptions& options) {
+  if (document.objects.empty()) return "No objects: no blob was seen from enough places.\n";
+  const std::vector<std::string> areas = area_columns(document);
+  std::string head = fmt::format("{:>3} {:<10} {:<9} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5}", "id", "name", "state",
+                                 "views", "x", "y", "radius", "height", "conf");
+  std::string units =
+      fmt::format("{:>3} {:<10} {:<9} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5}", "", "", "", "", "m", "m", "m", "m", "");
+  for (const std::string& model : areas) {
+    head += fmt::format(" {:>6}", model);
+    units += fmt::format(" {:>6}", "cm2");
+  }
+  std::string table = options.colour ? "\x1b[1m" + head + "\x1b[0m\n" : head + "\n";
+  table += units + "\n";
+  for (const ObjectResult& object : document.objects) table += object_row(document, object, areas);
+  return table;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,96 @@
+#include "host/result/to_json.hpp"
+
+#include <fmt/format.h>
+
+#include "host/result/geojson.hpp"
+#include "host/result/lookup.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+constexpr int kLengthDecimals = 6;
+constexpr int kRecordDecimals = 4;  ///< what the record stream carries
+constexpr int kRatioDecimals = 4;
+
+Json log_json(const LogCounts& log) {
+  Json rejected = Json::object();
+  for (std::size_t i = 0; i < log.rejected.size(); ++i) {
+    rejected[std::string(record::name(static_cast<record::Reject>(i)))] = log.rejected[i].count;
+  }
+  const RefusedFrames& refused = log.refused;
+  return {{"records", log.records},
+          {"frames", log.frames},
+          {"odometry", log.odometry},
+          {"foreign", log.foreign},
+          {"refused",
+           {{"no_pose", refused.no_pose},
+            {"odometry_gap", refused.odometry_gap},
+            {"no_camera", refused.no_camera},
+            {"queue", refused.queue}}},
+          {"rejected", std::move(rejected)}};
+}
+
+Json pose_json(const std::optional<PoseResult>& pose) {
+  if (!pose) return nullptr;
+  return {{"t", rounded(pose->t, kRecordDecimals)},
+          {"x", rounded(pose->x, kLengthDecimals)},
+          {"y", rounded(pose->y, kLengthDecimals)},
+          {"heading", rounded(pose->heading, kLengthDecimals)}};
+}
+
+Json model_json(const ModelResult& model) {
+  Json json = Json::object();
+  Json geometry = to_geojson(model.geometry);
+  if (is_cylinder(model)) {
+    // One rule for readers: a cylinder's numbers are there exactly when its geometry is.
+    const bool known = model.circle.has_value() && !geometry.is_null();
+    json["x"] = known ? rounded(model.circle->center.x, kLengthDecimals) : Json(nullptr);
+    json["y"] = known ? rounded(model.circle->center.y, kLengthDecimals) : Json(nullptr);
+    json["radius"] = known ? rounded(model.circle->radius, kLengthDecimals) : Json(nullptr);
+  }
+  json["geometry"] = std::move(geometry);
+  return json;
+}
+
+Json object_json(const ObjectResult& object) {
+  Json models = Json::object();
+  for (const ModelResult& model : object.models) models[model.name] = model_json(model);
+  return {{"id", object.id},
+          {"signature", object.signature},
+          {"state", record::name(object.state)},
+          {"views", object.views},
+          {"z_min", rounded(object.z_min, kLengthDecimals)},
+          {"z_max", rounded(object.z_max, kLengthDecimals)},
+          {"confidence", rounded(object.confidence, kRatioDecimals)},
+          {"models", std::move(models)}};
+}
+
+Json alert_json(const record::AlertReport& alert) {
+  return {{"t", rounded(alert.t.to_double(), kRecordDecimals)},
+          {"level", record::name(alert.level)},
+          {"id", alert.id},
+          {"bearing", rounded(alert.bearing.to_double(), kRecordDecimals)},
+          {"distance", rounded(alert.distance.to_double(), kRecordDecimals)},
+          {"ttc", alert.ttc ? rounded(alert.ttc->to_double(), kRecordDecimals) : Json(nullptr)},
+          {"confidence", rounded(alert.confidence.to_double(), kRatioDecimals)}};
+}
+
+}  // namespace
+
+std::string to_json(const ResultDocument& document) {
+  Json objects = Json::array();
+  for (const ObjectResult& object : document.objects) objects.push_back(object_json(object));
+  Json alerts = Json::array();
+  for (const record::AlertReport& alert : document.alerts) alerts.push_back(alert_json(alert));
+  const Json json = {
+      {"format", kFormat},           {"log", log_json(document.log)},    {"digest", digest_text(document.digest)},
+      {"profile", document.profile}, {"pose", pose_json(document.pose)}, {"objects", std::move(objects)},
+      {"alerts", std::move(alerts)}};
+  // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,58 @@
+#include "host/result/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/host/result/documents.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using testing::small_document;
+
+TEST(ObjectTable, IsWhatThePageShows) {
+  // carve 0.2 m square = 400 cm^2, clip 0.1 m square = 100 cm^2.
+  EXPECT_EQ(object_table(small_document()),
+            " id name       state     views       x       y radius height  conf  carve   clip\n"
+            "                                     m       m      m      m          cm2    cm2\n"
+            "  1 red        confirmed    75   1.050   0.050  0.060  0.200  0.97    400    100\n"
+            "  2 sig 9      tentative     1       -       -      -  0.000  0.50      -      -\n");
+}
+
+TEST(ObjectTable, FitsEightyColumns) {
+  ResultDocument d = small_document();
+  d.objects[0].id = 999;
+  d.objects[0].models[0].circle = Circle{{-99.999, -99.999}, 12.345};
+  d.objects[0].models.push_back(testing::square_model("hybrid", 0, 0, 4));  // 160000 cm^2
+  std::istringstream table(object_table(d));
+  for (std::string line; std::getline(table, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(ObjectTable, ControlCharactersDoNotReachTheTerminal) {
+  ResultDocument d = small_document();
+  d.signatures[0].name = "\x1b[2J";
+  EXPECT_EQ(object_table(d).find('\x1b'), std::string::npos);
+  EXPECT_EQ(alert_list(d).find('\x1b'), std::string::npos);
+}
+
+TEST(ObjectTable, SaysWhenThereIsNothing) { EXPECT_NE(object_table({}).find("No objects"), std::string::npos); }
+
+TEST(AlertList, IsOneSentenceEach) {
+  EXPECT_EQ(alert_list(small_document()),
+            "    1.000 s  WARN    red  0.40 m  6 deg left, contact in 1.1 s  (object 1)\n"
+            "    1.100 s  STOP    red  0.24 m  12 deg right  (object 1)\n");
+}
+
+TEST(AlertList, ColourOnlyOnRequest) {
+  EXPECT_EQ(alert_list(small_document()).find('\x1b'), std::string::npos);
+  EXPECT_NE(alert_list(small_document(), {.colour = true}).find('\x1b'), std::string::npos);
+}
+
+TEST(SummaryLine, CountsAndIdentifies) {
+  EXPECT_EQ(summary_line(small_document()),
+            "2 objects (1 confirmed), 2 alerts, 5 frames, profile full, digest 0123456789abcdef\n");
+}
+
+}  // namespace
+}  // namespace fencepost::host

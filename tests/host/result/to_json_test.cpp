@@ -1,0 +1,100 @@
+#include "host/result/to_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "host/result/geojson.hpp"
+#include "host/result/lookup.hpp"
+#include "tests/host/result/documents.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::small_document;
+
+// The whole document, byte for byte: key order, number form and every null are part of the promise.
+TEST(ToJson, WritesTheDocumentOfTheContract) {
+  const std::string expected =
+      R"({"format":1,"log":{"records":12,"frames":5,"odometry":4,"foreign":1,)"
+      R"("refused":{"no_pose":2,"odometry_gap":0,"no_camera":0,"queue":0},)"
+      R"("rejected":{"crc":3,"kind":0,"fields":0,"number":0,"range":0,"length":0,"truncated":0,"time":0,"format":0}},)"
+      R"("digest":"0123456789abcdef","profile":"full","pose":{"t":1.2,"x":0.5,"y":-0.25,"heading":0.125},"objects":[)"
+      R"({"id":1,"signature":1,"state":"confirmed","views":75,"z_min":0.0,"z_max":0.2,"confidence":0.97,"models":{)"
+      R"("cylinder":{"x":1.05,"y":0.05,"radius":0.06,"geometry":{"type":"Polygon","coordinates":)"
+      R"([[[1.0,0.0],[1.1,0.0],[1.1,0.1],[1.0,0.1],[1.0,0.0]]]}},)"
+      R"("carve":{"geometry":{"type":"Polygon","coordinates":[[[1.0,0.0],[1.2,0.0],[1.2,0.2],[1.0,0.2],[1.0,0.0]]]}},)"
+      R"("clip":{"geometry":{"type":"Polygon","coordinates":[[[1.0,0.0],[1.1,0.0],[1.1,0.1],[1.0,0.1],[1.0,0.0]]]}}}},)"
+      R"({"id":2,"signature":9,"state":"tentative","views":1,"z_min":0.0,"z_max":0.0,"confidence":0.5,"models":{)"
+      R"("cylinder":{"x":null,"y":null,"radius":null,"geometry":null},)"
+      R"("carve":{"geometry":null},"clip":{"geometry":null}}}],"alerts":[)"
+      R"({"t":1.0,"level":"warn","id":1,"bearing":0.1,"distance":0.4,"ttc":1.1,"confidence":0.9},)"
+      R"({"t":1.1,"level":"stop","id":1,"bearing":-0.2094,"distance":0.24,"ttc":null,"confidence":0.93}]})"
+      "\n";
+  EXPECT_EQ(to_json(small_document()), expected);
+}
+
+TEST(ToJson, GivesTheSameBytesTwice) { EXPECT_EQ(to_json(small_document()), to_json(small_document())); }
+
+TEST(ToJson, AnEmptyDocumentHasEveryKey) {
+  const Json json = Json::parse(to_json({}));
+  for (const char* key : {"format", "log", "digest", "profile", "pose", "objects", "alerts"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_TRUE(json["pose"].is_null());
+  EXPECT_EQ(json["digest"], "0000000000000000");
+  EXPECT_EQ(json["log"]["rejected"].size(), record::kRejectReasons);
+}
+
+TEST(ToJson, AbsentModelsAreAbsent) {
+  ResultDocument d = small_document();
+  d.objects[0].models.resize(1);
+  const Json models = Json::parse(to_json(d))["objects"][0]["models"];
+  EXPECT_TRUE(models.contains("cylinder"));
+  EXPECT_FALSE(models.contains("clip"));
+}
+
+TEST(ToJson, ACylinderWithoutGeometryHasNoNumbers) {
+  ResultDocument d = small_document();
+  d.objects[0].models[0].geometry.clear();
+  const Json cylinder = Json::parse(to_json(d))["objects"][0]["models"]["cylinder"];
+  for (const char* key : {"x", "y", "radius", "geometry"}) EXPECT_TRUE(cylinder.at(key).is_null()) << key;
+}
+
+TEST(ToJson, ProfileBytesThatAreNotUtf8DoNotThrow) {
+  ResultDocument d;
+  d.profile = "\xff\"<";
+  EXPECT_NE(Json::parse(to_json(d))["profile"].get<std::string>().find("\"<"), std::string::npos);
+}
+
+TEST(Rounded, HasNoMinusZeroAndNoNan) {
+  EXPECT_EQ(rounded(-0.0000001, 6).dump(), "0.0");
+  EXPECT_EQ(rounded(0.1 + 0.2, 6).dump(), "0.3");
+  EXPECT_EQ(rounded(-1.23456789, 4).dump(), "-1.2346");
+  EXPECT_TRUE(rounded(std::numeric_limits<double>::quiet_NaN(), 4).is_null());
+  EXPECT_TRUE(rounded(std::numeric_limits<double>::infinity(), 4).is_null());
+}
+
+TEST(ToGeojson, TurnsRingsTheGeoJsonWay) {
+  // Both rings are given the wrong way round: the outer clockwise, the hole counter-clockwise.
+  const Polygon polygon{{{0, 0}, {0, 3}, {3, 3}, {3, 0}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}};
+  EXPECT_EQ(to_geojson({polygon}).dump(),
+            R"({"type":"Polygon","coordinates":[[[3.0,0.0],[3.0,3.0],[0.0,3.0],[0.0,0.0],[3.0,0.0]],)"
+            R"([[1.0,2.0],[2.0,2.0],[2.0,1.0],[1.0,1.0],[1.0,2.0]]]})");
+}
+
+TEST(ToGeojson, SeveralPolygonsAreAMultiPolygon) {
+  const Polygon triangle{{{0, 0}, {1, 0}, {0, 1}}, {}};
+  const Json json = to_geojson({triangle, triangle});
+  EXPECT_EQ(json["type"], "MultiPolygon");
+  EXPECT_EQ(json["coordinates"].size(), 2U);
+}
+
+TEST(ToGeojson, NothingIsNull) {
+  EXPECT_TRUE(to_geojson({}).is_null());
+  EXPECT_TRUE(to_geojson({Polygon{{{0, 0}, {1, 0}}, {}}}).is_null());
+}
+
+}  // namespace
+}  // namespace fencepost::host
