@@ -1,0 +1,42 @@
+// What the robot's wheels report of the true path: drift, and the per-view pose noise.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hal/sensor/odometry.hpp"
+#include "host/scene/scene.hpp"
+#include "host/simulate/trajectory.hpp"
+
+namespace fencepost::host {
+
+/// Odometry runs at 50 Hz.
+inline constexpr base::Duration kOdometryPeriod = base::milliseconds(20);
+
+/// Reports one sample each period from t = 0.
+///
+/// Drift: each step's true motion, measured along the path, is scaled by 1 + drift_scale, turned by drift_turn a
+/// metre, and shifted by a gaussian of drift_walk sqrt(metres) on each axis.
+/// Per-view noise: view i has one offset (x, y, heading), which all samples hold whose nearest exposure is i. The
+/// pose interpolated at the exposure is then off by exactly that offset as long as its two neighbouring samples
+/// belong to it: for rates up to 25 /s, and for 50 /s. In between, some views blend with a neighbour's.
+class Odometer {
+ public:
+  Odometer(const Scene& scene, const Trajectory& trajectory);
+
+  /// The next sample, in order of time.
+  sensor::OdometrySample next();
+
+ private:
+  void advance(const TimedPose& before, const TimedPose& now);
+  [[nodiscard]] TimedPose with_view_offset(TimedPose pose) const;
+
+  const Scene& scene_;
+  const Trajectory& trajectory_;
+  std::int64_t step_ = 0;
+  bool drifts_;
+  TimedPose reported_;
+  std::vector<TimedPose> offsets_;  ///< one a view; empty without per-view noise
+};
+
+}  // namespace fencepost::host

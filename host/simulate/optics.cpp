@@ -1,0 +1,57 @@
+#include "host/simulate/optics.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace fencepost::host {
+
+double undistorted_radius(double distorted, double k1) {
+  double limit = std::numeric_limits<double>::infinity();
+  if (k1 < 0) {
+    limit = std::sqrt(-1 / (3 * k1));  // there the image folds back
+    if (distorted > limit * (1 + k1 * limit * limit)) return -1;
+  }
+  double radius = k1 < 0 ? std::fmin(distorted, limit) : distorted / (1 + k1 * distorted * distorted);
+  // Newton from the side on which the cubic is monotonic towards the root; quadratic, 50 is far more than needed.
+  for (int i = 0; i < 50; ++i) {
+    const double slope = 1 + 3 * k1 * radius * radius;
+    if (slope <= 0) break;
+    const double step = (radius * (1 + k1 * radius * radius) - distorted) / slope;
+    radius = std::fmin(std::fmax(radius - step, 0.0), limit);
+    if (std::abs(step) <= 1e-16 * radius) break;
+  }
+  return radius;
+}
+
+PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
+    : width_(camera.width), height_(camera.height), separable_(pitch == 0 && camera.k1.raw == 0) {
+  // A ray less than this far ahead per unit of length looks straight up, down or backwards.
+  constexpr double kAhead = 0.05;
+  const double cx = camera.cx.to_double();
+  const double cy = camera.cy.to_double();
+  const double fx = camera.fx.to_double();
+  const double fy = camera.fy.to_double();
+  if (separable_) {
+    for (int u = 0; u < width_; ++u) across_.push_back((u - cx) / fx);
+    for (int v = 0; v < height_; ++v) rise_.push_back((cy - v) / fy);
+    return;
+  }
+  const double k1 = camera.k1.to_double();
+  for (int v = 0; v < height_; ++v) {
+    for (int u = 0; u < width_; ++u) {
+      const double xd = (u - cx) / fx;
+      const double yd = (v - cy) / fy;
+      const double distorted = std::hypot(xd, yd);
+      const double radius = undistorted_radius(distorted, k1);
+      const double scale = distorted > 0 ? radius / distorted : 1;
+      const double down = yd * scale;
+      const double ahead = std::cos(pitch) - down * std::sin(pitch);
+      const bool usable = radius >= 0 && ahead > kAhead;
+      exists_.push_back(usable);
+      across_.push_back(usable ? xd * scale / ahead : 0);
+      rise_.push_back(usable ? -(std::sin(pitch) + down * std::cos(pitch)) / ahead : 0);
+    }
+  }
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,95 @@
+#include "host/simulate/pieces.hpp"
+
+#include <algorithm>
+
+namespace fencepost::host {
+
+namespace {
+
+/// Pixels of one object side by side in one row.
+struct Run {
+  int begin = 0;  ///< first column
+  int end = 0;    ///< last column
+  std::int16_t object = 0;
+  std::size_t parent = 0;  ///< index of a run of the same piece, itself at the root; always an earlier one
+};
+
+std::size_t root_of(std::vector<Run>& runs, std::size_t i) {
+  while (runs[i].parent != i) {
+    runs[i].parent = runs[runs[i].parent].parent;
+    i = runs[i].parent;
+  }
+  return i;
+}
+
+void join(std::vector<Run>& runs, std::size_t a, std::size_t b) {
+  a = root_of(runs, a);
+  b = root_of(runs, b);
+  if (a < b) runs[b].parent = a;
+  if (b < a) runs[a].parent = b;
+}
+
+void append_runs(const LabelImage& image, int v, std::vector<Run>& runs) {
+  const PixelBox& area = image.touched();
+  for (int u = area.x1; u <= area.x2;) {
+    const std::int16_t object = image.at(u, v);
+    int end = u;
+    while (end < area.x2 && image.at(end + 1, v) == object) ++end;
+    if (object != LabelImage::kNothing) runs.push_back({u, end, object, runs.size()});
+    u = end + 1;
+  }
+}
+
+/// Joins the runs [middle, end) to those of the row above, [begin, middle).
+void join_rows(std::vector<Run>& runs, std::size_t begin, std::size_t middle) {
+  std::size_t above = begin;
+  for (std::size_t i = middle; i < runs.size(); ++i) {
+    while (above < middle && runs[above].end + 1 < runs[i].begin) ++above;
+    for (std::size_t k = above; k < middle && runs[k].begin <= runs[i].end + 1; ++k) {
+      if (runs[k].object == runs[i].object) join(runs, k, i);
+    }
+  }
+}
+
+void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
+  const std::int64_t count = run.end - run.begin + 1;
+  if (piece.pixels == 0) piece.nearest = image.depth(run.begin, v);
+  piece.box.include(run.begin, v);
+  piece.box.include(run.end, v);
+  piece.pixels += count;
+  piece.sum_u += count * (run.begin + run.end) / 2;  // exact: count and begin + end are never both odd
+  piece.sum_v += count * v;
+  for (int u = run.begin; u <= run.end; ++u) piece.nearest = std::min(piece.nearest, image.depth(u, v));
+}
+
+}  // namespace
+
+std::vector<Piece> find_pieces(const LabelImage& image) {
+  std::vector<Piece> pieces;
+  const PixelBox& area = image.touched();
+  if (area.empty()) return pieces;
+  std::vector<Run> runs;
+  std::vector<int> row_of;
+  std::size_t above = 0;
+  for (int v = area.y1; v <= area.y2; ++v) {
+    const std::size_t begin = runs.size();
+    append_runs(image, v, runs);
+    row_of.resize(runs.size(), v);
+    join_rows(runs, above, begin);
+    above = begin;
+  }
+  std::vector<std::size_t> piece_of(runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t root = root_of(runs, i);
+    if (root == i) {
+      piece_of[i] = pieces.size();
+      pieces.push_back({});
+      pieces.back().object = static_cast<std::size_t>(runs[i].object);
+    }
+    add_run(pieces[piece_of[root]], runs[i], row_of[i], image);
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.object < b.object; });
+  return pieces;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,188 @@
+#include "host/simulate/simulate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "firmware/record/encode.hpp"
+#include "host/geometry/rings.hpp"
+#include "host/simulate/detector.hpp"
+#include "host/simulate/odometer.hpp"
+#include "host/simulate/random.hpp"
+#include "host/simulate/trajectory.hpp"
+#include "host/simulate/truth.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+/// FPCAM and FPSIG come again this often.
+constexpr base::Duration kRepeatPeriod = base::milliseconds(10'000);
+
+using TruthSink = std::function<void(const FrameTruth&)>;
+
+struct Exposure {
+  std::uint64_t number = 0;
+  base::Time exposed;
+  base::Time arrives;
+};
+
+/// One run of one scene.
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const LineSink& sink, const TruthSink& truth)
+      : scene_(scene),
+        sink_(sink),
+        truth_(truth),
+        trajectory_(scene),
+        odometer_(scene, trajectory_),
+        rays_(scene.camera, true_pitch(scene)),
+        image_(scene.camera.width, scene.camera.height) {}
+
+  /// False: a value was outside the range of its record.
+  bool run() {
+    record::Header header;
+    header.product = "fencepost";
+    header.version = kSimulatorVersion;
+    header.target = "simulator";
+    header.profile = "full";
+    write(header);
+    write_calibration();
+    const std::vector<Exposure> exposures = list_exposures();
+    base::Time end{0};
+    for (const Exposure& exposure : exposures) end = std::max({end, exposure.exposed, exposure.arrives});
+    base::Time repeat{kRepeatPeriod.raw};
+    std::size_t next = 0;
+    // One sample past the last arrival, so every frame is out when the loop ends.
+    for (base::Time t{0}; t <= end + kOdometryPeriod && in_range_; t = t + kOdometryPeriod) {
+      // A frame that arrives together with a sample comes after it: its pose is then already there.
+      for (; next < exposures.size() && exposures[next].arrives < t; ++next) write_frame(exposures[next]);
+      if (t >= repeat) {
+        write_calibration();
+        repeat = repeat + kRepeatPeriod;
+      }
+      write(odometer_.next());
+      ++summary_.odometry;
+      summary_.duration = t.to_double();
+    }
+    return in_range_;
+  }
+
+  [[nodiscard]] const SimulationSummary& summary() const { return summary_; }
+
+ private:
+  static double true_pitch(const Scene& scene) {
+    const auto& pitch = scene.camera.mount.pitch;
+    return (pitch ? pitch->to_double() : 0.0) + scene.noise.pitch_error;
+  }
+
+  std::vector<Exposure> list_exposures() {
+    std::vector<Exposure> exposures;
+    base::Time previous{-1};
+    for (int i = 0; i < trajectory_.frames(); ++i) {
+      const auto number = static_cast<std::uint64_t>(i);
+      if (Random(scene_.seed, Purpose::kDrop, number).chance(scene_.noise.frame_drop_probability)) {
+        ++summary_.frames_dropped;
+        continue;
+      }
+      const base::Time exposed = base::Time::nearest(i / scene_.rate);
+      const double late = scene_.noise.latency_jitter * Random(scene_.seed, Purpose::kLatency, number).gaussian();
+      // Not before its exposure, and not before the frame in front of it.
+      base::Time arrives = std::max(exposed, exposed + scene_.camera.latency + base::Duration::nearest(late));
+      arrives = std::max(arrives, base::Time{previous.raw + 1});
+      previous = arrives;
+      exposures.push_back({number, exposed, arrives});
+    }
+    return exposures;
+  }
+
+  template <class Record>
+  void write(const Record& record) {
+    std::array<char, record::kMaxLine> line{};
+    const std::size_t length = record::encode(record, line);
+    in_range_ = in_range_ && length > 0;
+    if (length > 0) sink_({line.data(), length});
+  }
+
+  void write_calibration() {
+    write(scene_.camera);
+    for (const SceneSignature& signature : scene_.signatures) {
+      write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name)});
+    }
+  }
+
+  void write_frame(const Exposure& exposure) {
+    const TimedPose robot = trajectory_.at(exposure.exposed.to_double());
+    const CameraPose camera = camera_at(robot);
+    for (const SceneObject& object : scene_.objects) {
+      const bool level = camera.z >= object.base && camera.z <= object.base + object.height;
+      if (level && contains(object.footprint, {camera.x, camera.y})) {
+        ++summary_.frames_inside;
+        break;
+      }
+    }
+    image_.render(scene_.objects, rays_, camera);
+    FrameTruth truth;
+    truth.exposure = exposure.exposed;
+    truth.pose = robot;
+    truth.frame.t = exposure.arrives;
+    truth.frame.frame = static_cast<std::uint32_t>(exposure.number);
+    const auto limit = std::min<std::size_t>(static_cast<std::size_t>(scene_.max_blobs), sensor::kMaxBlobs);
+    for (const Detection& detection : detect(scene_, image_, exposure.number)) {
+      if (truth.blobs.size() < limit && truth.frame.blobs.push_back(detection.blob)) {
+        truth.blobs.push_back(detection.truth);
+        ++summary_.blobs;
+      } else {
+        ++summary_.blobs_dropped;
+      }
+    }
+    write(truth.frame);
+    ++summary_.frames;
+    if (truth_) truth_(truth);
+  }
+
+  [[nodiscard]] CameraPose camera_at(const TimedPose& robot) const {
+    const sensor::CameraMount& mount = scene_.camera.mount;
+    const double c = std::cos(robot.heading);
+    const double s = std::sin(robot.heading);
+    const double x = mount.x.to_double();
+    const double y = mount.y.to_double();
+    return {robot.x + c * x - s * y, robot.y + s * x + c * y, mount.z.to_double(),
+            robot.heading + mount.yaw.to_double() + scene_.noise.yaw_error};
+  }
+
+  const Scene& scene_;
+  const LineSink& sink_;
+  const TruthSink& truth_;
+  Trajectory trajectory_;
+  Odometer odometer_;
+  PixelRays rays_;
+  LabelImage image_;
+  SimulationSummary summary_;
+  bool in_range_ = true;
+};
+
+}  // namespace
+
+base::Result<SimulationSummary, std::string> simulate(const Scene& scene, const LineSink& sink) {
+  return simulate_with_truth(scene, sink, {});
+}
+
+base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& scene, const LineSink& sink,
+                                                                 const TruthSink& truth) {
+  if (std::holds_alternative<std::monostate>(scene.path)) {
+    return std::string("the scene has no path to drive; add \"path\" (arc, waypoints or poses)");
+  }
+  Simulation simulation(scene, sink, truth);
+  if (!simulation.run()) {
+    return std::string(
+        "a value is outside the range of its record (positions +-1000 m, headings +-1000 rad, t up to 999999 s); "
+        "shorten the path or move it nearer to the origin");
+  }
+  return simulation.summary();
+}
+
+}  // namespace fencepost::host
