@@ -1,0 +1,154 @@
+#include "host/scene/json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace fencepost::host {
+
+namespace {
+
+/// Levenshtein distance.
+std::size_t typing_errors(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string listed(std::initializer_list<std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
+}
+
+std::string plain(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+std::string kind_of(const nlohmann::json& value) {
+  if (value.is_string()) return "the text \"" + value.get<std::string>() + "\"";
+  if (value.is_object() || value.is_array() || value.is_null()) return std::string(value.type_name());
+  return value.dump();
+}
+
+}  // namespace
+
+std::string nearest_word(std::string_view word, std::initializer_list<std::string_view> known) {
+  std::size_t fewest = word.size() / 3 + 2;  // more errors than that is another word
+  std::string best;
+  for (const std::string_view candidate : known) {
+    const std::size_t errors = typing_errors(word, candidate);
+    if (errors < fewest) {
+      fewest = errors;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+void JsonNode::fail(std::string what, std::string remedy) const {
+  throw SceneProblem{pointer_.empty() ? "/" : pointer_, std::move(what), std::move(remedy)};
+}
+
+void JsonNode::expect_object() const {
+  if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_), "write { ... } here");
+}
+
+void JsonNode::expect_keys(std::initializer_list<std::string_view> allowed) const {
+  expect_object();
+  for (const auto& [key, member] : value_->items()) {
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    const std::string nearest = nearest_word(key, allowed);
+    const std::string remedy =
+        nearest.empty() ? "remove it; allowed: " + listed(allowed) : "did you mean \"" + nearest + "\"?";
+    JsonNode(member, pointer_ + "/" + key).fail("unknown key \"" + key + "\"", remedy);
+  }
+}
+
+JsonNode JsonNode::at(std::string_view key) const {
+  const auto found = value_->find(key);
+  if (found == value_->end()) {
+    fail("\"" + std::string(key) + "\" is missing", "add it; share/doc/scene.md shows a whole scene");
+  }
+  return {*found, pointer_ + "/" + std::string(key)};
+}
+
+std::optional<JsonNode> JsonNode::find(std::string_view key) const {
+  if (!has(key)) return std::nullopt;
+  return at(key);
+}
+
+JsonNode JsonNode::at(std::size_t index) const { return {(*value_)[index], pointer_ + "/" + std::to_string(index)}; }
+
+std::size_t JsonNode::size(std::size_t least, std::string_view items) const {
+  if (!value_->is_array()) fail("must be a list, not " + kind_of(*value_), "write [ ... ] here");
+  if (value_->size() < least) {
+    fail("has " + std::to_string(value_->size()) + " " + std::string(items), "give at least " + std::to_string(least));
+  }
+  return value_->size();
+}
+
+double JsonNode::number(double low, double high, std::string_view unit) const {
+  const std::string range = plain(low) + " to " + plain(high) + (unit.empty() ? "" : " " + std::string(unit));
+  if (!value_->is_number()) fail("must be a number, not " + kind_of(*value_), "allowed: " + range);
+  const double value = value_->get<double>();
+  if (!(value >= low && value <= high)) fail(value_->dump() + " is out of range", "allowed: " + range);
+  return value;
+}
+
+double JsonNode::positive(double high, std::string_view unit) const {
+  const double value = number(0, high, unit);
+  if (value == 0) fail("must be greater than 0", "allowed: up to " + plain(high) + " " + std::string(unit));
+  return value;
+}
+
+std::int64_t JsonNode::integer(std::int64_t low, std::int64_t high) const {
+  const std::string range = "whole numbers from " + std::to_string(low) + " to " + std::to_string(high);
+  if (!value_->is_number_integer()) fail("must be a whole number, not " + kind_of(*value_), "allowed: " + range);
+  const bool too_big =
+      value_->is_number_unsigned() &&
+      value_->get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  const auto value = value_->get<std::int64_t>();
+  if (too_big || value < low || value > high) fail(value_->dump() + " is out of range", "allowed: " + range);
+  return value;
+}
+
+std::uint64_t JsonNode::unsigned_integer() const {
+  if (!value_->is_number_unsigned()) {
+    fail("must be a whole number that is not negative, not " + kind_of(*value_), "for example 1");
+  }
+  return value_->get<std::uint64_t>();
+}
+
+std::string JsonNode::text() const {
+  if (!value_->is_string()) fail("must be a text, not " + kind_of(*value_), "put it in double quotes");
+  return value_->get<std::string>();
+}
+
+Point JsonNode::point() const {
+  if (size(2, "numbers") > 2) fail("has more than two numbers", "give [x, y] in metres");
+  return {at(std::size_t{0}).number(-kWorldLimit, kWorldLimit, "m"),
+          at(std::size_t{1}).number(-kWorldLimit, kWorldLimit, "m")};
+}
+
+double JsonNode::number_or(std::string_view key, double fallback, double low, double high,
+                           std::string_view unit) const {
+  const auto node = find(key);
+  return node ? node->number(low, high, unit) : fallback;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,160 @@
+#include "host/scene/load.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "host/geometry/planar.hpp"
+#include "host/scene/read_scene.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+using nlohmann::json;
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
+}
+
+/// Parses, and refuses keys that appear twice in one object: the second would silently win.
+json parse_json(std::string_view text) {
+  std::vector<std::set<std::string>> open_objects;
+  const json::parser_callback_t watch = [&](int, json::parse_event_t event, json& parsed) {
+    if (event == json::parse_event_t::object_start) open_objects.emplace_back();
+    if (event == json::parse_event_t::object_end) open_objects.pop_back();
+    if (event == json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
+      throw SceneProblem{"key \"" + parsed.get<std::string>() + "\"", "appears twice in one object",
+                         "remove one of the two"};
+    }
+    return true;
+  };
+  try {
+    return json::parse(text, watch);
+  } catch (const json::parse_error& error) {
+    // The library counts bytes from 1 and points at the last one it read.
+    const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+    const bool empty = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    const bool ended = byte >= text.size();
+    throw SceneProblem{line_and_column(text, byte),
+                       empty   ? "the file is empty"
+                       : ended ? "the JSON ends too early"
+                               : "this is not JSON",
+                       empty   ? "share/doc/scene.md shows a whole scene"
+                       : ended ? "close the open brackets and quotes"
+                               : "check for a missing comma, quote or bracket just before it"};
+  }
+}
+
+void check_signatures(const JsonNode& root, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.signatures.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scene.signatures[k].id != scene.signatures[i].id) continue;
+      root.at("signatures")
+          .at(i)
+          .at("id")
+          .fail("signature " + std::to_string(scene.signatures[i].id) + " is there twice",
+                "give each signature an id of its own");
+    }
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto known = std::any_of(scene.signatures.begin(), scene.signatures.end(),
+                                   [&](const SceneSignature& s) { return s.id == scene.objects[i].signature; });
+    if (known) continue;
+    root.at("objects")
+        .at(i)
+        .at("signature")
+        .fail("signature " + std::to_string(scene.objects[i].signature) + " is not defined",
+              "add it to \"signatures\"");
+  }
+}
+
+/// Solid things cannot be in one place: they would hide parts of each other that no camera could ever see.
+void check_overlaps(const JsonNode& root, const Scene& scene) {
+  constexpr double kSliver = 1e-8;  // m^2; touching faces are fine
+  constexpr double kTouch = 1e-9;   // m
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const SceneObject& a = scene.objects[k];
+      const SceneObject& b = scene.objects[i];
+      if (a.base + a.height <= b.base + kTouch || b.base + b.height <= a.base + kTouch) continue;
+      if (intersection_area({a.footprint}, {b.footprint}) <= kSliver) continue;
+      root.at("objects")
+          .at(i)
+          .at("footprint")
+          .fail("\"" + b.name + "\" overlaps \"" + a.name + "\" in the plane and in height", "move one of them");
+    }
+  }
+}
+
+Scene read_scene(const json& value) {
+  const JsonNode root(value, "");
+  root.expect_keys({"format", "seed", "camera", "robot", "signatures", "objects", "path", "noise"});
+  const JsonNode format = root.at("format");
+  if (format.integer(0, 1'000'000) != 1) format.fail("this program reads scene format 1", "write 1");
+  Scene scene;
+  if (const auto seed = root.find("seed")) scene.seed = seed->unsigned_integer();
+  read_camera(root.at("camera"), scene);
+  if (const auto robot = root.find("robot")) {
+    robot->expect_keys({"width"});
+    scene.robot_width = robot->number_or("width", scene.robot_width, 0.01, 10, "m");
+  }
+  const JsonNode signatures = root.at("signatures");
+  const std::size_t signature_count = signatures.size(0, "signatures");
+  for (std::size_t i = 0; i < signature_count; ++i) scene.signatures.push_back(read_signature(signatures.at(i)));
+  const JsonNode objects = root.at("objects");
+  constexpr std::size_t kMostObjects = 10'000;
+  const std::size_t object_count = objects.size(0, "objects");
+  if (object_count > kMostObjects) objects.fail("there are more than 10000 objects", "use fewer");
+  for (std::size_t i = 0; i < object_count; ++i) scene.objects.push_back(read_object(objects.at(i), i));
+  check_signatures(root, scene);
+  check_overlaps(root, scene);
+  if (const auto path = root.find("path")) read_path(*path, scene);
+  if (const auto noise = root.find("noise")) scene.noise = read_noise(*noise);
+  return scene;
+}
+
+std::string name_for_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+}  // namespace
+
+std::string SceneError::message() const {
+  std::string text = file;
+  if (!where.empty()) text += ": " + where;
+  return text + ": " + what + "; " + remedy;
+}
+
+LoadedScene parse_scene(std::string_view text, const std::string& name) {
+  try {
+    return read_scene(parse_json(text));
+  } catch (const SceneProblem& problem) {
+    return SceneError{name, problem.where, problem.what, problem.remedy};
+  }
+}
+
+LoadedScene load_scene(const std::string& path) {
+  std::string text;
+  if (path == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  } else {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream all;
+    if (file) all << file.rdbuf();
+    // An empty file sets failbit on `all` only; a folder opens but cannot be read.
+    if (!file || file.bad()) {
+      return SceneError{path, "", "cannot be read", "check the name and the permissions"};
+    }
+    text = all.str();
+  }
+  return parse_scene(text, name_for_messages(path));
+}
+
+}  // namespace fencepost::host

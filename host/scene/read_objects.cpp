@@ -1,0 +1,75 @@
+#include <sstream>
+#include <utility>
+
+#include "host/geometry/planar.hpp"
+#include "host/geometry/rings.hpp"
+#include "host/scene/read_scene.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+LinearRing read_ring(const JsonNode& node) {
+  LinearRing ring;
+  const std::size_t count = node.size(3, "corners");
+  for (std::size_t i = 0; i < count; ++i) ring.push_back(node.at(i).point());
+  ring = opened(std::move(ring));
+  if (ring.size() < 3) node.fail("has fewer than three different corners", "give at least three");
+  return ring;
+}
+
+Polygon read_circle(const JsonNode& node) {
+  node.expect_keys({"circle"});
+  const JsonNode circle = node.at("circle");
+  if (circle.size(3, "numbers") > 3) circle.fail("has more than three numbers", "give [x, y, radius] in metres");
+  const Point center{circle.at(std::size_t{0}).number(-kWorldLimit, kWorldLimit, "m"),
+                     circle.at(std::size_t{1}).number(-kWorldLimit, kWorldLimit, "m")};
+  const double radius = circle.at(std::size_t{2}).positive(kWorldLimit, "m");
+  return {circle_ring(center, radius), {}};
+}
+
+void check_validity(const JsonNode& node, const Polygon& polygon) {
+  const auto invalid = find_invalidity(polygon);
+  if (!invalid) return;
+  std::ostringstream place;
+  place << "(" << invalid->where.x << ", " << invalid->where.y << ")";
+  if (invalid->reason == "Self-intersection" || invalid->reason == "Ring Self-intersection") {
+    node.fail("the outline crosses or touches itself at " + place.str(),
+              "list the corners in order around the object, each once");
+  }
+  if (invalid->reason == "No area") node.fail("the outline encloses no area", "check the corners' coordinates");
+  node.fail(invalid->reason + " at " + place.str(), "check the corners' coordinates");
+}
+
+}  // namespace
+
+Polygon read_footprint(const JsonNode& node) {
+  if (node.has("circle")) return read_circle(node);
+  node.expect_keys({"type", "coordinates"});
+  const JsonNode type = node.at("type");
+  if (type.text() != "Polygon") {
+    type.fail("\"" + type.text() + "\" is not supported",
+              "write a Polygon or {\"circle\": [x, y, r]}; one object for each part of a MultiPolygon");
+  }
+  const JsonNode rings = node.at("coordinates");
+  const std::size_t count = rings.size(1, "rings");
+  Polygon polygon;
+  polygon.outer = read_ring(rings.at(std::size_t{0}));
+  for (std::size_t i = 1; i < count; ++i) polygon.holes.push_back(read_ring(rings.at(i)));
+  check_validity(node, polygon);
+  return oriented(std::move(polygon));
+}
+
+SceneObject read_object(const JsonNode& node, std::size_t index) {
+  node.expect_keys({"name", "signature", "base", "height", "footprint"});
+  SceneObject object;
+  const auto name = node.find("name");
+  object.name = name ? name->text() : "object " + std::to_string(index + 1);
+  object.signature = static_cast<std::uint8_t>(node.at("signature").integer(0, 255));
+  object.base = node.number_or("base", 0, 0, 100, "m");
+  object.height = node.at("height").positive(100, "m");
+  object.footprint = read_footprint(node.at("footprint"));
+  return object;
+}
+
+}  // namespace fencepost::host

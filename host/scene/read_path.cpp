@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include "host/scene/read_scene.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+/// A run of more frames than this is a slip of the pen.
+constexpr double kMostFrames = 1e6;
+constexpr double kLongestRun = 900'000;  // s; the stream's clock ends at 999999
+
+ArcPath read_arc(const JsonNode& node) {
+  node.expect_keys({"type", "center", "radius", "start", "sweep", "views", "look_at"});
+  ArcPath arc;
+  arc.center = node.at("center").point();
+  arc.radius = node.at("radius").number(0, kWorldLimit, "m");
+  arc.start = node.number_or("start", 0, -100, 100, "rad");
+  arc.sweep = node.at("sweep").number(-100, 100, "rad");
+  arc.views = static_cast<int>(node.at("views").integer(1, static_cast<std::int64_t>(kMostFrames)));
+  if (const auto look_at = node.find("look_at")) {
+    const std::string word = look_at->text();
+    if (word != "center" && word != "outwards") {
+      look_at->fail("unknown direction \"" + word + "\"", "write \"center\" or \"outwards\"");
+    }
+    arc.look_outwards = word == "outwards";
+  }
+  return arc;
+}
+
+WaypointPath read_waypoints(const JsonNode& node) {
+  node.expect_keys({"type", "points", "speed", "turn_rate"});
+  WaypointPath path;
+  const JsonNode points = node.at("points");
+  const std::size_t count = points.size(2, "points");
+  for (std::size_t i = 0; i < count; ++i) {
+    path.points.push_back(points.at(i).point());
+    if (i > 0 && path.points[i] == path.points[i - 1]) {
+      points.at(i).fail("is the point before it again", "remove one of the two");
+    }
+  }
+  if (const auto speed = node.find("speed")) path.speed = speed->positive(100, "m/s");
+  if (const auto turn_rate = node.find("turn_rate")) path.turn_rate = turn_rate->positive(100, "rad/s");
+  return path;
+}
+
+PosesPath read_poses(const JsonNode& node) {
+  node.expect_keys({"type", "poses"});
+  PosesPath path;
+  const JsonNode poses = node.at("poses");
+  const std::size_t count = poses.size(1, "poses");
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonNode pose = poses.at(i);
+    pose.expect_keys({"t", "x", "y", "heading"});
+    path.poses.push_back({pose.at("t").number(0, kLongestRun, "s"), pose.at("x").number(-kWorldLimit, kWorldLimit, "m"),
+                          pose.at("y").number(-kWorldLimit, kWorldLimit, "m"),
+                          pose.at("heading").number(-kWorldLimit, kWorldLimit, "rad")});
+    if (i > 0 && path.poses[i].t <= path.poses[i - 1].t) {
+      pose.at("t").fail("is not later than the pose before it", "list the poses in order of time");
+    }
+  }
+  return path;
+}
+
+double duration_of(const Scene& scene) {
+  double duration = 0;
+  if (const auto* arc = std::get_if<ArcPath>(&scene.path)) duration = (arc->views - 1) / scene.rate;
+  if (const auto* poses = std::get_if<PosesPath>(&scene.path)) duration = poses->poses.back().t;
+  if (const auto* path = std::get_if<WaypointPath>(&scene.path)) {
+    constexpr double kHalfTurn = 3.15;
+    for (std::size_t i = 1; i < path->points.size(); ++i) {
+      const Point a = path->points[i - 1];
+      const Point b = path->points[i];
+      duration += std::hypot(b.x - a.x, b.y - a.y) / path->speed + kHalfTurn / path->turn_rate;
+    }
+  }
+  return duration;
+}
+
+}  // namespace
+
+void read_path(const JsonNode& node, Scene& scene) {
+  node.expect_object();
+  const JsonNode type = node.at("type");
+  const std::string word = type.text();
+  if (word == "arc") {
+    scene.path = read_arc(node);
+  } else if (word == "waypoints") {
+    scene.path = read_waypoints(node);
+  } else if (word == "poses") {
+    scene.path = read_poses(node);
+  } else {
+    const std::string nearest = nearest_word(word, {"arc", "waypoints", "poses"});
+    type.fail("unknown path type \"" + word + "\"",
+              nearest.empty() ? "write \"arc\", \"waypoints\" or \"poses\"" : "did you mean \"" + nearest + "\"?");
+  }
+  const double duration = duration_of(scene);
+  if (duration > kLongestRun || duration * scene.rate > kMostFrames) {
+    node.fail("the drive takes too long for one recording",
+              "keep it below 900000 s and a million frames: raise the speed or lower the camera's rate");
+  }
+}
+
+SceneNoise read_noise(const JsonNode& node) {
+  node.expect_keys({"edge_px", "loss_probability", "loss_min", "loss_max", "split_share", "growth_probability",
+                    "growth_max", "miss_probability", "false_rate", "signature_swap_probability", "pose_xy",
+                    "pose_heading", "drift_scale", "drift_turn", "drift_walk", "yaw_error", "pitch_error",
+                    "latency_jitter", "frame_drop_probability"});
+  SceneNoise noise;
+  const auto read = [&](std::string_view key, double& value, double low, double high, std::string_view unit) {
+    value = node.number_or(key, value, low, high, unit);
+  };
+  read("edge_px", noise.edge_px, 0, 100, "px");
+  read("loss_probability", noise.loss_probability, 0, 1, "");
+  read("loss_min", noise.loss_min, 0, 1, "of the width");
+  read("loss_max", noise.loss_max, 0, 1, "of the width");
+  read("split_share", noise.split_share, 0, 1, "of the losses");
+  read("growth_probability", noise.growth_probability, 0, 1, "");
+  read("growth_max", noise.growth_max, 0, 10, "of the width");
+  read("miss_probability", noise.miss_probability, 0, 1, "");
+  read("false_rate", noise.false_rate, 0, 100, "blobs/frame");
+  read("signature_swap_probability", noise.signature_swap_probability, 0, 1, "");
+  read("pose_xy", noise.pose_xy, 0, 10, "m");
+  read("pose_heading", noise.pose_heading, 0, 3.2, "rad");
+  read("drift_scale", noise.drift_scale, -0.9, 10, "of the distance");
+  read("drift_turn", noise.drift_turn, -10, 10, "rad/m");
+  read("drift_walk", noise.drift_walk, 0, 10, "m per sqrt(m)");
+  read("yaw_error", noise.yaw_error, -3.2, 3.2, "rad");
+  read("pitch_error", noise.pitch_error, -0.7, 0.7, "rad");
+  read("latency_jitter", noise.latency_jitter, 0, 10, "s");
+  read("frame_drop_probability", noise.frame_drop_probability, 0, 1, "");
+  if (noise.loss_min > noise.loss_max) {
+    node.fail("loss_min is greater than loss_max", "swap them; the defaults are 0.1 and 0.5");
+  }
+  return noise;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,134 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "host/geometry/rings.hpp"
+#include "host/scene/load.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json camera_json(const Scene& scene) {
+  const sensor::CameraIntrinsics& camera = scene.camera;
+  json mount = {{"x", camera.mount.x.to_double()},
+                {"y", camera.mount.y.to_double()},
+                {"z", camera.mount.z.to_double()},
+                {"yaw", camera.mount.yaw.to_double()}};
+  mount["pitch"] = camera.mount.pitch ? json(camera.mount.pitch->to_double()) : json(nullptr);
+  return {{"model", std::string(camera.model.view())},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx.to_double()},
+          {"fy", camera.fy.to_double()},
+          {"cx", camera.cx.to_double()},
+          {"cy", camera.cy.to_double()},
+          {"k1", camera.k1.to_double()},
+          {"mount", mount},
+          {"latency", camera.latency.to_double()},
+          {"rate", scene.rate},
+          {"max_blobs", scene.max_blobs}};
+}
+
+json ring_json(const LinearRing& ring) {
+  json list = json::array();
+  for (const Point p : closed(ring)) list.push_back({p.x, p.y});
+  return list;
+}
+
+json footprint_json(const Polygon& footprint) {
+  Point center;
+  double radius = 0;
+  if (footprint.holes.empty() && is_circle_ring(footprint.outer, center, radius)) {
+    return {{"circle", {center.x, center.y, radius}}};
+  }
+  json rings = json::array({ring_json(footprint.outer)});
+  for (const LinearRing& hole : footprint.holes) rings.push_back(ring_json(hole));
+  return {{"type", "Polygon"}, {"coordinates", rings}};
+}
+
+json path_json(const ArcPath& arc) {
+  return {{"type", "arc"},
+          {"center", {arc.center.x, arc.center.y}},
+          {"radius", arc.radius},
+          {"start", arc.start},
+          {"sweep", arc.sweep},
+          {"views", arc.views},
+          {"look_at", arc.look_outwards ? "outwards" : "center"}};
+}
+
+json path_json(const WaypointPath& path) {
+  json points = json::array();
+  for (const Point p : path.points) points.push_back({p.x, p.y});
+  return {{"type", "waypoints"}, {"points", points}, {"speed", path.speed}, {"turn_rate", path.turn_rate}};
+}
+
+json path_json(const PosesPath& path) {
+  json poses = json::array();
+  for (const TimedPose& p : path.poses) poses.push_back({{"t", p.t}, {"x", p.x}, {"y", p.y}, {"heading", p.heading}});
+  return {{"type", "poses"}, {"poses", poses}};
+}
+
+json path_json(std::monostate) { return {}; }
+
+/// Only what differs from the defaults.
+json noise_json(const SceneNoise& noise) {
+  const SceneNoise defaults;
+  json out = json::object();
+  const auto put = [&](const char* key, double SceneNoise::*member) {
+    if (noise.*member != defaults.*member) out[key] = noise.*member;
+  };
+  put("edge_px", &SceneNoise::edge_px);
+  put("loss_probability", &SceneNoise::loss_probability);
+  put("loss_min", &SceneNoise::loss_min);
+  put("loss_max", &SceneNoise::loss_max);
+  put("split_share", &SceneNoise::split_share);
+  put("growth_probability", &SceneNoise::growth_probability);
+  put("growth_max", &SceneNoise::growth_max);
+  put("miss_probability", &SceneNoise::miss_probability);
+  put("false_rate", &SceneNoise::false_rate);
+  put("signature_swap_probability", &SceneNoise::signature_swap_probability);
+  put("pose_xy", &SceneNoise::pose_xy);
+  put("pose_heading", &SceneNoise::pose_heading);
+  put("drift_scale", &SceneNoise::drift_scale);
+  put("drift_turn", &SceneNoise::drift_turn);
+  put("drift_walk", &SceneNoise::drift_walk);
+  put("yaw_error", &SceneNoise::yaw_error);
+  put("pitch_error", &SceneNoise::pitch_error);
+  put("latency_jitter", &SceneNoise::latency_jitter);
+  put("frame_drop_probability", &SceneNoise::frame_drop_probability);
+  return out;
+}
+
+std::string hex(sensor::Rgb rgb) {
+  char digits[7];
+  std::snprintf(digits, sizeof digits, "%02x%02x%02x", rgb.red, rgb.green, rgb.blue);
+  return digits;
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene)}};
+  root["robot"] = {{"width", scene.robot_width}};
+  root["signatures"] = json::array();
+  for (const SceneSignature& s : scene.signatures) {
+    root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
+  }
+  root["objects"] = json::array();
+  for (const SceneObject& object : scene.objects) {
+    root["objects"].push_back({{"name", object.name},
+                               {"signature", object.signature},
+                               {"base", object.base},
+                               {"height", object.height},
+                               {"footprint", footprint_json(object.footprint)}});
+  }
+  const json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);
+  if (!path.is_null()) root["path"] = path;
+  const json noise = noise_json(scene.noise);
+  if (!noise.empty()) root["noise"] = noise;
+  return root.dump(2) + "\n";
+}
+
+}  // namespace fencepost::host
