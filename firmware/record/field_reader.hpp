@@ -1,0 +1,75 @@
+// Reads the fields of one opened line in order. The first fault stays; what is read after it means nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware/record/decimal.hpp"
+#include "firmware/record/decode.hpp"
+
+namespace fencepost::record {
+
+class FieldReader {
+ public:
+  FieldReader(const Line& line, std::optional<base::Time> arrival);
+
+  template <class Rep>
+  void number(Rep& raw, const NumberField& field) {
+    raw = static_cast<Rep>(next_number(field));
+  }
+  template <class Quantity>
+  void number_or_empty(std::optional<Quantity>& quantity, const NumberField& field) {
+    quantity.reset();
+    if (skip_empty()) return;
+    quantity.emplace();
+    number(quantity->raw, field);
+  }
+  void time_or_arrival(base::Time& t, const NumberField& field);
+  void text(sensor::Text& text);
+  /// One of the names of the enumerators up to `last`.
+  template <class Enum>
+  void word(Enum& value, Enum last) {
+    const std::string_view text = next();
+    for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(last); ++i) {
+      value = static_cast<Enum>(i);
+      if (text == name(value)) return;
+    }
+    fail(text.empty() ? Reject::kNumber : Reject::kRange);
+  }
+  void colour(sensor::Rgb& rgb);
+  void colour_or_empty(std::optional<sensor::Rgb>& rgb);
+  void digest(std::uint64_t& value);
+  /// The count, then that many items of `fields_each` fields, which must be all the fields that are left.
+  template <class Items>
+  void list(Items& items, std::size_t fields_each) {
+    items.clear();
+    const auto count = static_cast<std::size_t>(next_number({0, static_cast<std::int64_t>(Items::capacity()), 0}));
+    if (left_ != count * fields_each) fail(Reject::kFields);
+    for (std::size_t i = 0; i < count && !fault_; ++i) {
+      typename std::remove_cvref_t<decltype(items[0])> item;
+      walk(*this, item);
+      if (!items.push_back(item)) fail(Reject::kRange);
+    }
+  }
+  void require(bool condition) {
+    if (!condition) fail(Reject::kRange);
+  }
+
+  [[nodiscard]] std::optional<Reject> fault() const { return fault_; }
+
+ private:
+  std::string_view next();
+  /// Steps over the next field if it is empty.
+  bool skip_empty();
+  std::int64_t next_number(const NumberField& field);
+  void fail(Reject reason);
+
+  std::string_view rest_;
+  std::size_t left_;  ///< fields not yet read
+  std::optional<base::Time> arrival_;
+  std::optional<Reject> fault_;
+};
+
+}  // namespace fencepost::record

@@ -1,0 +1,56 @@
+// Writes one line field by field. Anything that cannot be written makes the whole line void.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware/record/decimal.hpp"
+#include "firmware/record/kinds.hpp"
+
+namespace fencepost::record {
+
+class FieldWriter {
+ public:
+  FieldWriter(Kind kind, std::span<char> line);
+
+  void number(std::int64_t raw, const NumberField& field);
+  template <class Quantity>
+  void number_or_empty(const std::optional<Quantity>& quantity, const NumberField& field) {
+    quantity ? number(quantity->raw, field) : put(',');
+  }
+  void time_or_arrival(base::Time t, const NumberField& field) { number(t.raw, field); }
+  void text(const sensor::Text& text);
+  template <class Enum>
+  void word(Enum value, Enum last) {
+    require(value <= last);
+    put(',');
+    put(name(value));
+  }
+  void colour(sensor::Rgb rgb);
+  void colour_or_empty(const std::optional<sensor::Rgb>& rgb) { rgb ? colour(*rgb) : put(','); }
+  void digest(std::uint64_t value);
+  /// The count, then the fields of each.
+  template <class Items>
+  void list(const Items& items, std::size_t /*fields_each*/) {
+    number(static_cast<std::int64_t>(items.size()), {0, static_cast<std::int64_t>(items.capacity()), 0});
+    for (const auto& item : items) walk(*this, item);
+  }
+  void require(bool condition) { void_ = void_ || !condition; }
+
+  /// Adds CRC and line end; the length, or 0 if the line is void.
+  std::size_t finish();
+
+ private:
+  void put(char c);
+  void put(std::string_view characters);
+  void put_hex(std::uint64_t value, unsigned digits, std::string_view alphabet);
+
+  std::span<char> line_;
+  std::size_t size_ = 0;
+  bool void_ = false;
+};
+
+}  // namespace fencepost::record
