@@ -1,0 +1,88 @@
+#include "host/import/table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace fencepost::host {
+
+namespace {
+
+std::vector<std::string> read_lines(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    lines.push_back(std::move(line));
+  }
+  // A folder opens but does not read; then not even end-of-file is reached.
+  if (!file.eof()) throw ImportProblem{path, "cannot be read", "check the name and the permissions"};
+  if (lines.empty()) throw ImportProblem{path, "is empty", "check that the copy is complete"};
+  return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+double to_number(std::string_view field, const std::string& place) {
+  field = trimmed(field);
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+    throw ImportProblem{place, "\"" + std::string(field) + "\" is not a number", "correct the line or take it out"};
+  }
+  return value;
+}
+
+void expect_count(std::size_t found, std::size_t expected, const std::string& names, const std::string& place) {
+  if (found == expected) return;
+  throw ImportProblem{place, "has " + std::to_string(found) + " columns instead of " + std::to_string(expected),
+                      "expected: " + names};
+}
+
+}  // namespace
+
+Table read_space_table(const std::string& path, std::size_t columns, const std::string& column_names) {
+  Table table{path, {}};
+  const std::vector<std::string> lines = read_lines(path);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::istringstream fields(lines[i].substr(0, lines[i].find('#')));
+    TableRow row{i + 1, {}};
+    const std::string place = path + ":" + std::to_string(row.line);
+    for (std::string field; fields >> field;) row.values.push_back(to_number(field, place));
+    if (row.values.empty()) continue;
+    expect_count(row.values.size(), columns, column_names, place);
+    table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) throw ImportProblem{path, "has no rows", "expected: " + column_names};
+  return table;
+}
+
+Table read_csv_table(const std::string& path, const std::string& header) {
+  Table table{path, {}};
+  const std::vector<std::string> lines = read_lines(path);
+  if (trimmed(lines[0]) != header) throw ImportProblem{path + ":1", "is not the expected header", "write: " + header};
+  const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (trimmed(lines[i]).empty()) continue;
+    TableRow row{i + 1, {}};
+    const std::string place = path + ":" + std::to_string(row.line);
+    std::istringstream fields(lines[i] + ",");
+    std::vector<std::string> texts;
+    for (std::string field; std::getline(fields, field, ',');) texts.push_back(field);
+    expect_count(texts.size(), columns, header, place);
+    for (const std::string& text : texts) row.values.push_back(to_number(text, place));
+    table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) throw ImportProblem{path, "has a header but no rows", "check that the copy is complete"};
+  return table;
+}
+
+}  // namespace fencepost::host
