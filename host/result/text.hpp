@@ -8,14 +8,15 @@
 namespace fencepost::host {
 
 struct TextOptions {
-  bool colour = false;  ///< ANSI colours; only for a terminal
+  bool colour = false;        ///< ANSI colours; only for a terminal
+  bool changes_only = false;  ///< alerts: leave out those that repeat the object's last level
 };
 
 /// One line per object under a head of two lines (names, units), at most 80 columns for values of ordinary size.
 /// "-" where a model has nothing to say. Says so when there is no object.
 std::string object_table(const ResultDocument& document, const TextOptions& options = {});
 
-/// One sentence: `12.380 s  STOP    red  0.24 m  12 deg left, contact in 1.1 s  (object 3)`.
+/// One sentence: `12.380 s  STOP    red  0.24 m  12 deg left  in 1.1 s  (object 3)`.
 std::string alert_sentence(const ResultDocument& document, const record::AlertReport& alert,
                            const TextOptions& options = {});
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <map>
 
+#include "firmware/app/text.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/printable.hpp"
 #include "host/result/text.hpp"
@@ -12,34 +12,42 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-
-std::string level_word(record::AlertLevel level, bool colour) {
-  constexpr std::array<const char*, 4> kWords = {"clear ", "notice", "WARN  ", "STOP  "};
+const char* level_colour(record::AlertLevel level) {
   constexpr std::array<const char*, 4> kColours = {"\x1b[2m", "\x1b[36m", "\x1b[33m", "\x1b[1;31m"};
-  const auto index = static_cast<std::size_t>(level);
-  return colour ? fmt::format("{}{}\x1b[0m", kColours[index], kWords[index]) : kWords[index];
+  return kColours[static_cast<std::size_t>(level)];
 }
 
-std::string bearing_words(double bearing) {
-  const double degrees = std::round(bearing * kDegreesPerRadian);
-  if (degrees == 0) return "ahead";
-  return fmt::format("{:.0f} deg {}", std::abs(degrees), degrees > 0 ? "left" : "right");
+/// The robot's own words for it, so that the desk and the console never differ.
+std::string robot_sentence(const ResultDocument& document, const record::AlertReport& alert) {
+  const record::Signature* signature = find_signature(document, alert.signature);
+  const std::string name = signature != nullptr ? printable(signature->name.view()) : "";
+  std::array<char, app::kMaxSentence> buffer{};
+  std::string sentence(buffer.data(), app::describe(alert, name, buffer));
+  while (!sentence.empty() && (sentence.back() == '\n' || sentence.back() == '\r')) sentence.pop_back();
+  return sentence;
 }
 
 }  // namespace
 
 std::string alert_sentence(const ResultDocument& document, const record::AlertReport& alert,
                            const TextOptions& options) {
-  const std::string contact = alert.ttc ? fmt::format(", contact in {:.1f} s", alert.ttc->to_double()) : "";
-  return fmt::format("{:>9.3f} s  {}  {}  {:.2f} m  {}{}  (object {})", alert.t.to_double(),
-                     level_word(alert.level, options.colour), printable(signature_name(document, alert.signature)),
-                     alert.distance.to_double(), bearing_words(alert.bearing.to_double()), contact, alert.id);
+  std::string sentence = robot_sentence(document, alert);
+  if (options.colour) {
+    const std::size_t word = std::min(sentence.find(' '), sentence.size());
+    sentence = level_colour(alert.level) + sentence.substr(0, word) + "\x1b[0m" + sentence.substr(word);
+  }
+  return fmt::format("{:>9.3f} s  {}  (object {})", alert.t.to_double(), sentence, alert.id);
 }
 
 std::string alert_list(const ResultDocument& document, const TextOptions& options) {
   std::string list;
-  for (const record::AlertReport& alert : document.alerts) list += alert_sentence(document, alert, options) + "\n";
+  std::map<std::uint32_t, record::AlertLevel> said;
+  for (const record::AlertReport& alert : document.alerts) {
+    const auto last = said.find(alert.id);
+    const bool repeat = last != said.end() && last->second == alert.level;
+    said[alert.id] = alert.level;
+    if (!(repeat && options.changes_only)) list += alert_sentence(document, alert, options) + "\n";
+  }
   return list;
 }
 

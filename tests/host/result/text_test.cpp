@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "tests/host/result/documents.hpp"
@@ -40,13 +41,22 @@ TEST(ObjectTable, SaysWhenThereIsNothing) { EXPECT_NE(object_table({}).find("No 
 
 TEST(AlertList, IsOneSentenceEach) {
   EXPECT_EQ(alert_list(small_document()),
-            "    1.000 s  WARN    red  0.40 m  6 deg left, contact in 1.1 s  (object 1)\n"
+            "    1.000 s  WARN    red  0.40 m  6 deg left  in 1.1 s  (object 1)\n"
             "    1.100 s  STOP    red  0.24 m  12 deg right  (object 1)\n");
 }
 
 TEST(AlertList, ColourOnlyOnRequest) {
   EXPECT_EQ(alert_list(small_document()).find('\x1b'), std::string::npos);
-  EXPECT_NE(alert_list(small_document(), {.colour = true}).find('\x1b'), std::string::npos);
+  EXPECT_NE(alert_list(small_document(), {.colour = true, .changes_only = false}).find('\x1b'), std::string::npos);
+}
+
+TEST(AlertList, CanLeaveRepeatsOut) {
+  ResultDocument d = small_document();
+  d.alerts.insert(d.alerts.begin() + 1, d.alerts[0]);
+  const std::string all = alert_list(d);
+  const std::string changes = alert_list(d, {.colour = false, .changes_only = true});
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3);
+  EXPECT_EQ(changes, alert_list(small_document()));
 }
 
 TEST(SummaryLine, CountsAndIdentifies) {

@@ -1,0 +1,21 @@
+// Footprints: the true ones and the models'.
+#pragma once
+
+#include <string>
+
+#include "host/report/map_frame.hpp"
+
+namespace fencepost::host {
+
+std::string draw_truth(const MapFrame& frame, const Scene& truth);
+
+/// All objects' outlines of one model, as one layer that can be switched off.
+std::string draw_model(const MapFrame& frame, const ResultDocument& document, const std::string& model);
+
+/// Number and name beside each object.
+std::string draw_object_labels(const MapFrame& frame, const ResultDocument& document);
+
+/// Where an object is drawn: its circle's centre, else the first outline's middle; nothing if it has neither.
+std::optional<Point> object_position(const ObjectResult& object);
+
+}  // namespace fencepost::host

@@ -1,0 +1,17 @@
+// Where the robot went.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/report/map_frame.hpp"
+
+namespace fencepost::host {
+
+/// The line, heading ticks along it, times beside it, start and end.
+std::string draw_path(const MapFrame& frame, const std::vector<PoseResult>& path);
+
+/// Metres driven.
+double path_length(const std::vector<PoseResult>& path);
+
+}  // namespace fencepost::host
