@@ -22,8 +22,8 @@ struct Bounds {
 };
 
 /// Removes what lies outside `half_plane` from the convex counter-clockwise polygon in vertices[0..size). Returns the
-/// new size (0: nothing is left). When the result would not fit into the span, the edge whose loss adds the least area
-/// is given up first, so the polygon never loses a point that it should hold.
+/// new size (0: nothing is left). When the result would not fit into the span, the edge whose loss moves the outline
+/// least is given up first, so the polygon never loses a point that it should hold.
 std::size_t clip_convex(std::span<Vec2> vertices, std::size_t size, const HalfPlane& half_plane);
 
 /// Bounding box of vertices; zero for none.

@@ -34,6 +34,8 @@ Vec2 to_camera(const LensPose& pose, const Vec2& map_direction) {
   return {pose.axis.dot(map_direction), cross(pose.axis, map_direction)};
 }
 
+Vec2 to_map(const LensPose& pose, const Vec2& camera_direction) { return rotated(pose.axis, camera_direction); }
+
 Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                             const MeasurementNoise& noise) {
   const CylinderEstimate& estimate = object.cylinder.estimate();
@@ -46,19 +48,25 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   if (!(bearing.x() > 0.05F)) return prediction;
   const float sine = estimate.radius / distance;
   const float cosine = std::sqrt(1.0F - sine * sine);
-  prediction.left = column_of(camera, rotated({cosine, sine}, bearing));
-  prediction.right = column_of(camera, rotated({cosine, -sine}, bearing));
-  const Vec2 normal = left_of(away / distance);
-  const float spread = estimate.covariance.position_along(normal) + estimate.covariance.rr;
-  const float angle_variance = spread / (distance * distance) + noise.heading * noise.heading +
-                               noise.position * noise.position / (distance * distance);
+  const Vec2 left = rotated({cosine, sine}, bearing);
+  const Vec2 right = rotated({cosine, -sine}, bearing);
+  prediction.left = column_of(camera, left);
+  prediction.right = column_of(camera, right);
+  prediction.depth = std::max(1e-3F, bearing.x() * distance - estimate.radius);
+  // Each end by its own uncertainty: an object seen from one side only has one good end.
+  const Vec2 left_normal = left_of(to_map(pose, left));
+  const Vec2 right_normal = -left_of(to_map(pose, right));
+  const float reach = distance * cosine;
+  const float pose_variance = noise.heading * noise.heading + noise.position * noise.position / (reach * reach);
+  const float left_variance = estimate.covariance.along(left_normal) / (reach * reach) + pose_variance;
+  const float right_variance = estimate.covariance.along(right_normal) / (reach * reach) + pose_variance;
   const float px_per_radian = camera.fx / (bearing.x() * bearing.x());
-  const float width = prediction.right - prediction.left;
-  prediction.tolerance =
-      px_per_radian * (kGateSigmas * std::sqrt(angle_variance) + kSlackRadians) + kGateWidthShare * width;
-  prediction.depth = bearing.x() * distance - estimate.radius;
+  const float shape = kGateWidthShare * (prediction.right - prediction.left);
+  prediction.left_tolerance = px_per_radian * (kGateSigmas * std::sqrt(left_variance) + kSlackRadians) + shape;
+  prediction.right_tolerance = px_per_radian * (kGateSigmas * std::sqrt(right_variance) + kSlackRadians) + shape;
   const auto columns = static_cast<float>(camera.width);
-  prediction.possible = prediction.right + prediction.tolerance > 0 && prediction.left - prediction.tolerance < columns;
+  prediction.possible =
+      prediction.right + prediction.right_tolerance > 0 && prediction.left - prediction.left_tolerance < columns;
   const float border = kBorderShare * columns;
   prediction.expected = prediction.left > border && prediction.right < columns - border &&
                         distance > kNearestExpected && distance < kFarthestExpected;
@@ -77,7 +85,7 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   const float u_near = column_of(camera, near);
   prediction.left = std::min(u_far, u_near);
   prediction.right = std::max(u_far, u_near);
-  prediction.tolerance = camera.fx * kSlackRadians;
+  prediction.left_tolerance = prediction.right_tolerance = camera.fx * kSlackRadians;
   prediction.possible = true;
   return prediction;
 }
@@ -92,14 +100,14 @@ Prediction predict(const CameraModel& camera, const LensPose& pose, const Object
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
   return {column_of(camera, rays.left.direction), column_of(camera, rays.right.direction), rays.left.censored,
-          rays.right.censored};
+          rays.right.censored, rays.bottom.censored};
 }
 
 std::uint8_t match_cost(const Prediction& prediction, const Interval& interval) {
   if (!prediction.possible) return kImpossible;
   if (!(prediction.depth > 0)) {
     const float center = 0.5F * (interval.left + interval.right);
-    const float reach = prediction.tolerance + 0.5F * (interval.right - interval.left);
+    const float reach = prediction.left_tolerance + 0.5F * (interval.right - interval.left);
     const bool inside = center > prediction.left - reach && center < prediction.right + reach;
     return inside ? kUnknownCost : kImpossible;
   }
@@ -109,19 +117,19 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval) 
   float error = 0;
   float ends = 0;
   if (!interval.left_censored) {
-    error += std::fabs(interval.left - prediction.left);
+    error += std::fabs(interval.left - prediction.left) / prediction.left_tolerance;
     ends += 1;
   }
   if (!interval.right_censored) {
-    error += std::fabs(interval.right - prediction.right);
+    error += std::fabs(interval.right - prediction.right) / prediction.right_tolerance;
     ends += 1;
   }
-  return cost_of(error / (ends * prediction.tolerance));
+  return cost_of(error / ends);
 }
 
 bool covers(const Prediction& prediction, const Interval& interval) {
-  return prediction.possible && interval.left > prediction.left - prediction.tolerance &&
-         interval.right < prediction.right + prediction.tolerance;
+  return prediction.possible && interval.left > prediction.left - prediction.left_tolerance &&
+         interval.right < prediction.right + prediction.right_tolerance;
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {

@@ -18,8 +18,9 @@ struct Prediction {
   bool expected = false;  ///< it lies well inside the image, near and well known: not seeing it means something
   float left = 0;
   float right = 0;
-  float tolerance = 0;  ///< px: how far an end may be off
-  float depth = 0;      ///< m along the axis; 0 unknown
+  float left_tolerance = 0;  ///< px: how far this end may be off
+  float right_tolerance = 0;
+  float depth = 0;  ///< m along the axis; 0 unknown
 };
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
@@ -31,6 +32,7 @@ struct Interval {
   float right = 0;
   bool left_censored = true;
   bool right_censored = true;
+  bool bottom_censored = true;
 };
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays);

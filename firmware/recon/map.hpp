@@ -9,6 +9,7 @@
 #include "firmware/recon/digest.hpp"
 #include "firmware/recon/frame_queue.hpp"
 #include "firmware/recon/object.hpp"
+#include "firmware/recon/occlusion.hpp"
 
 namespace fencepost::recon {
 
@@ -83,9 +84,20 @@ class Map {
   void see_blobs(const WaitingFrame& frame, const CameraModel& camera) {
     blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
     for (std::size_t b = 0; b < blobs_; ++b) {
-      intervals_[b] = interval_of(camera, rays_of_box(camera, frame.blobs[b].box));
+      BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
+      censor(rays, hidden_ends(frame.blobs.view(), b, camera.rows));
+      intervals_[b] = interval_of(camera, rays);
       object_of_[b] = kNoMatch;
     }
+  }
+
+  // The rays again, with what see_blobs found out about their ends: kept apart to save 700 bytes of scratch.
+  [[nodiscard]] BlobRays rays_of(const WaitingFrame& frame, const CameraModel& camera, std::size_t b) const {
+    BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
+    rays.left.censored = intervals_[b].left_censored;
+    rays.right.censored = intervals_[b].right_censored;
+    rays.bottom.censored = intervals_[b].bottom_censored;
+    return rays;
   }
 
   void weigh_pairs(const WaitingFrame& frame) {
@@ -124,8 +136,7 @@ class Map {
                       const MeasurementNoise& noise) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (blob_of_[o] == kNoMatch) continue;
-      const BlobRays rays = rays_of_box(camera, frame.blobs[blob_of_[o]].box);
-      objects_[o].observe(make_sighting(camera, lens, rays), exposure_, noise);
+      objects_[o].observe(make_sighting(camera, lens, rays_of(frame, camera, blob_of_[o])), exposure_, noise);
       objects_[o].history.push(true);
       objects_[o].presence += kPresenceGain * (1.0F - objects_[o].presence);
     }
@@ -166,7 +177,7 @@ class Map {
         ++outcome.refused;
         continue;
       }
-      const Sighting sighting = make_sighting(camera, lens, rays_of_box(camera, frame.blobs[b].box));
+      const Sighting sighting = make_sighting(camera, lens, rays_of(frame, camera, b));
       objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
       if (next_id_ == 0) next_id_ = 1;
       objects_[slot].observe(sighting, exposure_, noise);

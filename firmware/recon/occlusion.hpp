@@ -1,0 +1,41 @@
+// Which ends of a blob are not its own: a nearer blob beside it may hide the rest. Inferred from the frame alone.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "firmware/recon/camera_model.hpp"
+#include "firmware/recon/frame_queue.hpp"
+
+namespace fencepost::recon {
+
+struct HiddenEnds {
+  bool left = false;
+  bool right = false;
+  bool bottom = false;
+};
+
+/// A side counts as hidden when another blob reaches to within kTouchPixels of it, is as high in the image as this one,
+/// and is not clearly farther. Order: the lower bottom row is the nearer object; a bottom on the image border is nearer
+/// than any that is not; equal rows do not tell, and what may be hidden is not used.
+/// The bottom counts as hidden when a nearer blob overlaps it from below.
+HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows);
+
+/// Marks what is hidden as censored.
+inline void censor(BlobRays& rays, const HiddenEnds& hidden) {
+  if (hidden.left) rays.left.censored = true;
+  if (hidden.right) rays.right.censored = true;
+  if (hidden.bottom) rays.bottom.censored = true;
+}
+
+/// A nearer post cuts what is behind it in two. Two blobs of one signature, with the same top and bottom rows and with
+/// a third, not farther blob that fills the gap between them, become one box from the left end of one to the right end
+/// of the other. Order is kept. Where they are two objects after all, the joined wedge is too wide: it carves less.
+void join_behind_posts(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs);
+
+/// Two blobs this close (px) touch: 2 px plus three sigmas of an edge.
+inline constexpr int kTouchPixels = 5;
+/// Bottom rows that differ by no more than this (px) do not tell which object is nearer.
+inline constexpr int kSameRowPixels = 1;
+
+}  // namespace fencepost::recon
