@@ -3,24 +3,42 @@
 namespace fencepost::base {
 namespace {
 
-constexpr std::int64_t kHalfPiNanoradians = 1'570'796'327;
+constexpr std::int64_t kHalfPiPicoradians = 1'570'796'326'795;
 
-// Taylor series to x^9 / x^8 on [-pi/4, pi/4]: truncation below 2e-9, so float rounding dominates.
-float sine_of_octant(float x) {
-  const float q = x * x;
-  return x * (1.0F + q * (-1.66666667e-1F + q * (8.33333333e-3F + q * (-1.98412698e-4F + q * 2.75573192e-6F))));
+// Taylor series on [-pi/4, pi/4], sine to x^9, cosine to x^10: truncation below 2e-9, so float rounding dominates.
+// Each answers its function minus the leading term, which the caller adds last and exactly once.
+float sine_tail(float x, float q) {
+  return x * (q * (-1.66666667e-1F + q * (8.33333333e-3F + q * (-1.98412698e-4F + q * 2.75573192e-6F))));
 }
-float cosine_of_octant(float x) {
-  const float q = x * x;
-  return 1.0F + q * (-0.5F + q * (4.16666667e-2F + q * (-1.38888889e-3F + q * (2.48015873e-5F - q * 2.75573192e-7F))));
+float cosine_tail(float q) {
+  return q * (-0.5F + q * (4.16666667e-2F + q * (-1.38888889e-3F + q * (2.48015873e-5F - q * 2.75573192e-7F))));
 }
 
-// Odd minimax-like polynomial for atan on [0, tan(pi/8)], series to x^15: truncation below 3e-8.
+// Direction of an angle within +-pi/4. The angle is cut into a part that a float holds exactly and a rest below
+// 2^-24 rad, which goes in by the first derivative: rounding the angle itself would cost as much as all the rest.
+SinCos sincos_of_octant(std::int64_t picoradians) {
+  // Units of 2^-32 rad: 2^62 / 1e9 = 4611686018.4, and |nanoradians| < 2^30 keeps the product inside 63 bits.
+  const std::int64_t units = (picoradians / 1000 * 4'611'686'018) >> 30;
+  constexpr float kPerHigh = 1.0F / 16'777'216.0F;
+  constexpr float kPerLow = kPerHigh / 256.0F;
+  const float high = static_cast<float>(static_cast<std::int32_t>(units >> 8)) * kPerHigh;
+  const float low = static_cast<float>(static_cast<std::int32_t>(units & 255)) * kPerLow;
+  const float q = high * high;
+  const float s = sine_tail(high, q);
+  const float c = cosine_tail(q);
+  return {1.0F + (c - low * high), high + (s + (low + low * c))};
+}
+
+// Taylor series to x^15 on [0, tan(pi/8)]: truncation below 2e-8.
 float atan_small(float x) {
   const float q = x * x;
-  return x * (1.0F +
-              q * (-3.33333333e-1F +
-                   q * (2.0e-1F + q * (-1.42857143e-1F + q * (1.11111111e-1F + q * (-9.09090909e-2F + q * (7.69230769e-2F - q * 6.66666667e-2F)))))));
+  float sum = 7.69230769e-2F - q * 6.66666667e-2F;
+  sum = -9.09090909e-2F + q * sum;
+  sum = 1.11111111e-1F + q * sum;
+  sum = -1.42857143e-1F + q * sum;
+  sum = 2.0e-1F + q * sum;
+  sum = -3.33333333e-1F + q * sum;
+  return x * (1.0F + q * sum);
 }
 
 constexpr float kTanPi8 = 0.414213562F;
@@ -34,21 +52,19 @@ float atan_unit(float x) {
 }  // namespace
 
 SinCos sincos_urad(std::int64_t microradians) {
-  // Whole turns go first, in integers of 1 nrad: at 1000 rad the error of 2 pi adds up to 30 nrad only.
-  constexpr std::int64_t kTurnsOfHeadroom = 1'000'000'000;  // |microradians| <= 9.2e15 stays in range below
-  if (microradians > kTurnsOfHeadroom * 6'000 || microradians < -kTurnsOfHeadroom * 6'000) microradians %= 6'283'185;
-  std::int64_t nano = (microradians * 1000) % kTwoPiNanoradians;
-  if (nano < 0) nano += kTwoPiNanoradians;
+  // Whole turns go first, in integers of 1 prad: 159 turns at 1000 rad cost less than 0.1 nrad.
+  constexpr std::int64_t kNoOverflow = 9'000'000'000'000;
+  if (microradians > kNoOverflow || microradians < -kNoOverflow) microradians %= 6'283'185;
+  std::int64_t pico = (microradians * 1'000'000) % kTwoPiPicoradians;
+  if (pico < 0) pico += kTwoPiPicoradians;
   // Nearest quarter turn, and the rest within +-pi/4.
-  const std::int64_t quarter = (nano + kHalfPiNanoradians / 2) / kHalfPiNanoradians;
-  const auto rest = static_cast<float>(static_cast<std::int32_t>(nano - quarter * kHalfPiNanoradians)) * 1e-9F;
-  const float s = sine_of_octant(rest);
-  const float c = cosine_of_octant(rest);
+  const std::int64_t quarter = (pico + kHalfPiPicoradians / 2) / kHalfPiPicoradians;
+  const SinCos rest = sincos_of_octant(pico - quarter * kHalfPiPicoradians);
   switch (quarter & 3) {
-    case 0: return {c, s};
-    case 1: return {-s, c};
-    case 2: return {-c, -s};
-    default: return {s, -c};
+    case 0: return {rest.cos, rest.sin};
+    case 1: return {-rest.sin, rest.cos};
+    case 2: return {-rest.cos, -rest.sin};
+    default: return {rest.sin, -rest.cos};
   }
 }
 

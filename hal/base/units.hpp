@@ -26,9 +26,12 @@ struct Scaled {
   /// Nearest representable value, half away from zero. The caller keeps `value` inside the range of Rep.
   static constexpr Scaled nearest(double value) {
     const double scaled = value * static_cast<double>(kPerUnit);
-    return {static_cast<Rep>(scaled < 0 ? scaled - 0.5 : scaled + 0.5)};
+    const auto whole = static_cast<Rep>(scaled);
+    // The rest is exact; adding 0.5 before cutting would not be, just below a half.
+    const double rest = scaled - static_cast<double>(whole);
+    return {static_cast<Rep>(whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0))};
   }
-  /// Exact for |raw| < 2^24, else the nearest float of raw divided once.
+  /// Correctly rounded for |raw| < 2^24, else the nearest float of raw divided once.
   [[nodiscard]] constexpr float to_float() const { return static_cast<float>(raw) / static_cast<float>(kPerUnit); }
   [[nodiscard]] constexpr double to_double() const { return static_cast<double>(raw) / static_cast<double>(kPerUnit); }
 
