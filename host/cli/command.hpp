@@ -1,0 +1,34 @@
+// One command of the program: what --help says about it, and how it runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/cli/exit_code.hpp"
+
+namespace fencepost::host::cli {
+
+using Action = std::function<Exit()>;
+
+struct Command {
+  std::string name;
+  std::string summary;   ///< one clause, for the list of commands
+  std::string examples;  ///< shown first in --help, one a line, each indented by two blanks
+  /// Adds options to the command's parser. The action runs after parsing; for a command of commands it is empty.
+  std::function<Action(CLI::App&)> configure;
+  std::vector<Command> children;
+};
+
+/// Every command, in the order in which people meet them. Help, suggestions and completion all read this table.
+const std::vector<Command>& commands();
+
+Command demo_command();
+Command replay_command();
+Command report_command();
+Command simulate_command();
+Command import_command();
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/cli/share.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/report/report.hpp"
+#include "host/result/text.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+constexpr const char* kRecording = "approach_stop";
+
+std::string next_steps(const std::string& log, const std::string& scene) {
+  return fmt::format(
+      "Next:\n"
+      "  fencepost replay {0} --json\n"
+      "  fencepost simulate {1} -o my.log\n"
+      "  fencepost report my.log --scene {1}\n"
+      "  fencepost --help",
+      log, scene);
+}
+
+Exit run(const std::string& output) {
+  const std::string log = find_recording(std::string(kRecording) + ".log");
+  const std::string scene_path = find_recording(std::string(kRecording) + ".json");
+  say(fmt::format("Replaying {}: a robot drives towards an obstacle.", log));
+  const ReplayOutcome outcome = replay_file(log, {});
+  const Scene truth = read_scene(scene_path);
+  const std::string html =
+      write_report(outcome.result, truth, {"Fencepost demo: approach and stop", "fencepost " FENCEPOST_VERSION});
+  write_output(output, html);
+  if (output != "-") {  // else the page itself is the data
+    const TextOptions text{colour_on_stdout(), true};
+    write_output("-", alert_list(outcome.result, text) + "\n" + object_table(outcome.result, text) + "\n" +
+                          summary_line(outcome.result));
+    say(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
+  }
+  say_what_was_left_out(outcome);
+  say(next_steps(log, scene_path));
+  return Exit::kDone;
+}
+
+Action configure(CLI::App& app) {
+  const auto output = std::make_shared<std::string>("fencepost-demo.html");
+  app.add_option("-o,--output", *output, "where to write the report; default: fencepost-demo.html")
+      ->type_name("FILE.html");
+  return [output] { return run(*output); };
+}
+
+}  // namespace
+
+Command demo_command() {
+  return {"demo",
+          "the bundled recording: alerts, objects and a report, no robot needed",
+          "  fencepost demo\n"
+          "  fencepost demo -o /tmp/demo.html\n",
+          configure,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

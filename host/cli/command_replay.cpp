@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/result/text.hpp"
+#include "host/result/to_json.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct Request {
+  std::string log;
+  std::string camera;
+  std::string write_log;
+  std::string output = "-";
+  bool json = false;
+  ReplayOptions options;
+};
+
+void check_usage(const Request& request) {
+  if (request.log == "-" && request.camera == "-") {
+    throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
+  }
+  if (request.output == "-" && request.write_log == "-") {
+    throw Failure(Exit::kUsage, "the result and --write-log cannot both be standard output; name a file with -o");
+  }
+  if (request.options.from && request.options.to && *request.options.from > *request.options.to) {
+    throw Failure(Exit::kUsage, "--from is later than --to; swap them");
+  }
+}
+
+/// Colours only where the text goes to a terminal, not into a file.
+std::string text_result(const ResultDocument& result, const std::string& output) {
+  TextOptions text;
+  text.colour = output == "-" && colour_on_stdout();
+  const std::string alerts = alert_list(result, text);
+  return alerts + (alerts.empty() ? "" : "\n") + object_table(result, text) + "\n" + summary_line(result);
+}
+
+Exit judge(const CheckOutcome& check) {
+  for (const std::string& mismatch : check.mismatches) say(mismatch);
+  if (check.differing > 0) {
+    say(fmt::format("check failed: {} of {} logged records differ; same version and --profile as the robot?",
+                    check.differing, check.compared));
+    return Exit::kCheckFailed;
+  }
+  if (check.compared == 0) {
+    say("check failed: nothing to compare; record in console mode log, which writes FPOBJ, FPALR and FPDIG");
+    return Exit::kCheckFailed;
+  }
+  say(fmt::format("check passed: {} logged records agree", check.compared));
+  return Exit::kDone;
+}
+
+Exit run(Request request) {
+  check_usage(request);
+  if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
+  std::string own_log;
+  if (!request.write_log.empty()) request.options.log = [&](std::string_view line) { own_log += line; };
+
+  const ReplayOutcome outcome = replay_file(request.log, request.options);
+  if (!request.write_log.empty()) write_output(request.write_log, own_log);
+  write_output(request.output, request.json ? to_json(outcome.result) : text_result(outcome.result, request.output));
+  say_what_was_left_out(outcome);
+  return request.options.check ? judge(outcome.check) : Exit::kDone;
+}
+
+Action configure(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
+  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
+      ->check(CLI::IsMember({"micro", "small", "full"}));
+  app.add_flag("--json", request->json, "write the result document instead of text");
+  app.add_flag("--check", request->options.check, "compare logged FPOBJ, FPALR and FPDIG with our own; exit 1 if not");
+  app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
+  app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
+  app.add_option("--frames", request->options.frames, "stop after the N-th frame record")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
+      ->type_name("FILE");
+  app.add_option("--write-log", request->write_log, "the log that a robot would have written for these inputs")
+      ->type_name("FILE");
+  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command replay_command() {
+  return {"replay",
+          "alerts and objects of a recorded run",
+          "  fencepost replay run.log\n"
+          "  fencepost replay run.log --json | jq '.objects[0].models.clip.geometry'\n"
+          "  fencepost replay robot.log --check\n",
+          configure,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

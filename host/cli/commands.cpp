@@ -1,0 +1,11 @@
+#include "host/cli/command.hpp"
+
+namespace fencepost::host::cli {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table = {demo_command(), replay_command(), report_command(), simulate_command(),
+                                             import_command()};
+  return table;
+}
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,29 @@
+#include "host/cli/help.hpp"
+
+#include <fmt/format.h>
+
+namespace fencepost::host::cli {
+
+std::string overview() {
+  std::string text =
+      "Examples:\n"
+      "  fencepost demo\n"
+      "  fencepost replay run.log\n"
+      "  fencepost report run.log -o run.html\n\n"
+      "Obstacle maps and alerts from coloured blobs and odometry: the robot's own loop, at the desk.\n\n"
+      "Commands:\n";
+  for (const Command& command : commands()) text += fmt::format("  {:<10} {}\n", command.name, command.summary);
+  return text +
+         "\nOptions:\n"
+         "  -h,--help   this help; after a command, that command's\n"
+         "  --version   the version\n\n"
+         "Data goes to standard output, messages to standard error; - is standard input or output.\n"
+         "Exit codes: 0 done, 1 a check failed, 2 usage, 3 unreadable input, 4 device or output, 130 interrupted.\n";
+}
+
+std::string HelpWithExample::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
+  if (app->get_parent() == nullptr) return overview();
+  return "Examples:\n" + app->get_footer() + "\n" + CLI::Formatter::make_help(app, std::move(name), mode);
+}
+
+}  // namespace fencepost::host::cli

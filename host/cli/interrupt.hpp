@@ -1,0 +1,20 @@
+// Ctrl-C: exit 130, nothing half-written left behind.
+#pragma once
+
+#include <string>
+
+namespace fencepost::host::cli {
+
+/// From here on an interrupt ends the program with exit code 130, and a closed pipe is an error of write().
+void handle_interrupts();
+
+/// While it lives, an interrupt removes that file. One at a time.
+class RemoveOnInterrupt {
+ public:
+  explicit RemoveOnInterrupt(const std::string& path);
+  ~RemoveOnInterrupt();
+  RemoveOnInterrupt(const RemoveOnInterrupt&) = delete;
+  RemoveOnInterrupt& operator=(const RemoveOnInterrupt&) = delete;
+};
+
+}  // namespace fencepost::host::cli

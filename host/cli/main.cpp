@@ -1,0 +1,3 @@
+#include "host/cli/program.hpp"
+
+int main(int argc, char** argv) { return fencepost::host::cli::run_program(argc, argv); }

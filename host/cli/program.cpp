@@ -1,0 +1,111 @@
+#include "host/cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/help.hpp"
+#include "host/cli/interrupt.hpp"
+#include "host/cli/suggest.hpp"
+#include "host/cli/terminal.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+/// "no command \"repaly\"; did you mean replay?", if a word where a command is due is none.
+std::optional<std::string> unknown_command(const std::vector<Command>& table, const std::string& where, int argc,
+                                           const char* const* argv) {
+  if (argc < 1 || argv[0][0] == '-') return std::nullopt;
+  std::vector<std::string> names;
+  for (const Command& command : table) {
+    if (command.name == argv[0]) {
+      if (command.children.empty()) return std::nullopt;
+      return unknown_command(command.children, where + " " + command.name, argc - 1, argv + 1);
+    }
+    names.push_back(command.name);
+  }
+  const std::string near = nearest_word(argv[0], names);
+  const std::string guess = near.empty() ? "" : fmt::format(" did you mean {}?", near);
+  return fmt::format("no command \"{}\" in {};{} See {} --help", argv[0], where, guess, where);
+}
+
+class Program {
+ public:
+  Program() : app_("", "fencepost") {
+    app_.formatter(std::make_shared<HelpWithExample>());
+    app_.set_version_flag("--version", "fencepost " FENCEPOST_VERSION);
+    app_.require_subcommand(1);
+    for (const Command& command : commands()) add(app_, command);
+  }
+
+  int run(int argc, const char* const* argv) {
+    if (const auto unknown = unknown_command(commands(), "fencepost", argc - 1, argv + 1)) {
+      return fail(Exit::kUsage, *unknown);
+    }
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+      write_output("-", help_text(success));
+      return static_cast<int>(Exit::kDone);
+    } catch (const CLI::ParseError& error) {
+      return fail(Exit::kUsage, fmt::format("{}; see {} --help", error.what(), parsed_name()));
+    }
+    return static_cast<int>(action_());
+  }
+
+  static int fail(Exit code, const std::string& message) {
+    say("fencepost: " + message);
+    return static_cast<int>(code);
+  }
+
+ private:
+  void add(CLI::App& parent, const Command& command) {
+    CLI::App* app = parent.add_subcommand(command.name, command.summary);
+    app->footer(command.examples);
+    if (command.configure) {
+      app->callback([this, action = command.configure(*app)] { action_ = action; });
+    }
+    for (const Command& child : command.children) add(*app, child);
+    if (!command.children.empty()) app->require_subcommand(1);
+  }
+
+  /// The command whose options were being read.
+  [[nodiscard]] const CLI::App& parsed() const {
+    const CLI::App* app = &app_;
+    while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+    return *app;
+  }
+  [[nodiscard]] std::string parsed_name() const {
+    std::string name;
+    for (const CLI::App* app = &parsed(); app != nullptr; app = app->get_parent()) {
+      name = app->get_name() + (name.empty() ? "" : " ") + name;
+    }
+    return name;
+  }
+  [[nodiscard]] std::string help_text(const CLI::Success& success) const {
+    if (dynamic_cast<const CLI::CallForVersion*>(&success) != nullptr) return std::string(success.what()) + "\n";
+    const std::string name = parsed_name();
+    return parsed().help(name.substr(0, name.rfind(' ')));
+  }
+
+  CLI::App app_;
+  Action action_;
+};
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  handle_interrupts();
+  try {
+    return Program().run(argc, argv);
+  } catch (const Failure& failure) {
+    return Program::fail(failure.code(), failure.what());
+  } catch (const std::bad_alloc&) {
+    return Program::fail(Exit::kUnreadable, "out of memory; try --from and --to on a part of the input");
+  }
+}
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,12 @@
+// Where the bundled recordings are.
+#pragma once
+
+#include <string>
+
+namespace fencepost::host::cli {
+
+/// Path of a bundled recording or scene: in FENCEPOST_SHARE if that is set, else beside the installed program, else in
+/// the source tree the program was built from. errors: Failure (kUnreadable)
+std::string find_recording(const std::string& file);
+
+}  // namespace fencepost::host::cli

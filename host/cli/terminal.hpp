@@ -1,0 +1,16 @@
+// What is said to people, and whether they can see colours.
+#pragma once
+
+#include <string_view>
+
+namespace fencepost::host::cli {
+
+bool is_terminal(int descriptor);
+
+/// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
+bool colour_on_stdout();
+
+/// One message line to standard error.
+void say(std::string_view message);
+
+}  // namespace fencepost::host::cli
