@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Plants one fault of each kind in a small clean tree and expects exactly that fault, by file, line and rule."""
+
+import pathlib
+import tempfile
+import unittest
+
+from layer_check import check
+
+CLEAN = {
+    "CMakeLists.txt": "project(x)  # file(GLOB) would be refused\nadd_subdirectory(hal)\n",
+    "README.md": "\n".join(["The top one may be long."] * 40),
+    "LICENSE": "",
+    ".gitignore": "/build/\n",
+    "hal/CMakeLists.txt": "add_library(hal STATIC\n  base/a.cpp)\n",
+    "hal/README.md": "\n" * 15,
+    "hal/base/a.hpp": "#pragma once\n",
+    "hal/base/a.cpp": '#include "hal/base/a.hpp"\n',
+    "hal/bus/link.hpp": "#pragma once\n",
+    "drivers/d.hpp": '#include "hal/bus/link.hpp"\n',
+    "firmware/app/f.hpp": '#include "drivers/d.hpp"\n',
+    "firmware/recon/r.hpp": '#include "hal/base/a.hpp"\n',
+    "host/h.hpp": '#include <string>\n#include "firmware/app/f.hpp"\n',
+    "host/CMakeLists.txt": "add_executable(h ${CMAKE_CURRENT_SOURCE_DIR}/h.cpp ${PROJECT_SOURCE_DIR}/host/i.cpp)\n",
+    "host/h.cpp": "auto* p = new int(1);\ndouble x = std::sin(1.0);\nvoid f() { throw 1; }\n",
+    "host/i.cpp": "",
+    "tests/t.hpp": '#include "host/h.hpp"\n',
+    "toolchain/setup": "",
+}
+
+# (file, text put at its end after one line of its own, rule)
+FAULTS = [
+    ("hal/base/a.hpp", '#include "firmware/app/f.hpp"', "layer"),
+    ("hal/base/a.hpp", '#  include "drivers/d.hpp"', "layer"),
+    ("drivers/d.hpp", '#include "firmware/app/f.hpp"', "layer"),
+    ("firmware/app/f.hpp", '#include "host/h.hpp"', "layer"),
+    ("host/h.hpp", '#include "tests/t.hpp"', "layer"),
+    ("firmware/recon/r.hpp", '#include "hal/bus/link.hpp"', "seam"),
+    ("firmware/recon/r.hpp", '#include "drivers/d.hpp"', "seam"),
+    ("hal/base/a.cpp", '#include "a.hpp"', "include-path"),
+    ("hal/base/a.cpp", '#include "hal/base/gone.hpp"', "include-path"),
+    ("hal/base/a.cpp", '#include "hal/bus/../base/a.hpp"', "include-path"),
+    ("hal/base/a.cpp", "#include <iostream>", "header"),
+    ("drivers/d.hpp", "#include <cstdio>", "header"),
+    ("firmware/app/f.hpp", "#include <functional>", "header"),
+    ("hal/base/a.hpp", "#include <string>", "header"),
+    ("hal/base/a.hpp", "#include <vector>", "header"),
+    ("hal/base/a.hpp", "#include <map>", "header"),
+    ("hal/base/a.hpp", "#include <memory>", "header"),
+    ("hal/base/a.hpp", "struct A { virtual ~A() = default; };", "word"),
+    ("hal/base/a.cpp", "int* p = new int;", "word"),
+    ("hal/base/a.cpp", "void f(int* p) { delete p; }", "word"),
+    ("hal/base/a.cpp", "void* p = malloc(3);", "word"),
+    ("hal/base/a.cpp", "void f() { throw 1; }", "word"),
+    ("drivers/d.hpp", "void f() { try { g(); } ", "word"),
+    ("firmware/app/f.hpp", "auto* b = dynamic_cast<B*>(a);", "word"),
+    ("firmware/app/f.hpp", "auto b = std::bit_cast<int>(1.0F);", "word"),
+    ("firmware/recon/r.hpp", "float x = std::sin(1.0F);", "libm"),
+    ("firmware/recon/r.hpp", "float x = atan2f(1.0F, y);", "libm"),
+    ("firmware/recon/r.hpp", "float x = (::exp (1.0F));", "libm"),
+    ("firmware/recon/r.hpp", "float x = -hypot(1.0F, y);", "libm"),
+    ("firmware/recon/r.hpp", "float x = std :: cbrt(y);", "libm"),
+    ("firmware/recon/r.hpp", "/* one\n*/ float x = std::pow(1.0F, y);", "libm"),
+    ("host/CMakeLists.txt", "file(GLOB sources *.cpp)", "glob"),
+    ("host/CMakeLists.txt", "FILE (GLOB_RECURSE sources *.cpp)", "glob"),
+    ("hal/CMakeLists.txt", "add_compile_options(-f" "fast-math)", "fast-math"),
+    ("hal/base/a.hpp", "// TO" "DO: later", "unfinished"),
+    ("README.md", "FIX" "ME", "unfinished"),
+    ("toolchain/setup", "cd /ho" "me/someone/project", "machine-path"),
+    ("tests/t.hpp", '// as in "/wo' 'rk/main/x"', "machine-path"),
+]
+
+# What looks like a fault and is none.
+INNOCENT = [
+    ("hal/base/a.cpp", "// a new one; we throw nothing, std::sin(x) is refused"),
+    ("hal/base/a.cpp", '/* #include "firmware/app/f.hpp"\n new */'),
+    ("hal/base/a.cpp", 'const char* s = "try a new sin(x) // and on"; int n = 1\'000\'000;'),
+    ("hal/base/a.cpp", "const char* s = R\"(throw \" new)\"; char c = '\"';"),
+    ("hal/base/a.cpp", "A(const A&) = delete;\nint renewed = newer(retry);"),
+    ("hal/base/a.cpp", "#include <cmath>\nfloat x = std::sqrt(y) + p.cos * basin(2) + sine(y);"),
+    ("hal/base/a.cpp", "struct A { ~A() = default; virtual void f() = 0; };"),
+    ("toolchain/setup", "mount ${root}/home/x; see example.org/home/ and /dev/ttyUSB0"),
+]
+
+
+class LayerCheck(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name).resolve()
+        for name, text in CLEAN.items():
+            path = self.root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+
+    def found(self):
+        faults, checked = check(self.root)
+        self.assertGreater(checked, 0)
+        return [(file, line, rule) for file, line, rule, _ in faults]
+
+    def test_the_clean_tree_is_clean(self):
+        self.assertEqual(self.found(), [])
+
+    def test_each_planted_fault_is_found_where_it_is(self):
+        for name, text, rule in FAULTS:
+            with self.subTest(name=name, text=text):
+                path = self.root / name
+                path.write_text(CLEAN[name] + "\n" + text + "\n")
+                line = CLEAN[name].count("\n") + 2 + text.count("\n")
+                self.assertEqual(self.found(), [(name, line, rule)])
+                path.write_text(CLEAN[name])
+
+    def test_what_only_looks_like_a_fault_is_left_alone(self):
+        for name, text in INNOCENT:
+            with self.subTest(text=text):
+                path = self.root / name
+                path.write_text(CLEAN[name] + "\n" + text + "\n")
+                self.assertEqual(self.found(), [])
+                path.write_text(CLEAN[name])
+
+    def test_an_unlisted_source_is_found(self):
+        (self.root / "drivers/d.cpp").write_text("")
+        self.assertEqual(self.found(), [("drivers/d.cpp", 1, "unlisted")])
+
+    def test_a_long_readme_is_found(self):
+        (self.root / "hal/README.md").write_text("line\n" * 16)
+        self.assertEqual(self.found(), [("hal/README.md", 16, "readme-length")])
+
+    def test_a_stranger_at_the_top_is_found(self):
+        (self.root / "docs").mkdir()
+        self.assertEqual(self.found(), [("docs", 1, "top-level")])
+
+    def test_build_folders_are_nobodys_business(self):
+        (self.root / "build/host").mkdir(parents=True)
+        (self.root / "build/host/a.cpp").write_text("int* p = new int;  // TO" "DO")
+        self.assertEqual(self.found(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
