@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -41,7 +42,9 @@ json footprint_json(const Polygon& footprint) {
   Point center;
   double radius = 0;
   if (footprint.holes.empty() && is_circle_ring(footprint.outer, center, radius)) {
-    return {{"circle", {center.x, center.y, radius}}};
+    // To the nanometre: the centre of the vertices is not the written number to the last bit.
+    const auto nanometres = [](double value) { return std::round(value * 1e9) / 1e9; };
+    return {{"circle", {nanometres(center.x), nanometres(center.y), nanometres(radius)}}};
   }
   json rings = json::array({ring_json(footprint.outer)});
   for (const LinearRing& hole : footprint.holes) rings.push_back(ring_json(hole));

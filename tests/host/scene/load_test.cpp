@@ -1,0 +1,108 @@
+#include "host/scene/load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "host/geometry/rings.hpp"
+#include "tests/host/scene/scenes.hpp"
+
+namespace fencepost::host {
+namespace {
+
+TEST(Scene, ReadsEveryPart) {
+  const LoadedScene loaded = parse_scene(valid_scene(), "s.json");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  const Scene& scene = *loaded;
+  EXPECT_EQ(scene.seed, 5U);
+  EXPECT_EQ(scene.camera.model.view(), "pixy2");
+  EXPECT_EQ(scene.camera.fx.raw, 27360);
+  EXPECT_EQ(scene.camera.mount.yaw.raw, 1000);
+  ASSERT_TRUE(scene.camera.mount.pitch.has_value());
+  EXPECT_EQ(scene.camera.latency.raw, 500);
+  EXPECT_EQ(scene.robot_width, 0.25);
+  ASSERT_EQ(scene.signatures.size(), 2U);
+  EXPECT_EQ(scene.signatures[0].rgb, (sensor::Rgb{0xd0, 0x20, 0x20}));
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_EQ(scene.objects[0].footprint.outer.size(), 4U) << "the closing corner is not kept";
+  EXPECT_EQ(scene.objects[1].footprint.outer.size(), 256U);
+  const auto& arc = std::get<ArcPath>(scene.path);
+  EXPECT_EQ(arc.views, 75);
+  EXPECT_FALSE(arc.look_outwards);
+  EXPECT_EQ(scene.noise.edge_px, 1.5);
+  EXPECT_EQ(scene.noise.loss_max, 0.5) << "default";
+}
+
+TEST(Scene, OpenAndClockwiseRingsAreNormalised) {
+  const std::string text =
+      replaced(valid_scene(), "[[[1,0],[1.1,0],[1.1,0.1],[1,0.1],[1,0]]]", "[[[1,0],[1,0.1],[1.1,0.1],[1.1,0]]]");
+  const LoadedScene loaded = parse_scene(text, "s");
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->objects[0].footprint.outer.size(), 4U);
+  EXPECT_GT(signed_area(loaded->objects[0].footprint.outer), 0);
+}
+
+TEST(Scene, PitchMayBeUnknownAndPathMayBeAbsent) {
+  std::string text = replaced(valid_scene(), "\"pitch\": 0", "\"pitch\": null");
+  text = replaced(
+      text, R"( "path": {"type": "arc", "center": [1.05, 0.05], "radius": 1.2, "start": 0, "sweep": 4.71, "views": 75,
+          "look_at": "center"},)",
+      "");
+  const LoadedScene loaded = parse_scene(text, "s");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  EXPECT_FALSE(loaded->camera.mount.pitch.has_value());
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(loaded->path));
+}
+
+TEST(Scene, ObjectsMayTouchAndStack) {
+  const std::string beside = R"({"name": "can", "signature": 2, "height": 0.1, "footprint": {"type": "Polygon",
+      "coordinates": [[[1.1,0],[1.2,0],[1.2,0.1],[1.1,0.1]]]}})";
+  const std::string on_top =
+      R"({"name": "can", "signature": 2, "base": 0.2, "height": 0.1, "footprint": {"circle": [1.05, 0.05, 0.04]}})";
+  for (const std::string& other : {beside, on_top}) {
+    const std::string text =
+        replaced(valid_scene(),
+                 R"({"name": "can", "signature": 2, "height": 0.1, "footprint": {"circle": [2, 0.5, 0.05]}})", other);
+    EXPECT_TRUE(parse_scene(text, "s").ok()) << other;
+  }
+}
+
+TEST(Scene, WrittenScenesReadBackTheSame) {
+  for (
+      const std::string& path :
+      {std::string(R"({"type": "waypoints", "points": [[0,0],[1,0.5]], "speed": 0.3, "turn_rate": 0.7})"),
+       std::string(
+           R"({"type": "poses", "poses": [{"t": 0, "x": 0.1, "y": 0, "heading": 0}, {"t": 1, "x": 1, "y": 0, "heading": 1}]})"),
+       std::string(
+           R"({"type": "arc", "center": [1, 0], "radius": 2, "sweep": -1, "views": 3, "look_at": "outwards"})")}) {
+    std::string text = replaced(
+        valid_scene(), R"({"type": "arc", "center": [1.05, 0.05], "radius": 1.2, "start": 0, "sweep": 4.71, "views": 75,
+          "look_at": "center"})",
+        path);
+    const LoadedScene first = parse_scene(text, "s");
+    ASSERT_TRUE(first.ok()) << first.error().message();
+    const std::string written = write_scene(*first);
+    EXPECT_NE(written.find("\"circle\""), std::string::npos);
+    const LoadedScene second = parse_scene(written, "s");
+    ASSERT_TRUE(second.ok()) << second.error().message();
+    EXPECT_EQ(write_scene(*second), written);
+    EXPECT_EQ(second->camera, first->camera);
+    EXPECT_EQ(second->noise.edge_px, first->noise.edge_px);
+    EXPECT_EQ(second->path.index(), first->path.index());
+  }
+}
+
+TEST(SceneFile, IsReadFromDiskAndComplainsByName) {
+  const std::string path = testing::TempDir() + "fencepost_scene_load_test.json";
+  std::ofstream(path) << valid_scene();
+  EXPECT_TRUE(load_scene(path).ok());
+  std::remove(path.c_str());
+  const LoadedScene missing = load_scene(path);
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().message(), path + ": cannot be read; check the name and the permissions");
+  EXPECT_FALSE(load_scene(testing::TempDir()).ok()) << "a folder is not a scene";
+}
+
+}  // namespace
+}  // namespace fencepost::host
