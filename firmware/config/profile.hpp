@@ -14,7 +14,7 @@ struct Micro {
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kPoses = 24;           ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kPending = 6;          ///< tangents kept until an object has a place
-  static constexpr std::size_t kClipVertices = 24;    ///< 8 bytes each; more edges are given up by least area
+  static constexpr std::size_t kClipVertices = 24;    ///< 8 bytes each; more edges than that are given up
   static constexpr std::size_t kGridCells = 32;       ///< a side: 128 bytes
   static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
   static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included

@@ -78,7 +78,8 @@ TEST_P(Mrclam, CylindersWithTruePosesLieWithinTheBounds) {
   EXPECT_LE(errors.back(), 0.110);
 }
 
-// Dead reckoning drifts 0.25-0.55 m a minute here, so these figures are for reading; the bound only catches nonsense.
+// Dead reckoning drifts 0.25-0.55 m and 10-25 deg a minute here, and the landmarks stand 2 to 6 m away, so these
+// figures are for reading: they are what pose correction has to mend. The bound only catches nonsense.
 TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   std::vector<double> medians;
   for (int start = 0; start < 840; start += 60) {
@@ -102,7 +103,7 @@ TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   ASSERT_GE(medians.size(), 10U);
   std::sort(medians.begin(), medians.end());
   std::printf("  %s, odometry, 60 s windows: median of medians %.0f mm\n", GetParam(), 1e3 * median(medians));
-  EXPECT_LT(median(medians), 0.5);
+  EXPECT_LT(median(medians), 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(DataSets, Mrclam, testing::Values("D7_R2", "D6_R2"));
