@@ -1,0 +1,243 @@
+#include "firmware/recon/map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "firmware/config/profile.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::MapPose;
+using recon::WaitingFrame;
+
+// 316 x 208, f = 273.6, lens 12 cm above the floor, level.
+recon::CameraModel camera(bool pitch_known = true) {
+  sensor::CameraIntrinsics intrinsics;
+  intrinsics.width = 316;
+  intrinsics.height = 208;
+  intrinsics.fx = intrinsics.fy = base::Pixels2::nearest(273.6);
+  intrinsics.cx = base::Pixels2::nearest(157.5);
+  intrinsics.cy = base::Pixels2::nearest(103.5);
+  intrinsics.mount.z = base::Metres::nearest(0.12);
+  if (pitch_known) intrinsics.mount.pitch = base::Radians{0};
+  return recon::make_camera_model(intrinsics);
+}
+
+struct Post {
+  std::uint8_t signature;
+  double x, y, radius;
+};
+
+// The box of a post of 10 cm height, seen from a pose; nothing if it is not wholly in the image.
+bool see(const Post& post, double x, double y, double heading, sensor::Blob& blob) {
+  const double dx = post.x - x;
+  const double dy = post.y - y;
+  const double forward = dx * std::cos(heading) + dy * std::sin(heading);
+  const double left = dy * std::cos(heading) - dx * std::sin(heading);
+  const double distance = std::hypot(forward, left);
+  if (forward < 0.2) return false;
+  const double half = std::asin(post.radius / distance);
+  const double bearing = std::atan2(left, forward);
+  const double u1 = 157.5 - 273.6 * std::tan(bearing + half);
+  const double u2 = 157.5 - 273.6 * std::tan(bearing - half);
+  if (u1 < 3 || u2 > 312) return false;
+  const double depth = forward - post.radius;
+  blob.signature = post.signature;
+  blob.x1 = static_cast<std::int16_t>(std::lround(u1 + 0.5));
+  blob.x2 = static_cast<std::int16_t>(std::lround(u2 - 0.5));
+  blob.y1 = static_cast<std::int16_t>(std::lround(103.5 + 273.6 * 0.02 / depth + 0.5));
+  blob.y2 = static_cast<std::int16_t>(std::lround(103.5 + 273.6 * 0.12 / depth - 0.5));
+  return true;
+}
+
+template <class Profile>
+struct Drive {
+  std::unique_ptr<recon::Map<Profile>> map = std::make_unique<recon::Map<Profile>>();
+  recon::CameraModel model = camera();
+  std::uint32_t frame = 0;
+
+  sensor::BlobFrame look(const std::vector<Post>& posts, double x, double y, double heading) {
+    sensor::BlobFrame seen;
+    seen.t = {static_cast<std::int64_t>(frame) * 1000};
+    seen.frame = frame++;
+    for (const Post& post : posts) {
+      sensor::Blob blob;
+      if (see(post, x, y, heading, blob)) {
+        EXPECT_TRUE(seen.blobs.push_back(blob));
+      }
+    }
+    return seen;
+  }
+  recon::FrameOutcome take(const sensor::BlobFrame& seen, double x, double y, double heading) {
+    const MapPose pose{
+        {static_cast<std::int32_t>(std::lround(x * 1e5)), static_cast<std::int32_t>(std::lround(y * 1e5))},
+        static_cast<std::int32_t>(std::lround(heading * 1e6))};
+    return map->add_frame(recon::make_waiting(seen, 0), model, pose, {}, {});
+  }
+  recon::FrameOutcome step(const std::vector<Post>& posts, double x, double y, double heading) {
+    return take(look(posts, x, y, heading), x, y, heading);
+  }
+  std::vector<const recon::Object<Profile>*> objects() const {
+    std::vector<const recon::Object<Profile>*> found;
+    for (const auto& object : map->slots()) {
+      if (object.used()) found.push_back(&object);
+    }
+    return found;
+  }
+};
+
+double error(const recon::ObjectCore& object, const Post& post) {
+  const recon::Vec2 c = object.cylinder.estimate().center;
+  return std::hypot(object.origin.x * 1e-5 + static_cast<double>(c.x()) - post.x,
+                    object.origin.y * 1e-5 + static_cast<double>(c.y()) - post.y);
+}
+
+TEST(Map, KeepsObjectsOfOneColourApartByPlace) {
+  const std::vector<Post> posts = {{1, 1.5, 0.35, 0.04}, {1, 1.4, -0.3, 0.05}, {2, 1.8, 0.0, 0.06}};
+  Drive<config::Small> drive;
+  for (int i = 0; i < 60; ++i) {
+    const double y = 0.3 * std::sin(0.1 * i);
+    drive.step(posts, 0.008 * i, y, -0.15 * y);
+  }
+  const auto objects = drive.objects();
+  ASSERT_EQ(objects.size(), 3U);
+  for (const auto* object : objects) {
+    EXPECT_TRUE(object->confirmed);
+    EXPECT_EQ(object->views, 60U);
+    const auto nearest = std::min_element(posts.begin(), posts.end(), [&](const Post& a, const Post& b) {
+      return error(*object, a) < error(*object, b);
+    });
+    EXPECT_LT(error(*object, *nearest), 0.02);
+    EXPECT_EQ(object->signature, nearest->signature);
+    EXPECT_NEAR(static_cast<double>(object->cylinder.estimate().radius), nearest->radius, 0.012);
+  }
+}
+
+TEST(Map, ConfirmsWithTheSightingThatCompletesKOfN) {
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.05}};
+  Drive<config::Micro> drive;
+  drive.step(posts, 0, 0, 0);
+  drive.step({}, 0, 0.01, 0);
+  drive.step(posts, 0, 0.02, 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  EXPECT_FALSE(drive.objects()[0]->confirmed);
+  drive.step(posts, 0, 0.03, 0);  // the third in four frames
+  EXPECT_TRUE(drive.objects()[0]->confirmed);
+}
+
+TEST(Map, TooFewSightingsNeverConfirm) {
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.05}};
+  Drive<config::Micro> drive;
+  for (int i = 0; i < 30; ++i) drive.step(i % 3 == 0 ? posts : std::vector<Post>{}, 0, 0.002 * i, 0);
+  ASSERT_FALSE(drive.objects().empty());
+  for (const auto* object : drive.objects()) EXPECT_FALSE(object->confirmed);
+}
+
+TEST(Map, TheOrderOfBlobsInAFrameNeverMatters) {
+  const std::vector<Post> posts = {
+      {1, 1.5, 0.35, 0.04}, {1, 1.4, -0.3, 0.05}, {2, 1.8, 0.0, 0.06}, {2, 2.0, 0.5, 0.06}};
+  std::mt19937 random(7);
+  Drive<config::Full> one;
+  Drive<config::Full> other;
+  for (int i = 0; i < 40; ++i) {
+    const sensor::BlobFrame seen = one.look(posts, 0.01 * i, 0, 0);
+    std::vector<sensor::Blob> shuffled(seen.blobs.begin(), seen.blobs.end());
+    std::shuffle(shuffled.begin(), shuffled.end(), random);
+    sensor::BlobFrame mixed{seen.t, seen.frame, {}};
+    for (const sensor::Blob& blob : shuffled) ASSERT_TRUE(mixed.blobs.push_back(blob));
+    one.take(seen, 0.01 * i, 0, 0);
+    other.take(mixed, 0.01 * i, 0, 0);
+    ASSERT_EQ(one.map->digest(), other.map->digest()) << i;
+  }
+}
+
+TEST(Map, AFullTableGivesUpTheLeastUsefulTentativeObject) {
+  const std::vector<Post> kept = {{1, 1.0, 0.25, 0.04}, {2, 1.0, 0.0, 0.04}, {3, 1.0, -0.25, 0.04}};
+  Drive<config::Micro> drive;  // four slots
+  for (int i = 0; i < 10; ++i) drive.step(kept, 0, 0.01 * i, 0);
+  std::vector<Post> more = kept;
+  more.push_back({4, 1.6, 0.6, 0.04});
+  drive.step(more, 0, 0.1, 0);
+  ASSERT_EQ(drive.map->size(), 4U);
+  EXPECT_EQ(drive.map->evicted(), 0U);
+  more.back() = {5, 1.6, -0.6, 0.04};
+  drive.step(more, 0, 0.1, 0);  // the tentative 4 goes, 5 takes its place
+  EXPECT_EQ(drive.map->evicted(), 1U);
+  for (const auto* object : drive.objects()) EXPECT_NE(object->signature, 4);
+  for (int i = 0; i < 5; ++i) drive.step(more, 0, 0.1 + 0.01 * i, 0);
+  more.push_back({6, 1.6, 0.6, 0.04});
+  const recon::FrameOutcome outcome = drive.step(more, 0, 0.15, 0);  // all four confirmed: no room
+  EXPECT_EQ(outcome.refused, 1);
+  EXPECT_EQ(drive.map->size(), 4U);
+}
+
+TEST(Map, ALeftoverPieceIsNotANewObject) {
+  Drive<config::Small> drive;
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.06}};
+  for (int i = 0; i < 10; ++i) drive.step(posts, 0, 0.02 * i, 0);
+  sensor::BlobFrame seen = drive.look(posts, 0, 0.2, 0);
+  sensor::Blob& whole = seen.blobs[0];
+  sensor::Blob piece = whole;
+  piece.x1 = static_cast<std::int16_t>(whole.x2 - 5);
+  whole.x2 = static_cast<std::int16_t>(piece.x1 - 3);
+  ASSERT_TRUE(seen.blobs.push_back(piece));
+  const recon::FrameOutcome outcome = drive.take(seen, 0, 0.2, 0);
+  EXPECT_EQ(outcome.pieces, 1);
+  EXPECT_EQ(outcome.born, 0);
+}
+
+TEST(Map, AnObjectThatShouldBeSeenAndIsNotLosesCredit) {
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.06}};
+  Drive<config::Small> drive;
+  for (int i = 0; i < 20; ++i) drive.step(posts, 0, 0.02 * i, -0.01 * i);
+  const float before = drive.objects()[0]->confidence();
+  EXPECT_GT(before, 0.3F);
+  for (int i = 20; i < 40; ++i) drive.step({}, 0, 0.02 * i, -0.01 * i);  // still in view, but gone
+  EXPECT_EQ(drive.objects()[0]->missed_in_a_row, 20);
+  EXPECT_LT(drive.objects()[0]->confidence(), 0.2F * before);
+  for (int i = 0; i < 20; ++i) drive.step({}, 0, 0, 3.0);  // looking away is no evidence
+  EXPECT_EQ(drive.objects()[0]->missed_in_a_row, 20);
+}
+
+TEST(Map, HeightBandFollowsFromTheRows) {
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.06}};
+  Drive<config::Small> drive;
+  for (int i = 0; i < 30; ++i) drive.step(posts, 0, 0.02 * i, 0);
+  const auto& object = *drive.objects()[0];
+  const auto& estimate = object.cylinder.estimate();
+  const recon::HeightRange band = object.band.at(estimate.center, estimate.radius);
+  ASSERT_TRUE(band.top_known);
+  EXPECT_NEAR(band.z_min, 0.0F, 0.004F);
+  EXPECT_NEAR(band.z_max, 0.10F, 0.004F);
+}
+
+// Any change of any input bit that reaches the state changes the digest.
+TEST(Map, TheDigestTellsRunsApart) {
+  const std::vector<Post> posts = {{1, 1.5, 0.3, 0.04}, {2, 1.8, 0.0, 0.06}};
+  const auto digest_with = [&](int changed_frame, int dx1, std::int32_t dpose, int dframe) {
+    Drive<config::Small> drive;
+    for (int i = 0; i < 20; ++i) {
+      sensor::BlobFrame seen = drive.look(posts, 0.01 * i, 0, 0);
+      if (i == changed_frame) {
+        seen.blobs[0].x1 = static_cast<std::int16_t>(seen.blobs[0].x1 + dx1);
+        seen.frame += static_cast<std::uint32_t>(dframe);
+      }
+      drive.take(seen, 0.01 * i + (i == changed_frame ? dpose * 1e-5 : 0), 0, 0);
+    }
+    return drive.map->digest();
+  };
+  const std::uint64_t plain = digest_with(-1, 0, 0, 0);
+  EXPECT_EQ(plain, digest_with(-1, 0, 0, 0));
+  EXPECT_NE(plain, digest_with(5, 1, 0, 0));
+  EXPECT_NE(plain, digest_with(5, 0, 1, 0));
+  EXPECT_NE(plain, digest_with(5, 0, 0, 1));
+  EXPECT_NE(plain, digest_with(19, 1, 0, 0));
+}
+
+}  // namespace
+}  // namespace fencepost::test
