@@ -42,7 +42,7 @@ class MrclamImport {
       : recording_(std::move(recording)), options_(options) {
     window_.from = options.from.value_or(0);
     window_.to = options.to.value_or(window_.to);
-    parts_.target = "import mrclam";
+    parts_.target = "import-mrclam";
     parts_.camera = virtual_camera();
   }
 

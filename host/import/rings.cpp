@@ -109,7 +109,7 @@ Imported import_views(const Table& table) {
   }
   if (views.empty()) throw ImportProblem{table.file, "every view is excluded", "set excluded to 0 for the good ones"};
   LogParts parts;
-  parts.target = "import rings";
+  parts.target = "import-rings";
   parts.camera = camera_for(views);
   parts.signatures.push_back({1, {0xa0, 0xa0, 0xa0}, "silhouette"});
   base::Time t{0};
