@@ -42,7 +42,7 @@ std::string headline_figures(const ResultDocument& document) {
 
   std::string html = "<dl class=\"figures\">";
   html +=
-      headline_figure(fmt::format("{}<small> of {}</small>", confirmed, document.objects.size()), "objects confirmed");
+      headline_figure(fmt::format("{}<small> of {} objects</small>", confirmed, document.objects.size()), "confirmed");
   html += headline_figure(worst_level(document), "highest alert");
   html += headline_figure(closest(document), "closest alert");
   html += headline_figure(figure(range.end - range.begin, 1) + " s", "duration");

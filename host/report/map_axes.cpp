@@ -66,14 +66,12 @@ std::string draw_origin(const MapFrame& f) {
 std::string draw_scale_bar(const MapFrame& f) {
   const double metres = nice_step(kLeastScaleBar / f.scale);
   const double length = metres * f.scale;
-  const double x = f.left + f.width - length - 16;
-  const double y = f.top + f.height - 14;
-  std::string svg = fmt::format(R"(<g class="scale"><rect x="{}" y="{}" width="{}" height="34" rx="3"/>)", px(x - 8),
-                                px(y - 24), px(length + 16));
-  svg +=
-      fmt::format(R"(<path d="M{0} {1}v6h{2}v-6"/><text x="{3}" y="{4}" text-anchor="middle">{5} m</text></g>)", px(x),
-                  px(y - 3), px(length), px(x + length / 2), px(y - 8), figure(metres, step_decimals(metres)));
-  return svg + "\n";
+  const double x = f.left + f.width - length;
+  const double y = f.top + f.height + 34;  // under the plot, where it hides nothing
+  return fmt::format(
+             R"(<g class="scale"><path d="M{0} {1}v7h{2}v-7"/><text x="{3}" y="{4}" text-anchor="end">{5} m</text></g>)",
+             px(x), px(y - 3), px(length), px(x - 8), px(y + 4), figure(metres, step_decimals(metres))) +
+         "\n";
 }
 
 }  // namespace fencepost::host

@@ -14,11 +14,12 @@ namespace {
 using markup::figure;
 using markup::px;
 
-constexpr double kFinest = 0.7;        ///< px; shorter pieces of the line cannot be seen
-constexpr double kTickSpacing = 34;    ///< px along the path
-constexpr double kTickLength = 9;      ///< px
+constexpr double kFinest = 0.7;      ///< px; shorter pieces of the line cannot be seen
+constexpr double kTickSpacing = 34;  ///< px along the path
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kTimeMarks = 8;       ///< at most about so many
-constexpr double kLabelSpacing = 26;   ///< px between time labels
+constexpr double kLabelSpacing = 40;   ///< px between time labels
+constexpr double kEndSpacing = 110;    ///< px kept free for the label of the end
 constexpr double kLabelDistance = 15;  ///< px beside the path
 
 double pixel_distance(const MapFrame& f, const PoseResult& a, const PoseResult& b) {
@@ -36,8 +37,9 @@ std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& path) {
   return fmt::format(R"(<polyline class="track" points="{}"/>)", points);
 }
 
+/// An arrow head every kTickSpacing: it shows where the robot faced, also where it turned on the spot or drove back.
 std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>& path) {
-  std::string d;
+  std::string svg;
   double since = kTickSpacing / 2;
   const PoseResult* last = &path.front();
   for (const PoseResult& pose : path) {
@@ -45,19 +47,36 @@ std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>&
     last = &pose;
     if (since < kTickSpacing) continue;
     since = 0;
-    d += fmt::format("M{} {}l{} {}", px(f.x(pose.x)), px(f.y(pose.y)), px(std::cos(pose.heading) * kTickLength),
-                     px(-std::sin(pose.heading) * kTickLength));
+    svg += fmt::format(R"svg(<path class="tick" transform="translate({} {}) rotate({})" d="M-4 -4.5L3 0L-4 4.5"/>)svg",
+                       px(f.x(pose.x)), px(f.y(pose.y)), px(-pose.heading * kDegreesPerRadian));
   }
-  return d.empty() ? d : fmt::format(R"(<path class="tick" d="{}"/>)", d);
+  return svg;
 }
 
-/// A text beside the path, on the robot's right; away from where objects of interest usually are drawn.
-std::string beside(const MapFrame& f, const PoseResult& pose, double distance, const std::string& text) {
-  const double across = pose.heading - std::numbers::pi / 2;
-  const double x = f.x(pose.x) + std::cos(across) * distance;
-  const double y = f.y(pose.y) - std::sin(across) * distance;
-  const double side = std::cos(across);
-  const char* anchor = side > 0.4 ? "start" : side < -0.4 ? "end" : "middle";
+/// Which way the path runs there (rad); the heading where the robot stood still. They differ for a robot that drives
+/// sideways, as some do.
+double direction_of_travel(const MapFrame& f, const std::vector<PoseResult>& path, std::size_t at) {
+  constexpr double kBaseline = 8;  // px: smooths what odometry jitters
+  std::size_t before = at;
+  std::size_t after = at;
+  while (before > 0 && pixel_distance(f, path[before], path[at]) < kBaseline) --before;
+  while (after + 1 < path.size() && pixel_distance(f, path[after], path[at]) < kBaseline) ++after;
+  if (pixel_distance(f, path[before], path[after]) < kFinest) return path[at].heading;
+  return std::atan2(path[after].y - path[before].y, path[after].x - path[before].x);
+}
+
+enum class Reach { kOutwards, kBackwards };
+
+/// A text on the right of the path. At the ends it reaches backwards: ahead of the robot are the obstacles.
+std::string beside(const MapFrame& f, const std::vector<PoseResult>& path, std::size_t at, double distance, Reach reach,
+                   const std::string& text) {
+  const double travel = direction_of_travel(f, path, at);
+  const double across = travel - std::numbers::pi / 2;
+  const double x = f.x(path[at].x) + std::cos(across) * distance;
+  const double y = f.y(path[at].y) - std::sin(across) * distance;
+  const double away = std::cos(across);
+  const char* anchor = away > 0.4 ? "start" : away < -0.4 ? "end" : "middle";
+  if (reach == Reach::kBackwards && std::abs(std::cos(travel)) > 0.4) anchor = std::cos(travel) > 0 ? "end" : "start";
   return fmt::format(R"(<text x="{}" y="{}" text-anchor="{}">{}</text>)", px(x), px(y + 4.5), anchor, text);
 }
 
@@ -67,16 +86,16 @@ std::string draw_times(const MapFrame& f, const std::vector<PoseResult>& path) {
   const double step = nice_step(duration / kTimeMarks);
   std::string svg;
   double next = std::floor(path.front().t / step) * step + step;
-  const PoseResult* labelled = &path.front();
-  for (const PoseResult& pose : path) {
-    if (pose.t < next) continue;
-    next = std::floor(pose.t / step) * step + step;
-    svg += fmt::format(R"(<circle class="mark" cx="{}" cy="{}" r="3"/>)", px(f.x(pose.x)), px(f.y(pose.y)));
-    const bool room =
-        pixel_distance(f, *labelled, pose) > kLabelSpacing && pixel_distance(f, path.back(), pose) > kLabelSpacing;
+  std::size_t labelled = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i].t < next) continue;
+    next = std::floor(path[i].t / step) * step + step;
+    svg += fmt::format(R"(<circle class="mark" cx="{}" cy="{}" r="3"/>)", px(f.x(path[i].x)), px(f.y(path[i].y)));
+    const bool room = pixel_distance(f, path[labelled], path[i]) > kLabelSpacing &&
+                      pixel_distance(f, path.back(), path[i]) > kEndSpacing;
     if (!room) continue;
-    svg += beside(f, pose, kLabelDistance, figure(pose.t, step_decimals(step)) + " s");
-    labelled = &pose;
+    svg += beside(f, path, i, kLabelDistance, Reach::kOutwards, figure(path[i].t, step_decimals(step)) + " s");
+    labelled = i;
   }
   return svg;
 }
@@ -90,12 +109,12 @@ std::string draw_path(const MapFrame& f, const std::vector<PoseResult>& path) {
   std::string svg =
       R"(<g class="layer-path">)" + draw_line(f, path) + draw_heading_ticks(f, path) + draw_times(f, path);
   svg += fmt::format(R"(<circle class="start" cx="{}" cy="{}" r="5.5"/>)", px(f.x(start.x)), px(f.y(start.y)));
-  svg += beside(f, start, 20, "start");
-  const double degrees = -end.heading * 180 / std::numbers::pi;
+  svg += beside(f, path, 0, 20, Reach::kBackwards, "start");
+  const double degrees = -end.heading * kDegreesPerRadian;
   svg +=
       fmt::format(R"svg(<path class="robot" transform="translate({} {}) rotate({})" d="M13 0L-8 -8L-4 0L-8 8z"/>)svg",
                   px(f.x(end.x)), px(f.y(end.y)), px(degrees));
-  svg += beside(f, end, 22, fmt::format("end, {} s", figure(end.t, 1)));
+  svg += beside(f, path, path.size() - 1, 22, Reach::kBackwards, fmt::format("end, {} s", figure(end.t, 1)));
   return svg + "</g>\n";
 }
 

@@ -15,15 +15,20 @@ header p { margin: 4px 0 0; color: var(--soft); }
 section { background: var(--paper); border: 1px solid var(--rule); border-radius: 8px; padding: 16px 18px; margin: 0 0 16px; }
 code { font: 13px/1 ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
 .note { color: var(--soft); font-size: 13.5px; margin: 8px 0 0; min-height: 1.45em; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(118px, 1fr)); gap: 1px; margin: 0 0 16px;
-  background: var(--rule); border: 1px solid var(--rule); border-radius: 8px; overflow: hidden; }
-.figures div { background: var(--paper); padding: 10px 14px; display: flex; flex-direction: column-reverse; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(124px, 1fr)); margin: 0 0 16px;
+  background: var(--paper); border: 1px solid var(--rule); border-radius: 8px; overflow: hidden; }
+.figures div { box-shadow: 0 0 0 .5px var(--rule); padding: 10px 14px; display: flex; flex-direction: column-reverse; }
 .figures dt { color: var(--soft); font-size: 13px; }
 .figures dd { margin: 0; font-size: 21px; font-weight: 600; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .figures small { font-size: 14px; font-weight: 400; color: var(--soft); }
-.map { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 0; }
-.map > input { margin: 0 7px 0 0; width: 16px; height: 16px; accent-color: #334155; }
-.map > label { display: inline-flex; align-items: center; gap: 7px; margin-right: 22px; padding: 3px 0; cursor: pointer; }
+.map { position: relative; display: flex; flex-wrap: wrap; align-items: center; gap: 4px 0; }
+.map > input { position: absolute; opacity: 0; }
+.map > label { display: inline-flex; align-items: center; gap: 8px; margin-right: 22px; padding: 3px 0; cursor: pointer;
+  white-space: nowrap; }
+.map > label::before { content: ""; width: 15px; height: 15px; border: 1.5px solid #5a6775; border-radius: 3px;
+  background: #fff; line-height: 13px; font-size: 13px; font-weight: 700; color: #fff; text-align: center; }
+.map > input:checked + label::before { content: "\2713"; background: #334155; border-color: #334155; }
+.map > input:focus-visible + label { outline: 2px solid #1d6fd8; outline-offset: 3px; border-radius: 3px; }
 .map > label svg { flex: none; overflow: visible; }
 .figure { width: 100%; overflow-x: auto; }
 .figure svg { display: block; width: 100%; min-width: 620px; height: auto; }
@@ -35,20 +40,22 @@ svg .border { fill: none; stroke: #b4bec8; }
 svg .axis { stroke: #1c2733; stroke-width: 1.8; }
 svg .tip { fill: #1c2733; }
 svg .origin text { font-weight: 600; fill: #1c2733; }
-svg .scale rect { fill: #fff; fill-opacity: .88; }
 svg .scale path { fill: none; stroke: #1c2733; stroke-width: 1.6; }
 svg .scale text { fill: #1c2733; }
 svg .footprint { fill: url(#hatch); stroke: #6b7683; stroke-width: 1.2; }
 svg .track { fill: none; stroke: #3b4a5c; stroke-width: 1.7; stroke-linejoin: round; }
-svg .tick { fill: none; stroke: #3b4a5c; stroke-width: 1.2; }
+svg .tick { fill: none; stroke: #3b4a5c; stroke-width: 1.5; stroke-linejoin: round; stroke-linecap: round; }
 svg .mark { fill: #3b4a5c; }
 svg .start { fill: #fff; stroke: #3b4a5c; stroke-width: 2.2; }
 svg .robot { fill: #3b4a5c; }
-svg .layer-path text, svg .layer-truth text, svg .labels text { paint-order: stroke; stroke: #fff; stroke-width: 3.5px;
+svg .layer-path text, svg .layer-truth text, svg .labels text, svg .nearest { paint-order: stroke; stroke: #fff; stroke-width: 3.5px;
   stroke-linejoin: round; }
 svg .labels text { font-weight: 600; }
+svg .nearest { fill: var(--ink); }
 svg text.name { font-weight: 600; }
-svg .is-tentative, svg .is-lost { opacity: .45; }
+svg path.is-tentative { opacity: .4; }
+svg path.is-lost { opacity: .7; }
+svg text.is-tentative, svg text.is-lost { font-style: italic; font-weight: 400; }
 svg .curve { fill: none; stroke: #3b4a5c; stroke-width: 1.4; }
 svg .dots circle { stroke: #3b4a5c; stroke-width: .8; }
 .levels { display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 0 0 8px; font-size: 14px; }
@@ -59,7 +66,8 @@ svg .dots circle { stroke: #3b4a5c; stroke-width: .8; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; }
 th { text-align: left; font-weight: 600; color: var(--soft); font-size: 13px; vertical-align: bottom; }
-th, td { padding: 6px 10px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
+th small { display: block; font-weight: 400; font-size: 12px; }
+th, td { padding: 6px 9px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
 tbody tr:last-child td { border-bottom: 0; }
 td { font-variant-numeric: tabular-nums; }
 .n { text-align: right; }
@@ -84,7 +92,7 @@ footer { color: var(--soft); font-size: 13px; }
   section, tr { break-inside: avoid; }
   section { border: 0; padding: 0; }
   .figure svg { min-width: 0; }
-  .map > input { display: none; }
+  .map > label::before { display: none; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";

@@ -61,9 +61,11 @@ std::string object_rows(const ResultDocument& document) {
   const std::vector<std::string> models = model_names(document);
   std::string html =
       "<div class=\"scroll\"><table><thead><tr><th class=\"n\">id</th><th>name</th><th>state</th>"
-      "<th class=\"n\">views</th><th class=\"n\">x, m</th><th class=\"n\">y, m</th>"
-      "<th class=\"n\">radius, m</th><th class=\"n\">height, m</th><th class=\"n\">confidence</th>";
-  for (const std::string& name : models) html += fmt::format("<th class=\"n\">{}, cm\u00b2</th>", escaped(name));
+      "<th class=\"n\">views</th><th class=\"n\">x<small>m</small></th><th class=\"n\">y<small>m</small></th>"
+      "<th class=\"n\">radius<small>m</small></th><th class=\"n\">height<small>m</small></th><th "
+      "class=\"n\">confidence</th>";
+  for (const std::string& name : models)
+    html += fmt::format("<th class=\"n\">{}<small>cm\u00b2</small></th>", escaped(name));
   html += "</tr></thead><tbody>\n";
   for (const ObjectResult& object : document.objects) html += object_row(document, object, models);
   return html + "</tbody></table></div>\n" + silent_models(document);

@@ -22,7 +22,7 @@ using markup::px;
 constexpr double kWidth = 960;  // the whole drawing, px
 constexpr double kLeft = 120;   // room for names and distances
 constexpr double kRight = 16;
-constexpr double kRow = 92;
+constexpr double kRow = 98;
 constexpr double kStrip = 18;
 constexpr double kCurve = 48;
 constexpr double kAxis = 44;
@@ -53,6 +53,8 @@ std::string draw_strip(const TimeAxis& axis, const AlertSeries& series, double t
 }
 
 std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, double top) {
+  const auto nearest = *std::min_element(series.records.begin(), series.records.end(),
+                                         [](const auto* a, const auto* b) { return a->distance < b->distance; });
   double most = 0;
   for (const auto* alert : series.records) most = std::max(most, alert->distance.to_double());
   const double full = nice_step(std::max(most, 0.1));
@@ -72,20 +74,21 @@ std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, doub
                         px(at), level_colour(alert->level), figure(alert->t.to_double(), 2), record::name(alert->level),
                         figure(alert->distance.to_double(), 2));
   }
-  return svg + fmt::format(R"(<polyline class="curve" points="{}"/><g class="dots">{}</g>)", points, dots);
+  const double nearest_x = axis.x(nearest->t.to_double());
+  // Below its point the label is clear of the curve: nothing is nearer.
+  const char* anchor = nearest_x > kWidth - kRight - kLeastTick / 2 ? "end" : "middle";
+  return svg + fmt::format(R"(<polyline class="curve" points="{}"/><g class="dots">{}</g>)", points, dots) +
+         fmt::format(R"(<text class="nearest" x="{}" y="{}" text-anchor="{}">{} m</text>)", px(nearest_x),
+                     px(y(nearest->distance.to_double()) + 18), anchor, figure(nearest->distance.to_double(), 2));
 }
 
 std::string draw_row(const ResultDocument& document, const TimeAxis& axis, const AlertSeries& series, double top) {
-  const auto nearest = *std::min_element(series.records.begin(), series.records.end(),
-                                         [](const auto* a, const auto* b) { return a->distance < b->distance; });
   const std::string colour = ink(signature_colour(document, series.signature), kTextLuminance);
   std::string svg =
       fmt::format(R"(<g><text class="name" x="{}" y="{}" style="fill:{}" text-anchor="end">{} {}</text>)",
                   px(kLeft - 8), px(top + 14), colour, series.id, escaped(signature_name(document, series.signature)));
   svg += draw_strip(axis, series, top) + draw_distances(axis, series, top + kStrip + 10);
-  svg += fmt::format(R"(<text x="{}" y="{}" text-anchor="end">min {}</text></g>)", px(kLeft - 8), px(top + 55),
-                     figure(nearest->distance.to_double(), 2));
-  return svg + "\n";
+  return svg + "</g>\n";
 }
 
 std::string draw_time_axis(const TimeAxis& axis, double top, double bottom) {

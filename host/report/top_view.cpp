@@ -43,8 +43,8 @@ std::string legend(const std::vector<std::string>& models, bool truth) {
   for (const std::string& name : models) {
     html += legend_entry(markup::slug(name), markup::escaped(name), model_sample(name));
   }
-  return html +
-         legend_entry("path", "robot", R"(<path class="track" d="M2 8h30"/><path class="tick" d="M16 8l7 -5"/>)");
+  return html + legend_entry("path", "robot",
+                             R"(<path class="track" d="M2 8h30"/><path class="tick" d="M13 3.5L20 8L13 12.5"/>)");
 }
 
 std::string outside_note(const MapFrame& f, const ResultDocument& document) {
@@ -91,8 +91,8 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
   for (const std::string& name : models) html += draw_model(f, document, name);
   html += draw_path(f, document.path) + draw_object_labels(f, document) + "</g>\n" + draw_scale_bar(f);
   html +=
-      "</svg></div></div><p class=\"note\" id=\"where\">Ticks on the path point where the robot faced. "
-      "Tick or untick the models above the map.</p>";
+      "</svg></div></div><p class=\"note\" id=\"where\">Arrow heads on the path show where the robot faced. "
+      "Untick a model above the map to hide it.</p>";
   return html + outside_note(f, document) + "</section>\n";
 }
 

@@ -1,0 +1,116 @@
+#include "host/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/host/report/markup_checker.hpp"
+#include "tests/host/report/scenes.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using testing::arc_document;
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+using testing::find_fault;
+using testing::two_object_scene;
+
+std::string arc_report() { return write_report(arc_document(), two_object_scene(), {"run.log", "fencepost 0"}); }
+
+AssertionResult has(const std::string& page, const std::string& part) {
+  if (page.find(part) != std::string::npos) return AssertionSuccess();
+  return AssertionFailure() << "not in the page: " << part;
+}
+
+std::size_t count(const std::string& page, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++n;
+  return n;
+}
+
+// The checker itself must be able to fail.
+TEST(FindFault, FindsFaults) {
+  EXPECT_EQ(find_fault("<a><b x=\"1\"/>t &amp; u</a>"), "");
+  for (const char* bad : {"<a>", "<a></b>", "<a>&</a>", "<a x=\"<\"/>", "a > b", "<a x=\"1\"y\"/>", "</a>"}) {
+    EXPECT_NE(find_fault(bad), "") << bad;
+  }
+}
+
+TEST(Report, IsWellFormed) { EXPECT_EQ(find_fault(arc_report()), ""); }
+
+TEST(Report, AnEmptyRunIsWellFormedToo) {
+  const std::string page = write_report({}, std::nullopt, {});
+  EXPECT_EQ(find_fault(page), "");
+  EXPECT_TRUE(has(page, "No objects."));
+  EXPECT_TRUE(has(page, "No alerts in this run."));
+}
+
+TEST(Report, GivesTheSameBytesTwice) { EXPECT_EQ(arc_report(), arc_report()); }
+
+TEST(Report, NeedsNothingFromElsewhere) {
+  const std::string page = arc_report();
+  for (const char* foreign : {"http:", "https:", "src=", "@import", "<link"})
+    EXPECT_FALSE(has(page, foreign)) << foreign;
+}
+
+TEST(Report, ShowsEveryObjectTruthAndModel) {
+  const std::string page = arc_report();
+  for (const char* part : {">1 red</text>", ">2 blue</text>", ">red box</text>", ">blue post</text>",
+                           "hidden &lt;cone&gt;, true footprint", "sig 7", "seen from one place only"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+  for (const char* model : {"cylinder", "cylinder_paper", "carve", "clip"}) {
+    const std::string layer = std::string(model) == "cylinder_paper" ? "cylinder-paper" : model;
+    EXPECT_TRUE(has(page, "<g class=\"layer-" + layer + "\""));
+    EXPECT_TRUE(has(page, "id=\"show-" + layer + "\""));
+    EXPECT_TRUE(has(page, "#show-" + layer + ":not(:checked)~.figure .layer-" + layer));
+    EXPECT_TRUE(has(page, std::string("<title>object 1 red, ") + model + ", confirmed</title>"));
+  }
+}
+
+TEST(Report, ShowsEveryAlertInTheTableAndTheTimeline) {
+  const std::string page = arc_report();
+  const std::size_t alerts = arc_document().alerts.size();
+  EXPECT_EQ(count(page, "<td><span class=\"level "), alerts);
+  EXPECT_EQ(count(page, "r=\"3.2\""), alerts);
+  EXPECT_TRUE(has(page, "<details><summary>25 alert records"));  // long: folded
+}
+
+TEST(Report, TellsDigestProfileAndWhatWasLeftOut) {
+  const std::string page = arc_report();
+  for (const char* part : {"5f3a99c0de77e1a1", "<code>full</code>", "lines rejected: crc", "first in line 12",
+                           "frames refused: no_pose"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+}
+
+TEST(Report, ComparesOnlyWhereTheTruthIsKnown) {
+  EXPECT_TRUE(has(arc_report(), "Against the truth"));
+  EXPECT_TRUE(has(arc_report(), "True objects that were not found: hidden &lt;cone&gt;."));
+  EXPECT_FALSE(has(write_report(arc_document(), std::nullopt, {}), "Against the truth"));
+}
+
+TEST(Report, TextFromLogsAndScenesIsEscaped) {
+  ResultDocument d = arc_document();
+  d.signatures[0].name = "<script>alert(1)</script>";
+  d.objects[0].models[0].reason = "\"'&";
+  d.profile = "<b>";
+  d.objects[1].models[2].name = "x\"><script>";
+  Scene truth = two_object_scene();
+  truth.objects[0].name = "</svg><script>alert(2)</script>\x01\xff";
+  const std::string page = write_report(d, truth, {"<img onerror=x>", "<i>"});
+  EXPECT_EQ(find_fault(page), "");
+  EXPECT_EQ(count(page, "<script>"), 1U);  // our own
+  EXPECT_FALSE(has(page, "<img"));
+  EXPECT_FALSE(has(page, "\x01"));
+  EXPECT_FALSE(has(page, "\xff"));
+}
+
+TEST(Report, AModelWithoutAStyleOfItsOwnIsDrawn) {
+  ResultDocument d = arc_document();
+  d.objects[0].models[3].name = "brand_new";
+  EXPECT_TRUE(has(write_report(d, std::nullopt, {}), "<g class=\"layer-brand-new\""));
+}
+
+}  // namespace
+}  // namespace fencepost::host
