@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "firmware/record/decimal.hpp"
 #include "firmware/record/decode.hpp"
