@@ -1,5 +1,12 @@
 # Compiler flags, in three interface targets: everything, the robot's code (hal, drivers, firmware), the desk's.
 
+# A second build of the same sources is nearly free where ccache is installed; nothing needs it.
+find_program(FENCEPOST_CCACHE ccache)
+if(FENCEPOST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${FENCEPOST_CCACHE}")
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+
 add_library(fencepost_flags INTERFACE)
 target_compile_features(fencepost_flags INTERFACE cxx_std_20)
 target_include_directories(fencepost_flags INTERFACE "${PROJECT_SOURCE_DIR}")
@@ -8,6 +15,10 @@ target_compile_options(fencepost_flags INTERFACE
   -Wimplicit-fallthrough
   # The digest must not depend on the compiler's taste for fused multiply-adds.
   -ffp-contract=off)
+# GCC 12 warns about std::string's operator+ itself when optimising (GCC bug 105651, mended in 13).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(fencepost_flags INTERFACE -Wno-restrict)
+endif()
 # Eigen's vector reductions add in another order; one definition for every translation unit that sees Eigen.
 target_compile_definitions(fencepost_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_NO_MALLOC EIGEN_MPL2_ONLY)
 if(FENCEPOST_SANITIZE)
