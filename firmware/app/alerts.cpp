@@ -45,7 +45,8 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   } else {
     state.easing = false;
   }
-  const base::Duration interval{base::Time::kPerUnit / settings.raw(Key::kAlertRate)};
+  base::Duration interval{base::Time::kPerUnit / settings.raw(Key::kAlertRate)};
+  if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
   if (state.level > AlertLevel::kClear && now - state.said_at >= interval) {
     state.said_at = now;
     return state.level;

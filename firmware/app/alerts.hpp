@@ -24,6 +24,9 @@ struct AlertState {
 inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
 
+/// A notice is repeated no more often than this: it tells where things are, nothing is urgent.
+inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
+
 /// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
 inline constexpr std::uint16_t kGoneAfterMisses = 12;
 
@@ -31,8 +34,8 @@ inline constexpr std::uint16_t kGoneAfterMisses = 12;
 /// anything else as near as alert.warn is worth a notice.
 record::AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack);
 
-/// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of notice
-/// and above at most alert.rate times a second, an easing once it has lasted.
+/// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of warn and
+/// stop at most alert.rate times a second (notice: once a second), an easing once it has lasted.
 std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                         const config::Settings& settings, base::Time now);
 

@@ -153,7 +153,8 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     const float variance = edge_variance(sighting, sighting.right, distance, noise) + shape_variance;
     add_tangent(edges_, right_tangent(sighting, origin), variance, novelty);
   }
-  const RowDepth row = row_depth(sighting, noise);
+  RowDepth row = row_depth(sighting, noise);
+  if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
   if (row.known) {
     const Vec2 normal = -sighting.axis;
     const HalfPlane front{normal, normal.dot(lens) - row.depth};

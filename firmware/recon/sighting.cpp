@@ -58,4 +58,16 @@ RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
   return {true, depth, variance};
 }
 
+RowDepth hidden_row_depth(const Sighting& sighting) {
+  // The object is somewhere between the lens and the row's depth. Very near ones fill the image and have both edges
+  // censored, so the far half is likelier: 0.75 +- 0.18 of it.
+  constexpr float kMean = 0.75F;
+  constexpr float kSigma = 0.18F;
+  if (!sighting.rows_known || !sighting.bottom.censored) return {};
+  if (sighting.left.censored && sighting.right.censored) return {};
+  if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
+  const float farthest = sighting.lens_height / sighting.bottom.drop;
+  return {true, kMean * farthest, kSigma * kSigma * farthest * farthest};
+}
+
 }  // namespace fencepost::recon

@@ -70,6 +70,10 @@ struct RowDepth {
   float variance = 0;  ///< m^2, noise of this row alone and pitch together
 };
 
+/// What a bottom row that is *not* seen still tells: the foot is lower, so the object is nearer than the row where it
+/// disappears. The middle of what that leaves, with a sigma that covers it. Known only if the bottom is censored.
+RowDepth hidden_row_depth(const Sighting& sighting);
+
 /// Not known when the camera's height or pitch is not, when the row is censored or above the horizon, when both edges
 /// are censored, or beyond kRowMaxDepth.
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise);

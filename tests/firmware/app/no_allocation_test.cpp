@@ -1,0 +1,155 @@
+// After start-up the loop never asks for memory: every way to the heap is trapped while it runs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <variant>
+#include <vector>
+
+#include "firmware/app/loop.hpp"
+#include "firmware/record/stream_reader.hpp"
+
+namespace {
+
+bool g_armed = false;
+std::size_t g_requests = 0;
+
+void note() {
+  if (g_armed) ++g_requests;
+}
+
+}  // namespace
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* old, std::size_t size);
+void* __wrap_malloc(std::size_t size) {
+  note();
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  note();
+  return __real_calloc(count, size);
+}
+void* __wrap_realloc(void* old, std::size_t size) {
+  note();
+  return __real_realloc(old, size);
+}
+}
+
+void* operator new(std::size_t size) {
+  note();
+  if (void* memory = __real_malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+// Not inlined, or the compiler thinks that free() meets memory of another allocator.
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace fencepost::test {
+namespace {
+
+template <class Item>
+class Once {
+ public:
+  void offer(const Item& item) {
+    item_ = item;
+    full_ = true;
+  }
+  base::Result<Item> poll(base::Time) {
+    if (!full_) return base::Error::kNotReady;
+    full_ = false;
+    return item_;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return sensor::LinkState::kOk; }
+  [[nodiscard]] std::uint32_t dropped() const { return 0; }
+
+ private:
+  Item item_;
+  bool full_ = false;
+};
+
+struct Counting {
+  std::size_t bytes = 0;
+  base::Result<std::size_t> read(std::span<std::uint8_t>) { return base::Error::kNotReady; }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
+    bytes += out.size();
+    return out.size();
+  }
+};
+
+struct Inputs {
+  std::vector<std::variant<sensor::OdometrySample, sensor::BlobFrame>> items;
+  sensor::CameraIntrinsics camera;
+  void accept(const sensor::CameraIntrinsics& intrinsics) { camera = intrinsics; }
+  void accept(const sensor::OdometrySample& sample) { items.emplace_back(sample); }
+  void accept(const sensor::BlobFrame& frame) { items.emplace_back(frame); }
+  template <class Record>
+  void accept(const Record&) {}
+};
+
+Inputs recorded() {
+  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/noisy_arc.log", std::ios::binary);
+  std::stringstream bytes;
+  bytes << file.rdbuf();
+  std::array<char, record::StreamReader::kBuffer> buffer{};
+  record::StreamReader reader(buffer);
+  Inputs inputs;
+  reader.push(bytes.str(), inputs);
+  return inputs;
+}
+
+template <class Profile>
+void expect_no_allocation() {
+  const Inputs inputs = recorded();
+  ASSERT_GT(inputs.items.size(), 100U);
+  auto memory = std::make_unique<app::Memory<Profile>>();
+  Once<sensor::BlobFrame> camera;
+  Once<sensor::OdometrySample> odometry;
+  Counting console;
+  app::Loop loop(*memory, camera, odometry, console, app::Mode::kLog);
+  const record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
+  g_requests = 0;
+  g_armed = true;
+  loop.pipeline().start_run(header);
+  loop.pipeline().set_camera(inputs.camera);
+  for (const auto& item : inputs.items) {
+    if (const auto* sample = std::get_if<sensor::OdometrySample>(&item)) odometry.offer(*sample);
+    if (const auto* frame = std::get_if<sensor::BlobFrame>(&item)) camera.offer(*frame);
+    loop.step({});
+  }
+  g_armed = false;
+  EXPECT_EQ(g_requests, 0U);
+  EXPECT_GT(memory->counters.frames, 50U);
+  EXPECT_GT(console.bytes, 10'000U);
+  const std::size_t reserved = app::kReserved<Profile>;
+  std::printf(
+      "  profile %-5s sizeof(Memory) %6zu + %5zu reserved (console line, hybrid, pose correction) = %6zu of %6zu "
+      "bytes\n",
+      std::string(Profile::kName).c_str(), sizeof(app::Memory<Profile>), reserved,
+      sizeof(app::Memory<Profile>) + reserved, Profile::kBudget);
+  EXPECT_LE(sizeof(app::Memory<Profile>) + reserved, Profile::kBudget);
+}
+
+TEST(NoAllocation, MicroLoop) { expect_no_allocation<config::Micro>(); }
+TEST(NoAllocation, SmallLoop) { expect_no_allocation<config::Small>(); }
+TEST(NoAllocation, FullLoop) { expect_no_allocation<config::Full>(); }
+
+// The trap itself works.
+TEST(NoAllocation, TheTrapCatchesNewAndMalloc) {
+  g_requests = 0;
+  g_armed = true;
+  auto* one = new std::vector<int>(10);
+  void* volatile two = std::malloc(10);
+  g_armed = false;
+  EXPECT_EQ(g_requests, 3U);
+  std::free(two);
+  delete one;
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,71 @@
+#include "firmware/app/obstacle.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/firmware/app/known_object.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using app::Obstacle;
+using app::RobotPath;
+using app::see_obstacle;
+
+RobotPath driving(float forward, float turn = 0) {
+  RobotPath path;
+  path.motion = {forward, turn};
+  path.half_width = 0.15F;
+  path.body_radius = 0.10F;
+  return path;
+}
+
+TEST(Obstacle, DistanceAndBearingAreFromTheRobotsOriginToTheNearestPoint) {
+  // Robot at (1, 2) facing +y; object of radius 0.1 at (0.7, 2.4): 0.4 ahead, 0.3 left, 0.5 away.
+  const auto object = known_object(0.7, 2.4, 0.1);
+  const Obstacle seen = see_obstacle(object, {{100'000, 200'000}, 1'570'796}, driving(0));
+  ASSERT_TRUE(seen.known);
+  EXPECT_NEAR(seen.distance, 0.4F, 2e-3F);
+  EXPECT_NEAR(seen.bearing, 0.6435F, 5e-3F);  // atan2(0.3, 0.4)
+  EXPECT_FALSE(seen.closing);
+}
+
+TEST(Obstacle, InsideTheObjectTheDistanceIsZero) {
+  EXPECT_EQ(see_obstacle(known_object(1.0, 0, 0.1), {{97'000, 0}, 0}, driving(0)).distance, 0);
+}
+
+TEST(Obstacle, TimeToContactIsUntilTheBodyTouches) {
+  const Obstacle ahead = see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0.2F));
+  ASSERT_TRUE(ahead.closing);
+  EXPECT_NEAR(ahead.ttc, (0.9F - 0.1F) / 0.2F, 0.02F);
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(-0.2F)).closing);
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 1'570'796}, driving(0.2F)).closing);  // beside
+}
+
+TEST(Obstacle, TheStraightPathIsAsWideAsTheRobotAndItsMargin) {
+  for (const double y : {0.0, 0.24, -0.24}) {
+    EXPECT_TRUE(see_obstacle(known_object(1.0, y, 0.1), {{0, 0}, 0}, driving(0.2F)).in_path) << y;
+  }
+  for (const double y : {0.26, -0.26}) {
+    EXPECT_FALSE(see_obstacle(known_object(1.0, y, 0.1), {{0, 0}, 0}, driving(0.2F)).in_path) << y;
+  }
+  EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0)).in_path);  // standing: straight ahead
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(0.2F)).in_path);  // behind
+  EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(-0.2F)).in_path);  // reversing
+}
+
+TEST(Obstacle, ACurvedPathFollowsTheArc) {
+  // Turning left on a circle of 1 m around (0, 1): it passes (0.707, 0.293) and misses (1.2, 0).
+  EXPECT_TRUE(see_obstacle(known_object(0.707, 0.293, 0.05), {{0, 0}, 0}, driving(0.2F, 0.2F)).in_path);
+  EXPECT_FALSE(see_obstacle(known_object(1.2, 0.0, 0.05), {{0, 0}, 0}, driving(0.2F, 0.2F)).in_path);
+  EXPECT_TRUE(see_obstacle(known_object(1.2, 0.0, 0.05), {{0, 0}, 0}, driving(0.2F, 0)).in_path);
+  // Mirror image: turning right.
+  EXPECT_TRUE(see_obstacle(known_object(0.707, -0.293, 0.05), {{0, 0}, 0}, driving(0.2F, -0.2F)).in_path);
+}
+
+TEST(Obstacle, WithoutAnEstimateNothingIsKnown) {
+  recon::ObjectCore object;
+  EXPECT_FALSE(see_obstacle(object, {{0, 0}, 0}, driving(0.2F)).known);
+}
+
+}  // namespace
+}  // namespace fencepost::test

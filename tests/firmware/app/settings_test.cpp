@@ -1,0 +1,51 @@
+#include "firmware/config/settings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::test {
+namespace {
+
+using config::Key;
+using config::SettingError;
+using config::Settings;
+
+TEST(Settings, StartWithTheDocumentedDefaults) {
+  const Settings settings;
+  const std::pair<Key, std::string_view> defaults[] = {
+      {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},  {Key::kAlertNotice, "1.00"}, {Key::kAlertTtcStop, "0.8"},
+      {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotWidth, "0.20"}, {Key::kRobotMargin, "0.05"}, {Key::kConfirmK, "3"},
+      {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},     {Key::kCorrectPose, "off"}};
+  static_assert(std::size(defaults) == config::kKeys);
+  for (const auto& [key, text] : defaults) EXPECT_EQ(settings.text(key).view(), text) << config::info(key).name;
+}
+
+TEST(Settings, TakeEveryKeyWithinItsRangeOnly) {
+  for (const config::KeyInfo& entry : config::kKeyInfo) {
+    Settings settings;
+    if (entry.unit == "on|off") continue;
+    EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
+    EXPECT_EQ(settings.set(entry.name, "100000"), SettingError::kOutOfRange) << entry.name;
+    EXPECT_EQ(settings.set(entry.name, "much"), SettingError::kNotANumber) << entry.name;
+    EXPECT_EQ(settings, Settings{}) << entry.name;
+    EXPECT_EQ(settings.set(entry.name, "3.5"), std::nullopt) << entry.name;  // whole numbers round to 4
+    EXPECT_FALSE(settings == Settings{}) << entry.name;
+  }
+}
+
+TEST(Settings, SwitchesAreOnOrOff) {
+  Settings settings;
+  EXPECT_EQ(settings.set("correct.pose", "on"), std::nullopt);
+  EXPECT_EQ(settings.text(Key::kCorrectPose).view(), "on");
+  EXPECT_EQ(settings.set("correct.pose", "1"), SettingError::kNotANumber);
+  EXPECT_EQ(settings.set("correct.posture", "on"), SettingError::kUnknownKey);
+}
+
+TEST(Settings, NumbersAreInTheirUnit) {
+  Settings settings;
+  ASSERT_FALSE(settings.set("alert.ttc_stop", "1.25").has_value());  // rounded to its decimals
+  EXPECT_FLOAT_EQ(settings.number(Key::kAlertTtcStop), 1.3F);
+  EXPECT_FLOAT_EQ(settings.number(Key::kRobotWidth), 0.2F);
+}
+
+}  // namespace
+}  // namespace fencepost::test
