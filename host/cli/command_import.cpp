@@ -5,6 +5,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/positive.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
@@ -61,7 +62,7 @@ Action configure_mrclam(CLI::App& app) {
       ->option_text("truth|odometry [truth]");
   app.add_option("--diameter", request->mrclam.diameter, "m, assumed of every landmark; default 0.12")
       ->type_name("D")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--from", request->mrclam.from, "s from the recording's start")->type_name("T");
   app.add_option("--to", request->mrclam.to, "s from the recording's start")->type_name("T");
   app.add_flag("--include-robots", request->mrclam.include_robots, "also the other robots, which move");

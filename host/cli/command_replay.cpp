@@ -4,6 +4,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/result/text.hpp"
@@ -80,7 +81,7 @@ Action configure(CLI::App& app) {
   app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
   app.add_option("--frames", request->options.frames, "stop after the N-th frame record")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
       ->type_name("FILE");
   app.add_option("--write-log", request->write_log, "the log that a robot would have written for these inputs")

@@ -18,18 +18,20 @@ namespace {
 /// "no command \"repaly\"; did you mean replay?", if a word where a command is due is none.
 std::optional<std::string> unknown_command(const std::vector<Command>& table, const std::string& where, int argc,
                                            const char* const* argv) {
-  if (argc < 1 || argv[0][0] == '-') return std::nullopt;
+  if (argc < 1) return fmt::format("no command given; see {} --help", where);
+  const std::string_view word = argv[0];
+  if (word == "-h" || word == "--help" || (word == "--version" && &table == &commands())) return std::nullopt;
   std::vector<std::string> names;
   for (const Command& command : table) {
-    if (command.name == argv[0]) {
+    if (command.name == word) {
       if (command.children.empty()) return std::nullopt;
       return unknown_command(command.children, where + " " + command.name, argc - 1, argv + 1);
     }
     names.push_back(command.name);
   }
-  const std::string near = nearest_word(argv[0], names);
+  const std::string near = nearest_word(word, names);
   const std::string guess = near.empty() ? "" : fmt::format(" did you mean {}?", near);
-  return fmt::format("no command \"{}\" in {};{} See {} --help", argv[0], where, guess, where);
+  return fmt::format("no command \"{}\" in {};{} See {} --help", word, where, guess, where);
 }
 
 class Program {

@@ -1,0 +1,168 @@
+// What the commands do when all is well.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/host/cli/run.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using nlohmann::json;
+using testing::Folder;
+using testing::Outcome;
+using testing::recording;
+using testing::shell;
+using testing::slurp;
+using testing::spill;
+
+const std::string kLog = recording("approach_stop.log");
+const std::string kScene = recording("approach_stop.json");
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Replay, PrintsAlertsThenObjectsThenASummary) {
+  const Outcome run = shell(Folder(), "fencepost replay " + kLog);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::size_t stop = run.out.find("STOP    red");
+  const std::size_t table = run.out.find(" id name ");
+  const std::size_t summary = run.out.find("profile full, digest ");
+  ASSERT_NE(stop, std::string::npos) << run.out;
+  ASSERT_NE(summary, std::string::npos) << run.out;
+  EXPECT_LT(stop, table);
+  EXPECT_LT(table, summary);
+  EXPECT_FALSE(holds(run.out, "\x1b")) << "no colours into a file";
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Replay, JsonIsTheResultDocument) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost replay " + kLog + " --json");
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["profile"], "full");
+  EXPECT_GT(document["log"]["frames"], 0);
+  EXPECT_FALSE(document["objects"].empty());
+  EXPECT_FALSE(document["alerts"].empty());
+  EXPECT_EQ(shell(folder, "fencepost replay - --json <" + kLog).out, run.out) << "standard input is the same";
+  EXPECT_EQ(shell(folder, "fencepost replay " + kLog + " --json -o r.json").out, "");
+  EXPECT_EQ(slurp(folder.path() / "r.json"), run.out);
+}
+
+TEST(Replay, LimitsWhatIsRead) {
+  const Folder folder;
+  const json whole = json::parse(shell(folder, "fencepost replay " + kLog + " --json").out);
+  const json ten = json::parse(shell(folder, "fencepost replay " + kLog + " --json --frames 10").out);
+  EXPECT_EQ(ten["log"]["frames"], 10);
+  EXPECT_NE(ten["digest"], whole["digest"]);
+  const json early = json::parse(shell(folder, "fencepost replay " + kLog + " --json --to 4").out);
+  for (const json& alert : early["alerts"]) EXPECT_LE(alert["t"], 4.5);
+  EXPECT_LT(early["alerts"].size(), whole["alerts"].size());
+}
+
+TEST(Replay, AProfileMayBeChosen) {
+  const Outcome run = shell(Folder(), "fencepost replay " + kLog + " --json --profile micro");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["profile"], "micro");
+}
+
+TEST(Replay, ItsOwnLogChecks) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "fencepost replay " + kLog + " --write-log own.log").exit_code, 0);
+  const Outcome run = shell(folder, "fencepost replay own.log --check");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "check passed")) << run.err;
+}
+
+TEST(Replay, ACheckFailsOnALogThatDiffers) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "fencepost replay " + kLog + " --write-log own.log").exit_code, 0);
+  // Without one of the frames the robot's own records cannot come out the same.
+  ASSERT_EQ(shell(folder, "awk '!/^.FPFRM/ || ++n != 40' own.log >other.log; ! cmp -s own.log other.log").exit_code, 0);
+  const Outcome run = shell(folder, "fencepost replay other.log --check");
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_TRUE(holds(run.err, "check failed")) << run.err;
+  EXPECT_NE(run.out, "");
+}
+
+TEST(Replay, ACheckOfNothingFails) {
+  const Outcome run = shell(Folder(), "fencepost replay " + kLog + " --check");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(holds(run.err, "nothing to compare")) << run.err;
+}
+
+TEST(Replay, TellsRejectsByReasonWithTheirFirstLine) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "sed '5s/,/;/2; 9s/,/;/2' " + kLog + " >bad.log").exit_code, 0);
+  const Outcome run = shell(folder, "fencepost replay bad.log --json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "2 lines rejected: crc, first in line 5 (")) << run.err;
+  EXPECT_EQ(json::parse(run.out)["log"]["rejected"]["crc"], 2);
+}
+
+TEST(Replay, ALogWithoutCalibrationNeedsACamera) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "grep -v FPCAM " + kLog + " >nocam.log; grep FPCAM " + kLog + " | head -1 >cam").exit_code,
+            0);
+  const Outcome without = shell(folder, "fencepost replay nocam.log");
+  EXPECT_EQ(without.exit_code, 3);
+  EXPECT_EQ(without.out, "");
+  EXPECT_TRUE(holds(without.err, "--camera")) << without.err;
+  const std::string whole = shell(folder, "fencepost replay " + kLog).out;
+  EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera cam").out, whole);
+  EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera " + kScene).out, whole);
+  EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera - <cam").out, whole);
+}
+
+TEST(Simulate, GivesTheBundledRecordingAndFeedsReplay) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost simulate " + kScene + " -o my.log && cmp my.log " + kLog);
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  const Outcome piped = shell(folder, "fencepost simulate - <" + kScene + " | fencepost replay - --json");
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_EQ(piped.out, shell(folder, "fencepost replay " + kLog + " --json").out);
+}
+
+TEST(Report, WritesBesideUnlessToldWhere) {
+  const Folder folder;
+  const Outcome run = shell(folder, "cp " + kLog + " run.log; mkdir sub; cd sub; fencepost report ../run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(holds(slurp(folder.path() / "sub" / "run.html"), "<h1>run.log</h1>"));
+  const Outcome piped = shell(folder, "fencepost report run.log --scene " + kScene + " -o -");
+  EXPECT_TRUE(holds(piped.out, "Against the truth"));
+}
+
+TEST(Demo, ShowsAlertsObjectsAndAReport) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost demo");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.out, "STOP"));
+  EXPECT_TRUE(holds(run.out, " id name "));
+  EXPECT_TRUE(holds(run.err, "Wrote fencepost-demo.html"));
+  EXPECT_TRUE(holds(run.err, "Next:\n  fencepost "));
+  EXPECT_TRUE(holds(slurp(folder.path() / "fencepost-demo.html"), "Against the truth"));
+}
+
+TEST(Import, RingsGiveALogThatReplays) {
+  const Folder folder;
+  std::string csv =
+      "frame,cam_x,cam_y,cam_heading,bearing_lo,bearing_hi,lo_touches_border,hi_touches_border,excluded\n";
+  // Six views from 1 m, looking at a disc of radius 0.1 at the origin: half its angle is asin(0.1) = 0.1002 rad.
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 0.5 * i;
+    csv += std::to_string(i) + "," + std::to_string(std::cos(angle)) + "," + std::to_string(std::sin(angle)) + "," +
+           std::to_string(angle - 3.14159265) + ",-0.1002,0.1002,0,0,0\n";
+  }
+  spill(folder.path() / "disc.csv", csv);
+  const Outcome run = shell(folder, "fencepost import rings disc.csv | fencepost replay - --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json object = json::parse(run.out)["objects"].at(0);
+  EXPECT_NEAR(object["models"]["cylinder"]["x"].get<double>(), 0, 0.02);
+  EXPECT_NEAR(object["models"]["cylinder"]["y"].get<double>(), 0, 0.02);
+  EXPECT_NEAR(object["models"]["cylinder"]["radius"].get<double>(), 0.1, 0.02);
+}
+
+}  // namespace
+}  // namespace fencepost::host

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/host/cli/run.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using testing::Folder;
+using testing::Outcome;
+using testing::recording;
+using testing::shell;
+using testing::spill;
+
+const std::vector<std::string> kCommands = {"",         "demo",   "replay",        "report",
+                                            "simulate", "import", "import mrclam", "import rings"};
+
+TEST(Help, ShowsAnExampleFirst) {
+  const Folder folder;
+  for (const std::string& command : kCommands) {
+    const Outcome run = shell(folder, "fencepost " + command + " --help");
+    EXPECT_EQ(run.exit_code, 0) << command;
+    EXPECT_EQ(run.out.rfind("Examples:\n  fencepost " + command, 0), 0U) << command << "\n" << run.out;
+    EXPECT_EQ(run.err, "") << command;
+    if (!command.empty()) {
+      EXPECT_NE(run.out.find("Usage: fencepost " + command), std::string::npos) << run.out;
+    }
+  }
+}
+
+TEST(Help, ListsEveryCommand) {
+  const Folder folder;
+  const std::string out = shell(folder, "fencepost --help").out;
+  for (const char* name : {"demo", "replay", "report", "simulate", "import"}) {
+    EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
+  }
+}
+
+TEST(Version, IsDataOnStandardOutput) {
+  const Outcome run = shell(Folder(), "fencepost --version");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "fencepost " FENCEPOST_VERSION "\n");
+}
+
+struct Wrong {
+  const char* line;
+  const char* says;
+};
+
+class UsageError : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(UsageError, ExitsWithTwoAndSaysWhyOnStandardErrorOnly) {
+  const Folder folder;
+  const Outcome run = shell(folder, GetParam().line);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_LT(run.err.size(), 200U) << "one line a person reads";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UsageError,
+                         ::testing::Values(Wrong{"fencepost", "no command given; see fencepost --help"},
+                                           Wrong{"fencepost import", "see fencepost import --help"},
+                                           Wrong{"fencepost import --truth x", "--truth"},
+                                           Wrong{"fencepost repaly x", "did you mean replay?"},
+                                           Wrong{"fencepost sim x", "did you mean simulate?"},
+                                           Wrong{"fencepost zzzzzz", "no command \"zzzzzz\""},
+                                           Wrong{"fencepost import mclram x", "did you mean mrclam?"},
+                                           Wrong{"fencepost --nonsense", "--nonsense"},
+                                           Wrong{"fencepost replay", "LOG is required; see fencepost replay --help"},
+                                           Wrong{"fencepost replay a --nonsense", "see fencepost replay --help"},
+                                           Wrong{"fencepost replay a --profile huge", "huge not in"},
+                                           Wrong{"fencepost replay a --frames 0", "0 is not a number above 0"},
+                                           Wrong{"fencepost replay a --frames -3", "-3 is not a number above 0"},
+                                           Wrong{"fencepost replay a --from soon", "soon"},
+                                           Wrong{"fencepost replay a --from 3 --to 1", "--from is later than --to"},
+                                           Wrong{"fencepost replay - --camera -", "cannot both be standard input"},
+                                           Wrong{"fencepost replay a --write-log -", "cannot both be standard output"},
+                                           Wrong{"fencepost import mrclam d --poses maybe", "maybe"},
+                                           Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
+
+class Unreadable : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(Unreadable, ExitsWithThreeAndWritesNothing) {
+  const Folder folder;
+  spill(folder.path() / "empty", "");
+  spill(folder.path() / "foreign", "hello\nworld\n");
+  spill(folder.path() / "scene.json", "{\"format\": 1, }");
+  const Outcome run = shell(folder, GetParam().line);
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "result"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Unreadable,
+    ::testing::Values(Wrong{"fencepost replay missing.log -o result", "cannot read missing.log: No such file"},
+                      Wrong{"fencepost replay . -o result", "name a file inside it"},
+                      Wrong{"fencepost replay empty -o result", "empty"},
+                      Wrong{"fencepost replay foreign -o result", "foreign: no record"},
+                      Wrong{"fencepost replay foreign --json -o result", "foreign: no record"},
+                      Wrong{"fencepost replay - -o result", "standard input: empty"},
+                      Wrong{"fencepost replay foreign --camera missing -o result", "cannot read missing"},
+                      Wrong{"fencepost replay foreign --camera foreign -o result", "no valid $FPCAM"},
+                      Wrong{"fencepost report foreign -o result", "foreign: no record"},
+                      Wrong{"fencepost report foreign --scene scene.json -o result", "scene.json: line 1"},
+                      Wrong{"fencepost simulate missing.json -o result", "cannot read missing.json"},
+                      Wrong{"fencepost simulate scene.json -o result", "scene.json: line 1"},
+                      Wrong{"fencepost import mrclam . -o result", "RobotN_Measurement.dat"},
+                      Wrong{"fencepost import rings missing.csv -o result", "missing.csv"},
+                      Wrong{"fencepost import rings foreign -o result", "foreign"},
+                      Wrong{"FENCEPOST_SHARE=/nowhere fencepost demo -o result", "set FENCEPOST_SHARE"}));
+
+}  // namespace
+}  // namespace fencepost::host
