@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "host/report/label_space.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/palette.hpp"
 #include "host/result/lookup.hpp"
@@ -61,8 +62,7 @@ std::string draw_truth(const MapFrame& f, const Scene& truth) {
     const std::string name = escaped(object.name);
     svg += fmt::format(R"(<g><title>{}, true footprint</title><path class="footprint" d="{}"/>)", name,
                        area_path(f, {object.footprint}));
-    svg += fmt::format(R"(<text x="{}" y="{}" text-anchor="middle">{}</text></g>)",
-                       px(f.x(middle(object.footprint.outer).x)), px(f.y(lowest_y(object.footprint.outer)) + 19), name);
+    svg += "</g>";
   }
   return svg + "</g>\n";
 }
@@ -84,18 +84,42 @@ std::string draw_model(const MapFrame& f, const ResultDocument& document, const 
   return svg + "</g>\n";
 }
 
-std::string draw_object_labels(const MapFrame& f, const ResultDocument& document) {
-  std::string svg = R"(<g class="labels">)";
+namespace {
+
+std::string object_labels(const MapFrame& f, const ResultDocument& document, LabelSpace& space) {
+  std::string svg;
   for (const ObjectResult& object : document.objects) {
     const std::optional<Point> at = object_position(object);
     if (!at || !f.shows(*at)) continue;
     const Circle* circle = object_circle(object);
     const double above = circle != nullptr ? circle->radius * f.scale : 0;
-    svg += fmt::format(R"(<text class="{}" x="{}" y="{}" style="fill:{}" text-anchor="middle">{} {}</text>)",
-                       state_class(object), px(f.x(at->x)), px(std::max(f.y(at->y) - above - 9, f.top + 16)),
-                       ink(signature_colour(document, object.signature), kTextLuminance), object.id,
-                       escaped(signature_name(document, object.signature)));
+    const std::string text = fmt::format("{} {}", object.id, signature_name(document, object.signature));
+    const double y = space.place(f.x(at->x), std::max(f.y(at->y) - above - 9, f.top + 16), text, -1);
+    svg += fmt::format(R"(<text class="{}" x="{}" y="{}" style="fill:{}" text-anchor="middle">{}</text>)",
+                       state_class(object), px(f.x(at->x)), px(y),
+                       ink(signature_colour(document, object.signature), kTextLuminance), escaped(text));
   }
+  return svg;
+}
+
+std::string truth_labels(const MapFrame& f, const Scene& truth, LabelSpace& space) {
+  std::string svg;
+  for (const SceneObject& object : truth.objects) {
+    if (object.footprint.outer.empty()) continue;
+    const double x = f.x(middle(object.footprint.outer).x);
+    const double y = space.place(x, f.y(lowest_y(object.footprint.outer)) + 19, object.name, 1);
+    svg += fmt::format(R"(<text class="layer-truth" x="{}" y="{}" text-anchor="middle">{}</text>)", px(x), px(y),
+                       escaped(object.name));
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string draw_labels(const MapFrame& f, const ResultDocument& document, const std::optional<Scene>& truth) {
+  LabelSpace space;
+  std::string svg = R"(<g class="labels">)" + object_labels(f, document, space);
+  if (truth) svg += truth_labels(f, *truth, space);
   return svg + "</g>\n";
 }
 

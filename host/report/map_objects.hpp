@@ -12,8 +12,8 @@ std::string draw_truth(const MapFrame& frame, const Scene& truth);
 /// All objects' outlines of one model, as one layer that can be switched off.
 std::string draw_model(const MapFrame& frame, const ResultDocument& document, const std::string& model);
 
-/// Number and name beside each object.
-std::string draw_object_labels(const MapFrame& frame, const ResultDocument& document);
+/// Number and name above each object, the true names below the footprints.
+std::string draw_labels(const MapFrame& frame, const ResultDocument& document, const std::optional<Scene>& truth);
 
 /// Where an object is drawn: its circle's centre, else the first outline's middle; nothing if it has neither.
 std::optional<Point> object_position(const ObjectResult& object);

@@ -48,9 +48,10 @@ svg .tick { fill: none; stroke: #3b4a5c; stroke-width: 1.5; stroke-linejoin: rou
 svg .mark { fill: #3b4a5c; }
 svg .start { fill: #fff; stroke: #3b4a5c; stroke-width: 2.2; }
 svg .robot { fill: #3b4a5c; }
-svg .layer-path text, svg .layer-truth text, svg .labels text, svg .nearest { paint-order: stroke; stroke: #fff; stroke-width: 3.5px;
+svg .layer-path text, svg .labels text, svg .nearest { paint-order: stroke; stroke: #fff; stroke-width: 3.5px;
   stroke-linejoin: round; }
 svg .labels text { font-weight: 600; }
+svg .labels .layer-truth { font-weight: 400; }
 svg .nearest { fill: var(--ink); }
 svg text.name { font-weight: 600; }
 svg path.is-tentative { opacity: .4; }

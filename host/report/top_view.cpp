@@ -89,7 +89,7 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
     return model_style(a).layer < model_style(b).layer;
   });
   for (const std::string& name : models) html += draw_model(f, document, name);
-  html += draw_path(f, document.path) + draw_object_labels(f, document) + "</g>\n" + draw_scale_bar(f);
+  html += draw_path(f, document.path) + draw_labels(f, document, truth) + "</g>\n" + draw_scale_bar(f);
   html +=
       "</svg></div></div><p class=\"note\" id=\"where\">Arrow heads on the path show where the robot faced. "
       "Untick a model above the map to hide it.</p>";

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "host/report/alert_spans.hpp"
+#include "host/report/label_space.hpp"
 #include "host/report/map_frame.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/palette.hpp"
@@ -74,6 +75,13 @@ TEST(MapFrame, ShowsPathAndTruthWithEqualScales) {
   EXPECT_GT(f.x(1), f.x(0));
   EXPECT_LT(f.y(1), f.y(0));  // y is up
   EXPECT_DOUBLE_EQ(f.x(1) - f.x(0), f.y(0) - f.y(1));
+}
+
+TEST(LabelSpace, MovesALabelOffAnother) {
+  LabelSpace space;
+  EXPECT_DOUBLE_EQ(space.place(100, 100, "2 yellow", -1), 100);
+  EXPECT_DOUBLE_EQ(space.place(110, 102, "4 yellow", -1), 102 - 16 - 16);  // one line up would still touch
+  EXPECT_DOUBLE_EQ(space.place(300, 100, "1 red", -1), 100);
 }
 
 TEST(MapFrame, StandsAnEmptyRun) {
