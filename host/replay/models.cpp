@@ -1,5 +1,6 @@
 #include "host/replay/models.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -52,9 +53,8 @@ class OutlineTracer {
   }
 
   std::vector<std::vector<Corner>> loops() {
-    std::vector<std::vector<Corner>> all;
-    while (!edges_.empty()) all.push_back(trace());
-    return all;
+    while (!edges_.empty()) trace();
+    return std::move(loops_);
   }
 
  private:
@@ -70,31 +70,48 @@ class OutlineTracer {
     if (!solid(i, j + 1)) edges_.insert({{i + 1, j + 1}, {i, j + 1}});
     if (!solid(i - 1, j)) edges_.insert({{i, j + 1}, {i, j}});
   }
-  // Where two solid cells meet at a corner only, turn left: the cells stay apart, and every loop is simple.
-  std::vector<Corner> trace() {
-    std::vector<Corner> loop;
-    const Corner start = edges_.begin()->first;
-    Corner at = start;
+  // Where two solid cells meet at a corner only, turn left: the cells stay apart. A path that comes back to a corner it
+  // has passed (a hole that touches itself or the outline) is cut there, so every loop is simple.
+  void trace() {
+    std::vector<Corner> path{edges_.begin()->first};
     Corner direction{0, 0};
-    do {
+    while (!path.empty()) {
+      const Corner at = path.back();
       auto [first, last] = edges_.equal_range(at);
+      if (first == last) return;
       auto chosen = first;
       for (auto edge = first; edge != last; ++edge) {
         const Corner next{edge->second.first - at.first, edge->second.second - at.second};
         if (direction.first * next.second - direction.second * next.first > 0) chosen = edge;
       }
-      const Corner next{chosen->second.first - at.first, chosen->second.second - at.second};
-      if (next != direction) loop.push_back(at);
-      direction = next;
-      at = chosen->second;
+      const Corner to = chosen->second;
+      direction = {to.first - at.first, to.second - at.second};
       edges_.erase(chosen);
-    } while (at != start);
-    return loop;
+      const auto passed = std::find(path.begin(), path.end(), to);
+      if (passed != path.end()) {
+        loops_.push_back(corners_only({passed, path.end()}));
+        path.erase(passed + 1, path.end());
+      } else {
+        path.push_back(to);
+      }
+    }
+  }
+  // Leaves out the corners of a loop where it goes straight on.
+  static std::vector<Corner> corners_only(const std::vector<Corner>& loop) {
+    std::vector<Corner> corners;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Corner& before = loop[(i + loop.size() - 1) % loop.size()];
+      const Corner& after = loop[(i + 1) % loop.size()];
+      const bool straight = before.first == after.first || before.second == after.second;
+      if (!straight) corners.push_back(loop[i]);
+    }
+    return corners;
   }
 
   int cells_;
   std::span<const std::uint32_t> words_;
   std::multimap<Corner, Corner> edges_;
+  std::vector<std::vector<Corner>> loops_;
 };
 
 // Does `outer` contain the lattice loop's first point, moved a little into the loop's inside?
