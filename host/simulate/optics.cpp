@@ -37,6 +37,9 @@ PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
     return;
   }
   const double k1 = camera.k1.to_double();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  rise_of_row_.assign(camera.height, {kInfinity, -kInfinity});
+  across_of_column_.assign(camera.width, {kInfinity, -kInfinity});
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const double xd = (u - cx) / fx;
@@ -47,11 +50,21 @@ PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
       const double down = yd * scale;
       const double ahead = std::cos(pitch) - down * std::sin(pitch);
       const bool usable = radius >= 0 && ahead > kAhead;
-      exists_.push_back(usable);
-      across_.push_back(usable ? xd * scale / ahead : 0);
-      rise_.push_back(usable ? -(std::sin(pitch) + down * std::cos(pitch)) / ahead : 0);
+      const double rise = -(std::sin(pitch) + down * std::cos(pitch)) / ahead;
+      add_ray(u, v, usable, xd * scale / ahead, rise);
     }
   }
+}
+
+void PixelRays::add_ray(int u, int v, bool usable, double across, double rise) {
+  exists_.push_back(usable);
+  across_.push_back(usable ? across : 0);
+  rise_.push_back(usable ? rise : 0);
+  if (!usable) return;
+  Range& row = rise_of_row_[static_cast<std::size_t>(v)];
+  row = {std::fmin(row.low, rise), std::fmax(row.high, rise)};
+  Range& column = across_of_column_[static_cast<std::size_t>(u)];
+  column = {std::fmin(column.low, across), std::fmax(column.high, across)};
 }
 
 }  // namespace fencepost::host

@@ -26,7 +26,16 @@ class PixelRays {
     return separable_ ? rise_[static_cast<std::size_t>(v)] : rise_[index(u, v)];
   }
 
+  /// Least and greatest of `rise` in row v, and of `across` in column u: whole lines can be skipped.
+  struct Range {
+    double low = 0;
+    double high = 0;
+  };
+  [[nodiscard]] const Range& rise_of_row(int v) const { return rise_of_row_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] const Range& across_of_column(int u) const { return across_of_column_[static_cast<std::size_t>(u)]; }
+
  private:
+  void add_ray(int u, int v, bool usable, double across, double rise);
   [[nodiscard]] std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u);
   }
@@ -37,6 +46,8 @@ class PixelRays {
   std::vector<double> across_;
   std::vector<double> rise_;
   std::vector<bool> exists_;
+  std::vector<Range> rise_of_row_;
+  std::vector<Range> across_of_column_;
 };
 
 /// Solves r_d = r_u (1 + k1 r_u^2) for r_u >= 0 on the branch that starts at 0; negative when there is none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fencepost::host {
 
@@ -80,16 +81,22 @@ void Prism::sort_into_slabs() {
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
-  std::vector<std::vector<std::size_t>> slabs(breaks_.size());
+  // Counted, then filled: edge e is active in the slabs [first, last).
+  const auto slab_at = [&](double across) {
+    return static_cast<std::size_t>(std::lower_bound(breaks_.begin(), breaks_.end(), across) - breaks_.begin());
+  };
+  slab_begin_.assign(breaks_.size() + 1, 0);
+  for (const Edge& edge : edges_) {
+    const std::size_t last = slab_at(edge.high);
+    for (std::size_t i = slab_at(edge.low); i < last; ++i) ++slab_begin_[i + 1];
+  }
+  for (std::size_t i = 0; i < breaks_.size(); ++i) slab_begin_[i + 1] += slab_begin_[i];
+  active_.resize(slab_begin_.back());
+  std::vector<std::size_t> next(slab_begin_.begin(), slab_begin_.end() - 1);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const auto first = std::lower_bound(breaks_.begin(), breaks_.end(), edges_[e].low) - breaks_.begin();
-    for (auto i = static_cast<std::size_t>(first); breaks_[i] < edges_[e].high; ++i) slabs[i].push_back(e);
+    const std::size_t last = slab_at(edges_[e].high);
+    for (std::size_t i = slab_at(edges_[e].low); i < last; ++i) active_[next[i]++] = e;
   }
-  for (const auto& slab : slabs) {
-    slab_begin_.push_back(active_.size());
-    active_.insert(active_.end(), slab.begin(), slab.end());
-  }
-  slab_begin_.push_back(active_.size());
 }
 
 void Prism::bound_rise() {

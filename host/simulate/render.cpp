@@ -79,8 +79,18 @@ void LabelImage::draw_by_columns(std::size_t object, const Prism& prism, const P
 }
 
 void LabelImage::draw_by_pixels(std::size_t object, const Prism& prism, const PixelRays& rays) {
+  int left = 0;
+  int right = width_ - 1;
+  const auto misses = [&](int u) {
+    const PixelRays::Range& range = rays.across_of_column(u);
+    return range.low > prism.across_max() || range.high < prism.across_min();
+  };
+  while (left <= right && misses(left)) ++left;
+  while (right >= left && misses(right)) --right;
   for (int v = 0; v < height_; ++v) {
-    for (int u = 0; u < width_; ++u) {
+    const PixelRays::Range& range = rays.rise_of_row(v);
+    if (range.low > prism.rise_max() || range.high < prism.rise_min()) continue;
+    for (int u = left; u <= right; ++u) {
       if (!rays.exists(u, v)) continue;
       const double across = rays.across(u, v);
       const double rise = rays.rise(u, v);
