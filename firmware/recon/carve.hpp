@@ -46,7 +46,17 @@ class CarveGrid {
   static constexpr std::size_t kWordsPerRow = N / 32;
 
   /// Solid square of side 2 * kArenaHalfSide around the local origin.
-  void start() { place({{-kArenaHalfSide, -kArenaHalfSide}, 2 * kArenaHalfSide / static_cast<float>(N)}); }
+  void start() {
+    placements_ = 0;
+    place({{-kArenaHalfSide, -kArenaHalfSide}, 2 * kArenaHalfSide / static_cast<float>(N)});
+  }
+
+  /// No place and no solid cell.
+  void clear() {
+    placement_ = {};
+    row_begin_ = row_end_ = 0;
+    placements_ = 0;
+  }
 
   void carve(const HalfPlane& half_plane) {
     carve_half_plane(words_, N, row_begin_, row_end_, placement_, half_plane);
@@ -76,7 +86,6 @@ class CarveGrid {
   [[nodiscard]] bool solid(std::size_t column, std::size_t row) const {
     return ((words_[row * kWordsPerRow + column / 32] >> (column % 32)) & 1U) != 0;
   }
-  [[nodiscard]] bool placed() const { return placement_.cell > 0; }
   [[nodiscard]] const GridPlacement& placement() const { return placement_; }
   [[nodiscard]] std::uint8_t placements() const { return placements_; }
   [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }

@@ -68,7 +68,10 @@ struct Object : ObjectCore {
 
   /// Starts a new object at its first sighting.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
-    *this = Object{};
+    static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
+    pending.clear();
+    clip.clear();
+    grid.clear();
     id = new_id;
     signature = new_signature;
     last_seen = t;

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""The stack check can fail: each fault, planted in a small call graph, is reported."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHECK = pathlib.Path(__file__).with_name("worst_case.py")
+
+
+def graph(*nodes, edges=()):
+    lines = ['graph: { title: "x.cpp"']
+    lines += [f'node: {{ title: "{name}" label: "{name}\\nx.cpp:1:1\\n{size} bytes ({kind})\\n0 dynamic objects" }}'
+              for name, size, kind in nodes]
+    lines += [f'edge: {{ sourcename: "{a}" targetname: "{b}" label: "x.cpp:1:1" }}' for a, b in edges]
+    return "\n".join([*lines, "}"])
+
+
+class WorstCase(unittest.TestCase):
+    def run_on(self, text, *budgets):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "x.ci").write_text(text)
+            done = subprocess.run([sys.executable, str(CHECK), folder, *budgets], capture_output=True, text=True,
+                                  check=False)
+            return done.returncode, done.stdout + done.stderr
+
+    def test_adds_up_the_deepest_path(self):
+        text = graph(("root", 16, "static"), ("a", 100, "static"), ("b", 40, "static"), ("c", 80, "dynamic,bounded"),
+                     edges=[("root", "a"), ("root", "b"), ("b", "c")])
+        self.assertEqual(self.run_on(text, "root=136")[0], 0)
+        code, output = self.run_on(text, "root=135")
+        self.assertEqual(code, 1)
+        self.assertIn("worst case 136 of 135", output)
+
+    def test_refuses_what_it_cannot_bound(self):
+        cases = {"recursion": graph(("root", 1, "static"), ("a", 1, "static"), edges=[("root", "a"), ("a", "root")]),
+                 "unknown size": graph(("root", 8, "dynamic")),
+                 "through a pointer": graph(("root", 8, "static"), edges=[("root", "__indirect_call")]),
+                 "unknown outside function printf": graph(("root", 8, "static"), edges=[("root", "printf")])}
+        for expected, text in cases.items():
+            code, output = self.run_on(text, "root=1000")
+            self.assertEqual(code, 1, expected)
+            self.assertIn(expected, output)
+
+    def test_refuses_to_compare_nothing(self):
+        self.assertNotEqual(self.run_on(graph(("other", 8, "static")), "root=1000")[0], 0)
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertNotEqual(subprocess.run([sys.executable, str(CHECK), folder, "root=1"], capture_output=True,
+                                               check=False).returncode, 0)
+
+
+unittest.main()
