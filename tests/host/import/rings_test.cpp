@@ -75,6 +75,19 @@ TEST(ImportRings, PixelsCostLessThanTenMicrometres) {
   EXPECT_LE(0.63 / log.cameras[0].fx.to_double() / 2, 10e-6);
 }
 
+TEST(ImportRings, RoundingOfHeadingsCostsNothing) {
+  const Files files;
+  const ImportResult result =
+      import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.10004,-0.05,0.06,0,0,0\n"));
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  const Recorded log = read_back(result->log);
+  EXPECT_EQ(log.odometry[0].heading.raw, 31'000) << "0.04 mrad are rounded away";
+  const double fx = log.cameras[0].fx.to_double();
+  const double left = std::atan((log.cameras[0].cx.to_double() - (log.frames[0].blobs[0].x1 - 0.5)) / fx);
+  // Half a pixel is 16 urad.
+  EXPECT_NEAR(log.odometry[0].heading.to_double() + left, 3.10004 + 0.06, 17e-6);
+}
+
 TEST(ImportRings, BorderEndsAreCensoredAndExcludedViewsSkipped) {
   const Files files;
   const ImportResult result =

@@ -140,7 +140,7 @@ TEST_P(Oracle, AgreesOnEveryPixel) {
 
 INSTANTIATE_TEST_SUITE_P(Lenses, Oracle,
                          testing::Values(Case{0, 0}, Case{0.2, 0}, Case{-0.15, 0}, Case{0, -0.2}, Case{0, 0.1},
-                                         Case{0.3, -0.25}));
+                                         Case{0.3, -0.25}, Case{0, -0.6}));
 
 TEST(Optics, UndistortionInvertsTheLens) {
   for (const double k1 : {-0.3, -0.05, 0.0, 0.2}) {
