@@ -1,5 +1,7 @@
 // What happens to files when things go wrong.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <vector>
 
@@ -84,10 +86,25 @@ TEST(Output, AClosedPipeIsQuiet) {
   EXPECT_EQ(slurp(folder.path() / "code"), "0\n");
 }
 
+// A shell would call death by the signal 130 as well; only the parent can tell the two apart.
 TEST(Interrupt, ExitsWith130) {
-  const Outcome run = shell(Folder(), "sleep 2 | timeout --preserve-status -s INT 0.3 '" FENCEPOST_EXE "' replay -");
-  EXPECT_EQ(run.exit_code, 130);
-  EXPECT_EQ(run.out, "");
+  int input[2];
+  ASSERT_EQ(::pipe(input), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(input[0], STDIN_FILENO);
+    ::close(input[1]);
+    ::execl(FENCEPOST_EXE, "fencepost", "replay", "-", nullptr);
+    ::_exit(127);
+  }
+  ::close(input[0]);
+  ::usleep(300'000);  // it now waits for the input that never comes
+  ::kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ::close(input[1]);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
 }
 
 }  // namespace
