@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "firmware/recon/assignment.hpp"
 #include "firmware/recon/camera_model.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/recon/sighting.hpp"
@@ -45,8 +46,5 @@ bool covers(const Prediction& prediction, const Interval& interval);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Interval& interval);
-
-inline constexpr std::uint8_t kNoMatch = std::numeric_limits<std::uint8_t>::max();
-inline constexpr std::uint8_t kImpossible = std::numeric_limits<std::uint8_t>::max();
 
 }  // namespace fencepost::recon

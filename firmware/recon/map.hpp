@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/recon/assignment.hpp"
 #include "firmware/recon/correspondence.hpp"
 #include "firmware/recon/digest.hpp"
 #include "firmware/recon/frame_queue.hpp"
@@ -49,7 +50,7 @@ class Map {
     see_blobs(frame, camera);
     weigh_pairs(frame);
     FrameOutcome outcome;
-    outcome.matched = match_greedily();
+    outcome.matched = match();
     update_matched(frame, camera, lens, noise);
     notice_missing();
     begin_new(frame, camera, lens, noise, outcome);
@@ -104,32 +105,20 @@ class Map {
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs_; ++b) {
         const bool may = objects_[o].used() && objects_[o].signature == frame.blobs[b].signature;
-        costs_[o][b] = may ? match_cost(predictions_[o], intervals_[b]) : kImpossible;
+        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b]) : kImpossible;
       }
     }
   }
 
-  // Cheapest pair first; ties by slot, then by canonical blob order.
-  std::uint16_t match_greedily() {
+  std::uint16_t match() {
+    assign(costs_, kObjects, {object_of_.data(), blobs_});
     std::uint16_t matched = 0;
-    while (true) {
-      std::uint8_t best = kImpossible;
-      std::size_t best_object = 0;
-      std::size_t best_blob = 0;
-      for (std::size_t o = 0; o < kObjects; ++o) {
-        if (blob_of_[o] != kNoMatch) continue;
-        for (std::size_t b = 0; b < blobs_; ++b) {
-          if (object_of_[b] != kNoMatch || costs_[o][b] >= best) continue;
-          best = costs_[o][b];
-          best_object = o;
-          best_blob = b;
-        }
-      }
-      if (best == kImpossible) return matched;
-      blob_of_[best_object] = static_cast<std::uint8_t>(best_blob);
-      object_of_[best_blob] = static_cast<std::uint8_t>(best_object);
+    for (std::size_t b = 0; b < blobs_; ++b) {
+      if (object_of_[b] == kNoMatch) continue;
+      blob_of_[object_of_[b]] = static_cast<std::uint8_t>(b);
       ++matched;
     }
+    return matched;
   }
 
   void update_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
@@ -253,7 +242,7 @@ class Map {
   base::Time exposure_;
   std::array<Prediction, kObjects> predictions_{};
   std::array<Interval, sensor::kMaxBlobs> intervals_{};
-  std::array<std::array<std::uint8_t, sensor::kMaxBlobs>, kObjects> costs_{};
+  std::array<std::uint8_t, kObjects * sensor::kMaxBlobs> costs_{};  ///< [object][blob], as many columns as blobs
   std::array<std::uint8_t, kObjects> blob_of_{};
   std::array<std::uint8_t, sensor::kMaxBlobs> object_of_{};
   std::uint8_t blobs_ = 0;

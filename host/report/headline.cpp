@@ -32,7 +32,7 @@ const char* worst_level(const ResultDocument& document) {
 
 std::string headline_figures(const ResultDocument& document) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
-    return o.state == record::ObjectState::kConfirmed;
+    return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight
   });
   const LogCounts& log = document.log;
   const RefusedFrames& r = log.refused;

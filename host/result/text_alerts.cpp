@@ -53,7 +53,7 @@ std::string alert_list(const ResultDocument& document, const TextOptions& option
 
 std::string summary_line(const ResultDocument& document) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
-    return o.state == record::ObjectState::kConfirmed;
+    return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight
   });
   const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
   return fmt::format("{} object{} ({} confirmed), {} alert{}, {} frame{}, profile {}, digest {}\n",
