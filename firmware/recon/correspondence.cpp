@@ -21,6 +21,9 @@ constexpr float kBorderShare = 0.05F;
 // An object without a distance lies somewhere beyond this on its last bearing (m).
 constexpr float kNearestUnknown = 0.15F;
 
+// and, behind a neighbour or the border, may go on for this angle: 15 deg.
+constexpr float kHiddenRadians = 0.26F;
+
 // Cost of an object whose distance is unknown: any well-placed one goes first.
 constexpr std::uint8_t kUnknownCost = 150;
 
@@ -85,7 +88,8 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   const float u_near = column_of(camera, near);
   prediction.left = std::min(u_far, u_near);
   prediction.right = std::max(u_far, u_near);
-  prediction.left_tolerance = prediction.right_tolerance = camera.fx * kSlackRadians;
+  prediction.left_tolerance = camera.fx * (kSlackRadians + (object.left_open ? kHiddenRadians : 0.0F));
+  prediction.right_tolerance = camera.fx * (kSlackRadians + (object.right_open ? kHiddenRadians : 0.0F));
   prediction.possible = true;
   return prediction;
 }
@@ -107,8 +111,9 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval) 
   if (!prediction.possible) return kImpossible;
   if (!(prediction.depth > 0)) {
     const float center = 0.5F * (interval.left + interval.right);
-    const float reach = prediction.left_tolerance + 0.5F * (interval.right - interval.left);
-    const bool inside = center > prediction.left - reach && center < prediction.right + reach;
+    const float half = 0.5F * (interval.right - interval.left);
+    const bool inside = center > prediction.left - prediction.left_tolerance - half &&
+                        center < prediction.right + prediction.right_tolerance + half;
     return inside ? kUnknownCost : kImpossible;
   }
   if (interval.left_censored && interval.right_censored) {

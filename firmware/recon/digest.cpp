@@ -43,6 +43,8 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u32(object.id);
   hash.u8(object.signature);
   hash.u8(object.confirmed ? 1 : 0);
+  hash.u8(object.left_open ? 1 : 0);
+  hash.u8(object.right_open ? 1 : 0);
   hash.u8(object.arenas);
   hash.u32(object.views);
   hash.i64(object.last_seen.raw);

@@ -35,6 +35,8 @@ struct ObjectCore {
   std::uint32_t id = 0;  ///< 0: free slot
   std::uint8_t signature = 0;
   bool confirmed = false;
+  bool left_open = false;  ///< the left end of the last sighting was censored: the object goes on there
+  bool right_open = false;
   std::uint8_t arenas = 0;  ///< how often the models were given a place
   std::uint32_t views = 0;
   base::Time last_seen;
@@ -89,6 +91,8 @@ struct Object : ObjectCore {
     cylinder.solve(lens);
     last_lens = lens;
     last_bearing = sighting.center;
+    left_open = sighting.left.censored;
+    right_open = sighting.right.censored;
     last_seen = t;
     missed_in_a_row = 0;
     ++views;
