@@ -70,6 +70,8 @@ class Map {
   }
   /// True if the object in this slot was seen in the last frame.
   [[nodiscard]] bool seen_now(std::size_t slot) const { return blob_of_[slot] != kNoMatch; }
+  /// The blob that the object in this slot took in the last frame (its order in the WaitingFrame), or kNoMatch.
+  [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return blob_of_[slot]; }
 
  private:
   static constexpr std::size_t kObjects = Profile::kObjects;
