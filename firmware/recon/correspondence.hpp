@@ -1,10 +1,9 @@
-// Which blob is which object: by signature and predicted place in the image.
+// Which blob may be which object: by signature, predicted place and size in the image, and where its foot should be.
+// Everything here is whole pixels of the level, undistorted camera: costs need no more, and a small part saves the
+// room.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <limits>
-#include <span>
 
 #include "firmware/recon/assignment.hpp"
 #include "firmware/recon/camera_model.hpp"
@@ -13,24 +12,26 @@
 
 namespace fencepost::recon {
 
-/// Where an object should appear: columns in px, before any clipping to the image.
+/// Where an object should appear, before any clipping to the image.
 struct Prediction {
-  bool possible = false;  ///< it can be in the image at all
-  bool expected = false;  ///< it lies well inside the image, near and well known: not seeing it means something
-  float left = 0;
-  float right = 0;
-  float left_tolerance = 0;  ///< px: how far this end may be off
-  float right_tolerance = 0;
-  float depth = 0;  ///< m along the axis; 0 unknown
+  std::int16_t left = 0;
+  std::int16_t right = 0;
+  std::int16_t left_tolerance = 0;  ///< how far this end may be off
+  std::int16_t right_tolerance = 0;
+  std::int16_t bottom = 0;
+  std::int16_t bottom_tolerance = 0;  ///< 0: the foot's row is not known
+  float depth = 0;                    ///< m along the axis to its nearest point; 0: the distance is not known
+  bool possible = false;              ///< it can be in the image at all
+  bool expected = false;              ///< well inside the image, near and well known: not seeing it means something
 };
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const MeasurementNoise& noise);
 
-/// A box as an interval of undistorted columns of the level camera (px), comparable with predictions.
+/// A blob as an interval that is comparable with predictions.
 struct Interval {
-  float left = 0;
-  float right = 0;
+  std::int16_t left = 0;
+  std::int16_t right = 0;
   bool left_censored = true;
   bool right_censored = true;
   bool bottom_censored = true;
@@ -38,8 +39,9 @@ struct Interval {
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays);
 
-/// Cost of taking the blob for the object, 0 (perfect) to 200 (at the tolerance); kImpossible: it cannot be.
-std::uint8_t match_cost(const Prediction& prediction, const Interval& interval);
+/// Cost of taking the blob for the object, 0 (perfect) to 200 (at the tolerance); kImpossible: it cannot be. The mean
+/// of what each visible end and the foot are off, in shares of their tolerance. `bottom_row` is the box's y2.
+std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, std::int16_t bottom_row);
 
 /// True if the blob lies within the predicted interval plus tolerance: a piece of it, not a new object.
 bool covers(const Prediction& prediction, const Interval& interval);

@@ -107,7 +107,7 @@ class Map {
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs_; ++b) {
         const bool may = objects_[o].used() && objects_[o].signature == frame.blobs[b].signature;
-        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b]) : kImpossible;
+        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b], frame.blobs[b].box.y2) : kImpossible;
       }
     }
   }
