@@ -101,6 +101,7 @@ class Replay {
     path_.clear();
     signatures_.clear();
     outcome_.result.alerts.clear();
+    runner_->observe(options_.observer);
     runner_->start_run({record::kStreamFormat, "fencepost", FENCEPOST_VERSION, "host", std::string_view(profile_)});
     if (options_.camera) runner_->take(*options_.camera);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/sensor/camera.hpp"
+#include "host/replay/run_observer.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {
@@ -22,6 +23,7 @@ struct ReplayOptions {
   bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
+  RunObserver* observer = nullptr;             ///< told of each frame that the map takes
 };
 
 struct CheckOutcome {

@@ -18,6 +18,7 @@ class ProfileRunner final : public Runner {
   void start_run(const record::Header& header) override {
     header_ = header;
     loop_.pipeline().start_run(header_);
+    if (observer_ != nullptr) observer_->run_begins();
   }
   void take(const sensor::CameraIntrinsics& camera) override { loop_.pipeline().set_camera(camera); }
   void take(const record::Signature& signature) override {
@@ -31,14 +32,17 @@ class ProfileRunner final : public Runner {
                           " is not known here");
   }
   void take(const sensor::OdometrySample& sample) override {
+    if (observer_ != nullptr) return take_observed(sample);
     odometry_.offer(sample);
     loop_.step(sample.t);
   }
   void take(const sensor::BlobFrame& frame) override {
+    if (observer_ != nullptr) return take_observed(frame);
     camera_.offer(frame);
     loop_.step(frame.t);
   }
   void finish() override { loop_.pipeline().finish(); }
+  void observe(RunObserver* observer) override { observer_ = observer; }
 
   [[nodiscard]] const app::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
@@ -54,6 +58,40 @@ class ProfileRunner final : public Runner {
   }
 
  private:
+  // What the loop does with one input, but with a pause after each frame. A step without input only speaks.
+  template <class Input>
+  void take_observed(const Input& input) {
+    app::Pipeline<Profile>& pipeline = loop_.pipeline();
+    pipeline.take(input);
+    loop_.step(input.t);
+    while (place_observed()) loop_.step(input.t);
+    pipeline.watch_without_frames();
+    pipeline.tell_status();
+    loop_.step(input.t);
+  }
+
+  bool place_observed() {
+    if (memory_->waiting.empty()) return false;
+    const recon::WaitingFrame frame = memory_->waiting.front();
+    const std::uint32_t before = memory_->map.frames();
+    const bool left = loop_.pipeline().place_next_frame();
+    if (memory_->map.frames() != before) show(frame);
+    return left;
+  }
+
+  void show(const recon::WaitingFrame& frame) {
+    const auto slots = memory_->map.slots();
+    std::vector<PlacedSighting> sightings;
+    for (std::size_t o = 0; o < slots.size(); ++o) {
+      if (!slots[o].used() || !memory_->map.seen_now(o)) continue;
+      sightings.push_back({slots[o].id, slots[o].views, memory_->map.blob_of(o)});
+    }
+    observer_->frame_placed({frame, sightings, [&](std::uint32_t id) {
+                               return describe_object(*std::find_if(
+                                   slots.begin(), slots.end(), [&](const auto& object) { return object.id == id; }));
+                             }});
+  }
+
   [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {
     ObjectResult result;
     result.id = object.id;
@@ -81,6 +119,7 @@ class ProfileRunner final : public Runner {
   ListeningLink link_;
   app::Loop<Profile, LogCamera, LogOdometry, ListeningLink> loop_;
   std::vector<std::string> complaints_;
+  RunObserver* observer_ = nullptr;
 };
 
 }  // namespace

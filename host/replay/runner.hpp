@@ -8,6 +8,7 @@
 
 #include "firmware/app/memory.hpp"
 #include "firmware/record/records.hpp"
+#include "host/replay/run_observer.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {
@@ -23,6 +24,8 @@ class Runner {
   virtual void take(const sensor::OdometrySample& sample) = 0;
   virtual void take(const sensor::BlobFrame& frame) = 0;
   virtual void finish() = 0;
+  /// From now on `observer` is told of each frame; nullptr: of none.
+  virtual void observe(RunObserver* observer) = 0;
 
   [[nodiscard]] virtual const app::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;

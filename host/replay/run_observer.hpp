@@ -1,0 +1,38 @@
+// A look at the map after each frame that it took: which object took which blob, and any object's models at that
+// moment.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "firmware/recon/frame_queue.hpp"
+#include "host/result/result.hpp"
+
+namespace fencepost::host {
+
+/// An object and the blob of this frame that it took.
+struct PlacedSighting {
+  std::uint32_t id = 0;
+  std::uint32_t views = 0;  ///< of the object, this one included
+  std::size_t blob = 0;     ///< index into PlacedFrame::frame.blobs
+};
+
+struct PlacedFrame {
+  const recon::WaitingFrame& frame;
+  std::span<const PlacedSighting> sightings;
+  /// The object with that id as it is now, with all models; it must be one of the sightings.
+  std::function<ObjectResult(std::uint32_t id)> describe;
+};
+
+/// Told by a replay, in order. Watching changes nothing of what is found.
+class RunObserver {
+ public:
+  virtual ~RunObserver() = default;
+  /// The map is empty again, ids start anew.
+  virtual void run_begins() = 0;
+  virtual void frame_placed(const PlacedFrame& placed) = 0;
+};
+
+}  // namespace fencepost::host

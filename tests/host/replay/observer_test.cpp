@@ -1,0 +1,90 @@
+// Watching a replay: every frame is shown, and nothing that is found changes.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "host/replay/replay.hpp"
+#include "host/result/to_json.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using host::PlacedFrame;
+using host::PlacedSighting;
+
+std::string recording(const std::string& name) {
+  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
+  EXPECT_TRUE(file) << name;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Witness final : host::RunObserver {
+  int runs = 0;
+  std::uint32_t frames = 0;
+  std::map<std::uint32_t, std::uint32_t> views;
+
+  void run_begins() override {
+    ++runs;
+    frames = 0;
+    views.clear();
+  }
+  void frame_placed(const PlacedFrame& placed) override {
+    ++frames;
+    for (const PlacedSighting& sighting : placed.sightings) {
+      EXPECT_EQ(sighting.views, ++views[sighting.id]) << "each view of an object is shown once";
+      ASSERT_LT(sighting.blob, placed.frame.blobs.size());
+      const host::ObjectResult object = placed.describe(sighting.id);
+      EXPECT_EQ(object.id, sighting.id);
+      EXPECT_EQ(object.views, sighting.views);
+      EXPECT_EQ(object.signature, placed.frame.blobs[sighting.blob].signature);
+    }
+  }
+};
+
+TEST(Observer, SeesEveryFrameAndChangesNothing) {
+  for (const char* name : {"approach_stop", "blocks_arc", "corridor", "noisy_arc"}) {
+    for (const char* profile : {"micro", "small", "full"}) {
+      SCOPED_TRACE(std::string(name) + " " + profile);
+      const std::string bytes = recording(name);
+      std::string plain_log;
+      std::string watched_log;
+      Witness witness;
+      host::ReplayOptions plain;
+      plain.profile = profile;
+      host::ReplayOptions watched = plain;
+      plain.log = [&](std::string_view line) { plain_log += line; };
+      watched.log = [&](std::string_view line) { watched_log += line; };
+      watched.observer = &witness;
+      const auto expected = host::replay(bytes, name, plain);
+      const auto found = host::replay(bytes, name, watched);
+      EXPECT_EQ(host::to_json(found.result), host::to_json(expected.result));
+      EXPECT_EQ(watched_log, plain_log);
+      const auto& refused = found.result.log.refused;
+      EXPECT_EQ(witness.frames + refused.no_pose + refused.odometry_gap + refused.no_camera + refused.queue,
+                found.result.log.frames);
+      EXPECT_GT(witness.frames, 0U);
+      EXPECT_FALSE(witness.views.empty());
+      for (const host::ObjectResult& object : found.result.objects) EXPECT_EQ(object.views, witness.views[object.id]);
+    }
+  }
+}
+
+TEST(Observer, IsToldWhereARunBegins) {
+  const std::string bytes = recording("corridor");
+  Witness once;
+  Witness twice;
+  host::ReplayOptions options;
+  options.observer = &once;
+  static_cast<void>(host::replay(bytes, "once", options));
+  options.observer = &twice;
+  static_cast<void>(host::replay(bytes + bytes, "twice", options));
+  EXPECT_EQ(once.runs, 1);
+  EXPECT_EQ(twice.runs, 2);
+  EXPECT_EQ(twice.frames, once.frames);
+  EXPECT_EQ(twice.views, once.views);
+}
+
+}  // namespace
+}  // namespace fencepost::test
