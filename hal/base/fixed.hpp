@@ -128,8 +128,8 @@ class FixedString {
  public:
   constexpr FixedString() = default;
   /// Cuts what does not fit.
-  constexpr FixedString(std::string_view text) {  // NOLINT(google-explicit-constructor)
-    size_ = static_cast<CountFor<N>>(text.size() < N ? text.size() : N);
+  constexpr FixedString(std::string_view text)  // NOLINT(google-explicit-constructor)
+      : size_(static_cast<CountFor<N>>(text.size() < N ? text.size() : N)) {
     for (std::size_t i = 0; i < size_; ++i) characters_[i] = text[i];
   }
   constexpr FixedString(const char* text) : FixedString(std::string_view(text)) {}  // NOLINT
