@@ -110,7 +110,7 @@ class Pipeline {
   /// Handles the oldest waiting frame if its pose is known or will never be. True if it left the queue.
   bool place_next_frame() {
     if (m_.waiting.empty()) return false;
-    const recon::WaitingFrame& frame = m_.waiting.front();
+    recon::WaitingFrame& frame = m_.waiting[0];
     const auto pose = m_.poses.at(frame.t - m_.calibration.models[frame.camera].latency);
     if (!pose) {
       const bool waits = pose.error() == recon::PoseMiss::kNotYet && *m_.run.time - frame.t < recon::kMaxWait;
@@ -160,7 +160,7 @@ class Pipeline {
     m_.waiting.pop_front();
   }
 
-  void reconstruct(const recon::WaitingFrame& frame, const recon::MapPose& pose) {
+  void reconstruct(recon::WaitingFrame& frame, const recon::MapPose& pose) {
     const recon::Confirmation confirmation{m_.settings.raw(config::Key::kConfirmK),
                                            m_.settings.raw(config::Key::kConfirmN)};
     m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation);

@@ -15,8 +15,10 @@ constexpr float kGateWidthShare = 0.5F;
 // Behind a neighbour or the border an object may go on for this angle: 15 deg.
 constexpr float kHiddenRadians = 0.26F;
 
-// The foot's row may be off by this angle besides what distance and pitch explain: 1 deg.
-constexpr float kRowSlackRadians = 0.0175F;
+// Rows are off by this many px besides what distance and pitch explain (whole pixels, rounded edges).
+constexpr float kRowPixels = 1.5F;
+// The height band is worth a prediction from this many views on.
+constexpr std::uint32_t kViewsForTop = 3;
 
 // Nothing is expected to be seen nearer, or farther (m), or this close to the border (share of the width).
 constexpr float kNearestExpected = 0.1F;
@@ -31,6 +33,9 @@ constexpr float kSideways = 0.05F;
 // Cost of an object whose distance is unknown: any well-placed one goes first.
 constexpr std::uint8_t kUnknownCost = 150;
 constexpr float kCostScale = 200.0F;
+// A side that is hidden or not predicted neither speaks for a pair nor against it: as much as one sigma and a half off.
+constexpr float kCostOfUnknownSide = 0.25F;
+constexpr float kSides = 4;
 
 std::int16_t whole_pixels(float value) {
   constexpr float kFarOutside = 30'000.0F;
@@ -43,26 +48,35 @@ Vec2 to_camera(const LensPose& pose, const Vec2& map_direction) {
 }
 Vec2 to_map(const LensPose& pose, const Vec2& camera_direction) { return rotated(pose.axis, camera_direction); }
 
-// How far one tangent may be off, px. `ray` points along it, map axes; `reach` is the distance at which it touches.
-float end_tolerance(const CameraModel& camera, const CylinderEstimate& estimate, const Vec2& normal, float reach,
-                    float cos_bearing, const MeasurementNoise& noise) {
+// Sigma of one tangent, rad. `normal` is the tangent's, map axes; `reach` the distance at which it touches.
+float end_sigma(const CylinderEstimate& estimate, const Vec2& normal, float reach, const MeasurementNoise& noise) {
   const float pose_variance = noise.heading * noise.heading + noise.position * noise.position / (reach * reach);
-  const float variance = estimate.covariance.along(normal) / (reach * reach) + pose_variance;
-  return camera.fx / (cos_bearing * cos_bearing) * (kGateSigmas * std::sqrt(variance) + kSlackRadians);
+  const float shape = noise.roundness * estimate.radius;
+  return std::sqrt((estimate.covariance.along(normal) + shape * shape) / (reach * reach) + pose_variance);
 }
 
-// The row of the foot of an object that stands on the floor, and how far it may be off.
-void predict_foot(const CameraModel& camera, const CylinderEstimate& estimate, const Vec2& axis,
-                  const MeasurementNoise& noise, Prediction& prediction) {
-  if (!camera.pitch_known || !(camera.height > 0)) return;
-  const float drop = camera.height / prediction.depth;
+// The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.
+PredictedLine predict_row(const CameraModel& camera, float drop, float relative_depth_sigma,
+                          const MeasurementNoise& noise) {
   const float along = camera.pitch.x() + drop * camera.pitch.y();
-  if (!(along > 0)) return;
+  if (!(along > 0)) return {};
   const float row = camera.cy + camera.fy * (drop * camera.pitch.x() - camera.pitch.y()) / along;
-  const float depth_sigma = std::sqrt(estimate.covariance.along(-axis));
-  const float spread = kGateSigmas * (drop * depth_sigma / prediction.depth + noise.pitch) + kRowSlackRadians;
-  prediction.bottom = whole_pixels(row);
-  prediction.bottom_tolerance = whole_pixels(std::max(1.0F, camera.fy * spread));
+  const float sigma = camera.fy * (std::fabs(drop) * relative_depth_sigma + noise.pitch) + kRowPixels;
+  return {whole_pixels(row), whole_pixels(sigma)};
+}
+
+// Foot and top of an object that stands on the floor.
+void predict_rows(const CameraModel& camera, const ObjectCore& object, const Vec2& axis, const MeasurementNoise& noise,
+                  Prediction& prediction) {
+  if (!camera.pitch_known || !(camera.height > 0)) return;
+  const CylinderEstimate& estimate = object.cylinder.estimate();
+  const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
+  prediction.bottom = predict_row(camera, camera.height / prediction.depth, relative, noise);
+  if (object.views < kViewsForTop) return;
+  const HeightRange band = object.band.at(estimate.center, estimate.radius);
+  if (band.top_known) {
+    prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, relative, noise);
+  }
 }
 
 Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
@@ -84,16 +98,17 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   prediction.depth = std::max(1e-3F, bearing.x() * distance - estimate.radius);
   // Each end by its own uncertainty: an object seen from one side only has one good end.
   const float reach = distance * cosine;
-  const float shape = kGateWidthShare * (u_right - u_left);
-  const float left_tolerance =
-      shape + end_tolerance(camera, estimate, left_of(to_map(pose, left)), reach, bearing.x(), noise);
-  const float right_tolerance =
-      shape + end_tolerance(camera, estimate, -left_of(to_map(pose, right)), reach, bearing.x(), noise);
-  prediction.left = whole_pixels(u_left);
-  prediction.right = whole_pixels(u_right);
+  const float px_per_radian = camera.fx / (bearing.x() * bearing.x());
+  const float left_sigma = px_per_radian * end_sigma(estimate, left_of(to_map(pose, left)), reach, noise);
+  const float right_sigma = px_per_radian * end_sigma(estimate, -left_of(to_map(pose, right)), reach, noise);
+  const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
+  const float left_tolerance = slack + kGateSigmas * left_sigma;
+  const float right_tolerance = slack + kGateSigmas * right_sigma;
+  prediction.left = {whole_pixels(u_left), whole_pixels(std::max(1.0F, left_sigma))};
+  prediction.right = {whole_pixels(u_right), whole_pixels(std::max(1.0F, right_sigma))};
   prediction.left_tolerance = whole_pixels(std::max(1.0F, left_tolerance));
   prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
-  predict_foot(camera, estimate, pose.axis, noise, prediction);
+  predict_rows(camera, object, pose.axis, noise, prediction);
   const auto columns = static_cast<float>(camera.width);
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
@@ -112,23 +127,30 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   if (!(far.x() > kSideways)) return prediction;
   const float u_far = column_of(camera, far);
   const float u_near = column_of(camera, near);
-  prediction.left = whole_pixels(std::min(u_far, u_near));
-  prediction.right = whole_pixels(std::max(u_far, u_near));
+  prediction.left.at = whole_pixels(std::min(u_far, u_near));
+  prediction.right.at = whole_pixels(std::max(u_far, u_near));
   prediction.left_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.left_open ? kHiddenRadians : 0.0F)));
   prediction.right_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.right_open ? kHiddenRadians : 0.0F)));
   prediction.possible = true;
   return prediction;
 }
 
-float share_off(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance) {
+// Squared deviation in units of three sigmas, at most 1: a lost piece is no worse than that.
+float cost_of_side(std::int16_t seen, bool censored, const PredictedLine& line) {
+  if (censored || line.sigma == 0) return kCostOfUnknownSide;
+  const float off = static_cast<float>(seen - line.at) / (kGateSigmas * static_cast<float>(line.sigma));
+  return std::min(1.0F, off * off);
+}
+
+float share_of(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance) {
   return std::fabs(static_cast<float>(seen - predicted)) / static_cast<float>(tolerance);
 }
 
 bool may_lie_on_bearing(const Prediction& prediction, const Interval& interval) {
   const int center_twice = interval.left + interval.right;
   const int width = interval.right - interval.left;
-  return center_twice > 2 * (prediction.left - prediction.left_tolerance) - width &&
-         center_twice < 2 * (prediction.right + prediction.right_tolerance) + width;
+  return center_twice > 2 * (prediction.left.at - prediction.left_tolerance) - width &&
+         center_twice < 2 * (prediction.right.at + prediction.right_tolerance) + width;
 }
 
 }  // namespace
@@ -140,40 +162,44 @@ Prediction predict(const CameraModel& camera, const LensPose& pose, const Object
 }
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
-  return {whole_pixels(column_of(camera, rays.left.direction)), whole_pixels(column_of(camera, rays.right.direction)),
-          rays.left.censored, rays.right.censored, rays.bottom.censored};
+  return {whole_pixels(column_of(camera, rays.left.direction)),
+          whole_pixels(column_of(camera, rays.right.direction)),
+          rays.left.censored,
+          rays.right.censored,
+          rays.top.censored,
+          rays.bottom.censored};
 }
 
-std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, std::int16_t bottom_row) {
+std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box) {
   if (!prediction.possible) return kImpossible;
   if (!(prediction.depth > 0)) return may_lie_on_bearing(prediction, interval) ? kUnknownCost : kImpossible;
-  float off = 0;
-  float parts = 0;
+  float off = 0;  // in shares of the tolerances: decides whether the pair is possible
+  float ends = 0;
   if (!interval.left_censored) {
-    off += share_off(interval.left, prediction.left, prediction.left_tolerance);
-    parts += 1;
+    off += share_of(interval.left, prediction.left.at, prediction.left_tolerance);
+    ends += 1;
   }
   if (!interval.right_censored) {
-    off += share_off(interval.right, prediction.right, prediction.right_tolerance);
-    parts += 1;
+    off += share_of(interval.right, prediction.right.at, prediction.right_tolerance);
+    ends += 1;
   }
-  if (!(parts > 0)) return overlaps(prediction, interval) ? kUnknownCost : kImpossible;
-  if (!(off <= parts)) return kImpossible;
-  if (!interval.bottom_censored && prediction.bottom_tolerance > 0) {
-    // Beyond its tolerance the foot speaks against the pair but does not forbid it: the object may hang in the air.
-    off += std::min(1.0F, share_off(bottom_row, prediction.bottom, prediction.bottom_tolerance));
-    parts += 1;
-  }
-  return static_cast<std::uint8_t>(kCostScale * off / parts);
+  if (!(ends > 0)) return overlaps(prediction, interval) ? kUnknownCost : kImpossible;
+  if (!(off <= ends)) return kImpossible;
+  // In sigmas: decides which pair is better. Rows never forbid a pair: the object may hang in the air.
+  const float cost = cost_of_side(interval.left, interval.left_censored, prediction.left) +
+                     cost_of_side(interval.right, interval.right_censored, prediction.right) +
+                     cost_of_side(box.y1, interval.top_censored, prediction.top) +
+                     cost_of_side(box.y2, interval.bottom_censored, prediction.bottom);
+  return static_cast<std::uint8_t>(kCostScale / kSides * cost);
 }
 
 bool covers(const Prediction& prediction, const Interval& interval) {
-  return prediction.possible && interval.left > prediction.left - prediction.left_tolerance &&
-         interval.right < prediction.right + prediction.right_tolerance;
+  return prediction.possible && interval.left > prediction.left.at - prediction.left_tolerance &&
+         interval.right < prediction.right.at + prediction.right_tolerance;
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {
-  return prediction.possible && interval.right > prediction.left && interval.left < prediction.right;
+  return prediction.possible && interval.right > prediction.left.at && interval.left < prediction.right.at;
 }
 
 }  // namespace fencepost::recon

@@ -12,17 +12,23 @@
 
 namespace fencepost::recon {
 
+/// One side of a predicted box: its column or row, the sigma of that, px.
+struct PredictedLine {
+  std::int16_t at = 0;
+  std::int16_t sigma = 0;  ///< 0: not known
+};
+
 /// Where an object should appear, before any clipping to the image.
 struct Prediction {
-  std::int16_t left = 0;
-  std::int16_t right = 0;
-  std::int16_t left_tolerance = 0;  ///< how far this end may be off
+  PredictedLine left;
+  PredictedLine right;
+  PredictedLine top;
+  PredictedLine bottom;
+  std::int16_t left_tolerance = 0;  ///< px: farther off than this on average, the blob cannot be the object
   std::int16_t right_tolerance = 0;
-  std::int16_t bottom = 0;
-  std::int16_t bottom_tolerance = 0;  ///< 0: the foot's row is not known
-  float depth = 0;                    ///< m along the axis to its nearest point; 0: the distance is not known
-  bool possible = false;              ///< it can be in the image at all
-  bool expected = false;              ///< well inside the image, near and well known: not seeing it means something
+  float depth = 0;        ///< m along the axis to its nearest point; 0: the distance is not known
+  bool possible = false;  ///< it can be in the image at all
+  bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
@@ -34,14 +40,16 @@ struct Interval {
   std::int16_t right = 0;
   bool left_censored = true;
   bool right_censored = true;
+  bool top_censored = true;
   bool bottom_censored = true;
 };
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays);
 
-/// Cost of taking the blob for the object, 0 (perfect) to 200 (at the tolerance); kImpossible: it cannot be. The mean
-/// of what each visible end and the foot are off, in shares of their tolerance. `bottom_row` is the box's y2.
-std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, std::int16_t bottom_row);
+/// Cost of taking the blob for the object, 0 (perfect) to 200; kImpossible: it cannot be. The mean over the box's
+/// visible sides of the squared deviation in units of three sigmas, at most 1 a side: place, size and shape in one. Of
+/// `box` only the rows are used.
+std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box);
 
 /// True if the blob lies within the predicted interval plus tolerance: a piece of it, not a new object.
 bool covers(const Prediction& prediction, const Interval& interval);

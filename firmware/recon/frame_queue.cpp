@@ -1,7 +1,5 @@
 #include "firmware/recon/frame_queue.hpp"
 
-#include "firmware/recon/occlusion.hpp"
-
 namespace fencepost::recon {
 namespace {
 
@@ -30,7 +28,6 @@ WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
     for (; j > 0 && comes_before(blob, waiting.blobs[j - 1]); --j) waiting.blobs[j] = waiting.blobs[j - 1];
     waiting.blobs[j] = blob;
   }
-  join_behind_posts(waiting.blobs);
   return waiting;
 }
 

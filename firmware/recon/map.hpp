@@ -41,12 +41,14 @@ class Map {
     digest_ = base::Fnv1a64::kOffsetBasis;
   }
 
-  /// One frame at its exposure pose, through the whole algorithm.
-  FrameOutcome add_frame(const WaitingFrame& frame, const CameraModel& camera, const MapPose& pose,
+  /// One frame at its exposure pose, through the whole algorithm. Blobs of `frame` that are pieces of one object are
+  /// joined in place.
+  FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& pose,
                          const MeasurementNoise& noise, Confirmation confirmation) {
     exposure_ = frame.t - camera.latency;
     const LensPose lens = lens_pose(pose, camera);
     predict_all(camera, lens, noise);
+    join_pieces(frame, camera);
     see_blobs(frame, camera);
     weigh_pairs(frame);
     FrameOutcome outcome;
@@ -84,6 +86,35 @@ class Map {
     }
   }
 
+  // Two pieces behind a post are one object, unless two objects are known to be there.
+  void join_pieces(WaitingFrame& frame, const CameraModel& camera) {
+    CutPair pair = find_cut_pair(frame.blobs.view(), 0, 0);
+    while (pair.found) {
+      if (known_apart(frame, camera, pair)) {
+        pair = find_cut_pair(frame.blobs.view(), pair.left, pair.right + 1U);
+      } else {
+        join(frame.blobs, pair);
+        pair = find_cut_pair(frame.blobs.view(), 0, 0);  // fewer blobs now: at most 15 times
+      }
+    }
+  }
+
+  [[nodiscard]] bool known_apart(const WaitingFrame& frame, const CameraModel& camera, const CutPair& pair) const {
+    const Interval left = interval_of(camera, rays_of_box(camera, frame.blobs[pair.left].box));
+    const Interval right = interval_of(camera, rays_of_box(camera, frame.blobs[pair.right].box));
+    bool one = false;
+    bool other = false;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!objects_[o].used() || objects_[o].signature != frame.blobs[pair.left].signature) continue;
+      if (!(predictions_[o].depth > 0)) continue;
+      const bool on_left = overlaps(predictions_[o], left);
+      const bool on_right = overlaps(predictions_[o], right);
+      one = one || (on_left && !on_right);
+      other = other || (on_right && !on_left);
+    }
+    return one && other;
+  }
+
   void see_blobs(const WaitingFrame& frame, const CameraModel& camera) {
     blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
     for (std::size_t b = 0; b < blobs_; ++b) {
@@ -107,7 +138,7 @@ class Map {
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs_; ++b) {
         const bool may = objects_[o].used() && objects_[o].signature == frame.blobs[b].signature;
-        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b], frame.blobs[b].box.y2) : kImpossible;
+        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b], frame.blobs[b].box) : kImpossible;
       }
     }
   }

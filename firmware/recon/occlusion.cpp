@@ -54,31 +54,24 @@ HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, st
   return hidden;
 }
 
-namespace {
-
-// Joins the first pair that should be; false if there is none.
-bool join_one(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs) {
-  for (std::size_t a = 0; a < blobs.size(); ++a) {
-    for (std::size_t b = 0; b < blobs.size(); ++b) {
+CutPair find_cut_pair(std::span<const WaitingBlob> blobs, std::size_t from_left, std::size_t from_right) {
+  for (std::size_t a = from_left; a < blobs.size(); ++a) {
+    for (std::size_t b = a == from_left ? from_right : 0; b < blobs.size(); ++b) {
       if (a == b || blobs[a].signature != blobs[b].signature || blobs[a].box.x2 >= blobs[b].box.x1) continue;
-      if (!same_rows(blobs[a].box, blobs[b].box) || !any_post_between(blobs.view(), blobs[a], blobs[b])) continue;
-      Box& joined = blobs[a].box;
-      const Box& other = blobs[b].box;
-      joined.x2 = other.x2;
-      joined.y1 = std::min(joined.y1, other.y1);
-      joined.y2 = std::max(joined.y2, other.y2);
-      blobs.erase_at(b);
-      return true;
+      if (!same_rows(blobs[a].box, blobs[b].box) || !any_post_between(blobs, blobs[a], blobs[b])) continue;
+      return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), true};
     }
   }
-  return false;
+  return {};
 }
 
-}  // namespace
-
-void join_behind_posts(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs) {
-  while (join_one(blobs)) {  // each turn takes a blob away
-  }
+void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const CutPair& pair) {
+  Box& joined = blobs[pair.left].box;
+  const Box& other = blobs[pair.right].box;
+  joined.x2 = other.x2;
+  joined.y1 = std::min(joined.y1, other.y1);
+  joined.y2 = std::max(joined.y2, other.y2);
+  blobs.erase_at(pair.right);
 }
 
 }  // namespace fencepost::recon

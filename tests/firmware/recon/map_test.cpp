@@ -77,7 +77,8 @@ struct Drive {
     const MapPose pose{
         {static_cast<std::int32_t>(std::lround(x * 1e5)), static_cast<std::int32_t>(std::lround(y * 1e5))},
         static_cast<std::int32_t>(std::lround(heading * 1e6))};
-    return map->add_frame(recon::make_waiting(seen, 0), model, pose, {}, {});
+    recon::WaitingFrame waiting = recon::make_waiting(seen, 0);
+    return map->add_frame(waiting, model, pose, {}, {});
   }
   recon::FrameOutcome step(const std::vector<Post>& posts, double x, double y, double heading) {
     return take(look(posts, x, y, heading), x, y, heading);

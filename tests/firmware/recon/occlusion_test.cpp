@@ -60,7 +60,9 @@ TEST(Occlusion, PiecesBehindAPostAreJoined) {
   ASSERT_TRUE(blobs.push_back({{100, 80, 120, 120}, 1}));
   ASSERT_TRUE(blobs.push_back({{136, 81, 150, 119}, 1}));
   ASSERT_TRUE(blobs.push_back({{121, 60, 135, 170}, 2}));
-  recon::join_behind_posts(blobs);
+  const recon::CutPair pair = recon::find_cut_pair(blobs.view(), 0, 0);
+  ASSERT_TRUE(pair.found);
+  recon::join(blobs, pair);
   ASSERT_EQ(blobs.size(), 2U);
   EXPECT_EQ(blobs[0].box.x1, 100);
   EXPECT_EQ(blobs[0].box.x2, 150);
@@ -78,8 +80,7 @@ TEST(Occlusion, TwoObjectsWithNothingBetweenStayTwo) {
     ASSERT_TRUE(blobs.push_back({{100, 80, 120, 120}, 1}));
     ASSERT_TRUE(blobs.push_back({{140, 81, 160, 119}, 1}));
     ASSERT_TRUE(blobs.push_back(other));
-    recon::join_behind_posts(blobs);
-    EXPECT_EQ(blobs.size(), 3U);
+    EXPECT_FALSE(recon::find_cut_pair(blobs.view(), 0, 0).found);
   }
 }
 
