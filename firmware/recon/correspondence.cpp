@@ -194,8 +194,10 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, 
 }
 
 bool covers(const Prediction& prediction, const Interval& interval) {
-  return prediction.possible && interval.left > prediction.left.at - prediction.left_tolerance &&
-         interval.right < prediction.right.at + prediction.right_tolerance;
+  const auto reach = [](const PredictedLine& line) { return kGateSigmas * static_cast<float>(line.sigma); };
+  return prediction.depth > 0 &&
+         static_cast<float>(interval.left) > static_cast<float>(prediction.left.at) - reach(prediction.left) &&
+         static_cast<float>(interval.right) < static_cast<float>(prediction.right.at) + reach(prediction.right);
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {

@@ -51,7 +51,7 @@ Interval interval_of(const CameraModel& camera, const BlobRays& rays);
 /// `box` only the rows are used.
 std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box);
 
-/// True if the blob lies within the predicted interval plus tolerance: a piece of it, not a new object.
+/// True if the blob lies within the predicted interval, give or take three sigmas: it may be a piece of the object.
 bool covers(const Prediction& prediction, const Interval& interval);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.

@@ -210,10 +210,13 @@ class Map {
     }
   }
 
-  // A leftover blob inside the interval of an object that is matched already.
+  // A leftover blob inside the interval of an object that is matched already, at the same height in the image: a piece
+  // that noise split off. One with another foot stands elsewhere.
   [[nodiscard]] bool is_piece(const WaitingFrame& frame, std::size_t b) const {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (blob_of_[o] == kNoMatch || objects_[o].signature != frame.blobs[b].signature) continue;
+      const int step = frame.blobs[blob_of_[o]].box.y2 - frame.blobs[b].box.y2;
+      if (step > kTouchPixels || step < -kTouchPixels) continue;
       if (covers(predictions_[o], intervals_[b])) return true;
     }
     return false;

@@ -1,0 +1,123 @@
+#include "tests/identity/random_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "host/geometry/rings.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double a, double b) { return a + (b - a) * (static_cast<double>(random_()) / 4294967296.0); }
+  unsigned below(unsigned n) { return static_cast<unsigned>(random_()) % n; }
+
+ private:
+  std::mt19937 random_;
+};
+
+host::LinearRing random_footprint(Dice& dice) {
+  const double size = dice.between(0.06, 0.26);
+  const double a = size / 2;
+  switch (dice.below(4)) {
+    case 0: {
+      const double b = a * dice.between(0.4, 1);
+      return {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
+    }
+    case 1: {
+      host::LinearRing ring;
+      for (int i = 0; i < 3; ++i) {
+        const double angle = 2 * kPi * i / 3 + dice.between(-0.25, 0.25);
+        ring.push_back({size / 1.8 * std::cos(angle), size / 1.8 * std::sin(angle)});
+      }
+      return ring;
+    }
+    case 2: return host::circle_ring({0, 0}, a, 40);
+    default: {
+      const double w = size * dice.between(0.3, 0.45);
+      return {{-a, -a}, {a, -a}, {a, -a + w}, {-a + w, -a + w}, {-a + w, a}, {-a, a}};
+    }
+  }
+}
+
+struct Disc {
+  host::Point center;
+  double radius;
+};
+
+double radius_of(const host::LinearRing& ring) {
+  double radius = 0;
+  for (const host::Point& p : ring) radius = std::max(radius, std::hypot(p.x, p.y));
+  return radius;
+}
+
+void set_camera(host::Scene& scene) {
+  sensor::CameraIntrinsics& camera = scene.camera;
+  camera.model = "test";
+  camera.width = 176;
+  camera.height = 144;
+  camera.fx = camera.fy = base::Pixels2::nearest(88 / std::tan(43 * kPi / 360));
+  camera.cx = base::Pixels2::nearest(87.5);
+  camera.cy = base::Pixels2::nearest(71.5);
+  camera.mount.z = base::Metres::nearest(0.15);
+  camera.mount.pitch = base::Radians{0};
+  scene.rate = 10;
+}
+
+void set_noise(host::Scene& scene, int level) {
+  if (level == 0) return;
+  scene.noise.edge_px = level == 1 ? 1.0 : 1.5;
+  scene.noise.pose_xy = level == 1 ? 0.002 : 0.005;
+  scene.noise.pose_heading = (level == 1 ? 0.2 : 0.5) * kPi / 180;
+  if (level == 1) return;
+  scene.noise.loss_probability = 0.05;
+  scene.noise.growth_probability = 0.02;
+  scene.noise.miss_probability = 0.02;
+}
+
+}  // namespace
+
+host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise) {
+  Dice dice(seed);
+  host::Scene scene;
+  scene.seed = seed;
+  set_camera(scene);
+  set_noise(scene, noise);
+  std::vector<Disc> placed;
+  for (int tries = 0; static_cast<int>(placed.size()) < objects && tries < 5000; ++tries) {
+    const host::LinearRing ring = random_footprint(dice);
+    const double angle = dice.between(0, 2 * kPi);
+    const double away = 0.35 * std::sqrt(dice.between(0, 1));
+    const Disc disc{{away * std::cos(angle), away * std::sin(angle)}, radius_of(ring)};
+    const bool free = std::none_of(placed.begin(), placed.end(), [&](const Disc& other) {
+      return std::hypot(other.center.x - disc.center.x, other.center.y - disc.center.y) <
+             other.radius + disc.radius + 0.03;
+    });
+    if (!free) continue;
+    placed.push_back(disc);
+    host::SceneObject object;
+    object.name = "object " + std::to_string(placed.size());
+    object.signature = colours == Colours::kAllTheSame ? 1 : static_cast<std::uint8_t>(placed.size());
+    object.height = dice.between(0.05, 0.2);
+    object.footprint = host::moved({ring, {}}, dice.between(0, 2 * kPi), disc.center);
+    if (colours == Colours::kAllDifferent || placed.size() == 1) {
+      scene.signatures.push_back({object.signature, "colour " + std::to_string(object.signature), {200, 40, 40}});
+    }
+    scene.objects.push_back(object);
+  }
+  host::ArcPath arc;
+  arc.radius = dice.between(0.8, 1.1);
+  arc.start = dice.between(0, 6);
+  arc.sweep = 2 * kPi * 74 / 75;
+  arc.views = 75;
+  scene.path = arc;
+  return scene;
+}
+
+}  // namespace fencepost::test
