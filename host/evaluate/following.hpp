@@ -1,0 +1,43 @@
+// Which true object each object of the map follows, frame by frame, and how often that changes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/evaluate/frame_truths.hpp"
+#include "host/replay/run_observer.hpp"
+
+namespace fencepost::host {
+
+class Following {
+ public:
+  void clear() { *this = {}; }
+
+  /// One frame: who owns its blobs, and which objects took them.
+  void add(const BlobOwners& owners, std::span<const PlacedSighting> sightings);
+
+  /// Frames in which a blob of that true object was seen.
+  [[nodiscard]] std::uint64_t visible(std::size_t truth) const;
+  /// How often an object took a blob of another true object than the one whose blob it took last. False blobs are no
+  /// one's, and change nothing.
+  [[nodiscard]] std::uint64_t swaps(std::uint32_t id) const;
+  /// Of all objects, also of those that the map has given up.
+  [[nodiscard]] std::uint64_t swaps() const;
+  /// The true object whose blobs it took most often (the first of several); nothing if there were false blobs only.
+  [[nodiscard]] std::optional<std::size_t> follows(std::uint32_t id) const;
+
+ private:
+  struct Track {
+    std::optional<std::size_t> last;
+    std::uint64_t swaps = 0;
+    std::map<std::size_t, std::uint64_t> sightings;  ///< by true object
+  };
+
+  std::map<std::uint32_t, Track> tracks_;
+  std::map<std::size_t, std::uint64_t> visible_;
+};
+
+}  // namespace fencepost::host

@@ -1,0 +1,32 @@
+// Whose blobs these were: for logs that the simulator made, the scene is driven again and tells.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "firmware/recon/frame_queue.hpp"
+#include "host/scene/scene.hpp"
+#include "host/simulate/truth.hpp"
+
+namespace fencepost::host {
+
+/// For each blob of a frame the index of its true object; empty: a false blob.
+using BlobOwners = std::vector<std::optional<std::size_t>>;
+
+class FrameTruths {
+ public:
+  /// Simulates the scene; knows nothing if it has no path or cannot be simulated.
+  explicit FrameTruths(const Scene& scene);
+
+  /// Owners of the frame's blobs in its order; nothing for a frame that this scene does not give. Of two blobs that the
+  /// robot joined, the wider one counts.
+  [[nodiscard]] std::optional<BlobOwners> owners(const recon::WaitingFrame& frame) const;
+
+ private:
+  std::unordered_map<std::uint32_t, FrameTruth> frames_;
+};
+
+}  // namespace fencepost::host

@@ -1,0 +1,27 @@
+// How far one model is from one true footprint. Map frame, metres.
+#pragma once
+
+#include "host/geometry/polygon.hpp"
+
+namespace fencepost::host {
+
+/// Less is no area, m^2: a square of 0.03 mm.
+inline constexpr double kNoArea = 1e-9;
+
+/// Shares in [0, 1]. As it stands: a model that has nothing to say.
+struct Score {
+  double recklessness = 1;  ///< share of the true footprint that the model does not enclose
+  double paranoia = 1;      ///< share of the model that is not that footprint
+  double iou = 0;           ///< area of both over area of either
+};
+
+/// A model without area, or with a coordinate that is not finite, counts 1, 1, 0. Overlapping parts count once.
+Score score(const MultiPolygon& model, const Polygon& footprint);
+
+/// Of the area, holes taken out; of an outline without area its first vertex.
+Point centroid(const Polygon& polygon);
+
+/// From the centroid to the farthest vertex.
+double circumscribed_radius(const Polygon& polygon);
+
+}  // namespace fencepost::host
