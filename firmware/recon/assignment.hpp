@@ -12,10 +12,11 @@ namespace fencepost::recon {
 inline constexpr std::uint8_t kNoMatch = std::numeric_limits<std::uint8_t>::max();
 inline constexpr std::uint8_t kImpossible = std::numeric_limits<std::uint8_t>::max();
 
-/// Leaving a blob unmatched costs this, more than any possible pair: as many pairs as possible, then the cheapest ones.
-inline constexpr std::uint8_t kUnmatchedCost = 210;
+/// Leaving a blob unmatched costs this. A pair that costs more is not made, and a good pair is not given up to find a
+/// partner for a blob that fits nowhere.
+inline constexpr std::uint8_t kUnmatchedCost = 160;
 
-/// `costs[object * blobs + blob]`, kImpossible where the pair cannot be; others below kUnmatchedCost.
+/// `costs[object * blobs + blob]`, kImpossible where the pair cannot be.
 /// Fills `object_of` (one entry a blob; kNoMatch: none). At most 16 blobs and 32 objects; costs about blobs^2 *
 /// (objects
 /// + blobs) steps.

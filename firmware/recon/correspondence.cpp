@@ -32,6 +32,7 @@ constexpr float kSideways = 0.05F;
 
 // Cost of an object whose distance is unknown: any well-placed one goes first.
 constexpr std::uint8_t kUnknownCost = 150;
+constexpr float kUnknownCostNear = 100;
 constexpr float kCostScale = 200.0F;
 // A side that is hidden or not predicted neither speaks for a pair nor against it: as much as one sigma and a half off.
 constexpr float kCostOfUnknownSide = 0.25F;
@@ -127,8 +128,8 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   if (!(far.x() > kSideways)) return prediction;
   const float u_far = column_of(camera, far);
   const float u_near = column_of(camera, near);
-  prediction.left.at = whole_pixels(std::min(u_far, u_near));
-  prediction.right.at = whole_pixels(std::max(u_far, u_near));
+  prediction.left.at = whole_pixels(u_far);
+  prediction.right.at = whole_pixels(u_near);
   prediction.left_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.left_open ? kHiddenRadians : 0.0F)));
   prediction.right_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.right_open ? kHiddenRadians : 0.0F)));
   prediction.possible = true;
@@ -146,11 +147,17 @@ float share_of(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance
   return std::fabs(static_cast<float>(seen - predicted)) / static_cast<float>(tolerance);
 }
 
-bool may_lie_on_bearing(const Prediction& prediction, const Interval& interval) {
-  const int center_twice = interval.left + interval.right;
+// An object without a distance: possible anywhere on its bearing, likelier near where it was seen last.
+std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& interval) {
+  const int twice_center = interval.left + interval.right;
   const int width = interval.right - interval.left;
-  return center_twice > 2 * (prediction.left.at - prediction.left_tolerance) - width &&
-         center_twice < 2 * (prediction.right.at + prediction.right_tolerance) + width;
+  const int low = std::min(prediction.left.at, prediction.right.at) - prediction.left_tolerance;
+  const int high = std::max(prediction.left.at, prediction.right.at) + prediction.right_tolerance;
+  if (twice_center <= 2 * low - width || twice_center >= 2 * high + width) return kImpossible;
+  const float off = 0.5F * static_cast<float>(twice_center) - static_cast<float>(prediction.left.at);
+  const auto reach = static_cast<float>(prediction.left_tolerance + prediction.right_tolerance + width);
+  const float share = std::min(1.0F, std::fabs(off) / reach);
+  return static_cast<std::uint8_t>(kUnknownCostNear + (kUnknownCost - kUnknownCostNear) * share);
 }
 
 }  // namespace
@@ -172,7 +179,7 @@ Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
 
 std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box) {
   if (!prediction.possible) return kImpossible;
-  if (!(prediction.depth > 0)) return may_lie_on_bearing(prediction, interval) ? kUnknownCost : kImpossible;
+  if (!(prediction.depth > 0)) return cost_on_bearing(prediction, interval);
   float off = 0;  // in shares of the tolerances: decides whether the pair is possible
   float ends = 0;
   if (!interval.left_censored) {
@@ -201,7 +208,8 @@ bool covers(const Prediction& prediction, const Interval& interval) {
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {
-  return prediction.possible && interval.right > prediction.left.at && interval.left < prediction.right.at;
+  return prediction.possible && interval.right > std::min(prediction.left.at, prediction.right.at) &&
+         interval.left < std::max(prediction.left.at, prediction.right.at);
 }
 
 }  // namespace fencepost::recon

@@ -18,7 +18,8 @@ struct PredictedLine {
   std::int16_t sigma = 0;  ///< 0: not known
 };
 
-/// Where an object should appear, before any clipping to the image.
+/// Where an object should appear, before any clipping to the image. Without a distance (depth 0) it is somewhere on its
+/// last bearing: `left.at` is then the column of its middle if it is far away, `right.at` if it is as near as may be.
 struct Prediction {
   PredictedLine left;
   PredictedLine right;

@@ -47,7 +47,7 @@ int best_cost(const Problem& problem, std::size_t blob, std::vector<bool>& used)
 }
 
 TEST(Assignment, TheWholeCountsNotTheCheapestPair) {
-  // Blob 0 suits object 0 best (10), but then blob 1 would have to stay alone: 20 + 30 beats 10 + 210.
+  // Blob 0 suits object 0 best (10), but then blob 1 would have to stay alone: 20 + 30 beats 10 + 160.
   const Problem problem{2, 2, {10, 30, 20, kImpossible}};
   EXPECT_EQ(solve(problem), (std::vector<std::uint8_t>{1, 0}));
 }
