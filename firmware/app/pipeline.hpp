@@ -109,6 +109,11 @@ class Pipeline {
 
   /// Handles the oldest waiting frame if its pose is known or will never be. True if it left the queue.
   bool place_next_frame() {
+    return place_next_frame([](const recon::WaitingFrame&) {});
+  }
+  /// The same; `seen(frame)` is called for a frame that the map has taken, with its pieces joined.
+  template <class Seen>
+  bool place_next_frame(Seen&& seen) {
     if (m_.waiting.empty()) return false;
     recon::WaitingFrame& frame = m_.waiting[0];
     const auto pose = m_.poses.at(frame.t - m_.calibration.models[frame.camera].latency);
@@ -120,6 +125,7 @@ class Pipeline {
       return true;
     }
     reconstruct(frame, *pose);
+    seen(frame);
     watch_path(frame.t);
     tell_digest(frame.frame);
     tell_objects(frame.t);

@@ -71,12 +71,7 @@ class ProfileRunner final : public Runner {
   }
 
   bool place_observed() {
-    if (memory_->waiting.empty()) return false;
-    const recon::WaitingFrame frame = memory_->waiting.front();
-    const std::uint32_t before = memory_->map.frames();
-    const bool left = loop_.pipeline().place_next_frame();
-    if (memory_->map.frames() != before) show(frame);
-    return left;
+    return loop_.pipeline().place_next_frame([this](const recon::WaitingFrame& frame) { show(frame); });
   }
 
   void show(const recon::WaitingFrame& frame) {
