@@ -1,22 +1,37 @@
 #include "host/evaluate/frame_truths.hpp"
 
+#include <algorithm>
+
 namespace fencepost::host {
 namespace {
-
-bool same_box(const recon::Box& a, const recon::Box& b) {
-  return a.x1 == b.x1 && a.y1 == b.y1 && a.x2 == b.x2 && a.y2 == b.y2;
-}
-bool same_blobs(const recon::WaitingFrame& a, const recon::WaitingFrame& b) {
-  if (a.blobs.size() != b.blobs.size()) return false;
-  for (std::size_t i = 0; i < a.blobs.size(); ++i) {
-    if (a.blobs[i].signature != b.blobs[i].signature || !same_box(a.blobs[i].box, b.blobs[i].box)) return false;
-  }
-  return true;
-}
 
 bool lies_in(const sensor::Blob& blob, const recon::WaitingBlob& whole) {
   return blob.signature == whole.signature && blob.x1 >= whole.box.x1 && blob.x2 <= whole.box.x2 &&
          blob.y1 >= whole.box.y1 && blob.y2 <= whole.box.y2;
+}
+
+/// A blob of the map's frame is the box around the camera's blobs inside it: one, or the pieces that were joined.
+bool is_box_around_its_parts(const recon::WaitingBlob& whole, const sensor::BlobFrame& parts) {
+  std::optional<recon::Box> around;
+  for (const sensor::Blob& part : parts.blobs) {
+    if (!lies_in(part, whole)) continue;
+    if (!around) around = {part.x1, part.y1, part.x2, part.y2};
+    around = {std::min(around->x1, part.x1), std::min(around->y1, part.y1), std::max(around->x2, part.x2),
+              std::max(around->y2, part.y2)};
+  }
+  return around && around->x1 == whole.box.x1 && around->y1 == whole.box.y1 && around->x2 == whole.box.x2 &&
+         around->y2 == whole.box.y2;
+}
+
+bool same_frame(const sensor::BlobFrame& told, const recon::WaitingFrame& placed) {
+  const auto& blobs = placed.blobs;
+  return told.t == placed.t &&
+         std::all_of(blobs.begin(), blobs.end(),
+                     [&](const recon::WaitingBlob& blob) { return is_box_around_its_parts(blob, told); }) &&
+         std::all_of(told.blobs.begin(), told.blobs.end(), [&](const sensor::Blob& part) {
+           return std::any_of(blobs.begin(), blobs.end(),
+                              [&](const recon::WaitingBlob& blob) { return lies_in(part, blob); });
+         });
 }
 
 /// The blob itself or, where the robot joined several, the widest of them.
@@ -43,8 +58,7 @@ FrameTruths::FrameTruths(const Scene& scene) {
 
 std::optional<BlobOwners> FrameTruths::owners(const recon::WaitingFrame& frame) const {
   const auto truth = frames_.find(frame.frame);
-  if (truth == frames_.end() || truth->second.frame.t != frame.t) return std::nullopt;
-  if (!same_blobs(recon::make_waiting(truth->second.frame, frame.camera), frame)) return std::nullopt;
+  if (truth == frames_.end() || !same_frame(truth->second.frame, frame)) return std::nullopt;
   BlobOwners owners;
   for (const recon::WaitingBlob& blob : frame.blobs) owners.push_back(owner(truth->second, blob));
   return owners;
