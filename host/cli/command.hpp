@@ -29,6 +29,7 @@ Command demo_command();
 Command replay_command();
 Command report_command();
 Command simulate_command();
+Command evaluate_command();
 Command import_command();
 
 }  // namespace fencepost::host::cli

@@ -1,0 +1,126 @@
+// `fencepost evaluate` as its users run it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/host/cli/run.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using nlohmann::json;
+using testing::Folder;
+using testing::Outcome;
+using testing::recording;
+using testing::shell;
+using testing::slurp;
+
+const std::string kLog = recording("noisy_arc.log");
+const std::string kScene = recording("noisy_arc.json");
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(EvaluateCommand, FindsTheSceneBesideTheLog) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost evaluate " + kLog);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.out, "red box: object 1, confirmed")) << run.out;
+  EXPECT_TRUE(holds(run.out, "3 true objects: 3 found, 0 missed; 0 phantoms; 0 identity swaps\n")) << run.out;
+  EXPECT_EQ(shell(folder, "fencepost evaluate " + kLog + " --scene " + kScene).out, run.out);
+  EXPECT_EQ(shell(folder, "fencepost evaluate - --scene " + kScene + " <" + kLog).out, run.out);
+}
+
+TEST(EvaluateCommand, JsonIsTheSameEachTime) {
+  const Folder folder;
+  const std::string line = "fencepost evaluate --views 8,2,8 --json " + kLog + " " + recording("blocks_arc.log");
+  const Outcome run = shell(folder, line + " -o first.json; " + line);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(slurp(folder.path() / "first.json"), run.out);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["views"], json({2, 8}));
+  EXPECT_EQ(document["logs"].size(), 2U);
+  EXPECT_EQ(document["summary"]["objects"], 6);
+  EXPECT_EQ(document["summary"]["swaps"], 0);
+}
+
+TEST(EvaluateCommand, PairsScenesWithLogsInOrder) {
+  const Folder folder;
+  const std::string two = "fencepost evaluate --json " + kLog + " --scene " + kScene + " " + recording("corridor.log") +
+                          " --scene " + recording("corridor.json");
+  const Outcome run = shell(folder, two);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["logs"][0]["objects"].size(), 3U);
+  EXPECT_EQ(document["logs"][1]["objects"].size(), 6U);
+  EXPECT_EQ(document["summary"]["missed"], 0);
+  EXPECT_EQ(shell(folder, two + " " + recording("blocks_arc.log")).exit_code, 2) << "a log without a scene";
+}
+
+TEST(EvaluateCommand, ABoundThatIsExceededFails) {
+  const Folder folder;
+  const std::string only = "fencepost evaluate " + kLog + " --model cylinder ";
+  const json document = json::parse(shell(folder, only + "--json").out);
+  const json& end = document["summary"]["models"].back();
+  EXPECT_EQ(end["model"], "cylinder");
+  EXPECT_EQ(end["views"], nullptr);
+  const double recklessness = end["recklessness"]["mean"];
+  const double paranoia = end["paranoia"]["mean"];
+  ASSERT_GT(recklessness, 0.001);
+  ASSERT_LT(paranoia, 0.9);
+  const auto bounds = [](double r, double p) {
+    return "--max-recklessness " + std::to_string(r) + " --max-paranoia " + std::to_string(p);
+  };
+  EXPECT_EQ(shell(folder, only + bounds(recklessness + 0.001, paranoia + 0.001)).exit_code, 0);
+  const Outcome reckless = shell(folder, only + bounds(recklessness - 0.001, paranoia + 0.001));
+  EXPECT_EQ(reckless.exit_code, 1);
+  EXPECT_TRUE(holds(reckless.err, "bound exceeded: recklessness of cylinder")) << reckless.err;
+  EXPECT_NE(reckless.out, "") << "the measures are still told";
+  EXPECT_EQ(shell(folder, only + bounds(recklessness + 0.001, paranoia - 0.001)).exit_code, 1);
+}
+
+TEST(EvaluateCommand, ABoundOnNothingFails) {
+  const Folder folder;
+  // Truth far away and of a colour that was never seen: nothing found, nothing missed.
+  ASSERT_EQ(shell(folder,
+                  "printf '%s' '{\"format\": 1, \"seed\": 1, \"camera\": {\"width\": 316, \"height\": 208, "
+                  "\"fx\": 273.6, \"fy\": 273.6, \"cx\": 157.5, \"cy\": 103.5}, \"signatures\": [{\"id\": 9, "
+                  "\"name\": \"grey\", \"rgb\": \"808080\"}], \"objects\": [{\"name\": \"far\", \"signature\": "
+                  "9, \"height\": 0.1, \"footprint\": {\"circle\": [9, 9, 0.1]}}]}' >far.json")
+                .exit_code,
+            0);
+  const Outcome run = shell(folder, "fencepost evaluate " + kLog + " --scene far.json --max-recklessness 1");
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_TRUE(holds(run.err, "no object was measured")) << run.err;
+  EXPECT_TRUE(holds(run.out, "far: not found, visible in 0 frames")) << run.out;
+}
+
+TEST(EvaluateCommand, UsageErrorsEndWithTwo) {
+  const Folder folder;
+  for (const std::string& arguments : std::vector<std::string>{
+           "", kLog + " --views 0", kLog + " --views 2,x", kLog + " --views", kLog + " --max-recklessness 2",
+           kLog + " --max-paranoia -0.1", kLog + " --model no_such", kLog + " --scene " + kScene + " --scene " + kScene,
+           "-", "- --scene -", kLog + " --profile huge"}) {
+    const Outcome run = shell(folder, "fencepost evaluate " + arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments << "\n" << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_NE(run.err, "") << arguments;
+  }
+}
+
+TEST(EvaluateCommand, UnreadableInputEndsWithThree) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "cp " + kLog + " alone.log; echo '{' >bad.json; echo text >text.log").exit_code, 0);
+  for (const std::string& arguments :
+       std::vector<std::string>{"alone.log", "missing.log --scene " + kScene, kLog + " --scene missing.json",
+                                kLog + " --scene bad.json", "text.log --scene " + kScene, ". --scene " + kScene}) {
+    const Outcome run = shell(folder, "fencepost evaluate " + arguments);
+    EXPECT_EQ(run.exit_code, 3) << arguments << "\n" << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+  }
+  EXPECT_TRUE(holds(shell(folder, "fencepost evaluate alone.log").err, "--scene")) << "says what to try";
+}
+
+}  // namespace
+}  // namespace fencepost::host
