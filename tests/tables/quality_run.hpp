@@ -1,0 +1,33 @@
+// One random scene at one noise level: simulated, replayed, measured.
+#pragma once
+
+#include <string>
+
+#include "host/evaluate/evaluate.hpp"
+#include "tests/tables/noise_levels.hpp"
+
+namespace fencepost::test {
+
+/// Where the reconstruction learns which ends of a blob are hidden.
+enum class OcclusionFlags {
+  kInferred,  ///< from the frame alone, as on the robot
+  kTrue,      ///< from the simulator; needs a door into the map that is not there yet
+};
+
+struct QualityOptions {
+  OcclusionFlags flags = OcclusionFlags::kInferred;
+  std::string profile = "full";
+  std::string dump;  ///< a folder for each scene and its log, to look closer with `fencepost evaluate`; empty: none
+};
+
+/// Columns of the tables; the last one is the end of the circle of 75 views.
+inline const std::vector<std::uint32_t> kTableViews{2, 4, 8, 18};
+
+/// The same seed gives the same scene and the same draws at every level. Beside the models there is one more,
+/// kHullLimit: the convex hull of the truth, the best that silhouettes can give.
+/// errors: throws std::runtime_error with a sentence, also for flags that cannot be given.
+host::Evaluation run_scene(unsigned seed, const NoiseLevel& level, const QualityOptions& options);
+
+inline constexpr const char* kHullLimit = "(convex hull of truth: limit)";
+
+}  // namespace fencepost::test
