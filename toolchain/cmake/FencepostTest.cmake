@@ -7,5 +7,6 @@ function(fencepost_test name)
   target_compile_definitions(${name} PRIVATE
     FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FENCEPOST_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
+  # Cases are numbered, not named by their values, which may be whole documents.
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
