@@ -12,10 +12,12 @@ struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
   static constexpr std::size_t kSignatures = 4;
-  static constexpr std::size_t kPoses = 24;           ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
-  static constexpr std::size_t kPending = 6;          ///< tangents kept until an object has a place
-  static constexpr std::size_t kClipVertices = 24;    ///< 8 bytes each; more edges than that are given up
-  static constexpr std::size_t kGridCells = 32;       ///< a side: 128 bytes
+  static constexpr std::size_t kPoses = 24;         ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
+  static constexpr std::size_t kPending = 6;        ///< tangents kept until an object has a place
+  static constexpr std::size_t kClipVertices = 24;  ///< 8 bytes each; more edges than that are given up
+  static constexpr std::size_t kGridCells = 32;     ///< a side: 128 bytes
+  static constexpr std::size_t kSheafViews = 0;     ///< no room: the sheaf is absent
+  static constexpr std::size_t kSheafPosts = 0;
   static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
   static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included
   static constexpr std::size_t kHybridReserve = 512;  ///< bytes an object, for the tangent-space filter
@@ -31,6 +33,8 @@ struct Small {
   static constexpr std::size_t kPending = 16;
   static constexpr std::size_t kClipVertices = 96;
   static constexpr std::size_t kGridCells = 64;
+  static constexpr std::size_t kSheafViews = 24;  ///< 32 bytes each; one every 15 degrees of a whole tour
+  static constexpr std::size_t kSheafPosts = 48;  ///< vertices of its hull, no part of Memory: two for each view
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kBudget = 64 * 1024;
   static constexpr std::size_t kHybridReserve = 1200;
@@ -46,6 +50,8 @@ struct Full {
   static constexpr std::size_t kPending = 64;
   static constexpr std::size_t kClipVertices = 192;  ///< 75 views of a round object need at most 154
   static constexpr std::size_t kGridCells = 128;
+  static constexpr std::size_t kSheafViews = 75;  ///< 32 bytes each; the paper's tour, whole
+  static constexpr std::size_t kSheafPosts = 192;
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kBudget = 320 * 1024;
   static constexpr std::size_t kHybridReserve = 1200;

@@ -33,6 +33,8 @@ constexpr float kSideways = 0.05F;
 // Cost of an object whose distance is unknown: any well-placed one goes first.
 constexpr std::uint8_t kUnknownCost = 150;
 constexpr float kUnknownCostNear = 100;
+// Relative change of depth between sightings that its rows are expected to show.
+constexpr float kRowChange = 0.15F;
 constexpr float kCostScale = 200.0F;
 // A side that is hidden or not predicted neither speaks for a pair nor against it: as much as one sigma and a half off.
 constexpr float kCostOfUnknownSide = 0.25F;
@@ -119,7 +121,8 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
 }
 
 // No distance yet: the object is somewhere on its last bearing.
-Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object) {
+Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                           const MeasurementNoise& noise) {
   const Vec2 lens = offset_from(object.origin, pose.anchor) + pose.lens;
   const Vec2 nearest = object.last_lens + kNearestUnknown * object.last_bearing - lens;
   const Vec2 far = to_camera(pose, object.last_bearing);
@@ -132,6 +135,11 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   prediction.right.at = whole_pixels(u_near);
   prediction.left_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.left_open ? kHiddenRadians : 0.0F)));
   prediction.right_tolerance = whole_pixels(camera.fx * (kSlackRadians + (object.right_open ? kHiddenRadians : 0.0F)));
+  // Without a distance the rows stay about where they were.
+  const HeightBand::Sums& top = object.band.top();
+  const HeightBand::Sums& bottom = object.band.bottom();
+  if (top.views > 0) prediction.top = predict_row(camera, top.drop / top.views, kRowChange, noise);
+  if (bottom.views > 0) prediction.bottom = predict_row(camera, bottom.drop / bottom.views, kRowChange, noise);
   prediction.possible = true;
   return prediction;
 }
@@ -148,7 +156,7 @@ float share_of(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance
 }
 
 // An object without a distance: possible anywhere on its bearing, likelier near where it was seen last.
-std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& interval) {
+std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& interval, const Box& box) {
   const int twice_center = interval.left + interval.right;
   const int width = interval.right - interval.left;
   const int low = std::min(prediction.left.at, prediction.right.at) - prediction.left_tolerance;
@@ -157,7 +165,9 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
   const float off = 0.5F * static_cast<float>(twice_center) - static_cast<float>(prediction.left.at);
   const auto reach = static_cast<float>(prediction.left_tolerance + prediction.right_tolerance + width);
   const float share = std::min(1.0F, std::fabs(off) / reach);
-  return static_cast<std::uint8_t>(kUnknownCostNear + (kUnknownCost - kUnknownCostNear) * share);
+  const float cost = share + cost_of_side(box.y1, interval.top_censored, prediction.top) +
+                     cost_of_side(box.y2, interval.bottom_censored, prediction.bottom);
+  return static_cast<std::uint8_t>(kUnknownCostNear + (kUnknownCost - kUnknownCostNear) / 3 * cost);
 }
 
 }  // namespace
@@ -165,7 +175,7 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const MeasurementNoise& noise) {
   if (object.cylinder.estimate().ok()) return predict_cylinder(camera, pose, object, noise);
-  return predict_bearing(camera, pose, object);
+  return predict_bearing(camera, pose, object, noise);
 }
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
@@ -179,7 +189,7 @@ Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
 
 std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box) {
   if (!prediction.possible) return kImpossible;
-  if (!(prediction.depth > 0)) return cost_on_bearing(prediction, interval);
+  if (!(prediction.depth > 0)) return cost_on_bearing(prediction, interval, box);
   float off = 0;  // in shares of the tolerances: decides whether the pair is possible
   float ends = 0;
   if (!interval.left_censored) {

@@ -100,4 +100,14 @@ void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents) {
   }
 }
 
+void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views) {
+  hash.u16(static_cast<std::uint16_t>(views.size()));
+  for (const SheafView& view : views) {
+    hash_vec(hash, view.lens);
+    hash_vec(hash, view.bearing);
+    hash_vec(hash, view.left);
+    hash_vec(hash, view.right);
+  }
+}
+
 }  // namespace fencepost::recon

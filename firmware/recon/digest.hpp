@@ -2,7 +2,7 @@
 // fixed by stream format 1 (host/share/doc/digest.md):
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   each object seen in the frame: its core (identity, counters, origin, equations, estimate);
-//   one slot in turn (frame count modulo capacity), if used: its core, clip and grid.
+//   one slot in turn (frame count modulo capacity), if used: its core, sheaf, clip and grid.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,13 @@ void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices);
 void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t placements,
                std::span<const std::uint32_t> words);
 void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents);
+void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
 
 template <class Profile>
 void hash_object(base::Fnv1a64& hash, const Object<Profile>& object) {
   hash_core(hash, object);
   hash_pending(hash, object.pending.view());
+  if constexpr (Profile::kSheafViews > 0) hash_sheaf(hash, object.sheaf.view());
   if (!object.placed()) return;
   hash_clip(hash, object.clip.vertices());
   hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());

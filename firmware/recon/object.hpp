@@ -8,6 +8,7 @@
 #include "firmware/recon/cylinder.hpp"
 #include "firmware/recon/cylinder_paper.hpp"
 #include "firmware/recon/height_band.hpp"
+#include "firmware/recon/sheaf.hpp"
 #include "firmware/recon/sighting.hpp"
 #include "hal/base/fixed.hpp"
 #include "hal/base/units.hpp"
@@ -67,6 +68,7 @@ struct Object : ObjectCore {
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen before there was a place
   ConvexClip<Profile::kClipVertices> clip;
   CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
 
   /// Starts a new object at its first sighting.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
@@ -74,6 +76,7 @@ struct Object : ObjectCore {
     pending.clear();
     clip.clear();
     grid.clear();
+    sheaf.clear();
     id = new_id;
     signature = new_signature;
     last_seen = t;
@@ -87,6 +90,7 @@ struct Object : ObjectCore {
     const Vec2 lens = sighting.lens_from(origin);
     cylinder.add(sighting, origin, views == 0 ? 1.0F : novelty(lens), noise);
     cylinder_paper.add(sighting, origin);
+    sheaf.add(sighting, origin);
     band.add(sighting, origin);
     cylinder.solve(lens);
     last_lens = lens;
@@ -118,6 +122,7 @@ struct Object : ObjectCore {
     last_lens -= shift;
     cylinder.move_origin(shift);
     cylinder_paper.move_origin(shift);
+    sheaf.move_origin(shift);
     band.move_origin(shift);
     clip.start();
     grid.start();
