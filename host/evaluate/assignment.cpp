@@ -32,7 +32,8 @@ class Hungarian {
 
   [[nodiscard]] double cost(std::size_t row, std::size_t column) const {
     if (column < real_) return costs_[row][column];
-    return column - real_ == row ? alone_ : kNeverPaired;
+    if (column - real_ == row) return alone_;
+    return kNeverPaired;
   }
 
   // Grows a tree of cheapest alternating paths from `row` until a free column is reached, then flips the path.

@@ -18,7 +18,8 @@ double cost(const ObjectResult& object, Point place, const SceneObject& truth) {
   const Point center = centroid(truth.footprint);
   const double share =
       std::hypot(place.x - center.x, place.y - center.y) / (circumscribed_radius(truth.footprint) + kMatchMargin);
-  return share <= 1 ? share : kNeverPaired;
+  if (share <= 1) return share;
+  return kNeverPaired;
 }
 
 void match_some(const std::vector<ObjectResult>& objects, const Scene& truth, bool tentative, std::vector<bool>& taken,

@@ -54,11 +54,8 @@ void run(const Request& request) {
   }
 }
 
-}  // namespace
-}  // namespace fencepost::test
-
-int main(int argc, char** argv) {
-  fencepost::test::Request request;
+int run_program(int argc, char** argv) {
+  Request request;
   CLI::App app("R / P / IoU of every model on random scenes, a table a noise level");
   app.add_option("--scenes", request.scenes, "scenes a table, three objects each")->capture_default_str();
   app.add_option("--first-seed", request.first_seed, "seed of the first scene")->capture_default_str();
@@ -71,12 +68,19 @@ int main(int argc, char** argv) {
   app.add_option("--profile", request.options.profile, "capacities of the robot")->capture_default_str();
   app.add_option("--dump", request.options.dump, "a folder for the scenes and logs, for fencepost evaluate");
   CLI11_PARSE(app, argc, argv);
-  if (request.flags == "true") request.options.flags = fencepost::test::OcclusionFlags::kTrue;
+  if (request.flags == "true") request.options.flags = OcclusionFlags::kTrue;
+  run(request);
+  return 0;
+}
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) {
   try {
-    fencepost::test::run(request);
+    return fencepost::test::run_program(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "quality_table: {}\n", error.what());
+    static_cast<void>(std::fprintf(stderr, "quality_table: %s\n", error.what()));
     return 1;
   }
-  return 0;
 }
