@@ -33,8 +33,8 @@ struct Small {
   static constexpr std::size_t kPending = 16;
   static constexpr std::size_t kClipVertices = 96;
   static constexpr std::size_t kGridCells = 64;
-  static constexpr std::size_t kSheafViews = 24;  ///< 32 bytes each; one every 15 degrees of a whole tour
-  static constexpr std::size_t kSheafPosts = 48;  ///< vertices of its hull, no part of Memory: two for each view
+  static constexpr std::size_t kSheafViews = 36;  ///< 32 bytes each; one every 10 degrees of a whole tour
+  static constexpr std::size_t kSheafPosts = 72;  ///< vertices of its hull, no part of Memory: two for each view
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kBudget = 64 * 1024;
   static constexpr std::size_t kHybridReserve = 1200;
