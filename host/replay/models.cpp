@@ -18,6 +18,14 @@ Point to_map(recon::MapPoint origin, double x, double y) {
           static_cast<double>(origin.y) / recon::kMapUnitsPerMetre + y};
 }
 
+Polygon map_polygon(recon::MapPoint origin, std::span<const recon::Vec2> vertices) {
+  Polygon polygon;
+  for (const recon::Vec2& v : vertices) {
+    polygon.outer.push_back(to_map(origin, static_cast<double>(v.x()), static_cast<double>(v.y())));
+  }
+  return polygon;
+}
+
 void set_circle(ModelResult& model, Point center, double radius) {
   model.circle = Circle{center, radius};
   // The polygon's area is n/2 R^2 sin(2 pi / n); R makes it pi r^2.
@@ -161,11 +169,17 @@ ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::V
     model.reason = object.placed() ? "contradictory wedges carved everything away" : "no place yet";
     return model;
   }
-  Polygon polygon;
-  for (const recon::Vec2& v : vertices) {
-    polygon.outer.push_back(to_map(object.origin, static_cast<double>(v.x()), static_cast<double>(v.y())));
-  }
-  model.geometry.push_back(std::move(polygon));
+  model.geometry.push_back(map_polygon(object.origin, vertices));
+  return model;
+}
+
+ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
+                        recon::SheafRefusal refusal) {
+  ModelResult model;
+  model.name = std::move(name);
+  model.reason = std::string(recon::name(refusal));
+  if (refusal != recon::SheafRefusal::kNone) return model;
+  model.geometry.push_back(map_polygon(object.origin, hull));
   return model;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "firmware/recon/object.hpp"
 #include "host/result/result.hpp"
@@ -12,6 +13,10 @@ namespace fencepost::host {
 ModelResult cylinder_model(const recon::ObjectCore& object);
 ModelResult cylinder_paper_model(const recon::ObjectCore& object);
 ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::Vec2> vertices);
+
+/// The convex hull of a sheaf's posts; `name` is sheaf or sheaf_paper.
+ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
+                        recon::SheafRefusal refusal);
 
 /// Outline of the solid cells, holes included.
 ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,

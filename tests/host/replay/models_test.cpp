@@ -76,6 +76,18 @@ TEST(Models, SayWhyTheyAreEmpty) {
   EXPECT_EQ(host::carve_model(nothing, {}, kCells, words).reason, "no place yet");
   EXPECT_EQ(host::clip_model(placed_object(), {}).reason, "contradictory wedges carved everything away");
   EXPECT_FALSE(host::cylinder_paper_model(nothing).circle.has_value());
+  EXPECT_EQ(host::sheaf_model(nothing, "sheaf", {}, recon::SheafRefusal::kFewPosts).reason, "fewer than three posts");
+}
+
+TEST(SheafModel, IsTheHullInTheMapFrame) {
+  const std::array<recon::Vec2, 3> hull{{{0, 0}, {0.2F, 0}, {0, 0.1F}}};
+  const host::ModelResult model = host::sheaf_model(placed_object(), "sheaf_paper", hull, recon::SheafRefusal::kNone);
+  EXPECT_EQ(model.name, "sheaf_paper");
+  ASSERT_EQ(model.geometry.size(), 1U);
+  EXPECT_NEAR(model.geometry[0].outer[1].x, 1.2, 1e-6);
+  EXPECT_NEAR(model.geometry[0].outer[2].y, -1.9, 1e-6);
+  EXPECT_NEAR(host::area(model.geometry), 0.01, 1e-7);
+  EXPECT_TRUE(model.reason.empty());
 }
 
 }  // namespace

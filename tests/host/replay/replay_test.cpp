@@ -149,6 +149,26 @@ TEST(Replay, TheBlocksWorldIsFound) {
   }
 }
 
+TEST(Replay, SheafIsAbsentInMicroAndFindsTheBlocksElsewhere) {
+  for (const char* profile : {"micro", "small", "full"}) {
+    const ReplayOutcome outcome = replay(recording("blocks_arc"), "blocks_arc", with(profile));
+    ASSERT_FALSE(outcome.result.objects.empty());
+    for (const host::ObjectResult& object : outcome.result.objects) {
+      if (object.views < 40) continue;
+      SCOPED_TRACE(std::string(profile) + " " + std::to_string(object.id));
+      for (const char* name : {"sheaf", "sheaf_paper"}) {
+        const host::ModelResult* sheaf = model(object, name);
+        ASSERT_EQ(sheaf == nullptr, std::string(profile) == "micro");
+        if (sheaf == nullptr) continue;
+        ASSERT_EQ(sheaf->geometry.size(), 1U) << sheaf->reason;
+        EXPECT_FALSE(host::find_invalidity(sheaf->geometry[0]).has_value());
+        const host::MultiPolygon& clip = model(object, "clip")->geometry;
+        EXPECT_GT(host::intersection_area(sheaf->geometry, clip), 0.8 * host::area(clip)) << name;
+      }
+    }
+  }
+}
+
 TEST(Replay, FirstNFramesEqualALogCutThere) {
   const std::string log = recording("blocks_arc");
   ReplayOptions options;
