@@ -127,27 +127,43 @@ TEST(PlaneSheaf, SaysWhyItIsEmpty) {
   EXPECT_TRUE(sheaf.hull().empty());
 }
 
-TEST(PlaneSheaf, APostFarFromTheOthersIsTrimmed) {
-  std::vector<SheafPlane> planes;
-  for (const double angle : {0, 60, 120, 180, 240, 300}) {
-    planes.push_back({0.1F * unit(angle * kDegree), 0.12F * unit(angle * kDegree), true, true});
+// Eight posts 0.1 m from the middle at 22.5, 67.5, ... degrees, and four on one line through it at 0.249 and 0.251 m.
+// The middle two of the twelve x are -0.1 sin(22.5 deg) and 0.1 sin(22.5 deg), of the radii 0.1 and 0.1: the medians
+// are 0 and 0.1, and 2.5 x 0.1 = 0.25 lies between the far ones. The same in every direction of the axis.
+TEST(PlaneSheaf, PostsFarFromTheOthersAreTrimmed) {
+  for (const double turn : {0.0, 31.0, 200.0}) {
+    const auto post = [&](double radius, double angle) -> Vec2 {
+      return static_cast<float>(radius) * unit((angle + turn) * kDegree) + Vec2{0.5F, -0.25F};
+    };
+    std::vector<SheafPlane> planes;
+    for (const double angle : {22.5, 67.5, 112.5, 157.5}) {
+      planes.push_back({post(0.1, angle), post(0.1, angle + 180), true, true});
+    }
+    planes.push_back({post(0.249, 0), post(0.251, 0), true, true});
+    planes.push_back({post(0.251, 180), post(0.249, 180), true, true});
+    planes.push_back({{90, 90}, {90, 90}, false, false});
+    std::vector<float> scratch(2 * planes.size());
+    recon::trim_posts(planes, unit(turn * kDegree), scratch);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(planes[i].whole()) << i;
+    EXPECT_TRUE(planes[4].has_left);
+    EXPECT_FALSE(planes[4].has_right);
+    EXPECT_FALSE(planes[5].has_left);
+    EXPECT_TRUE(planes[5].has_right);
+    EXPECT_FALSE(planes[6].any());
   }
-  planes.push_back({{0.27F, 0}, {0.28F, 0}, true, true});
-  planes.push_back({{0, 0}, {3, 3}, false, false});
-  std::vector<float> scratch(2 * planes.size());
-  // Along x: -0.12 -0.1, 4 x -0.06..-0.05, 4 x 0.05..0.06, 0.1 0.12 0.27 0.28: the middle two of 14 are 0.05 and 0.05.
-  // From (0.05, 0) the radii are 0.05 0.07, 8 x 0.0866..0.1114 and 0.1375..0.23: the median is 0.1114 at most.
-  recon::trim_posts(planes, {1, 0}, scratch);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(planes[i].whole()) << i;
-  EXPECT_TRUE(planes[6].whole());
-  planes[6].right = {0.9F, 0};
-  recon::trim_posts(planes, {1, 0}, scratch);
-  EXPECT_TRUE(planes[6].has_left);
-  EXPECT_FALSE(planes[6].has_right);
-  EXPECT_FALSE(planes[7].any());
-  std::vector<SheafPlane> few{{{0, 0}, {1, 0}, true, true}, {{0, 1}, {90, 0}, true, true}};
+}
+
+TEST(PlaneSheaf, AmongFivePostsNoneIsWild) {
+  std::vector<SheafPlane> few{
+      {{0, 0}, {1, 0}, true, true}, {{0, 1}, {90, 0}, true, true}, {{1, 1}, {0, 0}, true, false}};
+  std::vector<float> scratch(6);
   recon::trim_posts(few, {1, 0}, scratch);
-  EXPECT_TRUE(few[0].whole() && few[1].whole());  // too few to tell which is wild
+  EXPECT_TRUE(few[1].whole());
+  few.push_back({{0, 2}, {0, 0}, true, false});
+  scratch.resize(8);
+  recon::trim_posts(few, {1, 0}, scratch);
+  EXPECT_TRUE(few[1].has_left);
+  EXPECT_FALSE(few[1].has_right);
 }
 
 // ---- the store
