@@ -177,7 +177,8 @@ TEST(Pipeline, TheAlertComesWithTheConfirmingFrame) {
   }
   // 0.2 m away the foot of the post is below the image; that it is, tells that the post is near.
   const std::string text = bench.output();
-  EXPECT_EQ(text.rfind("STOP    red  0.", 0), 0U) << text << name(bench.memory->map.slots()[0].cylinder.estimate().refusal);
+  EXPECT_EQ(text.rfind("STOP    red  0.", 0), 0U)
+      << text << name(bench.memory->map.slots()[0].cylinder.estimate().refusal);
 }
 
 TEST(Pipeline, KeepsWarningWhenTheCameraFallsSilent) {
