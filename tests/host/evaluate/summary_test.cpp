@@ -48,27 +48,31 @@ Evaluation log_of(std::vector<ObjectEvaluation> objects) {
   return evaluation;
 }
 
+// The row of that many views, alive as long as `summary`.
 const SummaryRow& row_at(const Summary& summary, std::optional<std::uint32_t> views) {
   for (const SummaryRow& row : summary.rows) {
     if (row.views == views) return row;
   }
   throw std::out_of_range("no such row");
 }
+const SummaryRow& row_at(Summary&&, std::optional<std::uint32_t>) = delete;
 
 // 0.2 and 0.4: mean 0.3, deviations 0.1 and 0.1, variance (0.01 + 0.01) / 1, of the mean 0.02 / 2 = 0.1^2.
 TEST(Summary, GivesMeansWithStandardErrors) {
   const std::vector<Evaluation> logs{log_of({found(1, 0.2)}), log_of({found(2, 0.4)})};
-  const SummaryRow& row = row_at(summarise(logs, kViews), 8);
+  const Summary summary = summarise(logs, kViews);
+  const SummaryRow& row = row_at(summary, 8);
   EXPECT_NEAR(row.recklessness.mean, 0.3, 1e-12);
   EXPECT_NEAR(row.recklessness.standard_error.value(), 0.1, 1e-12);
   EXPECT_EQ(row.recklessness.n, 2U);
   EXPECT_NEAR(row.paranoia.standard_error.value(), 0, 1e-12);
-  EXPECT_NEAR(row_at(summarise(logs, kViews), std::nullopt).recklessness.mean, 0.15, 1e-12);
+  EXPECT_NEAR(row_at(summary, std::nullopt).recklessness.mean, 0.15, 1e-12);
 }
 
 TEST(Summary, OneObjectHasNoStandardError) {
   const std::vector<Evaluation> logs{log_of({found(1, 0.2)})};
-  EXPECT_EQ(row_at(summarise(logs, kViews), 8).recklessness.standard_error, std::nullopt);
+  const Summary summary = summarise(logs, kViews);
+  EXPECT_EQ(row_at(summary, 8).recklessness.standard_error, std::nullopt);
 }
 
 // R: (0.2 + 1) / 2, P: (0.5 + 1) / 2, IoU: (0.25 + 0) / 2; there is no place whose error could count.
