@@ -5,8 +5,6 @@
 namespace fencepost::config {
 namespace {
 
-constexpr std::string_view kSwitch = "on|off";
-
 float power_of_ten(std::int32_t n) {
   float value = 1;
   for (; n > 0; --n) value *= 10;

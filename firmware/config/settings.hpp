@@ -26,9 +26,12 @@ enum class Key : std::uint8_t {
 };
 inline constexpr std::size_t kKeys = 11;
 
+/// The unit of settings that are on or off.
+inline constexpr std::string_view kSwitch = "on|off";
+
 struct KeyInfo {
   std::string_view name;
-  std::string_view unit;      ///< "on|off" for switches
+  std::string_view unit;      ///< kSwitch for switches
   std::int32_t decimals = 0;  ///< values are counts of 10^-decimals
   std::int32_t initial = 0;
   std::int32_t low = 0;
@@ -48,7 +51,7 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"confirm.k", "", 0, 3, 1, 16, "sightings that confirm an object"},
     {"confirm.n", "", 0, 5, 1, 16, "among this many frames"},
     {"alert.rate", "/s", 0, 5, 1, 50, "repeated alerts of one object"},
-    {"correct.pose", "on|off", 0, 0, 0, 1, "correct the pose by landmarks seen again"},
+    {"correct.pose", kSwitch, 0, 0, 0, 1, "correct the pose by landmarks seen again"},
 }};
 
 constexpr const KeyInfo& info(Key key) { return kKeyInfo[static_cast<std::size_t>(key)]; }

@@ -2,6 +2,13 @@
 
 namespace fencepost::record {
 
+bool inside_image(const sensor::BlobFrame& frame, std::uint16_t width, std::uint16_t height) {
+  for (const sensor::Blob& blob : frame.blobs) {
+    if (blob.x1 < 0 || blob.y1 < 0 || blob.x2 >= width || blob.y2 >= height) return false;
+  }
+  return true;
+}
+
 std::optional<Reject> RunRules::admit(const Header& /*record*/) {
   *this = {};
   return std::nullopt;
@@ -19,12 +26,7 @@ std::optional<Reject> RunRules::admit(const sensor::OdometrySample& record) {
 }
 
 std::optional<Reject> RunRules::admit(const sensor::BlobFrame& record) {
-  if (image_) {
-    for (const sensor::Blob& blob : record.blobs) {
-      const bool inside = blob.x1 >= 0 && blob.y1 >= 0 && blob.x2 < image_->width && blob.y2 < image_->height;
-      if (!inside) return Reject::kRange;
-    }
-  }
+  if (image_ && !inside_image(record, image_->width, image_->height)) return Reject::kRange;
   if (last_frame_ && record.t <= *last_frame_) return Reject::kTime;
   last_frame_ = record.t;
   return std::nullopt;

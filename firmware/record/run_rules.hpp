@@ -8,6 +8,9 @@
 
 namespace fencepost::record {
 
+/// All boxes lie within an image of that size.
+[[nodiscard]] bool inside_image(const sensor::BlobFrame& frame, std::uint16_t width, std::uint16_t height);
+
 /// Each `admit` takes a record into account, or returns why it must not be used and then changes nothing.
 class RunRules {
  public:
