@@ -5,6 +5,8 @@ namespace fencepost::app {
 using config::Key;
 using record::AlertLevel;
 
+bool credible(const recon::ObjectCore& object) { return object.confirmed && object.missed_in_a_row < kGoneAfterMisses; }
+
 AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack) {
   if (!obstacle.known) return AlertLevel::kClear;
   const auto near = [&](Key key) { return obstacle.distance <= slack * settings.number(key); };
@@ -22,24 +24,24 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
     state = AlertState{};
     state.id = object.id;
   }
-  const bool credible = object.confirmed && object.missed_in_a_row < kGoneAfterMisses;
-  const AlertLevel due = credible ? level_for(obstacle, settings, 1.0F) : AlertLevel::kClear;
+  const bool believed = credible(object);
+  const AlertLevel due = believed ? level_for(obstacle, settings, 1.0F) : AlertLevel::kClear;
   if (due > state.level) {
     state.level = due;
     state.easing = false;
-    state.said_at = now;
+    state.said_at = Stamp(now);
     return due;
   }
-  const AlertLevel held = credible ? level_for(obstacle, settings, kHysteresis) : AlertLevel::kClear;
+  const AlertLevel held = believed ? level_for(obstacle, settings, kHysteresis) : AlertLevel::kClear;
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;
-      state.easing_since = now;
+      state.easing_since = Stamp(now);
     }
-    if (now - state.easing_since >= kEaseAfter) {
+    if (state.easing_since.since(now) >= kEaseAfter) {
       state.level = held;
       state.easing = false;
-      state.said_at = now;
+      state.said_at = Stamp(now);
       return held;
     }
   } else {
@@ -47,8 +49,8 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   }
   base::Duration interval{base::Time::kPerUnit / settings.raw(Key::kAlertRate)};
   if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
-  if (state.level > AlertLevel::kClear && now - state.said_at >= interval) {
-    state.said_at = now;
+  if (state.level > AlertLevel::kClear && state.said_at.since(now) >= interval) {
+    state.said_at = Stamp(now);
     return state.level;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "firmware/app/obstacle.hpp"
+#include "firmware/app/stamp.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/base/units.hpp"
@@ -16,8 +17,8 @@ struct AlertState {
   std::uint32_t id = 0;  ///< 0: nothing yet
   record::AlertLevel level = record::AlertLevel::kClear;
   bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
-  base::Time easing_since;
-  base::Time said_at;
+  Stamp easing_since;
+  Stamp said_at;
 };
 
 /// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
@@ -29,6 +30,9 @@ inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 
 /// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
 inline constexpr std::uint16_t kGoneAfterMisses = 12;
+
+/// Worth an alert: confirmed, and not gone from where it should be.
+[[nodiscard]] bool credible(const recon::ObjectCore& object);
 
 /// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
 /// anything else as near as alert.warn is worth a notice.

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "firmware/app/alerts.hpp"
+#include "firmware/app/console_state.hpp"
+#include "firmware/app/counters.hpp"
 #include "firmware/app/output_queue.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
@@ -16,33 +18,11 @@
 
 namespace fencepost::app {
 
-/// Why a well-formed frame was not used.
-enum class Refusal : std::uint8_t { kNoPose, kOdometryGap, kNoCamera, kQueue };
-inline constexpr std::size_t kRefusals = 4;
-
-/// Since boot.
-struct Counters {
-  std::uint32_t frames = 0;  ///< frames used
-  std::uint32_t blobs = 0;   ///< blobs in them
-  std::uint32_t blobs_dropped = 0;
-  std::uint32_t odometry = 0;
-  std::uint32_t rejected = 0;
-  std::array<std::uint32_t, kRefusals> refused{};
-  std::uint32_t records_dropped = 0;
-  std::uint32_t loop_us_max = 0;
-
-  [[nodiscard]] std::uint32_t refused_in_all() const {
-    std::uint32_t sum = 0;
-    for (const std::uint32_t count : refused) sum += count;
-    return sum;
-  }
-};
-
 /// What was last reported of one object.
 struct ReportState {
   std::uint32_t id = 0;
   record::ObjectState state = record::ObjectState::kTentative;
-  base::Time at;
+  Stamp at;
 };
 
 /// The calibration in force and the one before it, which frames that still wait may need.
@@ -55,13 +35,17 @@ struct Calibration {
 
 /// The clock of the run and what has been told when. Stream times.
 struct Run {
-  std::optional<base::Time> time;          ///< the latest t of any input
-  const record::Header* header = nullptr;  ///< still to be told
-  base::Time watched_at;
-  base::Time status_at;
-  base::Time calibration_at;
+  std::optional<base::Time> time;        ///< the latest t of any input
+  std::optional<base::Time> last_frame;  ///< t of the latest frame
+  const record::Header* header = nullptr;
+  Stamp watched_at;
+  Stamp status_at;
+  Stamp calibration_at;
   std::uint8_t telling = 0;  ///< next calibration record to tell
   bool told = false;         ///< all of them are queued
+  bool header_due = false;   ///< the header is still to be told
+  bool whole = true;         ///< every input of this run was used in mode log
+  bool testing = false;      ///< the inputs are those of the self-test
 };
 
 template <class Profile>
@@ -77,13 +61,13 @@ struct Memory {
   std::array<AlertState, Profile::kObjects> alerts{};
   std::array<ReportState, Profile::kObjects> reports{};
   Counters counters;
+  ConsoleState console;
   OutputQueue<Profile::kOutputBytes> output;
 };
 
-/// What is still to come into the same budget: the console's input line, the hybrid, the pose correction.
+/// What is still to come into the same budget: the hybrid, the pose correction.
 template <class Profile>
-inline constexpr std::size_t kReserved =
-    record::kMaxLine + Profile::kObjects* Profile::kHybridReserve + Profile::kPoseReserve;
+inline constexpr std::size_t kReserved = Profile::kObjects* Profile::kHybridReserve + Profile::kPoseReserve;
 
 template <class Profile>
 inline constexpr bool kFits = sizeof(Memory<Profile>) + kReserved<Profile> <= Profile::kBudget;

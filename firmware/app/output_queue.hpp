@@ -1,12 +1,14 @@
 // Lines on their way to the console. A line is queued whole or not at all.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "firmware/record/encode.hpp"
+#include "hal/base/fixed.hpp"
 
 namespace fencepost::app {
 
@@ -29,30 +31,29 @@ class OutputQueue {
       to_front();
       size = write(std::span<char>(bytes_).subspan(end_));
     }
-    end_ += size;
+    end_ = static_cast<Index>(end_ + size);
     return size > 0;
   }
 
   [[nodiscard]] std::span<const char> waiting() const { return std::span(bytes_).subspan(begin_, end_ - begin_); }
   /// The first `size` waiting bytes have been taken over by the link.
   void taken(std::size_t size) {
-    begin_ += size;
+    begin_ = static_cast<Index>(begin_ + size);
     if (begin_ == end_) begin_ = end_ = 0;
   }
-  [[nodiscard]] std::size_t room() const { return N - (end_ - begin_); }
-  void clear() { begin_ = end_ = 0; }
 
  private:
+  using Index = base::CountFor<N>;
+
   void to_front() {
-    const std::size_t size = end_ - begin_;
-    for (std::size_t i = 0; i < size; ++i) bytes_[i] = bytes_[begin_ + i];
+    std::copy(bytes_.begin() + begin_, bytes_.begin() + end_, bytes_.begin());
+    end_ = static_cast<Index>(end_ - begin_);
     begin_ = 0;
-    end_ = size;
   }
 
   std::array<char, N> bytes_{};
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
+  Index begin_ = 0;
+  Index end_ = 0;
 };
 
 }  // namespace fencepost::app

@@ -55,6 +55,21 @@ record::ObjectReport report_object(const recon::ObjectCore& object, const Obstac
   return report;
 }
 
+record::StatusReport report_status(base::Time now, const Counters& counters, std::uint32_t objects) {
+  record::StatusReport report;
+  report.t = now;
+  report.frames = counters.frames;
+  report.blobs = counters.blobs;
+  report.blobs_dropped = counters.blobs_dropped;
+  report.odometry = counters.odometry;
+  report.rejected = counters.rejected;
+  report.refused = counters.refused_in_all();
+  report.records_dropped = counters.records_dropped;
+  report.objects = objects;
+  report.loop_us_max = counters.loop_us_max;
+  return report;
+}
+
 record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
                                  base::Time now) {
   record::AlertReport report;

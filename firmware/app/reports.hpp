@@ -1,6 +1,7 @@
 // From the map's floats to the records of the stream: the only place where estimates are rounded to decimals.
 #pragma once
 
+#include "firmware/app/counters.hpp"
 #include "firmware/app/obstacle.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/record/records.hpp"
@@ -14,6 +15,8 @@ record::ObjectState state_of(const recon::ObjectCore& object, base::Time now);
 
 /// Needs an estimate: object.cylinder.estimate().ok().
 record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now);
+
+record::StatusReport report_status(base::Time now, const Counters& counters, std::uint32_t objects);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
                                  base::Time now);

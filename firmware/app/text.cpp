@@ -1,38 +1,11 @@
 #include "firmware/app/text.hpp"
 
-#include <array>
-
-#include "firmware/record/decimal.hpp"
+#include "firmware/app/quote.hpp"
+#include "firmware/app/sentence.hpp"
+#include "firmware/record/text.hpp"
 
 namespace fencepost::app {
 namespace {
-
-// Directions within this of straight ahead or behind have no side (degrees).
-constexpr std::int32_t kNoSide = 2;
-
-class Sentence {
- public:
-  explicit Sentence(std::span<char> out) : out_(out) {}
-
-  void put(std::string_view text) {
-    for (const char c : text) {
-      if (size_ < out_.size()) out_[size_] = c;
-      ++size_;
-    }
-  }
-  void number(std::int64_t raw, unsigned decimals) {
-    std::array<char, record::kMaxDecimal> digits{};
-    put({digits.data(), record::write_decimal(raw, decimals, digits)});
-  }
-  void pad_to(std::size_t column) {
-    while (size_ < column) put(" ");
-  }
-  [[nodiscard]] std::size_t size() const { return size_ <= out_.size() ? size_ : 0; }
-
- private:
-  std::span<char> out_;
-  std::size_t size_ = 0;
-};
 
 std::string_view word(record::AlertLevel level) {
   switch (level) {
@@ -44,48 +17,60 @@ std::string_view word(record::AlertLevel level) {
   return "CLEAR";
 }
 
-// Half away from zero.
-std::int64_t divide_rounded(std::int64_t value, std::int64_t by) {
-  return (value < 0 ? value - by / 2 : value + by / 2) / by;
-}
-
-void put_bearing(Sentence& sentence, base::Radians bearing) {
-  const std::int64_t degrees = divide_rounded(static_cast<std::int64_t>(bearing.raw) * 180, 31416);
-  const std::int64_t size = degrees < 0 ? -degrees : degrees;
-  if (size <= kNoSide) {
-    sentence.put("ahead");
-  } else if (size >= 180 - kNoSide) {
-    sentence.put("behind");
-  } else {
-    sentence.number(size, 0);
-    sentence.put(degrees > 0 ? " deg left" : " deg right");
+std::string_view explain(record::Reject reason) {
+  switch (reason) {
+    case record::Reject::kCrc: return "the checksum is missing or wrong";
+    case record::Reject::kKind: return "there is no such record";
+    case record::Reject::kFields: return "too few or too many fields";
+    case record::Reject::kNumber: return "a field cannot be read";
+    case record::Reject::kRange: return "a field is outside its range";
+    case record::Reject::kLength: return "longer than a line may be";
+    case record::Reject::kTruncated: return "the line is not complete";
+    case record::Reject::kTime: return "its time is not after the last one's";
+    case record::Reject::kFormat: return "another stream format";
   }
+  return "";
 }
 
 }  // namespace
 
 std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out) {
   constexpr std::size_t kNameColumn = 8;
+  constexpr std::int64_t kTicksPerTenth = 1000;
   Sentence sentence(out);
-  sentence.put(word(alert.level));
-  sentence.pad_to(kNameColumn);
+  sentence.put(word(alert.level)).pad_to(kNameColumn);
   if (name.empty()) {
-    sentence.put("signature ");
-    sentence.number(alert.signature, 0);
+    sentence.put("signature ").number(alert.signature);
   } else {
     sentence.put(name);
   }
-  sentence.put("  ");
-  sentence.number(divide_rounded(alert.distance.raw, 100), 2);
-  sentence.put(" m  ");
-  put_bearing(sentence, alert.bearing);
+  sentence.put("  ").metres(alert.distance).put(" m  ").bearing(alert.bearing);
   if (alert.ttc && alert.level >= record::AlertLevel::kWarn) {
-    sentence.put("  in ");
-    sentence.number(divide_rounded(alert.ttc->raw, 1000), 1);
-    sentence.put(" s");
+    sentence.put("  in ").number(divide_rounded(alert.ttc->raw, kTicksPerTenth), 1).put(" s");
   }
-  sentence.put("\r\n");
-  return sentence.size();
+  return sentence.end();
+}
+
+std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLevel level, std::span<char> out) {
+  constexpr std::int64_t kPerCentimetre = 100;
+  Sentence sentence(out);
+  if (nearest) {
+    sentence.put("dist_cm:").number(divide_rounded(nearest->distance.raw, kPerCentimetre));
+    sentence.put(",bear_deg:").number(whole_degrees(nearest->bearing)).put(",");
+  }
+  return sentence.put("level:").number(static_cast<std::int64_t>(level)).end();
+}
+
+std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out) {
+  const Quote kind = quote(record::before(line, ','));
+  return Sentence(out)
+      .put("error: ")
+      .put(kind.view())
+      .put(" rejected (")
+      .put(name(reason))
+      .put("): ")
+      .put(explain(reason))
+      .end();
 }
 
 }  // namespace fencepost::app

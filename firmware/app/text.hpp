@@ -1,7 +1,9 @@
-// Console mode `text`: one sentence a person understands.
+// Console modes `text` and `plot`: what people and plotters read.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -10,10 +12,23 @@
 namespace fencepost::app {
 
 /// Any sentence fits into this many characters, line end included.
-inline constexpr std::size_t kMaxSentence = 96;
+inline constexpr std::size_t kMaxSentence = 128;
 
 /// "STOP    red  0.24 m  12 deg left  in 1.1 s\r\n". `name` is the signature's name, or empty. Returns the length,
 /// 0 if `out` is too small.
 std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out);
+
+/// The obstacle nearest to the robot.
+struct Nearest {
+  base::Metres distance;
+  base::Radians bearing;
+};
+
+/// "dist_cm:83,bear_deg:-12,level:2\r\n": what serial plotters read. Degrees to the left are positive; level 0 to 3 is
+/// the highest of all objects. Without a nearest obstacle there is only the level.
+std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLevel level, std::span<char> out);
+
+/// "error: $FPODO rejected: ...": why a line that starts with $FP was not used.
+std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out);
 
 }  // namespace fencepost::app

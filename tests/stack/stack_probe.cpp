@@ -35,6 +35,11 @@ struct SomeOdometry : NoOdometry {
   }
 };
 struct SomeLink : NoLink {
+  base::Result<std::size_t> read(std::span<std::uint8_t> bytes) {
+    if (!opaque()) return base::Error::kNotReady;
+    bytes[0] = opaque() ? '$' : '\n';
+    return std::size_t{1};
+  }
   base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) {
     return opaque() ? base::Result<std::size_t>(bytes.size()) : base::Error::kFull;
   }

@@ -12,8 +12,8 @@ import re
 import sys
 
 # Outside functions that the robot's code may call, with an allowance for their frames (bytes).
-OUTSIDE = {"memcpy": 64, "memmove": 64, "memset": 64, "memcmp": 64, "strlen": 64, "sqrtf": 64, "bcmp": 64, "abort": 0,
-           "__popcountdi2": 64}
+OUTSIDE = {"memcpy": 64, "memmove": 64, "memset": 64, "memcmp": 64, "memchr": 64, "strlen": 64, "sqrtf": 64, "bcmp": 64,
+           "abort": 0, "__popcountdi2": 64}
 
 NODE = re.compile(r'node: \{ title: "([^"]+)" label: "((?:[^"\\]|\\.)*)"')
 EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')

@@ -137,12 +137,44 @@ TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
   EXPECT_EQ(bench.place(), 1);
   bench.pipeline.take(odometry(1.05));
   EXPECT_EQ(bench.place(), 1);
-  // Two changes while a frame waits: its calibration is gone, so it is refused, not misread.
+  // Only the calibrations in use are kept, two at a time. What a third one displaces is refused, not misread.
   bench.pipeline.take(frame(1.20, 3));
   bench.pipeline.set_camera(pixy(0.03));
   bench.pipeline.set_camera(pixy(0.04));
+  EXPECT_EQ(bench.memory->waiting.size(), 1U);
+  bench.pipeline.take(frame(1.21, 4));
+  bench.pipeline.set_camera(pixy(0.05));
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
-  EXPECT_EQ(bench.memory->waiting.size(), 0U);
+  EXPECT_EQ(bench.memory->waiting.size(), 1U);
+  EXPECT_EQ(bench.memory->waiting.front().frame, 4U);
+}
+
+TEST(Pipeline, RejectsWhatAReaderOfTheLogWouldReject) {
+  Bench bench;
+  EXPECT_EQ(bench.pipeline.take(odometry(1.00)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.take(odometry(1.00)), record::Reject::kTime);
+  EXPECT_EQ(bench.pipeline.take(frame(1.02, 1)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.take(frame(1.01, 2)), record::Reject::kTime);
+  sensor::BlobFrame outside = frame(1.03, 3);
+  outside.blobs[0].x2 = 316;
+  EXPECT_EQ(bench.pipeline.take(outside), record::Reject::kRange);
+  EXPECT_EQ(bench.memory->counters.rejected, 3U);
+  bench.pipeline.restart();  // times start again
+  EXPECT_EQ(bench.pipeline.take(odometry(0.5)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.take(frame(0.5, 4)), std::nullopt);
+}
+
+TEST(Pipeline, ARestartKeepsCalibrationAndSettingsAndCounts) {
+  Bench bench;
+  ASSERT_EQ(bench.pipeline.set("alert.stop", "0.30"), std::nullopt);
+  bench.pipeline.take(odometry(1.00));
+  bench.pipeline.take(frame(1.04, 1));
+  bench.pipeline.restart();
+  EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);  // the frame that waited
+  EXPECT_TRUE(bench.memory->calibration.known);
+  EXPECT_EQ(bench.memory->settings.text(config::Key::kAlertStop).view(), "0.30");
+  EXPECT_EQ(bench.memory->counters.odometry, 1U);
+  EXPECT_FALSE(bench.pipeline.stream_time().has_value());
 }
 
 TEST(Pipeline, IdenticalCalibrationHasNoEffect) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace fencepost::test {
@@ -38,6 +39,28 @@ TEST(Text, IsASentenceThatAPersonUnderstands) {
 TEST(Text, RoundsTheBearingToDegrees) {
   EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.49), "x").find("ahead"), std::string::npos);
   EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.51), "x").find("3 deg left"), std::string::npos);
+}
+
+std::string plot(const std::optional<app::Nearest>& nearest, record::AlertLevel level) {
+  std::array<char, app::kMaxSentence> out{};
+  return {out.data(), app::describe_plot(nearest, level, out)};
+}
+
+TEST(Text, PlotLinesAreNamesAndNumbers) {
+  const app::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
+  EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2\r\n");
+  EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0\r\n");
+}
+
+TEST(Text, ARejectedRecordIsNamedWithTheReason) {
+  std::array<char, app::kMaxSentence> out{};
+  const auto said = [&](std::string_view line, record::Reject reason) {
+    return std::string(out.data(), app::describe_reject(line, reason, out));
+  };
+  EXPECT_EQ(said("$FPODO,1,2,3", record::Reject::kCrc),
+            "error: $FPODO rejected (crc): the checksum is missing or wrong\r\n");
+  EXPECT_EQ(said("$FP\x01this is no record at all", record::Reject::kKind),
+            "error: $FP?this is no.. rejected (kind): there is no such record\r\n");
 }
 
 TEST(Text, TheLongestSentenceFits) {

@@ -1,0 +1,46 @@
+// Bytes from the link to lines, in one buffer: the link reads into it, lines are handed out where they lie.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/record/records.hpp"
+
+namespace fencepost::app {
+
+class InputLines {
+ public:
+  /// A line ends with '\r' or '\n', "\r\n" is one end. One of at most kMaxLine - 1 characters fits.
+  struct Line {
+    std::span<char> text;  ///< without its end; of a line that was too long, its first characters
+    bool too_long = false;
+  };
+
+  /// Where the next bytes go; empty while a whole line waits and the buffer is full.
+  std::span<std::uint8_t> room();
+  /// `count` bytes were put at the front of room().
+  void filled(std::size_t count);
+
+  /// The oldest whole line; it stays until pop_front().
+  std::optional<Line> front();
+  void pop_front();
+
+ private:
+  static constexpr std::uint16_t kSize = record::kMaxLine;
+  // Of a line that is too long this much is kept, to tell a record from a command.
+  static constexpr std::uint16_t kKept = 16;
+
+  void shorten();
+
+  std::array<char, kSize> bytes_{};
+  std::uint16_t begin_ = 0;
+  std::uint16_t scanned_ = 0;  ///< there is no line end before this
+  std::uint16_t end_ = 0;
+  bool after_return_ = false;  ///< the last line ended with '\r': a '\n' now is part of that end
+  bool too_long_ = false;
+};
+
+}  // namespace fencepost::app

@@ -1,0 +1,142 @@
+// What the loop says of its own accord: records in mode log, sentences in mode text, numbers in mode plot.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware/app/memory.hpp"
+#include "firmware/app/reports.hpp"
+#include "firmware/app/text.hpp"
+
+namespace fencepost::app {
+
+inline constexpr base::Duration kRepeatCalibration = base::milliseconds(10'000);
+inline constexpr base::Duration kStatusInterval = base::milliseconds(1000);
+inline constexpr base::Duration kObjectInterval = base::milliseconds(500);
+inline constexpr base::Duration kPlotInterval = base::milliseconds(100);
+inline constexpr std::uint32_t kDigestEvery = 50;  ///< frames
+
+/// An answer of the console waits for an empty queue, so that the log comes first. After this many turns it takes any
+/// room, and inputs and reports are refused until it got it: a console must answer on the slowest link.
+inline constexpr std::uint8_t kPatience = 64;
+
+template <class Profile>
+class Telling {
+ public:
+  explicit Telling(Memory<Profile>& memory) : m_(memory) {}
+
+  [[nodiscard]] bool shown_in(Mode mode) const { return m_.console.mode == mode && !m_.run.testing; }
+  /// Reports and inputs stand back for an answer that has waited too long.
+  [[nodiscard]] bool stands_back() const { return m_.console.turns_without_room >= kPatience; }
+
+  /// The calibration's records in the order in which they are told: header, camera, signatures, settings.
+  static constexpr std::size_t kHeaderRecord = 0;
+  static constexpr std::size_t kCameraRecord = 1;
+  static constexpr std::size_t kSignatureRecords = 2;
+  [[nodiscard]] std::size_t setting_records() const { return kSignatureRecords + m_.signatures.size(); }
+
+  /// What comes after a record that has changed is told again too: cheaper than to remember which did.
+  void retell_from(std::size_t record) {
+    if (record < m_.run.telling) m_.run.telling = static_cast<std::uint8_t>(record);
+    m_.run.told = false;
+  }
+
+  /// Before an input: all of it again from time to time, so that a recording may begin anywhere.
+  void calibration_if_due() {
+    if (shown_in(Mode::kLog) && m_.run.told && m_.run.time &&
+        m_.run.calibration_at.since(*m_.run.time) >= kRepeatCalibration) {
+      m_.run.telling = 0;
+      m_.run.calibration_at = Stamp(*m_.run.time);
+    }
+    calibration();
+  }
+
+  /// Mode log: one record at a time, as the queue has room; inputs wait for it, so that none is used before the log
+  /// says how.
+  void calibration() {
+    if (!shown_in(Mode::kLog)) return;
+    while (m_.run.telling < setting_records() + config::kKeys) {
+      if (!calibration_record(m_.run.telling)) return;
+      ++m_.run.telling;
+    }
+    m_.run.told = true;
+  }
+
+  void alert(const record::AlertReport& report) {
+    if (!m_.console.alerts) return;
+    if (shown_in(Mode::kLog)) put_or_drop(report);
+    if (!shown_in(Mode::kText)) return;
+    say([&](std::span<char> room) { return describe(report, name_of(report.signature), room); });
+  }
+
+  void plot(const std::optional<Nearest>& nearest, record::AlertLevel level, base::Time now) {
+    if (!shown_in(Mode::kPlot) || m_.console.plotted_at.since(now) < kPlotInterval) return;
+    m_.console.plotted_at = Stamp(now);
+    say([&](std::span<char> room) { return describe_plot(nearest, level, room); });
+  }
+
+  void digest(std::uint32_t frame) {
+    if (!shown_in(Mode::kLog) || m_.map.frames() % kDigestEvery != 0) return;
+    put_or_drop(record::DigestReport{frame, m_.map.digest()});
+  }
+
+  void objects(base::Time now) {
+    if (!shown_in(Mode::kLog)) return;
+    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+      const recon::ObjectCore& object = m_.map.slots()[o];
+      if (!object.used() || !object.cylinder.estimate().ok()) continue;
+      ReportState& last = m_.reports[o];
+      const record::ObjectState state = state_of(object, now);
+      const bool changed = last.id != object.id || last.state != state;
+      const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
+      if (!changed && !due) continue;
+      last = {object.id, state, Stamp(now)};
+      put_or_drop(report_object(object, see_obstacle(object, m_.poses.latest(), {}), now));
+    }
+  }
+
+  void status() {
+    if (!shown_in(Mode::kLog) || !m_.run.time || m_.run.status_at.since(*m_.run.time) < kStatusInterval) return;
+    m_.run.status_at = Stamp(*m_.run.time);
+    put_or_drop(report_status(*m_.run.time, m_.counters, m_.map.size()));
+  }
+
+  /// A line for people, dropped and counted if there is no room.
+  template <class Write>
+  void say(Write&& write) {
+    if (stands_back() || !m_.output.put_line(write)) ++m_.counters.records_dropped;
+  }
+
+  /// The signature's name, or empty.
+  [[nodiscard]] std::string_view name_of(std::uint8_t signature) const {
+    for (const record::Signature& known : m_.signatures) {
+      if (known.signature == signature) return known.name.view();
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] bool calibration_record(std::size_t index) {
+    if (index == kHeaderRecord) {
+      if (!m_.run.header_due) return true;
+      m_.run.header_due = !m_.output.put(*m_.run.header);
+      return !m_.run.header_due;
+    }
+    if (index == kCameraRecord) return !m_.calibration.known || m_.output.put(m_.calibration.intrinsics);
+    if (index < setting_records()) return m_.output.put(m_.signatures[index - kSignatureRecords]);
+    const auto key = static_cast<config::Key>(index - setting_records());
+    return m_.output.put(record::Setting{config::info(key).name, m_.settings.text(key)});
+  }
+
+  template <class Record>
+  void put_or_drop(const Record& record) {
+    if (stands_back() || !m_.output.put(record)) ++m_.counters.records_dropped;
+  }
+
+  Memory<Profile>& m_;
+};
+
+}  // namespace fencepost::app
