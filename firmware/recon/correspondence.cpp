@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace fencepost::recon {
 namespace {
@@ -151,6 +152,27 @@ float cost_of_side(std::int16_t seen, bool censored, const PredictedLine& line) 
   return std::min(1.0F, off * off);
 }
 
+int reach_of(const PredictedLine& line) { return static_cast<int>(kGateSigmas) * line.sigma; }
+
+bool agrees(std::int16_t seen, const PredictedLine& line) {
+  return line.sigma > 0 && std::abs(seen - line.at) <= reach_of(line);
+}
+
+// Three sides where they should be: the fourth is where a segment was lost or another one grew into it.
+bool all_but_one_agree(const Prediction& prediction, const Interval& interval, const Box& box) {
+  int sides = 0;
+  if (!interval.left_censored && agrees(interval.left, prediction.left)) ++sides;
+  if (!interval.right_censored && agrees(interval.right, prediction.right)) ++sides;
+  if (!interval.top_censored && agrees(box.y1, prediction.top)) ++sides;
+  if (!interval.bottom_censored && agrees(box.y2, prediction.bottom)) ++sides;
+  return sides >= 3;
+}
+
+// The outer end of one of two objects in a blob: where it should be, if it is seen and its place is known.
+bool has_outer_end(const Prediction& prediction, std::int16_t seen, bool censored, const PredictedLine& line) {
+  return censored || !(prediction.depth > 0) || agrees(seen, line);
+}
+
 float share_of(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance) {
   return std::fabs(static_cast<float>(seen - predicted)) / static_cast<float>(tolerance);
 }
@@ -174,8 +196,11 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const MeasurementNoise& noise) {
-  if (object.cylinder.estimate().ok()) return predict_cylinder(camera, pose, object, noise);
-  return predict_bearing(camera, pose, object, noise);
+  Prediction prediction = object.cylinder.estimate().ok() ? predict_cylinder(camera, pose, object, noise)
+                                                          : predict_bearing(camera, pose, object, noise);
+  prediction.signature = object.signature;
+  prediction.confirmed = object.confirmed;
+  return prediction;
 }
 
 Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
@@ -201,7 +226,7 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, 
     ends += 1;
   }
   if (!(ends > 0)) return overlaps(prediction, interval) ? kUnknownCost : kImpossible;
-  if (!(off <= ends)) return kImpossible;
+  if (!(off <= ends) && !all_but_one_agree(prediction, interval, box)) return kImpossible;
   // In sigmas: decides which pair is better. Rows never forbid a pair: the object may hang in the air.
   const float cost = cost_of_side(interval.left, interval.left_censored, prediction.left) +
                      cost_of_side(interval.right, interval.right_censored, prediction.right) +
@@ -211,15 +236,56 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, 
 }
 
 bool covers(const Prediction& prediction, const Interval& interval) {
-  const auto reach = [](const PredictedLine& line) { return kGateSigmas * static_cast<float>(line.sigma); };
-  return prediction.depth > 0 &&
-         static_cast<float>(interval.left) > static_cast<float>(prediction.left.at) - reach(prediction.left) &&
-         static_cast<float>(interval.right) < static_cast<float>(prediction.right.at) + reach(prediction.right);
+  return prediction.depth > 0 && interval.left > prediction.left.at - reach_of(prediction.left) &&
+         interval.right < prediction.right.at + reach_of(prediction.right);
+}
+
+bool has_middle_of(const Prediction& prediction, const Interval& interval) {
+  const int twice_middle = interval.left + interval.right;
+  return twice_middle >= 2 * (prediction.left.at - prediction.left.sigma) &&
+         twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
+}
+
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const BlobRays& rays) {
+  const auto count = [](std::int8_t before, std::int16_t seen, const PredictedLine& line) -> std::int8_t {
+    if (line.sigma == 0 || std::abs(seen - line.at) <= reach_of(line) + 1) return 0;
+    constexpr int kMost = 100;
+    const int step = seen < line.at ? -1 : 1;
+    return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
+  };
+  if (!(prediction.depth > 0)) return;
+  if (!rays.left.censored) object.left_off = count(object.left_off, interval.left, prediction.left);
+  if (!rays.right.censored) object.right_off = count(object.right_off, interval.right, prediction.right);
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {
   return prediction.possible && interval.right > std::min(prediction.left.at, prediction.right.at) &&
          interval.left < std::max(prediction.left.at, prediction.right.at);
+}
+
+bool shows_both(const Prediction& left, const Prediction& right, const Interval& interval, const Box& box) {
+  if (!(left.depth > 0 || right.depth > 0) || !left.possible || !right.possible) return false;
+  if (interval.left_censored && interval.right_censored) return false;
+  if (!has_outer_end(left, interval.left, interval.left_censored, left.left)) return false;
+  if (!has_outer_end(right, interval.right, interval.right_censored, right.right)) return false;
+  if (left.depth > 0 && interval.right - left.right.at <= reach_of(left.right) + 1) return false;
+  if (right.depth > 0 && right.left.at - interval.left <= reach_of(right.left) + 1) return false;
+  if (!(left.depth > 0)) return left.left.at > interval.left && left.left.at < right.left.at;
+  if (!(right.depth > 0)) return right.left.at < interval.right && right.left.at > left.right.at;
+  const Prediction& nearer = left.depth < right.depth ? left : right;
+  if (!interval.bottom_censored && nearer.bottom.sigma > 0 && !agrees(box.y2, nearer.bottom)) return false;
+  return right.left.at - left.right.at <= reach_of(left.right) + reach_of(right.left) + 2;
+}
+
+bool hides_end(const Prediction& nearer, const Prediction& behind, std::int16_t column, int side) {
+  constexpr float kSameDepth = 0.95F;  // closer together than this, models do not tell which is in front
+  if (!nearer.confirmed || !(nearer.depth > 0) || !(behind.depth > 0)) return false;
+  if (!(nearer.depth < kSameDepth * behind.depth)) return false;
+  const PredictedLine& inner = side < 0 ? nearer.right : nearer.left;
+  const PredictedLine& outer = side < 0 ? nearer.left : nearer.right;
+  const int past_inner = side < 0 ? inner.at - column : column - inner.at;
+  const int past_outer = side < 0 ? column - outer.at : outer.at - column;
+  return past_inner >= -(inner.sigma + 1) && past_outer > 0;
 }
 
 }  // namespace fencepost::recon

@@ -27,7 +27,10 @@ struct Prediction {
   PredictedLine bottom;
   std::int16_t left_tolerance = 0;  ///< px: farther off than this on average, the blob cannot be the object
   std::int16_t right_tolerance = 0;
-  float depth = 0;        ///< m along the axis to its nearest point; 0: the distance is not known
+  float depth = 0;  ///< m along the axis to its nearest point; 0: the distance is not known
+  std::uint8_t signature = 0;
+  bool confirmed = false;
+  bool divided = false;   ///< it turned out to be two objects; nothing matches it
   bool possible = false;  ///< it can be in the image at all
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
@@ -55,7 +58,23 @@ std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, 
 /// True if the blob lies within the predicted interval, give or take three sigmas: it may be a piece of the object.
 bool covers(const Prediction& prediction, const Interval& interval);
 
+/// True if the blob's middle lies in the predicted interval, give or take a sigma.
+bool has_middle_of(const Prediction& prediction, const Interval& interval);
+
+/// Counts the frames in a row in which an end that was seen is more than three sigmas off, always to the same side.
+/// `rays`: which ends of the blob are this object's own.
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const BlobRays& rays);
+
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Interval& interval);
+
+/// True if the blob is two objects of one signature that touch in the image: its ends are those of a left and of a
+/// right object, and neither alone would be so wide. The distance of one of them must be known; the other one, without,
+/// must have been seen last beside it.
+bool shows_both(const Prediction& left, const Prediction& right, const Interval& interval, const Box& box);
+
+/// True if the object, predicted nearer than `behind`, reaches over the blob's end at this column (px): that end is
+/// then not the blob's own. `side` is -1 for the left end and 1 for the right one.
+bool hides_end(const Prediction& nearer, const Prediction& behind, std::int16_t column, int side);
 
 }  // namespace fencepost::recon

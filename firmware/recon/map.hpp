@@ -1,6 +1,7 @@
 // The map: all objects, and what one frame does to them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -11,6 +12,7 @@
 #include "firmware/recon/frame_queue.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/recon/occlusion.hpp"
+#include "firmware/recon/pieces.hpp"
 
 namespace fencepost::recon {
 
@@ -48,14 +50,18 @@ class Map {
     exposure_ = frame.t - camera.latency;
     const LensPose lens = lens_pose(pose, camera);
     predict_all(camera, lens, noise);
-    join_pieces(frame, camera);
     see_blobs(frame, camera);
+    join_pieces(frame, camera);
     weigh_pairs(frame);
     FrameOutcome outcome;
     outcome.matched = match();
+    share_merged(frame);
+    hide_behind_models();
     update_matched(frame, camera, lens, noise);
     notice_missing();
     begin_new(frame, camera, lens, noise, outcome);
+    drop_doubles();
+    forget_refuted();
     confirm(confirmation);
     chain_digest(frame, pose);
     return outcome;
@@ -77,6 +83,13 @@ class Map {
 
  private:
   static constexpr std::size_t kObjects = Profile::kObjects;
+
+  // This object's part in a blob of two objects.
+  struct Shared {
+    bool any : 1 = false;
+    bool is_right : 1 = false;
+    bool is_farther : 1 = false;
+  };
   static_assert(kObjects < kNoMatch && sensor::kMaxBlobs < kNoMatch);
 
   void predict_all(const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
@@ -84,35 +97,6 @@ class Map {
       predictions_[o] = objects_[o].used() ? predict(camera, lens, objects_[o], noise) : Prediction{};
       blob_of_[o] = kNoMatch;
     }
-  }
-
-  // Two pieces behind a post are one object, unless two objects are known to be there.
-  void join_pieces(WaitingFrame& frame, const CameraModel& camera) {
-    CutPair pair = find_cut_pair(frame.blobs.view(), 0, 0);
-    while (pair.found) {
-      if (known_apart(frame, camera, pair)) {
-        pair = find_cut_pair(frame.blobs.view(), pair.left, pair.right + 1U);
-      } else {
-        join(frame.blobs, pair);
-        pair = find_cut_pair(frame.blobs.view(), 0, 0);  // fewer blobs now: at most 15 times
-      }
-    }
-  }
-
-  [[nodiscard]] bool known_apart(const WaitingFrame& frame, const CameraModel& camera, const CutPair& pair) const {
-    const Interval left = interval_of(camera, rays_of_box(camera, frame.blobs[pair.left].box));
-    const Interval right = interval_of(camera, rays_of_box(camera, frame.blobs[pair.right].box));
-    bool one = false;
-    bool other = false;
-    for (std::size_t o = 0; o < kObjects; ++o) {
-      if (!objects_[o].used() || objects_[o].signature != frame.blobs[pair.left].signature) continue;
-      if (!(predictions_[o].depth > 0)) continue;
-      const bool on_left = overlaps(predictions_[o], left);
-      const bool on_right = overlaps(predictions_[o], right);
-      one = one || (on_left && !on_right);
-      other = other || (on_right && !on_left);
-    }
-    return one && other;
   }
 
   void see_blobs(const WaitingFrame& frame, const CameraModel& camera) {
@@ -123,6 +107,34 @@ class Map {
       intervals_[b] = interval_of(camera, rays);
       object_of_[b] = kNoMatch;
     }
+  }
+
+  void join_pieces(WaitingFrame& frame, const CameraModel& camera) {
+    const auto find = [&] { return find_pieces(frame.blobs.view(), {intervals_.data(), blobs_}, predictions_); };
+    in_pieces_.fill(false);
+    for (PiecePair pair = find(); pair.found; pair = find()) {  // one blob or one object less each time
+      if (pair.whole != kNoMatch) {
+        in_pieces_[pair.whole] = true;
+        if (!pair.rows_match || objects_[pair.whole].in_pieces >= kDividingFrames) {
+          divide(pair.whole);
+          continue;
+        }
+      }
+      join(frame.blobs, pair);
+      see_blobs(frame, camera);
+    }
+    for (std::size_t o = 0; o < kObjects; ++o) count_pieces(objects_[o], in_pieces_[o]);
+  }
+  // Two objects that were taken for one, and never stood apart in the image before: both begin anew.
+  void divide(std::size_t o) {
+    objects_[o].id = 0;
+    predictions_[o].divided = true;
+    predictions_[o].possible = false;
+    predictions_[o].depth = 0;
+  }
+  static void count_pieces(ObjectCore& object, bool in_pieces) {
+    if (!in_pieces) object.in_pieces = 0;
+    if (in_pieces && object.in_pieces < kDividingFrames) ++object.in_pieces;
   }
 
   // The rays again, with what see_blobs found out about their ends: kept apart to save 700 bytes of scratch.
@@ -154,13 +166,72 @@ class Map {
     return matched;
   }
 
+  // A blob of two objects that touch in the image gives each of them its outer end.
+  void share_merged(const WaitingFrame& frame) {
+    shared_.fill(Shared{});
+    for (std::size_t b = 0; b < blobs_; ++b) {
+      for (std::size_t left = 0; left < kObjects; ++left) {
+        for (std::size_t right = 0; right < kObjects; ++right) {
+          if (may_share(left, right, frame, b)) share(left, right, b);
+        }
+      }
+    }
+  }
+  [[nodiscard]] bool may_share(std::size_t left, std::size_t right, const WaitingFrame& frame, std::size_t b) const {
+    const std::uint8_t signature = frame.blobs[b].signature;
+    if (left == right || predictions_[left].signature != signature || predictions_[right].signature != signature) {
+      return false;
+    }
+    const std::uint8_t taken = object_of_[b];
+    const auto unseen = [&](std::size_t o) { return blob_of_[o] == kNoMatch && !shared_[o].any; };
+    const bool one_has_it = (taken == left && unseen(right)) || (taken == right && unseen(left));
+    if (!one_has_it && !(taken == kNoMatch && unseen(left) && unseen(right))) return false;
+    return shows_both(predictions_[left], predictions_[right], intervals_[b], frame.blobs[b].box);
+  }
+  void share(std::size_t left, std::size_t right, std::size_t b) {
+    const float left_depth = predictions_[left].depth, right_depth = predictions_[right].depth;
+    const bool left_is_nearer = left_depth > 0 && (!(right_depth > 0) || left_depth < right_depth);
+    shared_[left] = {true, false, !left_is_nearer};
+    shared_[right] = {true, true, left_is_nearer};
+    blob_of_[left] = blob_of_[right] = static_cast<std::uint8_t>(b);
+    object_of_[b] = static_cast<std::uint8_t>(left);
+  }
+
+  // A nearer object hides an end although its own blob is cut short or was not delivered.
+  void hide_behind_models() {
+    for (std::size_t b = 0; b < blobs_; ++b) {
+      if (object_of_[b] == kNoMatch || shared_[object_of_[b]].any) continue;
+      const Prediction& own = predictions_[object_of_[b]];
+      for (std::size_t o = 0; o < kObjects; ++o) {
+        if (o == object_of_[b]) continue;
+        if (hides_end(predictions_[o], own, intervals_[b].left, -1)) intervals_[b].left_censored = true;
+        if (hides_end(predictions_[o], own, intervals_[b].right, 1)) intervals_[b].right_censored = true;
+      }
+    }
+  }
+
+  // Of a blob that two objects share, the ends and rows that are another's are not this one's.
+  [[nodiscard]] BlobRays rays_for(std::size_t o, const WaitingFrame& frame, const CameraModel& camera) const {
+    BlobRays rays = rays_of(frame, camera, blob_of_[o]);
+    if (!shared_[o].any) return rays;
+    (shared_[o].is_right ? rays.left : rays.right).censored = true;
+    rays.top.censored = true;
+    if (shared_[o].is_farther) rays.bottom.censored = true;
+    return rays;
+  }
+
   void update_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
                       const MeasurementNoise& noise) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (blob_of_[o] == kNoMatch) continue;
-      objects_[o].observe(make_sighting(camera, lens, rays_of(frame, camera, blob_of_[o])), exposure_, noise);
-      objects_[o].history.push(true);
-      objects_[o].presence += kPresenceGain * (1.0F - objects_[o].presence);
+      ObjectType& object = objects_[o];
+      const BlobRays rays = rays_for(o, frame, camera);
+      const Sighting sighting = make_sighting(camera, lens, rays);
+      compare_ends(object, predictions_[o], intervals_[blob_of_[o]], rays);
+      if (object.contradicted()) object.restart(sighting, exposure_);
+      object.observe(sighting, exposure_, noise);
+      object.history.push(true);
+      object.presence += kPresenceGain * (1.0F - object.presence);
     }
   }
 
@@ -202,12 +273,23 @@ class Map {
       const Sighting sighting = make_sighting(camera, lens, rays_of(frame, camera, b));
       objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
       if (next_id_ == 0) next_id_ = 1;
+      objects_[slot].confirmed = is_half_of_confirmed(frame.blobs[b].signature, intervals_[b]);
       objects_[slot].observe(sighting, exposure_, noise);
       objects_[slot].history.push(true);
       blob_of_[slot] = static_cast<std::uint8_t>(b);
       object_of_[b] = static_cast<std::uint8_t>(slot);
       ++outcome.born;
     }
+  }
+
+  // An object that was confirmed is two now: something is there, and it is known.
+  [[nodiscard]] bool is_half_of_confirmed(std::uint8_t signature, const Interval& interval) const {
+    for (const Prediction& whole : predictions_) {
+      const bool half = whole.divided && whole.confirmed && whole.signature == signature;
+      const bool most = 2 * (interval.right - interval.left) >= whole.right.at - whole.left.at;
+      if (half && most && has_middle_of(whole, interval)) return true;
+    }
+    return false;
   }
 
   // A leftover blob inside the interval of an object that is matched already, at the same height in the image: a piece
@@ -240,11 +322,48 @@ class Map {
     return a.id < b.id;
   }
 
+  // Solid things do not stand in one another: of two objects of one signature in one place, one is a double. Not when
+  // both were seen in this frame, each in its own blob.
+  void drop_doubles() {
+    for (std::size_t a = 0; a < kObjects; ++a) {
+      for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {
+        if (!objects_[b].used() || objects_[a].signature != objects_[b].signature) continue;
+        if (blob_of_[a] != kNoMatch && blob_of_[b] != kNoMatch) continue;
+        if (!stand_in_one_place(objects_[a], objects_[b])) continue;
+        drop(weight(objects_[a]) >= weight(objects_[b]) ? b : a);
+      }
+    }
+  }
+  static float weight(const ObjectCore& object) { return object.presence * static_cast<float>(object.views); }
+
+  // A single sighting beside a confirmed object was noise. What was hardly ever seen, and should have been again and
+  // again, never was. Of a better known object real cameras miss more than that: it stays, and only its alerts stop.
+  void forget_refuted() {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      const ObjectType& object = objects_[o];
+      if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
+      const bool once = object.views == 1 && has_better_namesake(o);
+      if (once || (object.missed_in_a_row >= kRefutingMisses && object.views < kFewViews)) drop(o);
+    }
+  }
+
+  [[nodiscard]] bool has_better_namesake(std::size_t o) const {
+    return std::any_of(objects_.begin(), objects_.end(), [&](const ObjectType& other) {
+      return other.used() && other.confirmed && other.id != objects_[o].id && other.signature == objects_[o].signature;
+    });
+  }
+
+  void drop(std::size_t o) {
+    objects_[o].id = 0;
+    if (blob_of_[o] == kNoMatch) return;
+    if (object_of_[blob_of_[o]] == o) object_of_[blob_of_[o]] = kNoMatch;
+    blob_of_[o] = kNoMatch;
+  }
+
   void confirm(Confirmation confirmation) {
     for (ObjectType& object : objects_) {
-      if (object.used() && !object.confirmed && object.history.seen_of_last(confirmation.n) >= confirmation.k) {
-        object.confirmed = true;
-      }
+      const bool placed = object.used() && object.cylinder.estimate().ok();
+      if (placed && object.history.seen_of_last(confirmation.n) >= confirmation.k) object.confirmed = true;
     }
   }
 
@@ -267,6 +386,11 @@ class Map {
 
   // Presence is averaged over about this many expected sightings.
   static constexpr float kPresenceGain = 1.0F / 8.0F;
+  static constexpr std::uint32_t kRefutingMisses = 12;
+  static constexpr std::uint32_t kFewViews = 8;
+  static constexpr base::Duration kKeepUnseen = base::milliseconds(1000);
+  // In pieces for so many frames in a row: noise does not do that, it is two objects.
+  static constexpr std::uint8_t kDividingFrames = 2;
 
   std::array<ObjectType, kObjects> objects_{};
   std::uint32_t next_id_ = 1;
@@ -280,6 +404,8 @@ class Map {
   std::array<Interval, sensor::kMaxBlobs> intervals_{};
   std::array<std::uint8_t, kObjects * sensor::kMaxBlobs> costs_{};  ///< [object][blob], as many columns as blobs
   std::array<std::uint8_t, kObjects> blob_of_{};
+  std::array<Shared, kObjects> shared_{};
+  std::array<bool, kObjects> in_pieces_{};
   std::array<std::uint8_t, sensor::kMaxBlobs> object_of_{};
   std::uint8_t blobs_ = 0;
 };

@@ -26,4 +26,14 @@ float ObjectCore::novelty(const Vec2& lens) const {
   return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
 }
 
+bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b) {
+  const CylinderEstimate& one = a.cylinder.estimate();
+  const CylinderEstimate& other = b.cylinder.estimate();
+  if (!one.ok() || !other.ok()) return false;
+  const float larger = std::max(one.radius, other.radius);
+  const float reach = larger + std::min(larger, one.outline_sigma() + other.outline_sigma());
+  const Vec2 apart = offset_from(a.origin, b.origin) + other.center - one.center;
+  return apart.squaredNorm() < reach * reach;
+}
+
 }  // namespace fencepost::recon

@@ -1,7 +1,9 @@
 // One object: what it is, how often it was seen, and its models. All views of it pass through observe().
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "firmware/recon/carve.hpp"
 #include "firmware/recon/clip.hpp"
@@ -38,7 +40,10 @@ struct ObjectCore {
   bool confirmed = false;
   bool left_open = false;  ///< the left end of the last sighting was censored: the object goes on there
   bool right_open = false;
-  std::uint8_t arenas = 0;  ///< how often the models were given a place
+  std::uint8_t arenas = 0;     ///< how often the models were given a place
+  std::uint8_t in_pieces = 0;  ///< frames in a row in which it was two blobs with nothing between them
+  std::int8_t left_off = 0;    ///< frames in a row in which its left end was far off to one side; negative: to the left
+  std::int8_t right_off = 0;
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;
@@ -53,12 +58,21 @@ struct ObjectCore {
 
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return arenas > 0; }
+  /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one
+  /// side is a wrong pose.
+  [[nodiscard]] bool contradicted() const {
+    constexpr int kEnough = 10;  // a lost or grown segment says it once
+    return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kEnough;
+  }
 
   /// In [0, 1]: 1 - sqrt(outline sigma / radius), times the share of expected sightings that came; 0 without cylinder.
   [[nodiscard]] float confidence() const;
   /// Weight of a view from `lens`: what a parked robot sees again is not news. In [0.05, 1].
   [[nodiscard]] float novelty(const Vec2& lens) const;
 };
+
+/// True if the centre of one lies in the other's cylinder. Both estimates must be there.
+bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b);
 
 /// The bounded number of times that models may start again elsewhere because their first place was wrong.
 inline constexpr std::uint8_t kMaxArenas = 4;
@@ -83,6 +97,17 @@ struct Object : ObjectCore {
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+  }
+
+  /// The models were of something else: starts them again with this sighting; who it is and that it is there stays.
+  void restart(const Sighting& sighting, base::Time t) {
+    const SightingHistory seen = history;
+    const bool was_confirmed = confirmed;
+    const float was_present = presence;
+    begin(id, signature, sighting, t);
+    history = seen;
+    confirmed = was_confirmed;
+    presence = was_present;
   }
 
   /// One more view of the object.

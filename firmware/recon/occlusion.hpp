@@ -29,20 +29,6 @@ inline void censor(BlobRays& rays, const HiddenEnds& hidden) {
   if (hidden.bottom) rays.bottom.censored = true;
 }
 
-/// A nearer post cuts what is behind it in two: two blobs of one signature, with the same top and bottom rows, and a
-/// third, not farther blob that fills the gap between them. Answers the first such pair as (left, right) indices, not
-/// before the pair `after` in order; nothing if there is none.
-struct CutPair {
-  std::uint8_t left = 0;
-  std::uint8_t right = 0;
-  bool found = false;
-};
-CutPair find_cut_pair(std::span<const WaitingBlob> blobs, std::size_t from_left, std::size_t from_right);
-
-/// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. Where they are two
-/// objects after all, the joined wedge is too wide: it carves less.
-void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const CutPair& pair);
-
 /// Two blobs this close (px) touch: 2 px plus three sigmas of an edge.
 inline constexpr int kTouchPixels = 5;
 /// Bottom rows that differ by no more than this (px) do not tell which object is nearer.

@@ -34,7 +34,8 @@ bool same_frame(const sensor::BlobFrame& told, const recon::WaitingFrame& placed
          });
 }
 
-/// The blob itself or, where the robot joined several, the widest of them.
+/// That of the blob itself or, where the robot joined several, of the widest of them. A blob of several objects is
+/// nobody's.
 std::optional<std::size_t> owner(const FrameTruth& truth, const recon::WaitingBlob& blob) {
   std::optional<std::size_t> object;
   int widest = 0;
@@ -43,7 +44,7 @@ std::optional<std::size_t> owner(const FrameTruth& truth, const recon::WaitingBl
     const int width = part.x2 - part.x1 + 1;
     if (!lies_in(part, blob) || width <= widest) continue;
     widest = width;
-    object = truth.blobs[i].object;
+    object = truth.blobs[i].others.empty() ? truth.blobs[i].object : std::nullopt;
   }
   return object;
 }

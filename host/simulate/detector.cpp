@@ -145,10 +145,9 @@ sensor::Blob to_blob(const Piece& piece, const PixelBox& box) {
 }
 
 Candidate as_seen(const Piece& piece, const LabelImage& image) {
-  const PixelBox& alone = image.alone(piece.object);
   Candidate candidate;
-  if (piece.box.x1 > alone.x1) candidate.left = BlobEnd::kOccluded;
-  if (piece.box.x2 < alone.x2) candidate.right = BlobEnd::kOccluded;
+  if (piece.box.x1 > image.alone(piece.left).x1) candidate.left = BlobEnd::kOccluded;
+  if (piece.box.x2 < image.alone(piece.right).x2) candidate.right = BlobEnd::kOccluded;
   return candidate;
 }
 
@@ -188,7 +187,8 @@ void detect_piece(const Scene& scene, const LabelImage& image, const Piece& piec
   for (const Candidate& candidate : damaged(whole, scene.noise, width, draws)) {
     const auto box = to_pixels(candidate.extent, image);
     if (!box) continue;
-    Detection detection{to_blob(piece, *box), {piece.object, candidate.left, candidate.right, piece.nearest}};
+    Detection detection{to_blob(piece, *box),
+                        {piece.object, piece.others, candidate.left, candidate.right, piece.nearest}};
     detection.blob.signature = swapped(scene, signature, draws);
     detection.blob.rgb = colour_of(scene, signature);
     mark_border(detection, image.width());
@@ -233,9 +233,11 @@ void add_false_blobs(const Scene& scene, const LabelImage& image, std::uint64_t 
 
 std::vector<Detection> detect(const Scene& scene, const LabelImage& image, std::uint64_t frame) {
   std::vector<Detection> found;
+  std::vector<std::uint8_t> signatures;
+  for (const SceneObject& object : scene.objects) signatures.push_back(object.signature);
   std::size_t ordinal = 0;  // of the piece within its object
   std::optional<std::size_t> object;
-  for (const Piece& piece : find_pieces(image)) {
+  for (const Piece& piece : find_pieces(image, signatures)) {
     ordinal = piece.object == object ? ordinal + 1 : 0;
     object = piece.object;
     // Room for 2^12 pieces of 2^16 objects in 2^36 frames.

@@ -1,12 +1,13 @@
 #include "host/simulate/pieces.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace fencepost::host {
 
 namespace {
 
-/// Pixels of one object side by side in one row.
+/// Pixels of one object side by side in one row. Runs of one signature are joined, whichever object they belong to.
 struct Run {
   int begin = 0;  ///< first column
   int end = 0;    ///< last column
@@ -41,12 +42,17 @@ void append_runs(const LabelImage& image, int v, std::vector<Run>& runs) {
 }
 
 /// Joins the runs [middle, end) to those of the row above, [begin, middle).
-void join_rows(std::vector<Run>& runs, std::size_t begin, std::size_t middle) {
+void join_rows(std::vector<Run>& runs, std::size_t begin, std::size_t middle,
+               std::span<const std::uint8_t> signatures) {
+  const auto alike = [&](const Run& a, const Run& b) {
+    return signatures[static_cast<std::size_t>(a.object)] == signatures[static_cast<std::size_t>(b.object)];
+  };
   std::size_t above = begin;
   for (std::size_t i = middle; i < runs.size(); ++i) {
+    if (i > middle && runs[i - 1].end + 1 == runs[i].begin && alike(runs[i - 1], runs[i])) join(runs, i - 1, i);
     while (above < middle && runs[above].end + 1 < runs[i].begin) ++above;
     for (std::size_t k = above; k < middle && runs[k].begin <= runs[i].end + 1; ++k) {
-      if (runs[k].object == runs[i].object) join(runs, k, i);
+      if (alike(runs[k], runs[i])) join(runs, k, i);
     }
   }
 }
@@ -54,6 +60,8 @@ void join_rows(std::vector<Run>& runs, std::size_t begin, std::size_t middle) {
 void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   const std::int64_t count = run.end - run.begin + 1;
   if (piece.pixels == 0) piece.nearest = image.depth(run.begin, v);
+  if (piece.pixels == 0 || run.begin < piece.box.x1) piece.left = static_cast<std::size_t>(run.object);
+  if (piece.pixels == 0 || run.end > piece.box.x2) piece.right = static_cast<std::size_t>(run.object);
   piece.box.include(run.begin, v);
   piece.box.include(run.end, v);
   piece.pixels += count;
@@ -62,9 +70,19 @@ void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   for (int u = run.begin; u <= run.end; ++u) piece.nearest = std::min(piece.nearest, image.depth(u, v));
 }
 
+// Pixels of each object in one piece: names the owner and the others.
+void name_objects(Piece& piece, const std::map<std::size_t, std::int64_t>& pixels) {
+  const auto most =
+      std::max_element(pixels.begin(), pixels.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  piece.object = most->first;
+  for (const auto& [object, count] : pixels) {
+    if (object != piece.object) piece.others.push_back(object);
+  }
+}
+
 }  // namespace
 
-std::vector<Piece> find_pieces(const LabelImage& image) {
+std::vector<Piece> find_pieces(const LabelImage& image, std::span<const std::uint8_t> signatures) {
   std::vector<Piece> pieces;
   const PixelBox& area = image.touched();
   if (area.empty()) return pieces;
@@ -75,19 +93,22 @@ std::vector<Piece> find_pieces(const LabelImage& image) {
     const std::size_t begin = runs.size();
     append_runs(image, v, runs);
     row_of.resize(runs.size(), v);
-    join_rows(runs, above, begin);
+    join_rows(runs, above, begin, signatures);
     above = begin;
   }
   std::vector<std::size_t> piece_of(runs.size());
+  std::vector<std::map<std::size_t, std::int64_t>> pixels_of;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::size_t root = root_of(runs, i);
     if (root == i) {
       piece_of[i] = pieces.size();
       pieces.push_back({});
-      pieces.back().object = static_cast<std::size_t>(runs[i].object);
+      pixels_of.emplace_back();
     }
     add_run(pieces[piece_of[root]], runs[i], row_of[i], image);
+    pixels_of[piece_of[root]][static_cast<std::size_t>(runs[i].object)] += runs[i].end - runs[i].begin + 1;
   }
+  for (std::size_t i = 0; i < pieces.size(); ++i) name_objects(pieces[i], pixels_of[i]);
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.object < b.object; });
   return pieces;
 }

@@ -23,6 +23,7 @@ enum class BlobEnd : unsigned char {
 
 struct BlobTruth {
   std::optional<std::size_t> object;  ///< index into Scene::objects; empty: a false blob
+  std::vector<std::size_t> others;    ///< objects of its signature that touch it in the image: one blob of several
   BlobEnd left = BlobEnd::kEdge;
   BlobEnd right = BlobEnd::kEdge;
   double distance = 0;  ///< m, from the camera to the nearest visible point, in the plane, along the optical axis

@@ -30,7 +30,8 @@ recon::MapPose map_pose(const host::TimedPose& pose) {
           static_cast<std::int32_t>(std::lround(pose.heading * 1e6))};
 }
 
-// The true object of a blob of the canonical (perhaps joined) frame: that of its widest part.
+// The true object of a blob of the canonical (perhaps joined) frame: that of its widest part. One that shows several is
+// nobody's.
 std::optional<std::size_t> object_of(const recon::Box& box, const host::FrameTruth& truth) {
   std::optional<std::size_t> object;
   int widest = 0;
@@ -39,7 +40,7 @@ std::optional<std::size_t> object_of(const recon::Box& box, const host::FrameTru
     const bool inside = blob.x1 >= box.x1 && blob.x2 <= box.x2 && blob.y1 >= box.y1 && blob.y2 <= box.y2;
     if (!inside || blob.x2 - blob.x1 + 1 <= widest) continue;
     widest = blob.x2 - blob.x1 + 1;
-    object = truth.blobs[i].object;
+    object = truth.blobs[i].others.empty() ? truth.blobs[i].object : std::nullopt;
   }
   return object;
 }
@@ -54,7 +55,7 @@ class Watch {
     map_->add_frame(frame, camera_, map_pose(truth.pose), {}, {});
     ++figures.frames;
     for (const host::BlobTruth& blob : truth.blobs) {
-      if (blob.object) ++seen_[*blob.object];
+      if (blob.object && blob.others.empty()) ++seen_[*blob.object];
     }
     for (std::size_t slot = 0; slot < config::Full::kObjects; ++slot) {
       if (!map_->slots()[slot].used() || !map_->seen_now(slot)) continue;

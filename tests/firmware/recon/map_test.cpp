@@ -177,19 +177,97 @@ TEST(Map, AFullTableGivesUpTheLeastUsefulTentativeObject) {
   EXPECT_EQ(drive.map->size(), 4U);
 }
 
-TEST(Map, ALeftoverPieceIsNotANewObject) {
+// The camera lost three columns in the middle.
+sensor::BlobFrame in_two(sensor::BlobFrame seen) {
+  sensor::Blob& whole = seen.blobs[0];
+  sensor::Blob piece = whole;
+  const int middle = (whole.x1 + whole.x2) / 2;
+  whole.x2 = static_cast<std::int16_t>(middle - 2);
+  piece.x1 = static_cast<std::int16_t>(middle + 2);
+  EXPECT_TRUE(seen.blobs.push_back(piece));
+  return seen;
+}
+
+// One box around both, as a camera has it where two things of one colour touch in the image.
+sensor::BlobFrame as_one(sensor::BlobFrame seen) {
+  const sensor::Blob other = seen.blobs[1];
+  sensor::Blob& one = seen.blobs[0];
+  one.x1 = std::min(one.x1, other.x1);
+  one.x2 = std::max(one.x2, other.x2);
+  one.y1 = std::min(one.y1, other.y1);
+  one.y2 = std::max(one.y2, other.y2);
+  seen.blobs.erase_at(1);
+  return seen;
+}
+
+TEST(Map, APieceIsNotANewObject) {
   Drive<config::Small> drive;
   const std::vector<Post> posts = {{1, 1.0, 0.0, 0.06}};
   for (int i = 0; i < 10; ++i) drive.step(posts, 0, 0.02 * i, 0);
-  sensor::BlobFrame seen = drive.look(posts, 0, 0.2, 0);
-  sensor::Blob& whole = seen.blobs[0];
-  sensor::Blob piece = whole;
-  piece.x1 = static_cast<std::int16_t>(whole.x2 - 5);
-  whole.x2 = static_cast<std::int16_t>(piece.x1 - 3);
-  ASSERT_TRUE(seen.blobs.push_back(piece));
-  const recon::FrameOutcome outcome = drive.take(seen, 0, 0.2, 0);
-  EXPECT_EQ(outcome.pieces, 1);
+  const recon::FrameOutcome outcome = drive.take(in_two(drive.look(posts, 0, 0.2, 0)), 0, 0.2, 0);
+  EXPECT_EQ(outcome.matched, 1);
   EXPECT_EQ(outcome.born, 0);
+  EXPECT_NEAR(drive.objects()[0]->cylinder.estimate().radius, 0.06, 0.01);
+}
+
+TEST(Map, PiecesThatStayAreTwoObjects) {
+  Drive<config::Small> drive;
+  const std::vector<Post> posts = {{1, 1.0, -0.07, 0.06}, {1, 1.0, 0.07, 0.06}};
+  int i = 0;
+  for (; i < 8; ++i) drive.take(as_one(drive.look(posts, 0, 0.01 * i, 0)), 0, 0.01 * i, 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  const std::uint32_t both = drive.objects()[0]->id;
+  EXPECT_TRUE(drive.objects()[0]->confirmed);
+  for (; i < 14; ++i) drive.step(posts, 0, 0.01 * i, 0);
+  const auto objects = drive.objects();
+  ASSERT_EQ(objects.size(), 2U);
+  for (const auto* object : objects) {
+    EXPECT_NE(object->id, both);
+    EXPECT_TRUE(object->confirmed);
+    EXPECT_LT(object->cylinder.estimate().radius, 0.09F);
+  }
+}
+
+TEST(Map, OneBlobOfTwoObjectsIsSeenByBoth) {
+  Drive<config::Small> drive;
+  const std::vector<Post> posts = {{1, 1.0, -0.08, 0.06}, {1, 1.0, 0.08, 0.06}};
+  int i = 0;
+  for (; i < 25; ++i) drive.step(posts, 0, -0.25 + 0.02 * i, 0);
+  ASSERT_EQ(drive.objects().size(), 2U);
+  const auto views = drive.objects()[0]->views;
+  for (int k = 0; k < 5; ++k, ++i) {
+    drive.take(as_one(drive.look(posts, 0, -0.25 + 0.02 * i, 0)), 0, -0.25 + 0.02 * i, 0);
+  }
+  const auto objects = drive.objects();
+  ASSERT_EQ(objects.size(), 2U);
+  for (const auto* object : objects) {
+    EXPECT_EQ(object->views, views + 5);
+    EXPECT_NEAR(object->cylinder.estimate().radius, 0.06, 0.012);
+  }
+}
+
+TEST(Map, ModelsOfSomethingElseStartAgain) {
+  Drive<config::Small> drive;
+  for (int i = 0; i < 10; ++i) drive.step({{1, 1.0, 0.0, 0.15}}, 0, 0.02 * i, 0);
+  const std::uint32_t id = drive.objects()[0]->id;
+  EXPECT_GT(drive.objects()[0]->cylinder.estimate().radius, 0.12F);
+  // Its right end stays, its left one comes in, and does not go back.
+  for (int i = 10; i < 30; ++i) drive.step({{1, 1.0, -0.11, 0.04}}, 0, 0.02 * i, 0);
+  const auto objects = drive.objects();
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0]->id, id);
+  EXPECT_TRUE(objects[0]->confirmed);
+  EXPECT_NEAR(objects[0]->cylinder.estimate().radius, 0.04, 0.01);
+}
+
+TEST(Map, AFewSightingsThatNothingBearsOutAreForgotten) {
+  Drive<config::Small> drive;
+  for (int i = 0; i < 4; ++i) drive.step({{1, 1.0, 0.0, 0.06}}, 0, 0.02 * i, 0);
+  ASSERT_TRUE(drive.objects()[0]->confirmed);
+  for (int i = 0; i < 8; ++i) drive.step({}, 0, 0.08, 0);
+  EXPECT_EQ(drive.objects().size(), 1U) << "not within a second";
+  for (int i = 0; i < 8; ++i) drive.step({}, 0, 0.08, 0);
+  EXPECT_TRUE(drive.objects().empty());
 }
 
 TEST(Map, AnObjectThatShouldBeSeenAndIsNotLosesCredit) {

@@ -55,34 +55,5 @@ TEST(Occlusion, ALowerNeighbourHidesTheBottomButNoSide) {
   EXPECT_TRUE(ends.bottom);
 }
 
-TEST(Occlusion, PiecesBehindAPostAreJoined) {
-  base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
-  ASSERT_TRUE(blobs.push_back({{100, 80, 120, 120}, 1}));
-  ASSERT_TRUE(blobs.push_back({{136, 81, 150, 119}, 1}));
-  ASSERT_TRUE(blobs.push_back({{121, 60, 135, 170}, 2}));
-  const recon::CutPair pair = recon::find_cut_pair(blobs.view(), 0, 0);
-  ASSERT_TRUE(pair.found);
-  recon::join(blobs, pair);
-  ASSERT_EQ(blobs.size(), 2U);
-  EXPECT_EQ(blobs[0].box.x1, 100);
-  EXPECT_EQ(blobs[0].box.x2, 150);
-  EXPECT_EQ(blobs[0].box.y1, 80);
-  EXPECT_EQ(blobs[0].box.y2, 120);
-  EXPECT_FALSE(recon::hidden_ends(blobs.view(), 0, kRows).left);
-  EXPECT_FALSE(recon::hidden_ends(blobs.view(), 0, kRows).right);
-}
-
-TEST(Occlusion, TwoObjectsWithNothingBetweenStayTwo) {
-  for (const WaitingBlob& other : {WaitingBlob{{121, 60, 128, 170}, 2},      // does not fill the gap
-                                   WaitingBlob{{121, 60, 135, 100}, 2},      // ends above them: it stands farther away
-                                   WaitingBlob{{121, 100, 135, 170}, 2}}) {  // lower: both would show above it
-    base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
-    ASSERT_TRUE(blobs.push_back({{100, 80, 120, 120}, 1}));
-    ASSERT_TRUE(blobs.push_back({{140, 81, 160, 119}, 1}));
-    ASSERT_TRUE(blobs.push_back(other));
-    EXPECT_FALSE(recon::find_cut_pair(blobs.view(), 0, 0).found);
-  }
-}
-
 }  // namespace
 }  // namespace fencepost::test

@@ -68,10 +68,10 @@ TEST(FrameTruths, WithoutAPathKnowsNothing) {
 }
 
 // A can split in two by a post in front of it: the robot may join its pieces, and the box belongs to the wider one's
-// object. Here the nearer post and the can have one colour, so the post's blob lies inside the joined box.
+// object, although the post's blob lies inside it.
 TEST(FrameTruths, AJoinedBlobBelongsToItsWidestPart) {
   Scene scene = blocks();
-  scene.objects = {{"post", 1, 0, 0.2, {{{-0.35, -0.01}, {-0.33, -0.01}, {-0.33, 0.01}, {-0.35, 0.01}}, {}}},
+  scene.objects = {{"post", 2, 0, 0.2, {{{-0.35, -0.01}, {-0.33, -0.01}, {-0.33, 0.01}, {-0.35, 0.01}}, {}}},
                    {"can", 1, 0, 0.2, {{{-0.2, -0.12}, {0.1, -0.12}, {0.1, 0.1}, {-0.2, 0.1}}, {}}}};
   PosesPath path;
   path.poses = {{0, -1.2, 0, 0}};
@@ -81,15 +81,29 @@ TEST(FrameTruths, AJoinedBlobBelongsToItsWidestPart) {
   recon::WaitingFrame frame = recon::make_waiting(truth.frame, 0);
   const auto apart = FrameTruths(scene).owners(frame);
   ASSERT_TRUE(apart.has_value());
-  EXPECT_EQ(*apart, (BlobOwners{1, 0, 1}));  // from left to right
+  EXPECT_EQ(*apart, (BlobOwners{1, 1, 0}));
 
-  frame.blobs[0].box.x2 = frame.blobs[2].box.x2;
-  frame.blobs[0].box.y1 = std::min(frame.blobs[0].box.y1, frame.blobs[1].box.y1);
-  frame.blobs[0].box.y2 = std::max(frame.blobs[0].box.y2, frame.blobs[1].box.y2);
-  frame.blobs.erase_at(2);
+  frame.blobs[0].box.x2 = frame.blobs[1].box.x2;
+  frame.blobs.erase_at(1);
   const auto joined = FrameTruths(scene).owners(frame);
   ASSERT_TRUE(joined.has_value());
   EXPECT_EQ(*joined, (BlobOwners{1, 0}));
+}
+
+// Two cans of one colour side by side in the image: their blob shows both and counts for neither.
+TEST(FrameTruths, ABlobOfTwoObjectsIsNobodys) {
+  Scene scene = blocks();
+  scene.objects = {{"near", 1, 0, 0.2, {{{-0.4, -0.1}, {-0.3, -0.1}, {-0.3, 0.0}, {-0.4, 0.0}}, {}}},
+                   {"far", 1, 0, 0.2, {{{-0.2, -0.02}, {0.1, -0.02}, {0.1, 0.1}, {-0.2, 0.1}}, {}}}};
+  PosesPath path;
+  path.poses = {{0, -1.2, 0, 0}};
+  scene.path = path;
+  const FrameTruth truth = frames_of(scene).at(0);
+  ASSERT_EQ(truth.blobs.size(), 1U);
+  EXPECT_EQ(truth.blobs[0].others.size(), 1U);
+  const auto owners = FrameTruths(scene).owners(recon::make_waiting(truth.frame, 0));
+  ASSERT_TRUE(owners.has_value());
+  EXPECT_EQ(*owners, (BlobOwners{std::nullopt}));
 }
 
 }  // namespace

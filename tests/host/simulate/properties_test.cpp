@@ -98,8 +98,35 @@ TEST(Properties, MovingSceneAndPathTogetherChangesNothing) {
   EXPECT_LE(differences, 1);
 }
 
+// Objects of one colour that touch in the image are one blob.
+Scene each_in_its_own_colour(Scene scene) {
+  scene.signatures.clear();
+  for (SceneObject& object : scene.objects) {
+    object.signature = static_cast<std::uint8_t>(scene.signatures.size() + 1);
+    scene.signatures.push_back({object.signature, object.name, {200, 40, 40}});
+  }
+  return scene;
+}
+
+TEST(Properties, TouchingObjectsOfOneColourAreOneBlob) {
+  const Simulated apart = run(each_in_its_own_colour(blocks(4)));
+  Scene alike = blocks(4);
+  for (SceneObject& object : alike.objects) object.signature = 1;
+  const Simulated merged = run(alike);
+  int several = 0;
+  for (std::size_t frame = 0; frame < merged.truth.size(); ++frame) {
+    std::uint32_t pixels = 0, pixels_apart = 0;
+    for (const sensor::Blob& blob : merged.truth[frame].frame.blobs) pixels += blob.pixels;
+    for (const sensor::Blob& blob : apart.truth[frame].frame.blobs) pixels_apart += blob.pixels;
+    EXPECT_EQ(pixels, pixels_apart) << "frame " << frame;
+    EXPECT_LE(merged.truth[frame].blobs.size(), apart.truth[frame].blobs.size());
+    for (const BlobTruth& blob : merged.truth[frame].blobs) several += blob.others.empty() ? 0 : 1;
+  }
+  EXPECT_GT(several, 0);
+}
+
 TEST(Properties, AnObjectNeverGrowsWhenAnotherIsAdded) {
-  const Scene all = blocks(4);
+  const Scene all = each_in_its_own_colour(blocks(4));
   Scene fewer = all;
   fewer.objects.pop_back();
   const auto pixels_of = [](const Simulated& simulated, std::size_t frame) {
@@ -127,7 +154,7 @@ TEST(Properties, AnObjectNeverGrowsWhenAnotherIsAdded) {
 
 TEST(Properties, EveryUnobstructedEndIsWithinHalfAPixelOfItsTangent) {
   // The contract between simulator and reconstruction: continuous edges x1 - 0.5 and x2 + 0.5 enclose the object.
-  const Scene scene = blocks(5);
+  const Scene scene = each_in_its_own_colour(blocks(5));
   const Simulated simulated = run(scene);
   int compared = 0;
   for (const FrameTruth& truth : simulated.truth) {
