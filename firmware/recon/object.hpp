@@ -38,7 +38,7 @@ struct ObjectCore {
   bool confirmed = false;
   bool left_open = false;  ///< the left end of the last sighting was censored: the object goes on there
   bool right_open = false;
-  std::uint8_t arenas = 0;  ///< how often the models were given a place
+  std::uint8_t arenas = 0;  ///< how often the models were given a place; 0: theirs is a guess
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;
@@ -65,7 +65,7 @@ inline constexpr std::uint8_t kMaxArenas = 4;
 
 template <class Profile>
 struct Object : ObjectCore {
-  base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen before there was a place
+  base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
   CarveGrid<Profile::kGridCells> grid;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
@@ -74,8 +74,6 @@ struct Object : ObjectCore {
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
-    clip.clear();
-    grid.clear();
     sheaf.clear();
     id = new_id;
     signature = new_signature;
@@ -83,6 +81,9 @@ struct Object : ObjectCore {
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+    // A guessed place, until there is an estimate: what the first wedges leave is known before any distance is.
+    clip.start();
+    grid.start();
   }
 
   /// One more view of the object.
@@ -103,7 +104,7 @@ struct Object : ObjectCore {
     if (cylinder.estimate().ok() && must_move()) move_arena();
     if (!sighting.left.censored) cut(left_tangent(sighting, origin));
     if (!sighting.right.censored) cut(right_tangent(sighting, origin));
-    if (placed()) grid.refine(clip.vertices());
+    grid.refine(clip.vertices());
   }
 
  private:
@@ -127,16 +128,14 @@ struct Object : ObjectCore {
     clip.start();
     grid.start();
     ++arenas;
-    for (const HalfPlane& tangent : pending) cut(seen_from(tangent, shift));
+    for (const HalfPlane& tangent : pending) cut(seen_from(tangent, shift));  // placed by now: none is kept again
     pending.clear();
   }
 
   void cut(const HalfPlane& tangent) {
-    if (placed()) {
-      clip.cut(tangent);
-      grid.carve(tangent);
-      return;
-    }
+    clip.cut(tangent);
+    grid.carve(tangent);
+    if (placed()) return;
     if (pending.full()) pending.erase_at(0);  // the oldest, farthest one: forgetting a cut is always safe
     static_cast<void>(pending.push_back(tangent));
   }
