@@ -78,7 +78,6 @@ struct VisibleEdges {
 struct EdgeView {
   float distance_squared = 0;  ///< to the edge itself, not to its line
   float outside_by = 0;        ///< times the edge's length
-  bool beyond_an_end = false;  ///< an end is the edge's nearest point
 };
 
 EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
@@ -88,8 +87,7 @@ EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
   view.outside_by = -cross(along, offset);
   const float share_times_square = along.dot(offset);
   const float length_squared = along.squaredNorm();
-  view.beyond_an_end = !(share_times_square > 0 && share_times_square < length_squared);
-  if (!view.beyond_an_end) {
+  if (share_times_square > 0 && share_times_square < length_squared) {
     view.distance_squared = view.outside_by * view.outside_by / length_squared;
   } else {
     view.distance_squared = share_times_square > 0 ? (point - b).squaredNorm() : offset.squaredNorm();
@@ -98,8 +96,7 @@ EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
 }
 
 // Posts of one view lie on one ray, so many are almost in line, and a short edge says nonsense about what is far along
-// its line. Only the nearest edge is trusted, and the run of visible ones around it. Beyond an end of the nearest edge
-// the point is outside whatever rounding says.
+// its line. Only the nearest edge is trusted, and the run of visible ones around it.
 VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2& point) {
   std::size_t nearest = 0;
   EdgeView best = view_of_edge(v[0], v[next(0, size)], point);
@@ -112,7 +109,7 @@ VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2&
     best = view;
   }
   if (!(best.distance_squared > kHullTolerance * kHullTolerance)) return {};
-  if (!best.beyond_an_end && !(best.outside_by > 0)) return {};
+  if (!(best.outside_by > 0)) return {};
   const auto sees = [&](std::size_t i) { return -cross(v[next(i, size)] - v[i], point - v[i]) > 0; };
   VisibleEdges visible{nearest, 1};
   std::size_t last = nearest;

@@ -365,7 +365,7 @@ TEST(GrowHull, HoldsFansOfPostsOnOneRay) {
   std::mt19937 random(3);
   std::normal_distribution<float> noise(0.0F, 0.03F);
   double worst = 0;
-  for (int tour = 0; tour < 60; ++tour) {
+  for (int tour = 0; tour < 200; ++tour) {
     std::vector<recon::SheafView> views;
     for (int i = 0; i < 75; ++i) {
       const double angle = 2 * std::numbers::pi * i / 75;
