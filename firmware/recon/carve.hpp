@@ -51,13 +51,6 @@ class CarveGrid {
     place({{-kArenaHalfSide, -kArenaHalfSide}, 2 * kArenaHalfSide / static_cast<float>(N)});
   }
 
-  /// No place and no solid cell.
-  void clear() {
-    placement_ = {};
-    row_begin_ = row_end_ = 0;
-    placements_ = 0;
-  }
-
   void carve(const HalfPlane& half_plane) {
     carve_half_plane(words_, N, row_begin_, row_end_, placement_, half_plane);
     shrink_rows();

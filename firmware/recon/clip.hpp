@@ -44,7 +44,6 @@ class ConvexClip {
     vertices_[3] = {-h, h};
     size_ = 4;
   }
-  void clear() { size_ = 0; }
   void cut(const HalfPlane& half_plane) {
     size_ = static_cast<std::uint16_t>(clip_convex(vertices_, size_, half_plane));
   }

@@ -28,7 +28,6 @@ void hash_object(base::Fnv1a64& hash, const Object<Profile>& object) {
   hash_core(hash, object);
   hash_pending(hash, object.pending.view());
   if constexpr (Profile::kSheafViews > 0) hash_sheaf(hash, object.sheaf.view());
-  if (!object.placed()) return;
   hash_clip(hash, object.clip.vertices());
   hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
 }

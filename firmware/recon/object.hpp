@@ -40,7 +40,7 @@ struct ObjectCore {
   bool confirmed = false;
   bool left_open = false;  ///< the left end of the last sighting was censored: the object goes on there
   bool right_open = false;
-  std::uint8_t arenas = 0;     ///< how often the models were given a place
+  std::uint8_t arenas = 0;     ///< how often the models were given a place; 0: theirs is a guess
   std::uint8_t in_pieces = 0;  ///< frames in a row in which it was two blobs with nothing between them
   std::int8_t left_off = 0;    ///< frames in a row in which its left end was far off to one side; negative: to the left
   std::int8_t right_off = 0;
@@ -79,7 +79,7 @@ inline constexpr std::uint8_t kMaxArenas = 4;
 
 template <class Profile>
 struct Object : ObjectCore {
-  base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen before there was a place
+  base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
   CarveGrid<Profile::kGridCells> grid;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
@@ -88,8 +88,6 @@ struct Object : ObjectCore {
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
-    clip.clear();
-    grid.clear();
     sheaf.clear();
     id = new_id;
     signature = new_signature;
@@ -97,6 +95,9 @@ struct Object : ObjectCore {
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+    // A guessed place, until there is an estimate: what the first wedges leave is known before any distance is.
+    clip.start();
+    grid.start();
   }
 
   /// The models were of something else: starts them again with this sighting; who it is and that it is there stays.
@@ -128,7 +129,7 @@ struct Object : ObjectCore {
     if (cylinder.estimate().ok() && must_move()) move_arena();
     if (!sighting.left.censored) cut(left_tangent(sighting, origin));
     if (!sighting.right.censored) cut(right_tangent(sighting, origin));
-    if (placed()) grid.refine(clip.vertices());
+    grid.refine(clip.vertices());
   }
 
  private:
@@ -152,16 +153,14 @@ struct Object : ObjectCore {
     clip.start();
     grid.start();
     ++arenas;
-    for (const HalfPlane& tangent : pending) cut(seen_from(tangent, shift));
+    for (const HalfPlane& tangent : pending) cut(seen_from(tangent, shift));  // placed by now: none is kept again
     pending.clear();
   }
 
   void cut(const HalfPlane& tangent) {
-    if (placed()) {
-      clip.cut(tangent);
-      grid.carve(tangent);
-      return;
-    }
+    clip.cut(tangent);
+    grid.carve(tangent);
+    if (placed()) return;
     if (pending.full()) pending.erase_at(0);  // the oldest, farthest one: forgetting a cut is always safe
     static_cast<void>(pending.push_back(tangent));
   }

@@ -74,25 +74,47 @@ struct VisibleEdges {
   std::size_t count = 0;
 };
 
-// Float rounding may say nonsense about edges almost in line with the point, so only the run around the edge that the
-// point is farthest outside of is trusted.
-VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2& point) {
-  const auto outside = [&](std::size_t i) { return -cross(v[next(i, size)] - v[i], point - v[i]); };
-  std::size_t farthest = size;
-  float distance_squared = kHullTolerance * kHullTolerance;
-  for (std::size_t i = 0; i < size; ++i) {
-    const float by = outside(i);
-    if (!(by > 0)) continue;
-    const float squared = by * by / (v[next(i, size)] - v[i]).squaredNorm();
-    if (!(squared > distance_squared)) continue;
-    farthest = i;
-    distance_squared = squared;
+// How far a point is from one edge, and on which side of its line.
+struct EdgeView {
+  float distance_squared = 0;  ///< to the edge itself, not to its line
+  float outside_by = 0;        ///< times the edge's length
+};
+
+EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
+  const Vec2 along = b - a;
+  const Vec2 offset = point - a;
+  EdgeView view;
+  view.outside_by = -cross(along, offset);
+  const float share_times_square = along.dot(offset);
+  const float length_squared = along.squaredNorm();
+  if (share_times_square > 0 && share_times_square < length_squared) {
+    view.distance_squared = view.outside_by * view.outside_by / length_squared;
+  } else {
+    view.distance_squared = share_times_square > 0 ? (point - b).squaredNorm() : offset.squaredNorm();
   }
-  if (farthest == size) return {};
-  VisibleEdges visible{farthest, 1};
-  std::size_t last = farthest;
-  for (; visible.count + 1 < size && outside(next(last, size)) > 0; ++visible.count) last = next(last, size);
-  for (; visible.count + 1 < size && outside(previous(visible.first, size)) > 0; ++visible.count) {
+  return view;
+}
+
+// Posts of one view lie on one ray, so many are almost in line, and a short edge says nonsense about what is far along
+// its line. Only the nearest edge is trusted, and the run of visible ones around it.
+VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2& point) {
+  std::size_t nearest = 0;
+  EdgeView best = view_of_edge(v[0], v[next(0, size)], point);
+  for (std::size_t i = 1; i < size; ++i) {
+    const EdgeView view = view_of_edge(v[i], v[next(i, size)], point);
+    const bool nearer = view.distance_squared < best.distance_squared;
+    const bool same_vertex = view.distance_squared == best.distance_squared && view.outside_by > best.outside_by;
+    if (!nearer && !same_vertex) continue;
+    nearest = i;
+    best = view;
+  }
+  if (!(best.distance_squared > kHullTolerance * kHullTolerance)) return {};
+  if (!(best.outside_by > 0)) return {};
+  const auto sees = [&](std::size_t i) { return -cross(v[next(i, size)] - v[i], point - v[i]) > 0; };
+  VisibleEdges visible{nearest, 1};
+  std::size_t last = nearest;
+  for (; visible.count + 1 < size && sees(next(last, size)); ++visible.count) last = next(last, size);
+  for (; visible.count + 1 < size && sees(previous(visible.first, size)); ++visible.count) {
     visible.first = previous(visible.first, size);
   }
   return visible;

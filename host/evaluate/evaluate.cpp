@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
+#include "host/evaluate/cut.hpp"
 #include "host/evaluate/following.hpp"
-#include "host/evaluate/frame_truths.hpp"
 #include "host/evaluate/matching.hpp"
 #include "host/result/lookup.hpp"
 
@@ -16,7 +15,7 @@ namespace {
 /// Sees the run go by: keeps each object as it was when it reached so many views, and who followed whom.
 class Watch final : public RunObserver {
  public:
-  Watch(const Scene& scene, const std::vector<std::uint32_t>& views) : truths_(scene), views_(views) {}
+  Watch(const FrameTruths& truths, const std::vector<std::uint32_t>& views) : truths_(truths), views_(views) {}
 
   void run_begins() override {
     following_.clear();
@@ -54,7 +53,7 @@ class Watch final : public RunObserver {
   }
 
  private:
-  FrameTruths truths_;
+  const FrameTruths& truths_;
   const std::vector<std::uint32_t>& views_;
   Following following_;
   std::map<std::uint32_t, std::vector<ObjectResult>> snapshots_;
@@ -64,16 +63,6 @@ class Watch final : public RunObserver {
 };
 
 bool is_confirmed(const ObjectResult& object) { return object.state != record::ObjectState::kTentative; }
-
-Cut cut_of(const ObjectResult& object, const Polygon& footprint, bool end) {
-  Cut cut{object.views, end, std::nullopt, {}};
-  if (const Circle* circle = object_circle(object)) {
-    const Point center = centroid(footprint);
-    cut.position_error = std::hypot(circle->center.x - center.x, circle->center.y - center.y);
-  }
-  for (const ModelResult& model : object.models) cut.models.push_back({model.name, score(model.geometry, footprint)});
-  return cut;
-}
 
 void measure_found(const ObjectResult& object, const Polygon& footprint, const Watch& watch, ObjectEvaluation& result) {
   result.found = {object.id, object.state, object.views};
@@ -121,7 +110,12 @@ std::vector<ObjectEvaluation> measure_objects(const std::vector<ObjectResult>& o
 
 EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
                          const EvaluateOptions& options) {
-  Watch watch(truth, options.views);
+  return evaluate(log, name, truth, FrameTruths(truth), options);
+}
+
+EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
+                         const FrameTruths& frame_truths, const EvaluateOptions& options) {
+  Watch watch(frame_truths, options.views);
   ReplayOptions replay_options;
   replay_options.profile = options.profile;
   replay_options.camera = options.camera;

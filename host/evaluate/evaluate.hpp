@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/evaluate/evaluation.hpp"
+#include "host/evaluate/frame_truths.hpp"
 #include "host/replay/replay.hpp"
 #include "host/scene/scene.hpp"
 
@@ -30,6 +31,9 @@ struct EvaluateOutcome {
 /// `log` holds the bytes; `name` is used in messages only.
 EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
                          const EvaluateOptions& options);
+/// The same for a log whose frames the scene alone does not give; `frame_truths` knows them.
+EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
+                         const FrameTruths& frame_truths, const EvaluateOptions& options);
 
 /// Means over all objects of all logs, each with its standard error.
 Summary summarise(std::span<const Evaluation> evaluations, const std::vector<std::uint32_t>& views);

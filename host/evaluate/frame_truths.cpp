@@ -57,6 +57,10 @@ FrameTruths::FrameTruths(const Scene& scene) {
   if (!summary.ok()) frames_.clear();
 }
 
+FrameTruths::FrameTruths(std::span<const FrameTruth> frames) {
+  for (const FrameTruth& truth : frames) frames_.emplace(truth.frame.frame, truth);
+}
+
 std::optional<BlobOwners> FrameTruths::owners(const recon::WaitingFrame& frame) const {
   const auto truth = frames_.find(frame.frame);
   if (truth == frames_.end() || !same_frame(truth->second.frame, frame)) return std::nullopt;

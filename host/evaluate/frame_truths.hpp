@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -21,6 +22,8 @@ class FrameTruths {
  public:
   /// Simulates the scene; knows nothing if it has no path or cannot be simulated.
   explicit FrameTruths(const Scene& scene);
+  /// Knows these frames.
+  explicit FrameTruths(std::span<const FrameTruth> frames);
 
   /// Owners of the frame's blobs in its order; nothing for a frame that this scene does not give. Of two blobs that the
   /// robot joined, the wider one counts.

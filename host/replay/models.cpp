@@ -166,7 +166,7 @@ ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::V
   ModelResult model;
   model.name = "clip";
   if (vertices.size() < 3) {
-    model.reason = object.placed() ? "contradictory wedges carved everything away" : "no place yet";
+    model.reason = "contradictory wedges carved everything away";
     return model;
   }
   model.geometry.push_back(map_polygon(object.origin, vertices));
@@ -187,7 +187,7 @@ ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacem
                         std::span<const std::uint32_t> words) {
   ModelResult model;
   model.name = "carve";
-  if (!object.placed()) {
+  if (!(placement.cell > 0)) {
     model.reason = "no place yet";
     return model;
   }

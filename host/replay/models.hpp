@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "firmware/recon/object.hpp"
 #include "host/result/result.hpp"
@@ -21,5 +22,21 @@ ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::
 /// Outline of the solid cells, holes included.
 ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
                         std::span<const std::uint32_t> words);
+
+/// All models of the profile, in the order of the result document.
+template <class Profile>
+std::vector<ModelResult> models_of(const recon::Object<Profile>& object) {
+  std::vector<ModelResult> models{cylinder_model(object), cylinder_paper_model(object)};
+  if constexpr (Profile::kSheafViews > 0) {
+    recon::PlaneSheaf<Profile::kSheafViews, Profile::kSheafPosts> sheaf;
+    sheaf.build_paper(object.sheaf.view());
+    models.push_back(sheaf_model(object, "sheaf_paper", sheaf.hull(), sheaf.refusal()));
+    sheaf.build(object.sheaf.view());
+    models.push_back(sheaf_model(object, "sheaf", sheaf.hull(), sheaf.refusal()));
+  }
+  models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
+  models.push_back(clip_model(object, object.clip.vertices()));
+  return models;
+}
 
 }  // namespace fencepost::host

@@ -100,17 +100,7 @@ class ProfileRunner final : public Runner {
       result.z_min = static_cast<double>(band.z_min);
       result.z_max = static_cast<double>(band.z_max);
     }
-    result.models.push_back(cylinder_model(object));
-    result.models.push_back(cylinder_paper_model(object));
-    if constexpr (Profile::kSheafViews > 0) {
-      recon::PlaneSheaf<Profile::kSheafViews, Profile::kSheafPosts> sheaf;
-      sheaf.build_paper(object.sheaf.view());
-      result.models.push_back(sheaf_model(object, "sheaf_paper", sheaf.hull(), sheaf.refusal()));
-      sheaf.build(object.sheaf.view());
-      result.models.push_back(sheaf_model(object, "sheaf", sheaf.hull(), sheaf.refusal()));
-    }
-    result.models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
-    result.models.push_back(clip_model(object, object.clip.vertices()));
+    result.models = models_of(object);
     return result;
   }
 

@@ -6,13 +6,11 @@
 
 #include "host/geometry/planar.hpp"
 #include "host/scene/load.hpp"
-#include "host/simulate/simulate.hpp"
-#include "tests/identity/random_scene.hpp"
+#include "tests/tables/given_run.hpp"
+#include "tests/tables/tour.hpp"
 
 namespace fencepost::test {
 namespace {
-
-constexpr int kObjects = 3;
 
 void add_hull_limit(const host::Scene& scene, host::Evaluation& evaluation) {
   evaluation.models.emplace_back(kHullLimit);
@@ -36,28 +34,29 @@ void dump(const std::string& folder, const std::string& name, const host::Scene&
   write_file(std::filesystem::path(folder) / (name + ".log"), log);
 }
 
-}  // namespace
-
-host::Evaluation run_scene(unsigned seed, const NoiseLevel& level, const QualityOptions& options) {
-  if (options.flags == OcclusionFlags::kTrue) {
-    throw std::runtime_error("true occlusion flags have no way into the map yet; use --flags inferred");
-  }
-  host::Scene scene = random_scene(seed, kObjects, Colours::kAllDifferent, 0);
-  scene.noise = level.noise;
-  std::string log;
-  const auto summary = host::simulate(scene, [&](std::string_view line) { log += line; });
-  if (!summary.ok()) throw std::runtime_error(summary.error());
-
-  if (!options.dump.empty()) dump(options.dump, std::string(level.key) + "_" + std::to_string(seed), scene, log);
-
+host::Evaluation run_log(unsigned seed, const Tour& tour, const QualityOptions& options) {
   host::EvaluateOptions evaluate_options;
   evaluate_options.views = kTableViews;
   evaluate_options.profile = options.profile;
-  host::EvaluateOutcome outcome = host::evaluate(log, "seed " + std::to_string(seed), scene, evaluate_options);
+  const std::string name = "seed " + std::to_string(seed);
+  host::EvaluateOutcome outcome =
+      host::evaluate(tour.log, name, tour.scene, host::FrameTruths(tour.frames), evaluate_options);
   if (outcome.replay.unreadable) throw std::runtime_error(outcome.replay.unreadable->message);
-  if (!outcome.evaluation.frame_truth) throw std::runtime_error("the simulator does not recognise its own frames");
-  add_hull_limit(scene, outcome.evaluation);
+  if (!outcome.evaluation.frame_truth) throw std::runtime_error(name + ": the frames of the log are not the tour's");
+  if (outcome.evaluation.frames != tour.frames.size()) throw std::runtime_error(name + ": the map refused frames");
   return std::move(outcome.evaluation);
+}
+
+}  // namespace
+
+host::Evaluation run_scene(unsigned seed, const NoiseLevel& level, const QualityOptions& options) {
+  const Tour tour = drive_tour(seed, level);
+  if (!options.dump.empty())
+    dump(options.dump, std::string(level.key) + "_" + std::to_string(seed), tour.scene, tour.log);
+  host::Evaluation evaluation =
+      options.flags == OcclusionFlags::kTrue ? run_given(tour, options.profile) : run_log(seed, tour, options);
+  add_hull_limit(tour.scene, evaluation);
+  return evaluation;
 }
 
 }  // namespace fencepost::test

@@ -1,7 +1,8 @@
-// One random scene at one noise level: simulated, replayed, measured.
+// One random scene at one noise level: driven, reconstructed, measured.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host/evaluate/evaluate.hpp"
 #include "tests/tables/noise_levels.hpp"
@@ -10,8 +11,8 @@ namespace fencepost::test {
 
 /// Where the reconstruction learns which ends of a blob are hidden.
 enum class OcclusionFlags {
-  kInferred,  ///< from the frame alone, as on the robot
-  kTrue,      ///< from the simulator; needs a door into the map that is not there yet
+  kInferred,  ///< from the log alone, as on the robot: correspondence and flags are the map's own
+  kTrue,      ///< from the simulator, and so is whose each blob is
 };
 
 struct QualityOptions {
@@ -23,9 +24,9 @@ struct QualityOptions {
 /// Columns of the tables; the last one is the end of the circle of 75 views.
 inline const std::vector<std::uint32_t> kTableViews{2, 4, 8, 18};
 
-/// The same seed gives the same scene and the same draws at every level. Beside the models there is one more,
-/// kHullLimit: the convex hull of the truth, the best that silhouettes can give.
-/// errors: throws std::runtime_error with a sentence, also for flags that cannot be given.
+/// The same seed gives the same scene and the same draws at every level and with either kind of flags. Beside the
+/// models there is one more, kHullLimit: the convex hull of the truth, the best that silhouettes can give.
+/// errors: throws std::runtime_error with a sentence.
 host::Evaluation run_scene(unsigned seed, const NoiseLevel& level, const QualityOptions& options);
 
 inline constexpr const char* kHullLimit = "(convex hull of truth: limit)";

@@ -1,5 +1,6 @@
-// Prints R / P / IoU of every model at 2, 4, 8, 18 and 75 views on random scenes, a table a noise level. The last
-// column is the end of the circle, whether or not all of its 75 views showed the object.
+// Prints R / P / IoU of every model at 2, 4, 8, 18 and 75 views on random scenes, a table a noise level and kind of
+// flags, and beside the reference if there is one. The last column is the end of the circle, whether or not all of its
+// 75 views showed the object. Fails if a cell with true flags fails against the reference.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -8,6 +9,7 @@
 #include <exception>
 
 #include "tests/tables/quality_run.hpp"
+#include "tests/tables/table_text.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -16,61 +18,82 @@ struct Request {
   unsigned scenes = 100;
   unsigned first_seed = 1;
   std::vector<std::string> levels;
-  std::string flags = "inferred";
+  std::vector<std::string> flags{"true", "inferred"};
+  std::string reference;
   QualityOptions options;
 };
 
-void print_table(const NoiseLevel& level, const std::string& flags, const host::Summary& summary) {
-  fmt::print("**{}** (R / P / IoU, %; {} flags)\n\n| model |", level.name, flags);
-  for (const std::uint32_t views : kTableViews) fmt::print(" {} |", views == 2 ? "n=2" : std::to_string(views));
-  fmt::print(" 75 |\n|---|---|---|---|---|---|");
-  std::string model;
-  double worst_early = 0;
-  double worst_end = 0;
-  for (const host::SummaryRow& row : summary.rows) {
-    if (row.model != model) fmt::print("\n| {} |", row.model);
-    model = row.model;
-    fmt::print(" {:.0f} / {:.0f} / {:.0f} |", 100 * row.recklessness.mean, 100 * row.paranoia.mean, 100 * row.iou.mean);
-    double& worst = row.views ? worst_early : worst_end;
-    for (const host::Mean* mean : {&row.recklessness, &row.paranoia}) {
-      worst = std::max(worst, 100 * mean->standard_error.value_or(0));
-    }
-  }
-  fmt::print("\n\n{} objects of {} scenes: {} missed, {} phantoms, {} identity swaps; ", summary.objects, summary.logs,
-             summary.missed, summary.phantoms, summary.swaps.value_or(0));
-  fmt::print("standard error of R and P at most {:.1f} points, {:.1f} at the end.\n\n", worst_early, worst_end);
+void print(const std::string& text) {
+  fmt::print("{}", text);
   std::fflush(stdout);
 }
 
-void run(const Request& request) {
+std::vector<host::Evaluation> run_level(const Request& request, const NoiseLevel& level, const std::string& flags) {
+  QualityOptions options = request.options;
+  options.flags = flags == "true" ? OcclusionFlags::kTrue : OcclusionFlags::kInferred;
+  std::vector<host::Evaluation> evaluations;
+  for (unsigned i = 0; i < request.scenes; ++i) {
+    evaluations.push_back(run_scene(request.first_seed + i, level, options));
+  }
+  return evaluations;
+}
+
+/// Of all levels, one entry a kind of flags.
+std::vector<Compared> run_levels(const Request& request, const std::vector<ReferenceCell>& reference) {
+  std::vector<Compared> all;
+  for (const std::string& flags : request.flags) all.push_back({flags, {}});
   for (const NoiseLevel& level : noise_levels()) {
     const auto& wanted = request.levels;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
-    std::vector<host::Evaluation> evaluations;
-    for (unsigned i = 0; i < request.scenes; ++i) {
-      evaluations.push_back(run_scene(request.first_seed + i, level, request.options));
+    std::vector<Compared> here;
+    for (Compared& kind : all) {
+      const std::vector<host::Evaluation> evaluations = run_level(request, level, kind.flags);
+      print(level_table(level, kind.flags, host::summarise(evaluations, kTableViews)));
+      if (reference.empty()) continue;
+      here.push_back({kind.flags, compare(level.key, evaluations, reference)});
+      kind.cells.insert(kind.cells.end(), here.back().cells.begin(), here.back().cells.end());
     }
-    print_table(level, request.flags, host::summarise(evaluations, kTableViews));
+    if (!here.empty() && !here.front().cells.empty()) print(comparison_table(level, here));
   }
+  return all;
+}
+
+/// False if a cell that has to reach the reference does not.
+bool run(const Request& request) {
+  std::vector<ReferenceCell> reference;
+  if (!request.reference.empty()) reference = load_reference(request.reference);
+  const std::vector<Compared> all = run_levels(request, reference);
+  if (reference.empty()) return true;
+  bool reached = true;
+  std::size_t compared = 0;
+  for (const Compared& kind : all) {
+    print(verdict(kind));
+    compared += kind.cells.size();
+    const bool fails = std::any_of(kind.cells.begin(), kind.cells.end(), [](const auto& cell) { return cell.fails(); });
+    if (fails && kind.flags == "true") reached = false;
+  }
+  if (compared == 0) throw std::runtime_error("no cell of the reference is at these noise levels");
+  return reached;
 }
 
 int run_program(int argc, char** argv) {
   Request request;
-  CLI::App app("R / P / IoU of every model on random scenes, a table a noise level");
+  CLI::App app("R / P / IoU of every model on random scenes, a table a noise level and kind of flags");
   app.add_option("--scenes", request.scenes, "scenes a table, three objects each")->capture_default_str();
   app.add_option("--first-seed", request.first_seed, "seed of the first scene")->capture_default_str();
   app.add_option("--levels", request.levels, "of 0,1,2,3,4,S,T; default: all")
       ->delimiter(',')
       ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
-  app.add_option("--flags", request.flags, "which ends of a blob are hidden: inferred as on the robot, or true")
+  app.add_option("--flags", request.flags,
+                 "whose each blob is and which ends are hidden: true, inferred as on the robot")
+      ->delimiter(',')
       ->capture_default_str()
-      ->check(CLI::IsMember({"inferred", "true"}));
+      ->check(CLI::IsMember({"true", "inferred"}));
+  app.add_option("--compare", request.reference, "a file of reference figures (tests/tables/reference.csv)");
   app.add_option("--profile", request.options.profile, "capacities of the robot")->capture_default_str();
   app.add_option("--dump", request.options.dump, "a folder for the scenes and logs, for fencepost evaluate");
   CLI11_PARSE(app, argc, argv);
-  if (request.flags == "true") request.options.flags = OcclusionFlags::kTrue;
-  run(request);
-  return 0;
+  return run(request) ? 0 : 1;
 }
 
 }  // namespace
@@ -81,6 +104,6 @@ int main(int argc, char** argv) {
     return fencepost::test::run_program(argc, argv);
   } catch (const std::exception& error) {
     static_cast<void>(std::fprintf(stderr, "quality_table: %s\n", error.what()));
-    return 1;
+    return 2;
   }
 }

@@ -338,5 +338,59 @@ TEST(GrowHull, GivesUpLittleAtTheBound) {
   EXPECT_GT(at_8, at_24);
 }
 
+// Area of the hull by Andrew's monotone chain, in double.
+double hull_area(std::vector<host::Point> points) {
+  std::sort(points.begin(), points.end(),
+            [](const host::Point& a, const host::Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  const auto chain = [&](auto begin, auto end) {
+    host::LinearRing ring;
+    for (auto p = begin; p != end; ++p) {
+      const auto turns_right = [&](const host::Point& a, const host::Point& b) {
+        return (b.x - a.x) * (p->y - b.y) - (b.y - a.y) * (p->x - b.x) <= 0;
+      };
+      while (ring.size() >= 2 && turns_right(ring[ring.size() - 2], ring.back())) ring.pop_back();
+      ring.push_back(*p);
+    }
+    return ring;
+  };
+  host::LinearRing hull = chain(points.begin(), points.end());
+  const host::LinearRing upper = chain(points.rbegin(), points.rend());
+  hull.insert(hull.end(), upper.begin() + 1, upper.end() - 1);
+  return host::signed_area(hull);
+}
+
+// All posts of one view lie on its ray, so whole fans of them are on one line but for rounding: the sheaf's own way to
+// go wrong. Noisy rays at one place, all pairs that cross at 5 degrees or more.
+TEST(GrowHull, HoldsFansOfPostsOnOneRay) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0.0F, 0.03F);
+  double worst = 0;
+  for (int tour = 0; tour < 200; ++tour) {
+    std::vector<recon::SheafView> views;
+    for (int i = 0; i < 75; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 75;
+      const Vec2 toward = -unit(angle);
+      recon::SheafView view{-1.0F * toward, toward};
+      view.left = unit(angle + std::numbers::pi + static_cast<double>(noise(random)) + 0.05);
+      view.right = unit(angle + std::numbers::pi + static_cast<double>(noise(random)) - 0.05);
+      views.push_back(view);
+    }
+    GrownHull hull(192);
+    std::vector<host::Point> posts;
+    recon::for_each_paper_plane(views, [&](const recon::SheafPlane& plane) {
+      for (const bool left : {true, false}) {
+        if (!(left ? plane.has_left : plane.has_right)) continue;
+        const Vec2& post = left ? plane.left : plane.right;
+        hull.add(post);
+        posts.push_back({static_cast<double>(post.x()), static_cast<double>(post.y())});
+      }
+    });
+    const double area = hull_area(posts);
+    ASSERT_GT(area, 0.1);
+    worst = std::max(worst, std::abs(host::signed_area(hull.ring()) - area) / area);
+  }
+  EXPECT_LT(worst, 1e-4);
+}
+
 }  // namespace
 }  // namespace fencepost::test

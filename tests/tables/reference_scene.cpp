@@ -1,0 +1,132 @@
+#include "tests/tables/reference_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "host/geometry/rings.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kObjects = 3;
+constexpr double kDisc = 0.35;       // m
+constexpr double kApart = 0.03;      // m between the circles around two objects
+constexpr double kHeight = 0.2;      // m, more than the lens has
+constexpr double kLookAside = 0.05;  // rad
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double a, double b) { return a + (b - a) * (static_cast<double>(random_()) / 4294967296.0); }
+  unsigned below(unsigned n) { return static_cast<unsigned>(random_()) % n; }
+
+ private:
+  std::mt19937 random_;
+};
+
+host::LinearRing random_footprint(Dice& dice, unsigned shape) {
+  const double size = dice.between(0.06, 0.26);
+  const double a = size / 2;
+  host::LinearRing ring;
+  switch (shape) {
+    case 0: {
+      const double b = a * dice.between(0.4, 1);
+      return {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
+    }
+    case 1:
+      for (int i = 0; i < 3; ++i) {
+        const double angle = 2 * kPi * i / 3 + dice.between(-0.25, 0.25);
+        ring.push_back({size / 1.8 * std::cos(angle), size / 1.8 * std::sin(angle)});
+      }
+      return ring;
+    case 2:
+      for (int i = 0; i < 40; ++i) ring.push_back({a * std::cos(2 * kPi * i / 40), a * std::sin(2 * kPi * i / 40)});
+      return ring;
+    default: {
+      const double w = size * dice.between(0.3, 0.45);
+      return {{-a, -a}, {a, -a}, {a, -a + w}, {-a + w, -a + w}, {-a + w, a}, {-a, a}};
+    }
+  }
+}
+
+struct Disc {
+  host::Point center;
+  double radius = 0;
+};
+
+/// Around the mean of the vertices.
+Disc disc_of(const host::LinearRing& ring) {
+  Disc disc;
+  for (const host::Point& p : ring) {
+    disc.center.x += p.x / static_cast<double>(ring.size());
+    disc.center.y += p.y / static_cast<double>(ring.size());
+  }
+  for (const host::Point& p : ring) {
+    disc.radius = std::max(disc.radius, std::hypot(p.x - disc.center.x, p.y - disc.center.y));
+  }
+  return disc;
+}
+
+void add_objects(Dice& dice, host::Scene& scene) {
+  std::vector<Disc> placed;
+  for (int tries = 0; placed.size() < kObjects && tries < 2000; ++tries) {
+    const host::LinearRing ring = random_footprint(dice, dice.below(4));
+    const double angle = dice.between(0, 2 * kPi);
+    const double away = kDisc * std::sqrt(dice.between(0, 1));
+    const double turn = dice.between(0, 2 * kPi);
+    const host::Polygon footprint = host::moved({ring, {}}, turn, {away * std::cos(angle), away * std::sin(angle)});
+    const Disc disc = disc_of(footprint.outer);
+    const bool free = std::none_of(placed.begin(), placed.end(), [&](const Disc& other) {
+      return std::hypot(other.center.x - disc.center.x, other.center.y - disc.center.y) <
+             other.radius + disc.radius + kApart;
+    });
+    if (!free) continue;
+    placed.push_back(disc);
+    const auto signature = static_cast<std::uint8_t>(placed.size());
+    const std::string number = std::to_string(placed.size());
+    scene.signatures.push_back({signature, "colour " + number, {200, 40, 40}});
+    scene.objects.push_back({"object " + number, signature, 0, kHeight, footprint});
+  }
+}
+
+void set_camera(host::Scene& scene) {
+  sensor::CameraIntrinsics& camera = scene.camera;
+  camera.model = "test";
+  camera.width = 176;
+  camera.height = 144;
+  camera.fx = camera.fy = base::Pixels2::nearest(88 / std::tan(43 * kPi / 360));
+  camera.cx = base::Pixels2::nearest(87.5);
+  camera.cy = base::Pixels2::nearest(71.5);
+  camera.mount.z = base::Metres::nearest(0.15);
+  camera.mount.pitch = base::Radians{0};
+}
+
+void set_path(Dice& dice, host::Scene& scene) {
+  const double radius = dice.between(0.8, 1.1);
+  const double start = dice.between(0, 2 * kPi);
+  scene.rate = 10;
+  host::PosesPath path;
+  for (int i = 0; i < kTourViews; ++i) {
+    const double angle = start + 2 * kPi * i / kTourViews;
+    path.poses.push_back({i / scene.rate, radius * std::cos(angle), radius * std::sin(angle),
+                          angle + kPi + dice.between(-kLookAside, kLookAside)});
+  }
+  scene.path = path;
+}
+
+}  // namespace
+
+host::Scene reference_scene(unsigned seed) {
+  Dice dice(seed);
+  host::Scene scene;
+  scene.seed = seed;
+  set_camera(scene);
+  add_objects(dice, scene);
+  set_path(dice, scene);
+  return scene;
+}
+
+}  // namespace fencepost::test

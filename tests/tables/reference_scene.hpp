@@ -1,0 +1,16 @@
+// The random scenes of the reference figures (reference.csv).
+#pragma once
+
+#include "host/scene/scene.hpp"
+
+namespace fencepost::test {
+
+/// Three objects in a disc of 0.35 m radius (rectangle, triangle, round, L; 0.06 to 0.26 m), seen by a level 176 px,
+/// 43 degree camera 15 cm above the floor from one circle of 75 views, 0.8 to 1.1 m from the centre, its heading within
+/// 0.05 rad of it. All objects are taller than the lens is high, so what stands behind another one never shows above
+/// it: occlusion is that of the plane. No noise. The same seed gives the same scene.
+host::Scene reference_scene(unsigned seed);
+
+inline constexpr int kTourViews = 75;
+
+}  // namespace fencepost::test

@@ -1,0 +1,27 @@
+// One random scene at one noise level, driven once: the log that a robot gets, and what only a test knows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/sensor/odometry.hpp"
+#include "tests/tables/noisy_views.hpp"
+
+namespace fencepost::test {
+
+struct GivenView {
+  sensor::OdometrySample pose;  ///< as the log has it at the exposure
+  std::vector<GivenBlob> blobs;
+};
+
+struct Tour {
+  host::Scene scene;
+  std::string log;
+  std::vector<host::FrameTruth> frames;  ///< as in the log
+  std::vector<GivenView> views;          ///< one for each frame
+};
+
+/// Poses and boxes of `views` are those of `log`. Throws std::runtime_error if the scene cannot be simulated.
+Tour drive_tour(unsigned seed, const NoiseLevel& level);
+
+}  // namespace fencepost::test
