@@ -1,0 +1,179 @@
+// Prints how good the alerts are on random approaches, a row a noise level. Fails when a level that was asked for by
+// --judge misses its targets: 99.5 % of the obstacles in time, one false stop in ten minutes, no alert late.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "tests/alerts/judgement.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct Request {
+  unsigned approaches = 1000;
+  unsigned first_seed = 1;
+  std::vector<std::string> levels;
+  std::string judged = "2";
+  std::vector<std::string> settings;
+  bool show = false;
+  AlertRequest alerts;
+};
+
+struct Figures {
+  unsigned approaches = 0;
+  double minutes = 0;
+  unsigned obstacles = 0;
+  unsigned in_time = 0;
+  unsigned late = 0;
+  unsigned never = 0;
+  unsigned bodies = 0;
+  unsigned bodies_in_time = 0;
+  unsigned false_stops = 0;
+  unsigned delays = 0;
+  unsigned delayed = 0;
+  unsigned phantoms = 0;
+  unsigned seen = 0;
+  unsigned missed = 0;
+
+  [[nodiscard]] double in_ten_minutes(unsigned count) const { return minutes > 0 ? 10 * count / minutes : 0; }
+};
+
+double percent(unsigned part, unsigned whole) { return whole > 0 ? 100.0 * part / whole : 100; }
+
+void add(const Verdict& verdict, Figures& figures) {
+  ++figures.approaches;
+  figures.minutes += verdict.seconds / 60;
+  for (const ObstacleVerdict& obstacle : verdict.obstacles) {
+    ++figures.obstacles;
+    figures.in_time += obstacle.in_time ? 1U : 0U;
+    figures.late += obstacle.late_by ? 1U : 0U;
+    figures.never += !obstacle.in_time && !obstacle.late_by ? 1U : 0U;
+    figures.bodies += obstacle.body ? 1U : 0U;
+    figures.bodies_in_time += obstacle.body && obstacle.in_time ? 1U : 0U;
+  }
+  figures.false_stops += static_cast<unsigned>(verdict.false_stops.size());
+  figures.delays += static_cast<unsigned>(verdict.delays.size());
+  figures.delayed += static_cast<unsigned>(
+      std::count_if(verdict.delays.begin(), verdict.delays.end(), [](unsigned frames) { return frames > 0; }));
+  figures.phantoms += verdict.phantoms;
+  figures.seen += verdict.seen;
+  figures.missed += verdict.missed;
+}
+
+void show(unsigned seed, const Approach& approach, const GroundTruth& truth, const Verdict& verdict) {
+  const Drive& drive = approach.drive;
+  const auto head = [&] {
+    fmt::print("seed {} v {:.2f} k {:+.2f} stand {:.2f} end {:.2f}", seed, drive.speed, drive.curvature, drive.standing,
+               approach.end);
+  };
+  for (const ObstacleVerdict& obstacle : verdict.obstacles) {
+    if (obstacle.in_time) continue;
+    head();
+    fmt::print(": LATE {} {} due {:.2f} visible {} by {}\n", obstacle.object, obstacle.body ? "body" : "margin",
+               obstacle.due, obstacle.visible, obstacle.late_by ? fmt::format("{:.2f}", *obstacle.late_by) : "never");
+    for (const record::AlertReport& alert : verdict.alerts) {
+      const double t = alert.t.to_double();
+      if (t < obstacle.due - 1.5 || t > obstacle.due + 1) continue;
+      fmt::print("    {:.2f} {} id {} at {:.3f} bearing {:.2f} conf {:.2f}; true {:.3f}\n", t,
+                 record::name(alert.level), alert.id, alert.distance.to_double(), alert.bearing.to_double(),
+                 alert.confidence.to_double(), truth.distance(obstacle.object, t));
+    }
+  }
+  for (const FalseStop& stop : verdict.false_stops) {
+    head();
+    const double t = stop.alert.t.to_double();
+    fmt::print(": FALSE id {} t {:.2f} at {:.3f} bearing {:.2f} conf {:.2f} ttc {:.2f} follows {}\n", stop.alert.id, t,
+               stop.alert.distance.to_double(), stop.alert.bearing.to_double(), stop.alert.confidence.to_double(),
+               stop.alert.ttc ? stop.alert.ttc->to_double() : -1.0, stop.follows ? std::to_string(*stop.follows) : "-");
+    for (std::size_t o = 0; o < approach.scene.objects.size(); ++o) {
+      double least = 10;
+      for (double s = t; s < approach.end + 1 / drive.speed; s += 0.01) least = std::min(least, truth.distance(o, s));
+      fmt::print("    object {} true {:.3f} will be {:.3f}\n", o, truth.distance(o, t), least);
+    }
+  }
+  for (const unsigned delay : verdict.delays) {
+    if (delay > 0) fmt::print("seed {} delay {}\n", seed, delay);
+  }
+}
+
+void print_row(const NoiseLevel& level, const Figures& f) {
+  fmt::print("| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} | {} | {:.2f} | {} of {} | {:.2f} | {} of {} |\n",
+             level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
+             percent(f.bodies_in_time, f.bodies), f.false_stops, f.in_ten_minutes(f.false_stops), f.delayed, f.delays,
+             f.in_ten_minutes(f.phantoms), f.missed, f.seen);
+  std::fflush(stdout);
+}
+
+constexpr double kInTime = 99.5;     // %
+constexpr double kFalseStops = 1.0;  // in ten minutes
+
+bool good(const Figures& f) {
+  return f.obstacles > 0 && percent(f.in_time, f.obstacles) >= kInTime &&
+         f.in_ten_minutes(f.false_stops) <= kFalseStops;
+}
+
+Figures run_level(const NoiseLevel& level, const Request& request) {
+  Figures figures;
+  for (unsigned i = 0; i < request.approaches; ++i) {
+    const Approach approach = random_approach(request.first_seed + i, level);
+    if (approach.scene.objects.empty()) continue;
+    const AlertLimits limits;
+    const Verdict verdict = judge_approach(approach, limits, request.alerts);
+    add(verdict, figures);
+    if (request.show) show(request.first_seed + i, approach, GroundTruth(approach, limits), verdict);
+  }
+  return figures;
+}
+
+bool run(const Request& request) {
+  fmt::print(
+      "| noise | approaches | minutes | obstacles | in time, % | late | never | in time of those the body meets, % | "
+      "false stops | in 10 min | alert after k-of-n | phantoms in 10 min | missed |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  bool all_good = true;
+  for (const NoiseLevel& level : noise_levels()) {
+    const auto& wanted = request.levels;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
+    const Figures figures = run_level(level, request);
+    print_row(level, figures);
+    if (level.key == request.judged) all_good = good(figures);
+  }
+  return all_good;
+}
+
+int run_program(int argc, char** argv) {
+  Request request;
+  CLI::App app("How good the alerts are on random approaches, a row a noise level");
+  app.add_option("--approaches", request.approaches, "a level")->capture_default_str();
+  app.add_option("--first-seed", request.first_seed, "seed of the first approach")->capture_default_str();
+  app.add_option("--levels", request.levels, "of 0,1,2,3,4,S,T; default: all")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
+  app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
+  app.add_option("--profile", request.alerts.profile, "capacities of the robot")->capture_default_str();
+  app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
+  app.add_flag("--show", request.show, "tell of each failure");
+  CLI11_PARSE(app, argc, argv);
+  for (const std::string& setting : request.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) throw std::runtime_error("--set takes KEY=VALUE");
+    const std::string_view text(setting);
+    request.alerts.settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return run(request) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) {
+  try {
+    return fencepost::test::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    static_cast<void>(std::fprintf(stderr, "alert_study: %s\n", error.what()));
+    return 2;
+  }
+}
