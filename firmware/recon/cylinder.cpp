@@ -24,6 +24,10 @@ constexpr float kMaxDistanceSigmaShare = 0.25F;
 // Radii outside this range are not obstacles of a small robot but contradictions (m).
 constexpr float kLargestRadius = 1.5F;
 
+// What is known of a radius before anything is seen (m): enough for one edge and the foot to make a cylinder, too little
+// to matter once both edges are seen from here and there (algorithms: r ~ N(0.08, 0.05)).
+constexpr float kRadiusSigma = 0.05F;
+
 // Inlier share and outlier level of the mixture that weighs each tangent (algorithms: Lin = 0.9 N(e; s),
 // Lout = 0.1 / 0.3 m).
 constexpr float kOutlierLevel = 0.1F / 0.3F;
@@ -79,6 +83,15 @@ CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& l
   const bool plausible = estimate.radius > 0 && estimate.radius < kLargestRadius;
   estimate.refusal = plausible ? CylinderRefusal::kNone : CylinderRefusal::kImplausible;
   return estimate;
+}
+
+// Without enough parallax a typical radius stands in for it.
+CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, const Vec2& lens) {
+  NormalEquations supported = equations;
+  constexpr float kWeight = 1.0F / (kRadiusSigma * kRadiusSigma);
+  supported.information.rr += kWeight;
+  supported.moment_radius += kWeight * kTypicalRadius;
+  return solve_equations(supported, lens);
 }
 
 }  // namespace
@@ -187,6 +200,7 @@ void Cylinder::solve(const Vec2& lens) {
   both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
   both.add(edges_);
   estimate_ = solve_equations(both, lens);
+  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens);
 }
 
 bool Cylinder::rows_agree(const CylinderEstimate& from_edges) const {
