@@ -18,6 +18,7 @@ struct Request {
   std::vector<std::string> levels;
   std::string judged = "2";
   std::vector<std::string> settings;
+  double nearest = AlertLimits{}.warn;
   bool show = false;
   AlertRequest alerts;
 };
@@ -31,6 +32,8 @@ struct Figures {
   unsigned never = 0;
   unsigned bodies = 0;
   unsigned bodies_in_time = 0;
+  unsigned placed = 0;
+  unsigned placed_in_time = 0;
   unsigned false_stops = 0;
   unsigned delays = 0;
   unsigned delayed = 0;
@@ -51,13 +54,16 @@ void add(const Verdict& verdict, Figures& figures) {
     figures.in_time += obstacle.in_time ? 1U : 0U;
     figures.late += obstacle.late_by ? 1U : 0U;
     figures.never += !obstacle.in_time && !obstacle.late_by ? 1U : 0U;
+    const bool placed = obstacle.placed >= static_cast<unsigned>(AlertLimits{}.confirm_k);
+    figures.placed += placed ? 1U : 0U;
+    figures.placed_in_time += placed && obstacle.in_time ? 1U : 0U;
     figures.bodies += obstacle.body ? 1U : 0U;
     figures.bodies_in_time += obstacle.body && obstacle.in_time ? 1U : 0U;
   }
   figures.false_stops += static_cast<unsigned>(verdict.false_stops.size());
   figures.delays += static_cast<unsigned>(verdict.delays.size());
   figures.delayed += static_cast<unsigned>(
-      std::count_if(verdict.delays.begin(), verdict.delays.end(), [](unsigned frames) { return frames > 0; }));
+      std::count_if(verdict.delays.begin(), verdict.delays.end(), [](const Delay& delay) { return delay.frames > 0; }));
   figures.phantoms += verdict.phantoms;
   figures.seen += verdict.seen;
   figures.missed += verdict.missed;
@@ -72,8 +78,9 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
   for (const ObstacleVerdict& obstacle : verdict.obstacles) {
     if (obstacle.in_time) continue;
     head();
-    fmt::print(": LATE {} {} due {:.2f} visible {} by {}\n", obstacle.object, obstacle.body ? "body" : "margin",
-               obstacle.due, obstacle.visible, obstacle.late_by ? fmt::format("{:.2f}", *obstacle.late_by) : "never");
+    fmt::print(": LATE {} {} due {:.2f} visible {} placed {} by {}\n", obstacle.object,
+               obstacle.body ? "body" : "margin", obstacle.due, obstacle.visible, obstacle.placed,
+               obstacle.late_by ? fmt::format("{:.2f}", *obstacle.late_by) : "never");
     for (const record::AlertReport& alert : verdict.alerts) {
       const double t = alert.t.to_double();
       if (t < obstacle.due - 1.5 || t > obstacle.due + 1) continue;
@@ -81,6 +88,18 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
                  record::name(alert.level), alert.id, alert.distance.to_double(), alert.bearing.to_double(),
                  alert.confidence.to_double(), truth.distance(obstacle.object, t));
     }
+  }
+  const auto map = [&] {
+    for (std::size_t i = 0; i < verdict.objects.size(); ++i) {
+      const host::ObjectResult& object = verdict.objects[i];
+      fmt::print("    object {} {} of signature {} follows {} views {} {}\n", object.id, record::name(object.state),
+                 object.signature, verdict.followed[i] ? std::to_string(*verdict.followed[i]) : "-", object.views,
+                 object.models.front().reason);
+    }
+  };
+  if (!verdict.false_stops.empty() || std::any_of(verdict.obstacles.begin(), verdict.obstacles.end(),
+                                                  [](const auto& obstacle) { return !obstacle.in_time; })) {
+    map();
   }
   for (const FalseStop& stop : verdict.false_stops) {
     head();
@@ -94,16 +113,21 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
       fmt::print("    object {} true {:.3f} will be {:.3f}\n", o, truth.distance(o, t), least);
     }
   }
-  for (const unsigned delay : verdict.delays) {
-    if (delay > 0) fmt::print("seed {} delay {}\n", seed, delay);
+  for (const Delay& delay : verdict.delays) {
+    if (delay.frames == 0) continue;
+    head();
+    fmt::print(": DELAY {} of block {} due {:.2f} true {:.3f} {}\n", delay.frames, delay.object, delay.due,
+               truth.distance(delay.object, delay.due), truth.in_path(delay.object, delay.due) ? "in path" : "beside");
   }
 }
 
 void print_row(const NoiseLevel& level, const Figures& f) {
-  fmt::print("| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} | {} | {:.2f} | {} of {} | {:.2f} | {} of {} |\n",
-             level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
-             percent(f.bodies_in_time, f.bodies), f.false_stops, f.in_ten_minutes(f.false_stops), f.delayed, f.delays,
-             f.in_ten_minutes(f.phantoms), f.missed, f.seen);
+  fmt::print(
+      "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {} of {} | {:.2f} | {} "
+      "of {} |\n",
+      level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
+      percent(f.bodies_in_time, f.bodies), f.bodies, percent(f.placed_in_time, f.placed), f.placed, f.false_stops,
+      f.in_ten_minutes(f.false_stops), f.delayed, f.delays, f.in_ten_minutes(f.phantoms), f.missed, f.seen);
   std::fflush(stdout);
 }
 
@@ -118,7 +142,7 @@ bool good(const Figures& f) {
 Figures run_level(const NoiseLevel& level, const Request& request) {
   Figures figures;
   for (unsigned i = 0; i < request.approaches; ++i) {
-    const Approach approach = random_approach(request.first_seed + i, level);
+    const Approach approach = random_approach(request.first_seed + i, level, request.nearest);
     if (approach.scene.objects.empty()) continue;
     const AlertLimits limits;
     const Verdict verdict = judge_approach(approach, limits, request.alerts);
@@ -130,9 +154,10 @@ Figures run_level(const NoiseLevel& level, const Request& request) {
 
 bool run(const Request& request) {
   fmt::print(
-      "| noise | approaches | minutes | obstacles | in time, % | late | never | in time of those the body meets, % | "
+      "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
+      "placed, % | "
       "false stops | in 10 min | alert after k-of-n | phantoms in 10 min | missed |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool all_good = true;
   for (const NoiseLevel& level : noise_levels()) {
     const auto& wanted = request.levels;
@@ -155,6 +180,7 @@ int run_program(int argc, char** argv) {
   app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
   app.add_option("--profile", request.alerts.profile, "capacities of the robot")->capture_default_str();
   app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
+  app.add_option("--nearest", request.nearest, "m, no block is nearer when the robot starts")->capture_default_str();
   app.add_flag("--show", request.show, "tell of each failure");
   CLI11_PARSE(app, argc, argv);
   for (const std::string& setting : request.settings) {

@@ -11,10 +11,9 @@ namespace fencepost::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kStep = 0.02;        // s, between poses of the path
-constexpr double kTouching = 0.105;   // m, where a run ends: the body is 0.1 m wide on either side
-constexpr double kClearStart = 0.15;  // m, nothing stands nearer than this where the robot starts
-constexpr double kGap = 0.03;         // m, between blocks
+constexpr double kStep = 0.02;       // s, between poses of the path
+constexpr double kTouching = 0.105;  // m, where a run ends: the body is 0.1 m wide on either side
+constexpr double kGap = 0.03;        // m, between blocks
 constexpr int kColours = 4;
 
 Drive random_drive(Dice& dice) {
@@ -41,7 +40,8 @@ Place beside(const Drive& drive, double along, double left) {
 
 class Blocks {
  public:
-  Blocks(Dice& dice, const Drive& drive, host::Scene& scene) : dice_(dice), drive_(drive), scene_(scene) {}
+  Blocks(Dice& dice, const Drive& drive, double nearest, host::Scene& scene)
+      : dice_(dice), drive_(drive), nearest_(nearest), scene_(scene) {}
 
   /// Tries a few places; a crowded scene goes without.
   void add(double along_from, double along_to, double aside) {
@@ -51,7 +51,7 @@ class Blocks {
       const host::Polygon footprint = host::moved({ring, {}}, dice_.between(0, 2 * kPi), place.center);
       const double height = dice_.between(0.05, 0.2);
       const auto colour = static_cast<std::uint8_t>(1 + dice_.below(kColours));
-      if (distance_to(footprint, {drive_.start.x, drive_.start.y}) < kClearStart) continue;
+      if (distance_to(footprint, {drive_.start.x, drive_.start.y}) < nearest_) continue;
       if (!free(place.center, radius_of(ring))) continue;
       centers_.push_back(place.center);
       radii_.push_back(radius_of(ring));
@@ -76,6 +76,7 @@ class Blocks {
 
   Dice& dice_;
   const Drive& drive_;
+  double nearest_;
   host::Scene& scene_;
   std::vector<host::Point> centers_;
   std::vector<double> radii_;
@@ -102,7 +103,7 @@ host::TimedPose Drive::at(double t) const {
           start.y - (std::cos(heading) - std::cos(start.heading)) / curvature, heading};
 }
 
-Approach random_approach(unsigned seed, const NoiseLevel& level) {
+Approach random_approach(unsigned seed, const NoiseLevel& level, double nearest) {
   Dice dice(seed);
   Approach approach;
   host::Scene& scene = approach.scene;
@@ -112,11 +113,11 @@ Approach random_approach(unsigned seed, const NoiseLevel& level) {
   scene.noise = level.noise;
   for (std::uint8_t id = 1; id <= kColours; ++id) scene.signatures.push_back({id, "colour " + std::to_string(id), {}});
   approach.drive = random_drive(dice);
-  Blocks blocks(dice, approach.drive, scene);
-  const double way = dice.between(0.3, 2.2);
-  if (dice.below(5) != 0) blocks.add(0.2, way, 0.15);
+  Blocks blocks(dice, approach.drive, nearest, scene);
+  const double way = dice.between(nearest + 0.2, 2.2);
+  if (dice.below(5) != 0) blocks.add(nearest, way, 0.15);
   const unsigned others = 1 + dice.below(5);
-  for (unsigned i = 0; i < others; ++i) blocks.add(0.2, way + 0.5, 0.8);
+  for (unsigned i = 0; i < others; ++i) blocks.add(0, way + 0.5, 0.8);
   approach.end = end_of(approach.drive, scene, way);
   host::PosesPath path;
   for (double t = 0; t <= approach.end; t += kStep) path.poses.push_back(approach.drive.at(t));

@@ -43,12 +43,21 @@ class Watch final : public host::RunObserver {
 struct Recording {
   std::string log;
   std::vector<double> frames;
-  std::vector<std::vector<bool>> shown;  ///< [object][frame]
+  std::vector<std::vector<bool>> shown;   ///< [object][frame]
+  std::vector<std::vector<bool>> placed;  ///< the same, foot and one end of it in the image and not behind another
 };
+
+bool free(host::BlobEnd end) { return end != host::BlobEnd::kBorder && end != host::BlobEnd::kOccluded; }
+
+/// One frame tells where the block stands: the floor it stands on is there, and one of its ends.
+bool tells_place(const sensor::Blob& blob, const host::BlobTruth& truth, const host::Scene& scene) {
+  return blob.y2 < scene.camera.height - 2 && (free(truth.left) || free(truth.right));
+}
 
 Recording record_run(const Approach& approach, const AlertRequest& request) {
   Recording recording;
   recording.shown.resize(approach.scene.objects.size());
+  recording.placed.resize(approach.scene.objects.size());
   bool settled = false;
   const auto line = [&](std::string_view text) {
     recording.log += text;
@@ -61,8 +70,15 @@ Recording record_run(const Approach& approach, const AlertRequest& request) {
   const auto truth = [&](const host::FrameTruth& frame) {
     recording.frames.push_back(frame.frame.t.to_double());
     for (std::size_t o = 0; o < recording.shown.size(); ++o) {
-      recording.shown[o].push_back(
-          std::any_of(frame.blobs.begin(), frame.blobs.end(), [&](const auto& blob) { return blob.object == o; }));
+      bool shown = false;
+      bool placed = false;
+      for (std::size_t b = 0; b < frame.blobs.size(); ++b) {
+        if (frame.blobs[b].object != o) continue;
+        shown = true;
+        placed = placed || tells_place(frame.frame.blobs[b], frame.blobs[b], approach.scene);
+      }
+      recording.shown[o].push_back(shown);
+      recording.placed[o].push_back(placed);
     }
   };
   const auto summary = host::simulate_with_truth(approach.scene, line, truth);
@@ -83,7 +99,8 @@ class Judge {
     host::ReplayOutcome outcome = host::replay(recording_.log, "approach", options);
     if (outcome.unreadable) throw std::runtime_error(outcome.unreadable->message);
     if (!outcome.complaints.empty()) throw std::runtime_error(outcome.complaints.front());
-    objects_ = std::move(outcome.result.objects);
+    verdict_.objects = std::move(outcome.result.objects);
+    for (const auto& object : verdict_.objects) verdict_.followed.push_back(watch_.following().follows(object.id));
     verdict_.alerts = std::move(outcome.result.alerts);
     verdict_.seconds = approach.end;
   }
@@ -119,10 +136,10 @@ class Judge {
     });
   }
 
-  [[nodiscard]] unsigned visible_before(std::size_t object, double t) const {
+  [[nodiscard]] unsigned frames_before(double t, const std::vector<bool>& flags) const {
     unsigned count = 0;
     for (std::size_t i = 0; i < recording_.frames.size(); ++i) {
-      if (recording_.frames[i] <= t && recording_.shown[object][i]) ++count;
+      if (recording_.frames[i] <= t && flags[i]) ++count;
     }
     return count;
   }
@@ -131,7 +148,9 @@ class Judge {
     const std::optional<double> due = truth_.stop_time(object);
     if (!due) return;
     const AlertLimits& limits = truth_.limits();
-    ObstacleVerdict verdict{object, *due, truth_.swept(object, *due, limits.half_width), visible_before(object, *due)};
+    ObstacleVerdict verdict{object, *due, truth_.swept(object, *due, limits.half_width),
+                            frames_before(*due, recording_.shown[object]),
+                            frames_before(*due, recording_.placed[object])};
     if (verdict.visible < static_cast<unsigned>(limits.confirm_k)) return;
     verdict.in_time = stop_in_force(object, *due);
     const auto later = std::find_if(verdict_.alerts.begin(), verdict_.alerts.end(), [&](const auto& alert) {
@@ -157,16 +176,15 @@ class Judge {
     const std::size_t complete = completing_frame(object);
     if (complete == recording_.frames.size()) return;
     const double t = recording_.frames[complete];
-    const AlertLimits& limits = truth_.limits();
-    const double range = truth_.in_path(object, t) ? limits.notice : limits.warn;
-    if (truth_.distance(object, t) > kWellWithin * range) return;
+    // Nearer than that everything is worth an alert, in the path or not: so no guess about the path is judged here.
+    if (truth_.distance(object, t) > kWellWithin * truth_.limits().warn) return;
     const auto first = std::find_if(verdict_.alerts.begin(), verdict_.alerts.end(), [&](const auto& alert) {
       return alert.level != AlertLevel::kClear && about(alert, object);
     });
     std::size_t frame = complete;
     const double said = first == verdict_.alerts.end() ? approach_.end : first->t.to_double();
     while (frame < recording_.frames.size() && recording_.frames[frame] < said) ++frame;
-    verdict_.delays.push_back(static_cast<unsigned>(frame - complete));
+    verdict_.delays.push_back({object, t, static_cast<unsigned>(frame - complete)});
   }
 
   void judge_false_stops() {
@@ -181,16 +199,17 @@ class Judge {
   }
 
   void judge_map() {
-    const auto matches = host::match_objects(objects_, approach_.scene);
-    const auto confirmed = [&](std::size_t i) { return objects_[i].state != record::ObjectState::kTentative; };
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const auto& objects = verdict_.objects;
+    const auto matches = host::match_objects(objects, approach_.scene);
+    const auto confirmed = [&](std::size_t i) { return objects[i].state != record::ObjectState::kTentative; };
+    for (std::size_t i = 0; i < objects.size(); ++i) {
       if (!matches[i] && confirmed(i)) ++verdict_.phantoms;
     }
     for (std::size_t object = 0; object < approach_.scene.objects.size(); ++object) {
       if (watch_.following().visible(object) < host::kVisibleFrames) continue;
       ++verdict_.seen;
       bool found = false;
-      for (std::size_t i = 0; i < objects_.size(); ++i) found = found || (matches[i] == object && confirmed(i));
+      for (std::size_t i = 0; i < objects.size(); ++i) found = found || (matches[i] == object && confirmed(i));
       if (!found) ++verdict_.missed;
     }
   }
@@ -199,7 +218,6 @@ class Judge {
   GroundTruth truth_;
   Recording recording_;
   Watch watch_;
-  std::vector<host::ObjectResult> objects_;
   Verdict verdict_;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/record/records.hpp"
+#include "host/result/result.hpp"
 #include "tests/alerts/ground_truth.hpp"
 
 namespace fencepost::test {
@@ -22,6 +23,7 @@ struct ObstacleVerdict {
   double due = 0;                   ///< s, when its true distance fell to alert.stop
   bool body = false;                ///< the body itself would touch it, not only its margin
   unsigned visible = 0;             ///< frames before that which showed it
+  unsigned placed = 0;              ///< of those, the ones that showed its foot and one of its ends
   bool in_time = false;             ///< `stop` was in force for it when due
   std::optional<double> late_by{};  ///< s; empty: not said in this run
 };
@@ -31,17 +33,25 @@ struct FalseStop {
   std::optional<std::size_t> follows{};  ///< whose blobs that object took
 };
 
+struct Delay {
+  std::size_t object = 0;
+  double due = 0;       ///< s, the frame that completed k-of-n
+  unsigned frames = 0;  ///< from there to the first alert
+};
+
 struct Verdict {
   double seconds = 0;
   std::vector<ObstacleVerdict> obstacles;
   std::vector<FalseStop> false_stops;
-  /// Frames from the one that completed k-of-n to the first alert, of blocks that were well within a level's range by
+  /// Frames from the one that completed k-of-n to the first alert, of blocks that were well within alert.warn by
   /// then; an alert that never came counts the frames to the end.
-  std::vector<unsigned> delays;
+  std::vector<Delay> delays;
   unsigned phantoms = 0;  ///< confirmed objects that mean no block, as host/evaluate has it
   unsigned seen = 0;      ///< blocks that at least host::kVisibleFrames frames showed
   unsigned missed = 0;    ///< of those, never confirmed
   std::vector<record::AlertReport> alerts;
+  std::vector<host::ObjectResult> objects;             ///< the map at the end
+  std::vector<std::optional<std::size_t>> followed{};  ///< by those objects: whose blobs they took most often
 };
 
 /// errors: throws std::runtime_error with a sentence
