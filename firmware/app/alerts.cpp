@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-static float env(const char* n, float d) { const char* v = std::getenv(n); return v ? strtof(v, nullptr) : d; }
-static const float kPoseSigma = env("PS", 0.004F), kCautionSigmas = env("CS", 2.5F), kMostCaution = env("MC", 0.25F), kLookSeconds = env("LS", 0.1F);
 
 namespace fencepost::app {
 
@@ -13,12 +10,29 @@ using record::AlertLevel;
 
 namespace {
 
-// What the obstacle may be nearer than it seems, now or before the next look (m).
-float caution(const Obstacle& obstacle, float stop) {
-  const float unsure = std::sqrt(obstacle.sigma * obstacle.sigma + kPoseSigma * kPoseSigma);
-  const float doubt = std::min(kCautionSigmas * unsure, kMostCaution * stop);
-  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLookSeconds : 0.0F;
-  return doubt + until_next_look;
+// Sigma of the robot's own place at this moment, as at an exposure (m).
+constexpr float kPoseSigma = 0.004F;
+
+/// How much nearer an obstacle is taken to be than it seems.
+struct Doubt {
+  float sigmas;
+  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
+};
+constexpr Doubt kSeenWhole{3.0F, 0.2F};
+// Where an end was never seen the object may reach far nearer than its cylinder does.
+constexpr Doubt kCutOff{4.0F, 0.4F};
+
+float doubt(const Obstacle& obstacle, float stop) {
+  const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
+  const float sigma = std::sqrt(obstacle.sigma * obstacle.sigma + kPoseSigma * kPoseSigma);
+  return std::min(doubt.sigmas * sigma, doubt.most * stop);
+}
+
+// Within the stop distance now, as far as one can be sure, or before the next look.
+bool must_stop(const Obstacle& obstacle, float stop, float slack) {
+  constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
+  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
+  return obstacle.distance - doubt(obstacle, stop) - until_next_look <= slack * stop;
 }
 
 }  // namespace
@@ -30,8 +44,8 @@ AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings,
   const auto near = [&](Key key) { return obstacle.distance <= slack * settings.number(key); };
   const auto soon = [&](Key key) { return obstacle.closing && obstacle.ttc <= slack * settings.number(key); };
   if (!obstacle.in_path) return near(Key::kAlertWarn) ? AlertLevel::kNotice : AlertLevel::kClear;
-  const float stop = settings.number(Key::kAlertStop);
-  if (obstacle.distance - caution(obstacle, stop) <= slack * stop || soon(Key::kAlertTtcStop)) return AlertLevel::kStop;
+  if (must_stop(obstacle, settings.number(Key::kAlertStop), slack) || soon(Key::kAlertTtcStop))
+    return AlertLevel::kStop;
   if (near(Key::kAlertWarn) || soon(Key::kAlertTtcWarn)) return AlertLevel::kWarn;
   if (near(Key::kAlertNotice)) return AlertLevel::kNotice;
   return AlertLevel::kClear;

@@ -48,6 +48,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pos
   obstacle.bearing = base::atan2_rad(center.y(), center.x());
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.sigma = range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
+  obstacle.cut_off = object.left_open || object.right_open;
   obstacle.in_path = swept(center, cylinder.radius, path);
   obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
   obstacle.closing = obstacle.closing_speed > kNotClosing;

@@ -1,5 +1,5 @@
-// Prints how good the alerts are on random approaches, a row a noise level. Fails when a level that was asked for by
-// --judge misses its targets: 99.5 % of the obstacles in time, one false stop in ten minutes, no alert late.
+// Prints how good the alerts are on random approaches, a row a noise level. Fails when the level of --judge misses its
+// targets.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -18,6 +18,8 @@ struct Request {
   std::vector<std::string> levels;
   std::string judged = "2";
   std::vector<std::string> settings;
+  double at_least = 99.5;
+  double at_most = 1;
   double nearest = AlertLimits{}.warn;
   bool show = false;
   AlertRequest alerts;
@@ -35,6 +37,7 @@ struct Figures {
   unsigned placed = 0;
   unsigned placed_in_time = 0;
   unsigned false_stops = 0;
+  unsigned grazes = 0;  ///< of those
   unsigned delays = 0;
   unsigned delayed = 0;
   unsigned phantoms = 0;
@@ -61,6 +64,8 @@ void add(const Verdict& verdict, Figures& figures) {
     figures.bodies_in_time += obstacle.body && obstacle.in_time ? 1U : 0U;
   }
   figures.false_stops += static_cast<unsigned>(verdict.false_stops.size());
+  figures.grazes += static_cast<unsigned>(std::count_if(verdict.false_stops.begin(), verdict.false_stops.end(),
+                                                        [](const FalseStop& stop) { return stop.grazes; }));
   figures.delays += static_cast<unsigned>(verdict.delays.size());
   figures.delayed += static_cast<unsigned>(
       std::count_if(verdict.delays.begin(), verdict.delays.end(), [](const Delay& delay) { return delay.frames > 0; }));
@@ -104,8 +109,9 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
   for (const FalseStop& stop : verdict.false_stops) {
     head();
     const double t = stop.alert.t.to_double();
-    fmt::print(": FALSE id {} t {:.2f} at {:.3f} bearing {:.2f} conf {:.2f} ttc {:.2f} follows {}\n", stop.alert.id, t,
-               stop.alert.distance.to_double(), stop.alert.bearing.to_double(), stop.alert.confidence.to_double(),
+    fmt::print(": {} id {} t {:.2f} at {:.3f} bearing {:.2f} conf {:.2f} ttc {:.2f} follows {}\n",
+               stop.grazes ? "GRAZE" : "FALSE", stop.alert.id, t, stop.alert.distance.to_double(),
+               stop.alert.bearing.to_double(), stop.alert.confidence.to_double(),
                stop.alert.ttc ? stop.alert.ttc->to_double() : -1.0, stop.follows ? std::to_string(*stop.follows) : "-");
     for (std::size_t o = 0; o < approach.scene.objects.size(); ++o) {
       double least = 10;
@@ -123,20 +129,19 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
 
 void print_row(const NoiseLevel& level, const Figures& f) {
   fmt::print(
-      "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {} of {} | {:.2f} | {} "
+      "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {:.2f} | {} of {} | "
+      "{:.2f} | {} "
       "of {} |\n",
       level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
       percent(f.bodies_in_time, f.bodies), f.bodies, percent(f.placed_in_time, f.placed), f.placed, f.false_stops,
-      f.in_ten_minutes(f.false_stops), f.delayed, f.delays, f.in_ten_minutes(f.phantoms), f.missed, f.seen);
+      f.in_ten_minutes(f.false_stops), f.in_ten_minutes(f.false_stops - f.grazes), f.delayed, f.delays,
+      f.in_ten_minutes(f.phantoms), f.missed, f.seen);
   std::fflush(stdout);
 }
 
-constexpr double kInTime = 99.5;     // %
-constexpr double kFalseStops = 1.0;  // in ten minutes
-
-bool good(const Figures& f) {
-  return f.obstacles > 0 && percent(f.in_time, f.obstacles) >= kInTime &&
-         f.in_ten_minutes(f.false_stops) <= kFalseStops;
+bool good(const Figures& f, const Request& request) {
+  return f.obstacles > 0 && percent(f.in_time, f.obstacles) >= request.at_least &&
+         f.in_ten_minutes(f.false_stops - f.grazes) <= request.at_most;
 }
 
 Figures run_level(const NoiseLevel& level, const Request& request) {
@@ -156,15 +161,15 @@ bool run(const Request& request) {
   fmt::print(
       "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
       "placed, % | "
-      "false stops | in 10 min | alert after k-of-n | phantoms in 10 min | missed |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  bool all_good = true;
+      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | missed |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  bool all_good = false;  // the level that is judged has to be among those that are run
   for (const NoiseLevel& level : noise_levels()) {
     const auto& wanted = request.levels;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
     const Figures figures = run_level(level, request);
     print_row(level, figures);
-    if (level.key == request.judged) all_good = good(figures);
+    if (level.key == request.judged) all_good = good(figures, request);
   }
   return all_good;
 }
@@ -178,6 +183,8 @@ int run_program(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
   app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
+  app.add_option("--at-least", request.at_least, "% of the obstacles in time")->capture_default_str();
+  app.add_option("--at-most", request.at_most, "false stops in 10 minutes, grazes left out")->capture_default_str();
   app.add_option("--profile", request.alerts.profile, "capacities of the robot")->capture_default_str();
   app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
   app.add_option("--nearest", request.nearest, "m, no block is nearer when the robot starts")->capture_default_str();

@@ -43,12 +43,13 @@ std::optional<double> GroundTruth::stop_time(std::size_t object) const {
   return t;
 }
 
-bool GroundTruth::stop_is_right(double t) const {
+bool GroundTruth::stop_is_right(double t, double grace) const {
   const bool drives = t > approach_.drive.standing;
   const double soon = drives ? limits_.half_width + limits_.ttc_stop * kNearly * approach_.drive.speed : 0;
   const double limit = std::max(kNearly * limits_.stop, soon);
   for (std::size_t object = 0; object < samples_.size(); ++object) {
-    if (in_path(object, t) && distance(object, t) <= limit) return true;
+    const bool meets = swept(object, t, limits_.half_width + limits_.margin + grace);
+    if (meets && distance(object, t) <= limit) return true;
   }
   return false;
 }

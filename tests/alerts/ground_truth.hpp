@@ -36,9 +36,10 @@ class GroundTruth {
   }
   /// When a block in the path comes within the stop distance; nothing if the run ends before, or begins there.
   [[nodiscard]] std::optional<double> stop_time(std::size_t object) const;
-  /// A stop at t has a reason: something in the path within 1.5 times the stop distance, or 1.5 times as soon as
-  /// alert.ttc_stop. Contact is when the body, half its width ahead of the origin, is there at the true speed.
-  [[nodiscard]] bool stop_is_right(double t) const;
+  /// A stop at t has a reason: something in the path, widened by `grace` on either side, within 1.5 times the stop
+  /// distance, or 1.5 times as soon as alert.ttc_stop. Contact is when the body, half its width ahead of the origin, is
+  /// there at the true speed.
+  [[nodiscard]] bool stop_is_right(double t, double grace) const;
   [[nodiscard]] const AlertLimits& limits() const { return limits_; }
 
  private:

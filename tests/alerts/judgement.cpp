@@ -192,9 +192,9 @@ class Judge {
     for (const record::AlertReport& alert : verdict_.alerts) {
       const bool rises = alert.level == AlertLevel::kStop && level[alert.id] != AlertLevel::kStop;
       level[alert.id] = alert.level;
-      if (rises && !truth_.stop_is_right(alert.t.to_double())) {
-        verdict_.false_stops.push_back({alert, watch_.following().follows(alert.id)});
-      }
+      const double t = alert.t.to_double();
+      if (!rises || truth_.stop_is_right(t, 0)) continue;
+      verdict_.false_stops.push_back({alert, truth_.stop_is_right(t, kGrace), watch_.following().follows(alert.id)});
     }
   }
 

@@ -28,8 +28,13 @@ struct ObstacleVerdict {
   std::optional<double> late_by{};  ///< s; empty: not said in this run
 };
 
+/// Poses and edges are not good enough to tell what is in the margin from what is this far outside it (m).
+inline constexpr double kGrace = 0.03;
+
+/// A `stop` with nothing in the path near enough.
 struct FalseStop {
   record::AlertReport alert;
+  bool grazes = false;                   ///< something passes the margin by less than kGrace
   std::optional<std::size_t> follows{};  ///< whose blobs that object took
 };
 
