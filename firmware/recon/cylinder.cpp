@@ -22,6 +22,10 @@ constexpr float kRowGate = 3.0F;
 // approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the distance.
 constexpr float kTrueDepth = 50.0F;
 
+// A guessed place competes for blobs with places that are known: something of which only one end was ever seen is
+// placed so not before as many views as confirm an object by default. It may be a piece of another one.
+constexpr std::uint8_t kViewsToGuess = 3;
+
 // The distance is called unknown while its sigma exceeds this share of it.
 constexpr float kMaxDistanceSigmaShare = 0.25F;
 
@@ -155,6 +159,8 @@ void NormalEquations::scale(float factor) {
 
 void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(origin);
+  if (views_ < kViewsToGuess) ++views_;
+  seen_whole_ = seen_whole_ || (!sighting.left.censored && !sighting.right.censored);
   if (estimate_.ok() && agreement_ < kAgreementFloor) {
     scale_edges(kForgetting);
     rows_.scale(kForgetting);
@@ -212,6 +218,7 @@ void Cylinder::solve(const Vec2& lens) {
   both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
   both.add(edges_);
   estimate_ = solve_equations(both, lens);
+  if (!seen_whole_ && views_ < kViewsToGuess) return;
   if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusSigma);
   if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusGuess);
 }

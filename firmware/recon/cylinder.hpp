@@ -99,8 +99,10 @@ class Cylinder {
   NormalEquations edges_;
   NormalEquations rows_;
   float row_count_ = 0;
-  float false_depth_ = 0;  ///< what noisy directions add to edges_' information on the distance, 1/m^2
-  float agreement_ = 1;    ///< running mean of the inlier weights: low when the past does not explain the present
+  float false_depth_ = 0;    ///< what noisy directions add to edges_' information on the distance, 1/m^2
+  std::uint8_t views_ = 0;   ///< counted as far as kViewsToGuess
+  bool seen_whole_ = false;  ///< a view had both ends
+  float agreement_ = 1;      ///< running mean of the inlier weights: low when the past does not explain the present
   CylinderEstimate estimate_;
 };
 
