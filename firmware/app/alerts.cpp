@@ -1,9 +1,41 @@
 #include "firmware/app/alerts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fencepost::app {
 
 using config::Key;
 using record::AlertLevel;
+
+namespace {
+
+// Sigma of the robot's own place at this moment, as at an exposure (m).
+constexpr float kPoseSigma = 0.004F;
+
+/// How much nearer an obstacle is taken to be than it seems.
+struct Doubt {
+  float sigmas;
+  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
+};
+constexpr Doubt kSeenWhole{3.0F, 0.2F};
+// Where an end was never seen the object may reach far nearer than its cylinder does.
+constexpr Doubt kCutOff{4.0F, 0.4F};
+
+float doubt(const Obstacle& obstacle, float stop) {
+  const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
+  const float sigma = std::sqrt(obstacle.sigma * obstacle.sigma + kPoseSigma * kPoseSigma);
+  return std::min(doubt.sigmas * sigma, doubt.most * stop);
+}
+
+// Within the stop distance now, as far as one can be sure, or before the next look.
+bool must_stop(const Obstacle& obstacle, float stop, float slack) {
+  constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
+  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
+  return obstacle.distance - doubt(obstacle, stop) - until_next_look <= slack * stop;
+}
+
+}  // namespace
 
 bool credible(const recon::ObjectCore& object) { return object.confirmed && object.missed_in_a_row < kGoneAfterMisses; }
 
@@ -12,7 +44,8 @@ AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings,
   const auto near = [&](Key key) { return obstacle.distance <= slack * settings.number(key); };
   const auto soon = [&](Key key) { return obstacle.closing && obstacle.ttc <= slack * settings.number(key); };
   if (!obstacle.in_path) return near(Key::kAlertWarn) ? AlertLevel::kNotice : AlertLevel::kClear;
-  if (near(Key::kAlertStop) || soon(Key::kAlertTtcStop)) return AlertLevel::kStop;
+  if (must_stop(obstacle, settings.number(Key::kAlertStop), slack) || soon(Key::kAlertTtcStop))
+    return AlertLevel::kStop;
   if (near(Key::kAlertWarn) || soon(Key::kAlertTtcWarn)) return AlertLevel::kWarn;
   if (near(Key::kAlertNotice)) return AlertLevel::kNotice;
   return AlertLevel::kClear;

@@ -12,6 +12,9 @@
 
 namespace fencepost::app {
 
+/// The path is watched at least so often, with frames or without.
+inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
+
 /// What was last said about one object.
 struct AlertState {
   std::uint32_t id = 0;  ///< 0: nothing yet
@@ -35,7 +38,8 @@ inline constexpr std::uint16_t kGoneAfterMisses = 12;
 [[nodiscard]] bool credible(const recon::ObjectCore& object);
 
 /// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
-/// anything else as near as alert.warn is worth a notice.
+/// anything else as near as alert.warn is worth a notice. A stop is early rather than late: what is known badly counts
+/// as nearer than it seems, and so does what will be there before the path is watched again.
 record::AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack);
 
 /// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of warn and

@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x679996e6d71bb5b9;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0xf0ad98c1448f997b;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x4f7b097e0858676e;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc4206c836c3efe9a;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x9811f6683d35380c;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xcfd942ba22081de7;
 
 template <class Profile>
 CannedStream canned_stream() {

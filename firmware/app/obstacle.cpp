@@ -22,7 +22,7 @@ constexpr float kFlattestArc = 50.0F;
 // Is the disc (center, radius), robot frame, in the strip of half width w that the motion sweeps?
 bool swept(const Vec2& center, float radius, const RobotPath& path) {
   const float direction = path.motion.forward < -kStanding ? -1.0F : 1.0F;
-  const bool ahead = direction * center.x() > -radius;
+  const bool ahead = direction * center.x() > 0 || center.squaredNorm() < radius * radius;
   if (!ahead) return false;
   const float speed = std::fabs(path.motion.forward);
   const float turn = std::fabs(path.motion.turn);
@@ -47,10 +47,14 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pos
   obstacle.known = true;
   obstacle.bearing = base::atan2_rad(center.y(), center.x());
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
+  obstacle.sigma = range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
+  obstacle.cut_off = object.left_open || object.right_open;
   obstacle.in_path = swept(center, cylinder.radius, path);
-  const float closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
-  obstacle.closing = closing_speed > kNotClosing;
-  if (obstacle.closing) obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / closing_speed;
+  obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
+  obstacle.closing = obstacle.closing_speed > kNotClosing;
+  if (obstacle.closing) {
+    obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
+  }
   return obstacle;
 }
 

@@ -15,11 +15,14 @@ struct RobotPath {
 
 /// Robot frame: origin midway between the wheels, x forward, y left.
 struct Obstacle {
-  bool known = false;  ///< the object has an alert model
-  float bearing = 0;   ///< rad, of the nearest point
-  float distance = 0;  ///< m, from the robot's origin to the nearest point; 0 inside
+  bool known = false;    ///< the object has an alert model
+  float bearing = 0;     ///< rad, of the nearest point
+  float distance = 0;    ///< m, from the robot's origin to the nearest point; 0 inside
+  float sigma = 0;       ///< m, of the distance
+  bool cut_off = false;  ///< where it was seen last, an end of it was outside the image or hidden
   bool closing = false;
-  float ttc = 0;  ///< s, until the robot's body touches, if closing
+  float closing_speed = 0;  ///< m/s, if closing
+  float ttc = 0;            ///< s, until the robot's body touches, if closing
   bool in_path = false;
 };
 

@@ -14,7 +14,6 @@
 
 namespace fencepost::app {
 
-inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
 inline constexpr base::Duration kMotionSpan = base::milliseconds(200);
 
 template <class Profile>

@@ -18,11 +18,26 @@ constexpr float kIndependentRows = 4.0F;
 // A row prediction that differs from the edges by more than this many sigmas belongs to an object above the floor.
 constexpr float kRowGate = 3.0F;
 
+// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
+// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the distance.
+constexpr float kTrueDepth = 50.0F;
+
+// A guessed place competes for blobs with places that are known: something of which only one end was ever seen is
+// placed so not before as many views as confirm an object by default. It may be a piece of another one.
+constexpr std::uint8_t kViewsToGuess = 3;
+
 // The distance is called unknown while its sigma exceeds this share of it.
 constexpr float kMaxDistanceSigmaShare = 0.25F;
 
 // Radii outside this range are not obstacles of a small robot but contradictions (m).
 constexpr float kLargestRadius = 1.5F;
+
+// What is known of a radius before anything is seen (m): enough for one edge and the foot to make a cylinder, too
+// little to matter once both edges are seen from here and there (algorithms: r ~ N(0.08, 0.05)).
+constexpr float kRadiusSigma = 0.05F;
+// Where even that leaves the distance open or the radius negative, the radius is taken for known: a rough place is
+// better than none for the next match and for the alert.
+constexpr float kRadiusGuess = 0.01F;
 
 // Inlier share and outlier level of the mixture that weighs each tangent (algorithms: Lin = 0.9 N(e; s),
 // Lout = 0.1 / 0.3 m).
@@ -81,6 +96,15 @@ CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& l
   return estimate;
 }
 
+// Without enough parallax a typical radius stands in for it.
+CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, const Vec2& lens, float sigma) {
+  NormalEquations supported = equations;
+  const float weight = 1.0F / (sigma * sigma);
+  supported.information.rr += weight;
+  supported.moment_radius += weight * kTypicalRadius;
+  return solve_equations(supported, lens);
+}
+
 }  // namespace
 
 float CylinderEstimate::outline_sigma() const {
@@ -135,36 +159,37 @@ void NormalEquations::scale(float factor) {
 
 void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(origin);
-  const float distance =
-      estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
-  const float radius = estimate_.ok() ? estimate_.radius : kTypicalRadius;
-  const float shape = noise.roundness * radius;
-  const float shape_variance = shape * shape;
+  if (views_ < kViewsToGuess) ++views_;
+  seen_whole_ = seen_whole_ || (!sighting.left.censored && !sighting.right.censored);
   if (estimate_.ok() && agreement_ < kAgreementFloor) {
-    edges_.scale(kForgetting);
+    scale_edges(kForgetting);
     rows_.scale(kForgetting);
     row_count_ *= kForgetting;
   }
-  if (!sighting.left.censored) {
-    const float variance = edge_variance(sighting, sighting.left, distance, noise) + shape_variance;
-    add_tangent(edges_, left_tangent(sighting, origin), variance, novelty);
-  }
-  if (!sighting.right.censored) {
-    const float variance = edge_variance(sighting, sighting.right, distance, noise) + shape_variance;
-    add_tangent(edges_, right_tangent(sighting, origin), variance, novelty);
-  }
+  if (!sighting.left.censored) add_edge(sighting, sighting.left, left_tangent(sighting, origin), lens, novelty, noise);
+  if (!sighting.right.censored)
+    add_edge(sighting, sighting.right, right_tangent(sighting, origin), lens, novelty, noise);
   RowDepth row = row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
   if (row.known) {
     const Vec2 normal = -sighting.axis;
     const HalfPlane front{normal, normal.dot(lens) - row.depth};
-    const float weight = novelty / (row.variance + shape_variance);
+    const float weight = novelty / (row.variance + shape_variance(noise));
     rows_.add(front.normal, front.bound, weight);
     row_count_ += novelty;
   }
 }
 
-void Cylinder::add_tangent(NormalEquations& equations, const HalfPlane& tangent, float variance, float novelty) {
+float Cylinder::shape_variance(const MeasurementNoise& noise) const {
+  const float shape = noise.roundness * (estimate_.ok() ? estimate_.radius : kTypicalRadius);
+  return shape * shape;
+}
+
+void Cylinder::add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens,
+                        float novelty, const MeasurementNoise& noise) {
+  const float distance =
+      estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
+  const float variance = edge_variance(sighting, ray, distance, noise) + shape_variance(noise);
   float weight = novelty / variance;
   if (estimate_.ok()) {
     const float residual = tangent.bound - tangent.normal.dot(estimate_.center) - estimate_.radius;
@@ -173,13 +198,19 @@ void Cylinder::add_tangent(NormalEquations& equations, const HalfPlane& tangent,
     agreement_ += kAgreementGain * (inlier - agreement_);
     weight *= inlier;
   }
-  equations.add(tangent.normal, tangent.bound, weight);
-  if (equations.information.rr > kMaxInformation) equations.scale(0.5F);
+  edges_.add(tangent.normal, tangent.bound, weight);
+  false_depth_ += weight * direction_variance(sighting, ray, noise);
+  if (edges_.information.rr > kMaxInformation) scale_edges(0.5F);
+}
+
+void Cylinder::scale_edges(float factor) {
+  edges_.scale(factor);
+  false_depth_ *= factor;
 }
 
 void Cylinder::solve(const Vec2& lens) {
   const CylinderEstimate from_edges = solve_equations(edges_, lens);
-  if (!(row_count_ > 0) || (from_edges.ok() && !rows_agree(from_edges))) {
+  if (!(row_count_ > 0) || (edges_know(from_edges, lens) && !rows_agree(from_edges))) {
     estimate_ = from_edges;
     return;
   }
@@ -187,6 +218,16 @@ void Cylinder::solve(const Vec2& lens) {
   both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
   both.add(edges_);
   estimate_ = solve_equations(both, lens);
+  if (!seen_whole_ && views_ < kViewsToGuess) return;
+  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusSigma);
+  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusGuess);
+}
+
+bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const {
+  if (!from_edges.ok()) return false;
+  const Vec2 away = from_edges.center - lens;
+  const float variance = from_edges.covariance.position_along(away) / away.squaredNorm();
+  return variance * false_depth_ * kTrueDepth < 1.0F;
 }
 
 bool Cylinder::rows_agree(const CylinderEstimate& from_edges) const {

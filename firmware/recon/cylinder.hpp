@@ -88,13 +88,21 @@ class Cylinder {
   [[nodiscard]] float agreement() const { return agreement_; }
 
  private:
-  void add_tangent(NormalEquations& equations, const HalfPlane& tangent, float variance, float novelty);
+  void add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
+                const MeasurementNoise& noise);
+  [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
+  void scale_edges(float factor);
+  /// The edges alone know the distance, and not only because noise looks like parallax.
+  [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
   [[nodiscard]] bool rows_agree(const CylinderEstimate& from_edges) const;
 
   NormalEquations edges_;
   NormalEquations rows_;
   float row_count_ = 0;
-  float agreement_ = 1;  ///< running mean of the inlier weights: low when the past does not explain the present
+  float false_depth_ = 0;    ///< what noisy directions add to edges_' information on the distance, 1/m^2
+  std::uint8_t views_ = 0;   ///< counted as far as kViewsToGuess
+  bool seen_whole_ = false;  ///< a view had both ends
+  float agreement_ = 1;      ///< running mean of the inlier weights: low when the past does not explain the present
   CylinderEstimate estimate_;
 };
 

@@ -38,11 +38,14 @@ HalfPlane right_tangent(const Sighting& sighting, MapPoint origin) {
   return {normal, normal.dot(sighting.lens_from(origin))};
 }
 
-float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise) {
+float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise) {
   const float cos_beta = ray.direction.dot(sighting.axis);
-  const float pixel = distance * cos_beta * cos_beta / sighting.focal * noise.edge_px;
-  const float heading = distance * noise.heading;
-  return pixel * pixel + heading * heading + noise.position * noise.position;
+  const float pixel = cos_beta * cos_beta / sighting.focal * noise.edge_px;
+  return pixel * pixel + noise.heading * noise.heading;
+}
+
+float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise) {
+  return distance * distance * direction_variance(sighting, ray, noise) + noise.position * noise.position;
 }
 
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {

@@ -60,6 +60,9 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Bl
 HalfPlane left_tangent(const Sighting& sighting, MapPoint origin);
 HalfPlane right_tangent(const Sighting& sighting, MapPoint origin);
 
+/// Variance (rad^2) of the direction of the ray to an edge.
+float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise);
+
 /// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out.
 float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise);
 

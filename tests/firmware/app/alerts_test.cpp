@@ -49,6 +49,39 @@ TEST(AlertLevel, FollowsTheSettings) {
   EXPECT_EQ(app::level_for(in_path(0.39F), settings, 1.0F), AlertLevel::kStop);
 }
 
+// 0.25 m: 3 sigmas of the object and of the robot itself, 4 mm, are taken off, at most a fifth of the stop distance.
+TEST(AlertLevel, AStopAllowsForDoubt) {
+  const config::Settings defaults;
+  const auto level = [&](float distance, float sigma, bool cut_off) {
+    Obstacle obstacle = in_path(distance);
+    obstacle.sigma = sigma;
+    obstacle.cut_off = cut_off;
+    return app::level_for(obstacle, defaults, 1.0F);
+  };
+  EXPECT_EQ(level(0.261F, 0, false), AlertLevel::kStop);  // 0.012 m
+  EXPECT_EQ(level(0.263F, 0, false), AlertLevel::kWarn);
+  EXPECT_EQ(level(0.264F, 0.003F, false), AlertLevel::kStop);  // 3 sqrt(3^2 + 4^2) mm = 0.015 m
+  EXPECT_EQ(level(0.266F, 0.003F, false), AlertLevel::kWarn);
+  EXPECT_EQ(level(0.299F, 1, false), AlertLevel::kStop);  // at most 0.05 m
+  EXPECT_EQ(level(0.301F, 1, false), AlertLevel::kWarn);
+  EXPECT_EQ(level(0.269F, 0.003F, true), AlertLevel::kStop);  // an end was not seen: 4 sigmas, 0.020 m
+  EXPECT_EQ(level(0.271F, 0.003F, true), AlertLevel::kWarn);
+  EXPECT_EQ(level(0.349F, 1, true), AlertLevel::kStop);  // at most 0.10 m
+  EXPECT_EQ(level(0.351F, 1, true), AlertLevel::kWarn);
+}
+
+// 0.3 m/s is 0.03 m in the 0.1 s until the next look; with the 0.012 m of doubt 0.292 m is near enough.
+TEST(AlertLevel, AStopComesBeforeTheNextLookWouldBeTooLate) {
+  const config::Settings defaults;
+  const auto level = [&](float distance) {
+    Obstacle obstacle = closing(distance, 100);
+    obstacle.closing_speed = 0.3F;
+    return app::level_for(obstacle, defaults, 1.0F);
+  };
+  EXPECT_EQ(level(0.291F), AlertLevel::kStop);
+  EXPECT_EQ(level(0.293F), AlertLevel::kWarn);
+}
+
 class Judge : public testing::Test {
  protected:
   Judge() {

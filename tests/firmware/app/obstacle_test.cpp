@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/firmware/app/known_object.hpp"
 
 namespace fencepost::test {
@@ -51,6 +53,27 @@ TEST(Obstacle, TheStraightPathIsAsWideAsTheRobotAndItsMargin) {
   EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0)).in_path);  // standing: straight ahead
   EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(0.2F)).in_path);  // behind
   EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(-0.2F)).in_path);  // reversing
+}
+
+TEST(Obstacle, WhatIsPassedIsNoLongerInThePath) {
+  // Beside the robot, its far half still ahead of the axle: the gap is 0.1 m, but nothing comes nearer any more.
+  const auto object = known_object(1.0, 0.2, 0.1);
+  EXPECT_TRUE(see_obstacle(object, {{95'000, 0}, 0}, driving(0.2F)).in_path);
+  EXPECT_FALSE(see_obstacle(object, {{105'000, 0}, 0}, driving(0.2F)).in_path);
+}
+
+TEST(Obstacle, SaysHowWellItKnows) {
+  auto object = known_object(1.0, 0, 0.1);
+  const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+  const Obstacle seen = see_obstacle(object, {{0, 0}, 0}, driving(0.2F));
+  // The nearest point is the centre less the radius along x: var = xx - 2 xr + rr.
+  const float variance = cylinder.covariance.xx - 2 * cylinder.covariance.xr + cylinder.covariance.rr;
+  EXPECT_NEAR(seen.sigma, std::sqrt(variance), 1e-4F);
+  EXPECT_GT(seen.sigma, 0);
+  EXPECT_NEAR(seen.closing_speed, 0.2F, 1e-4F);
+  EXPECT_FALSE(seen.cut_off);
+  object.right_open = true;
+  EXPECT_TRUE(see_obstacle(object, {{0, 0}, 0}, driving(0.2F)).cut_off);
 }
 
 TEST(Obstacle, ACurvedPathFollowsTheArc) {

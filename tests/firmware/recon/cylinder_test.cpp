@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/firmware/recon/exact_view.hpp"
 
 namespace fencepost::test {
@@ -64,6 +66,44 @@ TEST(Cylinder, OneViewIsEnoughWithTheGroundRow) {
   EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
   EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 2e-3F);
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
+}
+
+// One end is outside the image all the time: an object of the usual size stands there.
+TEST(Cylinder, OneEdgeAndTheGroundRowMakeOneOfTheUsualSize) {
+  Cylinder cylinder;
+  for (int i = 0; i < 3; ++i) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, {0.02 * i, 0}).sighting;
+    s.right.censored = true;
+    stand_on_floor(s, 1.0 - kRadius - 0.02 * i);
+    add(cylinder, s);
+  }
+  ASSERT_TRUE(cylinder.estimate().ok()) << name(cylinder.estimate().refusal);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.08F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.02F, 5e-3F);   // its front is where the row is
+  EXPECT_NEAR(cylinder.estimate().center.y(), -0.02F, 5e-3F);  // its left edge is where the edge is
+}
+
+// Headings that are off by half a degree look like parallax on a straight approach, and draw the edges' distance in.
+// The rows know better.
+TEST(Cylinder, ANoisyApproachDoesNotOverruleTheRows) {
+  std::mt19937 random(1);
+  Cylinder cylinder;
+  for (int i = 0; i < 60; ++i) {
+    const host::Point lens{-0.9 + 0.025 * i, 0.1};
+    recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    double sum = 0;  // of twelve uniform numbers: nearly normal, variance 1
+    for (int n = 0; n < 12; ++n) sum += static_cast<double>(random()) / 4294967296.0;
+    const Vec2 off = unit(0.009 * (sum - 6));
+    for (Vec2* direction : {&s.left.direction, &s.right.direction, &s.axis, &s.center}) {
+      *direction = recon::rotated(off, *direction);
+    }
+    stand_on_floor(s, 1.0 - lens.x - kRadius);
+    add(cylinder, s);
+    if (i < 5) continue;
+    ASSERT_TRUE(cylinder.estimate().ok()) << i << name(cylinder.estimate().refusal);
+    const float front = cylinder.estimate().center.x() - cylinder.estimate().radius;
+    EXPECT_NEAR(front, 0.94F, 0.1F * (0.94F - static_cast<float>(lens.x))) << i;
+  }
 }
 
 // A box on a shelf: its bottom row lies. Once the edges know better, the row is dropped.

@@ -1,0 +1,212 @@
+// Prints how good the alerts are on random approaches, a row a noise level. Fails when the level of --judge misses its
+// targets.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "tests/alerts/judgement.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct Request {
+  unsigned approaches = 1000;
+  unsigned first_seed = 1;
+  std::vector<std::string> levels;
+  std::string judged = "2";
+  std::vector<std::string> settings;
+  double at_least = 99.5;
+  double at_most = 1;
+  double nearest = AlertLimits{}.warn;
+  bool show = false;
+  AlertRequest alerts;
+};
+
+struct Figures {
+  unsigned approaches = 0;
+  double minutes = 0;
+  unsigned obstacles = 0;
+  unsigned in_time = 0;
+  unsigned late = 0;
+  unsigned never = 0;
+  unsigned bodies = 0;
+  unsigned bodies_in_time = 0;
+  unsigned placed = 0;
+  unsigned placed_in_time = 0;
+  unsigned false_stops = 0;
+  unsigned grazes = 0;  ///< of those
+  unsigned delays = 0;
+  unsigned delayed = 0;
+  unsigned phantoms = 0;
+  unsigned seen = 0;
+  unsigned missed = 0;
+
+  [[nodiscard]] double in_ten_minutes(unsigned count) const { return minutes > 0 ? 10 * count / minutes : 0; }
+};
+
+double percent(unsigned part, unsigned whole) { return whole > 0 ? 100.0 * part / whole : 100; }
+
+void add(const Verdict& verdict, Figures& figures) {
+  ++figures.approaches;
+  figures.minutes += verdict.seconds / 60;
+  for (const ObstacleVerdict& obstacle : verdict.obstacles) {
+    ++figures.obstacles;
+    figures.in_time += obstacle.in_time ? 1U : 0U;
+    figures.late += obstacle.late_by ? 1U : 0U;
+    figures.never += !obstacle.in_time && !obstacle.late_by ? 1U : 0U;
+    const bool placed = obstacle.placed >= static_cast<unsigned>(AlertLimits{}.confirm_k);
+    figures.placed += placed ? 1U : 0U;
+    figures.placed_in_time += placed && obstacle.in_time ? 1U : 0U;
+    figures.bodies += obstacle.body ? 1U : 0U;
+    figures.bodies_in_time += obstacle.body && obstacle.in_time ? 1U : 0U;
+  }
+  figures.false_stops += static_cast<unsigned>(verdict.false_stops.size());
+  figures.grazes += static_cast<unsigned>(std::count_if(verdict.false_stops.begin(), verdict.false_stops.end(),
+                                                        [](const FalseStop& stop) { return stop.grazes; }));
+  figures.delays += static_cast<unsigned>(verdict.delays.size());
+  figures.delayed += static_cast<unsigned>(
+      std::count_if(verdict.delays.begin(), verdict.delays.end(), [](const Delay& delay) { return delay.frames > 0; }));
+  figures.phantoms += verdict.phantoms;
+  figures.seen += verdict.seen;
+  figures.missed += verdict.missed;
+}
+
+void show(unsigned seed, const Approach& approach, const GroundTruth& truth, const Verdict& verdict) {
+  const Drive& drive = approach.drive;
+  const auto head = [&] {
+    fmt::print("seed {} v {:.2f} k {:+.2f} stand {:.2f} end {:.2f}", seed, drive.speed, drive.curvature, drive.standing,
+               approach.end);
+  };
+  for (const ObstacleVerdict& obstacle : verdict.obstacles) {
+    if (obstacle.in_time) continue;
+    head();
+    fmt::print(": LATE {} {} due {:.2f} visible {} placed {} by {}\n", obstacle.object,
+               obstacle.body ? "body" : "margin", obstacle.due, obstacle.visible, obstacle.placed,
+               obstacle.late_by ? fmt::format("{:.2f}", *obstacle.late_by) : "never");
+    for (const record::AlertReport& alert : verdict.alerts) {
+      const double t = alert.t.to_double();
+      if (t < obstacle.due - 1.5 || t > obstacle.due + 1) continue;
+      fmt::print("    {:.2f} {} id {} at {:.3f} bearing {:.2f} conf {:.2f}; true {:.3f}\n", t,
+                 record::name(alert.level), alert.id, alert.distance.to_double(), alert.bearing.to_double(),
+                 alert.confidence.to_double(), truth.distance(obstacle.object, t));
+    }
+  }
+  const auto map = [&] {
+    for (std::size_t i = 0; i < verdict.objects.size(); ++i) {
+      const host::ObjectResult& object = verdict.objects[i];
+      fmt::print("    object {} {} of signature {} follows {} views {} {}\n", object.id, record::name(object.state),
+                 object.signature, verdict.followed[i] ? std::to_string(*verdict.followed[i]) : "-", object.views,
+                 object.models.front().reason);
+    }
+  };
+  if (!verdict.false_stops.empty() || std::any_of(verdict.obstacles.begin(), verdict.obstacles.end(),
+                                                  [](const auto& obstacle) { return !obstacle.in_time; })) {
+    map();
+  }
+  for (const FalseStop& stop : verdict.false_stops) {
+    head();
+    const double t = stop.alert.t.to_double();
+    fmt::print(": {} id {} t {:.2f} at {:.3f} bearing {:.2f} conf {:.2f} ttc {:.2f} follows {}\n",
+               stop.grazes ? "GRAZE" : "FALSE", stop.alert.id, t, stop.alert.distance.to_double(),
+               stop.alert.bearing.to_double(), stop.alert.confidence.to_double(),
+               stop.alert.ttc ? stop.alert.ttc->to_double() : -1.0, stop.follows ? std::to_string(*stop.follows) : "-");
+    for (std::size_t o = 0; o < approach.scene.objects.size(); ++o) {
+      double least = 10;
+      for (double s = t; s < approach.end + 1 / drive.speed; s += 0.01) least = std::min(least, truth.distance(o, s));
+      fmt::print("    object {} true {:.3f} will be {:.3f}\n", o, truth.distance(o, t), least);
+    }
+  }
+  for (const Delay& delay : verdict.delays) {
+    if (delay.frames == 0) continue;
+    head();
+    fmt::print(": DELAY {} of block {} due {:.2f} true {:.3f} {}\n", delay.frames, delay.object, delay.due,
+               truth.distance(delay.object, delay.due), truth.in_path(delay.object, delay.due) ? "in path" : "beside");
+  }
+}
+
+void print_row(const NoiseLevel& level, const Figures& f) {
+  fmt::print(
+      "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {:.2f} | {} of {} | "
+      "{:.2f} | {} "
+      "of {} |\n",
+      level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
+      percent(f.bodies_in_time, f.bodies), f.bodies, percent(f.placed_in_time, f.placed), f.placed, f.false_stops,
+      f.in_ten_minutes(f.false_stops), f.in_ten_minutes(f.false_stops - f.grazes), f.delayed, f.delays,
+      f.in_ten_minutes(f.phantoms), f.missed, f.seen);
+  std::fflush(stdout);
+}
+
+bool good(const Figures& f, const Request& request) {
+  return f.obstacles > 0 && percent(f.in_time, f.obstacles) >= request.at_least &&
+         f.in_ten_minutes(f.false_stops - f.grazes) <= request.at_most;
+}
+
+Figures run_level(const NoiseLevel& level, const Request& request) {
+  Figures figures;
+  for (unsigned i = 0; i < request.approaches; ++i) {
+    const Approach approach = random_approach(request.first_seed + i, level, request.nearest);
+    if (approach.scene.objects.empty()) continue;
+    const AlertLimits limits;
+    const Verdict verdict = judge_approach(approach, limits, request.alerts);
+    add(verdict, figures);
+    if (request.show) show(request.first_seed + i, approach, GroundTruth(approach, limits), verdict);
+  }
+  return figures;
+}
+
+bool run(const Request& request) {
+  fmt::print(
+      "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
+      "placed, % | "
+      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | missed |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  bool all_good = false;  // the level that is judged has to be among those that are run
+  for (const NoiseLevel& level : noise_levels()) {
+    const auto& wanted = request.levels;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
+    const Figures figures = run_level(level, request);
+    print_row(level, figures);
+    if (level.key == request.judged) all_good = good(figures, request);
+  }
+  return all_good;
+}
+
+int run_program(int argc, char** argv) {
+  Request request;
+  CLI::App app("How good the alerts are on random approaches, a row a noise level");
+  app.add_option("--approaches", request.approaches, "a level")->capture_default_str();
+  app.add_option("--first-seed", request.first_seed, "seed of the first approach")->capture_default_str();
+  app.add_option("--levels", request.levels, "of 0,1,2,3,4,S,T; default: all")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
+  app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
+  app.add_option("--at-least", request.at_least, "% of the obstacles in time")->capture_default_str();
+  app.add_option("--at-most", request.at_most, "false stops in 10 minutes, grazes left out")->capture_default_str();
+  app.add_option("--profile", request.alerts.profile, "capacities of the robot")->capture_default_str();
+  app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
+  app.add_option("--nearest", request.nearest, "m, no block is nearer when the robot starts")->capture_default_str();
+  app.add_flag("--show", request.show, "tell of each failure");
+  CLI11_PARSE(app, argc, argv);
+  for (const std::string& setting : request.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) throw std::runtime_error("--set takes KEY=VALUE");
+    const std::string_view text(setting);
+    request.alerts.settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return run(request) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) {
+  try {
+    return fencepost::test::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    static_cast<void>(std::fprintf(stderr, "alert_study: %s\n", error.what()));
+    return 2;
+  }
+}
