@@ -110,7 +110,7 @@ Approach random_approach(unsigned seed, const NoiseLevel& level, double nearest)
   scene.seed = seed;
   set_table_camera(scene);
   scene.camera.latency = base::Duration::nearest(0.05);
-  scene.noise = level.noise;
+  scene.noise = scene_noise(level);
   for (std::uint8_t id = 1; id <= kColours; ++id) scene.signatures.push_back({id, "colour " + std::to_string(id), {}});
   approach.drive = random_drive(dice);
   Blocks blocks(dice, approach.drive, nearest, scene);

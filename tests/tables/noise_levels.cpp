@@ -1,5 +1,7 @@
 #include "tests/tables/noise_levels.hpp"
 
+#include <numbers>
+
 namespace fencepost::test {
 
 const std::array<NoiseLevel, 7>& noise_levels() {
@@ -14,6 +16,20 @@ const std::array<NoiseLevel, 7>& noise_levels() {
       {"T", "noise T segloss20+grow5", {1, 0.20, 0.05, 0, 0}, 0, 0},
   }};
   return kLevels;
+}
+
+host::SceneNoise scene_noise(const NoiseLevel& level) {
+  constexpr double kObjects = 3;
+  host::SceneNoise noise;
+  noise.edge_px = level.blob.edge_px;
+  noise.loss_probability = level.blob.loss;
+  noise.growth_probability = level.blob.growth;
+  noise.growth_max = 0.6;
+  noise.miss_probability = level.blob.miss;
+  noise.false_rate = kObjects * level.blob.false_blob;
+  noise.pose_xy = level.pose_xy;
+  noise.pose_heading = level.pose_heading * std::numbers::pi / 180;
+  return noise;
 }
 
 }  // namespace fencepost::test

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "host/scene/scene.hpp"
+
 namespace fencepost::test {
 
 /// Of one object's blob in one view. Lost: 10..50 % of the width, 30 % of the losses split the blob and the larger
@@ -25,6 +27,10 @@ struct NoiseLevel {
 };
 
 const std::array<NoiseLevel, 7>& noise_levels();
+
+/// The level as the simulator has it, for scenes of about three objects: false blobs come beside objects and not in
+/// their place, growth is 0..60 %, and both parts of a split blob stay.
+host::SceneNoise scene_noise(const NoiseLevel& level);
 
 /// The camera nods: sigma of the pitch in each view, degrees, at every level. Moves the bottom row only.
 inline constexpr double kPitchNoise = 0.3;
