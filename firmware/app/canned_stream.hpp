@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0xf0ad98c1448f997b;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0xa0d9a2dc4337608f;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc4206c836c3efe9a;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x66fd1cd1a9faff5a;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xcfd942ba22081de7;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x14e8be218155d102;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -86,6 +86,9 @@ class Cylinder {
   [[nodiscard]] const NormalEquations& rows() const { return rows_; }
   [[nodiscard]] float row_count() const { return row_count_; }
   [[nodiscard]] float agreement() const { return agreement_; }
+  [[nodiscard]] float false_depth() const { return false_depth_; }
+  [[nodiscard]] std::uint8_t first_views() const { return views_; }
+  [[nodiscard]] bool seen_whole() const { return seen_whole_; }
 
  private:
   void add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,

@@ -46,6 +46,9 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u8(object.left_open ? 1 : 0);
   hash.u8(object.right_open ? 1 : 0);
   hash.u8(object.arenas);
+  hash.u8(object.in_pieces);
+  hash.u8(static_cast<std::uint8_t>(object.left_off));
+  hash.u8(static_cast<std::uint8_t>(object.right_off));
   hash.u32(object.views);
   hash.i64(object.last_seen.raw);
   hash.u16(object.history.bits);
@@ -60,6 +63,9 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash_equations(hash, object.cylinder.rows());
   hash.f32(object.cylinder.row_count());
   hash.f32(object.cylinder.agreement());
+  hash.f32(object.cylinder.false_depth());
+  hash.u8(object.cylinder.first_views());
+  hash.u8(object.cylinder.seen_whole() ? 1 : 0);
   const CylinderEstimate& estimate = object.cylinder.estimate();
   hash.u8(static_cast<std::uint8_t>(estimate.refusal));
   if (estimate.ok()) {

@@ -60,6 +60,7 @@ class Map {
     update_matched(frame, camera, lens, noise);
     notice_missing();
     begin_new(frame, camera, lens, noise, outcome);
+    count_pieces();
     drop_doubles();
     forget_refuted();
     confirm(confirmation);
@@ -112,10 +113,10 @@ class Map {
   void join_pieces(WaitingFrame& frame, const CameraModel& camera) {
     const auto find = [&] { return find_pieces(frame.blobs.view(), {intervals_.data(), blobs_}, predictions_); };
     in_pieces_.fill(false);
-    for (PiecePair pair = find(); pair.found; pair = find()) {  // one blob or one object less each time
+    for (PiecePair pair = find(); pair.found; pair = find()) {  // each time a blob or an object less
       if (pair.whole != kNoMatch) {
         in_pieces_[pair.whole] = true;
-        if (!pair.rows_match || objects_[pair.whole].in_pieces >= kDividingFrames) {
+        if (objects_[pair.whole].in_pieces >= kDividingFrames || !pair.rows_match) {
           divide(pair.whole);
           continue;
         }
@@ -123,7 +124,6 @@ class Map {
       join(frame.blobs, pair);
       see_blobs(frame, camera);
     }
-    for (std::size_t o = 0; o < kObjects; ++o) count_pieces(objects_[o], in_pieces_[o]);
   }
   // Two objects that were taken for one, and never stood apart in the image before: both begin anew.
   void divide(std::size_t o) {
@@ -132,11 +132,6 @@ class Map {
     predictions_[o].possible = false;
     predictions_[o].depth = 0;
   }
-  static void count_pieces(ObjectCore& object, bool in_pieces) {
-    if (!in_pieces) object.in_pieces = 0;
-    if (in_pieces && object.in_pieces < kDividingFrames) ++object.in_pieces;
-  }
-
   // The rays again, with what see_blobs found out about their ends: kept apart to save 700 bytes of scratch.
   [[nodiscard]] BlobRays rays_of(const WaitingFrame& frame, const CameraModel& camera, std::size_t b) const {
     BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
@@ -261,7 +256,8 @@ class Map {
     for (std::size_t b = 0; b < blobs_; ++b) {
       if (object_of_[b] != kNoMatch) continue;
       if (intervals_[b].left_censored && intervals_[b].right_censored) continue;
-      if (is_piece(frame, b)) {
+      const Prediction* divided = divided_at(frame.blobs[b].signature, intervals_[b]);
+      if (!divided && is_piece(frame, b)) {
         ++outcome.pieces;
         continue;
       }
@@ -273,7 +269,7 @@ class Map {
       const Sighting sighting = make_sighting(camera, lens, rays_of(frame, camera, b));
       objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
       if (next_id_ == 0) next_id_ = 1;
-      objects_[slot].confirmed = is_half_of_confirmed(frame.blobs[b].signature, intervals_[b]);
+      objects_[slot].confirmed = divided && divided->confirmed;
       objects_[slot].observe(sighting, exposure_, noise);
       objects_[slot].history.push(true);
       blob_of_[slot] = static_cast<std::uint8_t>(b);
@@ -282,37 +278,55 @@ class Map {
     }
   }
 
-  // An object that was confirmed is two now: something is there, and it is known.
-  [[nodiscard]] bool is_half_of_confirmed(std::uint8_t signature, const Interval& interval) const {
+  // The object that is two now, if the blob is a good part of it. What it is a part of was known: so is this.
+  [[nodiscard]] const Prediction* divided_at(std::uint8_t signature, const Interval& interval) const {
     for (const Prediction& whole : predictions_) {
-      const bool half = whole.divided && whole.confirmed && whole.signature == signature;
-      const bool most = 2 * (interval.right - interval.left) >= whole.right.at - whole.left.at;
-      if (half && most && has_middle_of(whole, interval)) return true;
+      const bool part = whole.divided && whole.signature == signature && has_middle_of(whole, interval);
+      if (part && 3 * (interval.right - interval.left) >= whole.right.at - whole.left.at) return &whole;
     }
-    return false;
+    return nullptr;
   }
 
-  // A leftover blob inside the interval of an object that is matched already, at the same height in the image: a piece
-  // that noise split off. One with another foot stands elsewhere.
-  [[nodiscard]] bool is_piece(const WaitingFrame& frame, std::size_t b) const {
+  // A leftover blob that may be part of an object that has a blob already: inside its interval, on the same foot; or
+  // alike and close beside it, unless it stays there. One with another foot stands elsewhere.
+  [[nodiscard]] bool is_piece(const WaitingFrame& frame, std::size_t b) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (blob_of_[o] == kNoMatch || objects_[o].signature != frame.blobs[b].signature) continue;
-      const int step = frame.blobs[blob_of_[o]].box.y2 - frame.blobs[b].box.y2;
-      if (step > kTouchPixels || step < -kTouchPixels) continue;
-      if (covers(predictions_[o], intervals_[b])) return true;
+      const WaitingBlob& taken = frame.blobs[blob_of_[o]];
+      const int step = taken.box.y2 - frame.blobs[b].box.y2;
+      const bool inside = covers(predictions_[o], intervals_[b]) && step <= kTouchPixels && step >= -kTouchPixels;
+      const bool beside = are_alike(taken, frame.blobs[b]) && objects_[o].in_pieces < kDividingFrames;
+      if (are_alike(taken, frame.blobs[b])) in_pieces_[o] = true;
+      if (inside || beside) return true;
     }
     return false;
   }
 
-  // A free slot, else that of the least useful tentative object not seen in this frame: fewest views, then longest
-  // unseen, then the older id. kObjects if there is none.
+  void count_pieces() {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      std::uint8_t& frames = objects_[o].in_pieces;
+      if (!in_pieces_[o]) frames = 0;
+      if (in_pieces_[o] && frames < kDividingFrames) ++frames;
+    }
+  }
+
+  // A free slot; else that of the least useful tentative object not seen in this frame: fewest views, then longest
+  // unseen, then the older id; else that of the confirmed one that is longest out of sight, or a robot with a small
+  // table would be blind to new places. kObjects if all were seen lately.
   std::size_t slot_for_new() {
-    std::size_t best = kObjects;
+    std::size_t tentative = kObjects;
+    std::size_t old = kObjects;
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!objects_[o].used()) return o;
-      if (objects_[o].confirmed || blob_of_[o] != kNoMatch) continue;
-      if (best == kObjects || less_useful(objects_[o], objects_[best])) best = o;
+      if (blob_of_[o] != kNoMatch) continue;
+      if (objects_[o].confirmed) {
+        const bool stale = exposure_ - objects_[o].last_seen > kOutOfSight;
+        if (stale && (old == kObjects || objects_[o].last_seen < objects_[old].last_seen)) old = o;
+      } else if (tentative == kObjects || less_useful(objects_[o], objects_[tentative])) {
+        tentative = o;
+      }
     }
+    const std::size_t best = tentative != kObjects ? tentative : old;
     if (best != kObjects) ++evicted_;
     return best;
   }
@@ -388,6 +402,7 @@ class Map {
   static constexpr float kPresenceGain = 1.0F / 8.0F;
   static constexpr std::uint32_t kRefutingMisses = 12;
   static constexpr std::uint32_t kFewViews = 8;
+  static constexpr base::Duration kOutOfSight = base::milliseconds(5000);
   static constexpr base::Duration kKeepUnseen = base::milliseconds(1000);
   // In pieces for so many frames in a row: noise does not do that, it is two objects.
   static constexpr std::uint8_t kDividingFrames = 2;

@@ -69,20 +69,28 @@ bool cut_by_post(std::span<const WaitingBlob> blobs, const WaitingBlob& left, co
 }  // namespace
 
 PiecePair find_pieces(std::span<const WaitingBlob> blobs, std::span<const Interval> intervals,
-                      std::span<const Prediction> predictions, std::size_t from) {
-  for (std::size_t a = from; a < blobs.size(); ++a) {
+                      std::span<const Prediction> predictions) {
+  for (std::size_t a = 0; a < blobs.size(); ++a) {
     for (std::size_t b = 0; b < blobs.size(); ++b) {
       if (a == b || blobs[a].signature != blobs[b].signature || blobs[a].box.x2 >= blobs[b].box.x1) continue;
       const std::uint8_t signature = blobs[a].signature;
       if (known_apart(intervals[a], intervals[b], signature, predictions)) continue;
       PiecePair pair{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), true};
       if (cut_by_post(blobs, blobs[a], blobs[b])) return pair;
-      pair.whole = whole_of(intervals[a], intervals[b], signature, predictions);
       pair.rows_match = rows_match(blobs[a], blobs[b], intervals[a], intervals[b]);
+      pair.whole = whole_of(intervals[a], intervals[b], signature, predictions);
       if (pair.whole != kNoMatch) return pair;
     }
   }
   return {};
+}
+
+bool are_alike(const WaitingBlob& one, const WaitingBlob& other) {
+  const Box& left = one.box.x1 < other.box.x1 ? one.box : other.box;
+  const Box& right = one.box.x1 < other.box.x1 ? other.box : one.box;
+  const int both = (left.x2 - left.x1) + (right.x2 - right.x1) + 2;
+  return one.signature == other.signature && near(left.y1, right.y1) && near(left.y2, right.y2) && right.x1 > left.x2 &&
+         right.x1 - left.x2 <= both;
 }
 
 void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const PiecePair& pair) {

@@ -41,6 +41,7 @@ struct Figures {
   unsigned delays = 0;
   unsigned delayed = 0;
   unsigned phantoms = 0;
+  unsigned misplaced = 0;
   unsigned seen = 0;
   unsigned missed = 0;
 
@@ -70,6 +71,7 @@ void add(const Verdict& verdict, Figures& figures) {
   figures.delayed += static_cast<unsigned>(
       std::count_if(verdict.delays.begin(), verdict.delays.end(), [](const Delay& delay) { return delay.frames > 0; }));
   figures.phantoms += verdict.phantoms;
+  figures.misplaced += verdict.misplaced;
   figures.seen += verdict.seen;
   figures.missed += verdict.missed;
 }
@@ -130,12 +132,11 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
 void print_row(const NoiseLevel& level, const Figures& f) {
   fmt::print(
       "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {:.2f} | {} of {} | "
-      "{:.2f} | {} "
-      "of {} |\n",
+      "{:.2f} | {} | {} of {} |\n",
       level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
       percent(f.bodies_in_time, f.bodies), f.bodies, percent(f.placed_in_time, f.placed), f.placed, f.false_stops,
       f.in_ten_minutes(f.false_stops), f.in_ten_minutes(f.false_stops - f.grazes), f.delayed, f.delays,
-      f.in_ten_minutes(f.phantoms), f.missed, f.seen);
+      f.in_ten_minutes(f.phantoms), f.misplaced, f.missed, f.seen);
   std::fflush(stdout);
 }
 
@@ -161,8 +162,8 @@ bool run(const Request& request) {
   fmt::print(
       "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
       "placed, % | "
-      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | missed |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | misplaced | missed |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool all_good = false;  // the level that is judged has to be among those that are run
   for (const NoiseLevel& level : noise_levels()) {
     const auto& wanted = request.levels;

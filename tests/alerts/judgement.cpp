@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -202,15 +203,20 @@ class Judge {
     const auto& objects = verdict_.objects;
     const auto matches = host::match_objects(objects, approach_.scene);
     const auto confirmed = [&](std::size_t i) { return objects[i].state != record::ObjectState::kTentative; };
+    std::set<std::size_t> known;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (!matches[i] && confirmed(i)) ++verdict_.phantoms;
+      if (matches[i] && confirmed(i)) known.insert(*matches[i]);
+    }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (matches[i] || !confirmed(i)) continue;
+      const std::optional<std::size_t> followed = verdict_.followed[i];
+      const bool only_one = followed && known.insert(*followed).second;
+      ++(only_one ? verdict_.misplaced : verdict_.phantoms);
     }
     for (std::size_t object = 0; object < approach_.scene.objects.size(); ++object) {
       if (watch_.following().visible(object) < host::kVisibleFrames) continue;
       ++verdict_.seen;
-      bool found = false;
-      for (std::size_t i = 0; i < objects.size(); ++i) found = found || (matches[i] == object && confirmed(i));
-      if (!found) ++verdict_.missed;
+      if (!known.contains(object)) ++verdict_.missed;
     }
   }
 

@@ -51,9 +51,10 @@ struct Verdict {
   /// Frames from the one that completed k-of-n to the first alert, of blocks that were well within alert.warn by
   /// then; an alert that never came counts the frames to the end.
   std::vector<Delay> delays;
-  unsigned phantoms = 0;  ///< confirmed objects that mean no block, as host/evaluate has it
-  unsigned seen = 0;      ///< blocks that at least host::kVisibleFrames frames showed
-  unsigned missed = 0;    ///< of those, never confirmed
+  unsigned phantoms = 0;   ///< confirmed objects that mean no block: a second one for it, or of false blobs
+  unsigned misplaced = 0;  ///< confirmed objects that took the blobs of a block, yet are not where it is
+  unsigned seen = 0;       ///< blocks that at least host::kVisibleFrames frames showed by themselves
+  unsigned missed = 0;     ///< of those, without a confirmed object
   std::vector<record::AlertReport> alerts;
   std::vector<host::ObjectResult> objects;             ///< the map at the end
   std::vector<std::optional<std::size_t>> followed{};  ///< by those objects: whose blobs they took most often

@@ -125,10 +125,10 @@ TEST(Identity, TwoObjectsOfOneColourNeverSwapWithoutNoise) {
 
 TEST(Identity, NoiseCostsFewSwapsAndNoObject) {
   const Figures low = watch_scenes(200, 2, 1);
-  EXPECT_LE(low.swaps, 15);  // 1 per 1,000 frames
+  EXPECT_LE(low.swaps, 5);  // 0.3 per 1,000 frames
   EXPECT_EQ(low.missed, 0);
   const Figures medium = watch_scenes(200, 2, 2);
-  EXPECT_LE(medium.swaps, 90);  // 6 per 1,000 frames
+  EXPECT_LE(medium.swaps, 25);  // 1.7 per 1,000 frames
   EXPECT_EQ(medium.missed, 0);
 }
 
