@@ -26,6 +26,7 @@ struct ModelStyle {
   double width = 1.6;       ///< px
   double fill_opacity = 0;  ///< of the signature's colour
   int layer = 0;            ///< higher is drawn later
+  bool shown = true;        ///< ticked when the page opens
 };
 
 /// Models not known here get a style of their own kind, the same each time.

@@ -20,10 +20,11 @@ using markup::px;
 constexpr double kRightMargin = 16;   ///< px
 constexpr double kBottomMargin = 48;  ///< px: tick labels and the axis title
 
-std::string legend_entry(const std::string& layer, const std::string& text, const std::string& sample) {
-  return fmt::format(R"(<input type="checkbox" id="show-{0}" checked="checked"/><label for="show-{0}">)"
+std::string legend_entry(const std::string& layer, const std::string& text, const std::string& sample,
+                         bool shown = true) {
+  return fmt::format(R"(<input type="checkbox" id="show-{0}"{3}/><label for="show-{0}">)"
                      R"(<svg width="34" height="16" viewBox="0 0 34 16" aria-hidden="true">{2}</svg>{1}</label>)",
-                     layer, text, sample);
+                     layer, text, sample, shown ? R"( checked="checked")" : "");
 }
 
 std::string model_sample(const std::string& name) {
@@ -41,7 +42,7 @@ std::string legend(const std::vector<std::string>& models, bool truth) {
                          R"svg(<rect class="footprint" x="2" y="2" width="30" height="12"/>)svg");
   }
   for (const std::string& name : models) {
-    html += legend_entry(markup::slug(name), markup::escaped(name), model_sample(name));
+    html += legend_entry(markup::slug(name), markup::escaped(name), model_sample(name), model_style(name).shown);
   }
   return html + legend_entry("path", "robot",
                              R"(<path class="track" d="M2 8h30"/><path class="tick" d="M13 3.5L20 8L13 12.5"/>)");
@@ -92,7 +93,7 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
   html += draw_path(f, document.path) + draw_labels(f, document, truth) + "</g>\n" + draw_scale_bar(f);
   html +=
       "</svg></div></div><p class=\"note\" id=\"where\">Arrow heads on the path show where the robot faced. "
-      "Untick a model above the map to hide it.</p>";
+      "Tick models above the map to show or hide them.</p>";
   return html + outside_note(f, document) + "</section>\n";
 }
 
