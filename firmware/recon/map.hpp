@@ -6,13 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/recon/assignment.hpp"
-#include "firmware/recon/correspondence.hpp"
 #include "firmware/recon/digest.hpp"
 #include "firmware/recon/frame_queue.hpp"
+#include "firmware/recon/matcher.hpp"
 #include "firmware/recon/object.hpp"
-#include "firmware/recon/occlusion.hpp"
-#include "firmware/recon/pieces.hpp"
 
 namespace fencepost::recon {
 
@@ -49,14 +46,14 @@ class Map {
                          const MeasurementNoise& noise, Confirmation confirmation) {
     exposure_ = frame.t - camera.latency;
     const LensPose lens = lens_pose(pose, camera);
-    predict_all(camera, lens, noise);
-    see_blobs(frame, camera);
-    join_pieces(frame, camera);
-    weigh_pairs(frame);
+    matcher_.predict(objects_, camera, lens, noise);
+    matcher_.see(frame, camera);
+    matcher_.join_pieces(frame, camera, objects_);
+    retire_divided();
     FrameOutcome outcome;
-    outcome.matched = match();
-    share_merged(frame);
-    hide_behind_models();
+    outcome.matched = matcher_.match(frame);
+    matcher_.share_merged(frame);
+    matcher_.hide_behind_models();
     update_matched(frame, camera, lens, noise);
     notice_missing();
     begin_new(frame, camera, lens, noise, outcome);
@@ -78,151 +75,28 @@ class Map {
     return count;
   }
   /// True if the object in this slot was seen in the last frame.
-  [[nodiscard]] bool seen_now(std::size_t slot) const { return blob_of_[slot] != kNoMatch; }
+  [[nodiscard]] bool seen_now(std::size_t slot) const { return matcher_.seen(slot); }
   /// The blob that the object in this slot took in the last frame (its order in the WaitingFrame), or kNoMatch.
-  [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return blob_of_[slot]; }
+  [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return matcher_.blob_of(slot); }
 
  private:
   static constexpr std::size_t kObjects = Profile::kObjects;
 
-  // This object's part in a blob of two objects.
-  struct Shared {
-    bool any : 1 = false;
-    bool is_right : 1 = false;
-    bool is_farther : 1 = false;
-  };
-  static_assert(kObjects < kNoMatch && sensor::kMaxBlobs < kNoMatch);
-
-  void predict_all(const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
+  // Two objects that were taken for one: both begin anew.
+  void retire_divided() {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      predictions_[o] = objects_[o].used() ? predict(camera, lens, objects_[o], noise) : Prediction{};
-      blob_of_[o] = kNoMatch;
+      if (matcher_.prediction(o).divided) objects_[o].id = 0;
     }
-  }
-
-  void see_blobs(const WaitingFrame& frame, const CameraModel& camera) {
-    blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
-      censor(rays, hidden_ends(frame.blobs.view(), b, camera.rows));
-      intervals_[b] = interval_of(camera, rays);
-      object_of_[b] = kNoMatch;
-    }
-  }
-
-  void join_pieces(WaitingFrame& frame, const CameraModel& camera) {
-    const auto find = [&] { return find_pieces(frame.blobs.view(), {intervals_.data(), blobs_}, predictions_); };
-    in_pieces_.fill(false);
-    for (PiecePair pair = find(); pair.found; pair = find()) {  // each time a blob or an object less
-      if (pair.whole != kNoMatch) {
-        in_pieces_[pair.whole] = true;
-        if (objects_[pair.whole].in_pieces >= kDividingFrames || !pair.rows_match) {
-          divide(pair.whole);
-          continue;
-        }
-      }
-      join(frame.blobs, pair);
-      see_blobs(frame, camera);
-    }
-  }
-  // Two objects that were taken for one, and never stood apart in the image before: both begin anew.
-  void divide(std::size_t o) {
-    objects_[o].id = 0;
-    predictions_[o].divided = true;
-    predictions_[o].possible = false;
-    predictions_[o].depth = 0;
-  }
-  // The rays again, with what see_blobs found out about their ends: kept apart to save 700 bytes of scratch.
-  [[nodiscard]] BlobRays rays_of(const WaitingFrame& frame, const CameraModel& camera, std::size_t b) const {
-    BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
-    rays.left.censored = intervals_[b].left_censored;
-    rays.right.censored = intervals_[b].right_censored;
-    rays.bottom.censored = intervals_[b].bottom_censored;
-    return rays;
-  }
-
-  void weigh_pairs(const WaitingFrame& frame) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
-      for (std::size_t b = 0; b < blobs_; ++b) {
-        const bool may = objects_[o].used() && objects_[o].signature == frame.blobs[b].signature;
-        costs_[o * blobs_ + b] = may ? match_cost(predictions_[o], intervals_[b], frame.blobs[b].box) : kImpossible;
-      }
-    }
-  }
-
-  std::uint16_t match() {
-    assign(costs_, kObjects, {object_of_.data(), blobs_});
-    std::uint16_t matched = 0;
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      if (object_of_[b] == kNoMatch) continue;
-      blob_of_[object_of_[b]] = static_cast<std::uint8_t>(b);
-      ++matched;
-    }
-    return matched;
-  }
-
-  // A blob of two objects that touch in the image gives each of them its outer end.
-  void share_merged(const WaitingFrame& frame) {
-    shared_.fill(Shared{});
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      for (std::size_t left = 0; left < kObjects; ++left) {
-        for (std::size_t right = 0; right < kObjects; ++right) {
-          if (may_share(left, right, frame, b)) share(left, right, b);
-        }
-      }
-    }
-  }
-  [[nodiscard]] bool may_share(std::size_t left, std::size_t right, const WaitingFrame& frame, std::size_t b) const {
-    const std::uint8_t signature = frame.blobs[b].signature;
-    if (left == right || predictions_[left].signature != signature || predictions_[right].signature != signature) {
-      return false;
-    }
-    const std::uint8_t taken = object_of_[b];
-    const auto unseen = [&](std::size_t o) { return blob_of_[o] == kNoMatch && !shared_[o].any; };
-    const bool one_has_it = (taken == left && unseen(right)) || (taken == right && unseen(left));
-    if (!one_has_it && !(taken == kNoMatch && unseen(left) && unseen(right))) return false;
-    return shows_both(predictions_[left], predictions_[right], intervals_[b], frame.blobs[b].box);
-  }
-  void share(std::size_t left, std::size_t right, std::size_t b) {
-    const float left_depth = predictions_[left].depth, right_depth = predictions_[right].depth;
-    const bool left_is_nearer = left_depth > 0 && (!(right_depth > 0) || left_depth < right_depth);
-    shared_[left] = {true, false, !left_is_nearer};
-    shared_[right] = {true, true, left_is_nearer};
-    blob_of_[left] = blob_of_[right] = static_cast<std::uint8_t>(b);
-    object_of_[b] = static_cast<std::uint8_t>(left);
-  }
-
-  // A nearer object hides an end although its own blob is cut short or was not delivered.
-  void hide_behind_models() {
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      if (object_of_[b] == kNoMatch || shared_[object_of_[b]].any) continue;
-      const Prediction& own = predictions_[object_of_[b]];
-      for (std::size_t o = 0; o < kObjects; ++o) {
-        if (o == object_of_[b]) continue;
-        if (hides_end(predictions_[o], own, intervals_[b].left, -1)) intervals_[b].left_censored = true;
-        if (hides_end(predictions_[o], own, intervals_[b].right, 1)) intervals_[b].right_censored = true;
-      }
-    }
-  }
-
-  // Of a blob that two objects share, the ends and rows that are another's are not this one's.
-  [[nodiscard]] BlobRays rays_for(std::size_t o, const WaitingFrame& frame, const CameraModel& camera) const {
-    BlobRays rays = rays_of(frame, camera, blob_of_[o]);
-    if (!shared_[o].any) return rays;
-    (shared_[o].is_right ? rays.left : rays.right).censored = true;
-    rays.top.censored = true;
-    if (shared_[o].is_farther) rays.bottom.censored = true;
-    return rays;
   }
 
   void update_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
                       const MeasurementNoise& noise) {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (blob_of_[o] == kNoMatch) continue;
+      if (!matcher_.seen(o)) continue;
       ObjectType& object = objects_[o];
-      const BlobRays rays = rays_for(o, frame, camera);
+      const BlobRays rays = matcher_.rays_for(o, frame, camera);
       const Sighting sighting = make_sighting(camera, lens, rays);
-      compare_ends(object, predictions_[o], intervals_[blob_of_[o]], rays);
+      compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), rays);
       if (object.contradicted()) object.restart(sighting, exposure_);
       object.observe(sighting, exposure_, noise);
       object.history.push(true);
@@ -233,31 +107,24 @@ class Map {
   void notice_missing() {
     for (std::size_t o = 0; o < kObjects; ++o) {
       ObjectType& object = objects_[o];
-      if (!object.used() || blob_of_[o] != kNoMatch) continue;
-      if (!predictions_[o].expected && object.confirmed) continue;
-      if (!predictions_[o].possible) continue;
-      if (may_be_hidden(o)) continue;
+      const Prediction& prediction = matcher_.prediction(o);
+      if (!object.used() || matcher_.seen(o) || !prediction.possible) continue;
+      if (!prediction.expected && object.confirmed) continue;
+      if (matcher_.may_be_hidden(o)) continue;
       object.history.push(false);
-      if (!predictions_[o].expected) continue;
+      if (!prediction.expected) continue;
       object.presence -= kPresenceGain * object.presence;
       if (object.missed_in_a_row < 0xFFFF) ++object.missed_in_a_row;
     }
   }
 
-  [[nodiscard]] bool may_be_hidden(std::size_t o) const {
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      if (overlaps(predictions_[o], intervals_[b])) return true;
-    }
-    return false;
-  }
-
   void begin_new(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
                  const MeasurementNoise& noise, FrameOutcome& outcome) {
-    for (std::size_t b = 0; b < blobs_; ++b) {
-      if (object_of_[b] != kNoMatch) continue;
-      if (intervals_[b].left_censored && intervals_[b].right_censored) continue;
-      const Prediction* divided = divided_at(frame.blobs[b].signature, intervals_[b]);
-      if (!divided && is_piece(frame, b)) {
+    for (std::size_t b = 0; b < matcher_.blobs(); ++b) {
+      const Interval& interval = matcher_.interval(b);
+      if (matcher_.taken(b) || (interval.left_censored && interval.right_censored)) continue;
+      const Prediction* divided = matcher_.divided_at(frame.blobs[b].signature, interval);
+      if (!divided && matcher_.is_piece(objects_, frame, b)) {
         ++outcome.pieces;
         continue;
       }
@@ -266,47 +133,22 @@ class Map {
         ++outcome.refused;
         continue;
       }
-      const Sighting sighting = make_sighting(camera, lens, rays_of(frame, camera, b));
+      const Sighting sighting = make_sighting(camera, lens, matcher_.rays_of(frame, camera, b));
       objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
       if (next_id_ == 0) next_id_ = 1;
-      objects_[slot].confirmed = divided && divided->confirmed;
+      objects_[slot].confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
       objects_[slot].observe(sighting, exposure_, noise);
       objects_[slot].history.push(true);
-      blob_of_[slot] = static_cast<std::uint8_t>(b);
-      object_of_[b] = static_cast<std::uint8_t>(slot);
+      matcher_.begin(slot, b);
       ++outcome.born;
     }
-  }
-
-  // The object that is two now, if the blob is a good part of it. What it is a part of was known: so is this.
-  [[nodiscard]] const Prediction* divided_at(std::uint8_t signature, const Interval& interval) const {
-    for (const Prediction& whole : predictions_) {
-      const bool part = whole.divided && whole.signature == signature && has_middle_of(whole, interval);
-      if (part && 3 * (interval.right - interval.left) >= whole.right.at - whole.left.at) return &whole;
-    }
-    return nullptr;
-  }
-
-  // A leftover blob that may be part of an object that has a blob already: inside its interval, on the same foot; or
-  // alike and close beside it, unless it stays there. One with another foot stands elsewhere.
-  [[nodiscard]] bool is_piece(const WaitingFrame& frame, std::size_t b) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
-      if (blob_of_[o] == kNoMatch || objects_[o].signature != frame.blobs[b].signature) continue;
-      const WaitingBlob& taken = frame.blobs[blob_of_[o]];
-      const int step = taken.box.y2 - frame.blobs[b].box.y2;
-      const bool inside = covers(predictions_[o], intervals_[b]) && step <= kTouchPixels && step >= -kTouchPixels;
-      const bool beside = are_alike(taken, frame.blobs[b]) && objects_[o].in_pieces < kDividingFrames;
-      if (are_alike(taken, frame.blobs[b])) in_pieces_[o] = true;
-      if (inside || beside) return true;
-    }
-    return false;
   }
 
   void count_pieces() {
     for (std::size_t o = 0; o < kObjects; ++o) {
       std::uint8_t& frames = objects_[o].in_pieces;
-      if (!in_pieces_[o]) frames = 0;
-      if (in_pieces_[o] && frames < kDividingFrames) ++frames;
+      if (!matcher_.in_pieces(o)) frames = 0;
+      if (matcher_.in_pieces(o) && frames < kDividingFrames) ++frames;
     }
   }
 
@@ -318,7 +160,7 @@ class Map {
     std::size_t old = kObjects;
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!objects_[o].used()) return o;
-      if (blob_of_[o] != kNoMatch) continue;
+      if (matcher_.seen(o)) continue;
       if (objects_[o].confirmed) {
         const bool stale = exposure_ - objects_[o].last_seen > kOutOfSight;
         if (stale && (old == kObjects || objects_[o].last_seen < objects_[old].last_seen)) old = o;
@@ -342,7 +184,7 @@ class Map {
     for (std::size_t a = 0; a < kObjects; ++a) {
       for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {
         if (!objects_[b].used() || objects_[a].signature != objects_[b].signature) continue;
-        if (blob_of_[a] != kNoMatch && blob_of_[b] != kNoMatch) continue;
+        if (matcher_.seen(a) && matcher_.seen(b)) continue;
         if (!stand_in_one_place(objects_[a], objects_[b])) continue;
         drop(weight(objects_[a]) >= weight(objects_[b]) ? b : a);
       }
@@ -369,9 +211,7 @@ class Map {
 
   void drop(std::size_t o) {
     objects_[o].id = 0;
-    if (blob_of_[o] == kNoMatch) return;
-    if (object_of_[blob_of_[o]] == o) object_of_[blob_of_[o]] = kNoMatch;
-    blob_of_[o] = kNoMatch;
+    matcher_.drop(o);
   }
 
   void confirm(Confirmation confirmation) {
@@ -390,7 +230,7 @@ class Map {
     hash.u32(size());
     hash.u32(next_id_);
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (objects_[o].used() && blob_of_[o] != kNoMatch) hash_core(hash, objects_[o]);
+      if (objects_[o].used() && matcher_.seen(o)) hash_core(hash, objects_[o]);
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
     if (turn.used()) hash_object(hash, turn);
@@ -404,8 +244,6 @@ class Map {
   static constexpr std::uint32_t kFewViews = 8;
   static constexpr base::Duration kOutOfSight = base::milliseconds(5000);
   static constexpr base::Duration kKeepUnseen = base::milliseconds(1000);
-  // In pieces for so many frames in a row: noise does not do that, it is two objects.
-  static constexpr std::uint8_t kDividingFrames = 2;
 
   std::array<ObjectType, kObjects> objects_{};
   std::uint32_t next_id_ = 1;
@@ -413,16 +251,8 @@ class Map {
   std::uint32_t evicted_ = 0;
   std::uint64_t digest_ = base::Fnv1a64::kOffsetBasis;
 
-  // Scratch of the current frame.
-  base::Time exposure_;
-  std::array<Prediction, kObjects> predictions_{};
-  std::array<Interval, sensor::kMaxBlobs> intervals_{};
-  std::array<std::uint8_t, kObjects * sensor::kMaxBlobs> costs_{};  ///< [object][blob], as many columns as blobs
-  std::array<std::uint8_t, kObjects> blob_of_{};
-  std::array<Shared, kObjects> shared_{};
-  std::array<bool, kObjects> in_pieces_{};
-  std::array<std::uint8_t, sensor::kMaxBlobs> object_of_{};
-  std::uint8_t blobs_ = 0;
+  base::Time exposure_;  ///< of the current frame
+  Matcher<ObjectType, kObjects> matcher_;
 };
 
 }  // namespace fencepost::recon
