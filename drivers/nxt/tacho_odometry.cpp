@@ -3,8 +3,6 @@
 namespace fencepost::nxt {
 namespace {
 
-// Two readings of one motor further apart than this say too little about the time between.
-constexpr base::Duration kLongestPair = base::milliseconds(500);
 constexpr base::Duration kRefusedPause = base::milliseconds(500);
 
 }  // namespace
@@ -21,7 +19,7 @@ base::Result<sensor::OdometrySample> TachoOdometry::poll(base::Time now) {
       start_anew();
       next_ = now + kRefusedPause;
     } else {
-      sample = take({tacho_of(reply), exchange_.t});
+      sample = take(static_cast<std::uint32_t>(tacho_of(reply)), exchange_.t);
     }
   }
   exchange_.state = Exchange::State::kIdle;
@@ -39,38 +37,17 @@ void TachoOdometry::ask(base::Time now) {
   if (conversation_.submit(exchange_) && !right_next_) next_ = now;
 }
 
-std::optional<sensor::OdometrySample> TachoOdometry::take(const Reading& reading) {
-  if (right_next_) {
-    right_ = reading;
-    right_next_ = false;
-    next_ = next_ ? *next_ + options_.period : reading.t;
-    return std::nullopt;
-  }
-  std::optional<sensor::OdometrySample> sample;
-  if (left_ && right_ && reading.t - left_->t <= kLongestPair) {
-    const std::int32_t left = left_at(right_->t, reading);
-    sample = drive_.take(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right_->count), right_->t);
-  }
-  left_ = reading;
-  right_.reset();
-  right_next_ = true;
-  return sample;
-}
-
-std::int32_t TachoOdometry::left_at(base::Time t, const Reading& after) const {
-  const std::int64_t span = (after.t - left_->t).raw;
-  // Counts wrap; their difference does not.
-  const auto counts =
-      static_cast<std::int32_t>(static_cast<std::uint32_t>(after.count) - static_cast<std::uint32_t>(left_->count));
-  const std::int64_t part = span <= 0 ? 0 : odometry::divide_nearest(counts * (t - left_->t).raw, span);
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(left_->count) + static_cast<std::uint32_t>(part));
+std::optional<sensor::OdometrySample> TachoOdometry::take(std::uint32_t count, base::Time t) {
+  right_next_ = !right_next_;
+  if (right_next_) return pairs_.take_left(count, t);
+  pairs_.take_right(count, t);
+  next_ = next_ ? *next_ + options_.period : t;
+  return std::nullopt;
 }
 
 void TachoOdometry::start_anew() {
-  left_.reset();
-  right_.reset();
+  pairs_.forget();
   right_next_ = false;
-  drive_.forget_counts();
 }
 
 sensor::LinkState TachoOdometry::link() const {

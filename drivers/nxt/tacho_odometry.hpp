@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "drivers/nxt/conversation.hpp"
-#include "drivers/odometry/differential_drive.hpp"
+#include "drivers/odometry/wheel_pairs.hpp"
 #include "hal/sensor/sources.hpp"
 
 namespace fencepost::nxt {
@@ -21,38 +21,29 @@ struct TachoOptions {
   base::Duration period = base::milliseconds(20);  ///< of pairs; a slow link takes longer
 };
 
-/// The motors are read one after the other: the left count at the time of the right one is interpolated between its
-/// neighbours, and each sample has the right one's time.
+/// The motors are read one after the other; see WheelPairs for what the time of a sample is.
 class TachoOdometry {
  public:
   TachoOdometry(Conversation& conversation, const TachoOptions& options)
-      : conversation_(conversation), options_(options), drive_(options.wheels) {}
+      : conversation_(conversation), options_(options), pairs_(options.wheels) {}
 
   base::Result<sensor::OdometrySample> poll(base::Time now);
   /// unready: the brick answers with errors (no such motor port).
   [[nodiscard]] sensor::LinkState link() const;
 
  private:
-  struct Reading {
-    std::int32_t count = 0;
-    base::Time t;
-  };
-
   void ask(base::Time now);
-  std::optional<sensor::OdometrySample> take(const Reading& reading);
-  [[nodiscard]] std::int32_t left_at(base::Time t, const Reading& after) const;
+  std::optional<sensor::OdometrySample> take(std::uint32_t count, base::Time t);
   void start_anew();
 
   Conversation& conversation_;
   TachoOptions options_;
-  odometry::DifferentialDrive drive_;
+  odometry::WheelPairs pairs_;
   Exchange exchange_;
   bool right_next_ = false;
   bool refused_ = false;
   std::uint32_t session_ = 0;
   std::optional<base::Time> next_;
-  std::optional<Reading> left_;
-  std::optional<Reading> right_;
 };
 
 static_assert(sensor::OdometrySource<TachoOdometry>);
