@@ -128,6 +128,15 @@ wire::Verdict examine(std::span<const std::uint8_t> bytes) {
   return {wire::Front::kMessage, size};
 }
 
+wire::Verdict examine_request(std::span<const std::uint8_t> bytes) {
+  const bool starts = bytes[0] == kSync && (bytes.size() < 2 || bytes[1] == kSecondSync);
+  if (!starts || (bytes.size() >= 4 && bytes[3] > kProgramName)) {
+    return {wire::Front::kNoise, wire::skip_to(bytes, kSync)};
+  }
+  if (bytes.size() < kHeader || bytes.size() < kHeader + bytes[3]) return {};
+  return {wire::Front::kMessage, kHeader + bytes[3]};
+}
+
 Packet packet_of(std::span<const std::uint8_t> message) {
   return {static_cast<Type>(message[2]), message.subspan(kHeader)};
 }

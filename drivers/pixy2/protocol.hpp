@@ -68,6 +68,9 @@ Request behind_padding(const Request& request);
 /// and 01 is filler between packets.
 wire::Verdict examine(std::span<const std::uint8_t> bytes);
 
+/// For wire::Scanner: our own requests, for a link that takes them apart again.
+wire::Verdict examine_request(std::span<const std::uint8_t> bytes);
+
 /// Of a message as the scanner gives it; borrowed.
 struct Packet {
   Type type = Type::kError;
