@@ -8,7 +8,7 @@
 #include <span>
 
 #include "drivers/nxt/telegram.hpp"
-#include "drivers/wire/outbox.hpp"
+#include "drivers/wire/flush.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/bus/packet_link.hpp"
@@ -36,20 +36,18 @@ class FramedLink {
   explicit FramedLink(Link& link) : link_(link) {}
 
   base::Result<std::size_t> send(std::span<const std::uint8_t> out) {
-    if (!outbox_.flush(link_)) return lose();
-    if (!outbox_.empty() || out.size() > kLongestTelegram) return base::Error::kFull;
-    typename Outbox::Bytes bytes;
-    (void)bytes.push_back(static_cast<std::uint8_t>(out.size()));
-    (void)bytes.push_back(0);
-    for (const std::uint8_t byte : out) (void)bytes.push_back(byte);
-    outbox_.put(bytes);
+    if (!wire::flush(outbox_, link_)) return lose();
+    if (!outbox_.waiting().empty() || out.size() > kLongestTelegram) return base::Error::kFull;
+    const std::array<std::uint8_t, kLengthPrefix> prefix = {static_cast<std::uint8_t>(out.size()), 0};
+    wire::replace(outbox_, prefix);
+    (void)outbox_.put(out);
     scanner_.reset();
-    if (!outbox_.flush(link_)) return lose();
+    if (!wire::flush(outbox_, link_)) return lose();
     return out.size();
   }
 
   base::Result<std::size_t> receive(std::span<std::uint8_t> in) {
-    if (!outbox_.flush(link_)) return lose();
+    if (!wire::flush(outbox_, link_)) return lose();
     std::array<std::uint8_t, 1> byte{};
     // A byte at a time: what follows a telegram waits in the link for the next call. Bounded by two whole telegrams.
     for (std::size_t i = 0; i < 2 * kLongestFrame; ++i) {
@@ -67,7 +65,6 @@ class FramedLink {
 
  private:
   static constexpr std::size_t kLongestFrame = kLengthPrefix + kLongestTelegram;
-  using Outbox = wire::Outbox<kLongestFrame>;
 
   static base::Result<std::size_t> deliver(std::span<const std::uint8_t> telegram, std::span<std::uint8_t> in) {
     if (telegram.size() > in.size()) return base::Error::kBadInput;
@@ -82,7 +79,7 @@ class FramedLink {
   }
 
   Link& link_;
-  Outbox outbox_;
+  serial::Outbox<kLongestFrame> outbox_;
   wire::Scanner<kLongestFrame, examine_framed> scanner_;
 };
 

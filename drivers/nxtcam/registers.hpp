@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "drivers/wire/largest_first.hpp"
+#include "hal/sensor/blob_frame.hpp"
 
 namespace fencepost::nxtcam {
 

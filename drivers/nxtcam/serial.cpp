@@ -1,5 +1,7 @@
 #include "drivers/nxtcam/serial.hpp"
 
+#include "drivers/serial/largest_first.hpp"
+
 namespace fencepost::nxtcam {
 namespace {
 
@@ -45,15 +47,15 @@ wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes) {
   return {wire::Front::kMessage, size};
 }
 
-std::optional<wire::Blobs> tracking_in(std::span<const std::uint8_t> message) {
+std::optional<sensor::BlobFrame> tracking_in(std::span<const std::uint8_t> message) {
   if (message.empty() || message[0] != kStart) return std::nullopt;
-  wire::Blobs blobs;
+  sensor::BlobFrame frame;
   for (std::size_t at = 2; at + 1 < message.size(); at += kObjectSize) {
     const std::optional<sensor::Blob> blob = object_in(message.subspan(at, kObjectSize));
     if (!blob) return std::nullopt;
-    (void)wire::insert_largest_first(blobs, *blob);
+    (void)serial::insert_largest_first(frame, *blob);
   }
-  return blobs;
+  return frame;
 }
 
 std::string_view line_in(std::span<const std::uint8_t> message) {

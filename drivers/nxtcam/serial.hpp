@@ -26,9 +26,9 @@ inline constexpr std::string_view kDisableLine = "DT\r";
 /// For wire::Scanner: tracking packets, or lines of printable text up to 32 characters ended by a carriage return.
 wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes);
 
-/// The objects of a tracking packet, the largest first, coordinates as in object_in.
+/// A frame with the objects of a tracking packet and nothing else, the largest first, coordinates as in object_in.
 /// errors: empty for a line of text, or if an object cannot be
-std::optional<wire::Blobs> tracking_in(std::span<const std::uint8_t> message);
+std::optional<sensor::BlobFrame> tracking_in(std::span<const std::uint8_t> message);
 /// A line without its end; empty for a tracking packet.
 std::string_view line_in(std::span<const std::uint8_t> message);
 

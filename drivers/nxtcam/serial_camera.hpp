@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "drivers/nxtcam/serial.hpp"
-#include "drivers/wire/outbox.hpp"
+#include "drivers/wire/flush.hpp"
 #include "hal/base/fixed.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/link_state.hpp"
@@ -60,11 +60,11 @@ class SerialCamera {
   }
 
   void take(std::span<const std::uint8_t> message, base::Time t, base::Time now) {
-    if (const std::optional<wire::Blobs> blobs = tracking_in(message)) {
+    if (const std::optional<sensor::BlobFrame> frame = tracking_in(message)) {
       heard_ = now;
       step_ = Step::kTrack;
-      state_ = blobs->empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
-      frame_ = sensor::BlobFrame{t, count_++, *blobs};
+      state_ = frame->blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
+      frame_ = sensor::BlobFrame{t, count_++, frame->blobs};
     } else {
       take_line(line_in(message), now);
     }
@@ -94,8 +94,8 @@ class SerialCamera {
   void send(base::Time now) {
     if (state_ > sensor::LinkState::kSilent && now - heard_ > kQuiet) lose(sensor::LinkState::kSilent, now);
     if (step_ != Step::kTrack && (!next_ || now >= *next_)) ask(now);
-    if (!outbox_.empty() && !outbox_.flush(link_)) lose(sensor::LinkState::kAbsent, now);
-    if (outbox_.empty() && state_ == sensor::LinkState::kAbsent && sent_) state_ = sensor::LinkState::kSilent;
+    if (!wire::flush(outbox_, link_)) lose(sensor::LinkState::kAbsent, now);
+    if (outbox_.waiting().empty() && state_ == sensor::LinkState::kAbsent && sent_) state_ = sensor::LinkState::kSilent;
   }
 
   void ask(base::Time now) {
@@ -104,9 +104,8 @@ class SerialCamera {
     const std::string_view text = step_ == Step::kPing      ? kPingLine
                                   : step_ == Step::kVersion ? kVersionLine
                                                             : kEnableLine;
-    wire::Outbox<4>::Bytes bytes;
-    for (const char c : text) (void)bytes.push_back(static_cast<std::uint8_t>(c));
-    outbox_.put(bytes);
+    outbox_.clear();
+    (void)outbox_.put(text);
   }
 
   void lose(sensor::LinkState state, base::Time now) {
@@ -121,7 +120,7 @@ class SerialCamera {
 
   Link& link_;
   wire::Scanner<kLongestTracking, examine_avrcam> scanner_;
-  wire::Outbox<4> outbox_;
+  serial::Outbox<4> outbox_;
   Step step_ = Step::kPing;
   sensor::LinkState state_ = sensor::LinkState::kSilent;
   bool acknowledged_ = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/serial/largest_first.hpp"
+
 namespace fencepost::nxtcam {
 namespace {
 
@@ -150,7 +152,7 @@ void Session::take_objects(std::span<const std::uint8_t> bytes, base::Time t) {
   for (; bytes.size() >= kObjectSize && building_.blobs.size() < expected_; bytes = bytes.subspan(kObjectSize)) {
     const std::optional<sensor::Blob> blob = object_in(bytes.first(kObjectSize));
     if (!blob) return reject(t);
-    (void)wire::insert_largest_first(building_.blobs, *blob);
+    (void)serial::insert_largest_first(building_, *blob);
   }
   if (building_.blobs.size() == expected_) return finish_frame(t);
   advance(step_ == Step::kCount ? Step::kMore : Step::kRest, {}, t);

@@ -7,7 +7,7 @@
 
 #include "drivers/pixy2/protocol.hpp"
 #include "drivers/pixy2/session.hpp"
-#include "drivers/wire/outbox.hpp"
+#include "drivers/wire/flush.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/camera.hpp"
@@ -68,12 +68,12 @@ class Camera {
     if (const std::optional<Request> request = session_.due(now)) {
       // What has begun to arrive belongs to no answer that is still awaited.
       scanner_.reset();
-      outbox_.put(*request);
+      wire::replace(outbox_, request->view());
     }
-    if (outbox_.empty()) return;
-    if (!outbox_.flush(link_)) {
+    if (outbox_.waiting().empty()) return;
+    if (!wire::flush(outbox_, link_)) {
       lose_link(now);
-    } else if (outbox_.empty()) {
+    } else if (outbox_.waiting().empty()) {
       session_.find_link();
     }
   }
@@ -87,7 +87,7 @@ class Camera {
   Link& link_;
   Session session_;
   wire::Scanner<kLongestPacket, examine> scanner_;
-  wire::Outbox<kLongestRequest> outbox_;
+  serial::Outbox<kLongestRequest> outbox_;
 };
 
 }  // namespace fencepost::pixy2

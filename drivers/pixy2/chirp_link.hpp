@@ -10,7 +10,7 @@
 
 #include "drivers/pixy2/chirp.hpp"
 #include "drivers/pixy2/protocol.hpp"
-#include "drivers/wire/outbox.hpp"
+#include "drivers/wire/flush.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/bus/byte_link.hpp"
 
@@ -29,12 +29,12 @@ class ChirpLink {
     for (const std::uint8_t byte : out) {
       requests_.feed(byte, {}, [&](std::span<const std::uint8_t> message, base::Time) { take_request(message); });
     }
-    if (!outbox_.flush(usb_)) return lose();
+    if (!wire::flush(outbox_, usb_)) return lose();
     return out.size();
   }
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) {
-    if (!outbox_.flush(usb_)) return lose();
+    if (!wire::flush(outbox_, usb_)) return lose();
     if (next_ == reply_.size()) {
       if (!receive()) return lose();
     }
@@ -60,15 +60,17 @@ class ChirpLink {
         messages_.feed(bytes[k], {}, [&](std::span<const std::uint8_t> message, base::Time) { take_message(message); });
       }
     }
-    return outbox_.flush(usb_);
+    return wire::flush(outbox_, usb_);
   }
+
+  void send(const chirp::Transfer& transfer) { wire::replace(outbox_, transfer.view()); }
 
   void take_request(std::span<const std::uint8_t> message) {
     if (phase_ == Phase::kOpen && unanswered_++ >= kUnansweredToClose) phase_ = Phase::kClosed;
     switch (phase_) {
-      case Phase::kClosed: return outbox_.put(chirp::initialise());
-      case Phase::kInitialised: return outbox_.put(chirp::enumerate("ser_packet"));
-      case Phase::kOpen: return outbox_.put(chirp::call(procedure_, message[2], message.subspan(kHeader)));
+      case Phase::kClosed: return send(chirp::initialise());
+      case Phase::kInitialised: return send(chirp::enumerate("ser_packet"));
+      case Phase::kOpen: return send(chirp::call(procedure_, message[2], message.subspan(kHeader)));
     }
   }
 
@@ -77,7 +79,7 @@ class ChirpLink {
     if (!message) return;
     if (message->type == chirp::Type::kInitialised && phase_ == Phase::kClosed && message->result == 0) {
       phase_ = Phase::kInitialised;
-      outbox_.put(chirp::enumerate("ser_packet"));
+      send(chirp::enumerate("ser_packet"));
     } else if (message->type == chirp::Type::kEnumerated && phase_ == Phase::kInitialised && message->result >= 0) {
       phase_ = Phase::kOpen;
       unanswered_ = 0;
@@ -115,7 +117,7 @@ class ChirpLink {
   std::uint8_t unanswered_ = 0;
   wire::Scanner<kHeader + kProgramName, examine_request> requests_;
   wire::Scanner<chirp::kLongest, chirp::examine> messages_;
-  wire::Outbox<chirp::kTransfer> outbox_;
+  serial::Outbox<chirp::kTransfer> outbox_;
   base::FixedVector<std::uint8_t, kLongestPacket> reply_;
   std::size_t next_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "drivers/serial/largest_first.hpp"
 #include "drivers/wire/endian.hpp"
 
 namespace fencepost::pixy2 {
@@ -175,7 +176,7 @@ std::optional<Blocks> blocks_in(const Packet& packet) {
     std::optional<sensor::Blob> blob = box(block);
     if (!blob || signature == 0) return std::nullopt;
     blob->signature = static_cast<std::uint8_t>(signature);
-    if (signature > 0xFF || wire::insert_largest_first(blocks.blobs, *blob)) ++blocks.dropped;
+    if (signature > 0xFF || !serial::insert_largest_first(blocks.frame, *blob)) ++blocks.dropped;
   }
   return blocks;
 }

@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "drivers/wire/largest_first.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/base/fixed.hpp"
+#include "hal/sensor/blob_frame.hpp"
 
 namespace fencepost::pixy2 {
 
@@ -103,7 +103,7 @@ std::optional<Resolution> resolution_in(const Packet& packet);
 inline constexpr Resolution kBlobResolution = {316, 208};
 
 struct Blocks {
-  wire::Blobs blobs;          ///< largest first
+  sensor::BlobFrame frame;    ///< its blobs only, the largest first
   std::uint32_t dropped = 0;  ///< beyond sixteen, or colour codes above 255
 };
 

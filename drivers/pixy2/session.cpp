@@ -147,7 +147,7 @@ bool Session::take_blocks(const Packet& packet, base::Time first_byte) {
   sensor::BlobFrame frame;
   frame.t = first_byte;
   frame.frame = counters_.frames++;
-  frame.blobs = blocks->blobs;
+  frame.blobs = blocks->frame.blobs;
   counters_.blobs_dropped += blocks->dropped;
   work_ = frame.blobs.empty() ? LinkState::kEmpty : LinkState::kOk;
   last_frame_ = first_byte;

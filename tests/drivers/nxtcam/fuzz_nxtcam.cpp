@@ -26,8 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   wire::Scanner<kLongestV5, examine_v5> v5;
   for (std::size_t i = 0; i < size; ++i) {
     avrcam.feed(data[i], {}, [](std::span<const std::uint8_t> message, base::Time) {
-      if (const auto blobs = tracking_in(message)) {
-        for (const Blob& blob : *blobs) check(blob, kWidth, kHeight);
+      if (const auto frame = tracking_in(message)) {
+        for (const Blob& blob : frame->blobs) check(blob, kWidth, kHeight);
       } else if (line_in(message).empty()) {
         std::abort();
       }

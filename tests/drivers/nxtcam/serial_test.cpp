@@ -41,14 +41,14 @@ std::vector<std::uint8_t> text(const std::string& text) { return {text.begin(), 
 TEST(AvrCam, DocumentedPacket) {
   const Messages messages = avrcam(hex(kTwo));
   ASSERT_EQ(messages.size(), 1U);
-  const auto blobs = tracking_in(messages[0]);
-  ASSERT_TRUE(blobs);
-  ASSERT_EQ(blobs->size(), 2U);
+  const auto frame = tracking_in(messages[0]);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->blobs.size(), 2U);
   const sensor::Blob fifth{5, 100, 100, 121, 130, {1105}, {1150}, 0, {}};
   const sensor::Blob second{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
-  EXPECT_EQ((*blobs)[1], fifth);
-  EXPECT_EQ((*blobs)[0], second);
-  EXPECT_TRUE(tracking_in(hex("0A 00 FF"))->empty());
+  EXPECT_EQ(frame->blobs[1], fifth);
+  EXPECT_EQ(frame->blobs[0], second);
+  EXPECT_TRUE(tracking_in(hex("0A 00 FF"))->blobs.empty());
 }
 
 TEST(AvrCam, AnswersAreLines) {
@@ -65,7 +65,7 @@ TEST(AvrCam, AnswersAreLines) {
 TEST(AvrCam, MarksInsideAreData) {
   const Messages messages = avrcam(hex("0A 01 00 0A 0A 0C 0C FF 0A 00 FF"));
   ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ((*tracking_in(messages[0]))[0].x1, 10);
+  EXPECT_EQ(tracking_in(messages[0])->blobs[0].x1, 10);
 }
 
 TEST(AvrCam, CutAnywhereItFindsTheLastPackets) {

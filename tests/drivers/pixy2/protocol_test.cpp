@@ -91,34 +91,34 @@ TEST(Pixy2Packets, RepliesOfAnotherTypeOrLengthAreNothing) {
 TEST(Pixy2Packets, BlocksBecomeInclusiveBoxes) {
   const auto blocks = blocks_in(packet_of(hex(kTwoBlocks)));
   ASSERT_TRUE(blocks);
-  ASSERT_EQ(blocks->blobs.size(), 2U);
+  ASSERT_EQ(blocks->frame.blobs.size(), 2U);
   const sensor::Blob first{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
   const sensor::Blob second{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
-  EXPECT_EQ(blocks->blobs[0], first);
-  EXPECT_EQ(blocks->blobs[1], second);
+  EXPECT_EQ(blocks->frame.blobs[0], first);
+  EXPECT_EQ(blocks->frame.blobs[1], second);
   EXPECT_EQ(blocks->dropped, 0U);
-  EXPECT_TRUE(blocks_in(packet_of(hex(kNoBlocks)))->blobs.empty());
+  EXPECT_TRUE(blocks_in(packet_of(hex(kNoBlocks)))->frame.blobs.empty());
 }
 
 // Odd sizes: edges 10 and 15, centre (10+15)>>1 = 12, width 5.
 TEST(Pixy2Packets, OddSizesAreExact) {
   const auto blocks = blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 0C 00 0C 00 05 00 05 00 00 00 00 00")));
   ASSERT_TRUE(blocks);
-  EXPECT_EQ(blocks->blobs[0].x1, 10);
-  EXPECT_EQ(blocks->blobs[0].x2, 14);
-  EXPECT_EQ(blocks->blobs[0].y1, 10);
-  EXPECT_EQ(blocks->blobs[0].y2, 15);
-  EXPECT_EQ(blocks->blobs[0].cx.raw, 120);
-  EXPECT_EQ(blocks->blobs[0].cy.raw, 125);
+  EXPECT_EQ(blocks->frame.blobs[0].x1, 10);
+  EXPECT_EQ(blocks->frame.blobs[0].x2, 14);
+  EXPECT_EQ(blocks->frame.blobs[0].y1, 10);
+  EXPECT_EQ(blocks->frame.blobs[0].y2, 15);
+  EXPECT_EQ(blocks->frame.blobs[0].cx.raw, 120);
+  EXPECT_EQ(blocks->frame.blobs[0].cy.raw, 125);
 }
 
 TEST(Pixy2Packets, ColourCodesKeepTheirOctalNumber) {
   const auto blocks = blocks_in(packet_of(hex(kColourCode)));
   ASSERT_TRUE(blocks);
-  EXPECT_EQ(blocks->blobs[0].signature, 012);
+  EXPECT_EQ(blocks->frame.blobs[0].signature, 012);
   const auto large = blocks_in(packet_of(hex("AF C1 21 0E 00 00 00 01 C8 00 50 00 3C 00 14 00 D3 FF 03 04")));
   ASSERT_TRUE(large);
-  EXPECT_TRUE(large->blobs.empty());
+  EXPECT_TRUE(large->frame.blobs.empty());
   EXPECT_EQ(large->dropped, 1U);
 }
 
@@ -142,10 +142,10 @@ TEST(Pixy2Packets, EighteenBlocksAreSixteenLargestAndTwoDropped) {
   }
   const auto blocks = blocks_in(packet_of(packet));
   ASSERT_TRUE(blocks);
-  ASSERT_EQ(blocks->blobs.size(), 16U);
+  ASSERT_EQ(blocks->frame.blobs.size(), 16U);
   EXPECT_EQ(blocks->dropped, 2U);
-  EXPECT_EQ(blocks->blobs[0].x2 - blocks->blobs[0].x1 + 1, 36);
-  EXPECT_EQ(blocks->blobs[15].x2 - blocks->blobs[15].x1 + 1, 6);
+  EXPECT_EQ(blocks->frame.blobs[0].x2 - blocks->frame.blobs[0].x1 + 1, 36);
+  EXPECT_EQ(blocks->frame.blobs[15].x2 - blocks->frame.blobs[15].x1 + 1, 6);
 }
 
 TEST(Pixy2Scanner, GivesEachPacketAndWhenItBegan) {
