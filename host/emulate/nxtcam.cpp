@@ -67,10 +67,10 @@ void NxtCam::command(std::uint8_t letter, base::Time now) {
 void NxtCam::fill_map() {
   std::fill_n(registers_.begin() + kMap, 48, std::uint8_t{0});
   for (unsigned colour = 0; colour < 8; ++colour) {
-    if ((taught_ >> colour & 1U) == 0) continue;
+    if ((static_cast<unsigned>(taught_) >> colour & 1U) == 0) continue;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       std::uint8_t& entry = registers_[kMap + 16 * channel + colour + channel];
-      entry = static_cast<std::uint8_t>(entry | 1U << colour);
+      entry = static_cast<std::uint8_t>(static_cast<unsigned>(entry) | 1U << colour);
     }
   }
 }
