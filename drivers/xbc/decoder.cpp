@@ -125,7 +125,7 @@ Event Decoder::add_blob(std::string_view fields) {
                         between(-kPiMilliradians, angle, kPiMilliradians);
   if (!possible) return nonsense();
   sensor::Blob blob;
-  blob.signature = signatures_.at(static_cast<std::size_t>(channel));
+  blob.signature = signatures_[static_cast<std::size_t>(channel)];
   blob.x1 = static_cast<std::int16_t>(left);
   blob.y1 = static_cast<std::int16_t>(top);
   blob.x2 = static_cast<std::int16_t>(right);
