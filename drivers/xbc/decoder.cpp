@@ -16,11 +16,17 @@ unsigned hex_digit(char c) {
   return 16;
 }
 
+/// The text after its first characters; string_view's own substr could throw.
+std::string_view without_first(std::string_view text, std::size_t characters) {
+  text.remove_prefix(characters);
+  return text;
+}
+
 /// What stands between `$` and `*`, if the checksum after it is right; else empty.
 std::string_view opened(std::string_view line) {
   constexpr std::size_t kTail = 3;
   if (line.size() < 2 + kTail || line[line.size() - kTail] != '*') return {};
-  const std::string_view body = line.substr(1, line.size() - kTail - 1);
+  const std::string_view body(line.data() + 1, line.size() - kTail - 1);
   unsigned sum = 0;
   for (const char c : body) sum ^= static_cast<unsigned char>(c);
   const unsigned high = hex_digit(line[line.size() - 2]);
@@ -87,15 +93,16 @@ Event Decoder::end_line() {
 
 Event Decoder::obey(std::string_view body) {
   switch (body[0]) {
-    case 'F': return begin_frame(body.substr(1));
-    case 'B': return add_blob(body.substr(1));
-    case 'E': return end_frame(body.substr(1));
+    case 'F': return begin_frame(without_first(body, 1));
+    case 'B': return add_blob(without_first(body, 1));
+    case 'E': return end_frame(without_first(body, 1));
     case 'V': break;
     default: return nonsense();
   }
   constexpr std::string_view kVersionText = "V XBCL";
   std::array<std::int32_t, 1> number{};
-  if (!body.starts_with(kVersionText) || !read_numbers(body.substr(kVersionText.size()), number)) return nonsense();
+  if (!body.starts_with(kVersionText)) return nonsense();
+  if (!read_numbers(without_first(body, kVersionText.size()), number)) return nonsense();
   version_ = number[0];
   return Event::kVersion;
 }
