@@ -36,11 +36,13 @@ struct WheelBase {
   std::int32_t max_speed_mm_s = 2'000;  ///< of a wheel; counts that say more are a counter that was reset
 };
 
-constexpr WheelBase make_wheel_base(const WheelDrawing& wheel, double track_mm, int counter_bits) {
-  return {per_count(wheel), per_count(wheel), to_picometres(track_mm), counter_bits};
+constexpr WheelBase make_wheel_base(const WheelDrawing& wheel, double track_mm, int counter_bits,
+                                    std::int32_t max_speed_mm_s = 2'000) {
+  return {per_count(wheel), per_count(wheel), to_picometres(track_mm), counter_bits, max_speed_mm_s};
 }
 
-/// iRobot Create 2, Roomba 600: 508.8 counts a revolution, wheel 72 mm, axle 235 mm (Open Interface specification).
-inline constexpr WheelBase kCreate2Wheels = make_wheel_base({72.0, 508.8}, 235.0, 16);
+/// iRobot Create 2, Roomba 600: 508.8 counts a revolution, wheel 72 mm, axle 235 mm (Open Interface specification);
+/// driven at 500 mm/s at most, a slope allowed for.
+inline constexpr WheelBase kCreate2Wheels = make_wheel_base({72.0, 508.8}, 235.0, 16, 600);
 
 }  // namespace fencepost::odometry
