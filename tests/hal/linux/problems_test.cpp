@@ -7,6 +7,7 @@
 #include "hal/linux/i2c.hpp"
 #include "hal/linux/retry.hpp"
 #include "hal/linux/spi.hpp"
+#include "hal/linux/usb_link.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -61,6 +62,15 @@ TEST(CanProblem, NamesTheInterfaceAndWhatToTry) {
   ASSERT_FALSE(bus);
   EXPECT_TRUE(has(bus.problem(), "cannot listen on the CAN interface fencepost9"));
   EXPECT_TRUE(has(bus.problem(), "; "));
+}
+
+// libusb itself may not start where there is no USB at all; the sentence is another one then.
+TEST(UsbProblem, NamesTheDeviceAndWhatToTry) {
+  Opened<UsbPacketLink> link = UsbPacketLink::open({.vendor = 0xFEED, .product = 0x00C0, .serial = "A1"});
+  ASSERT_FALSE(link);
+  const bool none_at_all = bool(has(link.problem(), "cannot start libusb"));
+  EXPECT_TRUE(none_at_all || has(link.problem(), "cannot open the USB device feed:00c0 with serial number A1"));
+  EXPECT_TRUE(has(link.problem(), "; "));
 }
 
 TEST(Retry, ComesOnceAnInterval) {
