@@ -73,8 +73,8 @@ void UsbWorker::look_for_device() {
   tried_.notify_all();
 }
 
-// Where udev runs, libusb hears from it what came and went. Elsewhere only a fresh context sees that; but one must not
-// be closed while udev tells of an unplug, for libusb 1.0.26 then locks itself up.
+// Where udev runs, libusb hears from it what came and went, and a context is kept: closing one at the moment when udev
+// tells of an unplug hung with libusb 1.0.26. Elsewhere only a fresh context sees what is there.
 std::string UsbWorker::renew_context() {
   if (context_ && ::access("/run/udev/control", F_OK) == 0) return {};
   {
