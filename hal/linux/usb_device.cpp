@@ -77,10 +77,9 @@ Opened<UsbDevice> use(UsbHandle handle, const UsbSettings& settings) {
   const int in = libusb_get_max_packet_size(device, settings.in_endpoint);
   const int out = libusb_get_max_packet_size(device, settings.out_endpoint);
   const int packet = std::min(in, out);
-  if (packet <= 0)
-    return Problem{"cannot use the USB device " + name_of(settings) +
-                   ": it lacks the expected endpoints; check its firmware, or that it is not in an update mode"};
-  return UsbDevice{std::move(handle), static_cast<std::size_t>(packet)};
+  if (packet > 0) return UsbDevice{std::move(handle), static_cast<std::size_t>(packet)};
+  return Problem{"cannot use the USB device " + name_of(settings) +
+                 ": it lacks the expected endpoints; check its firmware, or that it is not in an update mode"};
 }
 
 }  // namespace

@@ -30,6 +30,9 @@ struct UsbCounters {
 /// After an unplug, `tend` finds the device again by its ids and serial number. What came before is read first.
 class UsbPipes {
  public:
+  UsbPipes(const UsbPipes&) = delete;
+  UsbPipes& operator=(const UsbPipes&) = delete;
+
   /// Once a turn of the loop; looks for a missing device, at most every kRetryInterval. One that is plugged in while
   /// udev runs is found without.
   void tend(base::Time now);
@@ -45,8 +48,6 @@ class UsbPipes {
   ~UsbPipes();
   UsbPipes(UsbPipes&&) noexcept;
   UsbPipes& operator=(UsbPipes&&) noexcept;
-  UsbPipes(const UsbPipes&) = delete;
-  UsbPipes& operator=(const UsbPipes&) = delete;
 
   std::unique_ptr<UsbWorker> worker_;
 };
