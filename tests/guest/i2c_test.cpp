@@ -29,20 +29,25 @@ class Adapter {
  public:
   Adapter() : device_(model()) {
     std::iota(registers.begin(), registers.end(), std::uint8_t{0});
+    eventually([] { return node().empty(); });  // the last test's adapter may be there for another moment
     device_.plug();
   }
   /// Its node, once the kernel has made it; empty if it never does.
-  std::string path() {
+  static std::string path() {
     std::string found;
     eventually([&found] {
-      for (const auto& entry : std::filesystem::directory_iterator("/sys/bus/i2c/devices")) {
-        std::string name;
-        std::getline(std::ifstream(entry.path() / "name"), name);
-        if (name.rfind("i2c-tiny-usb", 0) == 0) found = "/dev/" + entry.path().filename().string();
-      }
+      found = node();
       return !found.empty() && std::filesystem::exists(found);
     });
     return found;
+  }
+  static std::string node() {
+    for (const auto& entry : std::filesystem::directory_iterator("/sys/bus/i2c/devices")) {
+      std::string name;
+      std::getline(std::ifstream(entry.path() / "name"), name);
+      if (name.rfind("i2c-tiny-usb", 0) == 0) return "/dev/" + entry.path().filename().string();
+    }
+    return {};
   }
   UsbipDevice& wire() { return device_; }
 
@@ -96,14 +101,10 @@ class Adapter {
 
 class I2cTest : public testing::Test {
  protected:
-  // The node of the last test's adapter may still be there for a moment.
   void SetUp() override {
-    Opened<I2c> opened = I2c::open({adapter.path()});
-    EXPECT_TRUE(eventually([&] {
-      path = adapter.path();
-      if (!opened) opened = I2c::open({path});
-      return opened.ok();
-    }));
+    path = adapter.path();
+    ASSERT_FALSE(path.empty()) << "the kernel made no I2C adapter";
+    Opened<I2c> opened = I2c::open({path});
     ASSERT_TRUE(opened) << opened.problem();
     i2c.emplace(std::move(*opened));
     adapter.bus.clear();
