@@ -60,11 +60,13 @@ class SerialCamera {
   }
 
   void take(std::span<const std::uint8_t> message, base::Time t, base::Time now) {
-    if (const std::optional<sensor::BlobFrame> frame = tracking_in(message)) {
+    if (std::optional<sensor::BlobFrame> frame = tracking_in(message)) {
       heard_ = now;
       step_ = Step::kTrack;
       state_ = frame->blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
-      frame_ = sensor::BlobFrame{t, count_++, frame->blobs};
+      frame->t = t;
+      frame->frame = count_++;
+      frame_ = *frame;
     } else {
       take_line(line_in(message), now);
     }

@@ -144,10 +144,9 @@ bool Session::take_resolution(const Packet& packet) {
 bool Session::take_blocks(const Packet& packet, base::Time first_byte) {
   std::optional<Blocks> blocks = blocks_in(packet);
   if (!blocks) return false;
-  sensor::BlobFrame frame;
+  sensor::BlobFrame& frame = blocks->frame;
   frame.t = first_byte;
   frame.frame = counters_.frames++;
-  frame.blobs = blocks->frame.blobs;
   counters_.blobs_dropped += blocks->dropped;
   work_ = frame.blobs.empty() ? LinkState::kEmpty : LinkState::kOk;
   last_frame_ = first_byte;

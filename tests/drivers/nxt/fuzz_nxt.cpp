@@ -1,6 +1,4 @@
 // libFuzzer's way in; a short run of it is an ordinary test.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
