@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 constexpr unsigned kOne = 1;
@@ -264,4 +264,4 @@ std::string CmuCamDevice::packet(std::span<const ColouredSpot> spots) const {
   return raw ? "\xFF" + bytes : bytes + "\r";
 }
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

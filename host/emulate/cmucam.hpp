@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 
 enum class CmuCamModel : std::uint8_t { kOne, kTwo, kThree, kFour };
 
@@ -63,4 +63,4 @@ class CmuCamDevice {
   bool reports_middle_ = true;
 };
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

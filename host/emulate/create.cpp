@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 constexpr int kStart = 128;
@@ -119,4 +119,4 @@ std::string CreateDevice::frame() {
   return bytes + static_cast<char>(256 - sum % 256);
 }
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

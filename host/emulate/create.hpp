@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 
 enum class CreateModel : std::uint8_t { kOne, kTwo };
 
@@ -44,4 +44,4 @@ class CreateDevice {
   double degrees_ = 0;
 };
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

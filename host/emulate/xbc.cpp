@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 std::string sealed(const std::string& body) {
@@ -50,4 +50,4 @@ std::string XbcDevice::frame(std::span<const XbcBlob> blobs) {
   return lines;
 }
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

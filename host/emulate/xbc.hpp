@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 
 /// A blob as the XBC's tracking functions tell it.
 struct XbcBlob {
@@ -39,4 +39,4 @@ class XbcDevice {
   std::uint32_t number_ = 1;
 };
 
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

@@ -7,7 +7,7 @@
 namespace fencepost::cmucam {
 namespace {
 
-using host::CmuCamModel;
+using emulate::CmuCamModel;
 
 constexpr base::Duration kMinute = base::milliseconds(60'000);
 

@@ -15,7 +15,7 @@ struct Rig {
   static constexpr base::Duration kStep = base::milliseconds(2);
   static constexpr std::int64_t kStepsAFrame = 30;  ///< 16.7 /s
 
-  Rig(const Config& config, host::CmuCamModel model, std::uint64_t seed = 1)
+  Rig(const Config& config, emulate::CmuCamModel model, std::uint64_t seed = 1)
       : wire(seed), device(model), driver(wire, config) {
     wire.from_device(device.power_up());
   }
@@ -49,9 +49,9 @@ struct Rig {
 
   fake::SteppedClock clock;
   serial::Wire wire;
-  host::CmuCamDevice device;
+  emulate::CmuCamDevice device;
   CmuCam<serial::Wire> driver;
-  std::vector<host::ColouredSpot> spots;
+  std::vector<emulate::ColouredSpot> spots;
   bool powered = true;
   std::int64_t steps = 0;
 };
@@ -66,7 +66,7 @@ inline Config two_windows(const Dialect& dialect) {
 }
 
 /// A red and a blue thing.
-inline std::vector<host::ColouredSpot> red_and_blue() {
+inline std::vector<emulate::ColouredSpot> red_and_blue() {
   return {{200, 30, 30, 20, 40, 29, 59, 150}, {30, 30, 200, 50, 60, 59, 89, 240}};
 }
 

@@ -10,7 +10,7 @@
 namespace fencepost::cmucam {
 namespace {
 
-using host::CmuCamModel;
+using emulate::CmuCamModel;
 using sensor::LinkState;
 
 constexpr base::Duration seconds(std::int64_t s) { return base::milliseconds(1'000 * s); }

@@ -16,8 +16,8 @@
 namespace fencepost::create {
 namespace {
 
-using host::CreateDevice;
-using host::CreateModel;
+using emulate::CreateDevice;
+using emulate::CreateModel;
 using sensor::LinkState;
 
 Config config_of(Model model, Mode mode = Mode::kPassive) {

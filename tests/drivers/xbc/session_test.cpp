@@ -16,8 +16,8 @@ namespace {
 
 using sensor::LinkState;
 
-const std::vector<host::XbcBlob> kScene = {{0, 0, 178, 146, 600, 160, 131, 196, 160, 0},
-                                           {1, 0, 40, 200, 45, 37, 195, 43, 204, -785}};
+const std::vector<emulate::XbcBlob> kScene = {{0, 0, 178, 146, 600, 160, 131, 196, 160, 0},
+                                              {1, 0, 40, 200, 45, 37, 195, 43, 204, -785}};
 
 /// 15 frames a second, in steps of 5 ms.
 struct Rig {
@@ -48,9 +48,9 @@ struct Rig {
 
   fake::SteppedClock clock;
   serial::Wire wire{11};
-  host::XbcDevice device;
+  emulate::XbcDevice device;
   Xbc<serial::Wire> driver{wire, Config{}};
-  std::vector<host::XbcBlob> scene = kScene;
+  std::vector<emulate::XbcBlob> scene = kScene;
   bool powered = true;
   bool camera_on = true;
   std::int64_t steps = 0;

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/bytes.hpp"
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 // The worked examples: 11 x 21 pixels in 1-based coordinates 40..50, 60..80; 10 x 20 in 0-based 20..29, 40..59.
@@ -94,4 +94,4 @@ TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
 }
 
 }  // namespace
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

@@ -4,7 +4,7 @@
 
 #include "tests/drivers/bytes.hpp"
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 TEST(EmulatedCreate, StreamsUnderEitherRule) {
@@ -43,4 +43,4 @@ TEST(EmulatedCreate, DoesNothingBeforeStart) {
 }
 
 }  // namespace
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace fencepost::host {
+namespace fencepost::emulate {
 namespace {
 
 TEST(EmulatedXbc, TheWorkedExample) {
@@ -27,4 +27,4 @@ TEST(EmulatedXbc, TellsItsVersion) {
 }
 
 }  // namespace
-}  // namespace fencepost::host
+}  // namespace fencepost::emulate
