@@ -170,6 +170,7 @@ Bytes UsbipDevice::describe(std::uint16_t which) const {
       bytes.insert(bytes.end(), {0x05, 0x02, 1, 2, 3, 1});
       break;
     case kConfiguration:
+      bytes.reserve(9 + model_.interface_descriptors.size());  // else GCC 12 warns of its own vector at -O3
       bytes = {9, kConfiguration};
       put_half(bytes, static_cast<std::uint16_t>(9 + model_.interface_descriptors.size()));
       bytes.insert(bytes.end(), {1, 1, 0, 0xC0, 0});
