@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "hal/linux/wait.hpp"
 #include "tests/guest/eventually.hpp"
@@ -28,7 +30,7 @@ constexpr std::uint8_t kDevice = 0x01;  // where an NXTCam is, and many tools re
 class Adapter {
  public:
   Adapter() : device_(model()) {
-    std::iota(registers.begin(), registers.end(), std::uint8_t{0});
+    std::iota(registers_.begin(), registers_.end(), std::uint8_t{0});
     eventually([] { return node().empty(); });  // the last test's adapter may be there for another moment
     device_.plug();
   }
@@ -51,8 +53,16 @@ class Adapter {
   }
   UsbipDevice& wire() { return device_; }
 
-  std::array<std::uint8_t, 256> registers{};
-  std::string bus;  ///< what happened on it: S start, W and R with their lengths, P stop, N nobody acknowledged
+  std::uint8_t reg(std::uint8_t index) {
+    const std::lock_guard lock(mutex_);
+    return registers_[index];
+  }
+  /// What happened on the bus since it was last asked: S start, W and R with their lengths, P stop, N nobody
+  /// acknowledged.
+  std::string take_log() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(bus_, {});
+  }
 
  private:
   UsbModel model() {
@@ -77,23 +87,27 @@ class Adapter {
     return transfer(setup, out);
   }
   Bytes transfer(const UsbSetup& setup, const Bytes& out) {
+    const std::lock_guard lock(mutex_);
     constexpr std::uint8_t kStart = 1;
     constexpr std::uint8_t kStop = 2;
     const bool reading = (setup.type & 0x80U) != 0;
-    if ((setup.request & kStart) != 0 || reading) bus += 'S';
+    if ((setup.request & kStart) != 0 || reading) bus_ += 'S';
     acknowledged_ = setup.index == kDevice;
-    if (!acknowledged_) bus += 'N';
-    if (acknowledged_) bus += (reading ? "R" : "W") + std::to_string(setup.length);
+    if (!acknowledged_) bus_ += 'N';
+    if (acknowledged_) bus_ += (reading ? "R" : "W") + std::to_string(setup.length);
     Bytes in(reading ? setup.length : 0U);
     if (acknowledged_ && reading) {
-      for (std::uint8_t& byte : in) byte = registers[pointer_++];
+      for (std::uint8_t& byte : in) byte = registers_[pointer_++];
     }
     if (acknowledged_ && !out.empty()) pointer_ = out[0];
-    for (std::size_t i = 1; acknowledged_ && i < out.size(); ++i) registers[pointer_++] = out[i];
-    if ((setup.request & kStop) != 0) bus += 'P';
+    for (std::size_t i = 1; acknowledged_ && i < out.size(); ++i) registers_[pointer_++] = out[i];
+    if ((setup.request & kStop) != 0) bus_ += 'P';
     return in;
   }
 
+  std::mutex mutex_;  // requests come on the device's own thread
+  std::array<std::uint8_t, 256> registers_{};
+  std::string bus_;
   bool acknowledged_ = true;
   std::uint8_t pointer_ = 0;
   UsbipDevice device_;
@@ -107,7 +121,7 @@ class I2cTest : public testing::Test {
     Opened<I2c> opened = I2c::open({path});
     ASSERT_TRUE(opened) << opened.problem();
     i2c.emplace(std::move(*opened));
-    adapter.bus.clear();
+    static_cast<void>(adapter.take_log());
   }
   void TearDown() override { i2c.reset(); }
 
@@ -132,16 +146,16 @@ TEST_F(I2cTest, ReadsARegisterAfterARepeatedStart) {
   const Result<Bytes> in = transfer(kDevice, {0x42}, 3);
   ASSERT_TRUE(in) << static_cast<int>(in.error());
   EXPECT_EQ(*in, (Bytes{0x42, 0x43, 0x44}));
-  EXPECT_EQ(adapter.bus, "SW1SR3P") << "no stop between writing and reading";
+  EXPECT_EQ(adapter.take_log(), "SW1SR3P") << "no stop between writing and reading";
 }
 
 TEST_F(I2cTest, WritesWithoutReading) {
   const Result<Bytes> in = transfer(kDevice, {0x41, 0xAA, 0xBB}, 0);
   ASSERT_TRUE(in);
   EXPECT_TRUE(in->empty());
-  EXPECT_EQ(adapter.registers[0x41], 0xAA);
-  EXPECT_EQ(adapter.registers[0x42], 0xBB);
-  EXPECT_EQ(adapter.bus, "SW3P");
+  EXPECT_EQ(adapter.reg(0x41), 0xAA);
+  EXPECT_EQ(adapter.reg(0x42), 0xBB);
+  EXPECT_EQ(adapter.take_log(), "SW3P");
 }
 
 TEST_F(I2cTest, ReadsWithoutWriting) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <memory>
 
 #include "hal/linux/usb_link.hpp"
@@ -87,7 +88,7 @@ class NxtUsb : public testing::Test {
   }
 
   const linux::MonotonicClock clock;
-  bool answering = true;
+  std::atomic<bool> answering = true;  // the device asks on a thread of its own
   std::unique_ptr<UsbipDevice> brick;
   std::optional<UsbPacketLink> link;
 };
