@@ -17,6 +17,7 @@ CLEAN = {
     "hal/base/a.hpp": "#pragma once\n",
     "hal/base/a.cpp": '#include "hal/base/a.hpp"\n',
     "hal/bus/link.hpp": "#pragma once\n",
+    "hal/linux/tty.hpp": "#include <memory>\nauto* p = new int(1);\n",
     "drivers/d.hpp": '#include "hal/bus/link.hpp"\n',
     "firmware/app/f.hpp": '#include "drivers/d.hpp"\n',
     "firmware/recon/r.hpp": '#include "hal/base/a.hpp"\n',
@@ -32,6 +33,7 @@ CLEAN = {
 FAULTS = [
     ("hal/base/a.hpp", '#include "firmware/app/f.hpp"', "layer"),
     ("hal/base/a.hpp", '#  include "drivers/d.hpp"', "layer"),
+    ("hal/linux/tty.hpp", '#include "drivers/d.hpp"', "layer"),
     ("drivers/d.hpp", '#include "firmware/app/f.hpp"', "layer"),
     ("firmware/app/f.hpp", '#include "host/h.hpp"', "layer"),
     ("host/h.hpp", '#include "tests/t.hpp"', "layer"),

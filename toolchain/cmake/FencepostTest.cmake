@@ -10,3 +10,16 @@ function(fencepost_test name)
   # Cases are numbered, not named by their values, which may be whole documents.
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
+
+# fencepost_fuzzer(<name> SOURCE a.cpp LIBRARIES x ...): a program for endless fuzzing by hand, with -DFENCEPOST_FUZZ=ON
+# and clang: <name> [corpus]. The same source belongs to an ordinary test, so that it cannot rot.
+function(fencepost_fuzzer name)
+  if(NOT FENCEPOST_FUZZ OR NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "SOURCE" "LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCE})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_flags)
+  target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+endfunction()

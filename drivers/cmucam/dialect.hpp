@@ -1,0 +1,59 @@
+// The CMUcam family as data: what differs between its members.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hal/base/units.hpp"
+#include "hal/sensor/camera.hpp"
+
+namespace fencepost::cmucam {
+
+/// What the packet's field `pixels` says of the area.
+enum class PixelCount : std::uint8_t {
+  kNotTold,       ///< its formula is not documented
+  kCount,         ///< pixels, 255 and more are 255 (CMUcam3's emulation)
+  kEighths,       ///< (pixels + 4) / 8, at most 255 (CMUcam1; recalled, not confirmed)
+  kByConfidence,  ///< the confidence is the share of the box that matches, in 255ths (CMUcam4)
+};
+
+struct Dialect {
+  std::string_view model;   ///< as in FPCAM
+  std::string_view banner;  ///< how the camera's version text starts
+  std::uint16_t width = 0;  ///< px; with height, the range of the coordinates
+  std::uint16_t height = 0;
+  std::uint8_t first_pixel = 0;  ///< coordinate of the leftmost column and topmost row: 1 or 0
+  bool has_raw = true;           ///< knows raw packets
+  base::Pixels2 fx;              ///< px; pixels of the older imagers are wider than tall
+  base::Pixels2 fy;
+  base::Pixels2 cy;  ///< the lens's row: not the middle where rows past 255 cannot be told
+  PixelCount pixels = PixelCount::kNotTold;
+  std::uint8_t min_confidence = 0;  ///< below, a box is noise
+  base::Duration reply_timeout;     ///< of a packet that was asked for; at least three frames
+  /// Commands after a reset, before and after the image has settled; short, since each is a chance of damage.
+  std::span<const std::string_view> warm_up;
+  std::span<const std::string_view> set_up;
+};
+
+/// Firmware 1.12, OV6620 imager. Coordinates 1..80, 1..143.
+extern const Dialect kCmuCam1;
+/// CMUcam2 with the OV6620 (banner "c6"), low resolution. Coordinates 1..88, 1..143.
+extern const Dialect kCmuCam2;
+/// The same in high resolution: 1..176, 1..255; the camera has more rows than a byte can say.
+extern const Dialect kCmuCam2High;
+/// CMUcam2 with the OV7620 of the FRC kits of 2005 and 2006. Coordinates 1..159, 1..239.
+extern const Dialect kCmuCam2Ov7620;
+/// CMUcam3 running the CMUcam2 emulation: 0-based, 88 x 144. Its version text is a CMUcam2's, so nothing tells them
+/// apart but the user: taken for the other, boxes are off by one pixel.
+extern const Dialect kCmuCam3;
+/// The same in high resolution: 176 columns, the first 255 of 288 rows.
+extern const Dialect kCmuCam3High;
+/// CMUcam4, firmware 1.02, 19200 Bd: ASCII only, 0-based, 160 x 120.
+extern const Dialect kCmuCam4;
+
+/// Nominal calibration. Field of view 44.1 x 33.7 deg is quoted for the CMUcam2's lens (teams measured 46.6 to 50 deg
+/// across); for the other models it is assumed, so calibrate. Latency: one and a half frames of 17 /s (CMUcam4: 30 /s).
+sensor::CameraIntrinsics nominal_intrinsics(const Dialect& dialect, const sensor::CameraMount& mount);
+
+}  // namespace fencepost::cmucam

@@ -1,0 +1,93 @@
+// Who of several asks the brick next, and whose reply it is. Knows no bus.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "drivers/nxt/telegram.hpp"
+#include "hal/base/fixed.hpp"
+#include "hal/base/units.hpp"
+#include "hal/sensor/link_state.hpp"
+
+namespace fencepost::nxt {
+
+/// One request and what became of it; lives at the asker's, and stays where it is while it is under way.
+struct Exchange {
+  enum class State : std::uint8_t { kIdle, kWaiting, kDone, kFailed };
+  State state = State::kIdle;
+  Telegram request;
+  Telegram answer;  ///< of kDone: a reply, whatever its status
+  base::Time t;     ///< of kDone: when it arrived
+
+  [[nodiscard]] bool under_way() const { return state == State::kWaiting; }
+  /// Of kDone.
+  [[nodiscard]] Reply reply() const { return *reply_in(answer.view()); }
+};
+
+struct Counters {
+  std::uint32_t telegrams = 0;  ///< replies taken
+  std::uint32_t foreign = 0;    ///< replies that nobody waited for, late ones of an earlier try included
+  std::uint32_t malformed = 0;  ///< no replies at all
+  std::uint32_t timeouts = 0;
+  std::uint32_t failed = 0;  ///< exchanges given up
+};
+
+/// One request is outstanding at a time; the brick replies in order. When a reply is missing it may be late or lost,
+/// and replies do not say which request they answer: so before a request is repeated, or another sent, the version is
+/// asked for, and once that is there nothing older can come. Three tries a request, three of the version, then silence:
+/// all that waits fails, and the version is asked for twice a second. Keeps the brick awake and reads its battery on
+/// the side.
+class Conversation {
+ public:
+  static constexpr std::size_t kAskers = 6;
+
+  /// False, and nothing done, when full. `exchange.request` is set; a failed one may be submitted again.
+  bool submit(Exchange& exchange);
+
+  /// The next telegram to send, if any; it counts as sent.
+  std::optional<Telegram> due(base::Time now);
+  void take(std::span<const std::uint8_t> telegram, base::Time now);
+  /// Unplugged: everything fails.
+  void lose_link(base::Time now);
+  void find_link() { absent_ = false; }
+
+  [[nodiscard]] sensor::LinkState link() const;
+  /// Of the last `due`.
+  [[nodiscard]] base::Time now() const { return now_; }
+  [[nodiscard]] const Counters& counters() const { return counters_; }
+  [[nodiscard]] const std::optional<Version>& version() const { return version_; }
+  [[nodiscard]] std::optional<std::uint16_t> battery_millivolts() const { return battery_; }
+  /// Grows each time the brick answers again after silence: it may have started anew.
+  [[nodiscard]] std::uint32_t sessions() const { return sessions_; }
+
+ private:
+  enum class Phase : std::uint8_t { kIdle, kAsked, kFenced, kSilent };
+
+  void keep_house(base::Time now);
+  void expire(base::Time now);
+  std::optional<Telegram> ask_front(base::Time now);
+  Telegram send_fence(Phase phase, base::Time now);
+  void pass_fence(const Reply& reply);
+  void close_front(Exchange::State state);
+  void fail_all();
+
+  base::FixedVector<Exchange*, kAskers + 2> waiting_;
+  Exchange battery_exchange_;
+  Exchange keep_alive_exchange_;
+  Phase phase_ = Phase::kSilent;
+  bool absent_ = false;
+  bool fence_due_ = true;
+  std::uint8_t tries_ = 0;  ///< of the front request
+  std::uint8_t fences_ = 0;
+  base::Time now_;
+  std::optional<base::Time> deadline_;
+  std::optional<base::Time> house_;  ///< when the keep-alive and the battery are next
+  std::optional<Version> version_;
+  std::optional<std::uint16_t> battery_;
+  std::uint32_t sessions_ = 0;
+  Counters counters_;
+};
+
+}  // namespace fencepost::nxt

@@ -1,0 +1,34 @@
+// A raw encoder count that wraps, or starts anew, as way since the last reading.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hal/base/units.hpp"
+
+namespace fencepost::odometry {
+
+class TickCounter {
+ public:
+  /// `bits` 2..32: the raw count is modulo 2^bits, signed or not. `max_rate`: counts a second that the wheel can do.
+  TickCounter(int bits, std::int64_t max_rate);
+
+  /// Counts since the last reading, wrap taken out; t increases.
+  /// errors: empty if there is no telling: the first reading, more counts than the wheel can have done (the encoder was
+  /// reset), or so long a silence that the count may have wrapped unseen. The next reading then counts from this one.
+  std::optional<std::int32_t> step(std::uint32_t raw, base::Time t);
+
+  /// The device has started anew: the next reading is a first one.
+  void forget() { known_ = false; }
+
+ private:
+  [[nodiscard]] std::int32_t difference(std::uint32_t raw) const;
+
+  int bits_;
+  std::int64_t max_rate_;
+  bool known_ = false;
+  std::uint32_t last_ = 0;
+  base::Time last_t_;
+};
+
+}  // namespace fencepost::odometry

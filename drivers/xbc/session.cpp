@@ -1,0 +1,65 @@
+#include "drivers/xbc/session.hpp"
+
+namespace fencepost::xbc {
+namespace {
+
+constexpr std::int32_t kOurVersion = 1;
+constexpr base::Duration kPatience = base::milliseconds(1'000);
+
+}  // namespace
+
+bool Session::take(std::uint8_t byte, base::Time now) {
+  const Event event = decoder_.feed(byte, now);
+  if (event == Event::kNone) return false;
+  heard_ = true;
+  heard_at_ = now;
+  if (event == Event::kVersion) version_ = decoder_.version();
+  const bool understood = version_ == 0 || version_ == kOurVersion;
+  if (!understood) framed_ = false;
+  if (event != Event::kFrame || !understood) return false;
+  framed_ = true;
+  framed_at_ = now;
+  return true;
+}
+
+void Session::step(base::Time now) {
+  if (now - heard_at_ > kPatience) heard_ = false;
+  if (now - framed_at_ > kPatience) framed_ = false;
+  // Also while it is silent: a program that was started late is greeted, and one of another version found out.
+  if (begun_ && (now < next_question_ || (heard_ && version_ != 0))) return;
+  if (!heard_) version_ = 0;
+  begun_ = true;
+  outbox_.clear();
+  (void)outbox_.put("?\n");
+  next_question_ = now + kPatience;
+}
+
+void Session::link_lost() {
+  begun_ = heard_ = framed_ = false;
+  version_ = 0;
+  outbox_.clear();
+}
+
+sensor::LinkState Session::link() const {
+  if (!heard_) return sensor::LinkState::kSilent;
+  if (!framed_) return sensor::LinkState::kUnready;
+  return decoder_.frame().blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
+}
+
+sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount) {
+  // 178 / tan(22.5 deg).
+  constexpr base::Pixels2 kFocal = base::Pixels2::nearest(429.73);
+  sensor::CameraIntrinsics intrinsics;
+  intrinsics.model = "xbc";
+  intrinsics.width = static_cast<std::uint16_t>(kWidth);
+  intrinsics.height = static_cast<std::uint16_t>(kHeight);
+  intrinsics.fx = kFocal;
+  intrinsics.fy = kFocal;
+  intrinsics.cx = base::Pixels2::nearest((kWidth - 1) / 2.0);
+  intrinsics.cy = base::Pixels2::nearest((kHeight - 1) / 2.0);
+  intrinsics.mount = mount;
+  intrinsics.latency = base::milliseconds(133);
+  return intrinsics;
+}
+
+}  // namespace fencepost::xbc

@@ -1,0 +1,56 @@
+// The conversation with a KIPR XBC that runs fencepost_xbc.ic: it talks, we ask for its version.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "drivers/serial/outbox.hpp"
+#include "drivers/xbc/decoder.hpp"
+#include "hal/sensor/blob_frame.hpp"
+#include "hal/sensor/camera.hpp"
+#include "hal/sensor/link_state.hpp"
+
+namespace fencepost::xbc {
+
+/// The colours of the three channels are trained on the XBC itself, in its menu.
+struct Config {
+  std::array<std::uint8_t, kChannels> signatures = {1, 2, 3};
+};
+
+/// Frames are taken whether or not the version has been told, unless it is another than 1.
+class Session {
+ public:
+  using Sample = sensor::BlobFrame;
+
+  explicit Session(const Config& config) : decoder_(config.signatures) {}
+
+  bool take(std::uint8_t byte, base::Time now);
+  [[nodiscard]] const sensor::BlobFrame& sample() const { return decoder_.frame(); }
+  void step(base::Time now);
+  void link_lost();
+  auto& outbox() { return outbox_; }
+
+  /// kUnready: it answers, but for a second no frame has come, or it speaks another version.
+  [[nodiscard]] sensor::LinkState link() const;
+  [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().dropped; }
+  [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
+  /// 0 until told.
+  [[nodiscard]] std::int32_t version() const { return version_; }
+
+ private:
+  Decoder decoder_;
+  serial::Outbox<8> outbox_;
+  bool begun_ = false;
+  bool heard_ = false;   ///< a good line in the last second
+  bool framed_ = false;  ///< a good frame in the last second
+  std::int32_t version_ = 0;
+  base::Time next_question_;
+  base::Time heard_at_;
+  base::Time framed_at_;
+};
+
+/// Nominal calibration. No source tells the XBC's field of view: 45 deg across and square pixels are assumed, and two
+/// frames of 15 /s as latency, so calibrate.
+sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount);
+
+}  // namespace fencepost::xbc

@@ -1,0 +1,113 @@
+// The thread behind a USB link: the only one that calls libusb.
+#pragma once
+
+#include <libusb-1.0/libusb.h>
+
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hal/base/result.hpp"
+#include "hal/linux/retry.hpp"
+#include "hal/linux/signal_flag.hpp"
+#include "hal/linux/usb_device.hpp"
+#include "hal/linux/usb_link.hpp"
+#include "hal/linux/usb_transfer.hpp"
+
+namespace fencepost::linux {
+
+class UsbWorker {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  UsbWorker(UsbSettings settings, SignalFlag news);
+  ~UsbWorker();
+  UsbWorker(const UsbWorker&) = delete;
+  UsbWorker& operator=(const UsbWorker&) = delete;
+
+  // The loop's side; none of these waits but the first.
+  /// Asks for a try and waits for its end; whether the device is there.
+  bool first_try();
+  void tend(base::Time now);
+  base::Result<std::size_t> send(std::span<const std::uint8_t> out, bool whole);
+  base::Result<std::size_t> receive(std::span<std::uint8_t> in);
+  base::Result<std::size_t> read(std::span<std::uint8_t> in);
+  [[nodiscard]] bool connected() const;
+  [[nodiscard]] std::string problem() const;
+  [[nodiscard]] UsbCounters counters() const;
+  [[nodiscard]] int descriptor() const { return news_.descriptor(); }
+
+ private:
+  // The thread's side.
+  void run();
+  bool asked_to_stop();
+  bool take_request();
+  void look_for_device();
+  std::string renew_context();
+  void watch_plugging();
+  void keep_transfers_going();
+  void submit_reads();
+  void submit_write();
+  void restart_halted();
+  bool restart(unsigned char endpoint);
+  void let_go();
+  void wait_for_events();
+  void after_transfer(const UsbTransfer& transfer);
+  void take_read(const UsbTransfer& transfer);
+  void take_write(const UsbTransfer& transfer);
+  void count_failure(std::uint32_t UsbCounters::*counter);
+  static int LIBUSB_CALL on_plugging(libusb_context* context, libusb_device* device, libusb_hotplug_event event,
+                                     void* worker);
+
+  // Both sides.
+  void wake();
+  [[nodiscard]] base::Error nothing_to_read();
+  void drop_front();
+
+  static constexpr std::size_t kReads = 4;    ///< in flight: the device never waits for the thread to ask again
+  static constexpr std::size_t kInbox = 64;   ///< telegrams; beyond it the device is not asked for more
+  static constexpr std::size_t kOutbox = 8;   ///< telegrams
+  static constexpr int kFailuresInARow = 10;  ///< then the device is closed, and opened again by tend()
+
+  const UsbSettings settings_;
+
+  mutable std::mutex mutex_;  ///< of what follows, up to `news_`
+  std::condition_variable tried_;
+  std::deque<Bytes> inbox_;
+  std::size_t front_used_ = 0;  ///< bytes of the front telegram that read() has taken
+  std::deque<Bytes> outbox_;
+  std::string problem_;
+  UsbCounters counters_;
+  std::size_t packet_ = 0;
+  bool connected_ = false;
+  bool requested_ = true;
+  bool first_try_over_ = false;
+  bool stop_ = false;
+  bool starved_ = false;  ///< reads wait for room in the inbox
+  libusb_context* to_wake_ = nullptr;
+  SignalFlag news_;
+
+  Retry retry_;  ///< the loop's
+
+  // The thread's, from here on.
+  UsbContext context_;
+  UsbDevice device_;
+  std::vector<std::unique_ptr<UsbTransfer>> reads_;
+  std::unique_ptr<UsbTransfer> write_;
+  bool gone_ = false;
+  bool arrived_ = false;
+  bool read_halted_ = false;
+  bool write_halted_ = false;
+  int failures_ = 0;
+  std::thread thread_;  ///< last, so that it starts when the others are there
+};
+
+}  // namespace fencepost::linux

@@ -1,0 +1,66 @@
+// Speaks as a CMUcam1, 2, 3 (emulating the 2) or 4.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fencepost::emulate {
+
+enum class CmuCamModel : std::uint8_t { kOne, kTwo, kThree, kFour };
+
+/// Something coloured in the image: pixels 0-based, ends inclusive, in the camera's grid of the mode in force.
+struct ColouredSpot {
+  int red = 0;
+  int green = 0;
+  int blue = 0;
+  int x1 = 0;
+  int y1 = 0;
+  int x2 = 0;
+  int y2 = 0;
+  int pixels = 0;
+};
+
+/// Echoes nothing, folds case, takes LF for garbage. One box over all that matches: the camera knows no second one.
+/// Traps that are emulated: raw input takes a CR for a count; a CMUcam3 turns raw arguments 97..122 to upper case,
+/// ends its GV without CR, and stays mute on swapped bounds.
+class CmuCamDevice {
+ public:
+  explicit CmuCamDevice(CmuCamModel model) : model_(model) {}
+
+  /// Switched on, with all settings at their defaults.
+  std::string power_up();
+  std::string feed(std::string_view bytes);
+  /// One image has been taken: the packet, if any is due.
+  std::string frame(std::span<const ColouredSpot> spots);
+
+ private:
+  struct Command {
+    std::string name;
+    std::vector<int> arguments;
+    bool bad = false;
+  };
+
+  std::string feed_byte(char byte);
+  std::string feed_raw(char byte);
+  [[nodiscard]] Command parsed(std::string_view line) const;
+  std::string obey(const Command& command);
+  std::string act(const Command& command);
+  [[nodiscard]] std::string answer(bool good, std::string_view data = {}) const;
+  [[nodiscard]] std::string banner() const;
+  [[nodiscard]] std::string packet(std::span<const ColouredSpot> spots) const;
+  void reset();
+
+  CmuCamModel model_;
+  std::string line_;
+  std::string raw_;
+  int bounds_[6] = {};
+  int mode_ = 0;  ///< of RM
+  bool polled_ = false;
+  bool tracking_ = false;
+  bool reports_middle_ = true;
+};
+
+}  // namespace fencepost::emulate

@@ -1,0 +1,47 @@
+// Speaks as an iRobot Create 1 or 2: start, modes, sensor queries and the sensor stream of the Open Interface.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fencepost::emulate {
+
+enum class CreateModel : std::uint8_t { kOne, kTwo };
+
+class CreateDevice {
+ public:
+  /// `header_in_checksum`: whether the stream's checksum takes the header in, on which the manuals disagree.
+  CreateDevice(CreateModel model, bool header_in_checksum) : model_(model), header_in_checksum_(header_in_checksum) {}
+
+  /// Off, then on: nothing is said before Start; the counts are zero.
+  std::string power_up();
+  std::string feed(std::string_view bytes);
+  /// 15 ms have passed: a frame of the stream, if there is one.
+  std::string frame();
+
+  /// The wheels have turned, in counts (Create 2).
+  void roll(int left, int right);
+  /// The robot has moved, in mm and degrees (Create 1), fractions kept until read.
+  void move(double mm, double degrees);
+  [[nodiscard]] int mode() const { return mode_; }
+
+ private:
+  [[nodiscard]] std::size_t arguments_wanted() const;
+  std::string obey();
+  std::string value_of(int id);
+
+  CreateModel model_;
+  bool header_in_checksum_;
+  std::string pending_;  ///< a command, not yet whole
+  int mode_ = 0;         ///< of packet 35: off, passive, safe, full
+  bool streaming_ = false;
+  std::vector<int> stream_;
+  std::uint16_t left_ = 0;
+  std::uint16_t right_ = 0;
+  double mm_ = 0;
+  double degrees_ = 0;
+};
+
+}  // namespace fencepost::emulate

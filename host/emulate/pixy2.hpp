@@ -1,0 +1,58 @@
+// A Pixy2 as its cable sees it: UART, I2C and SPI carry the same bytes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/base/units.hpp"
+#include "hal/sensor/blob_frame.hpp"
+
+namespace fencepost::emulate {
+
+/// Firmware 3.0.20. For half a second after power-on it says nothing, then that it is busy, until it is ready.
+class Pixy2 {
+ public:
+  static constexpr base::Duration kDeaf = base::milliseconds(500);
+  static constexpr base::Duration kBusy = base::milliseconds(1'500);
+  static constexpr base::Duration kProgramChange = base::milliseconds(80);
+
+  explicit Pixy2(base::Time power_on) : power_on_(power_on) {}
+
+  /// A byte from the host; out: what the camera answers to it.
+  std::vector<std::uint8_t> take(std::uint8_t byte, base::Time now);
+
+  /// A new frame: these blobs, in our convention, replace the last ones, read or not.
+  void show(const std::vector<sensor::Blob>& blobs);
+  /// Power off and on.
+  void restart(base::Time now);
+  /// Which program runs after power-on.
+  void set_default_program(const std::string& name) { default_program_ = program_ = name; }
+  /// Somebody holds the button.
+  void hold_button(bool held) { button_ = held; }
+
+  /// Answers to getBlocks that were blocks.
+  [[nodiscard]] std::uint32_t frames_sent() const { return frames_sent_; }
+
+ private:
+  using Bytes = std::vector<std::uint8_t>;
+
+  [[nodiscard]] bool whole() const;
+  Bytes answer(std::uint8_t type, const Bytes& data, base::Time now);
+  Bytes answer_program(const Bytes& data, base::Time now);
+  Bytes answer_blocks(const Bytes& data);
+  static Bytes packet(std::uint8_t type, const Bytes& data);
+  static Bytes error(int code);
+
+  base::Time power_on_;
+  base::Time changed_{-1'000'000};
+  std::string default_program_ = "color_connected_components";
+  std::string program_ = default_program_;
+  bool button_ = false;
+  bool frame_is_new_ = false;
+  std::vector<sensor::Blob> blobs_;
+  Bytes received_;
+  std::uint32_t frames_sent_ = 0;
+};
+
+}  // namespace fencepost::emulate

@@ -1,0 +1,216 @@
+// The conversation, against emulated cameras.
+#include "drivers/cmucam/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_link.hpp"
+#include "tests/drivers/bytes.hpp"
+#include "tests/drivers/cmucam/rig.hpp"
+
+namespace fencepost::cmucam {
+namespace {
+
+using emulate::CmuCamModel;
+using sensor::LinkState;
+
+constexpr base::Duration seconds(std::int64_t s) { return base::milliseconds(1'000 * s); }
+
+struct Member {
+  CmuCamModel model;
+  const Dialect* dialect;
+  bool raw;
+  std::string_view version;
+};
+
+class EveryCmuCam : public testing::TestWithParam<Member> {};
+
+TEST_P(EveryCmuCam, FindsBothColoursWithinThreeSeconds) {
+  Config config = two_windows(*GetParam().dialect);
+  config.raw = GetParam().raw;
+  Rig rig(config, GetParam().model);
+  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
+  rig.spots = red_and_blue();
+  const auto frames = rig.run(seconds(3));
+  ASSERT_GE(frames.size(), 8U);
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+  EXPECT_EQ(rig.driver.session().version(), GetParam().version);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].frame, i + 1);
+    ASSERT_EQ(frames[i].blobs.size(), 2U);
+    const sensor::Blob& red = frames[i].blobs[frames[i].blobs[0].signature == 1 ? 0 : 1];
+    const sensor::Blob& blue = frames[i].blobs[frames[i].blobs[0].signature == 1 ? 1 : 0];
+    EXPECT_EQ((std::array{red.x1, red.y1, red.x2, red.y2}), (std::array<std::int16_t, 4>{20, 40, 29, 59}));
+    EXPECT_EQ((std::array{blue.x1, blue.y1, blue.x2, blue.y2}), (std::array<std::int16_t, 4>{50, 60, 59, 89}));
+    EXPECT_EQ(&frames[i].blobs[0], &blue) << "the larger first";
+    EXPECT_EQ(red.cx.raw, 240);
+    EXPECT_EQ(red.cy.raw, 490);
+  }
+  EXPECT_EQ(rig.driver.session().counts().implausible, 0U);
+  EXPECT_EQ(rig.driver.session().counts().refused, 0U);
+  EXPECT_EQ(rig.driver.session().counts().resets, 1U);
+}
+
+TEST_P(EveryCmuCam, ComesBackAfterAPowerCycle) {
+  Config config = two_windows(*GetParam().dialect);
+  config.raw = GetParam().raw;
+  Rig rig(config, GetParam().model);
+  rig.spots = red_and_blue();
+  ASSERT_FALSE(rig.run(seconds(3)).empty());
+  rig.switch_off();
+  EXPECT_LE(rig.run(seconds(4)).size(), 1U);
+  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
+  rig.switch_on();
+  EXPECT_GE(rig.run(seconds(5)).size(), 8U);
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+}
+
+// So short that no time-out notices: the version text at power-up does.
+TEST_P(EveryCmuCam, ComesBackAfterAGlitch) {
+  Config config = two_windows(*GetParam().dialect);
+  config.raw = GetParam().raw;
+  Rig rig(config, GetParam().model);
+  rig.spots = red_and_blue();
+  ASSERT_FALSE(rig.run(seconds(3)).empty());
+  rig.switch_on();
+  EXPECT_GE(rig.run(seconds(3)).size(), 8U);
+  EXPECT_EQ(rig.driver.session().counts().resets, 2U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryCmuCam,
+                         testing::Values(Member{CmuCamModel::kOne, &kCmuCam1, true, "CMUcam v1.12"},
+                                         Member{CmuCamModel::kOne, &kCmuCam1, false, "CMUcam v1.12"},
+                                         Member{CmuCamModel::kTwo, &kCmuCam2, true, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kTwo, &kCmuCam2, false, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kTwo, &kCmuCam2Ov7620, true, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kThree, &kCmuCam3, true, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kThree, &kCmuCam3, false, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kThree, &kCmuCam3High, true, "CMUcam2 v1.00 c6"},
+                                         Member{CmuCamModel::kFour, &kCmuCam4, true, "CMUcam4 v1.02"}));
+
+TEST(CmuCamSession, SaysWhatItIsToldTo) {
+  Config config = two_windows(kCmuCam1);
+  config.settle = {};
+  Session session(config);
+  std::string sent;
+  base::Time now{0};
+  const auto hear = [&](std::string_view bytes) {
+    now.raw += 10;
+    for (const char byte : bytes) (void)session.take(octet(byte), now);
+    session.step(now);
+    const auto waiting = session.outbox().waiting();
+    sent.assign(waiting.begin(), waiting.end());
+    session.outbox().sent(waiting.size());
+    return sent;
+  };
+  EXPECT_EQ(hear(""), "\rRS\r");
+  EXPECT_EQ(hear(":ACK\r"), "");
+  EXPECT_EQ(hear("\rCMUcam v1.12\r:"), "\rGV\r");
+  EXPECT_EQ(hear(":ACK\rCMUcam v1.12\r:"), "CR 18 44 19 33\r");
+  EXPECT_EQ(hear("ACK\r:"), "CR 18 40 19 32\r");
+  EXPECT_EQ(hear("ACK\r:"), "PM 1\r");
+  EXPECT_EQ(hear("NCK\r:"), "PM 1\r") << "damaged on the way: again";
+  EXPECT_EQ(hear("ACK\r:"), "RM 1\r");
+  EXPECT_EQ(hear("ACK\r:"), "TC 180 240 16 60 16 60\r");
+  EXPECT_EQ(hear("ACK\r" + from_hex("FF 4D 2D 47 28 3C 32 50 14 80") + ":"), "TC 16 60 16 60 180 240\r");
+  EXPECT_EQ(hear("ACK\r" + from_hex("FF 4D 00 00 00 00 00 00 00 00") + ":"), "TC 180 240 16 60 16 60\r");
+  EXPECT_EQ(session.sample().blobs.size(), 1U);
+  EXPECT_EQ(session.counts().frames, 1U);
+}
+
+TEST(CmuCamSession, TriesTheWayOutOfRawInputToo) {
+  const Config config = two_windows(kCmuCam1);
+  Rig rig(config, CmuCamModel::kOne);
+  (void)rig.device.feed("RM 7\r");  // another program's settings
+  rig.spots = red_and_blue();
+  EXPECT_GE(rig.run(seconds(6)).size(), 8U);
+}
+
+TEST(CmuCamSession, TimeIsTheFirstBytesOfTheFirstPacket) {
+  Config config = two_windows(kCmuCam1);
+  Rig rig(config, CmuCamModel::kOne);
+  rig.spots = red_and_blue();
+  std::optional<sensor::BlobFrame> frame;
+  while (!frame) frame = rig.step();
+  // Frames come with steps that are multiples of 30, the second window's one image after the first's.
+  EXPECT_EQ(frame->t.raw % (Rig::kStepsAFrame * Rig::kStep.raw), 0);
+  EXPECT_EQ((rig.clock.now() - frame->t).raw, Rig::kStepsAFrame * Rig::kStep.raw);
+}
+
+TEST(CmuCamSession, LinkStates) {
+  Config config = two_windows(kCmuCam3);
+  Rig rig(config, CmuCamModel::kThree);
+  rig.switch_off();
+  (void)rig.wire.to_device();
+  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
+  rig.switch_on();
+  (void)rig.run(base::milliseconds(300));
+  EXPECT_EQ(rig.driver.link(), LinkState::kUnready) << "white balance is settling";
+  const auto empty = rig.run(seconds(3));
+  ASSERT_FALSE(empty.empty());
+  EXPECT_TRUE(empty.back().blobs.empty());
+  EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
+  rig.spots = red_and_blue();
+  (void)rig.run(seconds(1));
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+  rig.wire.unplug();
+  (void)rig.run(base::milliseconds(20));
+  EXPECT_EQ(rig.driver.link(), LinkState::kAbsent);
+  rig.wire.replug();
+  (void)rig.run(base::milliseconds(20));
+  EXPECT_NE(rig.driver.link(), LinkState::kAbsent);
+  EXPECT_GE(rig.run(seconds(3)).size(), 8U);
+}
+
+TEST(CmuCamSession, WithoutAGoodWindowItIsNeverReady) {
+  Config none = two_windows(kCmuCam3);
+  none.windows.clear();
+  Config swapped = two_windows(kCmuCam3);
+  swapped.windows[0].red_min = 241;
+  for (const Config& config : {none, swapped}) {
+    Rig rig(config, CmuCamModel::kThree);
+    rig.spots = red_and_blue();
+    EXPECT_TRUE(rig.run(seconds(10)).empty());
+    EXPECT_EQ(rig.driver.link(), LinkState::kUnready);
+    rig.switch_off();
+    (void)rig.run(seconds(10));
+    EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
+  }
+}
+
+TEST(CmuCamSession, AnotherModelIsNotReady) {
+  Rig rig(two_windows(kCmuCam1), CmuCamModel::kThree);
+  rig.spots = red_and_blue();
+  EXPECT_TRUE(rig.run(seconds(10)).empty());
+  EXPECT_EQ(rig.driver.link(), LinkState::kUnready);
+}
+
+TEST(CmuCamSession, ASilentPortIsSilentAndTheWaitsAreBounded) {
+  fake::ScriptedLink<4096> link({});
+  CmuCam<fake::ScriptedLink<4096>> driver(link, two_windows(kCmuCam2));
+  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
+  EXPECT_EQ(driver.link(), LinkState::kSilent);
+  EXPECT_GT(link.written().size(), 60 * 4U) << "a try a second";
+  EXPECT_LT(link.written().size(), 60 * 30U);
+}
+
+TEST(CmuCamSession, APortThatTakesNothingDoesNotHang) {
+  fake::ScriptedLink<64> link({});
+  link.limit_writes(0);
+  CmuCam<fake::ScriptedLink<64>> driver(link, two_windows(kCmuCam2));
+  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
+  EXPECT_EQ(driver.link(), LinkState::kSilent);
+}
+
+TEST(CmuCamSession, NoiseIsNoCamera) {
+  Rig rig(two_windows(kCmuCam2), CmuCamModel::kTwo);
+  rig.switch_off();
+  (void)rig.run(seconds(5));
+  for (int i = 0; i < 2'000; ++i) {
+    rig.wire.from_device("\x13\x9C\xF0~\r");
+    EXPECT_FALSE(rig.step());
+  }
+  EXPECT_EQ(rig.driver.link(), LinkState::kSilent) << "the wrong baud rate looks so";
+}
+
+}  // namespace
+}  // namespace fencepost::cmucam

@@ -1,0 +1,86 @@
+// The pump: scripted telegrams, and the emulated brick asleep, restarted, unplugged.
+#include "drivers/nxt/brick.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_packets.hpp"
+#include "tests/drivers/hex.hpp"
+#include "tests/drivers/nxt/emulated_usb.hpp"
+
+namespace fencepost::nxt {
+namespace {
+
+using sensor::LinkState;
+using test::bytes_of;
+using test::hex;
+
+TEST(NxtBrick, ExchangesTelegrams) {
+  const auto version = hex("02 88 00 7C 01 1D 01");
+  const auto alive = hex("02 0D 00 C0 27 09 00");
+  const std::array<fake::PacketStep, 3> script = {{{version, {}, 1}, {{}, base::Error::kBadInput, 1}, {alive, {}, 2}}};
+  fake::ScriptedPackets<8> link(script);
+  Brick<fake::ScriptedPackets<8>> brick(link);
+  for (int ms = 0; ms < 10; ++ms) brick.poll(base::Time{ms * 10});
+  EXPECT_EQ(brick.link(), LinkState::kOk);
+  ASSERT_EQ(link.sent().size(), 3U);
+  EXPECT_EQ(bytes_of(link.sent()[0]), hex("01 88"));
+  EXPECT_EQ(bytes_of(link.sent()[1]), hex("00 0D"));
+  EXPECT_EQ(bytes_of(link.sent()[2]), hex("00 0B"));
+}
+
+struct Bench {
+  fake::SteppedClock clock;
+  emulate::NxtBrick device{base::Time{}};
+  test::EmulatedUsb link{device, clock};
+  Brick<test::EmulatedUsb> brick{link};
+
+  void run(std::int64_t ms) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      clock.advance(base::milliseconds(1));
+      brick.poll(clock.now());
+    }
+  }
+};
+
+TEST(NxtBrick, LinkStates) {
+  Bench bench;
+  bench.run(2'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kSilent);
+  bench.run(2'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
+  bench.link.unplugged = true;
+  bench.run(5);
+  EXPECT_EQ(bench.brick.link(), LinkState::kAbsent);
+  bench.link.unplugged = false;
+  bench.run(1'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
+  bench.device.restart(bench.clock.now());
+  // The next keep-alive, at most 5 s on, finds out: 200 ms for it and three times for the version.
+  bench.run(2'990);
+  bench.device.restart(bench.clock.now());
+  bench.run(2'990);
+  EXPECT_EQ(bench.brick.link(), LinkState::kSilent);
+  bench.run(1'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
+}
+
+TEST(NxtBrick, StaysAwake) {
+  Bench bench;
+  bench.device.set_sleep_time(base::milliseconds(120'000));
+  bench.run(600'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
+  EXPECT_TRUE(bench.device.on(bench.clock.now()));
+}
+
+TEST(NxtBrick, SlowRepliesAreNotLost) {
+  Bench bench;
+  bench.run(4'000);
+  bench.link.delay = base::milliseconds(350);  // longer than we wait
+  bench.run(60'000);
+  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
+  EXPECT_GT(bench.brick.conversation().counters().timeouts, 5U);
+  EXPECT_EQ(bench.brick.conversation().counters().failed, 0U);
+}
+
+}  // namespace
+}  // namespace fencepost::nxt

@@ -1,0 +1,143 @@
+// I2C through the brick, and the NXTCam's driver on it, unchanged.
+#include "drivers/nxt/sensor_port.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/nxt/brick.hpp"
+#include "drivers/nxtcam/camera.hpp"
+#include "host/emulate/nxtcam.hpp"
+#include "tests/drivers/hex.hpp"
+#include "tests/drivers/nxt/emulated_usb.hpp"
+
+namespace fencepost::nxt {
+namespace {
+
+using base::Error;
+using sensor::LinkState;
+using test::hex;
+
+const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
+const sensor::Blob kBlue{5, 100, 100, 121, 131, {1105}, {1155}, 0, {}};
+
+struct Bench {
+  fake::SteppedClock clock;
+  emulate::NxtCam camera_device{base::Time{}};
+  emulate::NxtBrick device{base::Time{}};
+  test::EmulatedUsb link{device, clock};
+  Brick<test::EmulatedUsb> brick{link};
+  SensorPort port{brick.conversation(), 0};
+
+  void attach() { device.attach(0, &camera_device); }
+  void run(std::int64_t ms) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      clock.advance(base::milliseconds(1));
+      brick.poll(clock.now());
+    }
+  }
+  // The answer to a transfer, within 2 s.
+  base::Result<std::size_t> transfer(std::uint8_t address, const std::vector<std::uint8_t>& out, std::size_t expected,
+                                     std::span<std::uint8_t> in) {
+    const auto begun = port.begin(address, out, expected);
+    if (!begun) return begun;
+    for (int ms = 0; ms < 2'000; ++ms) {
+      run(1);
+      const auto got = port.finish(in);
+      if (got || got.error() != Error::kNotReady) return got;
+    }
+    return Error::kNotReady;
+  }
+};
+
+TEST(NxtSensorPort, ReadsRegisters) {
+  Bench bench;
+  bench.attach();
+  bench.run(4'000);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(bench.port.finish(in).error(), Error::kNotReady);
+  ASSERT_EQ(bench.transfer(0x01, hex("08"), 16, in).value(), 16U);
+  EXPECT_EQ(std::string(in.begin(), in.begin() + 14), "mndsnsrsNXTCam");
+  EXPECT_EQ(bench.transfer(0x01, hex("41 45"), 0, in).value(), 0U);
+  EXPECT_TRUE(bench.camera_device.tracking());
+}
+
+TEST(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
+  Bench bench;
+  bench.attach();
+  bench.run(4'000);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(bench.transfer(0x05, hex("08"), 8, in).error(), Error::kRefused);
+  EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
+  EXPECT_EQ(in[0], 'N');
+}
+
+TEST(NxtSensorPort, LimitsAndOverlap) {
+  Bench bench;
+  bench.attach();
+  bench.run(4'000);
+  const std::array<std::uint8_t, 16> sixteen{};
+  EXPECT_EQ(bench.port.begin(1, sixteen, 0).error(), Error::kFull);
+  EXPECT_EQ(bench.port.begin(1, {}, 17).error(), Error::kFull);
+  EXPECT_TRUE(bench.port.begin(1, hex("08"), 8));
+  EXPECT_EQ(bench.port.begin(1, hex("08"), 8).error(), Error::kFull);
+}
+
+TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
+  Bench bench;
+  bench.attach();
+  bench.run(4'000);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_TRUE(bench.port.begin(1, hex("08"), 8));
+  (void)bench.port.finish(in);
+  bench.link.unplugged = true;
+  bench.run(3);
+  EXPECT_EQ(bench.port.finish(in).error(), Error::kGone);
+  EXPECT_EQ(bench.port.begin(1, hex("08"), 8).error(), Error::kGone);
+  bench.link.unplugged = false;
+  bench.run(1'000);
+  EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
+}
+
+// After a restart the port is an ordinary one again: the first transfer says so, the next sets it up.
+TEST(NxtSensorPort, IsSetUpAgainAfterARestart) {
+  Bench bench;
+  bench.attach();
+  bench.run(4'000);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
+  bench.device.restart(bench.clock.now());
+  bench.run(10'000);
+  EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).error(), Error::kRefused);
+  EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
+}
+
+TEST(NxtSensorPort, RunsTheNxtCam) {
+  Bench bench;
+  bench.attach();
+  nxtcam::Camera<SensorPort> camera(bench.port);
+  std::vector<sensor::BlobFrame> frames;
+  const auto run = [&](int ms) {
+    for (int i = 0; i < ms; ++i) {
+      bench.run(1);
+      if (i % 33 == 0) bench.camera_device.show({kRed, kBlue});
+      if (const auto frame = camera.poll(bench.clock.now())) frames.push_back(*frame);
+    }
+  };
+  run(8'000);
+  EXPECT_EQ(camera.link(), LinkState::kOk);
+  ASSERT_FALSE(frames.empty());
+  ASSERT_EQ(frames.back().blobs.size(), 2U);
+  EXPECT_EQ(frames.back().blobs[0], kBlue);
+  EXPECT_EQ(frames.back().blobs[1], kRed);
+  frames.clear();
+  run(1'000);
+  EXPECT_GT(frames.size(), 15U);
+  bench.link.unplugged = true;
+  run(500);
+  EXPECT_EQ(camera.link(), LinkState::kAbsent);
+  bench.link.unplugged = false;
+  run(5'000);
+  EXPECT_EQ(camera.link(), LinkState::kOk);
+}
+
+}  // namespace
+}  // namespace fencepost::nxt

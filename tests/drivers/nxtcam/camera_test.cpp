@@ -1,0 +1,230 @@
+// The pump over I2C: scripted transfers, and the emulated camera.
+#include "drivers/nxtcam/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_i2c.hpp"
+#include "host/emulate/nxtcam.hpp"
+#include "tests/drivers/emulated_i2c.hpp"
+#include "tests/drivers/hex.hpp"
+
+namespace fencepost::nxtcam {
+namespace {
+
+using sensor::LinkState;
+using test::hex;
+using Bus = test::EmulatedI2c;
+
+static_assert(sensor::BlobCamera<Camera<Bus>>);
+
+const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
+const sensor::Blob kBlue{5, 100, 100, 121, 131, {1105}, {1155}, 0, {}};
+
+struct Bench {
+  explicit Bench(const Options& options = {}) : camera(bus, options) {}
+
+  fake::SteppedClock clock;
+  emulate::NxtCam device{base::Time{}};
+  Bus bus{device, clock};
+  Camera<Bus> camera;
+  std::vector<sensor::BlobFrame> frames;
+
+  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      clock.advance(base::milliseconds(1));
+      if (i % 33 == 0) device.show(blobs);
+      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
+    }
+  }
+};
+
+TEST(NxtCamera, StartsWithTheDocumentedTransfers) {
+  const auto version = hex("56 31 2E 32 30 00 00 00");
+  const auto product = hex("6D 6E 64 73 6E 73 72 73 4E 58 54 43 61 6D 00 00");
+  const auto map = hex("01 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
+  const auto two = hex("02 02 3C 28 50 46 05 64 64 78 83 00 00 00 00 00");
+  const fake::I2cStep ok{};
+  const std::array<fake::I2cStep, 11> script = {
+      {{version, {}, 0}, {product, {}, 0}, ok, ok, {map, {}, 0}, {map, {}, 0}, {map, {}, 0}, ok, ok, ok, {two, {}, 0}}};
+  fake::ScriptedI2c<16> bus(script);
+  Camera<fake::ScriptedI2c<16>> camera(bus);
+  std::optional<sensor::BlobFrame> seen;
+  for (int ms = 1; ms < 2'000 && !seen; ++ms) {
+    if (const auto frame = camera.poll(base::Time{ms * 10})) seen = *frame;
+  }
+  ASSERT_TRUE(seen);
+  ASSERT_EQ(seen->blobs.size(), 2U);
+  EXPECT_EQ(seen->blobs[0], kBlue);
+  EXPECT_EQ(seen->blobs[1], kRed);
+  EXPECT_EQ(camera.session().version().view(), "V1.20");
+  // D, G, A, B, E, each 200 ms apart.
+  EXPECT_GT(seen->t, base::Time{10'000});
+  std::string commands;
+  for (const fake::I2cTransfer& transfer : bus.transfers()) {
+    EXPECT_EQ(transfer.address, 0x01);
+    EXPECT_LE(transfer.expected, 16U);
+    if (transfer.out.size() == 2) {
+      EXPECT_EQ(transfer.out[0], 0x41);
+      commands += static_cast<char>(transfer.out[1]);
+    }
+  }
+  EXPECT_EQ(commands, "DGABE");
+  EXPECT_EQ(bus.transfers()[10].out[0], 0x42);
+  EXPECT_EQ(bus.transfers()[10].expected, 16U);
+}
+
+TEST(NxtCamera, EightObjectsInThreeReads) {
+  Bench bench;
+  std::vector<sensor::Blob> eight;
+  for (std::int16_t i = 0; i < 8; ++i) {
+    eight.push_back({static_cast<std::uint8_t>(i),
+                     static_cast<std::int16_t>(20 * i),
+                     10,
+                     static_cast<std::int16_t>(20 * i + 9),
+                     static_cast<std::int16_t>(20 + i),
+                     {},
+                     {},
+                     0,
+                     {}});
+  }
+  bench.run(4'000, eight);
+  ASSERT_FALSE(bench.frames.empty());
+  ASSERT_EQ(bench.frames.back().blobs.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const sensor::Blob& blob = bench.frames.back().blobs[i];
+    EXPECT_EQ(blob.signature, 7 - i);
+    EXPECT_EQ(blob.x1, eight[7 - i].x1);
+    EXPECT_EQ(blob.x2, eight[7 - i].x2);
+    EXPECT_EQ(blob.y2, eight[7 - i].y2);
+  }
+  EXPECT_EQ(bench.bus.longest_read(), 16U);
+}
+
+TEST(NxtCamera, OldObjectsBehindTheCountAreIgnored) {
+  Bench bench;
+  bench.run(3'000, {kRed, kBlue});
+  EXPECT_EQ(bench.frames.back().blobs.size(), 2U);
+  bench.run(200, {kRed});
+  ASSERT_EQ(bench.frames.back().blobs.size(), 1U);
+  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+}
+
+TEST(NxtCamera, ThirtyFramesASecond) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  const std::size_t before = bench.frames.size();
+  bench.run(3'300, {kRed});
+  EXPECT_NEAR(static_cast<double>(bench.frames.size() - before), 100, 3);
+}
+
+TEST(NxtCamera, LinkStates) {
+  Bench bench;
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.run(900, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.run(900, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  bench.run(2'000, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  bench.run(100, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  bench.bus.unplug();
+  bench.run(60, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  bench.bus.replug();
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, NothingTaughtIsUnreadyUntilTaught) {
+  Bench bench;
+  bench.device.teach(0);
+  bench.run(5'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_TRUE(bench.frames.empty());
+  bench.device.teach(0x24);
+  bench.run(4'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, TheMapIsNotAskedForIfSoTold) {
+  Bench bench({.check_colour_map = false});
+  bench.device.teach(0);
+  bench.run(4'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, AnotherSensorIsUnready) {
+  Bench bench;
+  bench.device.set_product("DIST-L");
+  bench.run(4'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_FALSE(bench.device.tracking());
+  bench.device.set_product("NXTCam");
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, ComesBackAfterAPowerCycle) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.device.restart(bench.clock.now());
+  bench.run(500, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.run(3'500, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+// Tracking is off after a reset that no transfer noticed: the camera seems to see nothing.
+TEST(NxtCamera, AnUnnoticedResetIsRepaired) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.device.restart(bench.clock.now() - emulate::NxtCam::kBoot);
+  bench.run(1'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  bench.run(5'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, AHungBusEndsTheWait) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.bus.stall();
+  bench.run(5'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.bus.resume();
+  bench.run(6'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(NxtCamera, LocksTheBufferIfSoTold) {
+  Bench bench({.lock_buffer = true});
+  bench.run(4'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+}
+
+TEST(NxtCamera, ImpossibleCountsAndObjectsRejectTheirFrame) {
+  Session session({.check_colour_map = false});
+  base::Time t{};
+  const auto answer = [&](const std::vector<std::uint8_t>& bytes) {
+    while (!session.due(t)) t = t + base::milliseconds(1);
+    session.take(bytes, t);
+  };
+  answer(hex("56 31 2E 32 30 00 00 00"));
+  answer(hex("6D 6E 64 73 6E 73 72 73 4E 58 54 43 61 6D 00 00"));
+  for (int i = 0; i < 4; ++i) answer({});
+  answer(hex("09 02 3C 28 50 46 05 64 64 78 82 00 00 00 00 00"));
+  EXPECT_EQ(session.counters().rejected, 1U);
+  answer(hex("02 02 3C 28 50 46 05 64 64 63 82 00 00 00 00 00"));
+  EXPECT_EQ(session.counters().rejected, 2U);
+  EXPECT_FALSE(session.take_frame());
+  answer(hex("01 02 3C 28 50 46 05 64 64 63 82 00 00 00 00 00"));
+  EXPECT_EQ(session.take_frame()->blobs.size(), 1U);
+  answer(hex("01 02"));  // short
+  EXPECT_EQ(session.counters().refused, 1U);
+  EXPECT_FALSE(session.take_frame());
+}
+
+}  // namespace
+}  // namespace fencepost::nxtcam

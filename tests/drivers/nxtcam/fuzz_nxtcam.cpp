@@ -1,0 +1,53 @@
+// libFuzzer's way in; a short run of it is an ordinary test.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "drivers/nxtcam/serial.hpp"
+#include "drivers/nxtcam/session.hpp"
+
+namespace {
+
+using fencepost::sensor::Blob;
+
+void check(const Blob& blob, std::int16_t width, std::int16_t height) {
+  if (blob.x1 < 0 || blob.x1 > blob.x2 || blob.x2 >= width || blob.y1 < 0 || blob.y1 > blob.y2 || blob.y2 >= height) {
+    std::abort();
+  }
+}
+
+}  // namespace
+
+// The same bytes as a serial stream of both kinds, and as answers to I2C reads.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace fencepost;
+  using namespace fencepost::nxtcam;
+  wire::Scanner<kLongestTracking, examine_avrcam> avrcam;
+  wire::Scanner<kLongestV5, examine_v5> v5;
+  for (std::size_t i = 0; i < size; ++i) {
+    avrcam.feed(data[i], {}, [](std::span<const std::uint8_t> message, base::Time) {
+      if (const auto frame = tracking_in(message)) {
+        for (const Blob& blob : frame->blobs) check(blob, kWidth, kHeight);
+      } else if (line_in(message).empty()) {
+        std::abort();
+      }
+    });
+    v5.feed(data[i], {}, [](std::span<const std::uint8_t> message, base::Time) {
+      if (const auto blob = v5_blob_in(message)) check(blob->blob, kV5Width, kV5Height);
+    });
+  }
+  Session session({.check_colour_map = false});
+  base::Time now{};
+  for (std::size_t at = 0; at < size;) {
+    now = now + base::milliseconds(40);
+    const auto transfer = session.due(now);
+    if (!transfer) continue;
+    const std::size_t count = std::min(transfer->expected, size - at);
+    session.take({data + at, count}, now);
+    at += count == 0 ? 1 : count;
+    if (const auto frame = session.take_frame()) {
+      for (const Blob& blob : frame->blobs) check(blob, kWidth, kHeight);
+    }
+  }
+  return 0;
+}

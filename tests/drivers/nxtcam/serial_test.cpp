@@ -1,0 +1,136 @@
+#include "drivers/nxtcam/serial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "tests/drivers/hex.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::nxtcam {
+namespace {
+
+using test::bytes_of;
+using test::hex;
+using Messages = std::vector<std::vector<std::uint8_t>>;
+
+const char* const kTwo = "0A 02 02 3C 28 50 46 05 64 64 78 82 FF";
+const char* const kV5 = "55 AA 07 04 11 00 02 64 3C 8C 5A A3";
+
+template <std::size_t Size, auto Examine>
+Messages heard(const std::vector<std::uint8_t>& bytes) {
+  wire::Scanner<Size, Examine> scanner;
+  Messages messages;
+  for (const std::uint8_t byte : bytes) {
+    scanner.feed(byte, {}, [&](auto message, base::Time) { messages.push_back(bytes_of(message)); });
+  }
+  return messages;
+}
+const auto avrcam = heard<kLongestTracking, examine_avrcam>;
+const auto v5 = heard<kLongestV5, examine_v5>;
+
+std::vector<std::uint8_t> joined(std::initializer_list<std::vector<std::uint8_t>> parts) {
+  std::vector<std::uint8_t> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+std::vector<std::uint8_t> text(const std::string& text) { return {text.begin(), text.end()}; }
+
+TEST(AvrCam, DocumentedPacket) {
+  const Messages messages = avrcam(hex(kTwo));
+  ASSERT_EQ(messages.size(), 1U);
+  const auto frame = tracking_in(messages[0]);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->blobs.size(), 2U);
+  const sensor::Blob fifth{5, 100, 100, 121, 130, {1105}, {1150}, 0, {}};
+  const sensor::Blob second{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
+  EXPECT_EQ(frame->blobs[1], fifth);
+  EXPECT_EQ(frame->blobs[0], second);
+  EXPECT_TRUE(tracking_in(hex("0A 00 FF"))->blobs.empty());
+}
+
+TEST(AvrCam, AnswersAreLines) {
+  const Messages messages = avrcam(joined({text("ACK\rAVRcam v1.4\r"), hex(kTwo), text("NCK\r")}));
+  ASSERT_EQ(messages.size(), 4U);
+  EXPECT_EQ(line_in(messages[0]), "ACK");
+  EXPECT_EQ(line_in(messages[1]), "AVRcam v1.4");
+  EXPECT_EQ(line_in(messages[2]), "");
+  EXPECT_EQ(line_in(messages[3]), "NCK");
+  EXPECT_FALSE(tracking_in(messages[0]));
+}
+
+// 0A and FF among the data are data.
+TEST(AvrCam, MarksInsideAreData) {
+  const Messages messages = avrcam(hex("0A 01 00 0A 0A 0C 0C FF 0A 00 FF"));
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(tracking_in(messages[0])->blobs[0].x1, 10);
+}
+
+TEST(AvrCam, CutAnywhereItFindsTheLastPackets) {
+  const auto two = hex(kTwo);
+  for (std::size_t cut = 0; cut < two.size(); ++cut) {
+    const std::vector<std::uint8_t> part(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(cut));
+    const Messages messages = avrcam(joined({part, two, two}));
+    ASSERT_GE(messages.size(), 2U) << cut;
+    EXPECT_EQ(messages.back(), two) << cut;
+    EXPECT_EQ(messages[messages.size() - 2], two) << cut;
+  }
+}
+
+TEST(AvrCam, GarbageIsSkipped) {
+  const Messages messages = avrcam(joined({hex("00 FF 80 0A 09 41 0A"), hex(kTwo)}));
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0], hex(kTwo));
+  EXPECT_TRUE(avrcam(std::vector<std::uint8_t>(500, 'x')).empty());
+  EXPECT_EQ(avrcam(joined({std::vector<std::uint8_t>(500, 'x'), hex(kTwo)})).size(), 1U);
+}
+
+TEST(AvrCam, AWrongEndLosesThatPacketOnly) {
+  auto bad = hex(kTwo);
+  bad.back() = 0xFE;
+  EXPECT_EQ(avrcam(joined({bad, hex(kTwo)})).size(), 1U);
+}
+
+// Frame 17, colour 2, (100,60) to (140,90), both past the last pixel.
+TEST(NxtCamV5, DocumentedBlob) {
+  const Messages messages = v5(hex(kV5));
+  ASSERT_EQ(messages.size(), 1U);
+  const auto blob = v5_blob_in(messages[0]);
+  ASSERT_TRUE(blob);
+  EXPECT_EQ(blob->frame, 17);
+  const sensor::Blob expected{2, 100, 60, 139, 89, {1195}, {745}, 0, {}};
+  EXPECT_EQ(blob->blob, expected);
+}
+
+TEST(NxtCamV5, EveryDamagedByteIsSeen) {
+  for (std::size_t at = 0; at < hex(kV5).size(); ++at) {
+    auto bad = hex(kV5);
+    bad[at] = static_cast<std::uint8_t>(bad[at] ^ 0x20U);
+    // The type's damage leaves a length of seven: seen when the checksum comes.
+    EXPECT_EQ(v5(joined({bad, hex(kV5)})).size(), 1U) << at;
+  }
+}
+
+TEST(NxtCamV5, OtherTypesPassAndImpossibleBoxesDoNot) {
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 01 01 05 06")));
+  EXPECT_EQ(v5(hex("55 AA 01 01 05 06")).size(), 1U);
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 8C 3C 64 5A 00")));
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F1 5A 00")));
+  EXPECT_TRUE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F0 A0 00")));
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F0 A1 00")));
+}
+
+TEST(NxtCamSerial, FuzzedShortly) {
+  std::mt19937 random(2);
+  const auto seed = joined({hex(kTwo), text("ACK\r"), hex(kV5), hex(kTwo)});
+  for (int i = 0; i < 3'000; ++i) {
+    auto bytes = seed;
+    for (int k = 0; k < 4; ++k) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), random() % bytes.size()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::nxtcam

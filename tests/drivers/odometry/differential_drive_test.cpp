@@ -1,0 +1,107 @@
+#include "drivers/odometry/differential_drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace fencepost::odometry {
+namespace {
+
+constexpr base::Time at_ms(std::int64_t ms) { return {ms * 10}; }
+
+/// 1 mm a count on both sides, 200 mm between the wheels, 16-bit counters.
+constexpr WheelBase kPlain{kPicometresPerMillimetre, kPicometresPerMillimetre, 200 * kPicometresPerMillimetre, 16,
+                           2'000};
+
+TEST(WheelBase, FiguresOfTheCreate2) {
+  // pi * 72 / 508.8 = 0.4445650... mm
+  EXPECT_NEAR(static_cast<double>(kCreate2Wheels.left_pm_per_count), std::numbers::pi * 72e9 / 508.8, 0.51);
+  EXPECT_EQ(kCreate2Wheels.right_pm_per_count / 100'000, 4'445);
+  EXPECT_EQ(kCreate2Wheels.track_pm, 235 * kPicometresPerMillimetre);
+  EXPECT_EQ(kCreate2Wheels.counter_bits, 16);
+  // Pololu Romi: 12 * 3952/33 counts, 70 mm: 0.1530 mm a count.
+  EXPECT_NEAR(static_cast<double>(per_count({70, 12.0 * 3952 / 33})), 0.1530e9, 0.0001e9);
+  EXPECT_LT(per_count({56, -360}), 0) << "an encoder mounted the other way round";
+}
+
+TEST(DifferentialDrive, StartsAtTheOriginWhateverTheCountsAre) {
+  DifferentialDrive drive(kPlain);
+  EXPECT_EQ(drive.take(0x219, 60'000, at_ms(5)), (sensor::OdometrySample{at_ms(5), {0}, {0}, {0}}));
+  EXPECT_EQ(drive.resets(), 0U);
+}
+
+TEST(DifferentialDrive, StraightAcrossTheWrap) {
+  DifferentialDrive drive(kPlain);
+  (void)drive.take(65'500, 10, at_ms(0));
+  // 100 counts are 100 mm: 1000 units of 0.1 mm.
+  EXPECT_EQ(drive.take(64, 110, at_ms(100)), (sensor::OdometrySample{at_ms(100), {1'000}, {0}, {0}}));
+}
+
+// Right wheel 20 mm more than the left on a track of 200 mm: 0.1 rad to the left. Chord of 110 mm by 0.1 rad:
+// 110 sin(0.05)/0.05 = 109.9542; along 0.05 rad: x = 109.8168, y = 5.4954.
+TEST(DifferentialDrive, AnArcToTheLeft) {
+  DifferentialDrive drive(kPlain);
+  (void)drive.take(0, 0, at_ms(0));
+  EXPECT_EQ(drive.take(100, 120, at_ms(100)), (sensor::OdometrySample{at_ms(100), {1'098}, {55}, {1'000}}));
+}
+
+TEST(DifferentialDrive, AWheelThatCountsDownGoesForward) {
+  WheelBase wheels = kPlain;
+  wheels.left_pm_per_count = -wheels.left_pm_per_count;
+  DifferentialDrive drive(wheels);
+  (void)drive.take(0, 0, at_ms(0));
+  EXPECT_EQ(drive.take(0xFFFF - 99, 100, at_ms(100)).x.raw, 1'000);
+}
+
+TEST(DifferentialDrive, AResetOfOneEncoderIsNoTurn) {
+  DifferentialDrive drive(kPlain);
+  (void)drive.take(20'000, 20'000, at_ms(0));
+  (void)drive.take(20'010, 20'010, at_ms(20));
+  EXPECT_EQ(drive.take(0, 20'020, at_ms(40)), (sensor::OdometrySample{at_ms(40), {100}, {0}, {0}}));
+  EXPECT_EQ(drive.resets(), 1U);
+  EXPECT_EQ(drive.take(10, 20'030, at_ms(60)), (sensor::OdometrySample{at_ms(60), {200}, {0}, {0}}));
+}
+
+TEST(DifferentialDrive, ARebootThatIsKnownOfCostsItsMotionOnly) {
+  DifferentialDrive drive(kPlain);
+  (void)drive.take(100, 100, at_ms(0));
+  (void)drive.take(150, 150, at_ms(100));
+  drive.forget_counts();
+  EXPECT_EQ(drive.take(0, 0, at_ms(200)).x.raw, 500) << "150 back to 0 would pass for a motion";
+  EXPECT_EQ(drive.take(50, 50, at_ms(300)).x.raw, 1'000);
+  EXPECT_EQ(drive.resets(), 0U);
+}
+
+TEST(DifferentialDrive, ASilenceIsBridgedByOneArc) {
+  DifferentialDrive often(kPlain);
+  DifferentialDrive seldom(kPlain);
+  (void)often.take(0, 0, at_ms(0));
+  (void)seldom.take(0, 0, at_ms(0));
+  sensor::OdometrySample last;
+  for (std::uint32_t i = 1; i <= 100; ++i) last = often.take(10 * i, 11 * i, at_ms(20 * static_cast<int>(i)));
+  const sensor::OdometrySample once = seldom.take(1'000, 1'100, at_ms(2'000));
+  EXPECT_NEAR(once.x.raw, last.x.raw, 1);
+  EXPECT_NEAR(once.y.raw, last.y.raw, 1);
+  EXPECT_EQ(once.heading, last.heading);
+}
+
+// A million little turns left and right: the heading is a function of the counts, so it is exactly as it was.
+TEST(DifferentialDrive, TheHeadingDoesNotDrift) {
+  DifferentialDrive drive(kCreate2Wheels);
+  std::uint32_t left = 0;
+  std::uint32_t right = 0;
+  sensor::OdometrySample end;
+  for (int i = 0; i <= 1'000'000; ++i) {
+    end = drive.take(left, right, at_ms(15 * (i + 1)));
+    left += static_cast<std::uint32_t>(i % 7);
+    right += static_cast<std::uint32_t>((i + 3) % 7);
+  }
+  const std::int64_t difference = static_cast<std::int64_t>(right) - left;
+  const std::int64_t last_turn = (1'000'000 + 3) % 7 - 1'000'000 % 7;
+  const double expected = static_cast<double>(difference - last_turn) * std::numbers::pi * 72 / 508.8 / 235;
+  EXPECT_NEAR(end.heading.to_double(), std::remainder(expected, 2 * std::numbers::pi), 6e-5);
+}
+
+}  // namespace
+}  // namespace fencepost::odometry

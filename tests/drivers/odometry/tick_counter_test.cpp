@@ -1,0 +1,79 @@
+#include "drivers/odometry/tick_counter.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::odometry {
+namespace {
+
+constexpr base::Time at_ms(std::int64_t ms) { return {ms * 10}; }
+
+TEST(TickCounter, CountsFromItsFirstReading) {
+  TickCounter counter(32, 1'000);
+  EXPECT_EQ(counter.step(500, at_ms(0)), std::nullopt);
+  EXPECT_EQ(counter.step(507, at_ms(20)), 7);
+  EXPECT_EQ(counter.step(502, at_ms(40)), -5);
+  EXPECT_EQ(counter.step(502, at_ms(60)), 0);
+}
+
+TEST(TickCounter, WrapsAtItsWidthEitherWay) {
+  struct Row {
+    int bits;
+    std::uint32_t before, after;
+    std::int32_t counts;
+  };
+  constexpr Row kRows[] = {
+      {16, 65'530, 4, 10},
+      {16, 4, 65'530, -10},
+      {16, 32'760, 32'775, 15},
+      {24, 0xFF'FFFF, 1, 2},
+      {24, 1, 0xFF'FFFF, -2},
+      {32, 0xFFFF'FFFE, 3, 5},
+      {32, 3, 0xFFFF'FFFE, -5},
+      {8, 250, 5, 11},
+      // A device that sends 16 bits sign-extended: the upper half does not matter.
+      {16, 0x0000'7FFF, 0xFFFF'8001, 2},
+  };
+  for (const Row& row : kRows) {
+    TickCounter counter(row.bits, 200);
+    EXPECT_FALSE(counter.step(row.before, at_ms(0)));
+    EXPECT_EQ(counter.step(row.after, at_ms(20)), row.counts) << row.bits << " bits from " << row.before;
+  }
+}
+
+TEST(TickCounter, TakesAnImpossibleStepAsAReset) {
+  TickCounter counter(32, 1'000);  // 120 ms at 1000 a second, plus one: 121
+  EXPECT_FALSE(counter.step(100'000, at_ms(0)));
+  EXPECT_EQ(counter.step(100'121, at_ms(20)), 121);
+  EXPECT_EQ(counter.step(100'243, at_ms(40)), std::nullopt) << "122 in 20 ms";
+  EXPECT_EQ(counter.step(100'250, at_ms(60)), 7) << "goes on from the reading that was refused";
+  EXPECT_EQ(counter.step(0, at_ms(80)), std::nullopt) << "the device was switched off and on";
+  EXPECT_EQ(counter.step(3, at_ms(100)), 3);
+}
+
+TEST(TickCounter, ALongerWaitAllowsMoreUntilTheWrapIsAmbiguous) {
+  TickCounter counter(16, 1'000);  // half the range is reached after 32.8 s
+  EXPECT_FALSE(counter.step(0, at_ms(0)));
+  EXPECT_EQ(counter.step(20'000, at_ms(30'000)), 20'000);
+  EXPECT_EQ(counter.step(20'000, at_ms(62'000)), 0);
+  EXPECT_EQ(counter.step(20'001, at_ms(95'000)), std::nullopt) << "33 s";
+}
+
+TEST(TickCounter, TimeThatStandsStillOrRunsBackTellsNothing) {
+  TickCounter counter(32, 1'000);
+  EXPECT_FALSE(counter.step(0, at_ms(20)));
+  EXPECT_FALSE(counter.step(1, at_ms(20)));
+  EXPECT_FALSE(counter.step(2, at_ms(10)));
+  EXPECT_EQ(counter.step(3, at_ms(30)), 1);
+  EXPECT_FALSE(counter.step(4, base::Time{INT64_MAX / 2})) << "and no overflow";
+}
+
+TEST(TickCounter, ForgetsWhenTold) {
+  TickCounter counter(32, 1'000);
+  EXPECT_FALSE(counter.step(10, at_ms(0)));
+  counter.forget();
+  EXPECT_FALSE(counter.step(11, at_ms(20)));
+  EXPECT_EQ(counter.step(12, at_ms(40)), 1);
+}
+
+}  // namespace
+}  // namespace fencepost::odometry

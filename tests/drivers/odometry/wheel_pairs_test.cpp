@@ -1,0 +1,55 @@
+#include "drivers/odometry/wheel_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::odometry {
+namespace {
+
+// 1 mm a count, 100 mm apart, 16 bits.
+constexpr WheelBase kWheels = {1'000'000'000, 1'000'000'000, 100'000'000'000, 16};
+
+base::Time at(std::int64_t ms) { return base::Time{ms * 10}; }
+
+TEST(WheelPairs, LeftIsInterpolatedAtTheTimeOfRight) {
+  WheelPairs pairs(kWheels);
+  EXPECT_FALSE(pairs.take_left(0, at(0)));
+  pairs.take_right(100, at(15));
+  EXPECT_TRUE(pairs.take_left(20, at(20)));  // the start: left 15, right 100
+  pairs.take_right(120, at(35));
+  const auto sample = pairs.take_left(40, at(40));  // left 35
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->t, at(35));
+  EXPECT_EQ(sample->x.raw, 200);
+  EXPECT_EQ(sample->heading.raw, 0);
+}
+
+TEST(WheelPairs, OverTheWrap) {
+  WheelPairs pairs(kWheels);
+  (void)pairs.take_left(65'530, at(0));
+  pairs.take_right(65'535, at(5));
+  (void)pairs.take_left(4, at(10));
+  pairs.take_right(9, at(15));
+  const auto sample = pairs.take_left(14, at(20));
+  EXPECT_EQ(sample->x.raw, 100);
+  EXPECT_EQ(sample->heading.raw, 0);
+}
+
+TEST(WheelPairs, SilenceMakesNoPair) {
+  WheelPairs pairs(kWheels);
+  (void)pairs.take_left(0, at(0));
+  EXPECT_FALSE(pairs.take_left(5, at(10)));  // no right one between
+  pairs.take_right(5, at(15));
+  EXPECT_FALSE(pairs.take_left(5, at(511)));
+  pairs.take_right(5, at(512));
+  pairs.forget();
+  EXPECT_FALSE(pairs.take_left(5, at(520)));
+}
+
+TEST(WheelPairs, BothAtOnce) {
+  WheelPairs pairs(kWheels);
+  (void)pairs.take_both(0, 0, at(0));
+  EXPECT_EQ(pairs.take_both(10, 10, at(100)).x.raw, 100);
+}
+
+}  // namespace
+}  // namespace fencepost::odometry

@@ -1,0 +1,219 @@
+// The pump, against scripted bytes and against the emulated camera.
+#include "drivers/pixy2/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_link.hpp"
+#include "hal/fake/stepped_clock.hpp"
+#include "host/emulate/pixy2.hpp"
+#include "tests/drivers/emulated_link.hpp"
+#include "tests/drivers/hex.hpp"
+
+namespace fencepost::pixy2 {
+namespace {
+
+using sensor::LinkState;
+using test::bytes_of;
+using test::hex;
+using Link = test::EmulatedLink<emulate::Pixy2>;
+
+static_assert(sensor::BlobCamera<Camera<Link>>);
+
+const sensor::Blob kRed{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
+const sensor::Blob kSmall{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
+
+struct Bench {
+  fake::SteppedClock clock;
+  emulate::Pixy2 device{base::Time{}};
+  Link link{device, clock};
+  Camera<Link> camera{link};
+  std::vector<sensor::BlobFrame> frames;
+
+  // A turn each millisecond, a new frame each sixteenth.
+  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      clock.advance(base::milliseconds(1));
+      if (i % 16 == 0) device.show(blobs);
+      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
+    }
+  }
+};
+
+TEST(Pixy2Camera, GreetsAndAsksInOrder) {
+  const auto version = hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00");
+  const auto runs = hex("AF C1 01 04 01 00 01 00 00 00");
+  const auto resolution = hex("AF C1 0D 04 0D 01 3C 01 D0 00");
+  const auto block = hex("AF C1 21 0E 6D 01 01 00 9E 00 68 00 28 00 1E 00 00 00 07 19");
+  const base::Error none = base::Error::kNotReady;
+  const std::array<fake::LinkStep, 8> script = {
+      {{{}, none}, {version, {}}, {{}, none}, {runs, {}}, {{}, none}, {resolution, {}}, {{}, none}, {block, {}}}};
+  fake::ScriptedLink<128> link(script);
+  Camera<fake::ScriptedLink<128>> camera(link, {.signatures = 0xFF});
+  std::optional<sensor::BlobFrame> seen;
+  for (int ms = 1; ms <= 10 && !seen; ++ms) {
+    if (const auto frame = camera.poll(base::Time{ms * 10})) seen = *frame;
+  }
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->blobs.size(), 1U);
+  EXPECT_EQ(seen->blobs[0], kRed);
+  EXPECT_EQ(camera.session().version()->build, 20);
+  std::vector<std::uint8_t> expected = hex("AF C1 0E 00 00 00");
+  for (const auto& part : {bytes_of(request_program()), hex("AF C1 0C 01 00 00 00"), hex("AF C1 20 02 FE 01 FF FF")}) {
+    expected.insert(expected.end(), part.begin(), part.end());
+  }
+  EXPECT_EQ(bytes_of(link.written()), expected);
+}
+
+TEST(Pixy2Camera, StartsUpWithTheCamera) {
+  Bench bench;
+  bench.run(400, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.run(700, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);  // busy: starting
+  bench.run(1'000, {kRed, kSmall});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  ASSERT_FALSE(bench.frames.empty());
+  EXPECT_EQ(bench.frames.back().blobs.size(), 2U);
+  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+}
+
+TEST(Pixy2Camera, TakesEveryFrameOnceInOrder) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  const std::size_t before = bench.frames.size();
+  bench.run(1'600, {kRed});
+  EXPECT_EQ(bench.frames.size() - before, 100U);
+  for (std::size_t i = 1; i < bench.frames.size(); ++i) {
+    EXPECT_GT(bench.frames[i].t, bench.frames[i - 1].t);
+    EXPECT_EQ(bench.frames[i].frame, bench.frames[i - 1].frame + 1);
+  }
+}
+
+TEST(Pixy2Camera, SeeingNothingIsEmpty) {
+  Bench bench;
+  bench.run(3'000, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  EXPECT_FALSE(bench.frames.empty());
+  bench.run(100, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(Pixy2Camera, FirstByteStampsTheFrame) {
+  Bench bench;
+  bench.link.set_bytes_per_ms(2);
+  bench.run(3'000, {kRed, kSmall});
+  ASSERT_FALSE(bench.frames.empty());
+  bench.frames.clear();
+  while (bench.frames.empty()) bench.run(1, {kRed, kSmall});
+  // 34 bytes at two a millisecond: the last comes 16 ms after the first.
+  EXPECT_EQ((bench.clock.now() - bench.frames[0].t), base::milliseconds(16));
+}
+
+TEST(Pixy2Camera, AnotherProgramIsChanged) {
+  Bench bench;
+  bench.device.set_default_program("line_tracking");
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(Pixy2Camera, AnotherProgramLeftAloneIsUnready) {
+  Bench bench;
+  bench.device.set_default_program("line_tracking");
+  Camera<Link> camera(bench.link, {.select_program = false});
+  for (int ms = 0; ms < 3'000; ++ms) {
+    bench.clock.advance(base::milliseconds(1));
+    (void)camera.poll(bench.clock.now());
+  }
+  EXPECT_EQ(camera.link(), LinkState::kUnready);
+  EXPECT_GT(camera.session().counters().restarts, 0U);
+}
+
+TEST(Pixy2Camera, NoSignatureAskedForIsUnready) {
+  Bench bench;
+  Camera<Link> camera(bench.link, {.signatures = 0});
+  for (int ms = 0; ms < 3'000; ++ms) {
+    bench.clock.advance(base::milliseconds(1));
+    EXPECT_FALSE(camera.poll(bench.clock.now()));
+  }
+  EXPECT_EQ(camera.link(), LinkState::kUnready);
+}
+
+TEST(Pixy2Camera, TheButtonIsUnreadyUntilLetGo) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.device.hold_button(true);
+  bench.run(300, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  bench.device.hold_button(false);
+  bench.run(300, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(Pixy2Camera, AFrozenSensorIsUnready) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  for (int ms = 0; ms < 1'200; ++ms) {
+    bench.clock.advance(base::milliseconds(1));
+    (void)bench.camera.poll(bench.clock.now());
+  }
+  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+}
+
+TEST(Pixy2Camera, ComesBackAfterAPowerCycle) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.device.restart(bench.clock.now());
+  bench.run(450, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.run(1'600, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(Pixy2Camera, UnpluggedIsAbsentAndReplugged) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.link.unplug();
+  bench.run(10, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  bench.run(5'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  bench.link.replug();
+  bench.run(600, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(Pixy2Camera, APortWithoutACameraIsSilent) {
+  Bench bench;
+  bench.device.restart(base::Time{1'000'000'000});
+  bench.link.unplug();
+  bench.run(100, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  bench.link.replug();
+  bench.run(1'000, {});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+}
+
+TEST(Pixy2Camera, CountsWhatSixteenCannotHold) {
+  Bench bench;
+  std::vector<sensor::Blob> many;
+  for (std::int16_t i = 0; i < 18; ++i)
+    many.push_back({1, i, 10, static_cast<std::int16_t>(i + 5 + i), 20, {}, {}, 0, {}});
+  bench.run(3'000, many);
+  ASSERT_FALSE(bench.frames.empty());
+  EXPECT_EQ(bench.frames.back().blobs.size(), 16U);
+  EXPECT_EQ(bench.camera.dropped(), 2U * bench.frames.size());
+}
+
+TEST(Pixy2Camera, AStalledLineEndsTheWait) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.link.stall();
+  bench.run(400, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  bench.link.resume();
+  bench.run(800, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+}  // namespace
+}  // namespace fencepost::pixy2

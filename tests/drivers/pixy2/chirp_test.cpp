@@ -1,0 +1,131 @@
+// USB: the documented messages, and the camera's driver over them.
+#include "drivers/pixy2/chirp.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/pixy2/camera.hpp"
+#include "drivers/pixy2/chirp_link.hpp"
+#include "host/emulate/pixy2_usb.hpp"
+#include "tests/drivers/emulated_link.hpp"
+#include "tests/drivers/hex.hpp"
+
+namespace fencepost::pixy2 {
+namespace {
+
+using sensor::LinkState;
+using test::bytes_of;
+using test::hex;
+
+std::vector<std::uint8_t> padded(std::vector<std::uint8_t> bytes) {
+  bytes.resize(64, 0);
+  return bytes;
+}
+
+TEST(Chirp, DocumentedMessages) {
+  EXPECT_EQ(bytes_of(chirp::initialise()), padded(hex("55 55 AA AA A1 00 00 00 06 00 00 00 02 02 40 00 01 01")));
+  EXPECT_EQ(bytes_of(chirp::enumerate("run")),
+            padded(hex("55 55 AA AA A0 00 00 00 08 00 00 00 A1 72 75 6E 00 02 FF FF")));
+}
+
+// By the rules of alignment: the type at 12, the array's count at 16.
+TEST(Chirp, CallsCarryTypeAndData) {
+  EXPECT_EQ(bytes_of(chirp::call(5, 0x20, hex("FF FF"))),
+            padded(hex("55 55 AA AA 80 00 05 00 0A 00 00 00 01 20 81 81 02 00 00 00 FF FF")));
+}
+
+TEST(Chirp, RepliesAreRead) {
+  const auto init = chirp::message_in(hex("55 55 AA AA 61 00 00 00 06 00 00 00 00 00 00 00 01 01"));
+  ASSERT_TRUE(init);
+  EXPECT_EQ(init->type, chirp::Type::kInitialised);
+  EXPECT_EQ(init->result, 0);
+  const auto index = chirp::message_in(hex("55 55 AA AA 60 00 00 00 04 00 00 00 05 00 00 00"));
+  EXPECT_EQ(index->result, 5);
+  const auto bytes = hex("55 55 AA AA 40 00 FF FF 0D 00 00 00 00 00 00 00 01 03 81 81 01 00 00 00 FE");
+  const auto packet = chirp::packet_in(*chirp::message_in(bytes));
+  ASSERT_TRUE(packet);
+  EXPECT_EQ(packet->type, 0x03);
+  EXPECT_EQ(bytes_of(packet->data), hex("FE"));
+}
+
+TEST(Chirp, OtherMessagesAreNone) {
+  EXPECT_FALSE(chirp::message_in(hex("55 55 AA AA 18 00 00 00 04 00 00 00 05 00 00 00")));
+  EXPECT_FALSE(chirp::message_in(hex("55 55 AA AA 40 00 FF FF 00 00 00 00")));
+  const auto plain = hex("55 55 AA AA 40 00 FF FF 04 00 00 00 00 00 00 00");
+  EXPECT_FALSE(chirp::packet_in(*chirp::message_in(plain)));
+  const auto cut = hex("55 55 AA AA 40 00 FF FF 0C 00 00 00 00 00 00 00 01 03 81 81 01 00 00 00");
+  EXPECT_FALSE(chirp::packet_in(*chirp::message_in(cut)));
+}
+
+struct Bench {
+  fake::SteppedClock clock;
+  emulate::Pixy2 device{base::Time{}};
+  emulate::Pixy2Usb usb{device};
+  test::EmulatedLink<emulate::Pixy2Usb> pipe{usb, clock};
+  ChirpLink<test::EmulatedLink<emulate::Pixy2Usb>> link{pipe};
+  Camera<ChirpLink<test::EmulatedLink<emulate::Pixy2Usb>>> camera{link};
+  std::vector<sensor::BlobFrame> frames;
+
+  Bench() { pipe.set_bytes_per_ms(1'000); }
+  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      clock.advance(base::milliseconds(1));
+      if (i % 16 == 0) device.show(blobs);
+      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
+    }
+  }
+};
+
+const sensor::Blob kRed{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
+
+TEST(ChirpLink, RunsTheCamera) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.camera.session().version()->build, 20);
+  ASSERT_FALSE(bench.frames.empty());
+  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+  const std::size_t before = bench.frames.size();
+  bench.run(1'600, {kRed});
+  EXPECT_EQ(bench.frames.size() - before, 100U);
+}
+
+TEST(ChirpLink, SixteenBlocksInTwoTransfers) {
+  Bench bench;
+  std::vector<sensor::Blob> many;
+  for (std::int16_t i = 0; i < 18; ++i) {
+    many.push_back({2, 0, 0, static_cast<std::int16_t>(100 - i), 9, {}, {}, 0, {}});
+  }
+  bench.run(3'000, many);
+  ASSERT_FALSE(bench.frames.empty());
+  ASSERT_EQ(bench.frames.back().blobs.size(), 16U);
+  EXPECT_EQ(bench.frames.back().blobs[15].x2, 85);
+}
+
+TEST(ChirpLink, PushedMessagesPass) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.frames.clear();
+  for (int i = 0; i < 20; ++i) {
+    bench.pipe.inject(emulate::Pixy2Usb::pushed(i % 2 == 0 ? 30 : 5'000));
+    bench.run(100, {kRed});
+  }
+  EXPECT_GT(bench.frames.size(), 80U);
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+TEST(ChirpLink, OpensAnewAfterAPowerCycleAndAnUnplug) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.usb.restart(bench.clock.now());
+  bench.run(4'500, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  bench.pipe.unplug();
+  bench.run(10, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  bench.pipe.replug();
+  bench.run(2'000, {kRed});
+  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+}
+
+}  // namespace
+}  // namespace fencepost::pixy2

@@ -1,0 +1,232 @@
+// The packets of the protocol's description, byte by byte.
+#include "drivers/pixy2/protocol.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/drivers/hex.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::pixy2 {
+namespace {
+
+using test::bytes_of;
+using test::hex;
+
+const char* const kVersionReply = "AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00";
+const char* const kOneBlock = "AF C1 21 0E 6D 01 01 00 9E 00 68 00 28 00 1E 00 00 00 07 19";
+const char* const kTwoBlocks =
+    "AF C1 21 1C FA 02 01 00 9E 00 68 00 28 00 1E 00 00 00 07 19 02 00 32 00 3C 00 0C 00 0A 00 00 00 08 FF";
+const char* const kColourCode = "AF C1 21 0E 4B 03 0A 00 C8 00 50 00 3C 00 14 00 D3 FF 03 04";
+const char* const kNoBlocks = "AF C1 21 00 00 00";
+
+struct Heard {
+  std::vector<std::vector<std::uint8_t>> messages;
+  std::vector<base::Time> times;
+  std::uint32_t damaged = 0;
+};
+
+// One byte a tick, from tick 0 on.
+Heard hear(const std::vector<std::uint8_t>& bytes) {
+  wire::Scanner<kLongestPacket, examine> scanner;
+  Heard heard;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    scanner.feed(bytes[i], base::Time{static_cast<std::int64_t>(i)}, [&](auto message, base::Time t) {
+      heard.messages.push_back(bytes_of(message));
+      heard.times.push_back(t);
+    });
+  }
+  heard.damaged = scanner.damaged();
+  return heard;
+}
+
+std::vector<std::uint8_t> joined(std::initializer_list<std::vector<std::uint8_t>> parts) {
+  std::vector<std::uint8_t> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+TEST(Pixy2Packets, RequestsAreTheDocumentedBytes) {
+  EXPECT_EQ(bytes_of(request_version()), hex("AF C1 0E 00 00 00"));
+  EXPECT_EQ(bytes_of(request_blocks(0xFF)), hex("AF C1 20 02 FE 01 FF FF"));
+  EXPECT_EQ(bytes_of(request_resolution()), hex("AF C1 0C 01 00 00 00"));
+  EXPECT_EQ(bytes_of(make_request(Type::kGetBlocks, std::array<std::uint8_t, 2>{1, 8})),
+            hex("AF C1 20 02 09 00 01 08"));
+}
+
+TEST(Pixy2Packets, ProgramNameIsPaddedToThirtyThree) {
+  const auto bytes = bytes_of(request_program());
+  ASSERT_EQ(bytes.size(), 39U);
+  EXPECT_EQ(bytes[2], 0x02);
+  EXPECT_EQ(bytes[3], 33);
+  EXPECT_EQ(std::string(bytes.begin() + 6, bytes.begin() + 32), "color_connected_components");
+  EXPECT_EQ(bytes[32], 0);
+  EXPECT_EQ(bytes[38], 0);
+}
+
+TEST(Pixy2Packets, EveryDocumentedReplyIsRead) {
+  const auto version = version_in(packet_of(hex(kVersionReply)));
+  ASSERT_TRUE(version);
+  EXPECT_EQ(*version, (Version{0x2200, 3, 0, 20, "general"}));
+  EXPECT_EQ(resolution_in(packet_of(hex("AF C1 0D 04 0D 01 3C 01 D0 00"))), (Resolution{316, 208}));
+  EXPECT_EQ(error_in(packet_of(hex("AF C1 03 01 FE 00 FE"))), DeviceError::kBusy);
+  EXPECT_EQ(error_in(packet_of(hex("AF C1 03 01 FD 00 FD"))), DeviceError::kInvalidRequest);
+  EXPECT_EQ(error_in(packet_of(hex("AF C1 03 01 FC 00 FC"))), DeviceError::kUnsupported);
+  EXPECT_EQ(result_in(packet_of(hex("AF C1 01 04 00 00 00 00 00 00"))), 0);
+  EXPECT_EQ(result_in(packet_of(hex("AF C1 01 04 FC 03 FF FF FF FF"))), -1);
+}
+
+TEST(Pixy2Packets, RepliesOfAnotherTypeOrLengthAreNothing) {
+  EXPECT_FALSE(version_in(packet_of(hex(kNoBlocks))));
+  EXPECT_FALSE(version_in(packet_of(hex("AF C1 0F 01 17 00 17"))));
+  EXPECT_FALSE(resolution_in(packet_of(hex("AF C1 0D 02 3D 00 3C 01"))));
+  EXPECT_FALSE(result_in(packet_of(hex("AF C1 01 01 00 00 00"))));
+  EXPECT_FALSE(error_in(packet_of(hex("AF C1 03 00 00 00"))));
+  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 01 07 00 07"))));
+}
+
+// Centre 158, width 40: columns 138 up to and without 178. Centre 104, height 30: rows 89 to 119.
+TEST(Pixy2Packets, BlocksBecomeInclusiveBoxes) {
+  const auto blocks = blocks_in(packet_of(hex(kTwoBlocks)));
+  ASSERT_TRUE(blocks);
+  ASSERT_EQ(blocks->frame.blobs.size(), 2U);
+  const sensor::Blob first{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
+  const sensor::Blob second{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
+  EXPECT_EQ(blocks->frame.blobs[0], first);
+  EXPECT_EQ(blocks->frame.blobs[1], second);
+  EXPECT_EQ(blocks->dropped, 0U);
+  EXPECT_TRUE(blocks_in(packet_of(hex(kNoBlocks)))->frame.blobs.empty());
+}
+
+// Odd sizes: edges 10 and 15, centre (10+15)>>1 = 12, width 5.
+TEST(Pixy2Packets, OddSizesAreExact) {
+  const auto blocks = blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 0C 00 0C 00 05 00 05 00 00 00 00 00")));
+  ASSERT_TRUE(blocks);
+  EXPECT_EQ(blocks->frame.blobs[0].x1, 10);
+  EXPECT_EQ(blocks->frame.blobs[0].x2, 14);
+  EXPECT_EQ(blocks->frame.blobs[0].y1, 10);
+  EXPECT_EQ(blocks->frame.blobs[0].y2, 15);
+  EXPECT_EQ(blocks->frame.blobs[0].cx.raw, 120);
+  EXPECT_EQ(blocks->frame.blobs[0].cy.raw, 125);
+}
+
+TEST(Pixy2Packets, ColourCodesKeepTheirOctalNumber) {
+  const auto blocks = blocks_in(packet_of(hex(kColourCode)));
+  ASSERT_TRUE(blocks);
+  EXPECT_EQ(blocks->frame.blobs[0].signature, 012);
+  const auto large = blocks_in(packet_of(hex("AF C1 21 0E 00 00 00 01 C8 00 50 00 3C 00 14 00 D3 FF 03 04")));
+  ASSERT_TRUE(large);
+  EXPECT_TRUE(large->frame.blobs.empty());
+  EXPECT_EQ(large->dropped, 1U);
+}
+
+TEST(Pixy2Packets, BoxesOutsideOfTheImageRejectTheirPacket) {
+  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 0A 00 50 00 16 00 14 00 00 00 00 00"))));  // x1 = -1
+  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 3B 01 50 00 04 00 14 00 00 00 00 00"))));  // x2 = 316
+  EXPECT_TRUE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 3A 01 50 00 04 00 14 00 00 00 00 00"))));   // x2 = 315
+  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 9E 00 CE 00 28 00 04 00 00 00 00 00"))));  // y2 = 208
+  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 9E 00 50 00 00 00 14 00 00 00 00 00"))));  // no width
+  EXPECT_FALSE(
+      blocks_in(packet_of(hex("AF C1 21 0E 00 00 00 00 9E 00 68 00 28 00 1E 00 00 00 07 19"))));  // no signature
+}
+
+TEST(Pixy2Packets, EighteenBlocksAreSixteenLargestAndTwoDropped) {
+  std::vector<std::uint8_t> packet = hex("AF C1 21 FC 00 00");
+  for (int i = 1; i <= 18; ++i) {
+    for (const int word : {1, 100, 100, 2 * i, 4, 0, 0}) {
+      packet.push_back(static_cast<std::uint8_t>(word));
+      packet.push_back(0);
+    }
+  }
+  const auto blocks = blocks_in(packet_of(packet));
+  ASSERT_TRUE(blocks);
+  ASSERT_EQ(blocks->frame.blobs.size(), 16U);
+  EXPECT_EQ(blocks->dropped, 2U);
+  EXPECT_EQ(blocks->frame.blobs[0].x2 - blocks->frame.blobs[0].x1 + 1, 36);
+  EXPECT_EQ(blocks->frame.blobs[15].x2 - blocks->frame.blobs[15].x1 + 1, 6);
+}
+
+TEST(Pixy2Scanner, GivesEachPacketAndWhenItBegan) {
+  const auto one = hex(kOneBlock);
+  const Heard heard = hear(joined({hex(kVersionReply), one, hex(kNoBlocks)}));
+  ASSERT_EQ(heard.messages.size(), 3U);
+  EXPECT_EQ(heard.messages[1], one);
+  EXPECT_EQ(heard.times[0], base::Time{0});
+  EXPECT_EQ(heard.times[1], base::Time{22});
+  EXPECT_EQ(heard.times[2], base::Time{42});
+}
+
+TEST(Pixy2Scanner, SkipsGarbageFillerAndADoubledSync) {
+  const Heard heard = hear(joined({hex("01 01 00 AF 01 C1 55 AE C1 AF"), hex(kOneBlock)}));
+  ASSERT_EQ(heard.messages.size(), 1U);
+  EXPECT_EQ(heard.messages[0], hex(kOneBlock));
+  EXPECT_EQ(heard.times[0], base::Time{10});
+}
+
+// A packet cut at every byte, and whole ones after it: all of those are found, none is made up.
+TEST(Pixy2Scanner, CutAnywhereItFindsTheNext) {
+  const auto two = hex(kTwoBlocks);
+  for (std::size_t cut = 0; cut < two.size(); ++cut) {
+    const std::vector<std::uint8_t> part(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(cut));
+    const Heard heard = hear(joined({part, hex(kOneBlock), hex(kNoBlocks), two}));
+    ASSERT_GE(heard.messages.size(), 3U) << cut;
+    EXPECT_EQ(heard.messages[heard.messages.size() - 1], two) << cut;
+    EXPECT_EQ(heard.messages[heard.messages.size() - 2], hex(kNoBlocks)) << cut;
+    EXPECT_EQ(heard.messages[heard.messages.size() - 3], hex(kOneBlock)) << cut;
+  }
+}
+
+TEST(Pixy2Scanner, EveryDamagedDataByteIsSeen) {
+  const auto two = hex(kTwoBlocks);
+  for (std::size_t at = 4; at < two.size(); ++at) {
+    auto bad = two;
+    bad[at] = static_cast<std::uint8_t>(bad[at] ^ 0x10U);
+    const Heard heard = hear(joined({bad, hex(kOneBlock)}));
+    ASSERT_EQ(heard.messages.size(), 1U) << at;
+    EXPECT_EQ(heard.messages[0], hex(kOneBlock)) << at;
+    EXPECT_EQ(heard.damaged, 1U) << at;
+  }
+}
+
+// A length of 252 that was 14: the bytes of the next packets are taken for data, then found again.
+TEST(Pixy2Scanner, OverlongLengthGivesBackWhatItSwallowed) {
+  auto bad = hex(kOneBlock);
+  bad[3] = 0xFC;
+  std::vector<std::uint8_t> bytes = bad;
+  for (int i = 0; i < 14; ++i) bytes = joined({bytes, hex(kOneBlock)});
+  const Heard heard = hear(bytes);
+  EXPECT_EQ(heard.messages.size(), 14U);
+  EXPECT_EQ(heard.damaged, 1U);
+}
+
+TEST(Pixy2Scanner, ImpossibleHeadersAreNotWaitedFor) {
+  for (const char* header :
+       {"AF C1 20 02", "AF C1 21 0F", "AF C1 01 05", "AF C1 03 02", "AF C1 0F 11", "AF C1 0D 00"}) {
+    const Heard heard = hear(joined({hex(header), hex(kOneBlock)}));
+    EXPECT_EQ(heard.messages.size(), 1U) << header;
+    EXPECT_EQ(heard.damaged, 1U) << header;
+  }
+}
+
+TEST(Pixy2Packets, PaddingComesFirst) {
+  const auto bytes = bytes_of(behind_padding(request_version()));
+  ASSERT_EQ(bytes.size(), 70U);
+  EXPECT_EQ(bytes[0], 0x01);
+  EXPECT_EQ(bytes[63], 0x01);
+  EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin() + 64, bytes.end()), hex("AF C1 0E 00 00 00"));
+}
+
+TEST(Pixy2Scanner, FuzzedShortly) {
+  std::mt19937 random(1);
+  const auto seed = joined({hex(kVersionReply), hex(kTwoBlocks), hex(kColourCode)});
+  for (int i = 0; i < 3'000; ++i) {
+    auto bytes = seed;
+    for (int k = 0; k < 6; ++k) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), random() % bytes.size()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::pixy2

@@ -1,0 +1,67 @@
+#include "drivers/wire/i2c_stream.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_i2c.hpp"
+
+namespace fencepost::wire {
+namespace {
+
+using base::Error;
+using Bus = fake::ScriptedI2c<8>;
+
+static_assert(bus::ByteLink<I2cStream<Bus>>);
+
+constexpr std::array<std::uint8_t, 3> kBytes = {1, 2, 3};
+
+TEST(I2cStream, ReadsInChunksOfSixteen) {
+  const std::array<fake::I2cStep, 1> script = {{{kBytes, {}, 1}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 2> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // begins
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // under way
+  EXPECT_EQ(stream.read(in).value(), 2U);
+  EXPECT_EQ(stream.read(in).value(), 1U);
+  EXPECT_EQ(in[0], 3);
+  ASSERT_EQ(bus.transfers().size(), 1U);
+  EXPECT_EQ(bus.transfers()[0].address, 0x54);
+  EXPECT_EQ(bus.transfers()[0].expected, 16U);
+}
+
+TEST(I2cStream, WritesBetweenReadsWithoutLosingBytes) {
+  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 0}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.write(kBytes).value(), 3U);  // takes in the read that was under way
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the write ends
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // a read begins
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  ASSERT_EQ(bus.transfers().size(), 3U);
+  EXPECT_EQ(bus.transfers()[1].out.size(), 3U);
+}
+
+TEST(I2cStream, LongWritesAreCut) {
+  Bus bus({});
+  I2cStream<Bus> stream(bus, 0x54);
+  const std::array<std::uint8_t, 39> out{};
+  EXPECT_EQ(stream.write(out).value(), 16U);
+}
+
+TEST(I2cStream, NobodyThereIsNotReadyNoBusIsGone) {
+  Bus bus({});
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  bus.unplug();
+  EXPECT_EQ(stream.read(in).error(), Error::kGone);
+  EXPECT_EQ(stream.write(kBytes).error(), Error::kGone);
+  bus.replug();
+  EXPECT_EQ(stream.write(kBytes).value(), 3U);
+}
+
+}  // namespace
+}  // namespace fencepost::wire

@@ -1,0 +1,206 @@
+#include "drivers/xbc/decoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/drivers/bytes.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::xbc {
+namespace {
+
+// The worked example of our protocol: two blobs, the checksums as printed there.
+constexpr std::string_view kExample =
+    "$F 1234 2*70\n"
+    "$B 0 0 178 146 600 54 160 131 196 160 0*65\n"
+    "$B 1 0 40 200 45 64 37 195 43 204 -785*49\n"
+    "$E 1234*61\n";
+
+constexpr sensor::Blob kFirst{1, 160, 131, 196, 160, {1'780}, {1'460}, 600, {}};
+constexpr sensor::Blob kSecond{2, 37, 195, 43, 204, {400}, {2'000}, 45, {}};
+
+std::string sealed(std::string_view body) {
+  unsigned sum = 0;
+  for (const char c : body) sum ^= octet(c);
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  return "$" + std::string(body) + "*" + kHex[sum / 16] + kHex[sum % 16] + "\n";
+}
+
+constexpr std::array<std::uint8_t, kChannels> kSignatures = {1, 2, 3};
+
+struct Reading {
+  Reading& bytes(std::string_view bytes) {
+    for (const char byte : bytes) {
+      const Event event = decoder.feed(octet(byte), now);
+      if (event == Event::kFrame) frames.push_back(decoder.frame());
+      if (event == Event::kVersion) versions.push_back(decoder.version());
+      ++now.raw;
+    }
+    return *this;
+  }
+
+  Decoder decoder{kSignatures};
+  base::Time now{0};
+  std::vector<sensor::BlobFrame> frames;
+  std::vector<std::int32_t> versions;
+};
+
+TEST(XbcDecoder, TheWorkedExample) {
+  Reading reading;
+  reading.bytes(kExample);
+  ASSERT_EQ(reading.frames.size(), 1U);
+  const sensor::BlobFrame& frame = reading.frames[0];
+  EXPECT_EQ(frame.frame, 1'234U);
+  EXPECT_EQ(frame.t.raw, 0) << "the first byte, not the last";
+  ASSERT_EQ(frame.blobs.size(), 2U);
+  EXPECT_EQ(frame.blobs[0], kFirst);
+  EXPECT_EQ(frame.blobs[1], kSecond);
+}
+
+TEST(XbcDecoder, TheVersion) {
+  EXPECT_EQ(Reading().bytes(sealed("V XBCL 1")).versions, std::vector<std::int32_t>{1});
+  EXPECT_EQ(Reading().bytes(sealed("V XBCL 12")).versions, std::vector<std::int32_t>{12});
+  for (const std::string_view body : {"V XBCL", "V XBCL x", "V", "V CBC 1", "V XBCL 1 2"}) {
+    Reading reading;
+    EXPECT_TRUE(reading.bytes(sealed(body)).versions.empty()) << body;
+    EXPECT_EQ(reading.decoder.counts().nonsense, 1U) << body;
+  }
+}
+
+TEST(XbcDecoder, EitherLineEnd) {
+  std::string with_cr;
+  for (const char c : kExample) with_cr += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(Reading().bytes(with_cr).frames.size(), 1U);
+}
+
+TEST(XbcDecoder, CutInAtAnyByteTheNextFrameIsUnderstood) {
+  for (std::size_t cut = 0; cut < kExample.size(); ++cut) {
+    Reading reading;
+    reading.bytes(kExample.substr(cut)).bytes(kExample);
+    ASSERT_GE(reading.frames.size(), 1U) << cut;
+    EXPECT_EQ(reading.frames.back().blobs.size(), 2U) << cut;
+    EXPECT_EQ(reading.frames.size(), cut == 0 ? 2U : 1U) << cut;
+  }
+}
+
+TEST(XbcDecoder, AFrameCutOffAnywhereCostsItselfOnly) {
+  for (std::size_t cut = 1; cut < kExample.size(); ++cut) {
+    Reading reading;
+    reading.bytes(kExample.substr(0, cut)).bytes(kExample);
+    EXPECT_EQ(reading.frames.size(), 1U) << cut;
+    EXPECT_EQ(reading.frames.at(0).t.raw, static_cast<std::int64_t>(cut)) << cut;
+  }
+}
+
+// Any single byte made any other: the frame is lost or, where the byte did not matter, the same; never another one.
+TEST(XbcDecoder, OneDamagedByteNeverMakesAnotherFrame) {
+  std::size_t lost = 0;
+  for (std::size_t at = 0; at < kExample.size(); ++at) {
+    for (int value = 0; value < 256; ++value) {
+      std::string bytes(kExample);
+      bytes[at] = static_cast<char>(value);
+      Reading reading;
+      reading.bytes(bytes).bytes(kExample);
+      ASSERT_GE(reading.frames.size(), 1U) << at << ' ' << value;
+      for (sensor::BlobFrame& frame : reading.frames) {
+        ASSERT_EQ(frame.blobs.size(), 2U) << at << ' ' << value;
+        ASSERT_TRUE(frame.blobs[0] == kFirst && frame.blobs[1] == kSecond && frame.frame == 1'234)
+            << at << ' ' << value;
+      }
+      lost += 2 - reading.frames.size();
+    }
+  }
+  EXPECT_GT(lost, kExample.size() * 200);
+}
+
+TEST(XbcDecoder, AMissingOrDoubledLineSpoilsItsFrame) {
+  const std::string f = sealed("F 7 1");
+  const std::string b = sealed("B 0 0 178 146 600 54 160 131 196 160 0");
+  const std::string e = sealed("E 7");
+  EXPECT_EQ(Reading().bytes(f + b + e).frames.size(), 1U);
+  for (const std::string& bytes : {f + e, f + b + b + e, b + e, e, f + f + e, f + b + f + e, f + b + sealed("E 8")}) {
+    EXPECT_TRUE(Reading().bytes(bytes).frames.empty()) << bytes;
+  }
+  EXPECT_EQ(Reading().bytes(f + f + b + e).frames.size(), 1U);
+  EXPECT_EQ(Reading().bytes(f + b + sealed("V XBCL 1") + e).frames.size(), 1U) << "an answer may come in between";
+  EXPECT_EQ(Reading().bytes("text\n" + f + b + "more text\n" + e).frames.size(), 1U) << "so may what a person prints";
+}
+
+TEST(XbcDecoder, RefusesWhatCannotBe) {
+  for (const std::string_view body : {"B 3 0 178 146 600 54 160 131 196 160 0",
+                                      "B -1 0 178 146 600 54 160 131 196 160 0",
+                                      "B 0 32 178 146 600 54 160 131 196 160 0",
+                                      "B 0 0 159 146 600 54 160 131 196 160 0",
+                                      "B 0 0 178 161 600 54 160 131 196 160 0",
+                                      "B 0 0 178 146 0 54 160 131 196 160 0",
+                                      "B 0 0 178 146 40000 54 160 131 196 160 0",
+                                      "B 0 0 178 146 600 101 160 131 196 160 0",
+                                      "B 0 0 178 146 600 54 160 131 356 160 0",
+                                      "B 0 0 178 146 600 54 160 131 196 291 0",
+                                      "B 0 0 178 146 600 54 160 131 196 160 4000",
+                                      "B 0 0 178 146 600 54 160 131 196 160",
+                                      "B 0 0 178 146 600 54 160 131 196 160 0 0",
+                                      "B 0 0 178  146 600 54 160 131 196 160 0",
+                                      "B 0 0 178 146 600 54 160 131 196 160 +0",
+                                      "Q 1",
+                                      "F x 1",
+                                      "F 1",
+                                      "F 1 97",
+                                      "F -1 0",
+                                      "E",
+                                      "E 1 2"}) {
+    Reading reading;
+    reading.bytes(sealed("F 7 1") + sealed(body) + sealed("B 0 0 178 146 600 54 160 131 196 160 0") + sealed("E 7"));
+    EXPECT_TRUE(reading.frames.empty()) << body;
+    EXPECT_EQ(reading.decoder.counts().nonsense, 1U) << body;
+  }
+}
+
+TEST(XbcDecoder, PixelsAreOursAlready) {
+  Reading reading;
+  reading.bytes(sealed("F 1 1") + sealed("B 2 31 0 290 32767 100 0 0 355 290 3142") + sealed("E 1"));
+  ASSERT_EQ(reading.frames.size(), 1U);
+  EXPECT_EQ(reading.frames[0].blobs[0], (sensor::Blob{3, 0, 0, 355, 290, {0}, {2'900}, 0, {}}))
+      << "32767 is where the XBC's int ends, not a count";
+}
+
+TEST(XbcDecoder, KeepsTheLargestAndCountsTheOthers) {
+  std::string bytes = sealed("F 1 40");
+  for (int i = 0; i < 40; ++i) {
+    const std::string size = std::to_string(100 + (i * 7) % 40);
+    bytes += sealed("B " + std::to_string(i / 32) + " " + std::to_string(i % 32) + " 5 5 " + size + " 50 0 0 9 19 0");
+  }
+  Reading reading;
+  reading.bytes(bytes + sealed("E 1"));
+  ASSERT_EQ(reading.frames.size(), 1U);
+  ASSERT_EQ(reading.frames[0].blobs.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(reading.frames[0].blobs[i].pixels, 139U - i);
+  EXPECT_EQ(reading.decoder.counts().dropped, 24U);
+}
+
+TEST(XbcDecoder, ALineWithoutEndIsDroppedAndCounted) {
+  Reading reading;
+  reading.bytes("$" + std::string(10'000, 'x')).bytes(kExample);
+  EXPECT_EQ(reading.frames.size(), 1U);
+  EXPECT_EQ(reading.decoder.counts().damaged, 1U);
+}
+
+TEST(XbcDecoder, TheFuzzersEntryRuns) {
+  std::uint32_t state = 5;
+  for (int round = 0; round < 2'000; ++round) {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < 200; ++i) {
+      state = state * 1'664'525 + 1'013'904'223;
+      constexpr std::string_view kTelling = "$FBEV *0123456789-\r\nXBCL";
+      const std::uint32_t r = state >> 16;
+      bytes.push_back(r % 4 != 0 ? octet(kTelling[r / 4 % kTelling.size()]) : static_cast<std::uint8_t>(r / 4));
+    }
+    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::xbc
