@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "host/replay/replay.hpp"
 #include "host/result/to_json.hpp"
@@ -44,30 +45,30 @@ struct Witness final : host::RunObserver {
 };
 
 TEST(Observer, SeesEveryFrameAndChangesNothing) {
-  for (const char* name : {"approach_stop", "blocks_arc", "corridor", "noisy_arc"}) {
-    for (const char* profile : {"micro", "small", "full"}) {
-      SCOPED_TRACE(std::string(name) + " " + profile);
-      const std::string bytes = recording(name);
-      std::string plain_log;
-      std::string watched_log;
-      Witness witness;
-      host::ReplayOptions plain;
-      plain.profile = profile;
-      host::ReplayOptions watched = plain;
-      plain.log = [&](std::string_view line) { plain_log += line; };
-      watched.log = [&](std::string_view line) { watched_log += line; };
-      watched.observer = &witness;
-      const auto expected = host::replay(bytes, name, plain);
-      const auto found = host::replay(bytes, name, watched);
-      EXPECT_EQ(host::to_json(found.result), host::to_json(expected.result));
-      EXPECT_EQ(watched_log, plain_log);
-      const auto& refused = found.result.log.refused;
-      EXPECT_EQ(witness.frames + refused.no_pose + refused.odometry_gap + refused.no_camera + refused.queue,
-                found.result.log.frames);
-      EXPECT_GT(witness.frames, 0U);
-      EXPECT_FALSE(witness.views.empty());
-      for (const host::ObjectResult& object : found.result.objects) EXPECT_EQ(object.views, witness.views[object.id]);
-    }
+  using Case = std::pair<const char*, const char*>;
+  for (const auto& [name, profile] : {Case{"approach_stop", "micro"}, Case{"blocks_arc", "small"},
+                                      Case{"corridor", "full"}, Case{"noisy_arc", "micro"}}) {
+    SCOPED_TRACE(std::string(name) + " " + profile);
+    const std::string bytes = recording(name);
+    std::string plain_log;
+    std::string watched_log;
+    Witness witness;
+    host::ReplayOptions plain;
+    plain.profile = profile;
+    host::ReplayOptions watched = plain;
+    plain.log = [&](std::string_view line) { plain_log += line; };
+    watched.log = [&](std::string_view line) { watched_log += line; };
+    watched.observer = &witness;
+    const auto expected = host::replay(bytes, name, plain);
+    const auto found = host::replay(bytes, name, watched);
+    EXPECT_EQ(host::to_json(found.result), host::to_json(expected.result));
+    EXPECT_EQ(watched_log, plain_log);
+    const auto& refused = found.result.log.refused;
+    EXPECT_EQ(witness.frames + refused.no_pose + refused.odometry_gap + refused.no_camera + refused.queue,
+              found.result.log.frames);
+    EXPECT_GT(witness.frames, 0U);
+    EXPECT_FALSE(witness.views.empty());
+    for (const host::ObjectResult& object : found.result.objects) EXPECT_EQ(object.views, witness.views[object.id]);
   }
 }
 
