@@ -179,7 +179,7 @@ class Map {
   }
 
   // Solid things do not stand in one another: of two objects of one signature in one place, one is a double. Not when
-  // both were seen in this frame, each in its own blob.
+  // both were seen in this frame.
   void drop_doubles() {
     for (std::size_t a = 0; a < kObjects; ++a) {
       for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {

@@ -14,8 +14,7 @@
 
 namespace fencepost::host {
 
-/// For each blob of a frame the index of its true object; empty: a false blob, or one of
-/// several objects.
+/// For each blob of a frame the index of its true object; empty: a false blob, or one of several objects.
 using BlobOwners = std::vector<std::optional<std::size_t>>;
 
 class FrameTruths {
