@@ -43,6 +43,7 @@ class Bench {
   [[nodiscard]] Line& console() { return emulator_.line(board_.console); }
   [[nodiscard]] Line& camera_line() { return emulator_.line(static_cast<std::size_t>(board_.camera)); }
   [[nodiscard]] bool alive() { return emulator_.alive(); }
+  void stop() { emulator_.stop(); }
   /// The camera's cable is pulled, or back.
   void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
   void pump();

@@ -37,6 +37,8 @@ class Emulator {
   /// It has not ended by itself.
   [[nodiscard]] bool alive();
   void pump();
+  /// Ends it in good order, so that plugins can write what they know.
+  void stop();
 
  private:
   void start(const std::vector<std::string>& command);

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "host/replay/replay.hpp"
+#include "host/result/lookup.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/firmware/app/desk.hpp"
 
@@ -42,12 +41,6 @@ double distance_to_nearest(const host::Scene& scene, const host::ObjectResult& o
     }
   }
   return nearest;
-}
-
-std::string hex(std::uint64_t digest) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(digest));
-  return text.data();
 }
 
 void expect_same_alerts(const std::string& log, const host::ResultDocument& result) {
@@ -93,7 +86,7 @@ void expect_scene_replays(const BoardUnderTest& board, const std::string& profil
   ASSERT_FALSE(replayed.unreadable) << replayed.unreadable->message;
   const host::ResultDocument& result = replayed.result;
   EXPECT_EQ(result.profile, profile);
-  EXPECT_EQ(hex(result.digest), digest);
+  EXPECT_EQ(host::digest_text(result.digest), digest);
   EXPECT_GT(replayed.check.compared, 20U);
   EXPECT_EQ(replayed.check.differing, 0U) << (replayed.check.mismatches.empty() ? "" : replayed.check.mismatches[0]);
   for (const auto& rejected : result.log.rejected) EXPECT_EQ(rejected.count, 0U);
