@@ -181,7 +181,8 @@ inline constexpr std::array<std::uint16_t, 128> kReciprocals = [] {
   return table;
 }();
 
-/// Of d, 16 bits with the leading one set: at most 2^31 / (d + 1), and at most 6 less. A look-up and one step of Newton.
+/// Of d, 16 bits with the leading one set: at most 2^31 / (d + 1), and at most 6 less. A look-up and one step of
+/// Newton.
 constexpr std::uint32_t reciprocal(std::uint32_t d) {
   const std::uint32_t guess = kReciprocals[(d >> 8) - 128];
   const auto error = static_cast<std::int32_t>((1U << 31) - d * guess) >> 8;
