@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -79,7 +80,9 @@ RunLogSettings log_of(const Request& request) {
   if (request.log_minutes) settings.part_age = base::Duration::nearest(60 * *request.log_minutes);
   if (!request.log_size.empty()) {
     const auto size = size_in(request.log_size);
-    if (!size) throw Failure(Exit::kUsage, "--log-size " + request.log_size + " is no size; write 512K, 64M or 2G");
+    constexpr std::uint64_t kLeast = 4096;  // a part begins with a kilobyte of calibration
+    if (!size || *size < kLeast)
+      throw Failure(Exit::kUsage, "--log-size " + request.log_size + " is not possible; write 4K, 64M or 2G");
     settings.part_bytes = *size;
   }
   const bool parts = request.log_minutes || !request.log_size.empty();
@@ -126,7 +129,15 @@ Exit exit_of(const RunSummary& summary) {
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
+/// A closed one would be handed out again, to a device; then people's words would go there.
+void hold_standard_streams() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(fd, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
+  }
+}
+
 Exit run(const Request& request) {
+  hold_standard_streams();
   const ConsoleSpec console_spec = console_of(request);
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
