@@ -214,7 +214,7 @@ class Pipeline {
     if (m_.run.testing) return false;
     const bool shown = m_.console.mode == Mode::kLog;
     if (!shown) m_.run.whole = false;  // a log that begins now does not hold the whole run
-    if (telling_.logs()) return m_.run.told && !(shown && telling_.stands_back()) && telling_.log(input);
+    if (telling_.logs()) return m_.run.told && !(shown && telling_.stands_back()) && telling_.put_in_logs(input);
     m_.run.header_due = false;
     return true;
   }

@@ -33,7 +33,7 @@ class Telling {
   [[nodiscard]] bool logs() const { return (m_.console.mode == Mode::kLog || m_.journal.on()) && !m_.run.testing; }
   /// Into each of them, or into none.
   template <class Record>
-  [[nodiscard]] bool log(const Record& record) {
+  [[nodiscard]] bool put_in_logs(const Record& record) {
     const bool shown = m_.console.mode == Mode::kLog;
     if (m_.journal.on() && !m_.journal.has_room()) return false;
     if (shown && !m_.output.put(record)) return false;
@@ -140,13 +140,13 @@ class Telling {
   [[nodiscard]] bool calibration_record(std::size_t index) {
     if (index == kHeaderRecord) {
       if (!m_.run.header_due) return true;
-      m_.run.header_due = !log(*m_.run.header);
+      m_.run.header_due = !put_in_logs(*m_.run.header);
       return !m_.run.header_due;
     }
-    if (index == kCameraRecord) return !m_.calibration.known || log(m_.calibration.intrinsics);
-    if (index < setting_records()) return log(m_.signatures[index - kSignatureRecords]);
+    if (index == kCameraRecord) return !m_.calibration.known || put_in_logs(m_.calibration.intrinsics);
+    if (index < setting_records()) return put_in_logs(m_.signatures[index - kSignatureRecords]);
     const auto key = static_cast<config::Key>(index - setting_records());
-    return log(record::Setting{config::info(key).name, m_.settings.text(key)});
+    return put_in_logs(record::Setting{config::info(key).name, m_.settings.text(key)});
   }
 
   template <class Record>
