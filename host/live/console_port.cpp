@@ -158,7 +158,8 @@ base::Result<std::size_t> PatientConsole::write(std::span<const std::uint8_t> ou
     return taken;
   }
   if (!stuck_since_) stuck_since_ = now_;
-  if (port_.connected() && now_ - *stuck_since_ < kPatience) return Error::kFull;
+  const bool patient = !may_lose_ || now_ - *stuck_since_ < kPatience;
+  if (port_.connected() && patient) return Error::kFull;
   discarding_ = true;
   cut_begun_ = line_begun_;
   return discard(out);

@@ -101,11 +101,13 @@ class LineConsole final : public ConsolePort {
   std::unique_ptr<BytePort> port_;
 };
 
-/// The loop's link. A console in mode log must not hold up the robot because nobody reads it any more: where a second
-/// long nothing is taken, or the line is gone, what is said is thrown away, and it goes on with a whole line.
+/// The loop's link. What is said while the line is gone is thrown away; it goes on with a whole line. With `may_lose`,
+/// so is what nobody takes for a second: for a console in mode log beside a log on disk, which must not hold up the
+/// robot because nobody reads it. Without a log on disk such a console is the log, and inputs are refused rather than
+/// lost.
 class PatientConsole {
  public:
-  explicit PatientConsole(ConsolePort& port) : port_(port) {}
+  PatientConsole(ConsolePort& port, bool may_lose) : port_(port), may_lose_(may_lose) {}
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return port_.read(in); }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
@@ -121,6 +123,7 @@ class PatientConsole {
   std::size_t resume(std::span<const std::uint8_t> out);
 
   ConsolePort& port_;
+  bool may_lose_;
   base::Time now_;
   std::optional<base::Time> stuck_since_;
   bool discarding_ = false;

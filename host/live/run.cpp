@@ -24,7 +24,7 @@ class Run {
   Run(const RunPlan& plan, const RunParts& parts)
       : plan_(plan),
         parts_(parts),
-        console_(parts.console),
+        console_(parts.console, parts.log != nullptr),
         loop_(make_live_loop(plan.profile, *parts.devices.camera, *parts.devices.odometry, console_, plan.mode)),
         camera_watch_(DeviceRole::kCamera, plan.camera),
         odometry_watch_(DeviceRole::kOdometry, plan.odometry) {}

@@ -70,7 +70,7 @@ class PatientConsoleTest : public testing::Test {
     return taken ? *taken : 0;
   }
   FakePort port;
-  PatientConsole console{port};
+  PatientConsole console{port, true};
 };
 
 TEST_F(PatientConsoleTest, WaitsForASecondThenThrowsAway) {
@@ -106,6 +106,16 @@ TEST_F(PatientConsoleTest, DoesNotWaitForALineThatIsGone) {
   port.room = 100;
   EXPECT_EQ(write("two\n"), 4U);
   EXPECT_EQ(port.said, "two\n");
+}
+
+TEST_F(PatientConsoleTest, AConsoleThatIsTheLogLosesNothingHoweverLongItTakes) {
+  PatientConsole log(port, false);
+  EXPECT_EQ(log.write(octets("one\n")).error(), Error::kFull);
+  log.tend(Time{} + milliseconds(100'000));
+  EXPECT_EQ(log.write(octets("one\n")).error(), Error::kFull);
+  port.room = 100;
+  EXPECT_EQ(log.write(octets("one\n")).value(), 4U);
+  EXPECT_EQ(port.said, "one\n");
 }
 
 TEST_F(PatientConsoleTest, ASlowConsoleLosesNothing) {

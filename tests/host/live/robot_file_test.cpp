@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "drivers/pixy2/camera.hpp"
 
 namespace fencepost::host {
@@ -122,6 +125,19 @@ TEST(RobotFile, ReadsSettings) {
   const std::vector<std::pair<std::string, std::string>> expected = {
       {"alert.stop", "0.3"}, {"confirm.k", "2"}, {"correct.pose", "on"}};
   EXPECT_EQ(robot.settings, expected);
+}
+
+TEST(RobotFile, TheDocumentsExampleIsOne) {
+  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/doc/live.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t begin = document.find("```json\n") + 8;
+  const RobotFile robot = read(document.substr(begin, document.find("```", begin) - begin));
+  EXPECT_EQ(robot.camera.mount->z.raw, 1'200);
+  EXPECT_EQ(robot.windows.size(), 1U);
+  EXPECT_EQ(robot.settings.size(), 3U);
+  EXPECT_EQ(robot.wheels.counter_bits, 16);
+  ASSERT_TRUE(robot.can.has_value());
+  EXPECT_EQ(robot.can->wheels.right_pm_per_count, -445'000'000);
 }
 
 TEST(RobotFile, SaysWhatIsWrongWhereAndWhatToDo) {
