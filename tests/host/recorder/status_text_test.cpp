@@ -20,13 +20,14 @@ void take_trouble(Tally& tally) {
   tally.take(line_of("FPSTA,1.0000,10,10,0,20,0,0,0,1,100") + line_of("FPSTA,2.0000,20,20,3,40,0,0,7,1,100"), at(1.5));
 }
 
+// A line is 17 characters, 5 of CRC and 2 of its end.
 TEST(StatusText, ARecordingWithoutTroubleIsShort) {
   Tally tally(at(10));
   tally.take(frame_line(0.5, 0) + frame_line(0.6, 1), at(72));
   tally.measure(at(74));
   EXPECT_EQ(status_line(tally, at(73), true, 79), "1:03  0 lines/s  1 B/s  2 frames");
   EXPECT_EQ(summary(tally, at(73.06)),
-            (Lines{"63.1 s: 2 lines, 50 B", "2 records: 2 frames, 0 of odometry; 0 foreign lines"}));
+            (Lines{"63.1 s: 2 lines, 48 B", "2 records: 2 frames, 0 of odometry; 0 foreign lines"}));
 }
 
 TEST(StatusText, TroubleIsTold) {
