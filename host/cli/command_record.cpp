@@ -9,6 +9,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/positive.hpp"
+#include "host/cli/record_devices.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/live/open_port.hpp"
@@ -21,6 +22,9 @@ namespace {
 
 struct Request {
   std::string port;
+  std::string camera;
+  std::string odometry;
+  std::string robot;
   std::string output;
   std::uint32_t baud = 115'200;
   std::string mode = "log";
@@ -31,7 +35,30 @@ struct Request {
   std::optional<double> seconds;
 };
 
+[[nodiscard]] bool of_devices(const Request& request) { return !request.camera.empty() || !request.odometry.empty(); }
+
+void check_devices(const Request& request) {
+  if (request.camera.empty() || request.odometry.empty()) {
+    throw Failure(Exit::kUsage, "a recording of devices needs both --camera and --odometry");
+  }
+  if (!request.port.empty()) {
+    throw Failure(Exit::kUsage,
+                  "a PORT is a robot's console, which has its camera and wheels; leave out one or the other");
+  }
+  if (request.no_command || request.reset) {
+    throw Failure(Exit::kUsage, "--reset and --no-command are about a PORT; with --camera each recording is a new run");
+  }
+}
+
 void check_usage(const Request& request) {
+  if (of_devices(request)) {
+    check_devices(request);
+  } else if (request.port.empty()) {
+    throw Failure(Exit::kUsage,
+                  "name a PORT, such as /dev/ttyACM0, or --camera and --odometry; see fencepost record --help");
+  } else if (!request.robot.empty()) {
+    throw Failure(Exit::kUsage, "--robot goes with --camera and --odometry; a robot at a PORT knows its own numbers");
+  }
   if (request.output == "-") {
     throw Failure(Exit::kUsage,
                   "a recording needs a file; standard output shows its lines anyway: name a file with -o");
@@ -52,6 +79,8 @@ std::string default_name() {
   for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}.log", stem, i);
   return name;
 }
+
+std::string file_name(const Request& request) { return request.output.empty() ? default_name() : request.output; }
 
 std::unique_ptr<BytePort> open_port(const Request& request) {
   if (request.port == "-") return std::make_unique<StandardInput>();
@@ -103,12 +132,11 @@ Exit exit_code(const RecordingEnd& end) {
   return end.signal == 0 || end.signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }
 
-Exit run(const Request& request) {
-  check_usage(request);
+Exit record_console(const Request& request) {
   const linux::MonotonicClock clock;
   const StopSignals signals;
   const std::unique_ptr<BytePort> port = open_port(request);
-  LogFile log = opened(LogFile::open({request.output.empty() ? default_name() : request.output}, clock.now()));
+  LogFile log = opened(LogFile::open({file_name(request)}, clock.now()));
 
   const bool status = is_terminal(STDERR_FILENO) && can_redraw();
   Display display({!request.quiet, is_terminal(STDOUT_FILENO), status});
@@ -127,10 +155,20 @@ Exit run(const Request& request) {
   return exit_code(end);
 }
 
+Exit run(const Request& request) {
+  check_usage(request);
+  if (!of_devices(request)) return record_console(request);
+  return record_devices(
+      {request.camera, request.odometry, request.robot, file_name(request), request.wait, request.seconds});
+}
+
 Action configure(CLI::App& app) {
   const auto request = std::make_shared<Request>();
-  app.add_option("PORT", request->port, "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input")
-      ->required();
+  app.add_option("PORT", request->port, "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input");
+  app.add_option("--camera", request->camera, "instead of PORT: a camera of this machine, as `run` takes it")
+      ->type_name("DEV");
+  app.add_option("--odometry", request->odometry, "with --camera: the wheels, as `run` takes them")->type_name("DEV");
+  app.add_option("--robot", request->robot, "with --camera: the robot's numbers (JSON)")->type_name("FILE");
   app.add_option("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
       ->type_name("FILE");
   app.add_option("--baud", request->baud, "of a serial port; default: 115200")->type_name("N")->check(positive());
@@ -150,8 +188,9 @@ Command record_command() {
   return {"record",
           "a robot's console into a file, as it comes",
           "  fencepost record /dev/ttyACM0\n"
-          "  fencepost record /dev/ttyACM0 --reset -o run.log && fencepost replay run.log --check\n"
+          "  fencepost record /dev/ttyACM0 --reset --seconds 60 -o run.log && fencepost replay run.log --check\n"
           "  fencepost record tcp:robot.local:2000 -o run.log --seconds 60 -q\n"
+          "  fencepost record --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --robot robot.json\n"
           "  ssh robot cat /dev/ttyACM0 | fencepost record - -o run.log\n",
           configure,
           {}};

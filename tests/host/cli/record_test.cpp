@@ -73,7 +73,7 @@ TEST_F(Record, SigtermAndSighupEndItInOrder) {
     ASSERT_EQ(heard(10), "\rmode log\r");
     far.say("before the end");
     ASSERT_TRUE(wait_for([this] { return !log().empty(); }));
-    EXPECT_EQ(run.end(signal), 0);
+    EXPECT_EQ(run.end(signal), signal == SIGTERM ? 0 : 130);
     EXPECT_EQ(log(), "before the end");
     EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
     std::filesystem::remove(folder.path() / "run.log");
@@ -212,11 +212,29 @@ TEST_F(Record, ATcpPortIsAPort) {
   EXPECT_EQ(std::string(heard.data(), heard.size()), "\rmode log\r");
 }
 
+// The devices are missing: the log has the start of a run, and their links.
+TEST_F(Record, DevicesOfThisMachineAreRecordedWithoutAConsole) {
+  const std::string line = "fencepost record --camera pixy2:./no --odometry create2:./nor --wait --seconds 0.2 -o ";
+  const Outcome run = shell(folder, line + "run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(log().starts_with("$FPHDR,1,fencepost,")) << log();
+  EXPECT_NE(log().find(",pixy2,absent,./no*"), std::string::npos) << log();
+  EXPECT_NE(log().find(",create2,absent,./nor*"), std::string::npos) << log();
+  const Outcome full = shell(folder, line + "/dev/full");
+  EXPECT_EQ(full.exit_code, 4);
+  EXPECT_NE(full.err.find("/dev/full: No space left on device"), std::string::npos) << full.err;
+  EXPECT_EQ(full.err.find("goes on without a log"), std::string::npos) << full.err;
+}
+
 TEST_F(Record, UsageErrorsAreSaid) {
   for (const std::string& line : std::vector<std::string>{
            "fencepost record", "fencepost record " + port + " -o -", "fencepost record tcp:nowhere",
            "fencepost record " + port + " --mode nonsense", "fencepost record " + port + " --baud 0",
-           "fencepost record " + port + " --no-command --reset"}) {
+           "fencepost record " + port + " --no-command --reset", "fencepost record --camera pixy2:/dev/null",
+           "fencepost record --camera pixy2:/no --odometry create2:/no " + port,
+           "fencepost record --camera console --odometry console",
+           "fencepost record " + port + " --robot robot.json"}) {
     const Outcome run = shell(folder, line);
     EXPECT_EQ(run.exit_code, 2) << line;
     EXPECT_EQ(run.out, "") << line;
