@@ -7,8 +7,8 @@
 #include <random>
 
 #include "tests/hal/linux/pty.hpp"
-#include "tests/host/cli/process.hpp"
 #include "tests/host/cli/run.hpp"
+#include "tests/host/cli/running_program.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -16,11 +16,11 @@ namespace {
 using linux::FarEnd;
 using testing::Folder;
 using testing::Outcome;
-using testing::Process;
+using testing::RunningProgram;
 using testing::shell;
 using testing::slurp;
 using testing::spill;
-using testing::wait_for;
+using testing::until_done;
 
 const std::string kOdometry = "$FPODO,7.6200,1.3820,-0.0145,0.0666*DAD3\r\n";  // from approach_stop.log
 const std::string kNext = "$FPODO,7.6400,1.3860,-0.0143,0.0666*9409\r\n";      // likewise
@@ -32,7 +32,7 @@ class Record : public ::testing::Test {
   /// What the robot hears, until it is that long.
   std::string heard(std::size_t size) {
     std::string text;
-    wait_for([&] { return (text += far.heard()).size() >= size; });
+    until_done([&] { return (text += far.heard()).size() >= size; });
     return text;
   }
   std::vector<std::string> files() {
@@ -49,7 +49,7 @@ class Record : public ::testing::Test {
 };
 
 TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
-  Process run(folder_path(), {"record", port, "-o", "run.log"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
   EXPECT_EQ(heard(10), "\rmode log\r");
   const std::string bytes =
       kOdometry + "mode is log\r\n" + std::string("\0\x1b[2J\xff\xfe\n", 8) + "\n$FPODO,broken*0000\n";
@@ -69,10 +69,10 @@ TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
 
 TEST_F(Record, SigtermAndSighupEndItInOrder) {
   for (const int signal : {SIGTERM, SIGHUP}) {
-    Process run(folder_path(), {"record", port, "-o", "run.log"});
+    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
     ASSERT_EQ(heard(10), "\rmode log\r");
     far.say("before the end");
-    ASSERT_TRUE(wait_for([this] { return !log().empty(); }));
+    ASSERT_TRUE(until_done([this] { return !log().empty(); }));
     EXPECT_EQ(run.end(signal), signal == SIGTERM ? 0 : 130);
     EXPECT_EQ(log(), "before the end");
     EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
@@ -81,7 +81,7 @@ TEST_F(Record, SigtermAndSighupEndItInOrder) {
 }
 
 TEST_F(Record, WhatIsTypedGoesToTheRobot) {
-  Process run(folder_path(), {"record", port, "-o", "run.log", "--no-command"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--no-command"});
   ASSERT_TRUE(run.says("Ctrl-C ends it"));
   run.type("status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
   EXPECT_EQ(heard(47), "status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
@@ -91,23 +91,23 @@ TEST_F(Record, WhatIsTypedGoesToTheRobot) {
 }
 
 TEST_F(Record, AsksForTheModeAndANewRun) {
-  const Process run(folder_path(), {"record", port, "-o", "run.log", "--mode", "plot", "--reset"});
+  const RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--mode", "plot", "--reset"});
   EXPECT_EQ(heard(17), "\rmode plot\rreset\r");
 }
 
 // A board that boots when its port is opened misses the first one.
 TEST_F(Record, AsksAgainUntilARecordComes) {
-  Process run(folder_path(), {"record", port, "-o", "run.log"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
   EXPECT_EQ(heard(20), "\rmode log\r\rmode log\r");
   far.say(kOdometry);
   ASSERT_TRUE(run.shows(kOdometry));
 }
 
 TEST_F(Record, GoesOnAfterAReplug) {
-  Process run(folder_path(), {"record", port, "-o", "run.log"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
   ASSERT_EQ(heard(10), "\rmode log\r");
   far.say(kOdometry + "$FPODO,cut");
-  ASSERT_TRUE(wait_for([this] { return log().ends_with("cut"); }));
+  ASSERT_TRUE(until_done([this] { return log().ends_with("cut"); }));
   far.unplug();
   ASSERT_TRUE(run.says(port + " has gone; the recording goes on when it is back\n"));
   run.type("lost\n");
@@ -125,7 +125,7 @@ TEST_F(Record, GoesOnAfterAReplug) {
 
 TEST_F(Record, WaitsForAPortWhenTold) {
   far.unplug();
-  Process run(folder_path(), {"record", port, "-o", "run.log", "--wait"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--wait"});
   ASSERT_TRUE(run.says("waiting for it: cannot open the serial port " + port));
   far.plug();
   EXPECT_EQ(heard(10), "\rmode log\r");
@@ -152,7 +152,7 @@ TEST_F(Record, NeverOverwrites) {
 }
 
 TEST_F(Record, NamesTheFileByTheTime) {
-  Process run(folder_path(), {"record", port, "--no-command", "--seconds", "0.1"});
+  RunningProgram run(folder_path(), {"record", port, "--no-command", "--seconds", "0.1"});
   EXPECT_EQ(run.end(), 0) << run.err();
   ASSERT_EQ(files().size(), 1U);
   std::string name = files().front();
@@ -162,7 +162,7 @@ TEST_F(Record, NamesTheFileByTheTime) {
 
 // The order: what could not be kept is not shown.
 TEST_F(Record, AFullDiskEndsItAndNothingIsShownThatIsNotKept) {
-  Process run(folder_path(), {"record", port, "-o", "/dev/full"});
+  RunningProgram run(folder_path(), {"record", port, "-o", "/dev/full"});
   ASSERT_EQ(heard(10), "\rmode log\r");
   far.say(kOdometry);
   EXPECT_EQ(run.end(), 4);
@@ -203,7 +203,8 @@ TEST_F(Record, ATcpPortIsAPort) {
   ASSERT_EQ(::bind(listener.get(), any, size), 0);
   ASSERT_EQ(::listen(listener.get(), 1), 0);
   ASSERT_EQ(::getsockname(listener.get(), any, &size), 0);
-  Process run(folder_path(), {"record", "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port)), "-o", "run.log"});
+  RunningProgram run(folder_path(),
+                     {"record", "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port)), "-o", "run.log"});
   const linux::Descriptor peer(::accept(listener.get(), nullptr, nullptr));
   ASSERT_EQ(::write(peer.get(), kOdometry.data(), kOdometry.size()), static_cast<ssize_t>(kOdometry.size()));
   EXPECT_TRUE(run.shows(kOdometry));
@@ -269,9 +270,9 @@ TEST_F(Record, AKillLosesNothingThatWasShown) {
   for (int round = 0; round < kKills; ++round) {
     far.plug();
     Feeder feeder(far.descriptor());
-    Process run(folder_path(), {"record", port, "-o", "run.log"});
+    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
     ASSERT_EQ(heard(10), "\rmode log\r") << run.err();
-    ASSERT_TRUE(wait_for([&] {
+    ASSERT_TRUE(until_done([&] {
       feeder.feed();
       return !run.out().empty();
     })) << run.err();

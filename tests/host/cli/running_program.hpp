@@ -21,7 +21,7 @@
 namespace fencepost::host::testing {
 
 /// Until `done` or, generously, too late; whether it was done.
-inline bool wait_for(const std::function<bool()>& done) {
+inline bool until_done(const std::function<bool()>& done) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!done()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
@@ -30,10 +30,10 @@ inline bool wait_for(const std::function<bool()>& done) {
   return true;
 }
 
-class Process {
+class RunningProgram {
  public:
   /// `fencepost arguments...` in that folder.
-  Process(const std::string& folder, const std::vector<std::string>& arguments) {
+  RunningProgram(const std::string& folder, const std::vector<std::string>& arguments) {
     std::array<linux::Descriptor, 2> in = pipe();
     std::array<linux::Descriptor, 2> out = pipe();
     std::array<linux::Descriptor, 2> err = pipe();
@@ -55,11 +55,11 @@ class Process {
     err_ = std::move(err[0]);
     for (const int fd : {out_.get(), err_.get()}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
   }
-  ~Process() {
+  ~RunningProgram() {
     if (pid_ > 0) end(SIGKILL);
   }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
 
   void type(std::string_view text) {
     ASSERT_EQ(::write(in_.get(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
@@ -69,17 +69,17 @@ class Process {
   const std::string& out() { return more(out_, out_text_); }
   const std::string& err() { return more(err_, err_text_); }
   bool shows(std::string_view text) {
-    return wait_for([&] { return out().find(text) != std::string::npos; });
+    return until_done([&] { return out().find(text) != std::string::npos; });
   }
   bool says(std::string_view text) {
-    return wait_for([&] { return err().find(text) != std::string::npos; });
+    return until_done([&] { return err().find(text) != std::string::npos; });
   }
   /// Sends the signal, if one is given, and waits; the exit code, or minus the signal that killed it. What came can
   /// still be read.
   int end(int signal = 0) {
     if (signal != 0) ::kill(pid_, signal);
     int status = 0;
-    const bool ended = wait_for([&] {
+    const bool ended = until_done([&] {
       out();
       err();
       return ::waitpid(pid_, &status, WNOHANG) == pid_;
