@@ -26,6 +26,7 @@ struct Command {
 const std::vector<Command>& commands();
 
 Command demo_command();
+Command record_command();
 Command replay_command();
 Command report_command();
 Command simulate_command();

@@ -86,7 +86,7 @@ class Run {
   void note(const RunLog::Fault& fault) {
     if (!fault) return;
     summary_.log_failed = true;
-    parts_.say(fault->sentence + "; the run goes on without a log");
+    parts_.say(fault->sentence + (plan_.ends_without_log ? "" : "; the run goes on without a log"));
   }
 
   void wait() {
@@ -109,7 +109,8 @@ class Run {
       const bool inputs = more || !nothing_can_come();
       const bool frames = plan_.frames && loop_->frames_logged() >= *plan_.frames;
       const bool time = plan_.duration && parts_.clock.now() - begun_ >= *plan_.duration;
-      return frames || time || !inputs;
+      const bool log = plan_.ends_without_log && summary_.log_failed;
+      return frames || time || log || !inputs;
     }
     return true;
   }
