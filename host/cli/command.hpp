@@ -31,5 +31,6 @@ Command report_command();
 Command simulate_command();
 Command evaluate_command();
 Command import_command();
+Command emulate_command();
 
 }  // namespace fencepost::host::cli
