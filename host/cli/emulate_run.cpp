@@ -56,7 +56,8 @@ DeviceSpec spec_of(const std::string& word) {
   std::vector<std::string> names;
   for (const DeviceKind& kind : emulate::device_kinds()) names.emplace_back(kind.name);
   const std::string near = parsed.spec.kind ? "" : nearest_word(word.substr(0, word.find_first_of(":,@")), names);
-  fail_usage((near.empty() ? "" : fmt::format("did you mean {}? ", near)) + parsed.problem);
+  if (!near.empty()) fail_usage(fmt::format("no device \"{}\"; did you mean {}?", word, near));
+  fail_usage(parsed.problem);
 }
 
 std::vector<Device> devices_of(const EmulateRequest& request) {

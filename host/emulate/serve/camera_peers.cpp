@@ -36,20 +36,32 @@ class CmuCamPeer final : public Peer {
  public:
   CmuCamPeer(CmuCamModel model, Colours colours) : camera_(model), colours_(std::move(colours)) {}
 
-  Bytes power_up(base::Time) override { return bytes_of(camera_.power_up()); }
+  Bytes power_up(base::Time now) override {
+    next_image_ = now + kLongestPause;
+    return bytes_of(camera_.power_up());
+  }
   Bytes take(std::uint8_t byte, base::Time) override {
     Bytes reply = bytes_of(camera_.feed({text_of(byte)}));
     used_ = used_ || camera_.tracking();
     return reply;
   }
-  Bytes see(const sensor::BlobFrame& frame, base::Time) override {
-    std::vector<ColouredSpot> spots;
-    for (const sensor::Blob& blob : frame.blobs) spots.push_back(spot_of(blob));
-    return bytes_of(camera_.frame(spots));
+  Bytes see(const sensor::BlobFrame& frame, base::Time now) override {
+    spots_.clear();
+    for (const sensor::Blob& blob : frame.blobs) spots_.push_back(spot_of(blob));
+    return step(now);
+  }
+  [[nodiscard]] std::optional<base::Time> next() const override { return next_image_; }
+  Bytes step(base::Time now) override {
+    next_image_ = now + kLongestPause;
+    return bytes_of(camera_.frame(spots_));
   }
   [[nodiscard]] bool in_use() const override { return used_; }
 
  private:
+  // A real one never rests, and its hosts count on that: where the feed is slow, or has not begun, it takes an image of
+  // what it saw last.
+  static constexpr base::Duration kLongestPause = base::milliseconds(150);
+
   // 16 to 240 is what the imager gives.
   static int level(std::uint8_t value) { return std::clamp<int>(value, 16, 240); }
 
@@ -62,6 +74,8 @@ class CmuCamPeer final : public Peer {
 
   CmuCamDevice camera_;
   Colours colours_;
+  std::vector<ColouredSpot> spots_;
+  base::Time next_image_;
   bool used_ = false;
 };
 

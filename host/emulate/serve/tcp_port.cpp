@@ -2,6 +2,7 @@
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -77,6 +78,8 @@ class TcpPort final : public Endpoint {
 
   bool tend() override {
     if (!listener_.open()) return false;
+    // Whoever calls when the last host has just gone waits until that was read to its end.
+    if (leaving()) return true;
     // Of two hosts on one cable only the first can be; the other sees its connection closed.
     Descriptor caller(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (caller.open() && !host_.open()) {
@@ -104,6 +107,10 @@ class TcpPort final : public Endpoint {
   [[nodiscard]] int descriptor() const override { return host_.open() ? host_.get() : listener_.get(); }
 
  private:
+  [[nodiscard]] bool leaving() const {
+    pollfd state{host_.get(), POLLRDHUP, 0};
+    return host_.open() && ::poll(&state, 1, 0) > 0;
+  }
   sockaddr* generic() { return static_cast<sockaddr*>(static_cast<void*>(&address_)); }
   [[nodiscard]] const sockaddr* generic() const {
     return static_cast<const sockaddr*>(static_cast<const void*>(&address_));

@@ -7,6 +7,9 @@
 namespace fencepost::emulate {
 namespace {
 
+// Of two positions in units of 0.1 mm, and of the heading between them.
+constexpr double kRounding = 1.5e-4;
+
 double arc_by_chord(double half_turn) { return std::abs(half_turn) < 1e-9 ? 1 : half_turn / std::sin(half_turn); }
 
 }  // namespace
@@ -24,7 +27,7 @@ TravelLog::TravelLog(std::span<const sensor::OdometrySample> poses) {
     const double dx = (to.x - from.x).to_double();
     const double dy = (to.y - from.y).to_double();
     const double ahead = dx * std::cos(middle) + dy * std::sin(middle);
-    sideways_ += std::abs(dy * std::cos(middle) - dx * std::sin(middle));
+    sideways_ += std::max(0.0, std::abs(dy * std::cos(middle) - dx * std::sin(middle)) - kRounding);
     const Knot& last = knots_.back();
     knots_.push_back({to.t, last.distance + ahead * arc_by_chord(turn / 2), last.heading + turn});
   }

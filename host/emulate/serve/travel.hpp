@@ -19,7 +19,7 @@ class TravelLog {
   /// Interpolated; before the first pose and after the last the robot stands.
   [[nodiscard]] Travel at(base::Time t) const;
 
-  /// Way across the wheels, m, which no wheel can tell.
+  /// Way across the wheels, m, which no wheel can tell; beyond what rounding to 0.1 mm explains.
   [[nodiscard]] double sideways() const { return sideways_; }
 
  private:

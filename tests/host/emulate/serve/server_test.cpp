@@ -1,0 +1,284 @@
+// In real time, on this machine's ptys and ports, with hal/linux as the host's end. Waits are for conditions.
+#include "host/emulate/serve/server.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "drivers/create/create.hpp"
+#include "drivers/pixy2/camera.hpp"
+#include "hal/linux/tty.hpp"
+#include "tests/drivers/hex.hpp"
+#include "tests/hal/linux/pty.hpp"
+#include "tests/host/emulate/serve/rig.hpp"
+
+namespace fencepost::emulate {
+namespace {
+
+namespace fs = std::filesystem;
+using linux::TestFolder;
+using test::hex;
+
+constexpr base::Duration kPatience = base::milliseconds(20'000);
+
+/// A server in a thread of its own.
+class Running {
+ public:
+  explicit Running(const Feed& feed, const StageSettings& settings = {})
+      : stage_(feed, settings, clock_.now()),
+        server_(
+            stage_, clock_, [](const std::string&) {}, [](const std::string&) {}) {}
+  ~Running() { stop(); }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void add(const std::string& device, OpenedEndpoint endpoint, const FaultSettings& faults = {}) {
+    ASSERT_TRUE(endpoint.ok()) << endpoint.problem();
+    stage_.add({device, parse_device(device).spec, faults, 1, {}});
+    server_.add(std::move(*endpoint));
+  }
+  void start() {
+    thread_ = std::thread([this] { finished_ = server_.run([this] { return stop_.load(); }); });
+  }
+  void stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  /// Waits for the end; whether it came by itself.
+  bool join() {
+    thread_.join();
+    return finished_;
+  }
+  [[nodiscard]] std::string place(std::size_t index) const { return server_.place(index); }
+  [[nodiscard]] const linux::MonotonicClock& clock() const { return clock_; }
+  /// After the end.
+  Station& station(std::size_t index) { return stage_.station(index); }
+
+ private:
+  linux::MonotonicClock clock_;
+  Stage stage_;
+  Server server_;
+  std::atomic<bool> stop_ = false;
+  std::atomic<bool> finished_ = false;
+  std::thread thread_;
+};
+
+template <class Condition>
+bool eventually(const linux::MonotonicClock& clock, Condition condition) {
+  const base::Time deadline = clock.now() + kPatience;
+  while (clock.now() < deadline) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+TEST(EmulateServer, ShowsEveryFrameAndThePoseOnPtys) {
+  const TestFolder folder;
+  const Feed feed = moving_box(316, 208, 12);
+  Running running(feed);
+  running.add("pixy2,baud=0", open_pty(folder.file("pixy2")));
+  running.add("create2", open_pty(folder.file("create2")));
+  running.start();
+  auto camera_tty = linux::Tty::open({folder.file("pixy2"), 19'200});
+  ASSERT_TRUE(camera_tty.ok()) << camera_tty.problem();
+  auto wheels_tty = linux::Tty::open({folder.file("create2"), 115'200});
+  ASSERT_TRUE(wheels_tty.ok()) << wheels_tty.problem();
+  pixy2::Camera<linux::Tty> camera(*camera_tty);
+  create::Create<linux::Tty> wheels(*wheels_tty, create::Config{});
+  std::vector<sensor::BlobFrame> frames;
+  sensor::OdometrySample last;
+  const bool all = eventually(running.clock(), [&] {
+    const base::Time now = running.clock().now();
+    if (const auto frame = camera.poll(now)) frames.push_back(*frame);
+    if (const auto sample = wheels.poll(now)) last = *sample;
+    return frames.size() == feed.frames.size() && last.x.to_double() > 0.235;
+  });
+  EXPECT_TRUE(all) << frames.size() << " frames, x " << last.x.to_double();
+  EXPECT_TRUE(running.join());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    ASSERT_EQ(frames[i].blobs.size(), 1U);
+    EXPECT_EQ(frames[i].blobs[0].x1, feed.frames[i].blobs[0].x1) << i;
+    EXPECT_EQ(frames[i].blobs[0].y2, feed.frames[i].blobs[0].y2) << i;
+  }
+  EXPECT_EQ(last.y.raw, 0);
+}
+
+TEST(EmulateServer, LinkIsThereWhileItRuns) {
+  const TestFolder folder;
+  const std::string link = folder.file("pixy2");
+  {
+    OpenedEndpoint endpoint = open_pty(link);
+    ASSERT_TRUE(endpoint.ok());
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_TRUE(fs::is_character_file(link));
+    EXPECT_EQ((*endpoint)->place(), link);
+    (*endpoint)->hang_up();
+    EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+    EXPECT_EQ((*endpoint)->plug_in(), "");
+    EXPECT_TRUE(fs::is_character_file(link));
+  }
+  EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+}
+
+TEST(EmulateServer, LinkReplacesADeadOneAndNothingElse) {
+  const TestFolder folder;
+  const std::string link = folder.file("pixy2");
+  fs::create_symlink("/dev/pts/no_such_one", link);
+  EXPECT_TRUE(open_pty(link).ok());
+  std::ofstream(link) << "mine";
+  OpenedEndpoint taken = open_pty(link);
+  ASSERT_FALSE(taken.ok());
+  EXPECT_NE(taken.problem().find("remove it"), std::string::npos) << taken.problem();
+  EXPECT_TRUE(fs::is_regular_file(link));
+  EXPECT_FALSE(open_pty(folder.file("no/such/folder")).ok());
+}
+
+TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam1", open_pty(folder.file("camera")));
+  running.start();
+  for (int round = 0; round < 3; ++round) {
+    auto tty = linux::Tty::open({folder.file("camera"), 115'200});
+    ASSERT_TRUE(tty.ok()) << tty.problem();
+    std::string heard;
+    base::Time asked{-10'000};
+    EXPECT_TRUE(eventually(running.clock(), [&] {
+      const std::string command = "GV\r";
+      const base::Time now = running.clock().now();
+      // What is said before the server has seen the host open is lost, as on a cable that is being plugged in.
+      if (now - asked > base::milliseconds(100)) {
+        asked = now;
+        (void)tty->write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
+      }
+      std::array<std::uint8_t, 64> in{};
+      if (const auto got = tty->read(in)) heard.append(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(*got));
+      return heard.find("CMUcam v1.12\r:") != std::string::npos;
+    })) << round;
+    EXPECT_EQ(heard.find("GV"), std::string::npos) << "no echo";
+  }
+  running.stop();
+  EXPECT_EQ(running.station(0).faults().unplugs, 0U);
+}
+
+/// A host's end of a TCP port, for the test alone.
+class Socket {
+ public:
+  explicit Socket(const std::string& place) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1))));
+    connected_ = ::connect(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    ::fcntl(fd_.get(), F_SETFL, O_NONBLOCK);
+  }
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) {
+    const ssize_t count = ::recv(fd_.get(), in.data(), in.size(), 0);
+    if (count > 0) return static_cast<std::size_t>(count);
+    return count < 0 && errno == EAGAIN ? base::Error::kNotReady : base::Error::kGone;
+  }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
+    const ssize_t count = ::send(fd_.get(), out.data(), out.size(), MSG_NOSIGNAL);
+    if (count > 0) return static_cast<std::size_t>(count);
+    return base::Error::kGone;
+  }
+  [[nodiscard]] bool connected() const { return connected_; }
+
+ private:
+  linux::Descriptor fd_;
+  bool connected_ = false;
+};
+static_assert(bus::ByteLink<Socket>);
+
+TEST(EmulateServer, ShowsEveryFrameOnTcp) {
+  const Feed feed = moving_box(316, 208, 12);
+  Running running(feed);
+  running.add("pixy2,baud=0", open_tcp("0"));
+  running.start();
+  Socket socket(running.place(0));
+  ASSERT_TRUE(socket.connected()) << running.place(0);
+  pixy2::Camera<Socket> camera(socket);
+  std::size_t frames = 0;
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    if (const auto frame = camera.poll(running.clock().now())) {
+      EXPECT_EQ(frame->blobs[0].x2, feed.frames[frames].blobs[0].x2);
+      ++frames;
+    }
+    return frames == feed.frames.size();
+  }));
+  EXPECT_TRUE(running.join());
+}
+
+TEST(EmulateServer, TakesOneHostAtATimeOnTcp) {
+  Running running(moving_box(316, 208, 1'000));
+  running.add("pixy2", open_tcp("127.0.0.1:0"));
+  running.start();
+  std::array<std::uint8_t, 64> in{};
+  {
+    Socket first(running.place(0));
+    ASSERT_TRUE(eventually(running.clock(), [&] {
+      (void)first.write(hex("AE C1 0E 00"));
+      return first.read(in).ok();
+    }));
+    Socket second(running.place(0));
+    EXPECT_TRUE(eventually(running.clock(), [&] {
+      const auto got = second.read(in);
+      return !got.ok() && got.error() == base::Error::kGone;
+    }));
+  }
+  Socket third(running.place(0));
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    (void)third.write(hex("AE C1 0E 00"));
+    return third.read(in).ok();
+  })) << "the first one has gone";
+}
+
+TEST(EmulateServer, UnplugsAndComesBackUnderItsLink) {
+  const TestFolder folder;
+  FaultSettings faults;
+  faults.unplug = base::milliseconds(300);
+  faults.unplug_time = base::milliseconds(300);
+  Running running(moving_box(316, 208, 1'000));
+  running.add("pixy2,baud=0", open_pty(folder.file("pixy2")), faults);
+  running.start();
+  auto tty = linux::Tty::open({folder.file("pixy2"), 19'200});
+  ASSERT_TRUE(tty.ok()) << tty.problem();
+  pixy2::Camera<linux::Tty> camera(*tty);
+  int losses = 0;
+  bool there = true;
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    const base::Time now = running.clock().now();
+    tty->tend(now);
+    (void)camera.poll(now);
+    if (there && !tty->connected()) ++losses;
+    there = tty->connected();
+    return losses == 2 && there;
+  })) << losses;
+  running.stop();
+  EXPECT_GE(running.station(0).faults().unplugs, 2U);
+}
+
+TEST(EmulateServer, SaysWhyAPortCannotBe) {
+  OpenedEndpoint first = open_tcp("0");
+  ASSERT_TRUE(first.ok());
+  const std::string place = (*first)->place();
+  OpenedEndpoint second = open_tcp(place);
+  ASSERT_FALSE(second.ok());
+  EXPECT_NE(second.problem().find(place), std::string::npos) << second.problem();
+  EXPECT_NE(second.problem().find("choose another port"), std::string::npos) << second.problem();
+  for (const char* wrong : {"", "port", "99999", "127.0.0.1:", "-1", "no.such.host.invalid:0"}) {
+    EXPECT_FALSE(open_tcp(wrong).ok()) << wrong;
+  }
+  EXPECT_FALSE(open_can("no_such_interface_here").ok());
+  EXPECT_FALSE(open_can("nosuch0").ok());
+}
+
+}  // namespace
+}  // namespace fencepost::emulate
