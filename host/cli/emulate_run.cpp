@@ -96,13 +96,13 @@ void set_faults(std::vector<Device>& devices, const EmulateRequest& request) {
   for (const std::string& text : request.faults) {
     const std::size_t colon = text.find(':');
     const bool named = colon != std::string::npos && colon < text.find('=');
-    const emulate::ParsedFaults parsed = emulate::parse_faults(named ? text.substr(colon + 1) : text);
-    if (!parsed.problem.empty()) fail_usage(parsed.problem);
     bool found = !named;
     for (Device& device : devices) {
-      const bool meant = !named || device.name == text.substr(0, colon);
-      if (meant) device.faults = parsed.settings;
-      found = found || meant;
+      if (named && device.name != text.substr(0, colon)) continue;
+      const emulate::ParsedFaults parsed = emulate::parse_faults(named ? text.substr(colon + 1) : text, device.faults);
+      if (!parsed.problem.empty()) fail_usage(parsed.problem);
+      device.faults = parsed.settings;
+      found = true;
     }
     if (!found) fail_usage(fmt::format("--fault {}: no device {} here", text, text.substr(0, colon)));
   }

@@ -72,8 +72,8 @@ void set(FaultSettings& settings, std::string_view name, const Values& values) {
 
 }  // namespace
 
-ParsedFaults parse_faults(std::string_view text) {
-  ParsedFaults parsed;
+ParsedFaults parse_faults(std::string_view text, const FaultSettings& start) {
+  ParsedFaults parsed{start, {}};
   for (const std::string& part : split(text, ',')) {
     const std::size_t equals = part.find('=');
     const std::string name = part.substr(0, equals);

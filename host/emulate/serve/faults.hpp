@@ -29,7 +29,8 @@ struct ParsedFaults {
   FaultSettings settings;
   std::string problem;
 };
-ParsedFaults parse_faults(std::string_view text);
+/// `start`: what is in force already, and stays where `text` says nothing.
+ParsedFaults parse_faults(std::string_view text, const FaultSettings& start = {});
 
 struct FaultCounts {
   std::uint64_t bytes = 0;  ///< (CAN: frames) that went over the line, either way, the lost ones included

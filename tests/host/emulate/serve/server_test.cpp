@@ -1,22 +1,17 @@
 // In real time, on this machine's ptys and ports, with hal/linux as the host's end. Waits are for conditions.
 #include "host/emulate/serve/server.hpp"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
 
-#include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "drivers/create/create.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "hal/linux/tty.hpp"
 #include "tests/drivers/hex.hpp"
 #include "tests/hal/linux/pty.hpp"
-#include "tests/host/emulate/serve/rig.hpp"
+#include "tests/host/emulate/serve/running.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -25,64 +20,10 @@ namespace fs = std::filesystem;
 using linux::TestFolder;
 using test::hex;
 
-constexpr base::Duration kPatience = base::milliseconds(20'000);
-
-/// A server in a thread of its own.
-class Running {
- public:
-  explicit Running(const Feed& feed, const StageSettings& settings = {})
-      : stage_(feed, settings, clock_.now()),
-        server_(
-            stage_, clock_, [](const std::string&) {}, [](const std::string&) {}) {}
-  ~Running() { stop(); }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-
-  void add(const std::string& device, OpenedEndpoint endpoint, const FaultSettings& faults = {}) {
-    ASSERT_TRUE(endpoint.ok()) << endpoint.problem();
-    stage_.add({device, parse_device(device).spec, faults, 1, {}});
-    server_.add(std::move(*endpoint));
-  }
-  void start() {
-    thread_ = std::thread([this] { finished_ = server_.run([this] { return stop_.load(); }); });
-  }
-  void stop() {
-    stop_ = true;
-    if (thread_.joinable()) thread_.join();
-  }
-  /// Waits for the end; whether it came by itself.
-  bool join() {
-    thread_.join();
-    return finished_;
-  }
-  [[nodiscard]] std::string place(std::size_t index) const { return server_.place(index); }
-  [[nodiscard]] const linux::MonotonicClock& clock() const { return clock_; }
-  /// After the end.
-  Station& station(std::size_t index) { return stage_.station(index); }
-
- private:
-  linux::MonotonicClock clock_;
-  Stage stage_;
-  Server server_;
-  std::atomic<bool> stop_ = false;
-  std::atomic<bool> finished_ = false;
-  std::thread thread_;
-};
-
-template <class Condition>
-bool eventually(const linux::MonotonicClock& clock, Condition condition) {
-  const base::Time deadline = clock.now() + kPatience;
-  while (clock.now() < deadline) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
-
 TEST(EmulateServer, ShowsEveryFrameAndThePoseOnPtys) {
   const TestFolder folder;
   const Feed feed = moving_box(316, 208, 12);
-  Running running(feed);
+  Running running(feed, unhurried());
   running.add("pixy2,baud=0", open_pty(folder.file("pixy2")));
   running.add("create2", open_pty(folder.file("create2")));
   running.start();
@@ -168,38 +109,9 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
   EXPECT_EQ(running.station(0).faults().unplugs, 0U);
 }
 
-/// A host's end of a TCP port, for the test alone.
-class Socket {
- public:
-  explicit Socket(const std::string& place) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1))));
-    connected_ = ::connect(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    ::fcntl(fd_.get(), F_SETFL, O_NONBLOCK);
-  }
-  base::Result<std::size_t> read(std::span<std::uint8_t> in) {
-    const ssize_t count = ::recv(fd_.get(), in.data(), in.size(), 0);
-    if (count > 0) return static_cast<std::size_t>(count);
-    return count < 0 && errno == EAGAIN ? base::Error::kNotReady : base::Error::kGone;
-  }
-  base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
-    const ssize_t count = ::send(fd_.get(), out.data(), out.size(), MSG_NOSIGNAL);
-    if (count > 0) return static_cast<std::size_t>(count);
-    return base::Error::kGone;
-  }
-  [[nodiscard]] bool connected() const { return connected_; }
-
- private:
-  linux::Descriptor fd_;
-  bool connected_ = false;
-};
-static_assert(bus::ByteLink<Socket>);
-
 TEST(EmulateServer, ShowsEveryFrameOnTcp) {
   const Feed feed = moving_box(316, 208, 12);
-  Running running(feed);
+  Running running(feed, unhurried());
   running.add("pixy2,baud=0", open_tcp("0"));
   running.start();
   Socket socket(running.place(0));
