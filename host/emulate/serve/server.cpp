@@ -9,6 +9,9 @@ namespace {
 
 /// A host that opens a pty wakes nobody, so that is looked for.
 constexpr base::Duration kLook = base::milliseconds(10);
+/// What a device says goes out in portions of so long, as a USB adapter brings it; byte by byte would be ten thousand
+/// turns a second.
+constexpr base::Duration kPortion = base::milliseconds(1);
 
 }  // namespace
 
@@ -90,8 +93,9 @@ void Server::check_baud(std::size_t index) {
 void Server::wait() {
   linux::WaitSet set;
   for (const Place& place : places_) set.add_readable(place.endpoint->descriptor());
-  base::Time deadline = clock_.now() + kLook;
-  if (const auto next = stage_.next()) deadline = std::min(deadline, *next);
+  const base::Time now = clock_.now();
+  base::Time deadline = now + kLook;
+  if (const auto next = stage_.next()) deadline = std::clamp(*next, now + kPortion, deadline);
   (void)set.wait_until(clock_, deadline);
 }
 

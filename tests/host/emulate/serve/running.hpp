@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "hal/linux/descriptor.hpp"
 #include "host/emulate/serve/server.hpp"
@@ -56,6 +57,8 @@ class Running {
     thread_.join();
     return finished_;
   }
+  /// The show is over.
+  [[nodiscard]] bool finished() const { return finished_; }
   [[nodiscard]] std::string place(std::size_t index) const { return server_.place(index); }
   [[nodiscard]] const linux::MonotonicClock& clock() const { return clock_; }
   /// After the end.
@@ -69,6 +72,22 @@ class Running {
   std::atomic<bool> finished_ = false;
   std::thread thread_;
 };
+
+/// Whether the boxes seen are some of those shown, in order and to the pixel. In real time a machine that was busy
+/// elsewhere may miss some: that none is missed is tested in stepped time.
+inline testing::AssertionResult in_order(const std::vector<sensor::Blob>& seen, const Feed& feed) {
+  constexpr std::size_t kFewest = 3;
+  std::size_t at = 0;
+  for (const sensor::Blob& blob : seen) {
+    const auto same = [&](const sensor::Blob& shown) {
+      return shown.x1 == blob.x1 && shown.x2 == blob.x2 && shown.y1 == blob.y1 && shown.y2 == blob.y2;
+    };
+    while (at < feed.frames.size() && !same(feed.frames[at].blobs[0])) ++at;
+    if (at == feed.frames.size()) return testing::AssertionFailure() << "never shown: columns " << blob.x1;
+  }
+  if (seen.size() < kFewest) return testing::AssertionFailure() << "only " << seen.size() << " frames seen";
+  return testing::AssertionSuccess();
+}
 
 template <class Condition>
 bool eventually(const linux::MonotonicClock& clock, Condition condition) {
