@@ -91,6 +91,7 @@ TEST(Stage, LoopsAndTheWheelsGoOn) {
   EXPECT_EQ(rig.stage.rounds(), 3U);
   EXPECT_EQ(rig.stage.station(0).counts().frames, 19U);
   EXPECT_NEAR(last.x.to_double(), 0.2 * (3 * 0.5 + 0.44), 0.01);
+  EXPECT_EQ(driver.session().counts().impossible, 0U) << "no jump back, which the driver would take for a restart";
 }
 
 // A device that is looked at seldom has still done everything at its own time.
