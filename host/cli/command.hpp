@@ -33,5 +33,6 @@ Command simulate_command();
 Command evaluate_command();
 Command import_command();
 Command run_command();
+Command emulate_command();
 
 }  // namespace fencepost::host::cli
