@@ -66,6 +66,8 @@ class ChirpLink {
   void send(const chirp::Transfer& transfer) { wire::replace(outbox_, transfer.view()); }
 
   void take_request(std::span<const std::uint8_t> message) {
+    // One request at a time: a message that is not whole yet answers none any more, and would swallow the next.
+    messages_.reset();
     if (phase_ == Phase::kOpen && unanswered_++ >= kUnansweredToClose) phase_ = Phase::kClosed;
     switch (phase_) {
       case Phase::kClosed: return send(chirp::initialise());
