@@ -117,5 +117,14 @@ TEST(ChirpLink, AMessageThatIsNeverWholeDoesNotSwallowTheNext) {
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
+// Reset between the two messages that open the connection: it answers the second one only after the first.
+TEST(ChirpLink, ACameraResetWhileTheConnectionOpensIsOpenedAnew) {
+  Bench bench;
+  while (bench.link.waiting() == 0) bench.run(1, {kRed});  // the answer to the first one is on its way
+  bench.usb.restart(bench.clock.now());
+  bench.run(8'000, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+}
+
 }  // namespace
 }  // namespace fencepost::pixy2
