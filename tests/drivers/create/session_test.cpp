@@ -142,6 +142,15 @@ TEST(CreateSession, AsksForTheStreamBeforeItStartsAnew) {
   EXPECT_EQ(rig.driver.session().counts().starts, 2U);
 }
 
+// A damaged count: the robot waits for a list of 255 packets, and takes what it is asked for its entries.
+TEST(CreateSession, ARobotThatWaitsForALongListIsGivenIt) {
+  Rig rig(config_of(Model::kCreate2), CreateModel::kTwo);
+  rig.run(300);
+  (void)rig.device.feed(test::hex_text("96 00 94 FF"));  // the stream paused, a list begun
+  rig.run(10'000);
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+}
+
 TEST(CreateSession, CarriesCommandsOfWhoeverDrives) {
   fake::ScriptedLink<64> link({});
   Create<fake::ScriptedLink<64>> driver(link, config_of(Model::kCreate2, Mode::kFull));
