@@ -90,6 +90,7 @@ void V5Session::finish(base::Time now) {
   seen_ = !frame_.blobs.empty();
   blob_at_ = now;
   frame_.frame = counts_.frames++;
+  counts_.stale += complete_ ? 1U : 0U;
   complete_ = frame_;
 }
 
