@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/base/result.hpp"
 #include "hal/base/units.hpp"
 #include "hal/fake/stepped_clock.hpp"
 #include "hal/sensor/blob_frame.hpp"

@@ -8,6 +8,7 @@
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/faults.hpp"
 #include "tests/drivers/bench/hostile_figures.hpp"
+#include "tests/drivers/bench/plug.hpp"
 
 namespace fencepost::test {
 

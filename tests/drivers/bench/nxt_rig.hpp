@@ -73,7 +73,8 @@ struct NxtCameraRig : NxtCamImages, BrickDevice, Wire {
     if (odometry.poll(now)) ++poses;
     return driver.poll(now);
   }
-  void restart(base::Time now) { device.restart(now), link.forget(); }
+  // The port feeds the camera.
+  void restart(base::Time now) { device.restart(now), camera().restart(now), link.forget(); }
 
   nxt::SensorPort port;
   nxtcam::Camera<nxt::SensorPort> driver;
