@@ -56,5 +56,29 @@ TEST(SerialNxtCamera, APortWithoutACameraIsSilent) {
   EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
 }
 
+TEST(SerialNxtCamera, AcknowledgingWithoutTrackingIsUnready) {
+  Bench bench;
+  bench.exposing = false;
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
+  EXPECT_TRUE(bench.frames.empty());
+  bench.exposing = true;
+  bench.run(200, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+}
+
+// What a stalled line held back comes in one heap: only the first of it counts, in order of time.
+TEST(SerialNxtCamera, FramesHeldUpInOneHeapAreDropped) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.link.set_bytes_per_ms(1'000);
+  bench.link.stall();
+  bench.run(500, {kRed});
+  bench.link.resume();
+  EXPECT_LE(bench.run(20, {kRed}).size(), 2U);
+  EXPECT_GT(bench.driver.stale(), 5U);
+  EXPECT_EQ(bench.disorder, 0U);
+}
+
 }  // namespace
 }  // namespace fencepost::nxtcam
