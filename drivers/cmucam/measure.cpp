@@ -26,7 +26,7 @@ std::uint32_t area(const Fields& fields, PixelCount rule) {
   switch (rule) {
     case PixelCount::kNotTold: return 0;
     case PixelCount::kCount: return saturated ? 0 : fields.pixels;
-    case PixelCount::kEighths: return saturated ? 0 : std::min(8U * fields.pixels, box);
+    case PixelCount::kEighths: return saturated ? 0 : std::min<std::uint32_t>(8U * fields.pixels, box);
     case PixelCount::kByConfidence: return (fields.confidence * box + 127) / 255;
   }
   return 0;

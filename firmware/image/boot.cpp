@@ -1,0 +1,46 @@
+#include "firmware/image/boot.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/app/sentence.hpp"
+
+namespace fencepost::image {
+namespace {
+
+app::Sentence& put_hex(app::Sentence& s, std::uint32_t value) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::array<char, 8> digits{};
+  for (std::size_t i = 0; i < digits.size(); ++i) digits[i] = kDigits[(value >> (28 - 4 * i)) & 0xFU];
+  return s.put({digits.data(), digits.size()});
+}
+
+void put_panic(app::Sentence& s, const std::optional<mcu::Panic>& panic) {
+  if (!panic) {
+    s.put("panic: none");
+    return;
+  }
+  s.put("panic: exception ").number(panic->exception).put(" at ");
+  put_hex(s, panic->pc).put(", called from ");
+  put_hex(s, panic->lr);
+}
+
+}  // namespace
+
+std::size_t write_boot_line(std::size_t n, const BootFacts& facts, std::span<char> out) {
+  app::Sentence s(out);
+  const record::Header& header = facts.header;
+  switch (n) {
+    case 0:
+      s.put(header.product.view()).put(" ").put(header.version.view()).put(" for ").put(header.target.view());
+      s.put(", profile ").put(header.profile.view());
+      break;
+    case 1: s.put("reset: ").put(mcu::name(facts.panic ? mcu::ResetReason::kPanic : facts.reason)); break;
+    case 2: put_panic(s, facts.panic); break;
+    default: s.put("READY"); break;
+  }
+  return s.end();
+}
+
+}  // namespace fencepost::image

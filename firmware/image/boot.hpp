@@ -1,0 +1,24 @@
+// What a board says when it starts: foreign lines to the stream, sentences to people.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "firmware/record/records.hpp"
+#include "hal/mcu/reset.hpp"
+
+namespace fencepost::image {
+
+struct BootFacts {
+  const record::Header& header;
+  mcu::ResetReason reason = mcu::ResetReason::kUnknown;
+  std::optional<mcu::Panic> panic;
+};
+
+/// Version, reason of the reset, panic, READY.
+inline constexpr std::size_t kBootLines = 4;
+/// Line n; its length with the line end, or 0 if it does not fit.
+std::size_t write_boot_line(std::size_t n, const BootFacts& facts, std::span<char> out);
+
+}  // namespace fencepost::image

@@ -1,0 +1,69 @@
+// Sensors whose records come over the console: the loop takes them there, these only say how the link is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/app/counters.hpp"
+#include "hal/base/units.hpp"
+#include "hal/sensor/sources.hpp"
+
+namespace fencepost::image {
+
+/// Silent until a count moves, and again when it has stood still for a second.
+class CountWatch {
+ public:
+  static constexpr base::Duration kPatience = base::milliseconds(1'000);
+
+  void watch(std::uint32_t count, base::Time now) {
+    if (count == count_ && moved_at_ && now - *moved_at_ < kPatience) return;
+    if (count == count_) {
+      moved_at_.reset();
+    } else {
+      moved_at_ = now;
+    }
+    count_ = count;
+  }
+  [[nodiscard]] sensor::LinkState link() const {
+    return moved_at_ ? sensor::LinkState::kOk : sensor::LinkState::kSilent;
+  }
+
+ private:
+  std::uint32_t count_ = 0;
+  std::optional<base::Time> moved_at_;
+};
+
+class CameraOnConsole {
+ public:
+  explicit CameraOnConsole(const app::Counters& counters) : counters_(counters) {}
+
+  base::Result<sensor::BlobFrame> poll(base::Time now) {
+    watch_.watch(counters_.frames + counters_.refused_in_all(), now);
+    return base::Error::kNotReady;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
+  [[nodiscard]] static std::uint32_t dropped() { return 0; }
+
+ private:
+  const app::Counters& counters_;
+  CountWatch watch_;
+};
+static_assert(sensor::BlobCamera<CameraOnConsole>);
+
+class OdometryOnConsole {
+ public:
+  explicit OdometryOnConsole(const app::Counters& counters) : counters_(counters) {}
+
+  base::Result<sensor::OdometrySample> poll(base::Time now) {
+    watch_.watch(counters_.odometry, now);
+    return base::Error::kNotReady;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
+
+ private:
+  const app::Counters& counters_;
+  CountWatch watch_;
+};
+static_assert(sensor::OdometrySource<OdometryOnConsole>);
+
+}  // namespace fencepost::image

@@ -1,0 +1,122 @@
+// Keeps what the robot was told - settings, calibration, signatures - in flash, as the stream's own lines.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware/app/pipeline.hpp"
+#include "firmware/config/settings_store.hpp"
+#include "firmware/record/decode.hpp"
+#include "firmware/record/encode.hpp"
+
+namespace fencepost::image {
+
+template <class Profile, bus::FlashPages Flash>
+class Keeper {
+ public:
+  Keeper(app::Pipeline<Profile>& pipeline, Flash& flash) : pipeline_(pipeline), store_(flash) {}
+
+  /// At start-up, after the built-in calibration is set: what was kept comes into force. The calibration of another
+  /// camera - the image was built anew for one of another size - is passed over.
+  void restore() {
+    store_.load([this](std::string_view line) {
+      Restored restored{pipeline_};
+      static_cast<void>(record::decode(line, {}, restored));
+    });
+    remember();
+  }
+
+  /// What has changed is written. False if the part did not take it; that change is then not tried again.
+  bool keep() {
+    const app::Memory<Profile>& memory = pipeline_.memory();
+    if (memory.settings == settings_ && memory.calibration.intrinsics == camera_ && memory.signatures == signatures_) {
+      return true;
+    }
+    const bool kept = write_changes();
+    remember();
+    return kept;
+  }
+
+ private:
+  using Line = std::array<char, config::SettingsStore<Flash>::kMaxLine>;
+
+  struct Restored {
+    app::Pipeline<Profile>& pipeline;
+
+    void accept(const record::Setting& setting) {
+      static_cast<void>(pipeline.set(setting.key.view(), setting.value.view()));
+    }
+    void accept(const record::Signature& signature) { static_cast<void>(pipeline.set_signature(signature)); }
+    void accept(const sensor::CameraIntrinsics& camera) {
+      const app::Calibration& built_in = pipeline.memory().calibration;
+      const bool other =
+          built_in.known && (camera.width != built_in.intrinsics.width || camera.height != built_in.intrinsics.height);
+      if (!other) pipeline.set_camera(camera);
+    }
+    template <class Record>
+    void accept(const Record& /*no input of start-up*/) {}
+  };
+
+  [[nodiscard]] record::Setting setting(config::Key key) const {
+    return {config::info(key).name, pipeline_.memory().settings.text(key)};
+  }
+
+  // Behind what is there; in a full page, all of it anew in the other.
+  [[gnu::noinline]] bool write_changes() {
+    Line line{};
+    const auto append = [this](std::string_view text) { return store_.append(text); };
+    return append_changes(line, append) || store_.rewrite([&](auto&& put) { tell(line, put); });
+  }
+
+  template <class Append>
+  bool append_changes(Line& line, Append append) const {
+    const app::Memory<Profile>& memory = pipeline_.memory();
+    for (std::size_t i = 0; i < config::kKeys; ++i) {
+      const auto key = static_cast<config::Key>(i);
+      const bool changed = memory.settings.raw(key) != settings_.raw(key);
+      if (changed && !append(text_of(setting(key), line))) return false;
+    }
+    const bool moved = memory.calibration.intrinsics != camera_;
+    if (moved && !append(text_of(memory.calibration.intrinsics, line))) return false;
+    for (std::size_t i = 0; i < memory.signatures.size(); ++i) {
+      const bool same = i < signatures_.size() && memory.signatures[i] == signatures_[i];
+      if (!same && !append(text_of(memory.signatures[i], line))) return false;
+    }
+    return true;
+  }
+
+  template <class Record>
+  static std::string_view text_of(const Record& record, Line& line) {
+    const std::size_t size = record::encode(record, line);
+    return {line.data(), size > 2 ? size - 2 : 0};  // its line end is not kept
+  }
+
+  template <class Put>
+  void tell(Line& line, Put& put) const {
+    const app::Memory<Profile>& memory = pipeline_.memory();
+    for (std::size_t i = 0; i < config::kKeys; ++i) {
+      const auto key = static_cast<config::Key>(i);
+      if (memory.settings.raw(key) != config::info(key).initial) put(text_of(setting(key), line));
+    }
+    if (memory.calibration.known) put(text_of(memory.calibration.intrinsics, line));
+    for (const record::Signature& signature : memory.signatures) put(text_of(signature, line));
+  }
+
+  void remember() {
+    const app::Memory<Profile>& memory = pipeline_.memory();
+    settings_ = memory.settings;
+    camera_ = memory.calibration.intrinsics;
+    signatures_ = memory.signatures;
+  }
+
+  app::Pipeline<Profile>& pipeline_;
+  config::SettingsStore<Flash> store_;
+  // As they were when they were last written.
+  config::Settings settings_;
+  sensor::CameraIntrinsics camera_;
+  base::FixedVector<record::Signature, Profile::kSignatures> signatures_;
+};
+
+}  // namespace fencepost::image

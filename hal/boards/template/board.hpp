@@ -1,0 +1,65 @@
+// A board that does nothing: what every board has to offer, to start a new one from. Compiled on the desk, so that it
+// cannot rot.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hal/bus/flash_pages.hpp"
+#include "hal/mcu/reset.hpp"
+#include "hal/template/clock.hpp"
+#include "hal/template/uart.hpp"
+
+namespace fencepost::board {
+
+/// In the header of each log.
+inline constexpr std::string_view kTarget = "template";
+
+/// Fill in: a bus::Clock that can tell microseconds, too.
+struct Clock : port::BoardClock {
+  /// Wraps.
+  [[nodiscard]] std::uint32_t microseconds() const { return static_cast<std::uint32_t>(now().raw) * 100; }
+};
+/// Fill in: a bus::ByteLink. Where lines are of several kinds (USB and a UART), a type for each.
+using Link = port::Uart;
+
+/// Fill in: two pages that the linker script leaves free. A part without such flash keeps nothing: like this.
+struct Flash {
+  [[nodiscard]] static std::size_t size() { return 0; }
+  [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t /*n*/) { return {}; }
+  static bool program(std::size_t /*n*/, std::size_t /*offset*/, std::span<const std::uint8_t> /*bytes*/) {
+    return false;
+  }
+  static bool erase(std::size_t /*n*/) { return false; }
+};
+static_assert(bus::FlashPages<Flash>);
+
+/// Fill in: clocks, timer, watchdog, console; nothing else here is called before.
+void start(std::uint32_t console_baud);
+/// Fill in: each before its link is used, if it is at all.
+void start_camera(std::uint32_t baud);
+void start_base(std::uint32_t baud);
+/// Fill in where the board can count wheels; else leave these three out, and `encoders` cannot be chosen.
+void start_encoders();
+std::uint32_t left_count();
+std::uint32_t right_count();
+
+Clock& clock();
+Link& console();
+Link& camera();
+Link& base();
+Flash& flash();
+
+/// Fill in: once after the start; later calls need not know it any more.
+mcu::ResetReason take_reset_reason();
+std::optional<mcu::Panic> take_panic();
+
+/// Fill in: at least once a second it will be.
+void feed_watchdog();
+/// Fill in: sleep until a byte comes or a millisecond is over, unless a byte waits already.
+void idle();
+
+}  // namespace fencepost::board

@@ -1,0 +1,37 @@
+// The core itself: interrupts, sleep, reset.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mcu/cortex_m/registers.hpp"
+#include "hal/mcu/register.hpp"
+
+namespace fencepost::mcu::cortex_m {
+
+inline void enable_interrupt(std::uint32_t number) { reg(kNvicEnable + 4 * (number / 32)) = 1U << (number % 32); }
+
+/// No interrupt is taken while this lives; they wait. Keep it short: bytes are lost meanwhile.
+class InterruptsHeld {
+ public:
+  InterruptsHeld() { asm volatile("cpsid i" ::: "memory"); }
+  InterruptsHeld(const InterruptsHeld&) = delete;
+  InterruptsHeld& operator=(const InterruptsHeld&) = delete;
+  ~InterruptsHeld() { asm volatile("cpsie i" ::: "memory"); }
+};
+
+/// Sleeps until an interrupt, unless there is `work()` already. The core wakes for one that is held, too: none can slip
+/// in between the question and the sleep.
+template <class Work>
+void sleep_unless(Work&& work) {
+  const InterruptsHeld held;
+  if (!work()) asm volatile("dsb\n\twfi" ::: "memory");
+}
+
+[[noreturn]] inline void reset() {
+  asm volatile("dsb" ::: "memory");
+  reg(kResetControl) = kResetRequest;
+  for (;;) {
+  }
+}
+
+}  // namespace fencepost::mcu::cortex_m

@@ -1,0 +1,29 @@
+// One 32-bit register of a part, by its address.
+#pragma once
+
+#include <cstdint>
+
+namespace fencepost::mcu {
+
+/// What a register has to say at an address that the part's manual gives.
+inline volatile std::uint32_t& reg(std::uint32_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(static_cast<std::uintptr_t>(address));
+}
+
+inline void set_bits(std::uint32_t address, std::uint32_t bits) { reg(address) = reg(address) | bits; }
+inline void clear_bits(std::uint32_t address, std::uint32_t bits) { reg(address) = reg(address) & ~bits; }
+/// The bits of `mask` become those of `value`.
+inline void change_bits(std::uint32_t address, std::uint32_t mask, std::uint32_t value) {
+  reg(address) = (reg(address) & ~mask) | value;
+}
+
+/// Waits until `bits` are set, at most so many looks; false if they never were. No wait is unbounded: emulators leave
+/// registers out, crystals break.
+inline bool await_bits(std::uint32_t address, std::uint32_t bits, std::uint32_t looks) {
+  for (; looks > 0; --looks) {
+    if ((reg(address) & bits) == bits) return true;
+  }
+  return false;
+}
+
+}  // namespace fencepost::mcu

@@ -1,0 +1,35 @@
+// A pin, and what it is set up as.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mcu/register.hpp"
+#include "hal/mcu/stm32f4/registers.hpp"
+
+namespace fencepost::mcu::stm32f4 {
+
+struct Pin {
+  char port = 'A';
+  std::uint32_t number = 0;
+
+  [[nodiscard]] std::uint32_t address() const { return kPortA + kPortStride * static_cast<std::uint32_t>(port - 'A'); }
+  /// The pin becomes that of a peripheral: alternate functions by table 9 of the datasheet. Pulled up, so that a line
+  /// with nothing on it is quiet.
+  void connect(std::uint32_t function) const {
+    turn_on();
+    const std::uint32_t shift = 4 * (number % 8);
+    change_bits(address() + kPortFunction + 4 * (number / 8), 0xFU << shift, function << shift);
+    change_bits(address() + kPortPull, 0x3U << (2 * number), kPullUp << (2 * number));
+    change_bits(address() + kPortMode, 0x3U << (2 * number), kModeAlternate << (2 * number));
+  }
+  void make_output() const {
+    turn_on();
+    change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));
+  }
+  void drive(bool high) const { reg(address() + kPortSet) = 1U << (number + (high ? 0U : 16U)); }
+
+ private:
+  void turn_on() const { set_bits(kRccAhb1Enable, 1U << static_cast<std::uint32_t>(port - 'A')); }
+};
+
+}  // namespace fencepost::mcu::stm32f4

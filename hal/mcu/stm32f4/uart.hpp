@@ -1,0 +1,52 @@
+// A serial line: 8N1, both ways through rings that its interrupt fills and empties.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hal/base/result.hpp"
+#include "hal/bus/byte_link.hpp"
+#include "hal/mcu/rings.hpp"
+#include "hal/mcu/stm32f4/pin.hpp"
+
+namespace fencepost::mcu::stm32f4 {
+
+/// What the part and the board's wiring say of one line.
+struct UartWiring {
+  std::uint32_t base = 0;
+  std::uint32_t enable_register = 0;  ///< in the clock control
+  std::uint32_t enable_bit = 0;
+  std::uint32_t interrupt = 0;
+  std::uint32_t function = 7;  ///< of its pins: 7 for USART1..3
+  Pin transmit;
+  Pin receive;
+};
+
+class Uart {
+ public:
+  /// Once, before all else here. `clock_hz`: of the line's bus. The wiring is not a constructor's: an object that
+  /// begins with zeros costs no flash.
+  void start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud);
+
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out);
+
+  /// The line's interrupt.
+  void on_interrupt();
+  /// Once a millisecond, from an interrupt: sends what fits into one at the line's pace. On the part the send interrupt
+  /// has done so already and this finds nothing to do; the emulator has no such interrupt.
+  void on_millisecond();
+
+  [[nodiscard]] bool waiting() const { return rings_.waiting(); }
+
+ private:
+  [[nodiscard]] bool send_one();
+
+  std::uint32_t base_ = 0;
+  std::uint32_t bytes_a_millisecond_ = 0;
+  Rings<1024, 1024> rings_;
+};
+
+static_assert(bus::ByteLink<Uart>);
+
+}  // namespace fencepost::mcu::stm32f4
