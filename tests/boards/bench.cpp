@@ -1,0 +1,123 @@
+#include "tests/boards/bench.hpp"
+
+#include <array>
+#include <cstdio>
+#include <thread>
+
+#include "hal/base/crc16.hpp"
+#include "tests/firmware/app/desk.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr std::chrono::microseconds kNap{500};
+
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+}  // namespace
+
+std::string unstamped(const sensor::OdometrySample& sample) {
+  const std::string stamped = line_of(sample);
+  const std::size_t first = stamped.find(',');
+  const std::size_t second = stamped.find(',', first + 1);
+  const std::string body = stamped.substr(1, first) + stamped.substr(second, stamped.find('*') - second);
+  std::array<char, 8> check{};
+  std::snprintf(check.data(), check.size(), "%04X", base::crc16(body));
+  return "$" + body + "*" + check.data() + "\r\n";
+}
+
+Bench::Bench(BoardUnderTest board) : board_(std::move(board)), emulator_(board_) {}
+
+base::Time Bench::now() const { return base::Time::nearest(seconds_since(started_)); }
+
+void Bench::pump() {
+  emulator_.pump();
+  if (board_.camera >= 0) pump_camera();
+  said_ += console().take();
+  std::this_thread::sleep_for(kNap);
+}
+
+void Bench::pump_camera() {
+  const std::string asked = camera_line().take();
+  if (unplugged_) return;
+  for (const char byte : asked) {
+    const auto answer = camera_.take(static_cast<std::uint8_t>(byte), now());
+    camera_line().send({reinterpret_cast<const char*>(answer.data()), answer.size()});
+  }
+}
+
+bool Bench::await(std::string_view text, double seconds) {
+  for (const auto start = WallClock::now(); seconds_since(start) < seconds; pump()) {
+    if (said_.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+bool Bench::obey(std::string_view command, std::string_view expected) {
+  clear();
+  console().send(std::string(command) + "\r");
+  return await(expected);
+}
+
+void Bench::run(double seconds) {
+  for (const auto start = WallClock::now(); seconds_since(start) < seconds;) pump();
+}
+
+bool Bench::await_camera(double seconds) {
+  for (const auto start = WallClock::now(); seconds_since(start) < seconds; run(0.2)) {
+    if (board_.camera >= 0) camera_.show({});
+    if (obey("status", "; odometry link ") && said_.find("camera link silent") == std::string::npos &&
+        said_.find("camera link unready") == std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Bench::start_log(const SceneStream& stream) {
+  for (const std::string& line : stream.calibration) console().send(line);
+  if (!obey("mode log", "mode is log") || !obey("reset", "a new run")) return false;
+  return await("$FPCFG,correct.pose");
+}
+
+void Bench::give(const SceneStream::Input& input) {
+  std::visit([this](const auto& one) { give(one); }, input);
+}
+
+void Bench::give(const sensor::OdometrySample& sample) {
+  console().send(board_.camera >= 0 ? unstamped(sample) : line_of(sample));
+}
+
+void Bench::give(const sensor::BlobFrame& frame) {
+  if (board_.camera < 0) {
+    console().send(line_of(frame));
+  } else {
+    camera_.show({frame.blobs.begin(), frame.blobs.end()});
+  }
+}
+
+void Bench::play(const SceneStream& stream, const std::function<void(double)>& also) {
+  const auto start = WallClock::now();
+  for (const SceneStream::Input& input : stream.inputs) {
+    const double t = std::visit([](const auto& one) { return one.t.to_double(); }, input);
+    while (seconds_since(start) < t) pump();
+    if (also) also(t);
+    give(input);
+  }
+  run(0.4);
+}
+
+std::string Bench::digest() {
+  const std::size_t before = said_.size();
+  console().send("status\r");
+  const std::string_view word = "; digest ";
+  for (const auto start = WallClock::now(); seconds_since(start) < 5; pump()) {
+    const std::size_t at = said_.find(word, before);
+    if (at != std::string::npos && said_.size() >= at + word.size() + 16) return said_.substr(at + word.size(), 16);
+  }
+  return {};
+}
+
+}  // namespace fencepost::test

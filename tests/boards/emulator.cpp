@@ -1,0 +1,70 @@
+#include "tests/boards/emulator.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+extern char** environ;
+
+namespace fencepost::test {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{10'000};
+
+std::string make_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "fencepost-board-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  return name;
+}
+
+}  // namespace
+
+std::string image_of(const std::string& board) { return FENCEPOST_IMAGES_DIR "/" + board + "/fencepost"; }
+
+Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
+  std::vector<std::string> sockets;
+  for (std::size_t i = 0; i < board.lines; ++i) {
+    sockets.push_back(folder_ + "/line" + std::to_string(i));
+    lines_.emplace_back(sockets.back());
+  }
+  start(board.command(sockets));
+  for (Line& line : lines_) {
+    if (!line.accept(kPatience)) throw std::runtime_error("the emulator did not connect its lines");
+  }
+}
+
+Emulator::~Emulator() {
+  if (child_ > 0) {
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+  }
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+void Emulator::start(const std::vector<std::string>& command) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  if (::posix_spawnp(&child_, words[0], nullptr, nullptr, words.data(), environ) != 0) {
+    child_ = -1;
+    throw std::runtime_error("cannot start " + command[0] + "; toolchain/setup firmware installs it");
+  }
+}
+
+bool Emulator::alive() {
+  if (child_ <= 0) return false;
+  if (::waitpid(child_, nullptr, WNOHANG) == 0) return true;
+  child_ = -1;
+  return false;
+}
+
+void Emulator::pump() {
+  for (Line& line : lines_) line.pump();
+}
+
+}  // namespace fencepost::test

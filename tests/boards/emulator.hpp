@@ -1,0 +1,49 @@
+// An emulator as a child process, with a socket for each serial line.
+#pragma once
+
+#include <sys/types.h>
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/boards/line.hpp"
+
+namespace fencepost::test {
+
+/// What has to be known of a board to talk to its image.
+struct BoardUnderTest {
+  std::string name;  ///< of its preset
+  /// The emulator's command; `sockets`: paths to connect to, one a line.
+  std::function<std::vector<std::string>(const std::vector<std::string>& sockets)> command;
+  std::size_t lines = 1;
+  std::size_t console = 0;  ///< its line
+  int camera = -1;          ///< the Pixy2's line; negative: frames go over the console
+};
+
+/// The folder with the images that this build has made.
+std::string image_of(const std::string& board);
+
+class Emulator {
+ public:
+  /// Starts it and waits until all lines are connected. Throws std::runtime_error with the reason.
+  explicit Emulator(const BoardUnderTest& board);
+  ~Emulator();
+  Emulator(const Emulator&) = delete;
+  Emulator& operator=(const Emulator&) = delete;
+
+  [[nodiscard]] Line& line(std::size_t n) { return lines_[n]; }
+  /// It has not ended by itself.
+  [[nodiscard]] bool alive();
+  void pump();
+
+ private:
+  void start(const std::vector<std::string>& command);
+
+  std::string folder_;
+  std::deque<Line> lines_;
+  pid_t child_ = -1;
+};
+
+}  // namespace fencepost::test

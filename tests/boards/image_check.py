@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""usage: image_check.py IMAGE BUILD_DIR SIZES.csv [--context-words N]
+
+The linked image of one board, IMAGE being its row of SIZES.csv: no symbol of a heap, of exceptions, run-time types,
+guarded statics, printf or of a libm function that differs between C libraries; flash, static memory and worst-case
+stack (the deepest path from start-up, one interrupt on top of it) no larger than in the table. All bytes.
+"""
+
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "toolchain"), str(HERE.parent / "stack")]
+import symbol_check  # noqa: E402
+import worst_case  # noqa: E402
+
+# Ours, and harmless: a trap (hal/mcu/support.cpp).
+ALLOWED = {"abort"}
+# What the core pushes when an interrupt comes: 8 words, with the float unit 26, and one to align (Armv7-M B1.5.7).
+CONTEXT_WORDS = 27
+# Functions of the compiler's library: allowances for their frames, by their code (12.2: at most 10 words and a callee).
+LIBGCC = re.compile(r"__(?:aeabi_\w+|popcount\w+|clz\w+|ctz\w+|gnu_\w+|\w*div\w*|\w*mod\w*|[a-z]+[sd]f\w*)$|sqrtf?$")
+LIBGCC_FRAME = 96
+STARTS = ["fencepost_start", "image_main"]
+INTERRUPT = re.compile(r"\w+_interrupt$")
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def symbol_faults(elf):
+    names = [line.split(" ", 2)[2] for line in run("arm-none-eabi-nm", "-C", "--defined-only", elf).splitlines()]
+    faults = [f"{name}: {why}" for name in names for why, pattern in symbol_check.BANNED.items()
+              if pattern.match(name) and name not in ALLOWED]
+    return faults, len(names)
+
+
+def sizes(elf):
+    """(bytes of flash, bytes of static memory) by the sections that are loaded or reserved."""
+    flash = ram = 0
+    for line in run("arm-none-eabi-readelf", "-SW", elf).splitlines():
+        match = re.match(r"\s*\[ *\d+\] (\S+)\s+(\S+)\s+[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+\s+(\S*A\S*)", line)
+        if not match or match.group(1) == ".stack":
+            continue
+        size = int(match.group(3), 16)
+        if match.group(2) != "NOBITS":
+            flash += size
+        if "W" in match.group(4):
+            ram += size
+    return flash, ram
+
+
+class ImageDepths(worst_case.Depths):
+    def outside(self, function, path):
+        if LIBGCC.match(worst_case.short(function)):
+            return LIBGCC_FRAME, [function]
+        if path and path[-1] == "fencepost_start":  # the table of constructors: each is a root of its own
+            return 0, []
+        return super().outside(function, path)
+
+
+def stack(build, context_words):
+    depths = ImageDepths(worst_case.read_graph(build))
+    names = {worst_case.short(title): title for title in depths.frames}
+    missing = [root for root in STARTS if root not in names]
+    if missing:
+        sys.exit(f"image_check: {', '.join(missing)} not in the call graph of {build}")
+    constructors = [title for title in depths.frames if "_GLOBAL__sub_I" in title]
+    below = max(depths.of(title)[0] for title in [*(names[s] for s in STARTS[1:]), *constructors])
+    start = depths.frames[names[STARTS[0]]]
+    interrupts = {name: depths.of(title)[0] for name, title in names.items() if INTERRUPT.match(name)}
+    if not interrupts:
+        sys.exit("image_check: no interrupts in the call graph")
+    deepest = max(interrupts, key=interrupts.get)
+    print(f"stack: start-up {start}, loop {below}, {deepest} {interrupts[deepest]} and {4 * context_words} pushed")
+    for title in depths.of(names["image_main"])[1]:
+        print(f"  {depths.frames.get(title, LIBGCC_FRAME):6} {depths.labels.get(title, title)[:120]}")
+    return start + below + interrupts[deepest] + 4 * context_words, sorted(set(depths.faults))
+
+
+def reserved_stack(elf):
+    """What the linker script keeps free for it at least."""
+    for line in run("arm-none-eabi-nm", elf).splitlines():
+        value, _, name = line.split(" ")
+        if name == "image_stack_size":
+            return int(value, 16)
+    return 0
+
+
+def main():
+    if len(sys.argv) not in (4, 6):
+        sys.exit(__doc__.strip())
+    image, build, table = sys.argv[1:4]
+    context_words = int(sys.argv[5]) if len(sys.argv) == 6 else CONTEXT_WORDS
+    elf = str(pathlib.Path(build) / "fencepost.elf")
+    rows = {row["image"]: row for row in csv.DictReader(pathlib.Path(table).read_text().splitlines())}
+    if image not in rows:
+        sys.exit(f"image_check: {table} has no row for {image}")
+    faults, symbols = symbol_faults(elf)
+    flash, ram = sizes(elf)
+    deepest, stack_faults = stack(build, context_words)
+    faults += stack_faults
+    for name, measured in (("flash", flash), ("ram", ram), ("stack", deepest)):
+        committed = int(rows[image][name])
+        print(f"{name}: {measured} of {committed} bytes")
+        if measured > committed:
+            faults.append(f"{name}: {measured} bytes, {committed} in {table}: explain the growth and change the table")
+        if measured == 0:
+            faults.append(f"{name}: nothing was measured")
+    if deepest > reserved_stack(elf):
+        faults.append(f"stack: {deepest} bytes, the linker script keeps {reserved_stack(elf)}")
+    if symbols == 0:
+        faults.append("no symbols were checked")
+    print(*faults, sep="\n", end="\n" if faults else "")
+    print(f"{image}: {symbols} symbols, {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

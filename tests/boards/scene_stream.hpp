@@ -1,0 +1,28 @@
+// A scene as a board's sensors would bring it: calibration first, then odometry and frames at their times.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/sensor/blob_frame.hpp"
+#include "hal/sensor/odometry.hpp"
+#include "host/scene/scene.hpp"
+
+namespace fencepost::test {
+
+struct SceneStream {
+  using Input = std::variant<sensor::OdometrySample, sensor::BlobFrame>;
+
+  std::string log;                       ///< as the simulator wrote it
+  std::vector<std::string> calibration;  ///< FPCAM and FPSIG lines, with line ends
+  std::vector<Input> inputs;             ///< in order of time
+};
+
+SceneStream stream_of(const host::Scene& scene);
+/// A scene of host/share/recordings.
+host::Scene recorded_scene(const std::string& name);
+/// One minute, 20 frames/s: twice around three boxes and out again.
+host::Scene minute_scene(double seconds = 60);
+
+}  // namespace fencepost::test

@@ -1,0 +1,14 @@
+// What every board has to show: a scene goes in, its log replays to the same map and the same alerts.
+#pragma once
+
+#include <string>
+
+#include "host/scene/scene.hpp"
+#include "tests/boards/emulator.hpp"
+
+namespace fencepost::test {
+
+/// GoogleTest expectations; `profile` is the one that the image has to say it was built with.
+void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene);
+
+}  // namespace fencepost::test
