@@ -1,0 +1,72 @@
+// A Game Boy Advance in this process: libmgba, whose clock is the machine's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hal/boards/gba/mailbox.hpp"
+#include "tests/boards/emulator.hpp"
+
+struct mCore;
+
+namespace fencepost::test {
+
+/// The console through the mailbox in the board's memory.
+class MailboxLine : public Line {
+ public:
+  void connect(board::Mailbox& mailbox);
+
+ private:
+  std::size_t put(std::string_view bytes) override;
+  std::string get(std::size_t most) override;
+
+  board::Mailbox* mailbox_ = nullptr;
+};
+
+class Handheld : public Machine {
+ public:
+  static constexpr std::size_t kWidth = 240;
+  static constexpr std::size_t kHeight = 160;
+  struct Pixel {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+  };
+  enum Key : unsigned { kA = 1, kB = 2, kSelect = 4, kStart = 8 };
+
+  /// `image`: a .gba file. `save`: what the cartridge's battery kept, and keeps. Throws std::runtime_error.
+  explicit Handheld(const std::string& image, std::vector<std::uint8_t>* save = nullptr);
+  ~Handheld() override;
+  Handheld(const Handheld&) = delete;
+  Handheld& operator=(const Handheld&) = delete;
+
+  Line& line(std::size_t /*n*/) override { return console_; }
+  bool alive() override { return true; }
+  void pump() override;
+  [[nodiscard]] double seconds() const override;
+
+  void hold(unsigned keys);
+  [[nodiscard]] Pixel pixel(std::size_t x, std::size_t y) const;
+  /// Throws std::runtime_error.
+  void save_picture(const std::string& path) const;
+
+  /// Work memory on the chip, 32 KB from 0x03000000.
+  [[nodiscard]] std::span<std::uint8_t> fast_memory();
+  /// One instruction; where the next one lies.
+  std::uint32_t step();
+  [[nodiscard]] std::uint64_t cycles() const;
+
+ private:
+  mCore* core_ = nullptr;
+  std::vector<std::uint32_t> picture_ = std::vector<std::uint32_t>(kWidth * kHeight);
+  std::vector<std::uint8_t>* save_ = nullptr;
+  MailboxLine console_;
+};
+
+}  // namespace fencepost::test
