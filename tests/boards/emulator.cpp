@@ -65,6 +65,13 @@ bool Emulator::alive() {
   return false;
 }
 
+void Emulator::stop() {
+  if (child_ <= 0) return;
+  ::kill(child_, SIGTERM);
+  ::waitpid(child_, nullptr, 0);
+  child_ = -1;
+}
+
 void Emulator::pump() {
   for (SocketLine& line : lines_) line.pump(seconds());
   std::this_thread::sleep_for(kNap);

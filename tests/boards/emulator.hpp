@@ -24,6 +24,8 @@ class Machine {
   virtual void pump() = 0;
   /// By its clock.
   [[nodiscard]] virtual double seconds() const = 0;
+  /// Ends it in good order, so that plugins can write what they know.
+  virtual void stop() {}
 };
 
 /// What has to be known of a board to talk to its image.
@@ -53,6 +55,7 @@ class Emulator : public Machine {
   bool alive() override;
   void pump() override;
   [[nodiscard]] double seconds() const override;
+  void stop() override;
 
  private:
   void start(const std::vector<std::string>& command);

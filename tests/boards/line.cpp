@@ -1,6 +1,8 @@
 #include "tests/boards/line.hpp"
 
+#include <linux/sockios.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -68,6 +70,18 @@ void Line::pump(double now) {
     heard_ += bytes;
     more = !bytes.empty();
   }
+}
+
+std::size_t Line::unread() const {
+  int bytes = 0;
+  if (::ioctl(connected_, SIOCOUTQ, &bytes) != 0) return 0;
+  return static_cast<std::size_t>(bytes);
+}
+
+std::size_t Line::held() const {
+  int bytes = 0;
+  if (::ioctl(connected_, SIOCINQ, &bytes) != 0) return 0;
+  return static_cast<std::size_t>(bytes);
 }
 
 std::string Line::take() { return std::exchange(heard_, {}); }
