@@ -44,6 +44,8 @@ class Bench {
   [[nodiscard]] Line& console() { return machine_->line(board_.console); }
   [[nodiscard]] Line& camera_line() { return machine_->line(static_cast<std::size_t>(board_.camera)); }
   [[nodiscard]] bool alive() { return machine_->alive(); }
+  /// By the machine's clock.
+  [[nodiscard]] double seconds() const { return machine_->seconds(); }
   void stop() { machine_->stop(); }
   /// The camera's cable is pulled, or back.
   void unplug_camera(bool unplugged) { unplugged_ = unplugged; }

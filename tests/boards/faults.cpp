@@ -21,7 +21,7 @@ constexpr double kApproach = 8;          // s
 /// A robot that has driven up to a post and creeps on: alerts come all the time.
 class Approach {
  public:
-  explicit Approach(const BoardUnderTest& board) : bench(board) {}
+  explicit Approach(const BoardUnderTest& board) : bench(board), stamped_(board.camera < 0) {}
 
   void begin() {
     ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
@@ -37,12 +37,12 @@ class Approach {
   void drive(double seconds, bool frames = true, bool odometry = true) {
     for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
       const double x = std::min(kSpeed * t_, kSpeed * kApproach + 0.002 * (t_ - kApproach));
-      if (odometry) say(unstamped(desk_odometry(t_, x)));
+      if (odometry) say(stamped_ ? line_of(desk_odometry(t_, x)) : unstamped(desk_odometry(t_, x)));
       if (frames) bench.give(desk_frame(t_, number_++, x));
       t_ += 0.02;
-      next_ += 20;
+      next_ += 0.02;
       do bench.pump();
-      while (WallClock::now() - started_ < std::chrono::milliseconds(next_));
+      while (bench.seconds() - started_ < next_);
     }
   }
   /// The fault is over: what comes from now on is good.
@@ -59,7 +59,7 @@ class Approach {
     EXPECT_TRUE(bench.alive());
   }
   void expect_status(std::string_view text) { EXPECT_TRUE(bench.obey("status", text)) << bench.said(); }
-  void restart_pace() { started_ = WallClock::now() - std::chrono::milliseconds(next_); }
+  void restart_pace() { started_ = bench.seconds() - next_; }
 
   Bench bench;
   double cut_share = 0;  ///< of lines that lose their end
@@ -82,11 +82,12 @@ class Approach {
     return std::stod(line.substr(line.rfind(',') + 1));
   }
 
+  bool stamped_;  ///< where frames come over the console with their times, odometry does, too
   std::mt19937 random_{1};
   double t_ = 0;
   std::uint32_t number_ = 0;
-  long next_ = 0;
-  WallClock::time_point started_ = WallClock::now();
+  double next_ = 0;
+  double started_ = bench.seconds();
 };
 
 std::string garbage(std::size_t size) {

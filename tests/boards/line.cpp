@@ -72,13 +72,13 @@ void Line::pump(double now) {
   }
 }
 
-std::size_t Line::unread() const {
+std::size_t SocketLine::unread() const {
   int bytes = 0;
   if (::ioctl(connected_, SIOCOUTQ, &bytes) != 0) return 0;
   return static_cast<std::size_t>(bytes);
 }
 
-std::size_t Line::held() const {
+std::size_t SocketLine::held() const {
   int bytes = 0;
   if (::ioctl(connected_, SIOCINQ, &bytes) != 0) return 0;
   return static_cast<std::size_t>(bytes);

@@ -20,9 +20,9 @@ class Line {
   void send(std::string_view bytes) { waiting_ += bytes; }
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
   /// Bytes that are sent and that the emulator has not read yet.
-  [[nodiscard]] std::size_t unread() const;
-  /// Bytes of the other side that wait in the socket.
-  [[nodiscard]] std::size_t held() const;
+  [[nodiscard]] virtual std::size_t unread() const = 0;
+  /// Bytes of the other side that wait to be taken.
+  [[nodiscard]] virtual std::size_t held() const = 0;
   /// What has come since the last call.
   std::string take();
 
@@ -58,7 +58,8 @@ class SocketLine : public Line {
 
   /// The emulator has connected; false after `patience`.
   bool accept(std::chrono::milliseconds patience);
-  [[nodiscard]] int socket() const { return connected_; }
+  [[nodiscard]] std::size_t unread() const override;
+  [[nodiscard]] std::size_t held() const override;
 
  private:
   std::size_t put(std::string_view bytes) override;

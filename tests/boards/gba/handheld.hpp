@@ -21,6 +21,9 @@ class MailboxLine : public Line {
  public:
   void connect(board::Mailbox& mailbox);
 
+  [[nodiscard]] std::size_t unread() const override { return mailbox_->put - mailbox_->got; }
+  [[nodiscard]] std::size_t held() const override { return mailbox_->said - mailbox_->told; }
+
  private:
   std::size_t put(std::string_view bytes) override;
   std::string get(std::size_t most) override;
