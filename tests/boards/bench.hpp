@@ -42,6 +42,7 @@ class Bench {
   void give(const sensor::BlobFrame& frame);
 
   [[nodiscard]] Line& console() { return machine_->line(board_.console); }
+  [[nodiscard]] Line& line(std::size_t n) { return machine_->line(n); }
   [[nodiscard]] Line& camera_line() { return machine_->line(static_cast<std::size_t>(board_.camera)); }
   [[nodiscard]] bool alive() { return machine_->alive(); }
   /// By the machine's clock.

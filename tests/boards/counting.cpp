@@ -62,11 +62,6 @@ std::vector<std::string> counting_arguments(const std::string& elf,
   return {"-plugin", plugin};
 }
 
-std::uint32_t address_of(const std::string& elf, const std::string& symbol) {
-  return static_cast<std::uint32_t>(
-      std::stoul(symbol_address(output_of("arm-none-eabi-nm " + elf), symbol), nullptr, 16));
-}
-
 Counts read_counts(const std::string& file) {
   std::ifstream in(file);
   Counts counts;

@@ -22,8 +22,6 @@ using Counts = std::map<std::string, StageCount>;
 std::vector<std::string> counting_arguments(const std::string& elf,
                                             const std::vector<std::pair<std::string, std::string>>& stages,
                                             const std::string& out);
-/// Of the symbol, as it stands in the image.
-std::uint32_t address_of(const std::string& elf, const std::string& symbol);
 Counts read_counts(const std::string& file);
 /// The row's number in firmware/image/sizes.csv.
 std::uint64_t committed(const std::string& image, const std::string& column);
