@@ -31,6 +31,7 @@ class Robot {
     Camera::start();
     Odometry::start();
     pipeline().start_run(kHeader);
+    loop_.set_note(FENCEPOST_NOTE);
     if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
     panel_.start();

@@ -9,7 +9,7 @@
 namespace fencepost::view {
 namespace {
 
-constexpr std::int32_t kSmallest = 2;  // pixels of radius: less is not seen
+constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
 app::MapMillimetres place_of(const recon::ObjectCore& object, const recon::Vec2& local) {
   return app::millimetres(recon::moved(object.origin, local));

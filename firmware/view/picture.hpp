@@ -35,8 +35,8 @@ class Picture {
 
   void paint(Row& row) const {
     paint_ground(window_, row);
-    for (const Figure& figure : figures_) figure.disc.paint(row);
     for (const Figure& figure : figures_) figure.outline.paint_edges(row, outline_colour(figure));
+    for (const Figure& figure : figures_) figure.disc.paint(row);
     robot_.paint_inside(row, kRobot);
     for (const Figure& figure : figures_) figure.letter.paint(row);
     row.fill(Window::kSide, INT32_MAX, kSide);

@@ -83,7 +83,7 @@ void Bench::give(const sensor::OdometrySample& sample) {
 
 void Bench::give(const sensor::BlobFrame& frame) {
   if (board_.camera < 0) {
-    console().send(line_of(frame));
+    if (!unplugged_) console().send(line_of(frame));
   } else {
     camera_.show({frame.blobs.begin(), frame.blobs.end()});
   }

@@ -16,8 +16,6 @@
 namespace fencepost::board {
 
 inline constexpr std::string_view kTarget = "gba";
-/// Said by `version`.
-inline constexpr std::string_view kNote = "fed by its link, never connected to an XBC camera";
 
 using Clock = mcu::gba::Clock;
 using Link = ConsoleLink;

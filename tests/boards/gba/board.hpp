@@ -8,11 +8,12 @@
 namespace fencepost::test {
 
 /// `seen`, if not null, is where the machine will be while the bench has it.
-inline BoardUnderTest gba(Handheld** seen = nullptr, std::vector<std::uint8_t>* save = nullptr) {
+inline BoardUnderTest gba(Handheld** seen = nullptr, std::vector<std::uint8_t>* save = nullptr,
+                          Handheld::Console console = Handheld::Console::kMailbox) {
   BoardUnderTest board;
   board.name = "gba";
-  board.machine = [seen, save] {
-    auto machine = std::make_unique<Handheld>(image_of("gba") + ".gba", save);
+  board.machine = [seen, save, console] {
+    auto machine = std::make_unique<Handheld>(image_of("gba") + ".gba", save, console);
     if (seen != nullptr) *seen = machine.get();
     return machine;
   };

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kHz = 16'777'216;
 constexpr double kMoment = 0.0005;
+constexpr std::size_t kPainted = 0x7F00;  // of the memory on the chip; behind it are the BIOS's own words
 
 void say_nothing(mLogger* /*logger*/, int /*category*/, mLogLevel /*level*/, const char* /*format*/, va_list /*args*/) {
 }
@@ -37,6 +38,16 @@ std::span<std::uint8_t> memory_of(mCore* core, std::size_t region) {
   auto* bytes = static_cast<std::uint8_t*>(core->getMemoryBlock(core, region, &size));
   return {bytes, size};
 }
+
+bool is_link_port(std::uint32_t address) { return address == LinkPort::kControl || address == LinkPort::kData; }
+
+// What the core would do by itself. One machine at a time has a link port.
+struct Hooked {
+  decltype(ARMMemory::load16) load = nullptr;
+  decltype(ARMMemory::store16) store = nullptr;
+  Handheld* machine = nullptr;
+};
+Hooked hooked;
 
 }  // namespace
 
@@ -63,7 +74,8 @@ std::string MailboxLine::get(std::size_t most) {
   return bytes;
 }
 
-Handheld::Handheld(const std::string& image, std::vector<std::uint8_t>* save) : save_(save) {
+Handheld::Handheld(const std::string& image, std::vector<std::uint8_t>* save, Console console)
+    : save_(save), kind_(console) {
   quieten();
   core_ = mCoreFind(image.c_str());
   if (core_ == nullptr || !core_->init(core_)) throw std::runtime_error("no image for a Game Boy Advance: " + image);
@@ -74,7 +86,12 @@ Handheld::Handheld(const std::string& image, std::vector<std::uint8_t>* save) : 
   if (file == nullptr || !core_->loadROM(core_, file)) throw std::runtime_error("cannot load " + image);
   core_->reset(core_);
   if (save_ != nullptr && !save_->empty()) core_->savedataRestore(core_, save_->data(), save_->size(), false);
-  console_.connect(*reinterpret_cast<board::Mailbox*>(memory_of(core_, REGION_WORKING_RAM).data()));
+  std::ranges::fill(fast_memory().first(kPainted), kPaint);
+  if (kind_ == Console::kLinkPort) {
+    connect_link_port();
+  } else {
+    mailbox_.connect(*reinterpret_cast<board::Mailbox*>(memory_of(core_, REGION_WORKING_RAM).data()));
+  }
 }
 
 Handheld::~Handheld() {
@@ -93,8 +110,19 @@ std::uint64_t Handheld::cycles() const { return mTimingGlobalTime(core_->timing)
 double Handheld::seconds() const { return static_cast<double>(cycles()) / kHz; }
 
 void Handheld::pump() {
-  for (const double until = seconds() + kMoment; seconds() < until;) core_->runLoop(core_);
-  console_.pump(seconds());
+  run_until(seconds() + kMoment);
+  if (kind_ == Console::kLinkPort) link_port_.advance(cycles());
+  line(0).pump(seconds());
+}
+
+void Handheld::run_until(double until) {
+  while (seconds() < until) {
+    if (watch_) {
+      step();
+    } else {
+      core_->runLoop(core_);
+    }
+  }
 }
 
 void Handheld::hold(unsigned keys) { core_->setKeys(core_, keys); }
@@ -123,11 +151,36 @@ void Handheld::save_picture(const std::string& path) const {
 
 std::span<std::uint8_t> Handheld::fast_memory() { return memory_of(core_, REGION_WORKING_IRAM); }
 
-std::uint32_t Handheld::step() {
+Line& Handheld::line(std::size_t /*n*/) {
+  if (kind_ == Console::kMailbox) return mailbox_;
+  return link_port_;
+}
+
+void Handheld::step() {
   core_->step(core_);
-  auto* cpu = static_cast<ARMCore*>(core_->cpu);
+  const auto* cpu = static_cast<const ARMCore*>(core_->cpu);
   const std::uint32_t width = cpu->executionMode == MODE_THUMB ? 2 : 4;
-  return static_cast<std::uint32_t>(cpu->gprs[ARM_PC]) - width;
+  watch_(static_cast<std::uint32_t>(cpu->gprs[ARM_PC]) - width, static_cast<std::uint32_t>(cpu->gprs[ARM_LR]) & ~1U);
+}
+
+// The core's accesses to the link port's registers go to our model of it, all others where they went before.
+void Handheld::connect_link_port() {
+  hooked = {static_cast<ARMCore*>(core_->cpu)->memory.load16, static_cast<ARMCore*>(core_->cpu)->memory.store16, this};
+  static_cast<ARMCore*>(core_->cpu)->memory.load16 = [](ARMCore* cpu, std::uint32_t address, int* cycles) {
+    const std::uint32_t plain = hooked.load(cpu, address, cycles);
+    return is_link_port(address) ? hooked.machine->link_port().read(address, hooked.machine->cycles()) : plain;
+  };
+  static_cast<ARMCore*>(core_->cpu)->memory.store16 = [](ARMCore* cpu, std::uint32_t address, std::int16_t value,
+                                                         int* cycles) {
+    if (!is_link_port(address)) return hooked.store(cpu, address, value, cycles);
+    hooked.machine->link_port().write(address, static_cast<std::uint16_t>(value), hooked.machine->cycles());
+  };
+  // Work memory is random when a real one is switched on: nobody must be taken for a desk in there.
+  std::uint32_t random = 1;
+  for (std::uint8_t& byte : memory_of(core_, REGION_WORKING_RAM)) {
+    random = random * 1'664'525U + 1'013'904'223U;
+    byte = static_cast<std::uint8_t>(random >> 24U);
+  }
 }
 
 }  // namespace fencepost::test

@@ -11,6 +11,7 @@
 
 #include "hal/boards/gba/mailbox.hpp"
 #include "tests/boards/emulator.hpp"
+#include "tests/boards/gba/link_port.hpp"
 
 struct mCore;
 
@@ -43,13 +44,19 @@ class Handheld : public Machine {
   };
   enum Key : unsigned { kA = 1, kB = 2, kSelect = 4, kStart = 8 };
 
+  /// What the work memory on the chip is filled with before the start, so that used stack can be told.
+  static constexpr std::uint8_t kPaint = 0xA5;
+  enum class Console { kMailbox, kLinkPort };
+
   /// `image`: a .gba file. `save`: what the cartridge's battery kept, and keeps. Throws std::runtime_error.
-  explicit Handheld(const std::string& image, std::vector<std::uint8_t>* save = nullptr);
+  explicit Handheld(const std::string& image, std::vector<std::uint8_t>* save = nullptr,
+                    Console console = Console::kMailbox);
   ~Handheld() override;
   Handheld(const Handheld&) = delete;
   Handheld& operator=(const Handheld&) = delete;
 
-  Line& line(std::size_t /*n*/) override { return console_; }
+  Line& line(std::size_t /*n*/) override;
+  [[nodiscard]] LinkPort& link_port() { return link_port_; }
   bool alive() override { return true; }
   void pump() override;
   [[nodiscard]] double seconds() const override;
@@ -61,15 +68,23 @@ class Handheld : public Machine {
 
   /// Work memory on the chip, 32 KB from 0x03000000.
   [[nodiscard]] std::span<std::uint8_t> fast_memory();
-  /// One instruction; where the next one lies.
-  std::uint32_t step();
+  /// Called after each instruction, with the address of the next one and where a function that begins there returns to.
+  using Watch = std::function<void(std::uint32_t next, std::uint32_t returns_to)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
   [[nodiscard]] std::uint64_t cycles() const;
 
  private:
+  void run_until(double seconds);
+  void step();
+  void connect_link_port();
+
   mCore* core_ = nullptr;
   std::vector<std::uint32_t> picture_ = std::vector<std::uint32_t>(kWidth * kHeight);
   std::vector<std::uint8_t>* save_ = nullptr;
-  MailboxLine console_;
+  Console kind_;
+  MailboxLine mailbox_;
+  LinkPort link_port_;
+  Watch watch_;
 };
 
 }  // namespace fencepost::test
