@@ -37,7 +37,7 @@ class MapView {
   }
 
   /// One step of the picture.
-  void turn(const app::Links& links) {
+  [[gnu::noinline]] void turn(const app::Links& links) {
     if (step_ == 0) {
       begin();
     } else if (step_ <= Profile::kObjects) {
