@@ -69,7 +69,7 @@ constexpr std::array<std::uint8_t, kCodes> make_index() {
   std::array<std::uint8_t, kCodes> index{};
   index.fill(kMissing);
   for (std::uint8_t i = 0; i <= kMissing; ++i) {
-    const auto code = static_cast<std::size_t>(kLetters[i].name);
+    const auto code = static_cast<std::size_t>(static_cast<unsigned char>(kLetters[i].name));
     index[code] = i;
     if (kLetters[i].name >= 'A' && kLetters[i].name <= 'Z') index[code + 'a' - 'A'] = i;
   }
