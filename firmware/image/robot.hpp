@@ -34,6 +34,7 @@ class Robot {
     loop_.set_note(FENCEPOST_NOTE);
     if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
+    // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.start();
     const BootFacts facts{kHeader, board::take_reset_reason(), board::take_panic()};
     for (std::size_t n = 0; n < kBootLines; ++n) {
@@ -53,6 +54,7 @@ class Robot {
     board::feed_watchdog();
     loop_.step(board::clock().now());
     if (!keeper_.keep()) pipeline().telling().say(not_kept);
+    // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.turn({camera_.link(), odometry_.link()});
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
