@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "firmware/app/console.hpp"
 #include "hal/bus/byte_link.hpp"
@@ -36,6 +37,8 @@ class Loop {
     speak();
   }
 
+  /// What `version` says of the image at its end; lives on.
+  void set_note(std::string_view note) { console_.set_note(note); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
 
  private:

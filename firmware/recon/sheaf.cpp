@@ -28,22 +28,6 @@ bool meet(const Vec2& p, const Vec2& d, const Vec2& q, const Vec2& e, float leas
   return post.squaredNorm() < kPostFarthest * kPostFarthest;
 }
 
-// The squares of the chords from a bearing to its nearest neighbours on either side.
-struct Neighbours {
-  static constexpr float kNobody = 4.0F;  // the whole circle's diameter, squared
-  float left = kNobody;
-  float right = kNobody;
-
-  void consider(const Vec2& bearing, const Vec2& other, bool later) {
-    const float away = (other - bearing).squaredNorm();
-    const float side = cross(bearing, other);
-    const bool is_left = side > 0 || (side == 0 && later);
-    float& nearest = is_left ? left : right;
-    nearest = std::min(nearest, away);
-  }
-  [[nodiscard]] float gap() const { return std::sqrt(left) + std::sqrt(right); }
-};
-
 // One or two vertices, and what a further point makes of them.
 std::size_t grow_line(std::span<Vec2> v, std::size_t size, const Vec2& point) {
   if (size == 0) {
@@ -163,23 +147,6 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin) {
 
 bool repeats(const SheafView& view, const SheafView& other) {
   return (view.bearing - other.bearing).squaredNorm() < kParallaxLeast * kParallaxLeast;
-}
-
-std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer) {
-  std::size_t chosen = 0;
-  float smallest = 0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    Neighbours neighbours;
-    for (std::size_t j = 0; j < views.size(); ++j) {
-      if (j != i) neighbours.consider(views[i].bearing, views[j].bearing, j > i);
-    }
-    neighbours.consider(views[i].bearing, newcomer.bearing, true);
-    const float gap = neighbours.gap() * static_cast<float>(views[i].true_ends());
-    if (i > 0 && !(gap < smallest)) continue;
-    chosen = i;
-    smallest = gap;
-  }
-  return chosen;
 }
 
 SheafPlane sheaf_plane(const SheafView& a, const SheafView& b, float least_sine) {

@@ -2,21 +2,11 @@
 
 #include <array>
 #include <cstdio>
-#include <thread>
 
 #include "hal/base/crc16.hpp"
 #include "tests/firmware/app/desk.hpp"
 
 namespace fencepost::test {
-namespace {
-
-constexpr std::chrono::microseconds kNap{500};
-
-double seconds_since(WallClock::time_point start) {
-  return std::chrono::duration<double>(WallClock::now() - start).count();
-}
-
-}  // namespace
 
 std::string unstamped(const sensor::OdometrySample& sample) {
   const std::string stamped = line_of(sample);
@@ -28,15 +18,15 @@ std::string unstamped(const sensor::OdometrySample& sample) {
   return "$" + body + "*" + check.data() + "\r\n";
 }
 
-Bench::Bench(BoardUnderTest board) : board_(std::move(board)), emulator_(board_) {}
+Bench::Bench(BoardUnderTest board)
+    : board_(std::move(board)), machine_(board_.machine ? board_.machine() : std::make_unique<Emulator>(board_)) {}
 
-base::Time Bench::now() const { return base::Time::nearest(seconds_since(started_)); }
+base::Time Bench::now() const { return base::Time::nearest(machine_->seconds()); }
 
 void Bench::pump() {
-  emulator_.pump();
+  machine_->pump();
   if (board_.camera >= 0) pump_camera();
   said_ += console().take();
-  std::this_thread::sleep_for(kNap);
 }
 
 void Bench::pump_camera() {
@@ -49,7 +39,7 @@ void Bench::pump_camera() {
 }
 
 bool Bench::await(std::string_view text, double seconds) {
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds; pump()) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds; pump()) {
     if (said_.find(text) != std::string::npos) return true;
   }
   return false;
@@ -62,12 +52,12 @@ bool Bench::obey(std::string_view command, std::string_view expected) {
 }
 
 void Bench::run(double seconds) {
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds;) pump();
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds;) pump();
 }
 
 bool Bench::await_camera(double seconds) {
   if (board_.camera < 0) return true;  // there is none before frames come
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds; run(0.2)) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds; run(0.2)) {
     camera_.show({});
     if (obey("status", "; odometry link ") && said_.find("camera link silent") == std::string::npos &&
         said_.find("camera link unready") == std::string::npos) {
@@ -93,17 +83,17 @@ void Bench::give(const sensor::OdometrySample& sample) {
 
 void Bench::give(const sensor::BlobFrame& frame) {
   if (board_.camera < 0) {
-    console().send(line_of(frame));
+    if (!unplugged_) console().send(line_of(frame));
   } else {
     camera_.show({frame.blobs.begin(), frame.blobs.end()});
   }
 }
 
 void Bench::play(const SceneStream& stream, const std::function<void(double)>& also) {
-  const auto start = WallClock::now();
+  const double start = machine_->seconds();
   for (const SceneStream::Input& input : stream.inputs) {
     const double t = std::visit([](const auto& one) { return one.t.to_double(); }, input);
-    while (seconds_since(start) < t) pump();
+    while (machine_->seconds() - start < t) pump();
     if (also) also(t);
     give(input);
   }
@@ -114,7 +104,7 @@ std::string Bench::digest() {
   const std::size_t before = said_.size();
   console().send("status\r");
   const std::string_view word = "; digest ";
-  for (const auto start = WallClock::now(); seconds_since(start) < 5; pump()) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < 5; pump()) {
     const std::size_t at = said_.find(word, before);
     if (at != std::string::npos && said_.size() >= at + word.size() + 16) return said_.substr(at + word.size(), 16);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -30,7 +31,7 @@ class Bench {
   bool await_camera(double seconds = 10);
   /// Mode log and a new run; then the calibration.
   bool start_log(const SceneStream& stream);
-  /// In real time. `also(seconds)` is called between inputs, and may do harm.
+  /// In the machine's time. `also(seconds)` is called between inputs, and may do harm.
   void play(const SceneStream& stream, const std::function<void(double)>& also = {});
   /// Asks for the status and takes its digest; empty if none came.
   std::string digest();
@@ -40,11 +41,13 @@ class Bench {
   void give(const sensor::OdometrySample& sample);
   void give(const sensor::BlobFrame& frame);
 
-  [[nodiscard]] Line& console() { return emulator_.line(board_.console); }
-  [[nodiscard]] Line& line(std::size_t n) { return emulator_.line(n); }
-  [[nodiscard]] Line& camera_line() { return emulator_.line(static_cast<std::size_t>(board_.camera)); }
-  [[nodiscard]] bool alive() { return emulator_.alive(); }
-  void stop() { emulator_.stop(); }
+  [[nodiscard]] Line& console() { return machine_->line(board_.console); }
+  [[nodiscard]] Line& line(std::size_t n) { return machine_->line(n); }
+  [[nodiscard]] Line& camera_line() { return machine_->line(static_cast<std::size_t>(board_.camera)); }
+  [[nodiscard]] bool alive() { return machine_->alive(); }
+  /// By the machine's clock.
+  [[nodiscard]] double seconds() const { return machine_->seconds(); }
+  void stop() { machine_->stop(); }
   /// The camera's cable is pulled, or back.
   void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
   void pump();
@@ -54,8 +57,7 @@ class Bench {
   void pump_camera();
 
   BoardUnderTest board_;
-  Emulator emulator_;
-  WallClock::time_point started_ = WallClock::now();
+  std::unique_ptr<Machine> machine_;
   emulate::Pixy2 camera_{base::Time{-100'000}};  // has been on for ten seconds
   bool unplugged_ = false;
   std::string said_;

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 extern char** environ;
 
@@ -14,6 +15,7 @@ namespace fencepost::test {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{10'000};
+constexpr std::chrono::microseconds kNap{500};
 
 std::string make_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "fencepost-board-XXXXXX").string();
@@ -32,7 +34,7 @@ Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
     lines_.emplace_back(sockets.back());
   }
   start(board.command(sockets));
-  for (Line& line : lines_) {
+  for (SocketLine& line : lines_) {
     if (!line.accept(kPatience)) throw std::runtime_error("the emulator did not connect its lines");
   }
 }
@@ -71,7 +73,10 @@ void Emulator::stop() {
 }
 
 void Emulator::pump() {
-  for (Line& line : lines_) line.pump();
+  for (SocketLine& line : lines_) line.pump(seconds());
+  std::this_thread::sleep_for(kNap);
 }
+
+double Emulator::seconds() const { return std::chrono::duration<double>(WallClock::now() - started_).count(); }
 
 }  // namespace fencepost::test

@@ -40,9 +40,9 @@ class Approach {
       if (odometry) say(stamped_ ? line_of(desk_odometry(t_, x)) : unstamped(desk_odometry(t_, x)));
       if (frames) bench.give(desk_frame(t_, number_++, x));
       t_ += 0.02;
-      next_ += 20;
+      next_ += 0.02;
       do bench.pump();
-      while (WallClock::now() - started_ < std::chrono::milliseconds(next_));
+      while (bench.seconds() - started_ < next_);
     }
   }
   /// The fault is over: what comes from now on is good.
@@ -59,7 +59,7 @@ class Approach {
     EXPECT_TRUE(bench.alive());
   }
   void expect_status(std::string_view text) { EXPECT_TRUE(bench.obey("status", text)) << bench.said(); }
-  void restart_pace() { started_ = WallClock::now() - std::chrono::milliseconds(next_); }
+  void restart_pace() { started_ = bench.seconds() - next_; }
 
   Bench bench;
   double cut_share = 0;  ///< of lines that lose their end
@@ -86,8 +86,8 @@ class Approach {
   std::mt19937 random_{1};
   double t_ = 0;
   std::uint32_t number_ = 0;
-  long next_ = 0;
-  WallClock::time_point started_ = WallClock::now();
+  double next_ = 0;
+  double started_ = bench.seconds();
 };
 
 std::string garbage(std::size_t size) {

@@ -52,9 +52,9 @@ host::Scene recorded_scene(const std::string& name) {
   return *scene;
 }
 
-host::Scene minute_scene(double seconds) {
+host::Scene minute_scene(double seconds, double rate) {
   host::Scene scene = recorded_scene("blocks_arc");
-  scene.rate = 20;
+  scene.rate = rate;
   scene.objects = {box("first", 1, -0.25, 0.1, 0.05, 0.15), box("second", 2, 0.2, 0.2, 0.06, 0.2),
                    box("third", 3, 0.05, -0.25, 0.04, 0.25)};
   scene.signatures = {

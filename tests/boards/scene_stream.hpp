@@ -22,8 +22,8 @@ struct SceneStream {
 SceneStream stream_of(const host::Scene& scene);
 /// A scene of host/share/recordings.
 host::Scene recorded_scene(const std::string& name);
-/// One minute, 20 frames/s: twice around three boxes and out again.
-host::Scene minute_scene(double seconds = 60);
+/// One minute: twice around three boxes and out again. `rate`: frames a second.
+host::Scene minute_scene(double seconds = 60, double rate = 20);
 
 /// Eight boxes in a ring, all in view, 50 frames/s: as much as profile small can hold.
 host::Scene eight_boxes(double seconds);
