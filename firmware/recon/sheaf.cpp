@@ -33,13 +33,16 @@ struct Neighbours {
   static constexpr float kNobody = 4.0F;  // the whole circle's diameter, squared
   float left = kNobody;
   float right = kNobody;
+  float further = kNobody;  ///< of the two; who is not nearer than that changes nothing
 
   void consider(const Vec2& bearing, const Vec2& other, bool later) {
     const float away = (other - bearing).squaredNorm();
+    if (!(away < further)) return;
     const float side = cross(bearing, other);
     const bool is_left = side > 0 || (side == 0 && later);
     float& nearest = is_left ? left : right;
     nearest = std::min(nearest, away);
+    further = std::max(left, right);
   }
   [[nodiscard]] float gap() const { return std::sqrt(left) + std::sqrt(right); }
 };
@@ -170,6 +173,9 @@ std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& n
   float smallest = 0;
   for (std::size_t i = 0; i < views.size(); ++i) {
     Neighbours neighbours;
+    // Views come in the order of a tour: the next ones first, and hardly another one counts.
+    if (i > 0) neighbours.consider(views[i].bearing, views[i - 1].bearing, false);
+    if (i + 1 < views.size()) neighbours.consider(views[i].bearing, views[i + 1].bearing, true);
     for (std::size_t j = 0; j < views.size(); ++j) {
       if (j != i) neighbours.consider(views[i].bearing, views[j].bearing, j > i);
     }
