@@ -11,7 +11,7 @@ namespace fencepost::app {
 
 /// What is said of one device in one state.
 struct LinkWords {
-  std::string_view name;    ///< for people: "camera"
+  std::string_view name;    ///< for people: "camera"; empty: there is no sentence
   std::string_view device;  ///< of FPLNK; empty: it has no cable, nothing is told
   std::string_view detail;  ///< of FPLNK, at most sensor::kMaxText characters, no comma
   std::string_view remedy;  ///< what to check

@@ -157,7 +157,7 @@ class Telling {
     if (std::string_view(words.device).empty()) return true;
     const bool logged =
         !logs() || put_in_logs(record::LinkReport{now, sensor::Text(words.device), state, sensor::Text(words.detail)});
-    if (!logged || !shown_in(Mode::kText)) return logged;
+    if (!logged || !shown_in(Mode::kText) || std::string_view(words.name).empty()) return logged;
     const bool fits =
         m_.output.put_line([&](std::span<char> room) { return describe_link(state, words.name, words.remedy, room); });
     // What does not fit into an empty queue never will. With a journal, the record has been told already.

@@ -31,14 +31,22 @@ class Device {
     role_ = role;
     spec_ = spec;
   }
+  /// People read standard error beside the console: the loop then tells the records only.
+  void leave_sentences_to_others() { sentences_ = false; }
+  [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
+    return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
+  }
   /// Asked by the loop when it has to say how the link is (firmware/app/link_words.hpp).
   [[nodiscard]] LinkWording link_words(sensor::LinkState state) const {
-    return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
+    LinkWording words = wording(state);
+    if (!sentences_) words.name.clear();
+    return words;
   }
 
  private:
   DeviceRole role_ = DeviceRole::kCamera;
   std::optional<DeviceSpec> spec_;
+  bool sentences_ = true;
 };
 
 class CameraDevice : public Device {

@@ -58,7 +58,6 @@ class ProfileLoop final : public LiveLoop {
   }
 
   [[nodiscard]] const std::vector<std::string>& link_news() const override { return link_news_; }
-  [[nodiscard]] app::Mode mode() const override { return memory_->console.mode; }
   [[nodiscard]] bool output_waits() const override { return !memory_->output.waiting().empty(); }
   [[nodiscard]] std::span<const char> journal() const override { return memory_->journal.waiting(); }
   void journal_taken(std::size_t size) override { memory_->journal.taken(size); }
@@ -94,7 +93,7 @@ class ProfileLoop final : public LiveLoop {
     if (!device.cabled() || !watch.last_told() || watch.last_told() == known) return;
     known = watch.last_told();
     const sensor::LinkState state = *known;
-    const LinkWording words = device.link_words(state);
+    const LinkWording words = device.wording(state);
     std::array<char, record::kMaxLine> line{};
     const std::size_t size = app::describe_link(state, words.name, words.remedy, line);
     if (size > 2) link_news_.emplace_back(line.data(), size - 2);

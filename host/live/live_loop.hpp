@@ -34,7 +34,6 @@ class LiveLoop {
 
   /// What the loop told of links in its last turn, a sentence each, whatever the console shows.
   [[nodiscard]] virtual const std::vector<std::string>& link_news() const = 0;
-  [[nodiscard]] virtual app::Mode mode() const = 0;
   /// Something waits for room on the console.
   [[nodiscard]] virtual bool output_waits() const = 0;
   /// Whole lines of the log, in order; the caller takes all of them.

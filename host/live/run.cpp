@@ -30,6 +30,10 @@ class Run {
     for (const std::string& complaint : loop_->start(header_of(plan_), parts_.devices.intrinsics, plan_.robot)) {
       parts_.say(complaint);
     }
+    if (plan_.console_is_people) {
+      parts_.devices.camera->leave_sentences_to_others();
+      parts_.devices.odometry->leave_sentences_to_others();
+    }
     begun_ = parts_.clock.now();
     bool more = true;
     while (!ended(more)) {
@@ -55,9 +59,7 @@ class Run {
     return more;
   }
 
-  // Not to people who have just read it on their console.
   void say_link_news() {
-    if (plan_.console_is_people && loop_->mode() == app::Mode::kText) return;
     for (const std::string& sentence : loop_->link_news()) parts_.say(sentence);
   }
 

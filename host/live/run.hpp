@@ -26,9 +26,8 @@ struct RunPlan {
   std::string version;                     ///< of the program, for FPHDR
   std::optional<std::uint64_t> frames;     ///< stop after so many frame records
   std::optional<base::Duration> duration;  ///< stop after so long
-  bool console_is_people =
-      false;  ///< standard error is read beside the console: link news go there unless the console says them
-  bool ends_without_log = false;  ///< a log that cannot be written any more ends the run
+  bool console_is_people = false;          ///< standard error is read beside the console: link news go there only
+  bool ends_without_log = false;           ///< a log that cannot be written any more ends the run
 };
 
 /// What a run is given; all of it is borrowed.
