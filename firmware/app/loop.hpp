@@ -33,6 +33,7 @@ class Loop {
     if (take_frame(now)) settle();
     listen(now);
     pipeline_.telling().calibration();
+    tell_links(now);
     console_.talk({camera_.link(), odometry_.link()});
     speak();
   }
@@ -69,6 +70,12 @@ class Loop {
       if (took == Console<Profile>::Took::kNothing) return;
       if (took == Console<Profile>::Took::kInput) settle();
     }
+  }
+
+  void tell_links(base::Time now) {
+    LinkWatches& links = pipeline_.memory().links;
+    pipeline_.telling().link(links.camera, camera_, "camera", now);
+    pipeline_.telling().link(links.odometry, odometry_, "odometry", now);
   }
 
   // As much as the console's buffer holds.

@@ -53,13 +53,17 @@ class Robot {
     const std::uint32_t began = board::clock().microseconds();
     board::feed_watchdog();
     loop_.step(board::clock().now());
-    if (!keeper_.keep()) pipeline().telling().say(not_kept);
+    if (++turns_ % kKeepEvery == 0 && !keeper_.keep()) pipeline().telling().say(not_kept);
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.turn({camera_.link(), odometry_.link()});
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;
   }
+
+  /// Turns between two looks for changed settings, each some hundred bytes compared; the loop turns thousands of times
+  /// a second where a camera talks, and at least a thousand.
+  static constexpr std::uint8_t kKeepEvery = 16;
 
   static std::size_t not_kept(std::span<char> room) {
     return app::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
@@ -72,6 +76,7 @@ class Robot {
   app::Loop<Profile, Camera, Odometry, board::Link> loop_;
   Keeper<Profile, board::Flash> keeper_;
   Panel<Profile> panel_;
+  std::uint8_t turns_ = 0;
 };
 
 }  // namespace fencepost::image

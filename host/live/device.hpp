@@ -7,6 +7,7 @@
 #include "hal/linux/wait.hpp"
 #include "hal/sensor/camera.hpp"
 #include "hal/sensor/sources.hpp"
+#include "host/live/link_wording.hpp"
 
 namespace fencepost::host {
 
@@ -24,6 +25,28 @@ class Device {
   [[nodiscard]] virtual base::Duration patience() const { return base::milliseconds(100); }
   /// It has a cable of its own, whose state is worth telling; the console's inputs have none.
   [[nodiscard]] virtual bool cabled() const { return true; }
+
+  /// Who it is, for the words below; before that nothing is told of it.
+  void introduce(DeviceRole role, const DeviceSpec& spec) {
+    role_ = role;
+    spec_ = spec;
+  }
+  /// People read standard error beside the console: the loop then tells the records only.
+  void leave_sentences_to_others() { sentences_ = false; }
+  [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
+    return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
+  }
+  /// Asked by the loop when it has to say how the link is (firmware/app/link_words.hpp).
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const {
+    LinkWording words = wording(state);
+    if (!sentences_) words.name.clear();
+    return words;
+  }
+
+ private:
+  DeviceRole role_ = DeviceRole::kCamera;
+  std::optional<DeviceSpec> spec_;
+  bool sentences_ = true;
 };
 
 class CameraDevice : public Device {

@@ -19,7 +19,10 @@ class ProfileLoop final : public LiveLoop {
   using Profile = Journaled<Base>;
 
   ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, app::Mode mode)
-      : console_(console), loop_(*memory_, camera, odometry, console, mode, app::canned_stream<Profile>()) {
+      : camera_(camera),
+        odometry_(odometry),
+        console_(console),
+        loop_(*memory_, camera, odometry, console, mode, app::canned_stream<Profile>()) {
     memory_->journal.start();
   }
 
@@ -43,7 +46,7 @@ class ProfileLoop final : public LiveLoop {
 
   bool step(base::Time now) override {
     const std::uint64_t before = inputs();
-    loop_.step(now);
+    step_and_watch(now);
     if (inputs() != before) return true;
     app::ConsoleState& console = memory_->console;
     return !output_waits() && (console.answer.pending() || loop_.pipeline().testing() || console.input.front());
@@ -54,17 +57,7 @@ class ProfileLoop final : public LiveLoop {
     if (taken) memory_->output.taken(*taken);
   }
 
-  void tell(const record::LinkReport& report, std::string_view sentence) override {
-    app::Telling<Profile>& telling = loop_.pipeline().telling();
-    telling.report(report);
-    if (sentence.empty() || !telling.shown_in(app::Mode::kText)) return;
-    telling.say([sentence](std::span<char> room) -> std::size_t {
-      if (room.size() < sentence.size() + 2) return 0;
-      const auto end = std::copy(sentence.begin(), sentence.end(), room.begin());
-      std::copy_n("\r\n", 2, end);
-      return sentence.size() + 2;
-    });
-  }
+  [[nodiscard]] const std::vector<std::string>& link_news() const override { return link_news_; }
   [[nodiscard]] bool output_waits() const override { return !memory_->output.waiting().empty(); }
   [[nodiscard]] std::span<const char> journal() const override { return memory_->journal.waiting(); }
   void journal_taken(std::size_t size) override { memory_->journal.taken(size); }
@@ -89,8 +82,30 @@ class ProfileLoop final : public LiveLoop {
            counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)];
   }
 
+  void step_and_watch(base::Time now) {
+    loop_.step(now);
+    link_news_.clear();
+    note_news(camera_, memory_->links.camera, camera_known_);
+    note_news(odometry_, memory_->links.odometry, odometry_known_);
+  }
+  // A new run tells its log the states in force again; those are no news.
+  void note_news(const Device& device, const app::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
+    if (!device.cabled() || !watch.last_told() || watch.last_told() == known) return;
+    known = watch.last_told();
+    const sensor::LinkState state = *known;
+    const LinkWording words = device.wording(state);
+    std::array<char, record::kMaxLine> line{};
+    const std::size_t size = app::describe_link(state, words.name, words.remedy, line);
+    if (size > 2) link_news_.emplace_back(line.data(), size - 2);
+  }
+
   std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
   record::Header header_;
+  std::vector<std::string> link_news_;
+  std::optional<sensor::LinkState> camera_known_;
+  std::optional<sensor::LinkState> odometry_known_;
+  CameraDevice& camera_;
+  OdometryDevice& odometry_;
   PatientConsole& console_;
   app::Loop<Profile, CameraDevice, OdometryDevice, PatientConsole> loop_;
 };

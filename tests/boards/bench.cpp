@@ -19,23 +19,53 @@ std::string unstamped(const sensor::OdometrySample& sample) {
 }
 
 Bench::Bench(BoardUnderTest board)
-    : board_(std::move(board)), machine_(board_.machine ? board_.machine() : std::make_unique<Emulator>(board_)) {}
+    : board_(std::move(board)), machine_(board_.machine ? board_.machine() : std::make_unique<Emulator>(board_)) {
+  attach_devices();
+}
 
 base::Time Bench::now() const { return base::Time::nearest(machine_->seconds()); }
 
 void Bench::pump() {
   machine_->pump();
   if (board_.camera >= 0) pump_camera();
-  said_ += console().take();
+  if (base_) base_->pump(now());
+  const std::string more = console().take();
+  said_ += more;
+  all_ += more;
+}
+
+void Bench::attach_devices() {
+  if (board_.camera_pace > 0) camera_line().set_pace(board_.camera_pace);
+  if (board_.camera_device) other_camera_ = std::make_unique<Attached>(camera_line(), board_.camera_device(), now());
+  if (board_.base_device) base_ = std::make_unique<Attached>(base_line(), board_.base_device(), now());
+}
+
+void Bench::unplug_camera(bool unplugged) {
+  unplugged_ = unplugged;
+  if (other_camera_) other_camera_->unplug(unplugged);
 }
 
 void Bench::pump_camera() {
+  if (other_camera_) return other_camera_->pump(now());
   const std::string asked = camera_line().take();
   if (unplugged_) return;
   for (const char byte : asked) {
     const auto answer = camera_.take(static_cast<std::uint8_t>(byte), now());
     camera_line().send({reinterpret_cast<const char*>(answer.data()), answer.size()});
   }
+}
+
+std::string Bench::last_link(std::string_view sensor) const {
+  std::string state;
+  const std::string name = "," + std::string(sensor) + ",";
+  for (std::size_t at = all_.find("$FPLNK,"); at != std::string::npos; at = all_.find("$FPLNK,", at + 1)) {
+    const std::string line = all_.substr(at, all_.find('\n', at) - at);
+    const std::size_t found = line.find(name);
+    if (found == std::string::npos) continue;
+    const std::size_t begin = found + name.size();
+    state = line.substr(begin, line.find(',', begin) - begin);
+  }
+  return state;
 }
 
 bool Bench::await(std::string_view text, double seconds) {
@@ -78,10 +108,12 @@ void Bench::give(const SceneStream::Input& input) {
 }
 
 void Bench::give(const sensor::OdometrySample& sample) {
+  if (base_) return base_->roll(sample.t);
   console().send(board_.camera >= 0 ? unstamped(sample) : line_of(sample));
 }
 
 void Bench::give(const sensor::BlobFrame& frame) {
+  if (other_camera_) return other_camera_->see(frame, now());
   if (board_.camera < 0) {
     if (!unplugged_) console().send(line_of(frame));
   } else {
@@ -90,6 +122,7 @@ void Bench::give(const sensor::BlobFrame& frame) {
 }
 
 void Bench::play(const SceneStream& stream, const std::function<void(double)>& also) {
+  if (base_) base_->drive(stream.way());
   const double start = machine_->seconds();
   for (const SceneStream::Input& input : stream.inputs) {
     const double t = std::visit([](const auto& one) { return one.t.to_double(); }, input);

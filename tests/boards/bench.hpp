@@ -8,6 +8,7 @@
 
 #include "hal/base/units.hpp"
 #include "host/emulate/pixy2.hpp"
+#include "tests/boards/attached.hpp"
 #include "tests/boards/emulator.hpp"
 #include "tests/boards/scene_stream.hpp"
 
@@ -26,6 +27,8 @@ class Bench {
   /// Everything the console has said since clear().
   [[nodiscard]] const std::string& said() const { return said_; }
   void clear() { said_.clear(); }
+  /// State of the last record of that link, whenever it was; empty if there was none.
+  [[nodiscard]] std::string last_link(std::string_view sensor) const;
 
   /// Until the board says that its camera works.
   bool await_camera(double seconds = 10);
@@ -49,18 +52,24 @@ class Bench {
   [[nodiscard]] double seconds() const { return machine_->seconds(); }
   void stop() { machine_->stop(); }
   /// The camera's cable is pulled, or back.
-  void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
+  void unplug_camera(bool unplugged);
+  void unplug_base(bool unplugged) { base_->unplug(unplugged); }
+  [[nodiscard]] Line& base_line() { return machine_->line(static_cast<std::size_t>(board_.base)); }
   void pump();
 
  private:
   [[nodiscard]] base::Time now() const;
   void pump_camera();
+  void attach_devices();
 
   BoardUnderTest board_;
   std::unique_ptr<Machine> machine_;
   emulate::Pixy2 camera_{base::Time{-100'000}};  // has been on for ten seconds
   bool unplugged_ = false;
+  std::unique_ptr<Attached> other_camera_;  ///< instead of the Pixy2
+  std::unique_ptr<Attached> base_;
   std::string said_;
+  std::string all_;  ///< since the start
 };
 
 /// The record stream's line, with an empty time: stamped when it arrives.

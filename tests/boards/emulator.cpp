@@ -25,7 +25,9 @@ std::string make_folder() {
 
 }  // namespace
 
-std::string image_of(const std::string& board) { return FENCEPOST_IMAGES_DIR "/" + board + "/fencepost"; }
+std::string image_of(const std::string& board, const std::string& image) {
+  return FENCEPOST_IMAGES_DIR "/" + board + "/" + image;
+}
 
 Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
   std::vector<std::string> sockets;

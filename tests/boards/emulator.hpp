@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/emulate/serve/peer.hpp"
 #include "tests/boards/line.hpp"
 
 namespace fencepost::test {
@@ -37,11 +38,17 @@ struct BoardUnderTest {
   std::function<std::unique_ptr<Machine>()> machine = {};
   std::size_t lines = 1;
   std::size_t console = 0;  ///< its line
-  int camera = -1;          ///< the Pixy2's line; negative: frames go over the console
+  int camera = -1;          ///< the camera's line; negative: frames go over the console
+  int base = -1;            ///< the wheel base's line; negative: odometry goes over the console
+  double camera_pace = 0;   ///< bytes a second of its line, where that is not 115200 baud
+  /// Devices of the lines above; a camera's line without one has a Pixy2.
+  std::function<std::unique_ptr<emulate::Peer>()> camera_device = {};
+  std::function<std::unique_ptr<emulate::Peer>()> base_device = {};
+  double frames_share = 0.9;  ///< of a scene's frames, as the camera can tell them
 };
 
 /// The folder with the images that this build has made.
-std::string image_of(const std::string& board);
+std::string image_of(const std::string& board, const std::string& image = "fencepost");
 
 class Emulator : public Machine {
  public:

@@ -35,6 +35,14 @@ host::SceneObject box(const char* name, std::uint8_t signature, double x, double
 
 }  // namespace
 
+std::vector<sensor::OdometrySample> SceneStream::way() const {
+  std::vector<sensor::OdometrySample> poses;
+  for (const Input& input : inputs) {
+    if (const auto* pose = std::get_if<sensor::OdometrySample>(&input)) poses.push_back(*pose);
+  }
+  return poses;
+}
+
 SceneStream stream_of(const host::Scene& scene) {
   SceneStream stream;
   const auto done = host::simulate(scene, [&](std::string_view line) { stream.log += line; });
@@ -66,6 +74,17 @@ host::Scene minute_scene(double seconds, double rate) {
   arc.sweep = 4 * std::numbers::pi * seconds / 60;
   arc.views = static_cast<int>(std::lround(seconds * scene.rate));
   scene.path = arc;
+  return scene;
+}
+
+host::Scene box_beside_the_way(const sensor::CameraIntrinsics& camera) {
+  host::Scene scene;
+  scene.seed = 5;
+  scene.camera = camera;
+  scene.rate = 10;
+  scene.signatures = {{1, "red", {0xd0, 0x20, 0x20}}};
+  scene.objects = {box("beside", 1, 1.4, 0.22, 0.05, 0.3)};
+  scene.path = host::WaypointPath{{{0, 0}, {1.1, 0}}, 0.15, 0.8};
   return scene;
 }
 

@@ -25,9 +25,11 @@ def short(title):
     return title.rsplit(":", 1)[-1]
 
 
-def read_graph(folder):
+def read_graph(folder, without=None):
+    """Of all objects below `folder`, but for those in folders whose names begin with `without`."""
     frames, kinds, calls, labels = {}, {}, {}, {}
-    files = sorted(pathlib.Path(folder).rglob("*.ci"))
+    files = sorted(file for file in pathlib.Path(folder).rglob("*.ci")
+                   if not without or not any(part.startswith(without) for part in file.parts))
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:
