@@ -13,13 +13,55 @@ struct Journaled : Base {
   static constexpr std::size_t kJournalBytes = 256 * 1024;
 };
 
+/// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
+constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
+
+/// The devices' clock goes on where the run's begins anew.
+class ShiftedCamera final : public CameraDevice {
+ public:
+  ShiftedCamera(CameraDevice& camera, const base::Duration& shift) : camera_(camera), shift_(shift) {}
+  base::Result<sensor::BlobFrame> poll(base::Time now) override {
+    const base::Result<sensor::BlobFrame> seen = camera_.poll(now + shift_);
+    if (!seen) return seen;
+    sensor::BlobFrame frame = *seen;
+    frame.t = frame.t - shift_;
+    return frame;
+  }
+  [[nodiscard]] sensor::LinkState link() const override { return camera_.link(); }
+  [[nodiscard]] std::uint32_t dropped() const override { return camera_.dropped(); }
+
+ private:
+  CameraDevice& camera_;
+  const base::Duration& shift_;
+};
+
+class ShiftedOdometry final : public OdometryDevice {
+ public:
+  ShiftedOdometry(OdometryDevice& odometry, const base::Duration& shift) : odometry_(odometry), shift_(shift) {}
+  base::Result<sensor::OdometrySample> poll(base::Time now) override {
+    const base::Result<sensor::OdometrySample> told = odometry_.poll(now + shift_);
+    if (!told) return told;
+    sensor::OdometrySample sample = *told;
+    sample.t = sample.t - shift_;
+    return sample;
+  }
+  [[nodiscard]] sensor::LinkState link() const override { return odometry_.link(); }
+
+ private:
+  OdometryDevice& odometry_;
+  const base::Duration& shift_;
+};
+
 template <class Base>
 class ProfileLoop final : public LiveLoop {
  public:
   using Profile = Journaled<Base>;
 
   ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, app::Mode mode)
-      : console_(console), loop_(*memory_, camera, odometry, console, mode, app::canned_stream<Profile>()) {
+      : console_(console),
+        camera_(camera, shift_),
+        odometry_(odometry, shift_),
+        loop_(*memory_, camera_, odometry_, console, mode, app::canned_stream<Profile>()) {
     memory_->journal.start();
   }
 
@@ -42,8 +84,9 @@ class ProfileLoop final : public LiveLoop {
   }
 
   bool step(base::Time now) override {
+    if (now - shift_ >= base::Time{} + kLongestRun) begin_anew(now);
     const std::uint64_t before = inputs();
-    loop_.step(now);
+    loop_.step(now - shift_);
     if (inputs() != before) return true;
     app::ConsoleState& console = memory_->console;
     return !output_waits() && (console.answer.pending() || loop_.pipeline().testing() || console.input.front());
@@ -56,7 +99,9 @@ class ProfileLoop final : public LiveLoop {
 
   void tell(const record::LinkReport& report, std::string_view sentence) override {
     app::Telling<Profile>& telling = loop_.pipeline().telling();
-    telling.report(report);
+    record::LinkReport shifted = report;
+    shifted.t = report.t - shift_;
+    telling.report(shifted);
     if (sentence.empty() || !telling.shown_in(app::Mode::kText)) return;
     telling.say([sentence](std::span<char> room) -> std::size_t {
       if (room.size() < sentence.size() + 2) return 0;
@@ -82,6 +127,11 @@ class ProfileLoop final : public LiveLoop {
   }
 
  private:
+  void begin_anew(base::Time now) {
+    loop_.pipeline().restart();
+    shift_ = now - base::Time{};
+  }
+
   /// Grows with each input, used or not.
   [[nodiscard]] std::uint64_t inputs() const {
     const app::Counters& counters = memory_->counters;
@@ -92,7 +142,10 @@ class ProfileLoop final : public LiveLoop {
   std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
   record::Header header_;
   PatientConsole& console_;
-  app::Loop<Profile, CameraDevice, OdometryDevice, PatientConsole> loop_;
+  base::Duration shift_;  ///< of the run's zero from the devices'
+  ShiftedCamera camera_;
+  ShiftedOdometry odometry_;
+  app::Loop<Profile, ShiftedCamera, ShiftedOdometry, PatientConsole> loop_;
 };
 
 template <class Base, class... Arguments>
