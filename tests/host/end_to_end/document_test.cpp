@@ -97,6 +97,8 @@ TEST_P(TwoTerminals, ShowWhatTheDocumentSays) {
   std::filesystem::create_symlink(FENCEPOST_SOURCE_DIR "/host", folder.path() / "host");
   Terminal first(folder, emulate.words);
   ASSERT_TRUE(first.shows(" on ./wheels\n")) << first.text();
+  // A person takes a while to type; what takes longer to start than a second is told.
+  std::this_thread::sleep_for(std::chrono::milliseconds(2'500));
   Terminal second(folder, run.words);
   EXPECT_EQ(first.wait(), 0) << first.text();
   ASSERT_TRUE(second.shows("odometry ") && second.shows(" is absent")) << second.text();

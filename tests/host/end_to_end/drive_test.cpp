@@ -15,6 +15,7 @@ struct Drive {
   std::string odometry;
   double odometry_error;  ///< share of the way
   double speed = 0.3;     ///< m/s
+  friend void PrintTo(const Drive& drive, std::ostream* out) { *out << drive.name; }
 };
 
 // A Create 1 tells whole millimetres since the last reading, cut off: see the doc of emulate. At 0.275 m/s a reading of

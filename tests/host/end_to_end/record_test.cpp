@@ -3,9 +3,7 @@
 
 #include <csignal>
 
-#include "tests/hal/linux/pty.hpp"
 #include "tests/host/end_to_end/stage.hpp"
-#include "tests/host/end_to_end/terminal.hpp"
 
 namespace fencepost::host::testing {
 namespace {
@@ -27,25 +25,6 @@ TEST(EndToEndRecord, DevicesAreRecordedInPartsThatAreOneRun) {
   EXPECT_EQ(shell(folder, "cat part.log part-*.log > run.log").exit_code, 0);
   expect_replays(folder, record.err());
   expect_things(folder, camera_of("pixy2:./a"), 0.01);
-}
-
-// The first Ctrl-C has the file closed and waits for the terminal, which takes nothing any more; the second ends that.
-TEST(EndToEndRecord, ASecondInterruptGivesTheTerminalBack) {
-  const Folder folder;
-  linux::FarEnd far((folder.path() / "tty").string());
-  Terminal terminal(folder, {"record", "./tty", "-o", "run.log", "--no-command"});
-  ASSERT_TRUE(terminal.shows("Ctrl-C ends it")) << terminal.text();
-  ASSERT_TRUE(eventually([&] { return !terminal.echoes(); })) << "what is typed stands in the status line";
-  const std::string line(2'000, 'x');
-  for (std::size_t lines = 1; lines <= 60; ++lines) {
-    far.say(line + "\n");
-    ASSERT_TRUE(eventually([&] { return slurp(folder.path() / "run.log").size() >= lines * (line.size() + 1); }));
-  }
-  terminal.type("\x03");
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  terminal.type("\x03");
-  EXPECT_EQ(terminal.wait(), 1000 + SIGINT) << "the second one ended it";
-  EXPECT_TRUE(terminal.echoes());
 }
 
 }  // namespace
