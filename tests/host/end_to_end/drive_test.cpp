@@ -18,11 +18,9 @@ struct Drive {
   friend void PrintTo(const Drive& drive, std::ostream* out) { *out << drive.name; }
 };
 
-// A Create 1 tells whole millimetres since the last reading, cut off: see the doc of emulate. At 0.275 m/s a reading of
-// 15 ms is 4.1 mm, of which one in a few is told as 3.
 const Drive kDrives[] = {
     {"Pixy2OnACreate2", {"pixy2", "create2"}, "pixy2:./a", "create2:./b", 0.01},
-    {"Pixy21OnACreate1", {"pixy2.1", "create1"}, "pixy2.1:./a", "create1:./b", 0.08, 0.275},
+    {"Pixy21", {"pixy2.1", "create2"}, "pixy2.1:./a", "create2:./b", 0.01},
     {"CmuCam1", {"cmucam1", "records"}, "cmucam1:./a,settle=0", "records:./b", 0.01},
     {"CmuCam2", {"cmucam2", "create2"}, "cmucam2:./a,settle=0", "create2:./b", 0.01},
     {"CmuCam3", {"cmucam3", "records"}, "cmucam3:./a,settle=0", "records:./b", 0.01},
