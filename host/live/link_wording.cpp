@@ -23,8 +23,9 @@ std::string_view unready_remedy(DeviceKind kind) {
     case DeviceKind::kCmuCam1:
     case DeviceKind::kCmuCam2:
     case DeviceKind::kCmuCam3:
-    case DeviceKind::kCmuCam4: return "it is being set up, or does not understand: check its kind";
+    case DeviceKind::kCmuCam4: return "it is being set up, or of another kind";
     case DeviceKind::kNxtCam:
+    case DeviceKind::kNxtCam5:
     case DeviceKind::kAvrCam: return "teach it colours with the maker's program";
     case DeviceKind::kXbc: return "start fencepost_xbc.ic on it, of this version";
     case DeviceKind::kCreate1:

@@ -13,16 +13,59 @@ struct Journaled : Base {
   static constexpr std::size_t kJournalBytes = 256 * 1024;
 };
 
+/// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
+constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
+
+/// The devices' clock goes on where the run's begins anew.
+class ShiftedCamera {
+ public:
+  ShiftedCamera(CameraDevice& camera, const base::Duration& shift) : camera_(camera), shift_(shift) {}
+  base::Result<sensor::BlobFrame> poll(base::Time now) {
+    const base::Result<sensor::BlobFrame> seen = camera_.poll(now + shift_);
+    if (!seen) return seen;
+    sensor::BlobFrame frame = *seen;
+    frame.t = frame.t - shift_;
+    return frame;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return camera_.link(); }
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return camera_.link_words(state); }
+  [[nodiscard]] std::uint32_t dropped() const { return camera_.dropped(); }
+
+ private:
+  CameraDevice& camera_;
+  const base::Duration& shift_;
+};
+
+class ShiftedOdometry {
+ public:
+  ShiftedOdometry(OdometryDevice& odometry, const base::Duration& shift) : odometry_(odometry), shift_(shift) {}
+  base::Result<sensor::OdometrySample> poll(base::Time now) {
+    const base::Result<sensor::OdometrySample> told = odometry_.poll(now + shift_);
+    if (!told) return told;
+    sensor::OdometrySample sample = *told;
+    sample.t = sample.t - shift_;
+    return sample;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return odometry_.link(); }
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return odometry_.link_words(state); }
+
+ private:
+  OdometryDevice& odometry_;
+  const base::Duration& shift_;
+};
+
 template <class Base>
 class ProfileLoop final : public LiveLoop {
  public:
   using Profile = Journaled<Base>;
 
   ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, app::Mode mode)
-      : camera_(camera),
-        odometry_(odometry),
+      : camera_device_(camera),
+        odometry_device_(odometry),
         console_(console),
-        loop_(*memory_, camera, odometry, console, mode, app::canned_stream<Profile>()) {
+        camera_(camera, shift_),
+        odometry_(odometry, shift_),
+        loop_(*memory_, camera_, odometry_, console, mode, app::canned_stream<Profile>()) {
     memory_->journal.start();
   }
 
@@ -45,6 +88,7 @@ class ProfileLoop final : public LiveLoop {
   }
 
   bool step(base::Time now) override {
+    if (now - shift_ >= base::Time{} + kLongestRun) begin_anew(now);
     const std::uint64_t before = inputs();
     step_and_watch(now);
     if (inputs() != before) return true;
@@ -75,6 +119,11 @@ class ProfileLoop final : public LiveLoop {
   }
 
  private:
+  void begin_anew(base::Time now) {
+    loop_.pipeline().restart();
+    shift_ = now - base::Time{};
+  }
+
   /// Grows with each input, used or not.
   [[nodiscard]] std::uint64_t inputs() const {
     const app::Counters& counters = memory_->counters;
@@ -83,10 +132,10 @@ class ProfileLoop final : public LiveLoop {
   }
 
   void step_and_watch(base::Time now) {
-    loop_.step(now);
+    loop_.step(now - shift_);
     link_news_.clear();
-    note_news(camera_, memory_->links.camera, camera_known_);
-    note_news(odometry_, memory_->links.odometry, odometry_known_);
+    note_news(camera_device_, memory_->links.camera, camera_known_);
+    note_news(odometry_device_, memory_->links.odometry, odometry_known_);
   }
   // A new run tells its log the states in force again; those are no news.
   void note_news(const Device& device, const app::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
@@ -104,10 +153,13 @@ class ProfileLoop final : public LiveLoop {
   std::vector<std::string> link_news_;
   std::optional<sensor::LinkState> camera_known_;
   std::optional<sensor::LinkState> odometry_known_;
-  CameraDevice& camera_;
-  OdometryDevice& odometry_;
+  CameraDevice& camera_device_;
+  OdometryDevice& odometry_device_;
   PatientConsole& console_;
-  app::Loop<Profile, CameraDevice, OdometryDevice, PatientConsole> loop_;
+  base::Duration shift_;  ///< of the run's zero from the devices'
+  ShiftedCamera camera_;
+  ShiftedOdometry odometry_;
+  app::Loop<Profile, ShiftedCamera, ShiftedOdometry, PatientConsole> loop_;
 };
 
 template <class Base, class... Arguments>

@@ -25,7 +25,8 @@ class LiveLoop {
   virtual std::vector<std::string> start(const record::Header& header,
                                          const std::optional<sensor::CameraIntrinsics>& intrinsics,
                                          const RobotFile& robot) = 0;
-  /// One turn. True: there is more to do at once, without waiting for anything.
+  /// One turn. True: there is more to do at once, without waiting for anything. After eleven days, before the stream's
+  /// clock ends, a new run begins, with a new FPHDR and t from 0.
   virtual bool step(base::Time now) = 0;
   /// The stream has ended.
   virtual void finish() = 0;

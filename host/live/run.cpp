@@ -55,6 +55,8 @@ class Run {
     const auto took = std::chrono::steady_clock::now() - before;
     loop_->note_turn(static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(took).count()));
     say_link_news();
+    parts_.devices.camera->console_gave(loop_->frames_logged());
+    parts_.devices.odometry->console_gave(loop_->counters().odometry);
     write_log(now);
     return more;
   }
@@ -87,6 +89,7 @@ class Run {
 
   void wait() {
     linux::WaitSet set;
+    set.add_readable(parts_.interrupted_descriptor);
     parts_.devices.camera->watch(set);
     parts_.devices.odometry->watch(set);
     parts_.console.watch(set, loop_->output_waits());
@@ -171,10 +174,11 @@ std::string refused_in(const app::Counters& counters) {
 }  // namespace
 
 std::string RunSummary::sentence() const {
-  std::string text = fmt::format("{:.1f} s: {}, {}, {}, {} rejected, {}, digest {:016x}", time.to_double(),
+  std::string text = fmt::format("{:.1f} s: {}, {}, {}, {} rejected, {}", time.to_double(),
                                  counted(counters.frames, "frame"), counted(counters.odometry, "odometry sample"),
-                                 refused_in(counters), counters.rejected, counted(alerts, "alert"), digest);
+                                 refused_in(counters), counters.rejected, counted(alerts, "alert"));
   if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
+  text += fmt::format("\ndigest {:016x}", digest);
   if (!log.empty()) text += fmt::format(", log {} ({} bytes{})", log, log_bytes, log_failed ? ", broken off" : "");
   return text;
 }
