@@ -40,6 +40,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   ConsoleCamera camera;
   Wheels wheels;
+  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
   Deaf port;
   PatientConsole console(port, true);
   const auto loop = make_live_loop("full", camera, wheels, console, app::Mode::kQuiet);
@@ -51,7 +52,6 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
     const base::Time now{std::int64_t{10'000} * second};
     while (loop->step(now)) {
     }
-    loop->tell({now, "create2", sensor::LinkState::kOk, "x"}, {});
     log.append(loop->journal().begin(), loop->journal().end());
     loop->journal_taken(loop->journal().size());
   }
@@ -60,7 +60,8 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   EXPECT_NE(log.find("$FPODO,998990.0000,"), std::string::npos) << log.substr(0, 2000);
   EXPECT_NE(log.find("$FPODO,0.0000,"), std::string::npos);
   EXPECT_NE(log.find("$FPODO,1090.0000,"), std::string::npos);
-  EXPECT_NE(log.find("$FPLNK,1090.0000,"), std::string::npos);
+  EXPECT_EQ(count(log, "$FPLNK,998990.0000,create2,ok"), 1U) << log.substr(0, 2000);
+  EXPECT_EQ(count(log, ",create2,ok"), 2U) << "each run is told the state in force";
   EXPECT_EQ(count(log, "$FPODO,99900"), 0U) << "the new run began in time";
 }
 
