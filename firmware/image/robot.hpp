@@ -53,7 +53,8 @@ class Robot {
     const std::uint32_t began = board::clock().microseconds();
     board::feed_watchdog();
     loop_.step(board::clock().now());
-    if (++turns_ % kKeepEvery == 0 && !keeper_.keep()) pipeline().telling().say(not_kept);
+    if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
+      pipeline().telling().say([](std::span<char> room) { return not_kept(room); });
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.turn({camera_.link(), odometry_.link()});
     const std::uint32_t took = board::clock().microseconds() - began;
