@@ -1,6 +1,6 @@
 """Runs what two_terminals.md shows, in two terminals, and compares: python3 two_terminals.py FENCEPOST SOURCES SECTION.
 
-With --write as SECTION the document's outputs are replaced by what is seen. Numbers may differ; the lines, their order, and
+With --write as SECTION the document's outputs are replaced by what is seen. Numbers may differ; each device's lines, their order, and
 which levels of alerts come one after the other may not.
 """
 
@@ -76,14 +76,14 @@ def show_both(emulate, run, folder, environment):
 
 
 def masked(text):
-    """Lines without their numbers; alerts as the levels that follow each other."""
+    """Lines without their numbers, each device's together, for they are not in step; alerts as the levels that follow."""
     lines = []
     for line in text.strip().splitlines():
         alert = re.match(r"(CLEAR|NOTICE|WARN|STOP)\b", line)
         line = alert[1] if alert else re.sub(r"[0-9a-f]{16}|\d+(\.\d+)?", "#", line.rstrip())
         if not (alert and lines and lines[-1] == line):
             lines.append(line)
-    return lines
+    return sorted(lines, key=lambda line: "" if line.isupper() else line.split()[0] if line else "")
 
 
 def blocks_of(section):
