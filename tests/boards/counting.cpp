@@ -1,5 +1,8 @@
 #include "tests/boards/counting.hpp"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -84,6 +87,21 @@ std::uint64_t committed(const std::string& image, const std::string& column) {
     if (row["image"] == image) return std::stoull(row.at(column));
   }
   throw std::runtime_error("no row of " + image);
+}
+
+void expect_counts_as_committed(const Counts& counts, const std::string& image, const std::string& frame,
+                                double least) {
+  for (const auto& [name, count] : counts) {
+    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
+    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
+                static_cast<double>(count.worst), static_cast<double>(count.calls));
+  }
+  const double frames = static_cast<double>(counts.at(frame).calls);
+  EXPECT_GT(frames, least);
+  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
+  EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));
+  EXPECT_GT(counts.at("stack").sum, 1000U);
+  EXPECT_LE(counts.at("stack").sum, committed(image, "stack"));
 }
 
 }  // namespace fencepost::test

@@ -112,18 +112,7 @@ TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                               {"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}});
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
-  const Counts counts = counter.counts();
-  for (const auto& [name, count] : counts) {
-    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
-    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
-                static_cast<double>(count.worst), static_cast<double>(count.calls));
-  }
-  const double frames = static_cast<double>(counts.at("digest").calls);
-  EXPECT_GT(frames, 30);
-  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed("gba", "frame")));
-  EXPECT_LE(counts.at("input").worst, committed("gba", "worst_frame"));
-  EXPECT_GT(counts.at("stack").sum, 1000U);
-  EXPECT_LE(counts.at("stack").sum, committed("gba", "stack"));
+  expect_counts_as_committed(counter.counts(), "gba", "digest", 30);
 }
 
 }  // namespace
