@@ -29,6 +29,7 @@ LandmarkMatch match_landmark(const Region& rendered, std::span<const Region> reg
     }
   }
   match.match_confidence = second - match.error;
+  match.margin = std::max(0.0, std::min(second, kAcceptedError) - match.error);
   if (!regions.empty() && match.error < kAcceptedError) match.region = match.best;
   return match;
 }

@@ -19,6 +19,8 @@ struct LandmarkMatch {
   std::size_t best = 0;               ///< the nearest one, accepted or not; meaningless without regions
   double error = 1;                   ///< of the best one; 1 without regions
   double match_confidence = 0;        ///< error of the second best (1 if there is none) minus that of the best
+  double margin =
+      0;  ///< the same, but "none of them" counts as an answer of error kAcceptedError; 0 if that is nearest
 };
 
 /// Equal errors: the first region. `image_width` in px.

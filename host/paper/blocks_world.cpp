@@ -119,7 +119,7 @@ class Builder {
       if (!free) continue;
       discs_.push_back({place, radius});
       const std::string name = block < kPaints.size() ? kPaints[block].name : "twin";
-      scene_.objects.push_back({name + " block", signature, 0, random_.uniform(0.05, 0.2),
+      scene_.objects.push_back({name + " block", signature, 0, random_.uniform(0.16, 0.30),
                                 moved({outline, {}}, random_.uniform(0, 2 * kPi), place)});
       return;
     }

@@ -21,9 +21,10 @@ inline constexpr std::size_t kRedLandmark = 0;
 inline constexpr std::size_t kYellowLandmark = 1;
 
 /// The same seed gives the same scene. A red box and a yellow round or square block (in kFigures by the seed's parity)
-/// of 8 to 22 cm; grey panels 2 to 3.5 m away as background. Camera: 176x144 px, 43 degrees, level, 15 cm above the
-/// floor. Noise: medium (edges 1.5 px, 5 % of the segments lose a piece, 2 % grow, 2 % are missed; poses 4 mm, 0.4
-/// degrees), for kHard high. `noisy` false: only whole pixels.
+/// of 8 to 22 cm, all higher than the lens, so that occlusion is that of the plane; grey panels 2 to 3.5 m away as
+/// background. Camera: 176x144 px, 43 degrees, level, 15 cm above the floor. Noise: medium (edges 1.5 px, 5 % of the
+/// segments lose a piece, 2 % grow, 2 % are missed; poses 4 mm, 0.4 degrees), for kHard high. `noisy` false: only whole
+/// pixels.
 Scene blocks_world(BlocksWorld kind, std::uint64_t seed, bool noisy = true);
 
 /// Blocks stand before panels in Scene::objects.

@@ -1,6 +1,7 @@
 #include "host/paper/reacquire.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "host/paper/blocks_world.hpp"
@@ -27,40 +28,51 @@ std::vector<Solid> world_of(const Tour& tour, const Models& models, const Algori
   return world;
 }
 
-Reacquisition reacquire(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
-                        std::size_t landmark, std::size_t frame) {
-  Reacquisition result;
+std::vector<Reacquisition> reacquire_both(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
+                                          std::size_t frame) {
   const RealImage& image = tour.images[frame];
-  result.rendered = renderer.render(world, lens_at(tour.scene.camera, believed_pose(tour, frame)))[landmark];
-  LandmarkTruth truth{is_whole_in(image, landmark), false};
-  if (result.rendered) {
-    result.match = match_landmark(*result.rendered, image.regions, tour.scene.camera.width);
-    truth.is_match = result.match->region && is_of(image.truths[*result.match->region], landmark);
+  const auto rendered = renderer.render(world, lens_at(tour.scene.camera, believed_pose(tour, frame)));
+  std::vector<Reacquisition> both;
+  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+    Reacquisition& result = both.emplace_back();
+    LandmarkTruth truth{is_whole_in(image, landmark), false};
+    result.rendered = rendered[landmark];
+    if (result.rendered) {
+      result.match = match_landmark(*result.rendered, image.regions, tour.scene.camera.width);
+      truth.is_match = result.match->region && is_of(image.truths[*result.match->region], landmark);
+    }
+    result.outcome = outcome_of(result.match, truth);
   }
-  result.outcome = outcome_of(result.match, truth);
-  return result;
+  return both;
 }
 
 Sequence reacquire_all(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world) {
-  Sequence sequence;
-  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
-    std::vector<Reacquisition>& one = sequence.emplace_back();
-    for (std::size_t f = 0; f < tour.frames.size(); ++f) one.push_back(reacquire(tour, renderer, world, landmark, f));
+  Sequence sequence(2);
+  for (std::size_t f = 0; f < tour.frames.size(); ++f) {
+    const std::vector<Reacquisition> both = reacquire_both(tour, renderer, world, f);
+    for (std::size_t landmark = 0; landmark < sequence.size(); ++landmark) sequence[landmark].push_back(both[landmark]);
   }
   return sequence;
 }
 
 void ReacquisitionScore::add(const Sequence& sequence) {
+  OutcomeCounts scene;
   for (std::size_t landmark = 0; landmark < sequence.size(); ++landmark) {
     for (const Reacquisition& one : sequence[landmark]) {
       landmarks[landmark].add(one.outcome);
+      scene.add(one.outcome);
       if (one.outcome == MatchOutcome::kMatched) {
         right_errors.push_back(one.match->error);
         right_confidences.push_back(one.match->match_confidence);
+        right_margins.push_back(one.match->margin);
       }
-      if (one.outcome == MatchOutcome::kMismatched) wrong_confidences.push_back(one.match->match_confidence);
+      if (one.outcome == MatchOutcome::kMismatched) {
+        wrong_confidences.push_back(one.match->match_confidence);
+        wrong_margins.push_back(one.match->margin);
+      }
     }
   }
+  scene_accuracies.push_back(scene.accuracy());
 }
 
 OutcomeCounts ReacquisitionScore::all() const {
@@ -84,6 +96,15 @@ double area_under_curve(const std::vector<double>& right, const std::vector<doub
 
 double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double standard_error(const std::vector<double>& values) {
+  if (values.size() < 2) return 0;
+  const double center = mean(values);
+  double sum = 0;
+  for (const double value : values) sum += (value - center) * (value - center);
+  const auto n = static_cast<double>(values.size());
+  return std::sqrt(sum / (n - 1) / n);
 }
 
 }  // namespace fencepost::host

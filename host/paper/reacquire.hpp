@@ -34,10 +34,10 @@ Models reconstruct(const Tour& tour, std::size_t blocks, const std::vector<std::
 /// One solid a block: what this algorithm makes of the world after `after[snapshot]` frames.
 std::vector<Solid> world_of(const Tour& tour, const Models& models, const Algorithm& algorithm, std::size_t snapshot);
 
-/// Renders that world from the robot's believed pose at `frame` and looks for `landmark` in the real image. All blocks
-/// hide what is behind them.
-Reacquisition reacquire(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
-                        std::size_t landmark, std::size_t frame);
+/// Renders that world from the robot's believed pose at `frame` and looks for the landmarks (red, yellow) in the real
+/// image. All blocks hide what is behind them.
+std::vector<Reacquisition> reacquire_both(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
+                                          std::size_t frame);
 
 /// By landmark (red, yellow) and frame.
 using Sequence = std::vector<std::vector<Reacquisition>>;
@@ -49,6 +49,9 @@ struct ReacquisitionScore {
   std::vector<double> right_errors;         ///< of matches that were right
   std::vector<double> right_confidences;
   std::vector<double> wrong_confidences;  ///< of mismatches
+  std::vector<double> right_margins;
+  std::vector<double> wrong_margins;
+  std::vector<double> scene_accuracies;  ///< of each sequence added
 
   void add(const Sequence& sequence);
   [[nodiscard]] OutcomeCounts all() const;
@@ -58,5 +61,7 @@ struct ReacquisitionScore {
 double area_under_curve(const std::vector<double>& right, const std::vector<double>& wrong);
 
 double mean(const std::vector<double>& values);  ///< 0 of none
+/// Of the mean; 0 for fewer than two.
+double standard_error(const std::vector<double>& values);
 
 }  // namespace fencepost::host

@@ -15,7 +15,7 @@ struct StudyWorld {
   std::string_view key;  ///< on the command line
   std::string_view name;
   double least_right;      ///< share of decisions that the hybrid has to get right
-  double least_area;       ///< under the curve of its confidence; 0: nothing is asked
+  double least_area;       ///< under the curve of its margin; 0: nothing is asked
   bool against_the_paper;  ///< and each of the paper's algorithms has to be above the paper's own share
 };
 

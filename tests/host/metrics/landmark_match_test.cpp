@@ -37,6 +37,19 @@ TEST(MatchLandmark, ComparesWithCertainErrorWhereThereIsNoSecond) {
   EXPECT_EQ(match_landmark(red(80), one, 320).match_confidence, 1);
 }
 
+TEST(MatchLandmark, HasAMarginToRefusalToo) {
+  // Alone, 15 px off of 30: an error of 0.35 * 0.25 / 1.11, and refusal is at 0.30.
+  const std::vector<Region> one{red(95)};
+  EXPECT_NEAR(match_landmark(red(80), one, 320).margin, 0.30 - 0.35 * 0.25 / 1.11, 1e-12);
+  // With a second one that is nearer than refusal, the second one counts.
+  const std::vector<Region> two{red(95), red(80)};
+  const LandmarkMatch match = match_landmark(red(80), two, 320);
+  EXPECT_NEAR(match.margin, 0.35 * 0.25 / 1.11, 1e-12);
+  EXPECT_NEAR(match.match_confidence, match.margin, 1e-12);
+  const std::vector<Region> other{blue(80)};
+  EXPECT_EQ(match_landmark(red(80), other, 320).margin, 0);
+}
+
 TEST(MatchLandmark, AcceptsOnlyBelowTheThreshold) {
   const std::vector<Region> other{blue(80)};
   const LandmarkMatch match = match_landmark(red(80), other, 320);
