@@ -116,4 +116,29 @@ void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views) {
   }
 }
 
+void hash_hybrid(base::Fnv1a64& hash, const HybridCore& core, ConstClusters clusters, const OutlineView& outline) {
+  hash.i32(core.origin.x);
+  hash.i32(core.origin.y);
+  hash_vec(hash, core.last_lens);
+  hash.u8(core.views);
+  hash.u8(core.used);
+  hash.u8(core.spread);
+  hash.u8(static_cast<std::uint8_t>(core.refusal));
+  hash.u8(core.news ? 1 : 0);
+  hash.u8(core.fitting ? 1 : 0);
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const PackedCluster& cluster = clusters[i];
+    if (cluster.views == 0) continue;
+    hash.u8(static_cast<std::uint8_t>(i));
+    hash.u8(cluster.offset_low);
+    hash.u8(cluster.offset_high);
+    hash.u8(cluster.phase);
+    hash.u8(cluster.sigma);
+    hash.u8(cluster.views);
+  }
+  if (core.refusal != HybridRefusal::kNone) return;
+  for (const std::int16_t offset : outline.offsets) hash.u16(static_cast<std::uint16_t>(offset));
+  for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);
+}
+
 }  // namespace fencepost::recon

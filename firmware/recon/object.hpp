@@ -10,6 +10,7 @@
 #include "firmware/recon/cylinder.hpp"
 #include "firmware/recon/cylinder_paper.hpp"
 #include "firmware/recon/height_band.hpp"
+#include "firmware/recon/hybrid/hybrid.hpp"
 #include "firmware/recon/sheaf.hpp"
 #include "firmware/recon/sighting.hpp"
 #include "hal/base/fixed.hpp"
@@ -83,12 +84,14 @@ struct Object : ObjectCore {
   ConvexClip<Profile::kClipVertices> clip;
   CarveGrid<Profile::kGridCells> grid;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
+  Hybrid<Profile::kHybridSectors> hybrid;
 
   /// Starts a new object at its first sighting.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
     sheaf.clear();
+    hybrid.begin(first);
     id = new_id;
     signature = new_signature;
     last_seen = t;
@@ -117,6 +120,7 @@ struct Object : ObjectCore {
     cylinder.add(sighting, origin, views == 0 ? 1.0F : novelty(lens), noise);
     cylinder_paper.add(sighting, origin);
     sheaf.add(sighting, origin);
+    hybrid.add(sighting, noise);
     band.add(sighting, origin);
     cylinder.solve(lens);
     last_lens = lens;

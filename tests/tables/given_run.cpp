@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "firmware/config/profile.hpp"
+#include "firmware/recon/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/object.hpp"
 #include "host/evaluate/cut.hpp"
 #include "host/replay/models.hpp"
@@ -42,6 +43,7 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
   result.swaps = 0;
   const recon::CameraModel camera = recon::make_camera_model(tour.scene.camera);
   const auto object = std::make_unique<recon::Object<Profile>>();
+  recon::HybridSolver<Profile::kHybridSectors, Profile::kHybridOrder> solver;
   for (std::size_t v = 0; v < tour.views.size(); ++v) {
     const GivenView& view = tour.views[v];
     const auto given =
@@ -54,6 +56,7 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
       object->begin(static_cast<std::uint32_t>(truth + 1), scene_object.signature, sighting, t);
     }
     object->observe(sighting, t, {});
+    if (object->hybrid.news) solver.solve(object->hybrid);
     if (!std::binary_search(kTableViews.begin(), kTableViews.end(), object->views)) continue;
     result.cuts.push_back(host::cut_of(describe(*object), scene_object.footprint, false));
   }
