@@ -11,6 +11,7 @@ namespace fencepost::config {
 struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
+  static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kPoses = 24;         ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kPending = 6;        ///< tangents kept until an object has a place
@@ -31,6 +32,7 @@ struct Micro {
 struct Small {
   static constexpr std::string_view kName = "small";
   static constexpr std::size_t kObjects = 8;
+  static constexpr std::size_t kModelTurns = 2;
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kPoses = 64;
   static constexpr std::size_t kPending = 16;
@@ -51,6 +53,7 @@ struct Small {
 struct Full {
   static constexpr std::string_view kName = "full";
   static constexpr std::size_t kObjects = 32;
+  static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kPending = 64;
