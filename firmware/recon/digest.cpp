@@ -54,6 +54,7 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u16(object.history.bits);
   hash.u8(object.history.length);
   hash.u16(object.missed_in_a_row);
+  hash.u8(object.sureness);
   hash.f32(object.presence);
   hash.i32(object.origin.x);
   hash.i32(object.origin.y);

@@ -51,13 +51,16 @@ struct ObjectCore {
   SightingHistory history;
   std::uint16_t missed_in_a_row = 0;  ///< frames in which it should have been seen and was not, since the last sighting
   std::uint8_t waiting = 0;           ///< sightings since the last one that the models took; a new object's count more
-  float presence = 1;                 ///< running share of expected sightings that came
-  MapPoint origin;                    ///< of the local frame of all models
-  Vec2 last_lens{0, 0};               ///< of the last sighting that the models took; local
-  Vec2 last_bearing{1, 0};            ///< of the same; unit, map axes
+  std::uint8_t sureness = kNoOutline;  ///< of the hybrid's outline, in half per cent; kNoOutline: there is none yet
+  float presence = 1;                  ///< running share of expected sightings that came
+  MapPoint origin;                     ///< of the local frame of all models
+  Vec2 last_lens{0, 0};                ///< of the last sighting that the models took; local
+  Vec2 last_bearing{1, 0};             ///< of the same; unit, map axes
   Cylinder cylinder;
   CylinderPaper cylinder_paper;
   HeightBand band;
+
+  static constexpr std::uint8_t kNoOutline = 0xFF;
 
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return arenas > 0; }
@@ -78,7 +81,8 @@ struct ObjectCore {
     if (waiting < 0xFF) ++waiting;
   }
 
-  /// In [0, 1]: 1 - sqrt(outline sigma / radius), times the share of expected sightings that came; 0 without cylinder.
+  /// In [0, 1]: how well the outline is known, 1 - sqrt(mean sigma / radius), times the share of expected sightings
+  /// that came. The outline is the hybrid's; the cylinder's until that has been fitted; without either 0.
   [[nodiscard]] float confidence() const;
   /// Weight of a view from `lens`: what a parked robot sees again is not news. In [0.05, 1].
   [[nodiscard]] float novelty(const Vec2& lens) const;
@@ -125,6 +129,12 @@ struct Object : ObjectCore {
     history = seen;
     confirmed = was_confirmed;
     presence = was_present;
+  }
+
+  /// The outline has been fitted.
+  void note_outline() {
+    constexpr float kPerUnit = 200.0F;
+    if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kPerUnit + 0.5F);
   }
 
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight

@@ -29,6 +29,7 @@ host::ObjectResult describe(const recon::Object<Profile>& object) {
   result.signature = object.signature;
   result.state = record::ObjectState::kConfirmed;
   result.views = object.views;
+  result.confidence = object.hybrid.ok() ? static_cast<double>(object.hybrid.outline().confidence()) : 0;
   result.models = host::models_of(object);
   return result;
 }

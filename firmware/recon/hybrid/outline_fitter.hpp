@@ -23,7 +23,9 @@ class OutlineFitter {
   void fit(Objects& objects) {
     if constexpr (Profile::kHybridSteps == 0) {
       for (auto& object : objects) {
-        if (object.used() && object.hybrid.news) solver_.solve(object.hybrid);
+        if (!object.used() || !object.hybrid.news) continue;
+        solver_.solve(object.hybrid);
+        object.note_outline();
       }
     } else {
       for (int i = 0; i < Profile::kHybridSteps; ++i) {
@@ -39,7 +41,7 @@ class OutlineFitter {
     // An object that began anew, or went, is not the one that the fit was begun with.
     if (!solver_.done() && (!objects[slot_].used() || !objects[slot_].hybrid.fitting)) solver_.abandon();
     if (solver_.done() && !begin_next(objects)) return false;
-    solver_.step(objects[slot_].hybrid);
+    if (solver_.step(objects[slot_].hybrid)) objects[slot_].note_outline();
     return true;
   }
 
