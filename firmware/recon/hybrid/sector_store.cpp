@@ -168,13 +168,14 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
   static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty}, *weakest));
 }
 
-std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::uint8_t phase, std::size_t sectors) {
+std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::int32_t part, std::size_t sectors) {
   const WholeVector from = whole_direction(sector, sectors);
   const WholeVector to = whole_direction(sector + 1, sectors);
   // Along the chord, and back out to the circle: 1 + D^2/2 p (1 - p).
-  const std::int32_t x = from.x + (to.x - from.x) * phase / 256;
-  const std::int32_t y = from.y + (to.y - from.y) * phase / 256;
-  const std::int32_t bulge = phase * (256 - phase) * (sectors == kDirections ? kBulge : 4 * kBulge) / 65'536;
+  const std::int32_t x = from.x + (to.x - from.x) * part / kParts;
+  const std::int32_t y = from.y + (to.y - from.y) * part / kParts;
+  const std::int32_t bulge =
+      part * (kParts - part) * (sectors == kDirections ? kBulge : 4 * kBulge) / (kParts * kParts);
   std::int32_t sum = x * shift.x + y * shift.y;
   sum += sum / kWholeUnit * bulge;
   return (sum + (sum < 0 ? -kWholeUnit / 2 : kWholeUnit / 2)) / kWholeUnit;
@@ -186,7 +187,7 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
     PackedCluster& packed = clusters[i];
     if (packed.views == 0) continue;
     const std::int32_t offset =
-        whole_offset(packed) - change_of_offset(shift, i / kClustersPerSector, packed.phase, sectors);
+        whole_offset(packed) - change_of_offset(shift, i / kClustersPerSector, 2 * packed.phase + 1, sectors);
     if (offset > kFarthestOffset || offset < -kFarthestOffset) {
       packed = {};
     } else {

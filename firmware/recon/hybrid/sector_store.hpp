@@ -79,8 +79,9 @@ struct OriginShift {
   std::int32_t y = 0;
 };
 
-/// What a shift takes from an offset at a direction, in kOffsetStep.
-std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::uint8_t phase, std::size_t sectors);
+/// What a shift takes from an offset, in kOffsetStep. The direction lies `part` of kParts into the sector.
+inline constexpr std::int32_t kParts = 512;
+std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::int32_t part, std::size_t sectors);
 
 /// Coordinates from a point `shift` away. What gets out of range is forgotten.
 void move_origin(Clusters clusters, const OriginShift& shift);
