@@ -11,6 +11,7 @@ namespace fencepost::config {
 struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
+  static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kPoses = 24;         ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kPending = 6;        ///< tangents kept until an object has a place
@@ -18,17 +19,20 @@ struct Micro {
   static constexpr std::size_t kGridCells = 32;     ///< a side: 128 bytes
   static constexpr std::size_t kSheafViews = 0;     ///< no room: the sheaf is absent
   static constexpr std::size_t kSheafPosts = 0;
-  static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
-  static constexpr std::size_t kJournalBytes = 0;     ///< of a log beside the console: a brain with a disk has one
-  static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included
-  static constexpr std::size_t kHybridReserve = 512;  ///< bytes an object, for the tangent-space filter
-  static constexpr std::size_t kPoseReserve = 1024;   ///< bytes, for the pose correction by landmarks
+  static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
+  static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
+  static constexpr std::size_t kBudget = 10 * 1024;  ///< bytes of Memory, reserves included
+  static constexpr std::size_t kHybridSectors = 32;  ///< of directions: the small version, a series of order 4
+  static constexpr std::size_t kHybridOrder = 4;
+  static constexpr int kHybridSteps = 1;             ///< of a fit in a frame
+  static constexpr std::size_t kPoseReserve = 1024;  ///< bytes, for the pose correction by landmarks
 };
 
 /// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
 struct Small {
   static constexpr std::string_view kName = "small";
   static constexpr std::size_t kObjects = 8;
+  static constexpr std::size_t kModelTurns = 2;
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kPoses = 64;
   static constexpr std::size_t kPending = 16;
@@ -39,7 +43,9 @@ struct Small {
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 64 * 1024;
-  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kHybridSectors = 64;
+  static constexpr std::size_t kHybridOrder = 3;
+  static constexpr int kHybridSteps = 8;
   static constexpr std::size_t kPoseReserve = 1536;
 };
 
@@ -47,6 +53,7 @@ struct Small {
 struct Full {
   static constexpr std::string_view kName = "full";
   static constexpr std::size_t kObjects = 32;
+  static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kPending = 64;
@@ -57,7 +64,9 @@ struct Full {
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 320 * 1024;
-  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kHybridSectors = 64;
+  static constexpr std::size_t kHybridOrder = 3;
+  static constexpr int kHybridSteps = 0;  ///< all of them
   static constexpr std::size_t kPoseReserve = 1536;
 };
 

@@ -19,7 +19,7 @@ constexpr float kHiddenRadians = 0.26F;
 // Rows are off by this many px besides what distance and pitch explain (whole pixels, rounded edges).
 constexpr float kRowPixels = 1.5F;
 // The height band is worth a prediction from this many views on.
-constexpr std::uint32_t kViewsForTop = 3;
+constexpr std::uint8_t kViewsForTop = 3;
 
 // Nothing is expected to be seen nearer, or farther (m), or this close to the border (share of the width).
 constexpr float kNearestExpected = 0.1F;
@@ -76,7 +76,7 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Vec
   const CylinderEstimate& estimate = object.cylinder.estimate();
   const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
   prediction.bottom = predict_row(camera, camera.height / prediction.depth, relative, noise);
-  if (object.views < kViewsForTop) return;
+  if (object.cylinder.first_views() < kViewsForTop) return;
   const HeightRange band = object.band.at(estimate.center, estimate.radius);
   if (band.top_known) {
     prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, relative, noise);
@@ -246,7 +246,7 @@ bool has_middle_of(const Prediction& prediction, const Interval& interval) {
          twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
 }
 
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const BlobRays& rays) {
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const OpenEnds& ends) {
   const auto count = [](std::int8_t before, std::int16_t seen, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(seen - line.at) <= reach_of(line) + 1) return 0;
     constexpr int kMost = 100;
@@ -254,8 +254,8 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Interv
     return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
   };
   if (!(prediction.depth > 0)) return;
-  if (!rays.left.censored) object.left_off = count(object.left_off, interval.left, prediction.left);
-  if (!rays.right.censored) object.right_off = count(object.right_off, interval.right, prediction.right);
+  if (!ends.left) object.left_off = count(object.left_off, interval.left, prediction.left);
+  if (!ends.right) object.right_off = count(object.right_off, interval.right, prediction.right);
 }
 
 bool overlaps(const Prediction& prediction, const Interval& interval) {

@@ -8,6 +8,7 @@
 
 #include "firmware/recon/digest.hpp"
 #include "firmware/recon/frame_queue.hpp"
+#include "firmware/recon/hybrid/outline_fitter.hpp"
 #include "firmware/recon/matcher.hpp"
 #include "firmware/recon/object.hpp"
 
@@ -34,6 +35,7 @@ class Map {
 
   void clear() {
     for (ObjectType& object : objects_) object.id = 0;
+    fitter_.clear();
     next_id_ = 1;
     frames_ = 0;
     evicted_ = 0;
@@ -54,10 +56,12 @@ class Map {
     outcome.matched = matcher_.match(frame);
     matcher_.share_merged(frame);
     matcher_.hide_behind_models();
-    update_matched(frame, camera, lens, noise);
+    track_matched(frame, camera, lens);
     notice_missing();
-    begin_new(frame, camera, lens, noise, outcome);
+    begin_new(frame, camera, lens, outcome);
+    update_models(frame, camera, lens, noise);
     count_pieces();
+    fitter_.fit(objects_);
     drop_doubles();
     forget_refuted();
     confirm(confirmation);
@@ -89,16 +93,19 @@ class Map {
     }
   }
 
-  void update_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
-                      const MeasurementNoise& noise) {
+  [[nodiscard]] Sighting sighting_of(std::size_t o, const WaitingFrame& frame, const CameraModel& camera,
+                                     const LensPose& lens) const {
+    return make_sighting(camera, lens, matcher_.rays_for(o, frame, camera));
+  }
+
+  void track_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!matcher_.seen(o)) continue;
       ObjectType& object = objects_[o];
-      const BlobRays rays = matcher_.rays_for(o, frame, camera);
-      const Sighting sighting = make_sighting(camera, lens, rays);
-      compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), rays);
-      if (object.contradicted()) object.restart(sighting, exposure_);
-      object.observe(sighting, exposure_, noise);
+      const OpenEnds ends = matcher_.open_ends(o);
+      compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), ends);
+      if (object.contradicted()) object.restart(sighting_of(o, frame, camera, lens), exposure_);
+      object.track(ends, exposure_);
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);
     }
@@ -118,8 +125,7 @@ class Map {
     }
   }
 
-  void begin_new(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
-                 const MeasurementNoise& noise, FrameOutcome& outcome) {
+  void begin_new(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
     for (std::size_t b = 0; b < matcher_.blobs(); ++b) {
       const Interval& interval = matcher_.interval(b);
       if (matcher_.taken(b) || (interval.left_censored && interval.right_censored)) continue;
@@ -133,15 +139,37 @@ class Map {
         ++outcome.refused;
         continue;
       }
-      const Sighting sighting = make_sighting(camera, lens, matcher_.rays_of(frame, camera, b));
-      objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
+      matcher_.begin(slot, b);
+      objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting_of(slot, frame, camera, lens), exposure_);
       if (next_id_ == 0) next_id_ = 1;
       objects_[slot].confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
-      objects_[slot].observe(sighting, exposure_, noise);
+      objects_[slot].track(matcher_.open_ends(slot), exposure_);
       objects_[slot].history.push(true);
-      matcher_.begin(slot, b);
       ++outcome.born;
     }
+  }
+
+  // Most of a frame's work, so a small part does it for few objects a frame: first for those that were seen most often
+  // since their last turn.
+  void update_models(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
+                     const MeasurementNoise& noise) {
+    for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
+      const std::size_t o = longest_waiting();
+      if (o == kObjects) return;
+      objects_[o].model(sighting_of(o, frame, camera, lens), noise);
+    }
+  }
+
+  // Of the objects seen in this frame, the older slot of two that wait alike; kObjects if none waits.
+  [[nodiscard]] std::size_t longest_waiting() const {
+    std::size_t longest = kObjects;
+    std::uint8_t most = 0;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!matcher_.seen(o) || objects_[o].waiting <= most) continue;
+      longest = o;
+      most = objects_[o].waiting;
+    }
+    return longest;
   }
 
   void count_pieces() {
@@ -253,6 +281,7 @@ class Map {
 
   base::Time exposure_;  ///< of the current frame
   Matcher<ObjectType, kObjects> matcher_;
+  OutlineFitter<Profile> fitter_;
 };
 
 }  // namespace fencepost::recon

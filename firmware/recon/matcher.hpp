@@ -96,6 +96,14 @@ class Matcher {
     }
   }
 
+  /// The ends of the object's blob that are not its own.
+  [[nodiscard]] OpenEnds open_ends(std::size_t o) const {
+    const Interval& interval = intervals_[blob_of_[o]];
+    const Shared& shared = shared_[o];
+    return {interval.left_censored || (shared.any && shared.is_right),
+            interval.right_censored || (shared.any && !shared.is_right)};
+  }
+
   /// Of a blob that two objects share, the ends and rows that are another's are not this one's.
   [[nodiscard]] BlobRays rays_for(std::size_t o, const WaitingFrame& frame, const CameraModel& camera) const {
     BlobRays rays = rays_of(frame, camera, blob_of_[o]);

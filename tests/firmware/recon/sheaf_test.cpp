@@ -191,6 +191,7 @@ TEST(SheafViews, MicroPaysNothing) {
     base::FixedVector<recon::HalfPlane, config::Micro::kPending> pending;
     recon::ConvexClip<config::Micro::kClipVertices> clip;
     recon::CarveGrid<config::Micro::kGridCells> grid;
+    recon::Hybrid<config::Micro::kHybridSectors> hybrid;
   };
   static_assert(sizeof(recon::Object<config::Micro>) == sizeof(Without));
 }
