@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -35,6 +36,7 @@ void prepare(const std::string& folder) {
 Exit run(const Request& request) {
   prepare(request.output);
   PaperOptions options = request.options;
+  options.mean_scenes = std::min(options.mean_scenes, options.scenes);
   if (is_terminal(STDERR_FILENO)) {
     options.progress = [](std::string_view what) { say(fmt::format("computing: {}", what)); };
   }
@@ -54,8 +56,10 @@ Action configure(CLI::App& app) {
          "replaced, others stay")
       ->type_name("DIR");
   app.add_option("--seed", request->options.seed, "of the scene that is drawn; the others count up from it; default: 1")
-      ->type_name("N");
-  app.add_option("--scenes", request->options.scenes, "scenes of the table of Figure 10; default: 60")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000));
+  app.add_option("--scenes", request->options.scenes,
+                 "scenes of the table of Figure 10; so many, but at most 20, for the curves; default: 60")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000));
   return [request] { return run(*request); };

@@ -113,10 +113,7 @@ class Builder {
       const Point place{away * std::cos(angle), away * std::sin(angle)};
       double radius = 0;
       for (const Point& p : outline) radius = std::max(radius, std::hypot(p.x, p.y));
-      const bool free = std::none_of(discs_.begin(), discs_.end(), [&](const Disc& other) {
-        return std::hypot(other.center.x - place.x, other.center.y - place.y) < other.radius + radius + apart;
-      });
-      if (!free) continue;
+      if (!is_free({place, radius}, apart)) continue;
       discs_.push_back({place, radius});
       const std::string name = block < kPaints.size() ? kPaints[block].name : "twin";
       scene_.objects.push_back({name + " block", signature, 0, random_.uniform(0.16, 0.30),
@@ -128,16 +125,28 @@ class Builder {
   // A thin upright board that faces the blocks, a little above the floor.
   void add_panel(int number) {
     constexpr double kThin = 0.01;
-    const double angle = random_.uniform(0, 2 * kPi);
-    const double away = random_.uniform(2, 3.5);
-    const double half = random_.uniform(0.05, 0.3);
-    const double height = random_.uniform(0.15, 0.55);
-    const auto signature = static_cast<std::uint8_t>(kFirstPanel + number);
-    const std::string name = "panel " + std::to_string(number + 1);
-    scene_.signatures.push_back({signature, name, panel_colour(number)});
-    const Polygon board{{{-kThin, -half}, {kThin, -half}, {kThin, half}, {-kThin, half}}, {}};
-    scene_.objects.push_back(
-        {name, signature, 0.1, height, moved(board, angle, {away * std::cos(angle), away * std::sin(angle)})});
+    for (int tries = 0; tries < kTries; ++tries) {
+      const double angle = random_.uniform(0, 2 * kPi);
+      const double away = random_.uniform(2, 3.5);
+      const double half = random_.uniform(0.05, 0.3);
+      const double height = random_.uniform(0.15, 0.55);
+      const Point place{away * std::cos(angle), away * std::sin(angle)};
+      if (!is_free({place, half}, 0.02)) continue;
+      discs_.push_back({place, half});
+      const auto signature = static_cast<std::uint8_t>(kFirstPanel + number);
+      const std::string name = "panel " + std::to_string(number + 1);
+      scene_.signatures.push_back({signature, name, panel_colour(number)});
+      const Polygon board{{{-kThin, -half}, {kThin, -half}, {kThin, half}, {-kThin, half}}, {}};
+      scene_.objects.push_back({name, signature, 0.1, height, moved(board, angle, place)});
+      return;
+    }
+  }
+
+  [[nodiscard]] bool is_free(const Disc& disc, double apart) const {
+    return std::none_of(discs_.begin(), discs_.end(), [&](const Disc& other) {
+      return std::hypot(other.center.x - disc.center.x, other.center.y - disc.center.y) <
+             other.radius + disc.radius + apart;
+    });
   }
 
   sensor::Rgb panel_colour(int number) {

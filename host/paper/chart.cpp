@@ -35,7 +35,7 @@ class Drawing {
     const double height = kTop + kPlotHeight + kAxis + kLegendLine * static_cast<double>(legend_lines());
     out_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" aria-label="{}" {}>)",
                        px(kWidth), px(height), escaped(chart_.title), kText);
-    out_ += fmt::format(R"(<text x="{}" y="18" font-weight="600" fill="#1c2733">{}</text>)", px(kLeft),
+    out_ += fmt::format(R"(<text x="{}" y="18" style="font-weight:600;fill:#1c2733">{}</text>)", px(kLeft),
                         escaped(chart_.title));
     draw_axes();
     // A nested drawing cuts off what is outside.

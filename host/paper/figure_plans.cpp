@@ -103,8 +103,8 @@ void claim_trade_off(const PaperData& data, PaperFigure& fig) {
   fig.say(many_c.r < many_k.r && many_c.p < many_k.p,
           fmt::format("With all 75 cylinders outperform carving in both: R {} against {}, P {} against {}.",
                       percent(many_c.r), percent(many_k.r), percent(many_c.p), percent(many_k.p)),
-          " In recklessness they do by far. Carving's paranoia is low because what it has left lies inside the object: "
-          "our exact polygons count that; a region that shifts would be paranoid.");
+          " In recklessness they do by far. The little that carving has left lies within the object, so it is hardly "
+          "paranoid; a scene whose object is carved away whole counts 1 for both.");
   const Trade middle_k = mean_trade(data.noisy, *carving, 8);
   fig.say(
       many_k.r > middle_k.r,
@@ -146,8 +146,8 @@ PaperFigure figure_5(const PaperData& data) {
   PaperFigure fig{"5", "Top-down projections after two images", {}, {}, {}};
   constexpr std::size_t kImages = 2;
   fig.add(
-      "<p>Yellow: the true footprints. The two lenses stand outside the drawings or at their edge. R is recklessness, "
-      "P paranoia.</p><div class=\"plans\">");
+      "<p>Yellow: the true footprints. The lenses are outside the drawings. R is recklessness, P "
+      "paranoia; 1 and 1: the model has nothing to say yet.</p><div class=\"plans\">");
   for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
     fig.add_svg(fmt::format("fig05_{}.svg", landmark_name(landmark)),
                 draw_plan(plan_of(data.shown, landmark, kImages, 0.9)), "plan");

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "firmware/config/profile.hpp"
+#include "firmware/recon/hybrid/hybrid_solver.hpp"
 #include "host/evaluate/matching.hpp"
 #include "host/render/regions.hpp"
 #include "host/replay/models.hpp"
@@ -157,6 +158,7 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
   History history;
   const recon::CameraModel camera = recon::make_camera_model(tour.scene.camera);
   const auto models = std::make_unique<FullObject>();
+  const auto solver = std::make_unique<recon::HybridSolver<config::Full::kHybridSectors, config::Full::kHybridOrder>>();
   std::size_t next = 0;
   for (std::size_t f = 0; f < tour.frames.size(); ++f) {
     const FrameTruth& frame = tour.frames[f];
@@ -164,7 +166,10 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
       const sensor::Blob& blob = frame.frame.blobs[*b];
       const recon::Sighting sighting = sighting_of(camera, tour.poses[f], blob, tour.hidden[f][object]);
       if (history.blobs.empty()) models->begin(1, blob.signature, sighting, frame.exposure);
-      models->observe(sighting, frame.exposure, {});
+      models->track(sighting.open_ends(), frame.exposure);
+      models->model(sighting, {});
+      if (models->hybrid.news) solver->solve(models->hybrid);
+      models->note_outline();
       history.blobs.push_back({f, box_of(blob), tour.images[f].regions[*b].colour.value_or(Colour{})});
     }
     if (next == after.size() || after[next] != f + 1) continue;

@@ -12,11 +12,11 @@ using markup::escaped;
 
 constexpr std::string_view kMoreStyle = R"css(
 .pictures { display: flex; flex-wrap: wrap; gap: 12px; margin: 0 0 10px; }
-.picture { margin: 0; width: 316px; max-width: 100%; }
+.picture { margin: 0; width: 240px; max-width: 100%; }
 .picture img { display: block; width: 100%; height: auto; border: 1px solid var(--rule); border-radius: 4px; }
 .picture figcaption { color: var(--soft); font-size: 13px; margin-top: 3px; }
 .plans { display: flex; flex-wrap: wrap; gap: 12px; margin: 0 0 10px; }
-.plan { width: 243px; max-width: 100%; }
+.plan { width: 240px; max-width: 100%; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(430px, 100%), 1fr)); gap: 14px 20px; margin: 0 0 10px; }
 .plan svg, .chart svg { display: block; width: 100%; height: auto; }
 .plan svg text, .chart svg text { font-size: 13px; }

@@ -88,7 +88,7 @@ std::string draw_plan(const Plan& plan) {
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" aria-label="{}" font-family="system-ui, -apple-system, 'Segoe UI', Roboto, Arial, sans-serif" font-size="13" fill="#5a6775">)",
       px(kSize), px(kTop + kSize + kBottom), escaped(plan.title));
-  svg += fmt::format(R"(<text x="2" y="17" font-weight="600" fill="#1c2733">{}</text>)", escaped(plan.title));
+  svg += fmt::format(R"(<text x="2" y="17" style="font-weight:600;fill:#1c2733">{}</text>)", escaped(plan.title));
   svg += fmt::format(R"(<svg y="{}" width="{}" height="{}" overflow="hidden">)", px(kTop), px(kSize), px(kSize));
   svg += fmt::format(R"(<rect width="{0}" height="{0}" fill="#fafbfc" stroke="#b4bec8"/>)", px(kSize));
   for (const PlanArea& area : plan.areas) svg += draw_area(frame, area);
