@@ -50,6 +50,15 @@ std::string percent(double share, int decimals) { return markup::figure(100 * sh
 
 std::string landmark_name(std::size_t landmark) { return landmark == kRedLandmark ? "red" : "yellow"; }
 
+std::size_t frame_with_both(const Tour& tour, std::size_t from) {
+  const std::size_t count = tour.images.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t frame = (from + i) % count;
+    if (is_whole_in(tour.images[frame], kRedLandmark) && is_whole_in(tour.images[frame], kYellowLandmark)) return frame;
+  }
+  return from;
+}
+
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot) {
   for (const ModelResult& model : data.models.of(algorithm, landmark).snapshots[snapshot].models) {

@@ -63,6 +63,12 @@ std::string csv_number(double value, int decimals = 4);
 std::string percent(double share, int decimals = 1);
 std::string landmark_name(std::size_t landmark);
 
+/// The first frame from `from` on (else before it) that shows both landmarks whole; `from` if there is none.
+std::size_t frame_with_both(const Tour& tour, std::size_t from);
+
+/// The true world from the true pose at `frame`, as a camera would take it.
+Picture real_picture(const Tour& tour, std::size_t frame);
+
 /// What `algorithm` has of `landmark` at a snapshot; empty if nothing.
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot);

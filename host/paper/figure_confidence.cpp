@@ -159,7 +159,7 @@ PaperFigure figure_14(const PaperData& data) {
                   data.noisy.size()));
   Csv csv("algorithm,thoroughness,recklessness,paranoia");
   for (const bool reckless : {true, false}) {
-    Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0.2, 1, 0, 1, {}};
+    Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
       ChartSeries series = series_of(algorithms()[a]);
       series.points = binned_means(

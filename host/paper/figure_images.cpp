@@ -28,10 +28,6 @@ std::vector<Solid> true_world(const Tour& tour) {
   return world;
 }
 
-Picture real_picture(const Tour& tour, std::size_t frame) {
-  return draw_picture(true_world(tour), view_at(tour, tour.frames[frame].pose), PictureStyle::kShaded);
-}
-
 /// The silhouettes in flat colours, and around them the boxes that the camera reports.
 Picture segmentation(const Tour& tour, std::size_t frame) {
   const PictureView view = view_at(tour, tour.frames[frame].pose);
@@ -112,6 +108,10 @@ const Region* own_region(const RealImage& image, std::size_t landmark) {
 
 }  // namespace
 
+Picture real_picture(const Tour& tour, std::size_t frame) {
+  return draw_picture(true_world(tour), view_at(tour, tour.frames[frame].pose), PictureStyle::kShaded);
+}
+
 PaperFigure figure_4(const PaperData& data) {
   PaperFigure fig{"4", "An input image and the models of the two objects", {}, {}, {}};
   const Tour& tour = data.shown.tour;
@@ -144,34 +144,35 @@ PaperFigure figure_6(const PaperData& data) {
   PaperFigure fig{"6", "Real and rendered regions from a novel viewpoint, and what is compared", {}, {}, {}};
   const Tour& tour = data.shown.tour;
   constexpr std::size_t kImages = 36;  // about half of the circle
-  constexpr std::size_t kFrame = 44;   // a little beyond
+  constexpr std::size_t kBeyond = 44;  // a little further
+  const std::size_t frame = frame_with_both(tour, kBeyond);
   RegionRenderer renderer(tour.scene.camera);
   fig.add(
       fmt::format("<p>Models of the first {} images; the real image is number {}, which they have not seen. Black: "
                   "boxes that the camera reports. Magenta, dashed: what the model renders.</p><div "
                   "class=\"pictures\">",
-                  kImages, kFrame + 1));
-  fig.add_picture("fig06_real.png", real_picture(tour, kFrame), "real image");
-  fig.add_picture("fig06_segmented.png", segmentation(tour, kFrame), "its regions");
+                  kImages, frame + 1));
+  fig.add_picture("fig06_real.png", real_picture(tour, frame), "real image");
+  fig.add_picture("fig06_segmented.png", segmentation(tour, frame), "its regions");
   std::vector<TermSample> samples;
   Csv csv("algorithm,landmark,hue,rgb,width,height,shape,location,error");
   double right = 0;
   double wrong = 1;
   for (const Algorithm& algorithm : algorithms()) {
     const auto world = world_of(tour, data.shown.models, algorithm, data.shown.snapshot(kImages));
-    const auto both = reacquire_both(tour, renderer, world, kFrame);
-    fig.add_picture(fmt::format("fig06_{}.png", algorithm.key), rendered_picture(tour, world, kFrame, both),
+    const auto both = reacquire_both(tour, renderer, world, frame);
+    fig.add_picture(fmt::format("fig06_{}.png", algorithm.key), rendered_picture(tour, world, frame, both),
                     fmt::format("{}: red {}, yellow {}", escaped(algorithm.label), error_text(both[kRedLandmark]),
                                 error_text(both[kYellowLandmark])));
     for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
       TermSample& sample = samples.emplace_back(TermSample{algorithm.label, landmark, std::nullopt, 1});
-      const Region* own = own_region(tour.images[kFrame], landmark);
+      const Region* own = own_region(tour.images[frame], landmark);
       std::vector<std::string> fields{std::string(algorithm.key), landmark_name(landmark)};
       if (own != nullptr && both[landmark].rendered) {
         sample.terms = reacquisition_terms(*own, *both[landmark].rendered, tour.scene.camera.width);
         sample.error = reacquisition_error(*sample.terms);
         right = std::max(right, sample.error);
-        for (const Region& other : tour.images[kFrame].regions) {
+        for (const Region& other : tour.images[frame].regions) {
           if (other.signature == own->signature) continue;
           const auto terms = reacquisition_terms(other, *both[landmark].rendered, tour.scene.camera.width);
           wrong = std::min(wrong, reacquisition_error(terms));
@@ -200,7 +201,7 @@ PaperFigure figure_8(const PaperData& data) {
   const Tour& tour = data.shown.tour;
   RegionRenderer renderer(tour.scene.camera);
   Csv csv("image,algorithm,landmark,error,match_confidence,outcome");
-  for (const std::size_t frame : {std::size_t{25}, std::size_t{60}}) {
+  for (const std::size_t frame : {frame_with_both(tour, 20), frame_with_both(tour, 60)}) {
     fig.add("<div class=\"pictures\">");
     fig.add_picture(fmt::format("fig08_{}_real.png", frame + 1), real_picture(tour, frame),
                     fmt::format("image {}", frame + 1));
@@ -235,8 +236,8 @@ PaperFigure figure_8(const PaperData& data) {
             " With this little noise carving loses nothing of the landmarks.");
   }
   if (const auto hybrid = algorithm_index("hybrid")) {
-    fig.claims.push_back({ClaimKind::kBeyond,
-                          fmt::format("By the hybrid it is {}.", figure(mean(data.table[*hybrid].right_errors), 3))});
+    fig.claims.push_back({ClaimKind::kBeyond, fmt::format("By the hybrid the mean error of a right match is {}.",
+                                                          figure(mean(data.table[*hybrid].right_errors), 3))});
   }
   return fig;
 }
@@ -267,7 +268,7 @@ PaperFigure figure_11(const PaperData& data) {
                   fmt::format("rendered by {}", escaped(algorithm.label)));
   fig.add("</div>");
   const auto& owner = tour.images[found.frame].truths[match.best].object;
-  fig.add(fmt::format("<p>The {} landmark, rendered from the {}, matched {} (error {}).</p>",
+  fig.add(fmt::format("<p>The {} landmark, as the {} renders it, matched {} (error {}).</p>",
                       landmark_name(found.landmark), escaped(algorithm.label),
                       owner ? escaped(tour.scene.objects[*owner].name) : std::string("a false region"),
                       figure(match.error, 3)));

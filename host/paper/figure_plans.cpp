@@ -180,7 +180,12 @@ PaperFigure figure_5(const PaperData& data) {
 
 PaperFigure figure_7(const PaperData& data) {
   PaperFigure fig{"7", "Reconstruction of the yellow object along the sequence", {}, {}, {}};
-  fig.add("<div class=\"plans\">");
+  fig.add("<div class=\"pictures\">");
+  for (const std::size_t images : {2U, 4U, 8U, 18U}) {
+    fig.add_picture(fmt::format("fig07_image_{}.png", images), real_picture(data.shown.tour, images - 1),
+                    fmt::format("image {}", images));
+  }
+  fig.add("</div><div class=\"plans\">");
   for (const std::size_t images : {2U, 4U, 8U, 18U}) {
     fig.add_svg(fmt::format("fig07_{}.svg", images), draw_plan(plan_of(data.shown, kYellowLandmark, images, 0.5)),
                 "plan");

@@ -22,12 +22,14 @@ int run(int argc, char** argv) {
   std::vector<std::string> known;
   for (const StudyWorld& world : study_worlds()) known.emplace_back(world.key);
   app.add_option("--worlds", keys, "kinds of scenes; default: all")->delimiter(',')->check(CLI::IsMember(known));
+  bool recoloured = false;
+  app.add_flag("--plant-recoloured", recoloured, "a planted fault: all models are rendered in grey");
   CLI11_PARSE(app, argc, argv);
 
   bool reached = true;
   for (const StudyWorld& world : study_worlds()) {
     if (!keys.empty() && std::find(keys.begin(), keys.end(), world.key) == keys.end()) continue;
-    const StudyScores scores = run_world(world, scenes, first_seed);
+    const StudyScores scores = run_world(world, scenes, first_seed, recoloured);
     fmt::print("{}\n", study_table(world, scenes, scores));
     for (const Verdict& verdict : verdicts(world, scores)) {
       fmt::print("{}", verdict.text);

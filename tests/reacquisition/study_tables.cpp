@@ -36,14 +36,17 @@ const std::vector<StudyWorld>& study_worlds() {
   return worlds;
 }
 
-StudyScores run_world(const StudyWorld& world, unsigned scenes, unsigned first_seed) {
+StudyScores run_world(const StudyWorld& world, unsigned scenes, unsigned first_seed, bool recoloured) {
   StudyScores scores(host::algorithms().size());
   for (unsigned seed = first_seed; seed < first_seed + scenes; ++seed) {
     const host::Tour tour = host::drive(host::blocks_world(world.kind, seed));
     host::RegionRenderer renderer(tour.scene.camera);
     const host::Models models = host::reconstruct(tour, host::block_count(world.kind), {tour.frames.size()});
     for (std::size_t a = 0; a < scores.size(); ++a) {
-      const std::vector<host::Solid> solids = host::world_of(tour, models, host::algorithms()[a], 0);
+      std::vector<host::Solid> solids = host::world_of(tour, models, host::algorithms()[a], 0);
+      for (host::Solid& solid : solids) {
+        if (recoloured) solid.colour = {128, 128, 128};
+      }
       scores[a].add(host::reacquire_all(tour, renderer, solids));
     }
   }

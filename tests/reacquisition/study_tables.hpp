@@ -25,7 +25,8 @@ const std::vector<StudyWorld>& study_worlds();
 /// One for each of host::algorithms().
 using StudyScores = std::vector<host::ReacquisitionScore>;
 
-StudyScores run_world(const StudyWorld& world, unsigned scenes, unsigned first_seed);
+/// `recoloured`: a planted fault, all models are rendered in grey.
+StudyScores run_world(const StudyWorld& world, unsigned scenes, unsigned first_seed, bool recoloured);
 
 /// Markdown: rows of the paper's Figure 10, then errors and confidences.
 std::string study_table(const StudyWorld& world, unsigned scenes, const StudyScores& scores);
