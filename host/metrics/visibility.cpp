@@ -210,6 +210,7 @@ FieldOfView field_of_view(const sensor::CameraIntrinsics& camera, double pitch) 
 PerimeterPart visible_perimeter(const std::vector<SceneObject>& objects, std::size_t object, const CameraPose& camera,
                                 const FieldOfView& view) {
   std::vector<Solid> solids;
+  solids.reserve(objects.size());
   for (const SceneObject& other : objects) solids.push_back(solid_of(other, camera));
   PerimeterPart visible(objects[object].footprint.outer);
   for (const Wall& wall : solids[object].walls) {

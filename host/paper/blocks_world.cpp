@@ -19,7 +19,7 @@ constexpr std::uint8_t kFirstPanel = 10;
 constexpr int kTries = 4000;
 
 struct Paint {
-  const char* name;
+  const char* name = "";
   sensor::Rgb rgb;
 };
 constexpr std::array<Paint, 3> kPaints{{{"red", {200, 40, 40}}, {"yellow", {210, 190, 40}}, {"blue", {40, 70, 190}}}};

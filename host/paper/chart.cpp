@@ -110,8 +110,9 @@ class Drawing {
     std::size_t entry = 0;
     for (const ChartSeries& series : chart_.series) {
       if (series.name.empty()) continue;
+      const std::size_t line = entry / 2;
       const double left = kLeft + kLegendEntry * static_cast<double>(entry % 2);
-      const double top = kTop + kPlotHeight + kAxis + kLegendLine * static_cast<double>(entry / 2) + 10;
+      const double top = kTop + kPlotHeight + kAxis + kLegendLine * static_cast<double>(line) + 10;
       if (series.line) {
         out_ += fmt::format(R"(<path d="M{} {}h26" stroke="{}" stroke-width="2.4" stroke-dasharray="{}"/>)", px(left),
                             px(top - 4), series.colour, series.dash.empty() ? "none" : series.dash);

@@ -62,6 +62,7 @@ std::vector<Sequence> reacquire_by_all(const SequenceData& data) {
 void sample_novelty(const SequenceData& data, std::vector<std::vector<NoveltySample>>& samples) {
   RegionRenderer renderer(data.tour.scene.camera);
   for (const std::size_t images : kNoveltySets) {
+    if (images > data.tour.frames.size()) continue;
     ViewSet set(data.tour.scene.objects[kYellowLandmark].footprint.outer);
     for (std::size_t f = 0; f < images; ++f) set.add(data.shown[kYellowLandmark][f]);
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
@@ -103,6 +104,12 @@ std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t se
   return table;
 }
 
+std::vector<std::size_t> first_numbers(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  return numbers;
+}
+
 }  // namespace
 
 std::size_t SequenceData::snapshot(std::size_t images) const {
@@ -111,11 +118,11 @@ std::size_t SequenceData::snapshot(std::size_t images) const {
   return static_cast<std::size_t>(found - after.begin());
 }
 
-SequenceData drive_sequence(const Scene& scene, const std::vector<std::size_t>& after) {
+SequenceData follow_sequence(Tour tour, std::size_t blocks, const std::vector<std::size_t>& after) {
   SequenceData data;
-  data.tour = drive(scene);
+  data.tour = std::move(tour);
   data.after = after;
-  data.models = reconstruct(data.tour, block_count(BlocksWorld::kFigures), after);
+  data.models = reconstruct(data.tour, blocks, after);
   measure(data);
   look(data);
   return data;
@@ -123,25 +130,55 @@ SequenceData drive_sequence(const Scene& scene, const std::vector<std::size_t>& 
 
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
                          const Progress& progress) {
+  const auto sequence = [](std::uint64_t number, bool noisy, const std::vector<std::size_t>& after) {
+    constexpr BlocksWorld kKind = BlocksWorld::kFigures;
+    return follow_sequence(drive(blocks_world(kKind, number, noisy)), block_count(kKind), after);
+  };
   PaperData data;
   data.seed = seed;
   data.table_scenes = table_scenes;
+  data.mean_images = kMeanImages;
   progress("the sequence that is drawn");
-  std::vector<std::size_t> every(kPaperViews);
-  std::iota(every.begin(), every.end(), 1U);
-  data.shown = drive_sequence(blocks_world(BlocksWorld::kFigures, seed), every);
+  data.shown = sequence(seed, true, first_numbers(kPaperViews));
   data.sequence = reacquire_by_all(data.shown);
   progress("more scenes, for means");
   data.novelty.resize(algorithms().size());
   for (std::uint64_t i = 1; i <= mean_scenes; ++i) {
-    data.noisy.push_back(drive_sequence(blocks_world(BlocksWorld::kFigures, seed + i), kMeanImages));
-    data.ideal.push_back(drive_sequence(blocks_world(BlocksWorld::kFigures, seed + i, false), kMeanImages));
+    data.noisy.push_back(sequence(seed + i, true, kMeanImages));
+    data.ideal.push_back(sequence(seed + i, false, kMeanImages));
     sample_novelty(data.noisy.back(), data.novelty);
   }
   progress("landmarks found again, for the table");
   data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.mismatch);
   for (std::uint64_t i = 0; i < kHardScenes && !data.mismatch; ++i) {
     score_scenes(BlocksWorld::kHard, seed + i, 1, data.mismatch);
+  }
+  return data;
+}
+
+PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress) {
+  constexpr std::size_t kLeastFrames = 8;
+  const std::size_t frames = tour.frames.size();
+  const std::size_t blocks = tour.scene.objects.size();
+  if (frames < kLeastFrames) throw std::runtime_error("fewer than 8 frames with a pose");
+  if (blocks < 2) throw std::runtime_error("the scene needs two objects, its first two are the landmarks");
+  PaperData data;
+  data.run = name;
+  data.table_scenes = 1;
+  for (const std::size_t images : kMeanImages) {
+    if (images < frames) data.mean_images.push_back(images);
+  }
+  data.mean_images.push_back(frames);
+  progress("the run");
+  data.shown = follow_sequence(std::move(tour), blocks, first_numbers(frames));
+  data.sequence = reacquire_by_all(data.shown);
+  data.noisy.push_back(data.shown);
+  data.novelty.resize(algorithms().size());
+  sample_novelty(data.shown, data.novelty);
+  data.table.resize(algorithms().size());
+  for (std::size_t a = 0; a < data.table.size(); ++a) {
+    data.table[a].add(data.sequence[a]);
+    keep_least_sure(data.sequence[a], {BlocksWorld::kPaperLike, 0, a, 0, 0, 0}, data.mismatch);
   }
   return data;
 }

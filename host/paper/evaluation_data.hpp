@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct SequenceData {
   }
 };
 
-SequenceData drive_sequence(const Scene& scene, const std::vector<std::size_t>& after);
+/// `blocks`: how many of the scene's objects, from the first, are reconstructed.
+SequenceData follow_sequence(Tour tour, std::size_t blocks, const std::vector<std::size_t>& after);
 
 /// Reacquisition of the yellow landmark from every pose of a sequence, by models of its first images.
 struct NoveltySample {
@@ -55,6 +57,8 @@ struct Mismatch {
 
 struct PaperData {
   std::uint64_t seed = 0;
+  std::string run;                        ///< name of the recorded run that all of this is of; empty: simulated scenes
+  std::vector<std::size_t> mean_images;   ///< after which the means are taken, ascending
   SequenceData shown;                     ///< the sequence that is drawn; a snapshot after each image
   std::vector<SequenceData> noisy;        ///< more scenes, for means
   std::vector<SequenceData> ideal;        ///< the same scenes without noise
@@ -65,7 +69,7 @@ struct PaperData {
   std::vector<std::vector<NoveltySample>> novelty;  ///< by algorithm, over `noisy`
 };
 
-/// Images after which the means over scenes are taken.
+/// Images after which the means over scenes are taken, as far as there are so many.
 inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
 
 /// Told what is being computed, for people who wait.
@@ -74,6 +78,10 @@ using Progress = std::function<void(std::string_view what)>;
 /// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
                          const Progress& progress);
+
+/// The same of one recorded run: the scene's first two objects are the landmarks (red, yellow), the means are of this
+/// run alone, and so is the table. errors: std::runtime_error: too few frames or objects.
+PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress);
 
 /// Mean R or P (member of Score) of the yellow landmark over sequences.
 double mean_score(const std::vector<SequenceData>& sequences, std::size_t algorithm, std::size_t images,

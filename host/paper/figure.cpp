@@ -8,6 +8,15 @@
 #include "host/report/markup.hpp"
 
 namespace fencepost::host {
+namespace {
+
+PlanArea true_area(const SceneObject& object) { return {{object.footprint}, "#f2d024", "#8a7400", {}, 0.85, 1.2}; }
+
+PlanArea model_area(const MultiPolygon& geometry, const Algorithm& algorithm) {
+  return {geometry, std::string(algorithm.colour), std::string(algorithm.colour), std::string(algorithm.dash), 0.10, 2};
+}
+
+}  // namespace
 
 void PaperFigure::add_svg(const std::string& name, const std::string& svg, std::string_view css_class) {
   html += fmt::format("<div class=\"{}\">{}</div>\n", css_class, svg);
@@ -23,7 +32,7 @@ void PaperFigure::add_picture(const std::string& name, const Picture& picture, c
 }
 
 void PaperFigure::say(bool holds, const std::string& text, const std::string& otherwise) {
-  claims.push_back({holds ? ClaimKind::kMatches : ClaimKind::kDiffers, holds ? text : text + otherwise});
+  claims.push_back({holds ? ClaimKind::kMatches : ClaimKind::kDiffers, holds ? text : "Not here: " + text + otherwise});
 }
 
 void Csv::row(const std::vector<std::string>& fields) {
@@ -50,6 +59,12 @@ std::string percent(double share, int decimals) { return markup::figure(100 * sh
 
 std::string landmark_name(std::size_t landmark) { return landmark == kRedLandmark ? "red" : "yellow"; }
 
+double axis_end(const PaperData& data) { return static_cast<double>(data.shown.tour.frames.size() + 1); }
+
+std::string scenes_text(const PaperData& data, std::size_t scenes) {
+  return data.run.empty() ? fmt::format("{} scenes", scenes) : std::string("this run");
+}
+
 std::size_t frame_with_both(const Tour& tour, std::size_t from) {
   const std::size_t count = tour.images.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -65,6 +80,28 @@ MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm
     if (model.name == algorithm.model) return model.geometry;
   }
   return {};
+}
+
+std::vector<PlanLens> first_lenses(const Tour& tour, std::size_t images) {
+  std::vector<PlanLens> lenses;
+  for (std::size_t f = 0; f < images; ++f) {
+    const CameraPose lens = lens_at(tour.scene.camera, tour.frames[f].pose);
+    lenses.push_back({{lens.x, lens.y}, lens.heading, "#3b4a5c"});
+  }
+  return lenses;
+}
+
+Plan model_plan(const SequenceData& data, std::size_t landmark, std::size_t images, double side) {
+  const SceneObject& object = data.tour.scene.objects[landmark];
+  Plan plan{
+      fmt::format("{}, {} images", landmark_name(landmark), images), centroid(object.footprint), side, {}, {}, {}};
+  plan.areas.push_back(true_area(object));
+  for (const Algorithm& algorithm : algorithms()) {
+    const MultiPolygon geometry = model_geometry(data, algorithm, landmark, data.snapshot(images));
+    plan.areas.push_back(model_area(geometry, algorithm));
+  }
+  plan.lenses = first_lenses(data.tour, images);
+  return plan;
 }
 
 }  // namespace fencepost::host

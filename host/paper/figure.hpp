@@ -63,6 +63,11 @@ std::string csv_number(double value, int decimals = 4);
 std::string percent(double share, int decimals = 1);
 std::string landmark_name(std::size_t landmark);
 
+/// Where an axis of image numbers ends.
+double axis_end(const PaperData& data);
+/// "20 scenes", or "this run" for a recorded one.
+std::string scenes_text(const PaperData& data, std::size_t scenes);
+
 /// The first frame from `from` on (else before it) that shows both landmarks whole; `from` if there is none.
 std::size_t frame_with_both(const Tour& tour, std::size_t from);
 
@@ -72,6 +77,12 @@ Picture real_picture(const Tour& tour, std::size_t frame);
 /// What `algorithm` has of `landmark` at a snapshot; empty if nothing.
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot);
+
+/// Arrows where the first `images` lenses were.
+std::vector<PlanLens> first_lenses(const Tour& tour, std::size_t images);
+
+/// The true footprint of a landmark and what every algorithm has of it after `images`.
+Plan model_plan(const SequenceData& data, std::size_t landmark, std::size_t images, double side);
 
 PaperFigure figure_4(const PaperData& data);
 PaperFigure figure_5(const PaperData& data);

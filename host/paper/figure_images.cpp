@@ -59,8 +59,11 @@ PictureView raised_view(const Tour& tour, std::size_t frame) {
   constexpr double kHeight = 0.75;  // m
   constexpr double kAway = 0.8;
   PictureView view = view_at(tour, tour.frames[frame].pose);
-  const double angle = std::atan2(view.lens.y, view.lens.x);
-  view.lens = {kAway * std::cos(angle), kAway * std::sin(angle), kHeight, angle + 3.14159265358979323846};
+  const Point red = centroid(tour.scene.objects[kRedLandmark].footprint);
+  const Point yellow = centroid(tour.scene.objects[kYellowLandmark].footprint);
+  const Point middle{(red.x + yellow.x) / 2, (red.y + yellow.y) / 2};
+  const double angle = std::atan2(middle.y - view.lens.y, middle.x - view.lens.x);
+  view.lens = {middle.x - kAway * std::cos(angle), middle.y - kAway * std::sin(angle), kHeight, angle};
   view.pitch = std::atan2(kHeight - 0.1, kAway);
   return view;
 }
@@ -117,10 +120,12 @@ PaperFigure figure_4(const PaperData& data) {
   const Tour& tour = data.shown.tour;
   constexpr std::size_t kFrame = 0;
   fig.add("<div class=\"pictures\">");
-  fig.add_picture("fig04_input.png", real_picture(tour, kFrame), "input: image 1 of 75");
+  fig.add_picture("fig04_input.png", real_picture(tour, kFrame),
+                  fmt::format("input: image 1 of {}", tour.frames.size()));
   const PictureView raised = raised_view(tour, kFrame);
   const std::size_t last = data.shown.snapshot(tour.frames.size());
-  fig.add_picture("fig04_truth.png", draw_picture(true_blocks(tour, 2), raised, PictureStyle::kShaded),
+  fig.add_picture("fig04_truth.png",
+                  draw_picture(true_blocks(tour, data.shown.models.given.size()), raised, PictureStyle::kShaded),
                   "the true blocks, from a raised viewpoint");
   Csv csv("algorithm,landmark,area_m2,z_min_m,z_max_m,recklessness,paranoia,iou");
   for (std::size_t a = 0; a < algorithms().size(); ++a) {
@@ -143,15 +148,14 @@ PaperFigure figure_4(const PaperData& data) {
 PaperFigure figure_6(const PaperData& data) {
   PaperFigure fig{"6", "Real and rendered regions from a novel viewpoint, and what is compared", {}, {}, {}};
   const Tour& tour = data.shown.tour;
-  constexpr std::size_t kImages = 36;  // about half of the circle
-  constexpr std::size_t kBeyond = 44;  // a little further
-  const std::size_t frame = frame_with_both(tour, kBeyond);
+  const std::size_t images = tour.frames.size() / 2;
+  const std::size_t frame = frame_with_both(tour, images + tour.frames.size() / 9);
   RegionRenderer renderer(tour.scene.camera);
   fig.add(
       fmt::format("<p>Models of the first {} images; the real image is number {}, which they have not seen. Black: "
                   "boxes that the camera reports. Magenta, dashed: what the model renders.</p><div "
                   "class=\"pictures\">",
-                  kImages, frame + 1));
+                  images, frame + 1));
   fig.add_picture("fig06_real.png", real_picture(tour, frame), "real image");
   fig.add_picture("fig06_segmented.png", segmentation(tour, frame), "its regions");
   std::vector<TermSample> samples;
@@ -159,7 +163,7 @@ PaperFigure figure_6(const PaperData& data) {
   double right = 0;
   double wrong = 1;
   for (const Algorithm& algorithm : algorithms()) {
-    const auto world = world_of(tour, data.shown.models, algorithm, data.shown.snapshot(kImages));
+    const auto world = world_of(tour, data.shown.models, algorithm, data.shown.snapshot(images));
     const auto both = reacquire_both(tour, renderer, world, frame);
     fig.add_picture(fmt::format("fig06_{}.png", algorithm.key), rendered_picture(tour, world, frame, both),
                     fmt::format("{}: red {}, yellow {}", escaped(algorithm.label), error_text(both[kRedLandmark]),
@@ -201,7 +205,8 @@ PaperFigure figure_8(const PaperData& data) {
   const Tour& tour = data.shown.tour;
   RegionRenderer renderer(tour.scene.camera);
   Csv csv("image,algorithm,landmark,error,match_confidence,outcome");
-  for (const std::size_t frame : {frame_with_both(tour, 20), frame_with_both(tour, 60)}) {
+  for (const std::size_t frame :
+       {frame_with_both(tour, tour.frames.size() / 4), frame_with_both(tour, tour.frames.size() * 4 / 5)}) {
     fig.add("<div class=\"pictures\">");
     fig.add_picture(fmt::format("fig08_{}_real.png", frame + 1), real_picture(tour, frame),
                     fmt::format("image {}", frame + 1));
@@ -230,9 +235,10 @@ PaperFigure figure_8(const PaperData& data) {
     const double by_cylinder = mean(data.table[*cylinder].right_errors);
     const double by_carving = mean(data.table[*carving].right_errors);
     fig.say(by_cylinder < by_carving,
-            fmt::format("Triangulation yields better recognition than space carving: over the {} scenes of Figure 10 "
-                        "the mean error of a right match is {} by cylinders and {} by carving.",
-                        data.table_scenes, figure(by_cylinder, 3), figure(by_carving, 3)),
+            fmt::format(
+                "Triangulation yields better recognition than space carving: in the decisions of Figure 10 the mean "
+                "error of a right match is {} by cylinders and {} by carving.",
+                figure(by_cylinder, 3), figure(by_carving, 3)),
             " With this little noise carving loses nothing of the landmarks.");
   }
   if (const auto hybrid = algorithm_index("hybrid")) {
@@ -252,9 +258,11 @@ PaperFigure figure_11(const PaperData& data) {
   }
   const Mismatch& found = *data.mismatch;
   const bool hard = found.world == BlocksWorld::kHard;
-  const Tour tour = drive(blocks_world(found.world, found.seed));
+  const bool recorded = !data.run.empty();
+  const Tour tour = recorded ? data.shown.tour : drive(blocks_world(found.world, found.seed));
   RegionRenderer renderer(tour.scene.camera);
-  const Models models = reconstruct(tour, block_count(found.world), {tour.frames.size()});
+  const std::size_t blocks = recorded ? data.shown.models.given.size() : block_count(found.world);
+  const Models models = reconstruct(tour, blocks, {tour.frames.size()});
   const Algorithm& algorithm = algorithms()[found.algorithm];
   const auto world = world_of(tour, models, algorithm, 0);
   const auto both = reacquire_both(tour, renderer, world, found.frame);
@@ -275,13 +283,14 @@ PaperFigure figure_11(const PaperData& data) {
   fig.say(match.match_confidence < 0.1,
           fmt::format("Of all mismatches in {}, the least sure one has a confidence of {} (the paper's: 0.003): almost "
                       "no faith should be placed in it.",
-                      hard ? "a hard scene (the paper-like ones have none)"
-                           : fmt::format("the {} scenes of Figure 10", data.table_scenes),
+                      hard ? "a hard scene (the paper-like ones have none)" : scenes_text(data, data.table_scenes),
                       figure(match.match_confidence, 3)),
           " The landmark is not in the image, and nothing else is near.");
-  csv.row({hard ? "hard" : "paper-like", std::to_string(found.seed), std::to_string(found.frame + 1),
-           std::string(algorithm.key), landmark_name(found.landmark), csv_number(match.error),
-           csv_number(match.match_confidence)});
+  csv.row({recorded ? data.run
+           : hard   ? "hard"
+                    : "paper-like",
+           std::to_string(found.seed), std::to_string(found.frame + 1), std::string(algorithm.key),
+           landmark_name(found.landmark), csv_number(match.error), csv_number(match.match_confidence)});
   fig.add_file("fig11.csv", csv.text());
   return fig;
 }

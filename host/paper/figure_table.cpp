@@ -74,8 +74,10 @@ void claim(const PaperData& data, PaperFigure& fig) {
     const Algorithm& algorithm = algorithms()[a];
     const double right = 100 * data.table[a].all().accuracy();
     const double sigma = 100 * standard_error(data.table[a].scene_accuracies);
-    const std::string text = fmt::format("{}: {} % of the decisions are right (standard error over scenes {})",
-                                         algorithm.label, figure(right, 2), figure(sigma, 2));
+    const bool many = data.table[a].scene_accuracies.size() > 1;
+    const std::string text =
+        fmt::format("{}: {} % of the decisions are right{}", algorithm.label, figure(right, 2),
+                    many ? fmt::format(" (standard error over scenes {})", figure(sigma, 2)) : std::string());
     if (!algorithm.paper_average) {
       fig.claims.push_back({ClaimKind::kBeyond, text + "."});
       continue;
@@ -86,12 +88,13 @@ void claim(const PaperData& data, PaperFigure& fig) {
     fig.say(near,
             fmt::format("{}, {} % in the paper{}", text, figure(*algorithm.paper_average, 2),
                         near && !above ? ": less, but not by more than that error." : "."),
-            " With 5 % of the segments damaged, it carves whole landmarks away.");
+            " A landmark that is carved away, or too large to be told from others, is not found.");
   }
   if (of_the_paper.size() == 3) {
-    fig.say(of_the_paper[0] >= of_the_paper[1] && of_the_paper[1] >= of_the_paper[2],
+    const bool all_equal = of_the_paper[0] == of_the_paper[1] && of_the_paper[1] == of_the_paper[2];
+    fig.say(!all_equal && of_the_paper[0] >= of_the_paper[1] && of_the_paper[1] >= of_the_paper[2],
             "The order is the paper\u2019s: cylinders, then plane sheaves, then space carving.",
-            " Here it is another one.");
+            all_equal ? " All three are right equally often." : " It is another one.");
   }
 }
 
@@ -100,9 +103,10 @@ void claim(const PaperData& data, PaperFigure& fig) {
 PaperFigure figure_10(const PaperData& data) {
   PaperFigure fig{"10", "Landmarks found again", {}, {}, {}};
   fig.add(fmt::format(
-      "<p>{} scenes of 75 images; each landmark rendered from each pose, by models of all images, and matched "
+      "<p>{}; each landmark rendered from each pose, by models of all images, and matched "
       "with the real image. The paper: one scene of 73 images, that is 146 decisions an algorithm.</p>",
-      data.table_scenes));
+      scenes_text(data, data.table_scenes) +
+          (data.run.empty() ? " of 75 images" : fmt::format(", {} images", data.shown.tour.frames.size()))));
   Csv csv("landmark,result,algorithm,wrong,all,right_percent,paper_percent");
   fig.add("<div class=\"scroll\"><table class=\"decisions\">" + head() + "<tbody>\n");
   for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) fig.add(landmark_rows(data, landmark, csv));

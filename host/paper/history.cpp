@@ -46,14 +46,18 @@ recon::Sighting sighting_of(const recon::CameraModel& camera, const sensor::Odom
 /// Keeps what the map's objects were after the frames asked for.
 class Follower final : public RunObserver {
  public:
-  Follower(const Tour& tour, const std::vector<std::size_t>& after) : tour_(tour), after_(after) {}
+  Follower(const Tour& tour, const std::vector<std::size_t>& after) : tour_(tour), after_(after) {
+    for (std::size_t f = 0; f < tour.frames.size(); ++f) numbers_[tour.frames[f].frame.frame] = f;
+  }
 
   void run_begins() override {
     histories_.clear();
     latest_.clear();
   }
   void frame_placed(const PlacedFrame& placed) override {
-    const auto frame = static_cast<std::size_t>(placed.frame.frame);
+    const auto named = numbers_.find(placed.frame.frame);
+    if (named == numbers_.end()) return;
+    const std::size_t frame = named->second;
     for (const PlacedSighting& sighting : placed.sightings) {
       const recon::WaitingBlob& blob = placed.frame.blobs[sighting.blob];
       histories_[sighting.id].blobs.push_back({frame, blob.box, colour_in(frame, blob.box)});
@@ -67,7 +71,9 @@ class Follower final : public RunObserver {
   }
   /// `last`: the object as it is at the end. Snapshots are empty where it was not yet seen.
   [[nodiscard]] History history(const ObjectResult& last) const {
-    const History& kept = histories_.at(last.id);
+    const auto found = histories_.find(last.id);
+    if (found == histories_.end()) return nothing();
+    const History& kept = found->second;
     History whole{{}, kept.blobs};
     for (const std::size_t frames : after_) {
       Snapshot& snapshot = whole.snapshots.emplace_back();
@@ -102,6 +108,7 @@ class Follower final : public RunObserver {
 
   const Tour& tour_;
   const std::vector<std::size_t>& after_;
+  std::map<std::uint32_t, std::size_t> numbers_;  ///< from the camera's count to the place in the tour
   std::map<std::uint32_t, History> histories_;
   std::map<std::uint32_t, ObjectResult> latest_;
 };

@@ -10,6 +10,7 @@ namespace {
 
 using testing::Folder;
 using testing::Outcome;
+using testing::recording;
 using testing::shell;
 using testing::slurp;
 
@@ -54,6 +55,30 @@ TEST(PaperCommand, RefusesScenesThatAreNone) {
     EXPECT_EQ(run.exit_code, 2) << option;
     EXPECT_EQ(run.out, "");
   }
+}
+
+TEST(PaperCommand, EvaluatesARecordedRun) {
+  const Folder folder;
+  const std::string run_and_truth =
+      " --log " + recording("blocks_arc.log") + " --scene " + recording("blocks_arc.json");
+  const Outcome run = shell(folder, "fencepost paper -o p" + run_and_truth);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(slurp(folder.path() / "p/index.html"), "on one run: blocks_arc.log, "));
+}
+
+TEST(PaperCommand, SaysWhatIsWrongWithARun) {
+  const Folder folder;
+  const std::string scene = recording("blocks_arc.json");
+  Outcome run = shell(folder, "fencepost paper --scene " + scene);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(holds(run.err, "--log and --scene belong together")) << run.err;
+  run = shell(folder, "fencepost paper --log missing.log --scene " + scene);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(holds(run.err, "cannot read missing.log")) << run.err;
+  run = shell(folder, "echo hello >run.log; fencepost paper --log run.log --scene " + scene + "; ls");
+  EXPECT_TRUE(holds(run.err, "run.log: fewer than 8 frames with a pose")) << run.err;
+  run = shell(folder, "echo hello >run.log; fencepost paper --log run.log --scene " + scene);
+  EXPECT_EQ(run.exit_code, 3);
 }
 
 TEST(PaperCommand, HelpsWithAnExampleFirst) {

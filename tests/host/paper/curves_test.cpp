@@ -55,13 +55,13 @@ TEST(CsvNumber, IsEmptyWhereThereIsNone) {
 
 TEST(PaperFigure, SaysWhetherAClaimHolds) {
   PaperFigure figure{"1", "t", {}, {}, {}};
-  figure.say(true, "So it is.", " Not here.");
-  figure.say(false, "So it is.", " Not here.");
+  figure.say(true, "So it is.", " A reason.");
+  figure.say(false, "So it is.", " A reason.");
   ASSERT_EQ(figure.claims.size(), 2U);
   EXPECT_EQ(figure.claims[0].kind, ClaimKind::kMatches);
   EXPECT_EQ(figure.claims[0].text, "So it is.");
   EXPECT_EQ(figure.claims[1].kind, ClaimKind::kDiffers);
-  EXPECT_EQ(figure.claims[1].text, "So it is. Not here.");
+  EXPECT_EQ(figure.claims[1].text, "Not here: So it is. A reason.");
 }
 
 }  // namespace
