@@ -30,7 +30,7 @@ class Robot {
     Camera::start();
     Odometry::start();
     pipeline().start_run(kHeader);
-    if (kCamera.width > 0) pipeline().set_camera(kCamera);
+    if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
     const BootFacts facts{kHeader, board::take_reset_reason(), board::take_panic()};
     for (std::size_t n = 0; n < kBootLines; ++n) {

@@ -3,6 +3,7 @@
 
 #include "tests/boards/bench.hpp"
 #include "tests/boards/f405.hpp"
+#include "tests/boards/faults.hpp"
 #include "tests/boards/scenes.hpp"
 
 namespace fencepost::test {
@@ -20,6 +21,13 @@ TEST(F405, SaysWhoItIsAndPassesItsSelfTest) {
 TEST(F405, ReplaysAnApproach) { expect_scene_replays(f405(), "small", recorded_scene("approach_stop")); }
 TEST(F405, ReplaysACorridor) { expect_scene_replays(f405(), "small", recorded_scene("corridor")); }
 TEST(F405, ReplaysAMinute) { expect_scene_replays(f405(), "small", minute_scene()); }
+
+TEST(F405, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(f405()); }
+TEST(F405, SurvivesGarbageOnTheCamerasLine) { expect_survives_garbage_on_camera(f405()); }
+TEST(F405, SurvivesGarbageOnTheConsole) { expect_survives_garbage_on_console(f405()); }
+TEST(F405, SurvivesOdometryThatStops) { expect_survives_odometry_loss(f405()); }
+TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405()); }
+TEST(F405, SurvivesLinesThatAreCut) { expect_survives_cut_lines(f405()); }
 
 }  // namespace
 }  // namespace fencepost::test

@@ -97,7 +97,7 @@ def main():
     image, build, table = sys.argv[1:4]
     context_words = int(sys.argv[5]) if len(sys.argv) == 6 else CONTEXT_WORDS
     elf = str(pathlib.Path(build) / "fencepost.elf")
-    rows = {row["image"]: row for row in csv.DictReader(open(table, encoding="utf-8"))}
+    rows = {row["image"]: row for row in csv.DictReader(pathlib.Path(table).read_text().splitlines())}
     if image not in rows:
         sys.exit(f"image_check: {table} has no row for {image}")
     faults, symbols = symbol_faults(elf)

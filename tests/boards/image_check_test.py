@@ -24,7 +24,7 @@ extern "C" [[gnu::section(".vectors"), gnu::used]] void (*const table[])() = {re
 
 class ImageCheck(unittest.TestCase):
     def check(self, **changes):
-        row = next(row for row in csv.DictReader(open(TABLE, encoding="utf-8")) if row["image"] == IMAGE)
+        row = next(row for row in csv.DictReader(pathlib.Path(TABLE).read_text().splitlines()) if row["image"] == IMAGE)
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder, "sizes.csv")
             with table.open("w", encoding="utf-8") as file:

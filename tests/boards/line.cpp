@@ -1,6 +1,8 @@
 #include "tests/boards/line.hpp"
 
+#include <linux/sockios.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -68,6 +70,12 @@ void Line::read_all() {
     if (count <= 0) return;
     heard_.append(bytes.data(), static_cast<std::size_t>(count));
   }
+}
+
+std::size_t Line::unread() const {
+  int bytes = 0;
+  if (::ioctl(connected_, SIOCOUTQ, &bytes) != 0) return 0;
+  return static_cast<std::size_t>(bytes);
 }
 
 std::string Line::take() { return std::exchange(heard_, {}); }

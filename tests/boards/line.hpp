@@ -25,6 +25,8 @@ class Line {
   void pump();
   void send(std::string_view bytes) { waiting_ += bytes; }
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
+  /// Bytes that are sent and that the emulator has not read yet.
+  [[nodiscard]] std::size_t unread() const;
   /// What has come since the last call.
   std::string take();
 

@@ -2,14 +2,15 @@
 #pragma once
 
 #include "firmware/image/fed_by_console.hpp"
+#include "hal/sensor/camera.hpp"
 
 namespace fencepost::image {
-
-inline constexpr sensor::CameraIntrinsics kCamera = {};  // unknown until $FPCAM comes
 
 struct Camera : CameraOnConsole {
   using CameraOnConsole::CameraOnConsole;
   static void start() {}
+  /// Not known until $FPCAM comes.
+  static sensor::CameraIntrinsics calibration() { return {}; }
 };
 
 }  // namespace fencepost::image

@@ -1,18 +1,17 @@
-// FENCEPOST_CAMERA=nxtcam: a Mindsensors NXTCam on the two-wire bus.
+// FENCEPOST_CAMERA=nxtcam: an NXTCam or AVRcam by its serial pins, at 115200 baud.
 #pragma once
 
 #include "drivers/nxtcam/camera.hpp"
+#include "drivers/nxtcam/serial_camera.hpp"
 #include "firmware/app/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
-inline constexpr sensor::CameraIntrinsics kCamera = nxtcam::kProfile;
-
-struct Camera : nxtcam::Camera<board::I2c> {
-  explicit Camera(const app::Counters& /*counters*/) : nxtcam::Camera<board::I2c>(board::i2c()) {}
-  static void start() { board::start_i2c(); }
+struct Camera : nxtcam::SerialCamera<board::Link> {
+  explicit Camera(const app::Counters& /*counters*/) : nxtcam::SerialCamera<board::Link>(board::camera()) {}
+  static void start() { board::start_camera(115'200); }
+  static sensor::CameraIntrinsics calibration() { return nxtcam::kProfile; }
 };
-static_assert(sensor::BlobCamera<Camera>);
 
 }  // namespace fencepost::image

@@ -7,11 +7,10 @@
 
 namespace fencepost::image {
 
-inline constexpr sensor::CameraIntrinsics kCamera = pixy2::kPixy2Profile;
-
 struct Camera : pixy2::Camera<board::Link> {
   explicit Camera(const app::Counters& /*counters*/) : pixy2::Camera<board::Link>(board::camera()) {}
   static void start() { board::start_camera(115'200); }
+  static sensor::CameraIntrinsics calibration() { return pixy2::kPixy2Profile; }
 };
 
 }  // namespace fencepost::image

@@ -8,12 +8,11 @@
 
 namespace fencepost::image {
 
-inline constexpr sensor::CameraIntrinsics kCamera = pixy2::kPixy2Profile;
-
 class Camera {
  public:
   explicit Camera(const app::Counters& /*counters*/) {}
   static void start() { board::start_i2c(); }
+  static sensor::CameraIntrinsics calibration() { return pixy2::kPixy2Profile; }
 
   base::Result<sensor::BlobFrame> poll(base::Time now) { return camera_.poll(now); }
   [[nodiscard]] sensor::LinkState link() const { return camera_.link(); }

@@ -18,13 +18,17 @@ void SysTickClock::tick() {
   low_ = next;
 }
 
-// Again, if a millisecond ended in between.
+// The counter may have begun its next round while the interrupt that counts it still waits: then it is counted here, or
+// time would go back. Again, if the interrupt came in between.
 SysTickClock::Reading SysTickClock::read() const {
   for (;;) {
     const std::uint32_t high = high_;
     const std::uint32_t low = low_;
-    const std::uint32_t left = reg(kSysTickCurrent);
-    if (low == low_ && high == high_) return {(std::uint64_t{high} << 32) | low, cycles_ - 1 - left};
+    std::uint32_t left = reg(kSysTickCurrent);
+    const bool over = (reg(kInterruptControl) & kSysTickPending) != 0;
+    if (over) left = reg(kSysTickCurrent);
+    if (low != low_ || high != high_) continue;
+    return {((std::uint64_t{high} << 32) | low) + (over ? 1U : 0U), cycles_ - 1 - left};
   }
 }
 

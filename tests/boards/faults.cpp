@@ -1,0 +1,175 @@
+#include "tests/boards/faults.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+#include "tests/boards/bench.hpp"
+#include "tests/firmware/app/desk.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr double kWithin = 1.0;          // s of the board's clock: good data to the next alert
+constexpr double kWatchdog = 2'000'000;  // us; the shortest time after which one of the boards bites
+constexpr double kSpeed = 0.08;          // m/s, towards a post whose front is a metre ahead
+constexpr double kApproach = 8;          // s
+
+/// A robot that has driven up to a post and creeps on: alerts come all the time.
+class Approach {
+ public:
+  explicit Approach(const BoardUnderTest& board) : bench(board) {}
+
+  void begin() {
+    ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+    ASSERT_TRUE(bench.await_camera()) << bench.said();
+    SceneStream stream;
+    stream.calibration = {line_of(desk_camera()), line_of(record::Signature{1, {0xd0, 0x20, 0x20}, "red"})};
+    ASSERT_TRUE(bench.start_log(stream)) << bench.said();
+    drive(kApproach);
+    ASSERT_NE(bench.said().find("$FPALR,"), std::string::npos) << bench.said();
+  }
+
+  /// 50 samples and frames a second; `spoil(line)` may change or drop what is sent.
+  void drive(double seconds, bool frames = true, bool odometry = true) {
+    for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
+      const double x = std::min(kSpeed * t_, kSpeed * kApproach + 0.002 * (t_ - kApproach));
+      if (odometry) say(unstamped(desk_odometry(t_, x)));
+      if (frames) bench.give(desk_frame(t_, number_++, x));
+      t_ += 0.02;
+      next_ += 20;
+      do bench.pump();
+      while (WallClock::now() - started_ < std::chrono::milliseconds(next_));
+    }
+  }
+  /// The fault is over: what comes from now on is good.
+  void expect_recovery() {
+    bench.clear();
+    drive(2.0);
+    const std::string& said = bench.said();
+    const auto good = first_time(said, "$FPODO,");
+    const auto alert = first_time(said, "$FPALR,");
+    ASSERT_TRUE(good && alert) << said.substr(0, 2000);
+    EXPECT_LT(*alert - *good, kWithin);
+    EXPECT_EQ(said.find("READY"), std::string::npos) << "it was reset";
+    EXPECT_LT(longest_turn(said), kWatchdog);
+    EXPECT_TRUE(bench.alive());
+  }
+  void expect_status(std::string_view text) { EXPECT_TRUE(bench.obey("status", text)) << bench.said(); }
+  void restart_pace() { started_ = WallClock::now() - std::chrono::milliseconds(next_); }
+
+  Bench bench;
+  double cut_share = 0;  ///< of lines that lose their end
+
+ private:
+  void say(std::string line) {
+    if (std::uniform_real_distribution<>(0, 1)(random_) < cut_share) line.resize(1 + random_() % (line.size() - 1));
+    bench.console().send(line);
+  }
+  static std::optional<double> first_time(const std::string& said, std::string_view kind) {
+    const std::size_t at = said.find(kind);
+    if (at == std::string::npos) return std::nullopt;
+    return std::stod(said.substr(at + kind.size(), 16));
+  }
+  // The last field of FPSTA, us since boot; a second passes between two of them.
+  static double longest_turn(const std::string& said) {
+    const std::size_t at = said.rfind("$FPSTA,");
+    if (at == std::string::npos) return kWatchdog;
+    const std::string line = said.substr(at, said.find('*', at) - at);
+    return std::stod(line.substr(line.rfind(',') + 1));
+  }
+
+  std::mt19937 random_{1};
+  double t_ = 0;
+  std::uint32_t number_ = 0;
+  long next_ = 0;
+  WallClock::time_point started_ = WallClock::now();
+};
+
+std::string garbage(std::size_t size) {
+  std::mt19937 random(7);
+  std::string bytes(size, '\0');
+  for (char& byte : bytes) byte = static_cast<char>(random());
+  return bytes;
+}
+
+void pour(Approach& robot, Line& line, std::string_view bytes) {
+  line.set_pace(2e6);
+  line.send(bytes);
+  for (int i = 0; i < 120'000 && line.waiting() + line.unread() > 0; ++i) robot.bench.pump();
+  EXPECT_EQ(line.waiting() + line.unread(), 0U);
+  line.set_pace(11'520);
+  robot.bench.run(0.3);
+  robot.restart_pace();
+}
+
+}  // namespace
+
+void expect_survives_camera_loss(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  robot.bench.unplug_camera(true);
+  robot.drive(2.0);
+  robot.expect_status("camera link silent");
+  robot.bench.unplug_camera(false);
+  ASSERT_TRUE(robot.bench.await_camera());
+  robot.restart_pace();
+  robot.expect_recovery();
+  robot.expect_status("camera link ok");
+}
+
+void expect_survives_garbage_on_camera(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  robot.bench.unplug_camera(true);
+  pour(robot, robot.bench.camera_line(), garbage(kMinuteOfBytes));
+  robot.expect_status("odometry link silent");
+  robot.bench.unplug_camera(false);
+  ASSERT_TRUE(robot.bench.await_camera());
+  robot.restart_pace();
+  robot.expect_recovery();
+}
+
+void expect_survives_garbage_on_console(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  pour(robot, robot.bench.console(), garbage(kMinuteOfBytes));
+  robot.bench.console().send("\r");
+  robot.expect_recovery();
+}
+
+void expect_survives_odometry_loss(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  robot.drive(2.0, true, false);
+  robot.expect_status("odometry link silent");
+  robot.restart_pace();
+  robot.expect_recovery();
+  robot.expect_status("odometry link ok");
+}
+
+void expect_survives_blocked_console(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  robot.bench.console().block(true);
+  robot.drive(3.0);
+  robot.bench.console().block(false);
+  robot.bench.run(0.5);
+  robot.restart_pace();
+  robot.expect_recovery();
+}
+
+void expect_survives_cut_lines(const BoardUnderTest& board) {
+  Approach robot(board);
+  ASSERT_NO_FATAL_FAILURE(robot.begin());
+  robot.cut_share = 0.3;
+  robot.drive(3.0);
+  EXPECT_NE(robot.bench.said().find("$FPALR,"), std::string::npos);  // it goes on meanwhile, too
+  robot.cut_share = 0;
+  robot.bench.console().send("\r\n");
+  robot.expect_recovery();
+}
+
+}  // namespace fencepost::test
