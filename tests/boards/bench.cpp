@@ -2,15 +2,12 @@
 
 #include <array>
 #include <cstdio>
-#include <thread>
 
 #include "hal/base/crc16.hpp"
 #include "tests/firmware/app/desk.hpp"
 
 namespace fencepost::test {
 namespace {
-
-constexpr std::chrono::microseconds kNap{500};
 
 double seconds_since(WallClock::time_point start) {
   return std::chrono::duration<double>(WallClock::now() - start).count();
@@ -36,7 +33,7 @@ void Bench::pump() {
   emulator_.pump();
   if (board_.camera >= 0) pump_camera();
   said_ += console().take();
-  std::this_thread::sleep_for(kNap);
+  emulator_.wait();
 }
 
 void Bench::pump_camera() {

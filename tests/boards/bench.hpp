@@ -45,6 +45,7 @@ class Bench {
   [[nodiscard]] bool alive() { return emulator_.alive(); }
   /// The camera's cable is pulled, or back.
   void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
+  [[nodiscard]] Emulator& emulator() { return emulator_; }
   void pump();
 
  private:

@@ -20,6 +20,9 @@ struct BoardUnderTest {
   std::size_t lines = 1;
   std::size_t console = 0;  ///< its line
   int camera = -1;          ///< the Pixy2's line; negative: frames go over the console
+  /// The line on which an emulator with a time of its own is told to go on; negative: it lives in real time.
+  /// `run MICROSECONDS` is answered by `at MICROSECONDS` when all has been said that was to say until then.
+  int control = -1;
 };
 
 /// The folder with the images that this build has made.
@@ -37,11 +40,18 @@ class Emulator {
   /// It has not ended by itself.
   [[nodiscard]] bool alive();
   void pump();
+  /// A while passes: half a millisecond of the wall's time, or one of the emulator's own. Throws if it has ended.
+  void wait();
+  /// A word to an emulator that has a control line.
+  void command(const std::string& line) { lines_[static_cast<std::size_t>(control_)].send(line + "\n"); }
+  /// What it answers.
+  std::string ask(const std::string& line);
 
  private:
   void start(const std::vector<std::string>& command);
 
   std::string folder_;
+  int control_;
   std::deque<Line> lines_;
   pid_t child_ = -1;
 };

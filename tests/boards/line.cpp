@@ -55,7 +55,8 @@ void Line::write_some() {
   allowed_ =
       std::min(allowed_ + pace_ * std::chrono::duration<double>(now - last_).count(), std::max(kBurst, pace_ / 1000));
   last_ = now;
-  const std::size_t count = std::min(waiting_.size(), static_cast<std::size_t>(allowed_));
+  const bool unpaced = pace_ > 1e9;
+  const std::size_t count = unpaced ? waiting_.size() : std::min(waiting_.size(), static_cast<std::size_t>(allowed_));
   if (count == 0) return;
   const ssize_t sent = ::send(connected_, waiting_.data(), count, MSG_NOSIGNAL);
   if (sent <= 0) return;

@@ -1,14 +1,17 @@
 // One serial line of an emulated board: a socket that the emulator connects to, with the pace of a real line.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "tests/boards/bench_clock.hpp"
+
 namespace fencepost::test {
 
-using WallClock = std::chrono::steady_clock;
+using WallClock = BenchClock;
 
 class Line {
  public:
@@ -30,8 +33,13 @@ class Line {
   /// What has come since the last call.
   std::string take();
 
-  /// Bytes a second; 115200 baud at first.
-  void set_pace(double pace) { pace_ = pace; }
+  /// Bytes a second; 115200 baud at first. Above 1e9: at once, also where no time passes.
+  void set_pace(double pace) { pace_ = std::min(pace, fastest_); }
+  /// Of an emulator that keeps the line's pace itself: what came faster would only wait there.
+  void limit_pace(double fastest) {
+    fastest_ = fastest;
+    pace_ = fastest > 1e9 ? fastest : std::min(pace_, fastest);
+  }
   /// The other side's bytes stay where they are.
   void block(bool blocked) { blocked_ = blocked; }
   void unsend() { waiting_.clear(); }
@@ -46,6 +54,7 @@ class Line {
   std::string waiting_;
   std::string heard_;
   double pace_ = 11'520;
+  double fastest_ = 1e9;
   double allowed_ = 0;
   WallClock::time_point last_ = WallClock::now();
   bool blocked_ = false;

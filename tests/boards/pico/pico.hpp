@@ -1,0 +1,26 @@
+// The Raspberry Pi Pico's image in its emulator: serial lines are UART0 (console), UART1 (camera), USB (console, too),
+// and the control line of an emulator that has a time of its own.
+#pragma once
+
+#include "tests/boards/emulator.hpp"
+
+namespace fencepost::test {
+
+inline constexpr std::size_t kPicoUsb = 2;
+
+inline BoardUnderTest pico(const std::string& image = "pico") {
+  BoardUnderTest board;
+  board.name = image;
+  board.lines = 4;
+  board.console = 0;
+  board.camera = 1;
+  board.control = 3;
+  board.command = [image](const std::vector<std::string>& sockets) {
+    std::vector<std::string> words = {"node", FENCEPOST_PICO_EMULATOR, image_of(image) + ".uf2"};
+    words.insert(words.end(), sockets.begin(), sockets.end());
+    return words;
+  };
+  return board;
+}
+
+}  // namespace fencepost::test

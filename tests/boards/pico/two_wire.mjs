@@ -1,0 +1,28 @@
+// A camera on the two-wire bus that takes and gives a stream of bytes: what it is asked goes to the socket, what it says
+// comes from there. A device without an answer sends zeros.
+const kByteNanos = 90e3; // nine bits at 100 kHz
+
+export class TwoWire {
+  constructor(mcu, address, send) {
+    const bus = mcu.i2c[0];
+    this.coming = [];
+    this.there = true;
+    const later = mcu.clock.createAlarm(() => this.next());
+    const after = (next) => {
+      this.next = next;
+      later.schedule(kByteNanos);
+    };
+    bus.onStart = () => after(() => bus.completeStart());
+    bus.onConnect = (target) => after(() => bus.completeConnect(this.there && target === address));
+    bus.onWriteByte = (byte) => {
+      send(byte);
+      after(() => bus.completeWrite(true));
+    };
+    bus.onReadByte = () => after(() => bus.completeRead(this.coming.shift() ?? 0));
+    bus.onStop = () => after(() => bus.completeStop());
+  }
+
+  come(bytes) {
+    for (const byte of bytes) this.coming.push(byte);
+  }
+}
