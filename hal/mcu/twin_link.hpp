@@ -1,7 +1,8 @@
 // Two byte links as one: a console that is on USB and on a serial line at the same time.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -69,10 +70,13 @@ class TwinLink {
   base::Result<std::size_t> follow(Link& link, base::Result<std::size_t> taken, std::span<const std::uint8_t> out) {
     if (!taken) return taken;
     refused_ = 0;
-    for (const std::uint8_t byte : out.first(*taken)) {
+    for (auto rest = out.first(*taken); !rest.empty();) {
       if (at_begin_) follows_ = link.room() >= kLongestLine;
-      if (follows_) follows_ = link.write(std::span(&byte, 1)).ok();
-      at_begin_ = byte == '\n';
+      const auto end = std::ranges::find(rest, std::uint8_t{'\n'});
+      at_begin_ = end != rest.end();
+      const auto line = rest.first(static_cast<std::size_t>(end - rest.begin()) + (at_begin_ ? 1 : 0));
+      if (follows_) follows_ = link.write(line).ok();
+      rest = rest.subspan(line.size());
     }
     return taken;
   }
