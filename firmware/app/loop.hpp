@@ -23,6 +23,7 @@ class Loop {
       : pipeline_(memory, mode), console_(pipeline_, canned), camera_(camera), odometry_(odometry), link_(link) {}
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
+  ~Loop() = default;
 
   /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
   /// one turn happened to find: a replay, which has one input a turn, does the same.

@@ -41,8 +41,10 @@ class Bench {
   void give(const sensor::BlobFrame& frame);
 
   [[nodiscard]] Line& console() { return emulator_.line(board_.console); }
+  [[nodiscard]] Line& line(std::size_t n) { return emulator_.line(n); }
   [[nodiscard]] Line& camera_line() { return emulator_.line(static_cast<std::size_t>(board_.camera)); }
   [[nodiscard]] bool alive() { return emulator_.alive(); }
+  void stop() { emulator_.stop(); }
   /// The camera's cable is pulled, or back.
   void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
   [[nodiscard]] Emulator& emulator() { return emulator_; }

@@ -95,6 +95,13 @@ std::string Emulator::ask(const std::string& line) {
   return heard;
 }
 
+void Emulator::stop() {
+  if (child_ <= 0) return;
+  ::kill(child_, SIGTERM);
+  ::waitpid(child_, nullptr, 0);
+  child_ = -1;
+}
+
 void Emulator::pump() {
   for (Line& line : lines_) line.pump();
 }

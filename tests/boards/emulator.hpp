@@ -46,6 +46,8 @@ class Emulator {
   void command(const std::string& line) { lines_[static_cast<std::size_t>(control_)].send(line + "\n"); }
   /// What it answers.
   std::string ask(const std::string& line);
+  /// Ends it in good order, so that plugins can write what they know.
+  void stop();
 
  private:
   void start(const std::vector<std::string>& command);

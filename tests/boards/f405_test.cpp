@@ -1,7 +1,12 @@
 // The STM32F405 image in its emulator.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
 #include "tests/boards/bench.hpp"
+#include "tests/boards/counting.hpp"
 #include "tests/boards/f405.hpp"
 #include "tests/boards/faults.hpp"
 #include "tests/boards/scenes.hpp"
@@ -18,16 +23,83 @@ TEST(F405, SaysWhoItIsAndPassesItsSelfTest) {
   EXPECT_TRUE(bench.obey("version", "fencepost 0.1.0 for f405")) << bench.said();
 }
 
+// A packet of GDB's remote protocol (its manual, appendix E), and time to answer.
+void tell_debugger(Bench& bench, const std::string& packet) {
+  unsigned sum = 0;
+  for (const char c : packet) sum += static_cast<unsigned char>(c);
+  std::array<char, 4> check{};
+  std::snprintf(check.data(), check.size(), "#%02x", sum & 0xFFU);
+  bench.line(3).send("+$" + packet + check.data());
+  bench.run(0.3);
+}
+
+// The debugger sends the program to where there is no memory: a hard fault, a reset, and the next run tells, once.
+TEST(F405, TellsOnceWhereTheLastRunDied) {
+  Bench bench(f405_with_debugger());
+  tell_debugger(bench, "?");
+  tell_debugger(bench, "qXfer:features:read:target.xml:0,ffb");
+  tell_debugger(bench, "c");
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_NE(bench.said().find("panic: none"), std::string::npos) << bench.said();
+  bench.clear();
+  bench.line(3).send("\x03");
+  bench.run(0.3);
+  tell_debugger(bench, "Pf=01000030");
+  tell_debugger(bench, "c");
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.line(3).take();
+  EXPECT_NE(bench.said().find("reset: panic\r\npanic: exception 3 at 30000000, called from 08"), std::string::npos)
+      << bench.said();
+  EXPECT_TRUE(bench.obey("version", "for f405"));
+}
+
 TEST(F405, ReplaysAnApproach) { expect_scene_replays(f405(), "small", recorded_scene("approach_stop")); }
 TEST(F405, ReplaysACorridor) { expect_scene_replays(f405(), "small", recorded_scene("corridor")); }
 TEST(F405, ReplaysAMinute) { expect_scene_replays(f405(), "small", minute_scene()); }
 
+// toolchain/long boards
+TEST(F405, DISABLED_ReplaysTenMinutes) { expect_scene_replays(f405(), "small", minute_scene(600)); }
+
 TEST(F405, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(f405()); }
-TEST(F405, SurvivesGarbageOnTheCamerasLine) { expect_survives_garbage_on_camera(f405()); }
-TEST(F405, SurvivesGarbageOnTheConsole) { expect_survives_garbage_on_console(f405()); }
+TEST(F405, SurvivesGarbageOnAllLines) { expect_survives_garbage(f405()); }
 TEST(F405, SurvivesOdometryThatStops) { expect_survives_odometry_loss(f405()); }
 TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405()); }
 TEST(F405, SurvivesLinesThatAreCut) { expect_survives_cut_lines(f405()); }
+
+// A frame of eight objects, all that it sets in motion. At 50 frames a second 336,000 cycles are a tenth of 168 MHz; at
+// 1.4 cycles an instruction the committed mean is 14 %: most of it updates the eight objects' models.
+TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
+  const std::string out = ::testing::TempDir() + "fencepost-f405-counts";
+  const auto arguments = counting_arguments(image_of("f405") + ".elf",
+                                            {{"turn", "image::Robot::work("},
+                                             {"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("},
+                                             {"line", "::take_line("},
+                                             {"input", "::settle("},
+                                             {"objects", "::update_matched("},
+                                             {"digest", "::chain_digest("},
+                                             {"alerts", "::watch_path("}},
+                                            out);
+  const double seconds = 12;
+  const SceneStream stream = stream_of(eight_boxes(seconds));
+  Bench bench(f405(arguments));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  for (const std::string& line : stream.calibration) bench.console().send(line);
+  bench.play(stream);
+  EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
+  bench.stop();
+  const Counts counts = read_counts(out);
+  for (const auto& [name, count] : counts) {
+    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
+    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
+                static_cast<double>(count.worst), static_cast<double>(count.calls));
+  }
+  const double frames = static_cast<double>(counts.at("digest").calls);
+  EXPECT_GT(frames, 400);  // 600 were shown; a busy machine shows some too late
+  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed("f405", "frame")));
+  EXPECT_LE(counts.at("input").worst, committed("f405", "worst_frame"));
+  EXPECT_GT(counts.at("stack").sum, 1000U);
+  EXPECT_LE(counts.at("stack").sum, committed("f405", "stack"));
+}
 
 }  // namespace
 }  // namespace fencepost::test

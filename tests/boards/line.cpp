@@ -79,6 +79,12 @@ std::size_t Line::unread() const {
   return static_cast<std::size_t>(bytes);
 }
 
+std::size_t Line::held() const {
+  int bytes = 0;
+  if (::ioctl(connected_, SIOCINQ, &bytes) != 0) return 0;
+  return static_cast<std::size_t>(bytes);
+}
+
 std::string Line::take() { return std::exchange(heard_, {}); }
 
 }  // namespace fencepost::test

@@ -30,6 +30,8 @@ class Line {
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
   /// Bytes that are sent and that the emulator has not read yet.
   [[nodiscard]] std::size_t unread() const;
+  /// Bytes of the other side that wait in the socket.
+  [[nodiscard]] std::size_t held() const;
   /// What has come since the last call.
   std::string take();
 

@@ -69,4 +69,23 @@ host::Scene minute_scene(double seconds) {
   return scene;
 }
 
+host::Scene eight_boxes(double seconds) {
+  host::Scene scene = minute_scene(seconds);
+  scene.rate = 50;
+  scene.objects.clear();
+  scene.signatures.clear();
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 8;
+    // A Pixy2 has seven signatures: two boxes on opposite sides share one.
+    const auto id = static_cast<std::uint8_t>(i < 7 ? i + 1 : 4);
+    scene.objects.push_back(box("box", id, 0.35 * std::cos(angle), 0.35 * std::sin(angle), 0.025, 0.1 + 0.02 * i));
+    if (i < 7) scene.signatures.push_back({id, "colour", {0x20, 0x20, id}});
+  }
+  auto& arc = std::get<host::ArcPath>(scene.path);
+  arc.radius = 1.3;
+  arc.sweep = 0.2 * seconds;
+  arc.views = static_cast<int>(std::lround(seconds * scene.rate));
+  return scene;
+}
+
 }  // namespace fencepost::test

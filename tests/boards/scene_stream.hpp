@@ -25,4 +25,7 @@ host::Scene recorded_scene(const std::string& name);
 /// One minute, 20 frames/s: twice around three boxes and out again.
 host::Scene minute_scene(double seconds = 60);
 
+/// Eight boxes in a ring, all in view, 50 frames/s: as much as profile small can hold.
+host::Scene eight_boxes(double seconds);
+
 }  // namespace fencepost::test

@@ -9,11 +9,14 @@ namespace {
 constexpr std::uint32_t kMark = 0x50414E49;
 
 struct Kept {
+  // Nothing here has an initial value: start-up would write it.
   std::uint32_t mark;
-  Panic panic;
+  std::uint32_t exception;
+  std::uint32_t pc;
+  std::uint32_t lr;
   std::uint32_t check;  ///< ~(mark ^ exception ^ pc ^ lr)
 
-  [[nodiscard]] std::uint32_t right_check() const { return ~(mark ^ panic.exception ^ panic.pc ^ panic.lr); }
+  [[nodiscard]] std::uint32_t right_check() const { return ~(mark ^ exception ^ pc ^ lr); }
 };
 
 }  // namespace
@@ -25,7 +28,9 @@ extern "C" {
 /// The end of every exception that nobody handles. `frame`: what the core has pushed (Armv7-M B1.5.6).
 [[noreturn, gnu::used]] void fencepost_die(const std::uint32_t* frame) {
   fencepost_panic.mark = kMark;
-  fencepost_panic.panic = {reg(kInterruptControl) & 0x1FFU, frame[6], frame[5]};
+  fencepost_panic.exception = reg(kInterruptControl) & 0x1FFU;
+  fencepost_panic.pc = frame[6];
+  fencepost_panic.lr = frame[5];
   fencepost_panic.check = fencepost_panic.right_check();
   reset();
 }
@@ -36,7 +41,7 @@ extern "C" {
 
 std::optional<Panic> take_panic() {
   const bool there = fencepost_panic.mark == kMark && fencepost_panic.check == fencepost_panic.right_check();
-  const Panic panic = fencepost_panic.panic;
+  const Panic panic{fencepost_panic.exception, fencepost_panic.pc, fencepost_panic.lr};
   fencepost_panic.mark = 0;
   if (!there) return std::nullopt;
   return panic;

@@ -15,7 +15,8 @@ TEST(ByteRing, KeepsOrderWhileItsIndicesWrap) {
   std::uint32_t written = 0;
   std::uint32_t read = 0;
   while (read < 200'000) {  // 2^16 thrice
-    for (std::uint32_t i = 0; i < 1 + written % 8; ++i) written += ring.put(static_cast<std::uint8_t>(written)) ? 1U : 0U;
+    for (std::uint32_t i = 0; i < 1 + written % 8; ++i)
+      written += ring.put(static_cast<std::uint8_t>(written)) ? 1U : 0U;
     EXPECT_EQ(ring.size(), written - read);
     for (std::uint32_t i = 0; i < 1 + read % 5 && ring.get(out); ++i) {
       ASSERT_EQ(out, static_cast<std::uint8_t>(read));
