@@ -9,9 +9,10 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 # -mcpu and the like; a change of them needs a build folder of its own.
 set(FENCEPOST_CORE "" CACHE STRING "Flags of the board's core")
-list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FENCEPOST_CORE)
+set(FENCEPOST_OPTIMISE "-O2" CACHE STRING "How to optimise: -Os where flash is short")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FENCEPOST_CORE FENCEPOST_OPTIMISE)
 # The call graph is for tests/boards/image_check.py; ccache would not restore it, so the presets do without.
 # NDEBUG: the assertions of libraries would bring printf along; ours are FENCEPOST_CHECK and stay. Without errno a square
 # root is one instruction, where there is one.
 set(CMAKE_CXX_FLAGS_INIT
-  "${FENCEPOST_CORE} -O2 -g -DNDEBUG -fno-math-errno -ffunction-sections -fdata-sections -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -fcallgraph-info=su,da")
+  "${FENCEPOST_CORE} ${FENCEPOST_OPTIMISE} -g -DNDEBUG -fno-math-errno -ffunction-sections -fdata-sections -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -fcallgraph-info=su,da")

@@ -36,7 +36,7 @@ extern "C" {
 }
 
 // Both stacks are one here. A trap of FENCEPOST_CHECK ends up here too: an undefined instruction.
-[[gnu::naked, gnu::used]] void unexpected_exception() { asm volatile("mrs r0, msp\n\tb fencepost_die"); }
+[[gnu::naked, gnu::used]] void unexpected_exception() { asm volatile("mrs r0, msp\n\tbl fencepost_die"); }
 }
 
 std::optional<Panic> take_panic() {

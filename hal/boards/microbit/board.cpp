@@ -1,0 +1,82 @@
+#include "hal/boards/microbit/board.hpp"
+
+#include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/cortex_m/panic.hpp"
+#include "hal/mcu/nrf51/registers.hpp"
+#include "hal/mcu/nrf51/reset_reason.hpp"
+#include "hal/mcu/nrf51/watchdog.hpp"
+#include "hal/mcu/register.hpp"
+
+namespace fencepost::board {
+namespace {
+
+namespace part = mcu::nrf51;
+
+// Schematic of the BBC micro:bit v1.3B.
+constexpr part::Pin kConsoleSends{24};
+constexpr part::Pin kConsoleReceives{25};
+constexpr part::Pin kBusClock{0};
+constexpr part::Pin kBusData{30};
+// A pixel shines where its row is high and its column low: three rows of nine, P0.13 to 15 by P0.04 to 12.
+constexpr part::Pin kFirstRow{13};
+constexpr std::uint32_t kFirstColumn = 4;
+constexpr std::uint32_t kColumns = 9;
+
+constexpr std::uint32_t kLooks = 100'000;  // the crystal starts within 1 ms (product specification)
+
+constinit Clock the_clock;
+constinit Link console_line;
+I2c the_bus{kBusClock, kBusData};
+constinit Flash the_flash;
+
+void start_led() {
+  kFirstRow.drive(false);
+  kFirstRow.make_output();
+  for (std::uint32_t i = 0; i < kColumns; ++i) {
+    const part::Pin column{kFirstColumn + i};
+    column.drive(i != 0);
+    column.make_output();
+  }
+}
+
+}  // namespace
+
+void start(std::uint32_t console_baud) {
+  // The built-in oscillator is within 1 to 5 %: too far for a serial line. Where no crystal starts, it goes on for all that.
+  mcu::reg(part::kStartCrystal) = part::kTrigger;
+  static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kLooks));
+  the_clock.start();
+  part::start_watchdog();
+  console_line.start(kConsoleSends, kConsoleReceives, console_baud);
+  start_led();
+}
+
+void start_i2c() { the_bus.start(); }
+
+Clock& clock() { return the_clock; }
+Link& console() { return console_line; }
+I2c& i2c() { return the_bus; }
+Flash& flash() { return the_flash; }
+void led(bool on) { kFirstRow.drive(on); }
+
+mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
+std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
+
+void feed_watchdog() { part::feed_watchdog(); }
+void idle() {
+  mcu::cortex_m::sleep_unless([] { return console_line.waiting(); });
+}
+
+}  // namespace fencepost::board
+
+using namespace fencepost;
+
+extern "C" {
+void timer_interrupt() {
+  board::clock().on_interrupt();
+  board::console().on_millisecond();
+  board::i2c().on_millisecond();
+}
+void uart_interrupt() { board::console().on_interrupt(); }
+void twi_interrupt() { board::i2c().on_interrupt(); }
+}

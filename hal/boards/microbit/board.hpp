@@ -1,0 +1,43 @@
+// BBC micro:bit v1: nRF51822, 16 MHz, 16 KB of memory. What every board offers: hal/boards/README.md. It has one serial
+// line, through the board's USB; a camera is on the two-wire bus of the edge connector.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/mcu/nrf51/flash.hpp"
+#include "hal/mcu/nrf51/timer_clock.hpp"
+#include "hal/mcu/nrf51/twi.hpp"
+#include "hal/mcu/nrf51/uart.hpp"
+#include "hal/mcu/reset.hpp"
+
+namespace fencepost::board {
+
+inline constexpr std::string_view kTarget = "microbit";
+
+using Clock = mcu::nrf51::TimerClock;
+using Link = mcu::nrf51::Uart;
+using I2c = mcu::nrf51::Twi;
+using Flash = mcu::nrf51::Flash;
+
+/// Before anything else here: crystal, timer, watchdog, console.
+void start(std::uint32_t console_baud);
+/// Before the bus is used.
+void start_i2c();
+
+Clock& clock();
+Link& console();  ///< P0.24 sends, P0.25 receives: the interface chip's serial line on USB
+I2c& i2c();       ///< P0.00 is the clock, edge connector 19; P0.30 the data, 20. The board's own sensors share it.
+Flash& flash();
+/// The pixel at the upper left.
+void led(bool on);
+
+mcu::ResetReason take_reset_reason();
+std::optional<mcu::Panic> take_panic();
+
+void feed_watchdog();
+/// Sleeps until something may have happened: a byte, or a millisecond.
+void idle();
+
+}  // namespace fencepost::board

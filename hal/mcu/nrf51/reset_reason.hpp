@@ -1,0 +1,28 @@
+// Why the part was reset, by chapter 12 (RESETREAS).
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mcu/nrf51/registers.hpp"
+#include "hal/mcu/register.hpp"
+#include "hal/mcu/reset.hpp"
+
+namespace fencepost::mcu::nrf51 {
+
+/// Flags gather until they are cleared; the first that says something counts. Power-on and a brown-out set none.
+constexpr ResetReason reset_reason(std::uint32_t flags) {
+  if ((flags & kResetByWatchdog) != 0) return ResetReason::kWatchdog;
+  if ((flags & kResetByLockup) != 0) return ResetReason::kPanic;
+  if ((flags & kResetBySoftware) != 0) return ResetReason::kSoftware;
+  if ((flags & kResetByPin) != 0) return ResetReason::kPin;
+  return flags == 0 ? ResetReason::kPowerOn : ResetReason::kUnknown;
+}
+
+/// Of this start; the part forgets it.
+inline ResetReason take_reset_reason() {
+  const std::uint32_t flags = reg(kResetReason);
+  reg(kResetReason) = flags;
+  return reset_reason(flags);
+}
+
+}  // namespace fencepost::mcu::nrf51

@@ -1,0 +1,60 @@
+#include "hal/mcu/nrf51/timer_clock.hpp"
+
+#include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/nrf51/registers.hpp"
+#include "hal/mcu/register.hpp"
+
+namespace fencepost::mcu::nrf51 {
+namespace {
+
+constexpr std::uint32_t kMillisecond = 1'000;
+// Compare registers: one wakes, the others are read by the loop and by the interrupt, each its own.
+constexpr std::uint32_t kAlarm = 0;
+constexpr std::uint32_t kOfLoop = 1;
+constexpr std::uint32_t kOfInterrupt = 2;
+
+std::uint32_t capture(std::uint32_t n) {
+  reg(kTimerCapture + 4 * n) = kTrigger;
+  return reg(kTimerCompare + 4 * n);
+}
+
+}  // namespace
+
+void TimerClock::start() {
+  reg(kTimerBits) = kTimer32Bits;
+  reg(kTimerPrescaler) = kTimer1MHz;
+  reg(kTimerCompare + 4 * kAlarm) = kMillisecond;
+  reg(kTimerInterrupts) = kTimerReached0Interrupt;
+  cortex_m::enable_interrupt(interrupt_of(kTimer));
+  reg(kTimerStart) = kTrigger;
+}
+
+void TimerClock::on_interrupt() {
+  reg(kTimerReached + 4 * kAlarm) = 0;
+  const std::uint32_t now = capture(kOfInterrupt);
+  std::uint32_t counted = counted_;
+  std::uint32_t low = low_;
+  while (now - counted >= kMillisecond) {
+    counted += kMillisecond;
+    if (++low == 0) high_ = high_ + 1;
+  }
+  low_ = low;
+  counted_ = counted;
+  // Never one that has passed already: it would come again after 71 minutes.
+  const std::uint32_t left = counted + kMillisecond - now;
+  reg(kTimerCompare + 4 * kAlarm) = now + (left < 50 ? left + kMillisecond : left);
+}
+
+base::Time TimerClock::now() const {
+  for (;;) {
+    const std::uint32_t high = high_;
+    const std::uint32_t low = low_;
+    const std::uint32_t since = capture(kOfLoop) - counted_;
+    if (low != low_ || high != high_) continue;
+    return {static_cast<std::int64_t>(((std::uint64_t{high} << 32) | low) * 10 + since / 100)};
+  }
+}
+
+std::uint32_t TimerClock::microseconds() const { return capture(kOfLoop); }
+
+}  // namespace fencepost::mcu::nrf51

@@ -1,0 +1,18 @@
+// The watchdog: it runs on the slow clock and cannot be stopped again.
+#pragma once
+
+#include "hal/mcu/nrf51/registers.hpp"
+#include "hal/mcu/register.hpp"
+
+namespace fencepost::mcu::nrf51 {
+
+/// 3 s: longer than the flash takes to erase (two times 23 ms), shorter than anybody waits. The part keeps it running
+/// through a reset by software; a debugger that halts the core halts it, too.
+inline void start_watchdog() {
+  reg(kWatchdogConfig) = kWatchdogWhileAsleep;
+  reg(kWatchdogReload) = 3 * 32'768 - 1;
+  reg(kWatchdogStart) = kTrigger;
+}
+inline void feed_watchdog() { reg(kWatchdogFeed) = kWatchdogFood; }
+
+}  // namespace fencepost::mcu::nrf51

@@ -1,0 +1,21 @@
+// The micro:bit image in QEMU: one serial line. No emulator has a camera on its two-wire bus; frames go over the console.
+#pragma once
+
+#include "tests/boards/emulator.hpp"
+
+namespace fencepost::test {
+
+inline BoardUnderTest microbit(const std::string& image = "microbit-console", std::vector<std::string> more = {}) {
+  BoardUnderTest board;
+  board.name = image;
+  board.command = [image, more = std::move(more)](const std::vector<std::string>& sockets) {
+    std::vector<std::string> words = {"qemu-system-arm", "-M",    "microbit", "-nographic",
+                                      "-monitor",        "none",  "-kernel",  image_of(image) + ".elf",
+                                      "-serial",         "unix:" + sockets.at(0)};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  return board;
+}
+
+}  // namespace fencepost::test

@@ -1,0 +1,120 @@
+// The micro:bit image in its emulator.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "tests/boards/bench.hpp"
+#include "tests/boards/counting.hpp"
+#include "tests/boards/faults.hpp"
+#include "tests/boards/microbit.hpp"
+#include "tests/boards/scenes.hpp"
+
+namespace fencepost::test {
+namespace {
+
+// The emulator answers 1 to all questions about power and clock: the first flag of RESETREAS is the pin's.
+TEST(Microbit, SaysWhoItIsAndPassesItsSelfTest) {
+  Bench bench(microbit());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.said().starts_with(
+      "fencepost 0.1.0 for microbit, profile micro\r\nreset: reset pin\r\npanic: none\r\n"))
+      << bench.said();
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+  EXPECT_TRUE(bench.obey("version", "fencepost 0.1.0 for microbit")) << bench.said();
+}
+
+// The words that a fault leaves behind (hal/mcu/cortex_m/panic.cpp) are in memory at the start.
+TEST(Microbit, TellsOnceWhatTheLastRunDiedOf) {
+  const std::uint32_t at = address_of(image_of("microbit-console") + ".elf", "fencepost_panic");
+  std::array<std::uint32_t, 5> words = {0x50414E49, 3, 0x0000C1A2, 0x0000D3F1, 0};
+  words[4] = ~(words[0] ^ words[1] ^ words[2] ^ words[3]);
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    arguments.insert(arguments.end(), {"-device", "loader,addr=" + std::to_string(at + 4 * i) +
+                                                      ",data=" + std::to_string(words[i]) + ",data-len=4"});
+  }
+  Bench bench(microbit("microbit-console", arguments));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_NE(bench.said().find("reset: panic\r\npanic: exception 3 at 0000c1a2, called from 0000d3f1\r\n"),
+            std::string::npos)
+      << bench.said();
+}
+
+// The emulator has the flash's controller, too: what is kept is kept by the part's own commands.
+TEST(Microbit, KeepsSettingsOverAReset) {
+  Bench bench(microbit());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("set alert.stop 0.41", "alert.stop")) << bench.said();
+  EXPECT_TRUE(bench.obey("set robot.width 0.33", "robot.width")) << bench.said();
+  bench.run(0.2);
+  EXPECT_EQ(bench.said().find("error"), std::string::npos) << bench.said();
+  bench.clear();
+  ASSERT_TRUE(bench.reset());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("get alert.stop", "0.41")) << bench.said();
+  EXPECT_TRUE(bench.obey("get robot.width", "0.33")) << bench.said();
+  EXPECT_TRUE(bench.obey("get robot.margin", "0.05")) << bench.said();
+}
+
+TEST(Microbit, ReplaysAnApproach) { expect_scene_replays(microbit(), "micro", recorded_scene("approach_stop")); }
+TEST(Microbit, ReplaysACorridor) { expect_scene_replays(microbit(), "micro", recorded_scene("corridor")); }
+TEST(Microbit, ReplaysAMinute) { expect_scene_replays(microbit(), "micro", minute_scene()); }
+
+// toolchain/long boards
+TEST(Microbit, DISABLED_ReplaysTenMinutes) { expect_scene_replays(microbit(), "micro", minute_scene(600)); }
+
+TEST(Microbit, SurvivesFramesThatStop) { expect_survives_frame_loss(microbit()); }
+TEST(Microbit, SurvivesGarbageOnItsLine) { expect_survives_garbage(microbit()); }
+TEST(Microbit, SurvivesOdometryThatStops) { expect_survives_odometry_loss(microbit()); }
+TEST(Microbit, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(microbit()); }
+TEST(Microbit, SurvivesLinesThatAreCut) { expect_survives_cut_lines(microbit()); }
+
+// The image of the real board. The emulator's two-wire bus takes every transfer and ends none: the master has to give
+// up each of them, and the loop must not notice.
+TEST(Microbit, GoesOnWithACameraBusThatHangs) {
+  Bench bench(microbit("microbit"));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  bench.run(2.0);
+  EXPECT_TRUE(bench.obey("status", "camera link silent")) << bench.said();
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+  EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+
+// A frame of four objects, all that it sets in motion: 60 frames a second of 16 MHz, at 1.4 cycles an instruction, are
+// 190,000. The committed numbers say how far off that is.
+TEST(Microbit, CountsNoMoreInstructionsForFourObjectsThanCommitted) {
+  const std::string image = "microbit-console";
+  const std::string out = ::testing::TempDir() + "fencepost-microbit-counts";
+  const auto arguments = counting_arguments(image_of(image) + ".elf",
+                                            {{"turn", "image::Robot::work("},
+                                             {"line", "::take_line("},
+                                             {"input", "::settle("},
+                                             {"objects", "::update_matched("},
+                                             {"digest", "::chain_digest("},
+                                             {"alerts", "::watch_path("}},
+                                            out);
+  const SceneStream stream = stream_of(four_boxes(8));
+  Bench bench(microbit(image, arguments));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  for (const std::string& line : stream.calibration) bench.console().send(line);
+  bench.play(stream);
+  EXPECT_TRUE(bench.obey("status", "objects 4 of 4")) << bench.said();
+  bench.stop();
+  const Counts counts = read_counts(out);
+  for (const auto& [name, count] : counts) {
+    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
+    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
+                static_cast<double>(count.worst), static_cast<double>(count.calls));
+  }
+  const double frames = static_cast<double>(counts.at("digest").calls);
+  EXPECT_GT(frames, 100);  // 160 were shown; a busy machine shows some too late
+  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
+  EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));
+  EXPECT_GT(counts.at("stack").sum, 1000U);
+  EXPECT_LE(counts.at("stack").sum, committed(image, "stack"));
+}
+
+}  // namespace
+}  // namespace fencepost::test

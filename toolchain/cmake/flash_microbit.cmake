@@ -1,0 +1,20 @@
+# cmake -DIMAGE=fencepost.hex -P flash_microbit.cmake: copies it to the drive that the board shows, else asks openocd.
+file(GLOB drives /media/*/MICROBIT /media/MICROBIT /run/media/*/MICROBIT /mnt/MICROBIT /Volumes/MICROBIT)
+foreach(drive ${drives})
+  # An empty folder is a drive that is not mounted; the board's own always has this file.
+  if(EXISTS "${drive}/DETAILS.TXT" OR EXISTS "${drive}/MICROBIT.HTM")
+    file(COPY "${IMAGE}" DESTINATION "${drive}")
+    message(STATUS "${IMAGE} copied to ${drive}; the board starts it when its yellow light stops blinking")
+    return()
+  endif()
+endforeach()
+message(STATUS "No drive MICROBIT is mounted; trying openocd")
+find_program(openocd openocd)
+if(NOT openocd)
+  message(FATAL_ERROR "openocd is not installed either (Debian: apt-get install openocd).")
+endif()
+execute_process(COMMAND ${openocd} -f interface/cmsis-dap.cfg -f target/nrf51.cfg -c "program ${IMAGE} verify reset exit"
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "openocd found no board, or could not talk to it.")
+endif()
