@@ -47,8 +47,11 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
+inline constexpr std::size_t kSheafMost = 75;  ///< views that a store may hold: the paper's tour
+
 /// Which of the full store's views goes when `newcomer` comes: the one whose loss leaves the smallest gap of bearings
-/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2.
+/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2, and little
+/// of that where the views are in order of bearing.
 std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer);
 
 /// The views of one object, oldest first. Not full, it holds every view that is 1 deg or more from the one before; a
@@ -57,7 +60,7 @@ std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& n
 /// the newest view has a partner within 3.2 deg of 15 deg for N = 75, within 7.0 deg for N = 36.
 template <std::size_t N>
 class SheafViews {
-  static_assert(N >= 8);
+  static_assert(N >= 8 && N <= kSheafMost);
 
  public:
   void clear() { views_.clear(); }

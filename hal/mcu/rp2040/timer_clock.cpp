@@ -34,6 +34,7 @@ base::Time TimerClock::now() {
     const std::uint32_t high = reg(kTimerRawHigh);
     const std::uint32_t low = reg(kTimerRawLow);
     if (reg(kTimerRawHigh) != high) continue;
+    if (high == 0) return {low / 100};  // the first 71 minutes need no long division
     return {static_cast<std::int64_t>(((std::uint64_t{high} << 32) | low) / 100)};
   }
 }

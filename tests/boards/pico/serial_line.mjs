@@ -1,6 +1,9 @@
 // One of the part's UARTs at its own pace, which rp2040js leaves out: bytes come and go one at a time, the queue for
-// sending has 32 bytes, and what comes while the other queue is full is lost.
+// sending has 32 bytes, and what comes while the other queue is full is lost. Interrupts come as of the part: when a queue
+// is half full or half empty, or a byte has waited for 32 bits (RP2040 datasheet 4.2.6).
 const kQueue = 32;
+const kReceiveInterrupt = 1 << 4;
+const kReceiveTimeout = 1 << 6;
 const kSendFull = 1 << 5;
 const kSendInterrupt = 1 << 5;
 
@@ -19,6 +22,23 @@ export class SerialLine {
     Object.defineProperty(uart, 'flags', { get: () => flags.call(uart) | (this.sending.length >= kQueue ? kSendFull : 0) });
     uart.checkInterrupts = () => mcu.setInterrupt(uart.irq, !!(uart.interruptStatus & uart.interruptMask));
     uart.onByte = (byte) => this.take(byte);
+    this.timeoutAlarm = mcu.clock.createAlarm(() => this.raise(kReceiveTimeout));
+    const read = uart.readUint32.bind(uart);
+    uart.readUint32 = (offset) => {
+      const value = read(offset);
+      if (offset === 0 && uart.rxFIFO.empty) this.fall(kReceiveInterrupt | kReceiveTimeout);
+      return value;
+    };
+  }
+
+  raise(interrupt) {
+    if (!this.uart.rxFIFO.empty) this.uart.interruptStatus |= interrupt;
+    this.uart.checkInterrupts();
+  }
+
+  fall(interrupts) {
+    this.uart.interruptStatus &= ~interrupts;
+    this.uart.checkInterrupts();
   }
 
   get byteNanos() {
@@ -53,7 +73,12 @@ export class SerialLine {
     const byte = this.coming.shift();
     if (this.coming.length) this.receiveAlarm.schedule(this.byteNanos);
     if (!this.uart.enabled) return;
-    if (this.uart.rxFIFO.full) this.lost++;
-    else this.uart.feedByte(byte);
+    if (this.uart.rxFIFO.full) {
+      this.lost++;
+      return;
+    }
+    this.uart.rxFIFO.push(byte);
+    if (this.uart.rxFIFO.itemCount >= kQueue / 2) this.raise(kReceiveInterrupt);
+    this.timeoutAlarm.schedule(3.2 * this.byteNanos);
   }
 }
