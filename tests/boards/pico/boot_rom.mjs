@@ -5,6 +5,8 @@ const kLookUp = 0x180;
 const kFunctions = 0x200;
 const kSector = 4096;
 const kPage = 256;
+const kHang = 0x300; // b .
+const kHardFault = 3;
 const kFlashSize = 2 * 1024 * 1024; // the Pico's chip
 const kEraseNanos = 45e6; // W25Q16JV 9.6, typical
 const kProgramNanos = 0.4e6;
@@ -43,7 +45,22 @@ export class BootRom {
       rom.setUint16(kFunctions + 4 * i, 0xbe00 | i, true); // bkpt #i, and bx lr
       rom.setUint16(kFunctions + 4 * i + 2, 0x4770, true);
     });
-    mcu.onBreak = (number) => this.run(kCodes[number]);
+    rom.setUint16(kHang, 0xe7fe, true);
+    mcu.onBreak = (number) => (mcu.core.PC < 0x4000 ? this.run(kCodes[number]) : this.fault());
+  }
+
+  /** What rp2040js leaves out: an instruction that cannot be ends in a hard fault (Armv6-M B1.5). */
+  fault() {
+    const { core } = this.mcu;
+    core.waiting = false;
+    core.PC -= 2;
+    core.exceptionEntry(kHardFault);
+  }
+
+  /** The program is lost in an endless loop; interrupts still come. */
+  hang() {
+    this.mcu.core.PC = kHang;
+    this.mcu.core.waiting = false;
   }
 
   run(code) {

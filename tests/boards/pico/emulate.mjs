@@ -2,7 +2,7 @@
 //
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
-// has been sent. Others: `power`, `run-pin`; `usb plug|unplug|open|close|block|unblock`; `camera gone|back` (two-wire
+// has been sent. Others: `power`, `run-pin`, `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera gone|back` (two-wire
 // bus); `pin NUMBER 0|1`; `counts`, answered by a line of JSON.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
@@ -49,6 +49,8 @@ const commands = {
   },
   power: () => pico.start('power'),
   'run-pin': () => pico.start('run'),
+  fault: () => pico.rom.fault(),
+  hang: () => pico.rom.hang(),
   usb: (what) => ({
     plug: () => pico.usb.plug(),
     unplug: () => pico.usb.unplug(),
