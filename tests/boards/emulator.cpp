@@ -30,6 +30,7 @@ std::string make_folder() {
 std::string image_of(const std::string& board) { return FENCEPOST_IMAGES_DIR "/" + board + "/fencepost"; }
 
 Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()), control_(board.control) {
+  if (control_ >= 0) BenchClock::emulated = BenchClock::duration{0};  // before the lines look at it
   std::vector<std::string> sockets;
   for (std::size_t i = 0; i < board.lines; ++i) {
     sockets.push_back(folder_ + "/line" + std::to_string(i));
@@ -42,7 +43,6 @@ Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()), contro
   }
   if (control_ < 0) return;
   lines_[static_cast<std::size_t>(control_)].limit_pace(1e12);
-  BenchClock::emulated = BenchClock::duration{0};
 }
 
 Emulator::~Emulator() {

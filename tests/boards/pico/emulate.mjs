@@ -1,17 +1,19 @@
-// usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL
+// usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL [COUNTS]
 //
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
 // has been sent. Others: `power`, `run-pin`, `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera gone|back` (two-wire
-// bus); `pin NUMBER 0|1`; `counts`, answered by a line of JSON.
+// bus); `pin NUMBER 0|1`; `counts`, answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
+import { Counter } from './counter.mjs';
 import { Pico } from './pico.mjs';
 import { loadUf2 } from './uf2.mjs';
 
 const [image, ...paths] = process.argv.slice(2);
+const counter = paths.length === 5 ? new Counter(paths.pop()) : null;
 if (paths.length !== 4) {
-  console.error('usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL');
+  console.error('usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL [COUNTS]');
   process.exit(2);
 }
 
@@ -33,7 +35,7 @@ function outlet(socket) {
   return take;
 }
 const out = { console: outlet(consoleSocket), camera: outlet(cameraSocket), usb: outlet(usbSocket) };
-const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) });
+const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) }, counter);
 loadUf2(readFileSync(image), pico.flash);
 pico.start('power');
 
@@ -72,6 +74,11 @@ function obey(line) {
   if (!(word in commands)) throw Error(`no command: ${line}`);
   commands[word](...rest);
 }
+
+process.on('SIGTERM', () => {
+  counter?.write();
+  process.exit(0);
+});
 
 // After what came over the other sockets at the same time: it was sent before.
 let text = '';

@@ -12,9 +12,10 @@ const kCycleNanos = 8; // 125 MHz
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
 
 export class Pico {
-  /** `out`: where bytes go to: console(byte), camera(byte), usb(bytes). */
-  constructor(out) {
+  /** `out`: where bytes go to: console(byte), camera(byte), usb(bytes). `counter`: sees each instruction, or nothing. */
+  constructor(out, counter = null) {
     this.out = out;
+    this.counter = counter;
     this.past = 0;
     this.instructions = 0;
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
@@ -73,6 +74,7 @@ export class Pico {
     const { core, clock } = mcu;
     while (clock.nanos < until && !this.dead) {
       if (!core.waiting) {
+        if (this.counter !== null) this.counter.see(core);
         clock.nanosCounter += core.executeInstruction() * kCycleNanos;
         if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= clock.nanosCounter) clock.tick(0);
         this.instructions++;

@@ -1,7 +1,11 @@
 // The Raspberry Pi Pico's image in its emulator.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "tests/boards/bench.hpp"
+#include "tests/boards/counting.hpp"
 #include "tests/boards/faults.hpp"
 #include "tests/boards/pico/pico.hpp"
 #include "tests/boards/scenes.hpp"
@@ -29,6 +33,40 @@ TEST(Pico, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(pico())
 TEST(Pico, SurvivesGarbageOnAllLines) { expect_survives_garbage(pico()); }
 TEST(Pico, SurvivesOdometryThatStops) { expect_survives_odometry_loss(pico()); }
 TEST(Pico, SurvivesLinesThatAreCut) { expect_survives_cut_lines(pico()); }
+
+// A frame of eight objects, all that it sets in motion, against what firmware/image/sizes.csv says.
+TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
+  const std::string out = ::testing::TempDir() + "fencepost-pico-counts";
+  const auto arguments = counting_arguments(image_of("pico") + ".elf",
+                                            {{"turn", "image::Robot::work("},
+                                             {"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("},
+                                             {"line", "::take_line("},
+                                             {"input", "::settle("},
+                                             {"objects", "::update_matched("},
+                                             {"digest", "::chain_digest("},
+                                             {"alerts", "::watch_path("}},
+                                            out);
+  const SceneStream stream = stream_of(eight_boxes(4));
+  Bench bench(pico("pico", arguments.back()));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  for (const std::string& line : stream.calibration) bench.console().send(line);
+  bench.play(stream);
+  EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
+  bench.stop();
+  const Counts counts = read_counts(out);
+  for (const auto& [name, count] : counts) {
+    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
+    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
+                static_cast<double>(count.worst), static_cast<double>(count.calls));
+  }
+  const double frames = static_cast<double>(counts.at("digest").calls);
+  EXPECT_GT(frames, 100);
+  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed("pico", "frame")));
+  EXPECT_LE(counts.at("input").worst, committed("pico", "worst_frame"));
+  EXPECT_GT(counts.at("stack").sum, 1000U);
+  EXPECT_LE(counts.at("stack").sum, committed("pico", "stack"));
+}
 
 }  // namespace
 }  // namespace fencepost::test
