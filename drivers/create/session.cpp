@@ -5,6 +5,10 @@
 namespace fencepost::create {
 namespace {
 
+// Of a list of packets whose count was damaged up to 255 bytes are swallowed; this many a try.
+constexpr std::size_t kPadding = 32;
+constexpr std::uint8_t kTriesToPadding = 2;
+
 /// 33 frames.
 constexpr base::Duration kPatience = base::milliseconds(500);
 /// A robot does not start faster.
@@ -110,9 +114,11 @@ void Session::ask_for_stream(base::Time now) {
   begun_ = true;
   deadline_ = now + kPatience;
   ++counts_.starts;
-  base::FixedVector<std::uint8_t, 8> bytes;
+  base::FixedVector<std::uint8_t, 8 + kPadding> bytes;
   bool stored = true;
   const auto put = [&](std::uint8_t byte) { stored = bytes.push_back(byte) && stored; };
+  // A robot that took damaged bytes for the start of a long command waits for its rest, and swallows what we ask.
+  for (std::size_t i = 0; whole && tries_ > kTriesToPadding && i < kPadding; ++i) put(kStart);
   if (whole) put(kStart);
   if (whole && config_.mode != Mode::kPassive) put(config_.mode == Mode::kSafe ? kSafe : kFull);
   put(kStream);

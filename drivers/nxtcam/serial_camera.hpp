@@ -35,6 +35,8 @@ class SerialCamera {
   [[nodiscard]] std::uint32_t dropped() const { return 0; }  // eight objects fit
   /// Packets with a wrong end or an object that cannot be.
   [[nodiscard]] std::uint32_t damaged() const { return scanner_.damaged(); }
+  /// Frames dropped because they came in one heap with an earlier one: held up on the way.
+  [[nodiscard]] std::uint32_t stale() const { return stale_; }
   /// The line that follows the acknowledged version request.
   [[nodiscard]] std::string_view version() const { return version_.view(); }
 
@@ -64,6 +66,11 @@ class SerialCamera {
       heard_ = now;
       step_ = Step::kTrack;
       state_ = frame->blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
+      if (last_ && t <= *last_) {
+        ++stale_;
+        return;
+      }
+      last_ = t;
       frame->t = t;
       frame->frame = count_++;
       frame_ = *frame;
@@ -130,6 +137,8 @@ class SerialCamera {
   std::optional<base::Time> next_;
   base::Time heard_;
   std::uint32_t count_ = 0;
+  std::uint32_t stale_ = 0;
+  std::optional<base::Time> last_;
   base::FixedString<32> version_;
   std::optional<sensor::BlobFrame> frame_;
 };

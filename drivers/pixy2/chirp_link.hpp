@@ -66,7 +66,10 @@ class ChirpLink {
   void send(const chirp::Transfer& transfer) { wire::replace(outbox_, transfer.view()); }
 
   void take_request(std::span<const std::uint8_t> message) {
-    if (phase_ == Phase::kOpen && unanswered_++ >= kUnansweredToClose) phase_ = Phase::kClosed;
+    // One request at a time: a message that is not whole yet answers none any more, and would swallow the next.
+    messages_.reset();
+    // In each phase: a camera switched off and on has forgotten how far we were.
+    if (phase_ != Phase::kClosed && unanswered_++ >= kUnansweredToClose) phase_ = Phase::kClosed;
     switch (phase_) {
       case Phase::kClosed: return send(chirp::initialise());
       case Phase::kInitialised: return send(chirp::enumerate("ser_packet"));
@@ -79,6 +82,7 @@ class ChirpLink {
     if (!message) return;
     if (message->type == chirp::Type::kInitialised && phase_ == Phase::kClosed && message->result == 0) {
       phase_ = Phase::kInitialised;
+      unanswered_ = 0;
       send(chirp::enumerate("ser_packet"));
     } else if (message->type == chirp::Type::kEnumerated && phase_ == Phase::kInitialised && message->result >= 0) {
       phase_ = Phase::kOpen;

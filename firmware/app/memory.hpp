@@ -9,6 +9,7 @@
 #include "firmware/app/alerts.hpp"
 #include "firmware/app/console_state.hpp"
 #include "firmware/app/counters.hpp"
+#include "firmware/app/journal.hpp"
 #include "firmware/app/output_queue.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
@@ -63,6 +64,7 @@ struct Memory {
   Counters counters;
   ConsoleState console;
   OutputQueue<Profile::kOutputBytes> output;
+  [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
 };
 
 /// What is still to come into the same budget: the hybrid, the pose correction.

@@ -212,10 +212,10 @@ class Pipeline {
   template <class Input>
   [[nodiscard]] bool loggable(const Input& input) {
     if (m_.run.testing) return false;
-    if (m_.console.mode == Mode::kLog) {
-      return m_.run.told && !telling_.stands_back() && m_.output.put(input);
-    }
-    m_.run.whole = m_.run.header_due = false;  // a log that begins now does not hold the whole run
+    const bool shown = m_.console.mode == Mode::kLog;
+    if (!shown) m_.run.whole = false;  // a log that begins now does not hold the whole run
+    if (telling_.logs()) return m_.run.told && !(shown && telling_.stands_back()) && telling_.put_in_logs(input);
+    m_.run.header_due = false;
     return true;
   }
 

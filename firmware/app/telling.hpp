@@ -29,6 +29,17 @@ class Telling {
   explicit Telling(Memory<Profile>& memory) : m_(memory) {}
 
   [[nodiscard]] bool shown_in(Mode mode) const { return m_.console.mode == mode && !m_.run.testing; }
+  /// Records are told: to the console, or to the journal.
+  [[nodiscard]] bool logs() const { return (m_.console.mode == Mode::kLog || m_.journal.on()) && !m_.run.testing; }
+  /// Into each of them, or into none.
+  template <class Record>
+  [[nodiscard]] bool put_in_logs(const Record& record) {
+    const bool shown = m_.console.mode == Mode::kLog;
+    if (m_.journal.on() && !m_.journal.has_room()) return false;
+    if (shown && !m_.output.put(record)) return false;
+    return !m_.journal.on() || m_.journal.put(record);
+  }
+
   /// Reports and inputs stand back for an answer that has waited too long.
   [[nodiscard]] bool stands_back() const { return m_.console.turns_without_room >= kPatience; }
 
@@ -46,8 +57,7 @@ class Telling {
 
   /// Before an input: all of it again from time to time, so that a recording may begin anywhere.
   void calibration_if_due() {
-    if (shown_in(Mode::kLog) && m_.run.told && m_.run.time &&
-        m_.run.calibration_at.since(*m_.run.time) >= kRepeatCalibration) {
+    if (logs() && m_.run.told && m_.run.time && m_.run.calibration_at.since(*m_.run.time) >= kRepeatCalibration) {
       m_.run.telling = 0;
       m_.run.calibration_at = Stamp(*m_.run.time);
     }
@@ -57,7 +67,7 @@ class Telling {
   /// Mode log: one record at a time, as the queue has room; inputs wait for it, so that none is used before the log
   /// says how.
   void calibration() {
-    if (!shown_in(Mode::kLog)) return;
+    if (!logs()) return;
     while (m_.run.telling < setting_records() + config::kKeys) {
       if (!calibration_record(m_.run.telling)) return;
       ++m_.run.telling;
@@ -66,6 +76,7 @@ class Telling {
   }
 
   void alert(const record::AlertReport& report) {
+    journal_or_drop(report);
     if (!m_.console.alerts) return;
     if (shown_in(Mode::kLog)) put_or_drop(report);
     if (!shown_in(Mode::kText)) return;
@@ -79,12 +90,12 @@ class Telling {
   }
 
   void digest(std::uint32_t frame) {
-    if (!shown_in(Mode::kLog) || m_.map.frames() % kDigestEvery != 0) return;
-    put_or_drop(record::DigestReport{frame, m_.map.digest()});
+    if (!logs() || m_.map.frames() % kDigestEvery != 0) return;
+    report(record::DigestReport{frame, m_.map.digest()});
   }
 
   void objects(base::Time now) {
-    if (!shown_in(Mode::kLog)) return;
+    if (!logs()) return;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::ObjectCore& object = m_.map.slots()[o];
       if (!object.used() || !object.cylinder.estimate().ok()) continue;
@@ -94,14 +105,21 @@ class Telling {
       const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
       if (!changed && !due) continue;
       last = {object.id, state, Stamp(now)};
-      put_or_drop(report_object(object, see_obstacle(object, m_.poses.latest(), {}), now));
+      report(report_object(object, see_obstacle(object, m_.poses.latest(), {}), now));
     }
   }
 
   void status() {
-    if (!shown_in(Mode::kLog) || !m_.run.time || m_.run.status_at.since(*m_.run.time) < kStatusInterval) return;
+    if (!logs() || !m_.run.time || m_.run.status_at.since(*m_.run.time) < kStatusInterval) return;
     m_.run.status_at = Stamp(*m_.run.time);
-    put_or_drop(report_status(*m_.run.time, m_.counters, m_.map.size()));
+    report(report_status(*m_.run.time, m_.counters, m_.map.size()));
+  }
+
+  /// To whoever gets records; dropped and counted where there is no room.
+  template <class Record>
+  void report(const Record& record) {
+    journal_or_drop(record);
+    if (shown_in(Mode::kLog)) put_or_drop(record);
   }
 
   /// A line for people, dropped and counted if there is no room.
@@ -122,13 +140,18 @@ class Telling {
   [[nodiscard]] bool calibration_record(std::size_t index) {
     if (index == kHeaderRecord) {
       if (!m_.run.header_due) return true;
-      m_.run.header_due = !m_.output.put(*m_.run.header);
+      m_.run.header_due = !put_in_logs(*m_.run.header);
       return !m_.run.header_due;
     }
-    if (index == kCameraRecord) return !m_.calibration.known || m_.output.put(m_.calibration.intrinsics);
-    if (index < setting_records()) return m_.output.put(m_.signatures[index - kSignatureRecords]);
+    if (index == kCameraRecord) return !m_.calibration.known || put_in_logs(m_.calibration.intrinsics);
+    if (index < setting_records()) return put_in_logs(m_.signatures[index - kSignatureRecords]);
     const auto key = static_cast<config::Key>(index - setting_records());
-    return m_.output.put(record::Setting{config::info(key).name, m_.settings.text(key)});
+    return put_in_logs(record::Setting{config::info(key).name, m_.settings.text(key)});
+  }
+
+  template <class Record>
+  void journal_or_drop(const Record& record) {
+    if (m_.journal.on() && !m_.run.testing && !m_.journal.put(record)) ++m_.counters.records_dropped;
   }
 
   template <class Record>

@@ -19,6 +19,7 @@ struct Micro {
   static constexpr std::size_t kSheafViews = 0;     ///< no room: the sheaf is absent
   static constexpr std::size_t kSheafPosts = 0;
   static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
+  static constexpr std::size_t kJournalBytes = 0;     ///< of a log beside the console: a brain with a disk has one
   static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included
   static constexpr std::size_t kHybridReserve = 512;  ///< bytes an object, for the tangent-space filter
   static constexpr std::size_t kPoseReserve = 1024;   ///< bytes, for the pose correction by landmarks
@@ -36,6 +37,7 @@ struct Small {
   static constexpr std::size_t kSheafViews = 36;  ///< 32 bytes each; one every 10 degrees of a whole tour
   static constexpr std::size_t kSheafPosts = 72;  ///< vertices of its hull, no part of Memory: two for each view
   static constexpr std::size_t kOutputBytes = 4096;
+  static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 64 * 1024;
   static constexpr std::size_t kHybridReserve = 1200;
   static constexpr std::size_t kPoseReserve = 1536;
@@ -53,6 +55,7 @@ struct Full {
   static constexpr std::size_t kSheafViews = 75;  ///< 32 bytes each; the paper's tour, whole
   static constexpr std::size_t kSheafPosts = 192;
   static constexpr std::size_t kOutputBytes = 16384;
+  static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 320 * 1024;
   static constexpr std::size_t kHybridReserve = 1200;
   static constexpr std::size_t kPoseReserve = 1536;

@@ -88,25 +88,38 @@ struct Cut {
   std::size_t kept = 0;
 };
 
+/// A bit a vertex, for more of them than any profile has.
+class Flags {
+ public:
+  void set(std::size_t i) { words_[i / 32] |= 1U << (i % 32); }
+  [[nodiscard]] bool operator[](std::size_t i) const { return (words_[i / 32] >> (i % 32) & 1U) != 0; }
+
+ private:
+  std::array<std::uint32_t, kMostVertices / 32> words_{};
+};
+
 Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
-  const auto is_outside = [&](std::size_t i) { return outside_by(half_plane, v[i]) > kShallowestCut; };
+  Flags is_outside;
   Cut cut;
   std::size_t innermost = 0;
-  float lowest = outside_by(half_plane, v[0]);
-  float highest = lowest;
-  for (std::size_t i = 1; i < size; ++i) {
+  float lowest = 0;
+  for (std::size_t i = 0; i < size; ++i) {
     const float d = outside_by(half_plane, v[i]);
-    if (d < lowest) innermost = i;
-    lowest = std::min(lowest, d);
-    highest = std::max(highest, d);
+    if (d > kShallowestCut) {
+      is_outside.set(i);
+      cut.any_outside = true;
+    }
+    if (i == 0 || d < lowest) {
+      innermost = i;
+      lowest = d;
+    }
   }
-  cut.any_outside = highest > kShallowestCut;
-  cut.any_inside = lowest <= kShallowestCut;
+  cut.any_inside = !is_outside[innermost];
   if (!cut.any_outside || !cut.any_inside) return cut;
   cut.first_in = cut.last_in = innermost;
   cut.kept = 1;
-  for (; !is_outside(next(cut.last_in, size)); ++cut.kept) cut.last_in = next(cut.last_in, size);
-  for (; !is_outside(previous(cut.first_in, size)); ++cut.kept) cut.first_in = previous(cut.first_in, size);
+  for (; !is_outside[next(cut.last_in, size)]; ++cut.kept) cut.last_in = next(cut.last_in, size);
+  for (; !is_outside[previous(cut.first_in, size)]; ++cut.kept) cut.first_in = previous(cut.first_in, size);
   return cut;
 }
 

@@ -16,6 +16,9 @@ inline constexpr float kArenaHalfSide = 2.0F;
 /// Cuts shallower than this are not made (m): they would only breed slivers. The polygon stays on the safe side.
 inline constexpr float kShallowestCut = 1e-6F;
 
+/// Of a polygon that clip_convex takes.
+inline constexpr std::size_t kMostVertices = 256;
+
 struct Bounds {
   Vec2 low{0, 0};
   Vec2 high{0, 0};
@@ -32,7 +35,7 @@ Bounds bounds_of(std::span<const Vec2> vertices);
 /// A convex polygon of at most N vertices, local frame, metres, counter-clockwise.
 template <std::size_t N>
 class ConvexClip {
-  static_assert(N >= 8);
+  static_assert(N >= 8 && N <= kMostVertices);
 
  public:
   /// The full square around the local origin.

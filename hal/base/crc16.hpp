@@ -6,13 +6,12 @@
 
 namespace fencepost::base {
 
-/// Feeds one more byte. Bitwise: 16 table-free bytes of code matter more than cycles on the smallest part.
+/// Feeds one more byte. All eight steps at once: the polynomial has three terms below the leading one, so what leaves
+/// at the top comes back in three places, once more four bits on.
 constexpr std::uint16_t crc16_step(std::uint16_t crc, std::uint8_t byte) {
-  unsigned value = static_cast<unsigned>(crc) ^ (static_cast<unsigned>(byte) << 8U);
-  for (int bit = 0; bit < 8; ++bit) {
-    value = (value & 0x8000U) != 0 ? (value << 1U) ^ 0x1021U : value << 1U;
-  }
-  return static_cast<std::uint16_t>(value & 0xFFFFU);
+  unsigned top = (static_cast<unsigned>(crc) >> 8U) ^ byte;
+  top ^= top >> 4U;
+  return static_cast<std::uint16_t>(((static_cast<unsigned>(crc) << 8U) ^ (top << 12U) ^ (top << 5U) ^ top) & 0xFFFFU);
 }
 
 constexpr std::uint16_t crc16(std::string_view text) {

@@ -1,9 +1,13 @@
 #include "hal/linux/usb_device.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fencepost::linux {
 namespace {
@@ -13,12 +17,6 @@ std::string hexadecimal(std::uint16_t value) {
   std::string text;
   for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[static_cast<std::size_t>(value >> shift) & 0xFU];
   return text;
-}
-
-std::string name_of(const UsbSettings& settings) {
-  std::string name = hexadecimal(settings.vendor) + ":" + hexadecimal(settings.product);
-  if (!settings.serial.empty()) name += " with serial number " + settings.serial;
-  return name;
 }
 
 std::string remedy(int error, const UsbSettings& settings) {
@@ -36,6 +34,31 @@ std::string remedy(int error, const UsbSettings& settings) {
 Problem problem_with(const UsbSettings& settings, int error) {
   return {"cannot open the USB device " + name_of(settings) + ": " + libusb_strerror(error) + "; " +
           remedy(error, settings)};
+}
+
+/// Contexts that nobody uses now. What they hear of plugging meanwhile waits in them, some bytes each time.
+class Shelf {
+ public:
+  void put(libusb_context* context) {
+    const std::lock_guard lock(mutex_);
+    contexts_.push_back(context);
+  }
+  libusb_context* take() {
+    const std::lock_guard lock(mutex_);
+    if (contexts_.empty()) return nullptr;
+    libusb_context* context = contexts_.back();
+    contexts_.pop_back();
+    return context;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<libusb_context*> contexts_;
+};
+
+Shelf& shelf() {
+  static auto* const kept = new Shelf;  // never destroyed: threads may outlive the end of main
+  return *kept;
 }
 
 struct FreeList {
@@ -84,7 +107,24 @@ Opened<UsbDevice> use(UsbHandle handle, const UsbSettings& settings) {
 
 }  // namespace
 
+std::string name_of(const UsbSettings& settings) {
+  std::string name = hexadecimal(settings.vendor) + ":" + hexadecimal(settings.product);
+  if (!settings.serial.empty()) name += " with serial number " + settings.serial;
+  return name;
+}
+
+bool udev_runs() { return ::access("/run/udev/control", F_OK) == 0; }
+
+void CloseUsbContext::operator()(libusb_context* context) const {
+  if (udev_runs()) {
+    shelf().put(context);
+  } else {
+    libusb_exit(context);
+  }
+}
+
 Opened<UsbContext> open_usb() {
+  if (libusb_context* kept = udev_runs() ? shelf().take() : nullptr) return UsbContext(kept);
   libusb_context* context = nullptr;
   const int error = libusb_init(&context);
   if (error == 0) return UsbContext(context);

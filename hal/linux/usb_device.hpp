@@ -5,14 +5,17 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 #include "hal/linux/opened.hpp"
 #include "hal/linux/usb_settings.hpp"
 
 namespace fencepost::linux {
 
+/// Where udev runs, a context is put aside for the next open_usb() and never closed: libusb_exit races with the thread
+/// that hears of plugging, and hung or crashed (libusb up to 1.0.26; its issues 1366 and 1445).
 struct CloseUsbContext {
-  void operator()(libusb_context* context) const { libusb_exit(context); }
+  void operator()(libusb_context* context) const;
 };
 using UsbContext = std::unique_ptr<libusb_context, CloseUsbContext>;
 
@@ -26,6 +29,12 @@ struct UsbDevice {
   UsbHandle handle;
   std::size_t packet = 0;  ///< bytes, the smaller of both endpoints' largest
 };
+
+/// "0694:0002 with serial number 0016530A1B2C".
+std::string name_of(const UsbSettings& settings);
+
+/// Whether libusb hears from udev what is plugged and unplugged.
+bool udev_runs();
 
 /// A fresh context sees the devices of this moment; an old one sees later ones only where udev runs.
 Opened<UsbContext> open_usb();

@@ -7,17 +7,21 @@
 namespace fencepost::linux {
 namespace {
 
-Opened<std::unique_ptr<UsbWorker>> start(const UsbSettings& settings) {
+Opened<UsbWorkerOwner> start(const UsbSettings& settings) {
   Opened<SignalFlag> news = SignalFlag::open();
   if (!news) return Problem{news.problem()};
-  auto worker = std::make_unique<UsbWorker>(settings, std::move(*news));
+  UsbWorkerOwner worker(new UsbWorker(settings, std::move(*news)));
   if (!worker->first_try()) return Problem{worker->problem()};
   return worker;
 }
 
 }  // namespace
 
-UsbPipes::UsbPipes(std::unique_ptr<UsbWorker> worker) : worker_(std::move(worker)) {}
+void EndUsbWorker::operator()(UsbWorker* worker) const {
+  if (worker->stop()) delete worker;
+}
+
+UsbPipes::UsbPipes(UsbWorkerOwner worker) : worker_(std::move(worker)) {}
 UsbPipes::~UsbPipes() = default;
 UsbPipes::UsbPipes(UsbPipes&&) noexcept = default;
 UsbPipes& UsbPipes::operator=(UsbPipes&&) noexcept = default;
@@ -29,7 +33,7 @@ UsbCounters UsbPipes::counters() const { return worker_->counters(); }
 int UsbPipes::descriptor() const { return worker_->descriptor(); }
 
 Opened<UsbPacketLink> UsbPacketLink::open(const UsbSettings& settings) {
-  Opened<std::unique_ptr<UsbWorker>> worker = start(settings);
+  Opened<UsbWorkerOwner> worker = start(settings);
   if (!worker) return Problem{worker.problem()};
   return UsbPacketLink(std::move(*worker));
 }
@@ -38,7 +42,7 @@ base::Result<std::size_t> UsbPacketLink::send(std::span<const std::uint8_t> out)
 base::Result<std::size_t> UsbPacketLink::receive(std::span<std::uint8_t> in) { return worker_->receive(in); }
 
 Opened<UsbByteLink> UsbByteLink::open(const UsbSettings& settings) {
-  Opened<std::unique_ptr<UsbWorker>> worker = start(settings);
+  Opened<UsbWorkerOwner> worker = start(settings);
   if (!worker) return Problem{worker.problem()};
   return UsbByteLink(std::move(*worker));
 }

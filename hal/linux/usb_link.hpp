@@ -18,6 +18,13 @@ namespace fencepost::linux {
 
 class UsbWorker;
 
+/// Ends its thread, and waits for that no longer than the settings' patience: a thread that hangs in libusb or in the
+/// kernel keeps the worker, and destroys it when it comes back.
+struct EndUsbWorker {
+  void operator()(UsbWorker* worker) const;
+};
+using UsbWorkerOwner = std::unique_ptr<UsbWorker, EndUsbWorker>;
+
 /// What went wrong on a link that is still there, since it was opened.
 struct UsbCounters {
   std::uint32_t stalls = 0;        ///< the device halted a pipe; it was started again
@@ -44,19 +51,19 @@ class UsbPipes {
   [[nodiscard]] int descriptor() const;
 
  protected:
-  explicit UsbPipes(std::unique_ptr<UsbWorker> worker);
+  explicit UsbPipes(UsbWorkerOwner worker);
   ~UsbPipes();
   UsbPipes(UsbPipes&&) noexcept;
   UsbPipes& operator=(UsbPipes&&) noexcept;
 
-  std::unique_ptr<UsbWorker> worker_;
+  UsbWorkerOwner worker_;
 };
 
 /// One transfer a telegram; one of at most an endpoint's packet (64 bytes at full speed, 512 at high speed).
 class UsbPacketLink final : public UsbPipes {
  public:
-  /// Waits for the first try to end, a few milliseconds where the device answers.
-  /// errors: a sentence: no such device, not allowed, in use by another program.
+  /// Waits for the first try to end, a few milliseconds where the device answers, at most the settings' patience.
+  /// errors: a sentence: no such device, not allowed, in use by another program, no answer.
   static Opened<UsbPacketLink> open(const UsbSettings& settings);
 
   /// errors also: kRefused: longer than a packet.

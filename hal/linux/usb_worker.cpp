@@ -1,7 +1,5 @@
 #include "hal/linux/usb_worker.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -15,19 +13,32 @@ constexpr unsigned kWriteTimeoutMs = 1000;
 }  // namespace
 
 UsbWorker::UsbWorker(UsbSettings settings, SignalFlag news) : settings_(std::move(settings)), news_(std::move(news)) {
-  for (std::size_t i = 0; i < kReads; ++i)
-    reads_.push_back(std::make_unique<UsbTransfer>([this](const UsbTransfer& done) { take_read(done); }));
-  write_ = std::make_unique<UsbTransfer>([this](const UsbTransfer& done) { take_write(done); });
-  thread_ = std::thread([this] { run(); });
+  make_transfers();
+  thread_ = std::thread([this] {
+    run();
+    end();
+  });
 }
 
 UsbWorker::~UsbWorker() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-    wake();
-  }
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+}
+
+bool UsbWorker::stop() {
+  std::unique_lock lock(mutex_);
+  stop_ = true;
+  wake();
+  if (tried_.wait_for(lock, patience(), [this] { return over_; })) return true;
+  left_ = true;
+  thread_.detach();
+  return false;
+}
+
+void UsbWorker::make_transfers() {
+  reads_.clear();
+  for (std::size_t i = 0; i < kReads; ++i)
+    reads_.push_back(std::make_unique<UsbTransfer>([this](const UsbTransfer& done) { take_read(done); }));
+  write_ = std::make_unique<UsbTransfer>([this](const UsbTransfer& done) { take_write(done); });
 }
 
 void UsbWorker::run() {
@@ -41,8 +52,19 @@ void UsbWorker::run() {
     wait_for_events();
   }
   if (device_.handle) let_go();
-  const std::lock_guard lock(mutex_);
-  to_wake_ = nullptr;
+  release_context();
+}
+
+// The owner destroys the worker once it is over, unless it has given up waiting for that.
+void UsbWorker::end() {
+  bool mine = false;
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+    mine = left_;
+    tried_.notify_all();
+  }
+  if (mine) delete this;
 }
 
 bool UsbWorker::asked_to_stop() {
@@ -73,15 +95,11 @@ void UsbWorker::look_for_device() {
   tried_.notify_all();
 }
 
-// Where udev runs, libusb hears from it what came and went, and a context is kept: closing one at the moment when udev
-// tells of an unplug hung with libusb 1.0.26. Elsewhere only a fresh context sees what is there.
+// Where udev runs, libusb hears from it what came and went, and a context is kept. Elsewhere only a fresh context sees
+// what is there.
 std::string UsbWorker::renew_context() {
-  if (context_ && ::access("/run/udev/control", F_OK) == 0) return {};
-  {
-    const std::lock_guard lock(mutex_);
-    to_wake_ = nullptr;
-  }
-  context_.reset();
+  if (context_ && udev_runs()) return {};
+  release_context();
   Opened<UsbContext> context = open_usb();
   if (!context) return context.problem();
   context_ = std::move(*context);
@@ -91,11 +109,22 @@ std::string UsbWorker::renew_context() {
   return {};
 }
 
+void UsbWorker::release_context() {
+  {
+    const std::lock_guard lock(mutex_);
+    to_wake_ = nullptr;
+  }
+  // It may be put aside for another worker, which must not hear of ours.
+  if (context_ && watch_ != 0) libusb_hotplug_deregister_callback(context_.get(), std::exchange(watch_, 0));
+  context_.reset();
+}
+
 // Where this fails, as without udev, tend() finds the device all the same.
 void UsbWorker::watch_plugging() {
   constexpr int kEvents = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
-  libusb_hotplug_register_callback(context_.get(), kEvents, 0, settings_.vendor, settings_.product,
-                                   LIBUSB_HOTPLUG_MATCH_ANY, &on_plugging, this, nullptr);
+  const int error = libusb_hotplug_register_callback(context_.get(), kEvents, 0, settings_.vendor, settings_.product,
+                                                     LIBUSB_HOTPLUG_MATCH_ANY, &on_plugging, this, &watch_);
+  if (error != 0) watch_ = 0;
 }
 
 // Called by this thread, from within libusb.
@@ -195,8 +224,21 @@ void UsbWorker::count_failure(std::uint32_t UsbCounters::*counter) {
   ++(counters_.*counter);
 }
 
-// The kernel gives every transfer back before its device may be closed.
+// The kernel gives every transfer back before its device may be closed; of one that it keeps nothing may be touched.
 void UsbWorker::let_go() {
+  if (take_transfers_back()) {
+    device_.handle.reset();
+  } else {
+    abandon();
+  }
+  gone_ = read_halted_ = write_halted_ = false;
+  const std::lock_guard lock(mutex_);
+  connected_ = false;
+  outbox_.clear();
+  news_.raise();
+}
+
+bool UsbWorker::take_transfers_back() {
   const auto busy = [this] {
     return write_->in_flight() ||
            std::any_of(reads_.begin(), reads_.end(), [](const auto& r) { return r->in_flight(); });
@@ -204,13 +246,34 @@ void UsbWorker::let_go() {
   for (auto& read : reads_) read->cancel();
   write_->cancel();
   timeval slice{0, 10'000};
-  while (busy()) libusb_handle_events_timeout_completed(context_.get(), &slice, nullptr);
-  device_.handle.reset();
-  gone_ = read_halted_ = write_halted_ = false;
-  const std::lock_guard lock(mutex_);
-  connected_ = false;
-  outbox_.clear();
-  news_.raise();
+  const auto deadline = std::chrono::steady_clock::now() + patience();
+  while (busy() && std::chrono::steady_clock::now() < deadline) {
+    libusb_handle_events_timeout_completed(context_.get(), &slice, nullptr);
+  }
+  return !busy();
+}
+
+// Nobody handles the events of an abandoned context: none of its transfers calls back any more.
+void UsbWorker::abandon() {
+  struct Abandoned {
+    UsbContext context;
+    UsbDevice device;
+    std::vector<std::unique_ptr<UsbTransfer>> transfers;
+  };
+  static auto* const kept = new std::deque<Abandoned>;  // until the program ends, and the kernel takes all
+  static std::mutex mutex;
+  {
+    const std::lock_guard lock(mutex_);
+    to_wake_ = nullptr;
+  }
+  watch_ = 0;
+  reads_.push_back(std::move(write_));
+  {
+    const std::lock_guard lock(mutex);
+    kept->push_back({std::move(context_), std::move(device_), std::move(reads_)});
+  }
+  device_ = {};
+  make_transfers();
 }
 
 void UsbWorker::wait_for_events() {

@@ -4,6 +4,7 @@
 #include <libusb-1.0/libusb.h>
 
 #include <array>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -29,13 +30,16 @@ class UsbWorker {
   using Bytes = std::vector<std::uint8_t>;
 
   UsbWorker(UsbSettings settings, SignalFlag news);
+  /// After stop().
   ~UsbWorker();
   UsbWorker(const UsbWorker&) = delete;
   UsbWorker& operator=(const UsbWorker&) = delete;
 
-  // The loop's side; none of these waits but the first.
-  /// Asks for a try and waits for its end; whether the device is there.
+  // The loop's side; none of these waits but the first two.
+  /// Asks for a try and waits for its end, no longer than the patience; whether the device is there.
   bool first_try();
+  /// Asks the thread to end and waits likewise. False: it hangs, and destroys this worker when it comes back.
+  [[nodiscard]] bool stop();
   void tend(base::Time now);
   base::Result<std::size_t> send(std::span<const std::uint8_t> out, bool whole);
   base::Result<std::size_t> receive(std::span<std::uint8_t> in);
@@ -48,10 +52,12 @@ class UsbWorker {
  private:
   // The thread's side.
   void run();
+  void end();
   bool asked_to_stop();
   bool take_request();
   void look_for_device();
   std::string renew_context();
+  void release_context();
   void watch_plugging();
   void keep_transfers_going();
   void submit_reads();
@@ -59,6 +65,9 @@ class UsbWorker {
   void restart_halted();
   bool restart(unsigned char endpoint);
   void let_go();
+  bool take_transfers_back();
+  void abandon();
+  void make_transfers();
   void wait_for_events();
   void after_transfer(const UsbTransfer& transfer);
   void take_read(const UsbTransfer& transfer);
@@ -71,6 +80,9 @@ class UsbWorker {
   void wake();
   [[nodiscard]] base::Error nothing_to_read();
   void drop_front();
+  [[nodiscard]] std::chrono::microseconds patience() const {
+    return std::chrono::microseconds(settings_.patience.raw * 100);
+  }
 
   static constexpr std::size_t kReads = 4;    ///< in flight: the device never waits for the thread to ask again
   static constexpr std::size_t kInbox = 64;   ///< telegrams; beyond it the device is not asked for more
@@ -91,6 +103,8 @@ class UsbWorker {
   bool requested_ = true;
   bool first_try_over_ = false;
   bool stop_ = false;
+  bool over_ = false;     ///< the thread is at its end
+  bool left_ = false;     ///< to the thread, which hung
   bool starved_ = false;  ///< reads wait for room in the inbox
   libusb_context* to_wake_ = nullptr;
   SignalFlag news_;
@@ -99,6 +113,7 @@ class UsbWorker {
 
   // The thread's, from here on.
   UsbContext context_;
+  libusb_hotplug_callback_handle watch_ = 0;
   UsbDevice device_;
   std::vector<std::unique_ptr<UsbTransfer>> reads_;
   std::unique_ptr<UsbTransfer> write_;

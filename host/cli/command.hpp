@@ -26,10 +26,13 @@ struct Command {
 const std::vector<Command>& commands();
 
 Command demo_command();
+Command record_command();
 Command replay_command();
 Command report_command();
 Command simulate_command();
 Command evaluate_command();
 Command import_command();
+Command run_command();
+Command emulate_command();
 
 }  // namespace fencepost::host::cli

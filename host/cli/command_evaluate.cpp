@@ -79,7 +79,7 @@ Evaluation evaluate_pair(const Request& request, std::size_t pair) {
   const std::string name = input_name(request.logs[pair]);
   EvaluateOutcome outcome = evaluate(read_input(request.logs[pair]), name, scene, request.options);
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
-  say_what_was_left_out(outcome.replay);
+  say_what_was_left_out(outcome.replay, request.logs.size() > 1 ? name : "");
   outcome.evaluation.log = name;
   outcome.evaluation.scene = input_name(request.scenes[pair]);
   if (!request.models.empty()) keep_models(outcome.evaluation, request.models);

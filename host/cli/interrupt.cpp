@@ -25,6 +25,7 @@ extern "C" void on_interrupt(int) {
 void handle_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 RemoveOnInterrupt::RemoveOnInterrupt(const std::string& path) {

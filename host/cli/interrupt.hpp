@@ -5,7 +5,8 @@
 
 namespace fencepost::host::cli {
 
-/// From here on an interrupt ends the program with exit code 130, and a closed pipe is an error of write().
+/// From here on an interrupt ends the program with exit code 130; a closed pipe and a file that may not grow are errors
+/// of write().
 void handle_interrupts();
 
 /// While it lives, an interrupt removes that file. One at a time.

@@ -28,8 +28,9 @@ const char* reject_remedy(record::Reject reason) {
   return "";
 }
 
-void say_refused(std::uint64_t count, const char* reason, const char* remedy) {
-  if (count > 0) say(fmt::format("{} frame{} refused: {} ({})", count, count == 1 ? "" : "s", reason, remedy));
+void say_refused(const std::string& where, std::uint64_t count, const char* reason, const char* remedy) {
+  if (count == 0) return;
+  say(fmt::format("{}{} frame{} refused: {} ({})", where, count, count == 1 ? "" : "s", reason, remedy));
 }
 
 /// Keeps the first calibration of a stream.
@@ -75,20 +76,21 @@ sensor::CameraIntrinsics read_camera(const std::string& path) {
                                        "another log of this robot into a file");
 }
 
-void say_what_was_left_out(const ReplayOutcome& outcome) {
+void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name) {
+  const std::string where = log_name.empty() ? "" : log_name + ": ";
   const LogCounts& log = outcome.result.log;
   for (std::size_t i = 0; i < log.rejected.size(); ++i) {
     const auto reason = static_cast<record::Reject>(i);
     const RejectedLines& lines = log.rejected[i];
     if (lines.count == 0) continue;
-    say(fmt::format("{} line{} rejected: {}, first in line {} ({})", lines.count, lines.count == 1 ? "" : "s",
+    say(fmt::format("{}{} line{} rejected: {}, first in line {} ({})", where, lines.count, lines.count == 1 ? "" : "s",
                     record::name(reason), lines.first_line, reject_remedy(reason)));
   }
-  say_refused(log.refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clock");
-  say_refused(log.refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
-  say_refused(log.refused.no_camera, "no_camera", "no $FPCAM before them: give one with --camera");
-  say_refused(log.refused.queue, "queue", "the log could not keep up: use a faster port");
-  for (const std::string& complaint : outcome.complaints) say(complaint);
+  say_refused(where, log.refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clock");
+  say_refused(where, log.refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
+  say_refused(where, log.refused.no_camera, "no_camera", "no $FPCAM before them: give one with --camera");
+  say_refused(where, log.refused.queue, "queue", "the log could not keep up: use a faster port");
+  for (const std::string& complaint : outcome.complaints) say(where + complaint);
 }
 
 }  // namespace fencepost::host::cli

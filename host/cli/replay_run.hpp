@@ -17,7 +17,8 @@ Scene read_scene(const std::string& path);
 /// From a file with an FPCAM line, or a scene. errors: Failure (kUnreadable)
 sensor::CameraIntrinsics read_camera(const std::string& path);
 
-/// To standard error: rejected lines and refused frames by reason, each with what to do about it.
-void say_what_was_left_out(const ReplayOutcome& outcome);
+/// To standard error: rejected lines and refused frames by reason, each with what to do about it; of which log, where
+/// there are several.
+void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name = "");
 
 }  // namespace fencepost::host::cli

@@ -9,12 +9,15 @@ namespace fencepost::host::cli {
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
 
+bool can_redraw() {
+  const char* term = std::getenv("TERM");
+  return term != nullptr && std::string_view(term) != "dumb";
+}
+
 bool colour_on_stdout() {
   const char* no_color = std::getenv("NO_COLOR");
-  const char* term = std::getenv("TERM");
   const bool refused = no_color != nullptr && *no_color != '\0';
-  const bool dumb = term == nullptr || std::string_view(term) == "dumb";
-  return is_terminal(STDOUT_FILENO) && !refused && !dumb;
+  return is_terminal(STDOUT_FILENO) && !refused && can_redraw();
 }
 
 void say(std::string_view message) {

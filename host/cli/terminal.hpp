@@ -10,6 +10,9 @@ bool is_terminal(int descriptor);
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 bool colour_on_stdout();
 
+/// TERM is not "dumb": a line can be erased and written anew.
+bool can_redraw();
+
 /// One message line to standard error.
 void say(std::string_view message);
 

@@ -28,6 +28,10 @@ class CanWheels {
   void restart(base::Time now);
   /// The frames that are due.
   std::vector<bus::CanFrame> frames(base::Time now);
+  /// When the next frame is due.
+  [[nodiscard]] base::Time next() const {
+    return wheels_[0].next < wheels_[1].next ? wheels_[0].next : wheels_[1].next;
+  }
 
  private:
   struct Wheel {

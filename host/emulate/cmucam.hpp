@@ -35,6 +35,7 @@ class CmuCamDevice {
   std::string feed(std::string_view bytes);
   /// One image has been taken: the packet, if any is due.
   std::string frame(std::span<const ColouredSpot> spots);
+  [[nodiscard]] bool tracking() const { return tracking_; }
 
  private:
   struct Command {

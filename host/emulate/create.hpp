@@ -26,6 +26,7 @@ class CreateDevice {
   /// The robot has moved, in mm and degrees (Create 1), fractions kept until read.
   void move(double mm, double degrees);
   [[nodiscard]] int mode() const { return mode_; }
+  [[nodiscard]] bool streaming() const { return streaming_; }
 
  private:
   [[nodiscard]] std::size_t arguments_wanted() const;

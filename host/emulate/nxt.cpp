@@ -64,7 +64,7 @@ Bytes NxtBrick::direct(const Bytes& command, base::Time now) {
       ports_[port].low_speed = command[3] == 0x0A || command[3] == 0x0B;
       ports_[port].status = kNotConfigured;
       return {0x02, 0x05, 0};
-    case 0x06: return output_state(port);
+    case 0x06: motors_read_ = true; return output_state(port);
     case 0x0B:
       return {0x02, 0x0B, 0, static_cast<std::uint8_t>(battery_ & 0xFFU), static_cast<std::uint8_t>(battery_ >> 8U)};
     case 0x0D: {

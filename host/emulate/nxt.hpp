@@ -33,6 +33,8 @@ class NxtBrick {
   void set_battery(std::uint16_t millivolts) { battery_ = millivolts; }
   void restart(base::Time now);
   [[nodiscard]] bool on(base::Time now) const;
+  /// Whether a motor was ever read.
+  [[nodiscard]] bool motors_read() const { return motors_read_; }
 
  private:
   using Bytes = std::vector<std::uint8_t>;
@@ -58,6 +60,7 @@ class NxtBrick {
   std::array<Port, 4> ports_;
   std::array<std::int32_t, 3> motors_{};
   std::array<std::int32_t, 3> zeros_{};  ///< what the motors had turned at the last power-on
+  bool motors_read_ = false;
   Bytes framed_;
   base::Time last_byte_;
 };

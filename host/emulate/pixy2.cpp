@@ -114,6 +114,7 @@ Bytes Pixy2::answer_program(const Bytes& data, base::Time now) {
 
 Bytes Pixy2::answer_blocks(const Bytes& data) {
   if (data.size() != 2 || data[0] == 0) return error(-3);
+  asked_ = true;
   if (!std::exchange(frame_is_new_, false)) return error(-2);
   std::vector<sensor::Blob> list;
   for (const sensor::Blob& blob : blobs_) {

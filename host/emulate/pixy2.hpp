@@ -31,6 +31,8 @@ class Pixy2 {
   /// Somebody holds the button.
   void hold_button(bool held) { button_ = held; }
 
+  /// Whether blocks were ever asked for.
+  [[nodiscard]] bool asked() const { return asked_; }
   /// Answers to getBlocks that were blocks.
   [[nodiscard]] std::uint32_t frames_sent() const { return frames_sent_; }
 
@@ -50,6 +52,7 @@ class Pixy2 {
   std::string program_ = default_program_;
   bool button_ = false;
   bool frame_is_new_ = false;
+  bool asked_ = false;
   std::vector<sensor::Blob> blobs_;
   Bytes received_;
   std::uint32_t frames_sent_ = 0;

@@ -28,12 +28,12 @@ std::string row(const ObjectAccuracy& accuracy, const Scene& truth, const std::v
                                  accuracy.position_error ? figure(*accuracy.position_error * 100, 1) : "\u2013");
   for (const std::string& name : models) {
     const auto model = std::find_if(accuracy.models.begin(), accuracy.models.end(),
-                                    [&](const ModelAccuracy& m) { return m.model == name; });
+                                    [&](const ModelScore& m) { return m.model == name; });
     if (model == accuracy.models.end()) {
       html += "<td class=\"n\">\u2013</td><td class=\"n\">\u2013</td>";
     } else {
-      html += fmt::format("<td class=\"n\">{}</td><td class=\"n\">{}</td>", figure(model->recklessness * 100, 1),
-                          figure(model->paranoia * 100, 1));
+      html += fmt::format("<td class=\"n\">{}</td><td class=\"n\">{}</td>", figure(model->score.recklessness * 100, 1),
+                          figure(model->score.paranoia * 100, 1));
     }
   }
   return html + "</tr>\n";
@@ -75,7 +75,7 @@ std::string accuracy_table(const ResultDocument& document, const Scene& truth) {
   return html +
          "<p class=\"note\">R, recklessness: share of the true footprint outside the model. P, paranoia: share "
          "of the model outside the true footprint. 0 is perfect; a model with nothing to say counts 100 and "
-         "100. An object is compared with the nearest true one of its signature.</p>\n";
+         "100. An object means the true one of its signature near which it lies.</p>\n";
 }
 
 }  // namespace fencepost::host

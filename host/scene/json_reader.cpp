@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -45,7 +46,43 @@ std::string kind_of(const nlohmann::json& value) {
   return value.dump();
 }
 
+std::string line_and_column(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
+}
+
 }  // namespace
+
+nlohmann::json parse_json(std::string_view text, std::string_view example) {
+  using nlohmann::json;
+  std::vector<std::set<std::string>> open_objects;
+  const json::parser_callback_t watch = [&](int, json::parse_event_t event, json& parsed) {
+    if (event == json::parse_event_t::object_start) open_objects.emplace_back();
+    if (event == json::parse_event_t::object_end) open_objects.pop_back();
+    if (event == json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
+      throw SceneProblem{"key \"" + parsed.get<std::string>() + "\"", "appears twice in one object",
+                         "remove one of the two"};
+    }
+    return true;
+  };
+  try {
+    return json::parse(text, watch);
+  } catch (const json::parse_error& error) {
+    // The library counts bytes from 1 and points at the last one it read.
+    const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+    const bool empty = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    const bool ended = byte >= text.size();
+    throw SceneProblem{line_and_column(text, byte),
+                       empty   ? "the file is empty"
+                       : ended ? "the JSON ends too early"
+                               : "this is not JSON",
+                       empty   ? std::string(example)
+                       : ended ? "close the open brackets and quotes"
+                               : "check for a missing comma, quote or bracket just before it"};
+  }
+}
 
 std::string nearest_word(std::string_view word, std::initializer_list<std::string_view> known) {
   std::size_t fewest = word.size() / 3 + 2;  // more errors than that is another word
@@ -137,6 +174,11 @@ std::uint64_t JsonNode::unsigned_integer() const {
 std::string JsonNode::text() const {
   if (!value_->is_string()) fail("must be a text, not " + kind_of(*value_), "put it in double quotes");
   return value_->get<std::string>();
+}
+
+bool JsonNode::truth() const {
+  if (!value_->is_boolean()) fail("must be true or false, not " + kind_of(*value_), "write it without quotes");
+  return value_->get<bool>();
 }
 
 Point JsonNode::point() const {

@@ -12,12 +12,16 @@
 
 namespace fencepost::host {
 
-/// Thrown by the readers below and turned into a SceneError by parse_scene; never leaves host/scene.
+/// Thrown by the readers below; whoever reads a whole file turns it into a message.
 struct SceneProblem {
   std::string where;
   std::string what;
   std::string remedy;
 };
+
+/// Parses, and refuses keys that appear twice in one object: the second would silently win. `example` is the remedy for
+/// an empty file. errors: SceneProblem
+nlohmann::json parse_json(std::string_view text, std::string_view example);
 
 class JsonNode {
  public:
@@ -38,12 +42,15 @@ class JsonNode {
   [[nodiscard]] std::size_t size(std::size_t least, std::string_view items) const;
 
   [[nodiscard]] bool is_null() const { return value_->is_null(); }
+  [[nodiscard]] bool is_text() const { return value_->is_string(); }
   [[nodiscard]] double number(double low, double high, std::string_view unit) const;
   /// Greater than zero.
   [[nodiscard]] double positive(double high, std::string_view unit) const;
   [[nodiscard]] std::int64_t integer(std::int64_t low, std::int64_t high) const;
   [[nodiscard]] std::uint64_t unsigned_integer() const;
   [[nodiscard]] std::string text() const;
+  /// true or false.
+  [[nodiscard]] bool truth() const;
   /// [x, y] in metres within the world.
   [[nodiscard]] Point point() const;
 

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -17,42 +16,6 @@ namespace fencepost::host {
 namespace {
 
 using nlohmann::json;
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte, text.size()));
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
-}
-
-/// Parses, and refuses keys that appear twice in one object: the second would silently win.
-json parse_json(std::string_view text) {
-  std::vector<std::set<std::string>> open_objects;
-  const json::parser_callback_t watch = [&](int, json::parse_event_t event, json& parsed) {
-    if (event == json::parse_event_t::object_start) open_objects.emplace_back();
-    if (event == json::parse_event_t::object_end) open_objects.pop_back();
-    if (event == json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
-      throw SceneProblem{"key \"" + parsed.get<std::string>() + "\"", "appears twice in one object",
-                         "remove one of the two"};
-    }
-    return true;
-  };
-  try {
-    return json::parse(text, watch);
-  } catch (const json::parse_error& error) {
-    // The library counts bytes from 1 and points at the last one it read.
-    const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    const bool empty = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-    const bool ended = byte >= text.size();
-    throw SceneProblem{line_and_column(text, byte),
-                       empty   ? "the file is empty"
-                       : ended ? "the JSON ends too early"
-                               : "this is not JSON",
-                       empty   ? "share/doc/scene.md shows a whole scene"
-                       : ended ? "close the open brackets and quotes"
-                               : "check for a missing comma, quote or bracket just before it"};
-  }
-}
 
 void check_signatures(const JsonNode& root, const Scene& scene) {
   for (std::size_t i = 0; i < scene.signatures.size(); ++i) {
@@ -134,7 +97,7 @@ std::string SceneError::message() const {
 
 LoadedScene parse_scene(std::string_view text, const std::string& name) {
   try {
-    return read_scene(parse_json(text));
+    return read_scene(parse_json(text, "share/doc/scene.md shows a whole scene"));
   } catch (const SceneProblem& problem) {
     return SceneError{name, problem.where, problem.what, problem.remedy};
   }

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 
 #include "tests/alerts/judgement.hpp"
+#include "tests/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -165,9 +165,7 @@ bool run(const Request& request) {
       "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | misplaced | missed |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool all_good = false;  // the level that is judged has to be among those that are run
-  for (const NoiseLevel& level : noise_levels()) {
-    const auto& wanted = request.levels;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
+  for (const NoiseLevel& level : noise_levels(request.levels)) {
     const Figures figures = run_level(level, request);
     print_row(level, figures);
     if (level.key == request.judged) all_good = good(figures, request);
@@ -180,9 +178,7 @@ int run_program(int argc, char** argv) {
   CLI::App app("How good the alerts are on random approaches, a row a noise level");
   app.add_option("--approaches", request.approaches, "a level")->capture_default_str();
   app.add_option("--first-seed", request.first_seed, "seed of the first approach")->capture_default_str();
-  app.add_option("--levels", request.levels, "of 0,1,2,3,4,S,T; default: all")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
+  add_levels_option(app, request.levels);
   app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
   app.add_option("--at-least", request.at_least, "% of the obstacles in time")->capture_default_str();
   app.add_option("--at-most", request.at_most, "false stops in 10 minutes, grazes left out")->capture_default_str();
@@ -204,10 +200,5 @@ int run_program(int argc, char** argv) {
 }  // namespace fencepost::test
 
 int main(int argc, char** argv) {
-  try {
-    return fencepost::test::run_program(argc, argv);
-  } catch (const std::exception& error) {
-    static_cast<void>(std::fprintf(stderr, "alert_study: %s\n", error.what()));
-    return 2;
-  }
+  return fencepost::test::run_study("alert_study", fencepost::test::run_program, argc, argv);
 }

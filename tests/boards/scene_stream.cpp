@@ -69,6 +69,17 @@ host::Scene minute_scene(double seconds) {
   return scene;
 }
 
+host::Scene four_boxes(double seconds) {
+  host::Scene scene = minute_scene(seconds);
+  scene.objects = {box("first", 1, 0.28, 0, 0.05, 0.2), box("second", 2, -0.28, 0.05, 0.04, 0.15),
+                   box("third", 3, 0, 0.3, 0.05, 0.2), box("fourth", 4, 0, -0.3, 0.06, 0.25)};
+  scene.signatures.push_back({4, "blue", {0x20, 0x40, 0xc0}});
+  auto& arc = std::get<host::ArcPath>(scene.path);
+  arc.radius = 1.2;
+  arc.sweep = 0.6 * seconds;
+  return scene;
+}
+
 host::Scene eight_boxes(double seconds) {
   host::Scene scene = minute_scene(seconds);
   scene.rate = 50;

@@ -27,5 +27,7 @@ host::Scene minute_scene(double seconds = 60);
 
 /// Eight boxes in a ring, all in view, 50 frames/s: as much as profile small can hold.
 host::Scene eight_boxes(double seconds);
+/// Four boxes, likewise, 20 frames/s, for profile micro.
+host::Scene four_boxes(double seconds);
 
 }  // namespace fencepost::test

@@ -13,8 +13,6 @@
 namespace fencepost::test {
 namespace {
 
-constexpr double kPlaced = 0.08;  // m; what an object's place may be off, of the scene's truth
-
 std::size_t count(std::string_view text, std::string_view word) {
   std::size_t n = 0;
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) ++n;
@@ -48,12 +46,12 @@ void expect_same_alerts(const std::string& log, const host::ResultDocument& resu
   for (const record::AlertReport& alert : result.alerts) EXPECT_NE(log.find(line_of(alert)), std::string::npos);
 }
 
-void expect_objects(const host::Scene& scene, const host::ResultDocument& result, std::size_t expected) {
+void expect_objects(const host::Scene& scene, const host::ResultDocument& result, std::size_t expected, double placed) {
   std::size_t confirmed = 0;
   for (const host::ObjectResult& object : result.objects) {
     if (object.state == record::ObjectState::kTentative) continue;
     ++confirmed;
-    EXPECT_LT(distance_to_nearest(scene, object), kPlaced) << "object " << object.id;
+    EXPECT_LT(distance_to_nearest(scene, object), placed) << "object " << object.id;
   }
   EXPECT_EQ(confirmed, expected);
 }
@@ -70,7 +68,8 @@ std::size_t confirmed_in(const std::string& log, const std::string& profile) {
 
 }  // namespace
 
-void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene) {
+void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene,
+                          double placed) {
   const SceneStream stream = stream_of(scene);
   Bench bench(board);
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
@@ -91,7 +90,7 @@ void expect_scene_replays(const BoardUnderTest& board, const std::string& profil
   EXPECT_EQ(replayed.check.differing, 0U) << (replayed.check.mismatches.empty() ? "" : replayed.check.mismatches[0]);
   for (const auto& rejected : result.log.rejected) EXPECT_EQ(rejected.count, 0U);
   expect_same_alerts(log, result);
-  expect_objects(scene, result, confirmed_in(stream.log, profile));
+  expect_objects(scene, result, confirmed_in(stream.log, profile), placed);
   const auto frames = count(stream.log, "$FPFRM,");
   EXPECT_GT(result.log.frames, frames * 9 / 10) << "of " << frames;
   EXPECT_EQ(count(bench.said(), "READY"), 0U) << "it was reset";

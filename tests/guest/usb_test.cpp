@@ -252,6 +252,19 @@ TEST_F(NxtUsb, SurvivesManyUnplugs) {
   }
 }
 
+// libusb's own end is not safe while it hears of plugging from udev.
+TEST_F(NxtUsb, EndsAtTheMomentOfAnUnplug) {
+  for (int i = 0; i < 10 && !HasFailure(); ++i) {
+    brick->unplug();
+    link.reset();
+    brick->plug();
+    Opened<UsbPacketLink> opened = open_soon<UsbPacketLink>(kNxtUsb);
+    ASSERT_TRUE(opened) << opened.problem();
+    link.emplace(std::move(*opened));
+    expect_answer();
+  }
+}
+
 TEST_F(NxtUsb, IsForOneProgramAlone) {
   Opened<UsbPacketLink> second = UsbPacketLink::open(kNxtUsb);
   ASSERT_FALSE(second);

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <exception>
 
 #include "tests/soak/soak_run.hpp"
+#include "tests/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -52,11 +52,4 @@ int run_program(int argc, char** argv) {
 }  // namespace
 }  // namespace fencepost::test
 
-int main(int argc, char** argv) {
-  try {
-    return fencepost::test::run_program(argc, argv);
-  } catch (const std::exception& error) {
-    static_cast<void>(std::fprintf(stderr, "soak: %s\n", error.what()));
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return fencepost::test::run_study("soak", fencepost::test::run_program, argc, argv); }

@@ -11,6 +11,7 @@
 #include "drivers/nxt/tacho_odometry.hpp"
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
+#include "drivers/nxtcam/v5_camera.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
 #include "drivers/wire/i2c_stream.hpp"
@@ -86,6 +87,7 @@ void stack_root_nxtcam_nxt(probe::NxtCamBehindBrick& camera, Frame& frame) { pro
 void stack_root_nxtcam_serial(nxtcam::SerialCamera<probe::SomeBytes>& camera, Frame& frame) {
   probe::keep_poll(camera, frame);
 }
+void stack_root_nxtcam_v5(nxtcam::V5Camera<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_pixy2_serial(pixy2::Camera<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_pixy2_i2c(probe::I2cPixy2& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_pixy2_usb(probe::UsbPixy2& camera, Frame& frame) { probe::keep_poll(camera, frame); }

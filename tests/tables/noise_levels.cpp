@@ -1,5 +1,6 @@
 #include "tests/tables/noise_levels.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace fencepost::test {
@@ -16,6 +17,14 @@ const std::array<NoiseLevel, 7>& noise_levels() {
       {"T", "noise T segloss20+grow5", {1, 0.20, 0.05, 0, 0}, 0, 0},
   }};
   return kLevels;
+}
+
+std::vector<NoiseLevel> noise_levels(const std::vector<std::string>& keys) {
+  std::vector<NoiseLevel> chosen;
+  for (const NoiseLevel& level : noise_levels()) {
+    if (keys.empty() || std::find(keys.begin(), keys.end(), level.key) != keys.end()) chosen.push_back(level);
+  }
+  return chosen;
 }
 
 host::SceneNoise scene_noise(const NoiseLevel& level) {

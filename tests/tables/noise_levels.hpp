@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/scene/scene.hpp"
 
@@ -27,6 +29,9 @@ struct NoiseLevel {
 };
 
 const std::array<NoiseLevel, 7>& noise_levels();
+
+/// Those with these keys, in the order of noise_levels(); no keys: all.
+std::vector<NoiseLevel> noise_levels(const std::vector<std::string>& keys);
 
 /// The level as the simulator has it, for scenes of about three objects: false blobs come beside objects and not in
 /// their place, growth is 0..60 %, and both parts of a split blob stay.

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 
 #include "tests/tables/quality_run.hpp"
+#include "tests/tables/study.hpp"
 #include "tests/tables/table_text.hpp"
 
 namespace fencepost::test {
@@ -42,9 +42,7 @@ std::vector<host::Evaluation> run_level(const Request& request, const NoiseLevel
 std::vector<Compared> run_levels(const Request& request, const std::vector<ReferenceCell>& reference) {
   std::vector<Compared> all;
   for (const std::string& flags : request.flags) all.push_back({flags, {}});
-  for (const NoiseLevel& level : noise_levels()) {
-    const auto& wanted = request.levels;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), level.key) == wanted.end()) continue;
+  for (const NoiseLevel& level : noise_levels(request.levels)) {
     std::vector<Compared> here;
     for (Compared& kind : all) {
       const std::vector<host::Evaluation> evaluations = run_level(request, level, kind.flags);
@@ -81,9 +79,7 @@ int run_program(int argc, char** argv) {
   CLI::App app("R / P / IoU of every model on random scenes, a table a noise level and kind of flags");
   app.add_option("--scenes", request.scenes, "scenes a table, three objects each")->capture_default_str();
   app.add_option("--first-seed", request.first_seed, "seed of the first scene")->capture_default_str();
-  app.add_option("--levels", request.levels, "of 0,1,2,3,4,S,T; default: all")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"0", "1", "2", "3", "4", "S", "T"}));
+  add_levels_option(app, request.levels);
   app.add_option("--flags", request.flags,
                  "whose each blob is and which ends are hidden: true, inferred as on the robot")
       ->delimiter(',')
@@ -100,10 +96,5 @@ int run_program(int argc, char** argv) {
 }  // namespace fencepost::test
 
 int main(int argc, char** argv) {
-  try {
-    return fencepost::test::run_program(argc, argv);
-  } catch (const std::exception& error) {
-    static_cast<void>(std::fprintf(stderr, "quality_table: %s\n", error.what()));
-    return 2;
-  }
+  return fencepost::test::run_study("quality_table", fencepost::test::run_program, argc, argv);
 }

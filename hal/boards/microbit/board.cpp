@@ -42,7 +42,8 @@ void start_led() {
 }  // namespace
 
 void start(std::uint32_t console_baud) {
-  // The built-in oscillator is within 1 to 5 %: too far for a serial line. Where no crystal starts, it goes on for all that.
+  // The built-in oscillator is within 1 to 5 %: too far for a serial line. Where no crystal starts, it goes on for all
+  // that.
   mcu::reg(part::kStartCrystal) = part::kTrigger;
   static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kLooks));
   the_clock.start();

@@ -29,8 +29,16 @@ void TimerClock::start() {
   reg(kTimerStart) = kTrigger;
 }
 
+// Until the alarm is set to a time that has not passed yet: one that has would come after 71 minutes.
 void TimerClock::on_interrupt() {
   reg(kTimerReached + 4 * kAlarm) = 0;
+  do {
+    count_milliseconds();
+    reg(kTimerCompare + 4 * kAlarm) = counted_ + kMillisecond;
+  } while (capture(kOfInterrupt) - counted_ >= kMillisecond);
+}
+
+void TimerClock::count_milliseconds() {
   const std::uint32_t now = capture(kOfInterrupt);
   std::uint32_t counted = counted_;
   std::uint32_t low = low_;
@@ -40,9 +48,6 @@ void TimerClock::on_interrupt() {
   }
   low_ = low;
   counted_ = counted;
-  // Never one that has passed already: it would come again after 71 minutes.
-  const std::uint32_t left = counted + kMillisecond - now;
-  reg(kTimerCompare + 4 * kAlarm) = now + (left < 50 ? left + kMillisecond : left);
 }
 
 base::Time TimerClock::now() const {

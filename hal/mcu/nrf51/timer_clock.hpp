@@ -21,6 +21,8 @@ class TimerClock {
   [[nodiscard]] std::uint32_t microseconds() const;
 
  private:
+  void count_milliseconds();
+
   volatile std::uint32_t low_ = 0;  ///< milliseconds
   volatile std::uint32_t high_ = 0;
   volatile std::uint32_t counted_ = 0;  ///< the timer, in microseconds, when they were over

@@ -181,7 +181,8 @@ inline constexpr std::array<std::uint16_t, 128> kReciprocals = [] {
   return table;
 }();
 
-/// Of d, 16 bits with the leading one set: at most 2^31 / (d + 1), and at most 6 less. A look-up and one step of Newton.
+/// Of d, 16 bits with the leading one set: at most 2^31 / (d + 1), and at most 6 less. A look-up and one step of
+/// Newton.
 constexpr std::uint32_t reciprocal(std::uint32_t d) {
   const std::uint32_t guess = kReciprocals[(d >> 8) - 128];
   const auto error = static_cast<std::int32_t>((1U << 31) - d * guess) >> 8;
@@ -284,8 +285,15 @@ constexpr std::int32_t rank(Bits x) {
   return (x & kSign) != 0 ? -static_cast<std::int32_t>(x & ~kSign) : static_cast<std::int32_t>(x);
 }
 constexpr bool unordered(Bits a, Bits b) { return is_nan(a) || is_nan(b); }
-constexpr bool less(Bits a, Bits b) { return !unordered(a, b) && rank(a) < rank(b); }
-constexpr bool less_or_equal(Bits a, Bits b) { return !unordered(a, b) && rank(a) <= rank(b); }
+constexpr bool both_positive(Bits a, Bits b) { return ((a | b) & kSign) == 0; }
+constexpr bool less(Bits a, Bits b) {
+  if (both_positive(a, b)) return a < b && b <= kInfinity;
+  return !unordered(a, b) && rank(a) < rank(b);
+}
+constexpr bool less_or_equal(Bits a, Bits b) {
+  if (both_positive(a, b)) return a <= b && b <= kInfinity;
+  return !unordered(a, b) && rank(a) <= rank(b);
+}
 constexpr bool equal(Bits a, Bits b) { return !unordered(a, b) && rank(a) == rank(b); }
 
 // --- integers ---
@@ -293,7 +301,18 @@ constexpr bool equal(Bits a, Bits b) { return !unordered(a, b) && rank(a) == ran
 constexpr Bits from_unsigned(std::uint32_t value, Bits sign = 0) {
   if (value == 0) return 0;
   std::int32_t exponent_of = 127 + 31;
-  for (; value < (1U << 24); exponent_of -= 8) value <<= 8;
+  if (value < (1U << 16)) {
+    value <<= 16;
+    exponent_of -= 16;
+  }
+  if (value < (1U << 24)) {
+    value <<= 8;
+    exponent_of -= 8;
+  }
+  if (value < (1U << 28)) {
+    value <<= 4;
+    exponent_of -= 4;
+  }
   for (; value < kSign; --exponent_of) value <<= 1;
   return pack(sign, exponent_of, (value >> 5) | ((value & 0x1F) != 0 ? 1U : 0U));
 }

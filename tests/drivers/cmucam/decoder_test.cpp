@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/drivers/bytes.hpp"
+#include "tests/drivers/hex.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -18,7 +18,7 @@ std::vector<std::string> said(std::string_view bytes, Decoder decoder = {}) {
   std::vector<std::string> events;
   base::Time now{0};
   for (const char byte : bytes) {
-    switch (decoder.feed(octet(byte), now)) {
+    switch (decoder.feed(test::octet(byte), now)) {
       case Event::kNone: break;
       case Event::kAck: events.emplace_back("ACK"); break;
       case Event::kNck: events.emplace_back("NCK"); break;
@@ -39,12 +39,12 @@ std::vector<std::string> said(std::string_view bytes, Decoder decoder = {}) {
 using Said = std::vector<std::string>;
 
 TEST(CmuCamDecoder, VersionOfACmuCam1) {
-  const std::string bytes = from_hex("41 43 4B 0D 43 4D 55 63 61 6D 20 76 31 2E 31 32 0D 3A");
+  const std::string bytes = test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 20 76 31 2E 31 32 0D 3A");
   EXPECT_EQ(said(bytes), (Said{"ACK", "text(CMUcam v1.12)", "prompt()"}));
 }
 
 TEST(CmuCamDecoder, VersionOfACmuCam3HasNoLineEnd) {
-  const std::string bytes = from_hex("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A");
+  const std::string bytes = test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A");
   EXPECT_EQ(said(bytes), (Said{"ACK", "prompt(CMUcam2 v1.00 c6)"}));
 }
 
@@ -55,7 +55,8 @@ TEST(CmuCamDecoder, ResetAndPowerUp) {
 }
 
 TEST(CmuCamDecoder, PacketsInAscii) {
-  const std::string m = from_hex("4D 20 34 35 20 37 31 20 34 30 20 36 30 20 35 30 20 38 30 20 32 30 20 31 32 38 0D");
+  const std::string m =
+      test::hex_text("4D 20 34 35 20 37 31 20 34 30 20 36 30 20 35 30 20 38 30 20 32 30 20 31 32 38 0D");
   EXPECT_EQ(m, "M 45 71 40 60 50 80 20 128\r");
   EXPECT_EQ(said(m), Said{"M 45 71 40 60 50 80 20 128@0"});
   EXPECT_EQ(said("T 45 71 40 60 50 80 20 181\r"), Said{"T 45 71 40 60 50 80 20 181@0"});
@@ -68,17 +69,17 @@ TEST(CmuCamDecoder, PacketsInAscii) {
 }
 
 TEST(CmuCamDecoder, PacketsInRaw) {
-  EXPECT_EQ(said(from_hex("FF 4D 2D 47 28 3C 32 50 14 80")), Said{"M 45 71 40 60 50 80 20 128@0"});
-  EXPECT_EQ(said(from_hex("FF 43 28 3C 32 50 14 80")), Said{"C 40 60 50 80 20 128@0"});
-  EXPECT_EQ(said(from_hex("FF 54 2D 47 28 3C 32 50 14 B5")), Said{"T 45 71 40 60 50 80 20 181@0"});
-  EXPECT_EQ(said(from_hex("FF 54 18 31 14 28 1D 3B 96 FE")), Said{"T 24 49 20 40 29 59 150 254@0"});
-  EXPECT_EQ(said(from_hex("FF 54 00 00 00 00 00 00 00 00")), Said{"T 0 0 0 0 0 0 0 0@0"});
-  EXPECT_EQ(said(from_hex("FF 53 5A 28 29 03 04 05")), Said{"S 90 40 41 3 4 5@0"});
+  EXPECT_EQ(said(test::hex_text("FF 4D 2D 47 28 3C 32 50 14 80")), Said{"M 45 71 40 60 50 80 20 128@0"});
+  EXPECT_EQ(said(test::hex_text("FF 43 28 3C 32 50 14 80")), Said{"C 40 60 50 80 20 128@0"});
+  EXPECT_EQ(said(test::hex_text("FF 54 2D 47 28 3C 32 50 14 B5")), Said{"T 45 71 40 60 50 80 20 181@0"});
+  EXPECT_EQ(said(test::hex_text("FF 54 18 31 14 28 1D 3B 96 FE")), Said{"T 24 49 20 40 29 59 150 254@0"});
+  EXPECT_EQ(said(test::hex_text("FF 54 00 00 00 00 00 00 00 00")), Said{"T 0 0 0 0 0 0 0 0@0"});
+  EXPECT_EQ(said(test::hex_text("FF 53 5A 28 29 03 04 05")), Said{"S 90 40 41 3 4 5@0"});
 }
 
 // An exchange as it is polled: acknowledged, answered in raw, prompted; 58 in the packet is the prompt's byte.
 TEST(CmuCamDecoder, CutInAtAnyByteTheNextAnswerIsUnderstood) {
-  const std::string once = "ACK\r" + from_hex("FF 4D 2D 3A 28 3A 32 50 14 80") + ":";
+  const std::string once = "ACK\r" + test::hex_text("FF 4D 2D 3A 28 3A 32 50 14 80") + ":";
   EXPECT_EQ(said(once + once), (Said{"ACK", "M 45 58 40 58 50 80 20 128@4", "prompt()", "ACK",
                                      "M 45 58 40 58 50 80 20 128@19", "prompt()"}));
   for (std::size_t cut = 0; cut <= once.size(); ++cut) {
@@ -91,7 +92,7 @@ TEST(CmuCamDecoder, CutInAtAnyByteTheNextAnswerIsUnderstood) {
 }
 
 TEST(CmuCamDecoder, FindsItsFeetAfterGarbage) {
-  const std::string packet = from_hex("FF 54 18 31 14 28 1D 3B 96 FE");
+  const std::string packet = test::hex_text("FF 54 18 31 14 28 1D 3B 96 FE");
   for (const std::string_view garbage :
        {"\x00\x01\x80", "T 1 2", "\xFF", "\xFFT\x01\x02", "\xFFQ", "\xFF\xFF", "ACK", "garbage\r"}) {
     const Said events = said(std::string(garbage) + packet);
@@ -101,7 +102,7 @@ TEST(CmuCamDecoder, FindsItsFeetAfterGarbage) {
 }
 
 TEST(CmuCamDecoder, ARawPacketCutShortIsNotMadeUpFromTheNext) {
-  const std::string whole = from_hex("FF 54 18 31 14 28 1D 3B 96 FE");
+  const std::string whole = test::hex_text("FF 54 18 31 14 28 1D 3B 96 FE");
   for (std::size_t cut = 1; cut < whole.size(); ++cut) {
     EXPECT_EQ(said(whole.substr(0, cut) + whole), Said{"T 24 49 20 40 29 59 150 254@" + std::to_string(cut)});
   }
@@ -144,7 +145,7 @@ TEST(CmuCamDecoder, TheFuzzersEntryRuns) {
       // Half of them bytes that mean something.
       constexpr std::string_view kTelling = "\xFFTMCNSACK\r: 0123456789";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 2 == 0 ? octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
+      bytes.push_back(r % 2 == 0 ? test::octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/drivers/bytes.hpp"
+#include "tests/drivers/hex.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -25,7 +25,7 @@ const StreamLayout kEncoders = layout({{43, 2}, {44, 2}});
 std::vector<std::string> found(std::string_view bytes, StreamDecoder& decoder, std::size_t fields) {
   std::vector<std::string> frames;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    if (!decoder.feed(octet(bytes[i]), {static_cast<std::int64_t>(i)})) continue;
+    if (!decoder.feed(test::octet(bytes[i]), {static_cast<std::int64_t>(i)})) continue;
     std::string frame;
     for (std::size_t f = 0; f < fields; ++f) frame += std::to_string(decoder.value(f)) + " ";
     frames.push_back(frame + "@" + std::to_string(decoder.t().raw));
@@ -43,20 +43,22 @@ using Found = std::vector<std::string>;
 TEST(CreateStream, WorkedExamples) {
   const StreamLayout cliff_and_wall = layout({{29, 2}, {13, 1}});
   for (const std::string_view sum : {"B6", "A3"}) {
-    EXPECT_EQ(found(from_hex("13 05 1D 02 19 0D 00 " + std::string(sum)), cliff_and_wall), Found{"537 0 @0"}) << sum;
+    EXPECT_EQ(found(test::hex_text("13 05 1D 02 19 0D 00 " + std::string(sum)), cliff_and_wall), Found{"537 0 @0"})
+        << sum;
   }
   for (const std::string_view sum : {"DD", "CA"}) {
-    EXPECT_EQ(found(from_hex("13 06 2B 03 E8 2C FF DC " + std::string(sum)), kEncoders), Found{"1000 65500 @0"}) << sum;
+    EXPECT_EQ(found(test::hex_text("13 06 2B 03 E8 2C FF DC " + std::string(sum)), kEncoders), Found{"1000 65500 @0"})
+        << sum;
   }
   for (const std::string_view sum : {"BE", "AB"}) {
-    EXPECT_EQ(found(from_hex("13 06 13 00 19 14 FF FD " + std::string(sum)), layout({{19, 2}, {20, 2}})),
+    EXPECT_EQ(found(test::hex_text("13 06 13 00 19 14 FF FD " + std::string(sum)), layout({{19, 2}, {20, 2}})),
               Found{"25 65533 @0"})
         << sum;
   }
 }
 
-const std::string kWithout = from_hex("13 06 2B 03 E8 2C FF DC DD");
-const std::string kWith = from_hex("13 06 2B 03 E8 2C FF DC CA");
+const std::string kWithout = test::hex_text("13 06 2B 03 E8 2C FF DC DD");
+const std::string kWith = test::hex_text("13 06 2B 03 E8 2C FF DC CA");
 
 TEST(CreateStream, RemembersTheRuleOnceItHasMatchedTwice) {
   StreamDecoder decoder(kEncoders);
@@ -94,12 +96,12 @@ TEST(CreateStream, OneDamagedByteCostsItsFrameAndNoOther) {
 
 TEST(CreateStream, HeadersInTheDataMisleadNobody) {
   // Both counts are 0x1313, then 0x1306: 13 + 06 + 2B + 13 + 13 + 2C + 13 + 06 = AF, and 51 make 100.
-  EXPECT_EQ(found(from_hex("13 13 06 13 06 2B 13 13 2C 13 06 51"), kEncoders), Found{"4883 4870 @3"});
+  EXPECT_EQ(found(test::hex_text("13 13 06 13 06 2B 13 13 2C 13 06 51"), kEncoders), Found{"4883 4870 @3"});
 }
 
 TEST(CreateStream, OnlyWhatWasAskedFor) {
-  EXPECT_TRUE(found(from_hex("13 05 1D 02 19 0D 00 B6"), kEncoders).empty());
-  EXPECT_TRUE(found(from_hex("13 06 2C 03 E8 2B FF DC DD"), kEncoders).empty()) << "the other order";
+  EXPECT_TRUE(found(test::hex_text("13 05 1D 02 19 0D 00 B6"), kEncoders).empty());
+  EXPECT_TRUE(found(test::hex_text("13 06 2C 03 E8 2B FF DC DD"), kEncoders).empty()) << "the other order";
 }
 
 TEST(CreateStream, TheFuzzersEntryRuns) {
@@ -110,7 +112,7 @@ TEST(CreateStream, TheFuzzersEntryRuns) {
       state = state * 1'664'525 + 1'013'904'223;
       constexpr std::string_view kTelling = "\x13\x06\x2B\x2C";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 2 == 0 ? octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
+      bytes.push_back(r % 2 == 0 ? test::octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

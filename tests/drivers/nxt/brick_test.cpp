@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "hal/fake/scripted_packets.hpp"
+#include "tests/drivers/bench/nxt_rig.hpp"
 #include "tests/drivers/hex.hpp"
-#include "tests/drivers/nxt/emulated_usb.hpp"
 
 namespace fencepost::nxt {
 namespace {
@@ -28,19 +28,7 @@ TEST(NxtBrick, ExchangesTelegrams) {
   EXPECT_EQ(bytes_of(link.sent()[2]), hex("00 0B"));
 }
 
-struct Bench {
-  fake::SteppedClock clock;
-  emulate::NxtBrick device{base::Time{}};
-  test::EmulatedUsb link{device, clock};
-  Brick<test::EmulatedUsb> brick{link};
-
-  void run(std::int64_t ms) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      clock.advance(base::milliseconds(1));
-      brick.poll(clock.now());
-    }
-  }
-};
+using Bench = test::Bench<test::NxtBrickRig<test::UsbBrick>>;
 
 TEST(NxtBrick, LinkStates) {
   Bench bench;
@@ -48,10 +36,10 @@ TEST(NxtBrick, LinkStates) {
   EXPECT_EQ(bench.brick.link(), LinkState::kSilent);
   bench.run(2'000);
   EXPECT_EQ(bench.brick.link(), LinkState::kOk);
-  bench.link.unplugged = true;
+  bench.link.unplug();
   bench.run(5);
   EXPECT_EQ(bench.brick.link(), LinkState::kAbsent);
-  bench.link.unplugged = false;
+  bench.link.replug();
   bench.run(1'000);
   EXPECT_EQ(bench.brick.link(), LinkState::kOk);
   bench.device.restart(bench.clock.now());

@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers/nxt/brick.hpp"
-#include "drivers/nxtcam/camera.hpp"
-#include "host/emulate/nxtcam.hpp"
+#include "tests/drivers/bench/nxt_rig.hpp"
 #include "tests/drivers/hex.hpp"
-#include "tests/drivers/nxt/emulated_usb.hpp"
 
 namespace fencepost::nxt {
 namespace {
@@ -19,21 +16,11 @@ using test::hex;
 const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
 const sensor::Blob kBlue{5, 100, 100, 121, 131, {1105}, {1155}, 0, {}};
 
-struct Bench {
-  fake::SteppedClock clock;
+struct Bench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
   emulate::NxtCam camera_device{base::Time{}};
-  emulate::NxtBrick device{base::Time{}};
-  test::EmulatedUsb link{device, clock};
-  Brick<test::EmulatedUsb> brick{link};
   SensorPort port{brick.conversation(), 0};
 
   void attach() { device.attach(0, &camera_device); }
-  void run(std::int64_t ms) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      clock.advance(base::milliseconds(1));
-      brick.poll(clock.now());
-    }
-  }
   // The answer to a transfer, within 2 s.
   base::Result<std::size_t> transfer(std::uint8_t address, const std::vector<std::uint8_t>& out, std::size_t expected,
                                      std::span<std::uint8_t> in) {
@@ -88,11 +75,11 @@ TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
   std::array<std::uint8_t, 16> in{};
   EXPECT_TRUE(bench.port.begin(1, hex("08"), 8));
   (void)bench.port.finish(in);
-  bench.link.unplugged = true;
+  bench.link.unplug();
   bench.run(3);
   EXPECT_EQ(bench.port.finish(in).error(), Error::kGone);
   EXPECT_EQ(bench.port.begin(1, hex("08"), 8).error(), Error::kGone);
-  bench.link.unplugged = false;
+  bench.link.replug();
   bench.run(1'000);
   EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
 }
@@ -131,10 +118,10 @@ TEST(NxtSensorPort, RunsTheNxtCam) {
   frames.clear();
   run(1'000);
   EXPECT_GT(frames.size(), 15U);
-  bench.link.unplugged = true;
+  bench.link.unplug();
   run(500);
   EXPECT_EQ(camera.link(), LinkState::kAbsent);
-  bench.link.unplugged = false;
+  bench.link.replug();
   run(5'000);
   EXPECT_EQ(camera.link(), LinkState::kOk);
 }

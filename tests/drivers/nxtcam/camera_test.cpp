@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/fake/scripted_i2c.hpp"
-#include "host/emulate/nxtcam.hpp"
-#include "tests/drivers/emulated_i2c.hpp"
+#include "tests/drivers/bench/nxtcam_rig.hpp"
 #include "tests/drivers/hex.hpp"
 
 namespace fencepost::nxtcam {
@@ -13,30 +12,13 @@ namespace {
 
 using sensor::LinkState;
 using test::hex;
-using Bus = test::EmulatedI2c;
+using Bus = test::I2cCable;
+using Bench = test::Bench<test::NxtCamRig>;
 
 static_assert(sensor::BlobCamera<Camera<Bus>>);
 
 const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
 const sensor::Blob kBlue{5, 100, 100, 121, 131, {1105}, {1155}, 0, {}};
-
-struct Bench {
-  explicit Bench(const Options& options = {}) : camera(bus, options) {}
-
-  fake::SteppedClock clock;
-  emulate::NxtCam device{base::Time{}};
-  Bus bus{device, clock};
-  Camera<Bus> camera;
-  std::vector<sensor::BlobFrame> frames;
-
-  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      clock.advance(base::milliseconds(1));
-      if (i % 33 == 0) device.show(blobs);
-      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
-    }
-  }
-};
 
 TEST(NxtCamera, StartsWithTheDocumentedTransfers) {
   const auto version = hex("56 31 2E 32 30 00 00 00");
@@ -97,7 +79,7 @@ TEST(NxtCamera, EightObjectsInThreeReads) {
     EXPECT_EQ(blob.x2, eight[7 - i].x2);
     EXPECT_EQ(blob.y2, eight[7 - i].y2);
   }
-  EXPECT_EQ(bench.bus.longest_read(), 16U);
+  EXPECT_EQ(bench.link.longest_read(), 16U);
 }
 
 TEST(NxtCamera, OldObjectsBehindTheCountAreIgnored) {
@@ -119,50 +101,50 @@ TEST(NxtCamera, ThirtyFramesASecond) {
 
 TEST(NxtCamera, LinkStates) {
   Bench bench;
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(900, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(900, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
   bench.run(2'000, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
   bench.run(100, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
-  bench.bus.unplug();
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+  bench.link.unplug();
   bench.run(60, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
-  bench.bus.replug();
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
+  bench.link.replug();
   bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, NothingTaughtIsUnreadyUntilTaught) {
   Bench bench;
   bench.device.teach(0);
   bench.run(5'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
   EXPECT_TRUE(bench.frames.empty());
   bench.device.teach(0x24);
   bench.run(4'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, TheMapIsNotAskedForIfSoTold) {
-  Bench bench({.check_colour_map = false});
+  Bench bench(test::Damage{}, Options{.check_colour_map = false});
   bench.device.teach(0);
   bench.run(4'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, AnotherSensorIsUnready) {
   Bench bench;
   bench.device.set_product("DIST-L");
   bench.run(4'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
   EXPECT_FALSE(bench.device.tracking());
   bench.device.set_product("NXTCam");
   bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, ComesBackAfterAPowerCycle) {
@@ -170,9 +152,9 @@ TEST(NxtCamera, ComesBackAfterAPowerCycle) {
   bench.run(3'000, {kRed});
   bench.device.restart(bench.clock.now());
   bench.run(500, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(3'500, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 // Tracking is off after a reset that no transfer noticed: the camera seems to see nothing.
@@ -181,26 +163,26 @@ TEST(NxtCamera, AnUnnoticedResetIsRepaired) {
   bench.run(3'000, {kRed});
   bench.device.restart(bench.clock.now() - emulate::NxtCam::kBoot);
   bench.run(1'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
   bench.run(5'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, AHungBusEndsTheWait) {
   Bench bench;
   bench.run(3'000, {kRed});
-  bench.bus.stall();
+  bench.link.stall();
   bench.run(5'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
-  bench.bus.resume();
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
+  bench.link.resume();
   bench.run(6'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(NxtCamera, LocksTheBufferIfSoTold) {
-  Bench bench({.lock_buffer = true});
+  Bench bench(test::Damage{}, Options{.lock_buffer = true});
   bench.run(4'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   EXPECT_EQ(bench.frames.back().blobs[0], kRed);
 }
 

@@ -2,46 +2,30 @@
 
 #include <gtest/gtest.h>
 
-#include "host/emulate/nxtcam.hpp"
-#include "tests/drivers/emulated_link.hpp"
+#include "tests/drivers/bench/nxtcam_rig.hpp"
 
 namespace fencepost::nxtcam {
 namespace {
 
 using sensor::LinkState;
-using Link = test::EmulatedLink<emulate::NxtCam>;
+using Bench = test::Bench<test::NxtCamSerialRig>;
+using Link = test::NxtCamSerialRig::Link;
 
 static_assert(sensor::BlobCamera<SerialCamera<Link>>);
 
 const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
 
-struct Bench {
-  fake::SteppedClock clock;
-  emulate::NxtCam device{base::Time{}};
-  Link link{device, clock};
-  SerialCamera<Link> camera{link};
-  std::vector<sensor::BlobFrame> frames;
-
-  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      clock.advance(base::milliseconds(1));
-      if (i % 33 == 0) device.show(blobs), link.inject(device.packet());
-      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
-    }
-  }
-};
-
 TEST(SerialNxtCamera, StartsAndTracks) {
   Bench bench;
   bench.run(900, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(1'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
-  EXPECT_EQ(bench.camera.version(), "AVRcam v1.4");
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.version(), "AVRcam v1.4");
   ASSERT_FALSE(bench.frames.empty());
   EXPECT_EQ(bench.frames.back().blobs[0], kRed);
   bench.run(100, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
 }
 
 TEST(SerialNxtCamera, ComesBackAfterAPowerCycleAndAnUnplug) {
@@ -49,15 +33,15 @@ TEST(SerialNxtCamera, ComesBackAfterAPowerCycleAndAnUnplug) {
   bench.run(2'000, {kRed});
   bench.device.restart(bench.clock.now());
   bench.run(1'010, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(1'500, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   bench.link.unplug();
   bench.run(10, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.link.replug();
   bench.run(2'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 // A line that dies and a port that comes back without a camera.
@@ -66,10 +50,34 @@ TEST(SerialNxtCamera, APortWithoutACameraIsSilent) {
   bench.device.restart(base::Time{1'000'000'000});
   bench.link.unplug();
   bench.run(500, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.link.replug();
   bench.run(600, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
+}
+
+TEST(SerialNxtCamera, AcknowledgingWithoutTrackingIsUnready) {
+  Bench bench;
+  bench.exposing = false;
+  bench.run(3'000, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
+  EXPECT_TRUE(bench.frames.empty());
+  bench.exposing = true;
+  bench.run(200, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+}
+
+// What a stalled line held back comes in one heap: only the first of it counts, in order of time.
+TEST(SerialNxtCamera, FramesHeldUpInOneHeapAreDropped) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  bench.link.set_bytes_per_ms(1'000);
+  bench.link.stall();
+  bench.run(500, {kRed});
+  bench.link.resume();
+  EXPECT_LE(bench.run(20, {kRed}).size(), 2U);
+  EXPECT_GT(bench.driver.stale(), 5U);
+  EXPECT_EQ(bench.disorder, 0U);
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/fake/scripted_link.hpp"
-#include "hal/fake/stepped_clock.hpp"
-#include "host/emulate/pixy2.hpp"
-#include "tests/drivers/emulated_link.hpp"
+#include "tests/drivers/bench/pixy2_rig.hpp"
 #include "tests/drivers/hex.hpp"
 
 namespace fencepost::pixy2 {
@@ -15,29 +13,13 @@ namespace {
 using sensor::LinkState;
 using test::bytes_of;
 using test::hex;
-using Link = test::EmulatedLink<emulate::Pixy2>;
+using Bench = test::Bench<test::Pixy2Rig>;
+using Link = test::Pixy2Rig::Link;
 
 static_assert(sensor::BlobCamera<Camera<Link>>);
 
 const sensor::Blob kRed{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
 const sensor::Blob kSmall{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
-
-struct Bench {
-  fake::SteppedClock clock;
-  emulate::Pixy2 device{base::Time{}};
-  Link link{device, clock};
-  Camera<Link> camera{link};
-  std::vector<sensor::BlobFrame> frames;
-
-  // A turn each millisecond, a new frame each sixteenth.
-  void run(std::int64_t ms, const std::vector<sensor::Blob>& blobs) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      clock.advance(base::milliseconds(1));
-      if (i % 16 == 0) device.show(blobs);
-      if (const auto frame = camera.poll(clock.now())) frames.push_back(*frame);
-    }
-  }
-};
 
 TEST(Pixy2Camera, GreetsAndAsksInOrder) {
   const auto version = hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00");
@@ -67,11 +49,11 @@ TEST(Pixy2Camera, GreetsAndAsksInOrder) {
 TEST(Pixy2Camera, StartsUpWithTheCamera) {
   Bench bench;
   bench.run(400, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(700, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);  // busy: starting
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);  // busy: starting
   bench.run(1'000, {kRed, kSmall});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   ASSERT_FALSE(bench.frames.empty());
   EXPECT_EQ(bench.frames.back().blobs.size(), 2U);
   EXPECT_EQ(bench.frames.back().blobs[0], kRed);
@@ -92,10 +74,10 @@ TEST(Pixy2Camera, TakesEveryFrameOnceInOrder) {
 TEST(Pixy2Camera, SeeingNothingIsEmpty) {
   Bench bench;
   bench.run(3'000, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kEmpty);
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
   EXPECT_FALSE(bench.frames.empty());
   bench.run(100, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, FirstByteStampsTheFrame) {
@@ -113,7 +95,7 @@ TEST(Pixy2Camera, AnotherProgramIsChanged) {
   Bench bench;
   bench.device.set_default_program("line_tracking");
   bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, AnotherProgramLeftAloneIsUnready) {
@@ -143,10 +125,10 @@ TEST(Pixy2Camera, TheButtonIsUnreadyUntilLetGo) {
   bench.run(3'000, {kRed});
   bench.device.hold_button(true);
   bench.run(300, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
   bench.device.hold_button(false);
   bench.run(300, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, AFrozenSensorIsUnready) {
@@ -154,9 +136,9 @@ TEST(Pixy2Camera, AFrozenSensorIsUnready) {
   bench.run(3'000, {kRed});
   for (int ms = 0; ms < 1'200; ++ms) {
     bench.clock.advance(base::milliseconds(1));
-    (void)bench.camera.poll(bench.clock.now());
+    (void)bench.driver.poll(bench.clock.now());
   }
-  EXPECT_EQ(bench.camera.link(), LinkState::kUnready);
+  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
 }
 
 TEST(Pixy2Camera, ComesBackAfterAPowerCycle) {
@@ -164,9 +146,9 @@ TEST(Pixy2Camera, ComesBackAfterAPowerCycle) {
   bench.run(3'000, {kRed});
   bench.device.restart(bench.clock.now());
   bench.run(450, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.run(1'600, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, UnpluggedIsAbsentAndReplugged) {
@@ -174,12 +156,12 @@ TEST(Pixy2Camera, UnpluggedIsAbsentAndReplugged) {
   bench.run(3'000, {kRed});
   bench.link.unplug();
   bench.run(10, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.run(5'000, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.link.replug();
   bench.run(600, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, APortWithoutACameraIsSilent) {
@@ -187,10 +169,10 @@ TEST(Pixy2Camera, APortWithoutACameraIsSilent) {
   bench.device.restart(base::Time{1'000'000'000});
   bench.link.unplug();
   bench.run(100, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kAbsent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.link.replug();
   bench.run(1'000, {});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
 }
 
 TEST(Pixy2Camera, CountsWhatSixteenCannotHold) {
@@ -201,7 +183,7 @@ TEST(Pixy2Camera, CountsWhatSixteenCannotHold) {
   bench.run(3'000, many);
   ASSERT_FALSE(bench.frames.empty());
   EXPECT_EQ(bench.frames.back().blobs.size(), 16U);
-  EXPECT_EQ(bench.camera.dropped(), 2U * bench.frames.size());
+  EXPECT_EQ(bench.driver.dropped(), 2U * bench.frames.size());
 }
 
 TEST(Pixy2Camera, AStalledLineEndsTheWait) {
@@ -209,10 +191,10 @@ TEST(Pixy2Camera, AStalledLineEndsTheWait) {
   bench.run(3'000, {kRed});
   bench.link.stall();
   bench.run(400, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kSilent);
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
   bench.link.resume();
   bench.run(800, {kRed});
-  EXPECT_EQ(bench.camera.link(), LinkState::kOk);
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/drivers/bytes.hpp"
+#include "tests/drivers/hex.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -24,7 +24,7 @@ constexpr sensor::Blob kSecond{2, 37, 195, 43, 204, {400}, {2'000}, 45, {}};
 
 std::string sealed(std::string_view body) {
   unsigned sum = 0;
-  for (const char c : body) sum ^= octet(c);
+  for (const char c : body) sum ^= test::octet(c);
   constexpr std::string_view kHex = "0123456789ABCDEF";
   return "$" + std::string(body) + "*" + kHex[sum / 16] + kHex[sum % 16] + "\n";
 }
@@ -34,7 +34,7 @@ constexpr std::array<std::uint8_t, kChannels> kSignatures = {1, 2, 3};
 struct Reading {
   Reading& bytes(std::string_view bytes) {
     for (const char byte : bytes) {
-      const Event event = decoder.feed(octet(byte), now);
+      const Event event = decoder.feed(test::octet(byte), now);
       if (event == Event::kFrame) frames.push_back(decoder.frame());
       if (event == Event::kVersion) versions.push_back(decoder.version());
       ++now.raw;
@@ -196,7 +196,7 @@ TEST(XbcDecoder, TheFuzzersEntryRuns) {
       state = state * 1'664'525 + 1'013'904'223;
       constexpr std::string_view kTelling = "$FBEV *0123456789-\r\nXBCL";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 4 != 0 ? octet(kTelling[r / 4 % kTelling.size()]) : static_cast<std::uint8_t>(r / 4));
+      bytes.push_back(r % 4 != 0 ? test::octet(kTelling[r / 4 % kTelling.size()]) : static_cast<std::uint8_t>(r / 4));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

@@ -1,15 +1,10 @@
-// The conversation with an emulated XBC, and an hour of it on a bad line.
+// The conversation with an emulated XBC, and an hour of it with damaged bytes.
 #include "drivers/xbc/session.hpp"
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
-#include "drivers/xbc/xbc.hpp"
 #include "hal/fake/scripted_link.hpp"
-#include "hal/fake/stepped_clock.hpp"
-#include "host/emulate/xbc.hpp"
-#include "tests/drivers/wire.hpp"
+#include "tests/drivers/bench/xbc_rig.hpp"
 
 namespace fencepost::xbc {
 namespace {
@@ -19,44 +14,17 @@ using sensor::LinkState;
 const std::vector<emulate::XbcBlob> kScene = {{0, 0, 178, 146, 600, 160, 131, 196, 160, 0},
                                               {1, 0, 40, 200, 45, 37, 195, 43, 204, -785}};
 
-/// 15 frames a second, in steps of 5 ms.
-struct Rig {
-  std::optional<sensor::BlobFrame> step() {
-    clock.advance(base::milliseconds(5));
-    ++steps;
-    const std::string asked = wire.to_device();
-    if (powered) wire.from_device(device.feed(asked));
-    if (powered && camera_on && steps % 13 == 0) {
-      ++sent;
-      const std::uint32_t before = wire.damaged_bytes();
-      wire.from_device(device.frame(scene));
-      good += wire.damaged_bytes() == before ? 1U : 0U;
-    }
-    const auto frame = driver.poll(clock.now());
-    if (!frame) return std::nullopt;
-    ++received;
-    EXPECT_LT(last_t, frame->t);
-    last_t = frame->t;
-    const bool right = frame->blobs.size() == 2 && frame->blobs[0].x1 == 160 && frame->blobs[0].y2 == 160 &&
-                       frame->blobs[1].x1 == 37 && frame->blobs[1].x2 == 43 && frame->blobs[0].pixels == 600;
-    wrong += right ? 0U : 1U;
-    return *frame;
-  }
+/// Counts the frames that are not of the scene.
+struct Rig : test::Bench<test::XbcRig> {
+  Rig() { scene = kScene; }
   void run(std::int64_t ms) {
-    for (std::int64_t i = 0; i < ms / 5; ++i) (void)step();
+    for (const sensor::BlobFrame& frame : test::Bench<test::XbcRig>::run(ms)) {
+      ++received;
+      const bool right = frame.blobs.size() == 2 && frame.blobs[0].x1 == 160 && frame.blobs[0].y2 == 160 &&
+                         frame.blobs[1].x1 == 37 && frame.blobs[1].x2 == 43 && frame.blobs[0].pixels == 600;
+      wrong += right ? 0U : 1U;
+    }
   }
-
-  fake::SteppedClock clock;
-  serial::Wire wire{11};
-  emulate::XbcDevice device;
-  Xbc<serial::Wire> driver{wire, Config{}};
-  std::vector<emulate::XbcBlob> scene = kScene;
-  bool powered = true;
-  bool camera_on = true;
-  std::int64_t steps = 0;
-  base::Time last_t{-1};
-  std::uint32_t sent = 0;
-  std::uint32_t good = 0;  ///< sent whole
   std::uint32_t received = 0;
   std::uint32_t wrong = 0;
 };
@@ -76,23 +44,23 @@ TEST(XbcSession, FramesAndVersion) {
 
 TEST(XbcSession, LinkStates) {
   Rig rig;
-  rig.camera_on = false;
+  rig.exposing = false;
   rig.run(500);
   EXPECT_EQ(rig.driver.link(), LinkState::kUnready) << "it answers and sends no frames";
-  rig.camera_on = true;
+  rig.exposing = true;
   rig.run(500);
   EXPECT_EQ(rig.driver.link(), LinkState::kOk);
-  rig.powered = false;
+  rig.link.power(false);
   rig.run(1'200);
   EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
-  rig.powered = true;
+  rig.link.power(true);
   (void)rig.device.power_up();
   rig.run(1'200);
   EXPECT_EQ(rig.driver.link(), LinkState::kOk);
-  rig.wire.unplug();
+  rig.link.unplug();
   rig.run(100);
   EXPECT_EQ(rig.driver.link(), LinkState::kAbsent);
-  rig.wire.replug();
+  rig.link.replug();
   rig.run(500);
   EXPECT_EQ(rig.driver.link(), LinkState::kOk);
   EXPECT_EQ(rig.driver.session().version(), 1) << "asked again";
@@ -133,40 +101,16 @@ TEST(XbcSession, SignaturesAreTheUsers) {
   EXPECT_EQ(session.sample().blobs[0].signature, 8);
 }
 
-TEST(HostileXbc, AnHourOfEverything) {
-  Rig rig;
-  rig.wire.damage_one_byte_in(100);
-  for (int minute = 0; minute < 60; ++minute) {
-    switch (minute % 6) {
-      case 1: rig.wire.stall(true); break;
-      case 2: rig.wire.unplug(); break;
-      case 3: rig.powered = false; break;
-      default: break;
-    }
-    rig.run(300 + static_cast<std::int64_t>(rig.wire.random()() % 5'000));
-    rig.wire.stall(false);
-    rig.wire.replug();
-    rig.powered = true;
-    const std::uint32_t before = rig.received;
-    rig.run(60'000);
-    EXPECT_GT(rig.received, before + 100) << "minute " << minute << ": did not come back";
-  }
-  RecordProperty("frames", static_cast<int>(rig.received));
-  RecordProperty("undetected", static_cast<int>(rig.wrong));
-  // Two damaged bytes in one line that cancel out are possible, and rare.
-  EXPECT_LT(rig.wrong, rig.received / 1'000);
-}
-
 // Damage alone: what was sent whole arrives, but for at most one frame a damaged byte (a lost line end takes the next
 // line with it, were it not for its `$`).
 TEST(HostileXbc, DamageCostsTheDamagedFrameOnly) {
   Rig rig;
   rig.run(1'000);
-  rig.wire.damage_one_byte_in(1'000);
+  rig.link.corruptor().set(0.001);
   rig.run(3'600'000);
-  EXPECT_GT(rig.wire.damaged_bytes(), 5'000U);
-  EXPECT_GE(rig.received + 1, rig.good);
-  EXPECT_LE(rig.sent - rig.received, rig.wire.damaged_bytes());
+  EXPECT_GT(rig.link.corrupted(), 5'000U);
+  EXPECT_GE(rig.received + 1, rig.link.whole_frames());
+  EXPECT_LE(rig.sent - rig.received, rig.link.corrupted());
   EXPECT_EQ(rig.wrong, 0U);
 }
 

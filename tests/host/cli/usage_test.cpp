@@ -13,8 +13,9 @@ using testing::recording;
 using testing::shell;
 using testing::spill;
 
-const std::vector<std::string> kCommands = {"",         "demo",   "replay",        "report",      "simulate",
-                                            "evaluate", "import", "import mrclam", "import rings"};
+const std::vector<std::string> kCommands = {"",         "demo",   "replay",        "report",       "simulate",
+                                            "evaluate", "import", "import mrclam", "import rings", "emulate",
+                                            "record",   "run"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;
@@ -32,7 +33,7 @@ TEST(Help, ShowsAnExampleFirst) {
 TEST(Help, ListsEveryCommand) {
   const Folder folder;
   const std::string out = shell(folder, "fencepost --help").out;
-  for (const char* name : {"demo", "replay", "report", "simulate", "evaluate", "import"}) {
+  for (const char* name : {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "emulate", "import"}) {
     EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
   }
 }

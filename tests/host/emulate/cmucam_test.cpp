@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/drivers/bytes.hpp"
+#include "tests/drivers/hex.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -16,12 +16,12 @@ const std::vector<ColouredSpot> kNothing;
 TEST(EmulatedCmuCam, Versions) {
   CmuCamDevice one(CmuCamModel::kOne);
   EXPECT_EQ(one.power_up(), "CMUcam v1.12\r:");
-  EXPECT_EQ(one.feed("GV\r"), from_hex("41 43 4B 0D 43 4D 55 63 61 6D 20 76 31 2E 31 32 0D 3A"));
+  EXPECT_EQ(one.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 20 76 31 2E 31 32 0D 3A"));
   EXPECT_EQ(one.feed("rs\r"), "ACK\r\rCMUcam v1.12\r:");
   EXPECT_EQ(one.feed("\r"), ":");
   CmuCamDevice three(CmuCamModel::kThree);
   EXPECT_EQ(three.power_up(), "CMUcam2 v1.00 c6\r:");
-  EXPECT_EQ(three.feed("GV\r"), from_hex("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A")) << "no CR";
+  EXPECT_EQ(three.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A")) << "no CR";
   EXPECT_EQ(three.feed("\r"), "ACK\r:");
   CmuCamDevice four(CmuCamModel::kFour);
   EXPECT_EQ(four.feed("GV\r"), "ACK\rCMUcam4 v1.02\r:");
@@ -40,16 +40,16 @@ TEST(EmulatedCmuCam, PacketsInBothForms) {
             ":")
       << "RM 3 leaves its own ACK out";
   EXPECT_EQ(one.feed("TC\r"), "");
-  EXPECT_EQ(one.frame(kOneBased), from_hex("FF 4D 2D 46 28 3C 32 50 0F 80 3A"));
+  EXPECT_EQ(one.frame(kOneBased), test::hex_text("FF 4D 2D 46 28 3C 32 50 0F 80 3A"));
   EXPECT_EQ(one.frame(kOneBased), "") << "one packet a question";
 
   CmuCamDevice three(CmuCamModel::kThree);
   EXPECT_EQ(three.feed("PM 1\rTC 90 130 16 40 16 40\r"), "ACK\r:ACK\r");
   EXPECT_EQ(three.frame(kZeroBased), "T 24 49 20 40 29 59 150 255\r:");
   EXPECT_EQ(three.feed("RM 1\rTC\r"), "ACK\r:ACK\r");
-  EXPECT_EQ(three.frame(kZeroBased), from_hex("FF 54 18 31 14 28 1D 3B 96 FE 3A"));
+  EXPECT_EQ(three.frame(kZeroBased), test::hex_text("FF 54 18 31 14 28 1D 3B 96 FE 3A"));
   EXPECT_EQ(three.feed("TC\r"), "ACK\r");
-  EXPECT_EQ(three.frame(kNothing), from_hex("FF 54 00 00 00 00 00 00 00 00 3A"));
+  EXPECT_EQ(three.frame(kNothing), test::hex_text("FF 54 00 00 00 00 00 00 00 00 3A"));
 
   CmuCamDevice four(CmuCamModel::kFour);
   EXPECT_EQ(four.feed("PM 1\rTC 90 130 16 40 16 40\r"), "ACK\r:ACK\r");
@@ -79,7 +79,7 @@ TEST(EmulatedCmuCam, RefusesWhatItDoesNotKnow) {
 TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
   CmuCamDevice one(CmuCamModel::kOne);
   (void)one.feed("RM 4\r");
-  EXPECT_EQ(one.feed(from_hex("54 43 06 5A 82 10 28 10 28")), "ACK\r");
+  EXPECT_EQ(one.feed(test::hex_text("54 43 06 5A 82 10 28 10 28")), "ACK\r");
   EXPECT_EQ(one.feed("RS\r"), "") << "CR is a count: 13 arguments follow";
   EXPECT_EQ(one.feed("GV\rGV\rGV\r"), "") << "9 of them";
   EXPECT_EQ(one.feed("\r\r\r\r"), "NCK\r:");
@@ -89,7 +89,7 @@ TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
   (void)three.feed("RM 4\r");
   EXPECT_EQ(three.feed("RS\r"), "NCK\r:") << "more than 10";
   // 100..110 arrive as 68..78: the spot of red 100 is not among them.
-  EXPECT_EQ(three.feed(from_hex("54 43 06 64 6E 10 28 10 28")), "ACK\r");
+  EXPECT_EQ(three.feed(test::hex_text("54 43 06 64 6E 10 28 10 28")), "ACK\r");
   EXPECT_EQ(three.frame(kZeroBased), "T 0 0 0 0 0 0 0 0\r");
 }
 

@@ -58,6 +58,16 @@ TEST(EvaluateCommand, PairsScenesWithLogsInOrder) {
   EXPECT_EQ(shell(folder, two + " " + recording("blocks_arc.log")).exit_code, 2) << "a log without a scene";
 }
 
+TEST(EvaluateCommand, OfSeveralLogsAMessageNamesItsOwn) {
+  const Folder folder;
+  const std::string damaged =
+      "sed '20s/,/;/' " + kLog + " >damaged.log; fencepost evaluate damaged.log --scene " + kScene;
+  EXPECT_TRUE(shell(folder, damaged).err.starts_with("1 line rejected: crc, first in line 20"));
+  const Outcome two = shell(folder, damaged + " " + kLog + " --scene " + kScene);
+  EXPECT_EQ(two.exit_code, 0);
+  EXPECT_TRUE(holds(two.err, "damaged.log: 1 line rejected: crc, first in line 20")) << two.err;
+}
+
 TEST(EvaluateCommand, ABoundThatIsExceededFails) {
   const Folder folder;
   const std::string only = "fencepost evaluate " + kLog + " --model cylinder ";

@@ -36,8 +36,8 @@ TEST(Accuracy, CountsSharesOfArea) {
   const auto all = measure_accuracy(d, scene_of({{1, box(0, 0, 2, 2)}}));
   ASSERT_EQ(all.size(), 1U);
   ASSERT_EQ(all[0].models.size(), 2U);
-  EXPECT_NEAR(all[0].models[1].recklessness, 0.75, 1e-12);
-  EXPECT_NEAR(all[0].models[1].paranoia, 0.75, 1e-12);
+  EXPECT_NEAR(all[0].models[1].score.recklessness, 0.75, 1e-12);
+  EXPECT_NEAR(all[0].models[1].score.paranoia, 0.75, 1e-12);
   EXPECT_NEAR(all[0].position_error.value(), 0.5, 1e-12);  // (0.3, 0.4) from the centroid (1, 1)
 }
 
@@ -46,8 +46,8 @@ TEST(Accuracy, TellsRecklessFromParanoid) {
   ResultDocument d;
   d.objects = {found(1, 1, {1, 1}, box(0, 0, 4, 2))};
   const auto all = measure_accuracy(d, scene_of({{1, box(0, 0, 2, 2)}}));
-  EXPECT_NEAR(all.at(0).models[1].recklessness, 0, 1e-12);
-  EXPECT_NEAR(all.at(0).models[1].paranoia, 0.5, 1e-12);
+  EXPECT_NEAR(all.at(0).models[1].score.recklessness, 0, 1e-12);
+  EXPECT_NEAR(all.at(0).models[1].score.paranoia, 0.5, 1e-12);
 }
 
 TEST(Accuracy, AModelWithoutAreaIsWrongBothWays) {
@@ -55,19 +55,20 @@ TEST(Accuracy, AModelWithoutAreaIsWrongBothWays) {
   d.objects = {found(1, 1, {1, 1}, {})};
   d.objects[0].models[1].geometry.clear();
   const auto all = measure_accuracy(d, scene_of({{1, box(0, 0, 2, 2)}}));
-  for (const ModelAccuracy& model : all.at(0).models) {
-    EXPECT_EQ(model.recklessness, 1);
-    EXPECT_EQ(model.paranoia, 1);
+  for (const ModelScore& model : all.at(0).models) {
+    EXPECT_EQ(model.score.recklessness, 1);
+    EXPECT_EQ(model.score.paranoia, 1);
   }
 }
 
-TEST(Accuracy, MatchesTheNearestOfTheSameSignatureOneToOne) {
+// The squares are 1 m wide, so 0.71 + 0.25 m are allowed. Truth 0 and 1 have signature 1, at 0 and at 1.2; truth 2 has
+// signature 3: nobody's. Object 4 lies too far from all of them.
+TEST(Accuracy, MatchesOneToOneWithinASignature) {
   ResultDocument d;
-  d.objects = {found(1, 1, {0.4, 0}, box(0, 0, 1, 1)), found(2, 1, {0.1, 0}, box(0, 0, 1, 1)),
-               found(3, 2, {0, 0}, box(0, 0, 1, 1))};
-  // Truth 0 and 1 have signature 1, at 0 and at 5; truth 2 has signature 3: nobody's.
+  d.objects = {found(1, 1, {0.5, 0}, box(0, 0, 1, 1)), found(2, 1, {0.1, 0}, box(0, 0, 1, 1)),
+               found(3, 2, {0, 0}, box(0, 0, 1, 1)), found(4, 1, {3, 0}, box(0, 0, 1, 1))};
   const auto all = measure_accuracy(
-      d, scene_of({{1, box(-0.5, -0.5, 1, 1)}, {1, box(4.5, -0.5, 1, 1)}, {3, box(-0.5, -0.5, 1, 1)}}));
+      d, scene_of({{1, box(-0.5, -0.5, 1, 1)}, {1, box(0.7, -0.5, 1, 1)}, {3, box(-0.5, -0.5, 1, 1)}}));
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].id, 1U);
   EXPECT_EQ(all[0].truth, 1U);  // object 2 is nearer to truth 0 and takes it

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include "host/cli/command.hpp"
+#include "host/cli/positive.hpp"
+#include "host/cli/record_devices.hpp"
+#include "host/cli/stop_signals.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/live/open_port.hpp"
+#include "host/recorder/recorder.hpp"
+#include "host/recorder/standard_input.hpp"
+#include "host/recorder/status_text.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct Request {
+  std::string port;
+  std::string camera;
+  std::string odometry;
+  std::string robot;
+  std::string output;
+  std::uint32_t baud = 115'200;
+  std::string mode = "log";
+  bool reset = false;
+  bool no_command = false;
+  bool wait = false;
+  bool quiet = false;
+  std::optional<double> seconds;
+};
+
+[[nodiscard]] bool of_devices(const Request& request) { return !request.camera.empty() || !request.odometry.empty(); }
+
+void check_devices(const Request& request) {
+  if (request.camera.empty() || request.odometry.empty()) {
+    throw Failure(Exit::kUsage, "a recording of devices needs both --camera and --odometry");
+  }
+  if (!request.port.empty()) {
+    throw Failure(Exit::kUsage,
+                  "a PORT is a robot's console, which has its camera and wheels; leave out one or the other");
+  }
+  if (request.no_command || request.reset) {
+    throw Failure(Exit::kUsage, "--reset and --no-command are about a PORT; with --camera each recording is a new run");
+  }
+}
+
+void check_usage(const Request& request) {
+  if (of_devices(request)) {
+    check_devices(request);
+  } else if (request.port.empty()) {
+    throw Failure(Exit::kUsage,
+                  "name a PORT, such as /dev/ttyACM0, or --camera and --odometry; see fencepost record --help");
+  } else if (!request.robot.empty()) {
+    throw Failure(Exit::kUsage, "--robot goes with --camera and --odometry; a robot at a PORT knows its own numbers");
+  }
+  if (request.output == "-") {
+    throw Failure(Exit::kUsage,
+                  "a recording needs a file; standard output shows its lines anyway: name a file with -o");
+  }
+  if (request.no_command && request.reset) {
+    throw Failure(Exit::kUsage, "--reset is a command, and --no-command forbids them; leave one out");
+  }
+}
+
+/// fencepost-20260131-235959.log, or with a number where that exists.
+std::string default_name() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  const std::string stem = fmt::format("fencepost-{:04}{:02}{:02}-{:02}{:02}{:02}", local.tm_year + 1900,
+                                       local.tm_mon + 1, local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
+  std::string name = stem + ".log";
+  for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}.log", stem, i);
+  return name;
+}
+
+std::string file_name(const Request& request) { return request.output.empty() ? default_name() : request.output; }
+
+std::unique_ptr<BytePort> open_port(const Request& request) {
+  if (request.port == "-") return std::make_unique<StandardInput>();
+  Place place{PlaceKind::kTty, request.port};
+  if (request.port.starts_with("tcp:")) {
+    const std::optional<Place> tcp = parse_tcp(request.port);
+    if (!tcp) throw Failure(Exit::kUsage, fmt::format("'{}' is no place; write tcp:HOST:PORT", request.port));
+    place = *tcp;
+  }
+  try {
+    return open_line(place, request.baud, "PORT", request.wait);
+  } catch (const DeviceFailure& failure) {
+    throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
+  }
+}
+
+/// The empty line ends what somebody else may have begun to type.
+std::string greeting(const Request& request) {
+  if (request.no_command || request.port == "-") return {};
+  return "\rmode " + request.mode + "\r" + (request.reset ? "reset\r" : "");
+}
+
+RecorderSettings recorder_settings(const Request& request) {
+  RecorderSettings settings;
+  settings.port_name = request.port == "-" ? "standard input" : request.port;
+  settings.greeting = greeting(request);
+  settings.ends_with_port = request.port == "-";
+  if (request.seconds) settings.length = base::Duration::nearest(*request.seconds);
+  return settings;
+}
+
+template <class T>
+T opened(linux::Opened<T> what) {
+  if (!what) throw Failure(Exit::kDevice, what.problem());
+  return std::move(*what);
+}
+
+void say_end(const Recorder& recorder, const LogFile& log, const Display& display, base::Time now) {
+  for (const std::string& line : summary(recorder.tally(), now)) say(line);
+  if (display.lines_not_shown() > 0) {
+    say(fmt::format("{} lines are in the file but were not shown: standard output was too slow",
+                    display.lines_not_shown()));
+  }
+  say(fmt::format("saved in {}", log.path()));
+}
+
+/// A service that is told to stop has done its work.
+Exit exit_code(const RecordingEnd& end) {
+  return end.signal == 0 || end.signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
+}
+
+Exit record_console(const Request& request) {
+  const linux::MonotonicClock clock;
+  const StopSignals signals;
+  const std::unique_ptr<BytePort> port = open_port(request);
+  LogFile log = opened(LogFile::open({file_name(request)}, clock.now()));
+
+  const bool status = is_terminal(STDERR_FILENO) && can_redraw();
+  Display display({!request.quiet, is_terminal(STDOUT_FILENO), status});
+  std::optional<Keyboard> keyboard;
+  if (request.port != "-") keyboard.emplace(status && is_terminal(STDIN_FILENO));
+  RecorderSettings settings = recorder_settings(request);
+  say(fmt::format("recording {} in {}; Ctrl-C ends it", settings.port_name, log.path()));
+  if (!port->connected() && !port->problem().empty()) say("waiting for it: " + port->problem());
+
+  Recorder recorder({*port, log, display, keyboard ? &*keyboard : nullptr, StopSignals::caught(), clock},
+                    std::move(settings));
+  const RecordingEnd end = recorder.run();
+  keyboard.reset();
+  say_end(recorder, log, display, clock.now());
+  if (end.fault) throw Failure(Exit::kDevice, end.fault->sentence);
+  return exit_code(end);
+}
+
+Exit run(const Request& request) {
+  check_usage(request);
+  if (!of_devices(request)) return record_console(request);
+  return record_devices(
+      {request.camera, request.odometry, request.robot, file_name(request), request.wait, request.seconds});
+}
+
+Action configure(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("PORT", request->port, "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input");
+  app.add_option("--camera", request->camera, "instead of PORT: a camera of this machine, as `run` takes it")
+      ->type_name("DEV");
+  app.add_option("--odometry", request->odometry, "with --camera: the wheels, as `run` takes them")->type_name("DEV");
+  app.add_option("--robot", request->robot, "with --camera: the robot's numbers (JSON)")->type_name("FILE");
+  app.add_option("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
+      ->type_name("FILE");
+  app.add_option("--baud", request->baud, "of a serial port; default: 115200")->type_name("N")->check(positive());
+  app.add_option("--mode", request->mode, "console mode asked for at the start; only log can be replayed; default: log")
+      ->check(CLI::IsMember({"log", "text", "plot", "quiet"}));
+  app.add_flag("--reset", request->reset, "also ask for a new run, so that replay --check can compare all of it");
+  app.add_flag("--no-command", request->no_command, "send nothing but what is typed");
+  app.add_flag("--wait", request->wait, "wait for a port that is not there yet");
+  app.add_option("--seconds", request->seconds, "end after so long")->type_name("T")->check(positive());
+  app.add_flag("-q,--quiet", request->quiet, "do not show the lines");
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command record_command() {
+  return {"record",
+          "a robot's console into a file, as it comes",
+          "  fencepost record /dev/ttyACM0\n"
+          "  fencepost record /dev/ttyACM0 --reset --seconds 60 -o run.log && fencepost replay run.log --check\n"
+          "  fencepost record tcp:robot.local:2000 -o run.log --seconds 60 -q\n"
+          "  fencepost record --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --robot robot.json\n"
+          "  ssh robot cat /dev/ttyACM0 | fencepost record - -o run.log\n",
+          configure,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,207 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/log_size.hpp"
+#include "host/cli/positive.hpp"
+#include "host/cli/stop_signals.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/live/run.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct Request {
+  std::string camera;
+  std::string odometry;
+  std::string console = "-";
+  std::string robot;
+  std::string log;
+  std::string log_size;
+  std::string mode;
+  std::string profile = "full";
+  std::optional<double> log_minutes;
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> frames;
+  bool force = false;
+  bool wait = false;
+};
+
+DeviceSpec device(const std::string& text, DeviceRole role) {
+  const auto spec = parse_device(text, role);
+  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
+  return *spec;
+}
+
+RobotFile read_robot(const std::string& path) {
+  if (path.empty()) return {};
+  const auto robot = parse_robot(read_input(path), input_name(path));
+  if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
+  return *robot;
+}
+
+ConsoleSpec console_of(const Request& request) {
+  const auto spec = parse_console(request.console);
+  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
+  return *spec;
+}
+
+app::Mode mode_of(const Request& request, const ConsoleSpec& console) {
+  for (std::size_t i = 0; i < app::kModes; ++i) {
+    if (request.mode == app::name(static_cast<app::Mode>(i))) return static_cast<app::Mode>(i);
+  }
+  const bool people = console.kind != ConsoleSpec::Kind::kTerminal || is_terminal(STDOUT_FILENO);
+  return people ? app::Mode::kText : app::Mode::kLog;
+}
+
+RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
+  RunPlan plan;
+  plan.camera = device(request.camera, DeviceRole::kCamera);
+  plan.odometry = device(request.odometry, DeviceRole::kOdometry);
+  plan.robot = read_robot(request.robot);
+  plan.profile = request.profile;
+  plan.mode = mode_of(request, console);
+  plan.version = FENCEPOST_VERSION;
+  plan.frames = request.frames;
+  if (request.seconds) plan.duration = base::Duration::nearest(*request.seconds);
+  plan.console_is_people = console.kind == ConsoleSpec::Kind::kTerminal;
+  return plan;
+}
+
+RunLogSettings log_of(const Request& request) {
+  RunLogSettings settings;
+  settings.path = request.log;
+  settings.overwrite = request.force;
+  settings.profile = request.profile;
+  if (request.log_minutes) settings.part_age = base::Duration::nearest(60 * *request.log_minutes);
+  if (!request.log_size.empty()) {
+    const auto size = size_in(request.log_size);
+    constexpr std::uint64_t kLeast = 4096;  // a part begins with a kilobyte of calibration
+    if (!size || *size < kLeast)
+      throw Failure(Exit::kUsage, "--log-size " + request.log_size + " is not possible; write 4K, 64M or 2G");
+    settings.part_bytes = *size;
+  }
+  const bool parts = request.log_minutes || !request.log_size.empty();
+  if (request.log.empty() && (parts || request.force)) {
+    throw Failure(Exit::kUsage, "--log-size, --log-minutes and --force say something of --log; name a file with it");
+  }
+  if (request.log == "-") {
+    throw Failure(Exit::kUsage, "--log takes a file; for the log on standard output use --mode log");
+  }
+  return settings;
+}
+
+Devices open(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
+  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
+  if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
+    const std::string hint = failure->usage ? "" : ", or --wait for it";
+    throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
+  }
+  return std::move(*std::get_if<Devices>(&opened));
+}
+
+std::unique_ptr<ConsolePort> open(const ConsoleSpec& spec, bool wait) {
+  try {
+    auto console = open_console(spec, wait);
+    if (const auto* pty = dynamic_cast<const PtyConsole*>(console.get())) say("console at " + pty->path());
+    return console;
+  } catch (const DeviceFailure& failure) {
+    throw Failure(Exit::kDevice, failure.message);
+  }
+}
+
+void say_what_is_assumed(const RunPlan& plan, const Devices& devices) {
+  if (!devices.intrinsics) {
+    say("the camera's calibration is not known: frames are refused until an $FPCAM line comes, or give --robot FILE");
+  } else if (!plan.robot.camera.mount) {
+    say("where the camera sits is not known: it is taken to be above the robot's middle, looking ahead; give --robot "
+        "FILE with \"camera\": {\"mount\": ...}");
+  }
+}
+
+Exit exit_of(const RunSummary& summary) {
+  if (summary.log_failed) return Exit::kDevice;
+  const bool interrupted = summary.end == RunSummary::End::kInterrupted && StopSignals::caught() != SIGTERM;
+  return interrupted ? Exit::kInterrupted : Exit::kDone;
+}
+
+/// A closed one would be handed out again, to a device; then people's words would go there.
+void hold_standard_streams() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(fd, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
+  }
+}
+
+Exit run(const Request& request) {
+  hold_standard_streams();
+  const ConsoleSpec console_spec = console_of(request);
+  const RunPlan plan = plan_of(request, console_spec);
+  const RunLogSettings log_settings = log_of(request);
+  const StopSignals signals;
+  const linux::MonotonicClock clock;
+  Devices devices = open(plan, clock, request.wait);
+  const auto console = open(console_spec, request.wait);
+  std::optional<RunLog> log;
+  if (!request.log.empty()) {
+    auto opened = RunLog::open(log_settings, clock.now());
+    if (!opened) throw Failure(Exit::kDevice, opened.problem());
+    log.emplace(std::move(*opened));
+  }
+  say_what_is_assumed(plan, devices);
+  const RunSummary summary = run_live(plan, {clock, devices, *console, log ? &*log : nullptr,
+                                             [](std::string_view text) { say(text); }, StopSignals::caught()});
+  say(summary.sentence());
+  return exit_of(summary);
+}
+
+Action configure(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("--camera", request->camera, "which camera, and where: KIND:PLACE[,option=value...]")
+      ->type_name("DEV")
+      ->required();
+  app.add_option("--odometry", request->odometry, "which wheels, and where")->type_name("DEV")->required();
+  app.add_option("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)")->type_name("FILE");
+  app.add_option("--console", request->console,
+                 "- (this terminal, the default), pty, tcp:HOST:PORT, or /dev/tty...[,baud=N]")
+      ->type_name("DEV");
+  app.add_option("--mode", request->mode,
+                 "of the console; default: log where standard output is no terminal, else text")
+      ->check(CLI::IsMember({"text", "log", "plot", "quiet"}));
+  app.add_option("--log", request->log, "write the whole record stream there, whatever the console shows")
+      ->type_name("FILE");
+  app.add_option("--log-size", request->log_size, "begin a new part of the log after so much, such as 64M")
+      ->type_name("SIZE");
+  app.add_option("--log-minutes", request->log_minutes, "begin a new part of the log after so long")
+      ->type_name("N")
+      ->check(positive());
+  app.add_flag("--force", request->force, "overwrite an existing log");
+  app.add_flag("--wait", request->wait, "wait for devices that are not there yet, instead of ending with exit code 4");
+  app.add_option("--profile", request->profile, "capacities; default: full")
+      ->check(CLI::IsMember({"micro", "small", "full"}));
+  app.add_option("--frames", request->frames, "stop after the N-th frame record")->type_name("N")->check(positive());
+  app.add_option("--seconds", request->seconds, "stop after so long")->type_name("N")->check(positive());
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      "run",
+      "the robot's loop on this machine's cameras and wheels",
+      "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --robot robot.json --log run.log\n"
+      "  fencepost run --camera nxtcam:nxt,port=1 --odometry nxt:usb --wait\n"
+      "  fencepost run --camera pixy2.1:/dev/i2c-1 --odometry can:can0 --robot robot.json --log run.log --log-size "
+      "64M\n"
+      "  fencepost run --camera console --odometry console < run.log\n\n"
+      "Cameras (KIND, then where it is, then options):\n" +
+          describe_devices(DeviceRole::kCamera) + "Odometry:\n" + describe_devices(DeviceRole::kOdometry),
+      configure,
+      {}};
+}
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,95 @@
+#include "host/cli/record_devices.hpp"
+
+#include <fmt/format.h>
+
+#include <csignal>
+
+#include "host/cli/files.hpp"
+#include "host/cli/stop_signals.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/live/run.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+/// Nobody types, nobody listens.
+class NoConsole final : public ConsolePort {
+ public:
+  base::Result<std::size_t> read(std::span<std::uint8_t> /*in*/) override { return base::Error::kNotReady; }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override { return out.size(); }
+  void tend(base::Time /*now*/) override {}
+  [[nodiscard]] bool connected() const override { return true; }
+  [[nodiscard]] std::string problem() const override { return {}; }
+  [[nodiscard]] int descriptor() const override { return -1; }
+  [[nodiscard]] bool ended() const override { return true; }
+};
+
+DeviceSpec device(const std::string& text, DeviceRole role) {
+  const auto spec = parse_device(text, role);
+  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
+  if (spec->kind == DeviceKind::kConsole) {
+    throw Failure(Exit::kUsage, "record has no console of its own; name the port whose lines are to be recorded");
+  }
+  return *spec;
+}
+
+RobotFile robot_file(const std::string& path) {
+  if (path.empty()) return {};
+  const auto robot = parse_robot(read_input(path), input_name(path));
+  if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
+  return *robot;
+}
+
+RunPlan plan_of(const DeviceRecording& recording) {
+  RunPlan plan;
+  plan.camera = device(recording.camera, DeviceRole::kCamera);
+  plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
+  plan.robot = robot_file(recording.robot);
+  plan.mode = app::Mode::kQuiet;
+  plan.version = FENCEPOST_VERSION;
+  if (recording.seconds) plan.duration = base::Duration::nearest(*recording.seconds);
+  plan.console_is_people = true;
+  plan.ends_without_log = true;
+  return plan;
+}
+
+Devices open(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
+  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
+  if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
+    const std::string hint = failure->usage ? "" : ", or --wait for it";
+    throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
+  }
+  return std::move(*std::get_if<Devices>(&opened));
+}
+
+RunLog open_log(const std::string& path, base::Time now) {
+  RunLogSettings settings;
+  settings.path = path;
+  settings.profile = RunPlan().profile;
+  auto opened = RunLog::open(settings, now);
+  if (!opened) throw Failure(Exit::kDevice, opened.problem());
+  return std::move(*opened);
+}
+
+}  // namespace
+
+Exit record_devices(const DeviceRecording& recording) {
+  const RunPlan plan = plan_of(recording);
+  const StopSignals signals;
+  const linux::MonotonicClock clock;
+  Devices devices = open(plan, clock, recording.wait);
+  RunLog log = open_log(recording.log, clock.now());
+  say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", plan.camera.where(), plan.odometry.where(), log.name()));
+  if (!devices.intrinsics) {
+    say("the camera's calibration is not known: the log has no FPCAM, so replay needs --camera; or give --robot FILE");
+  }
+  NoConsole console;
+  const RunSummary summary =
+      run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); }, StopSignals::caught()});
+  say(summary.sentence());
+  if (summary.log_failed) return Exit::kDevice;
+  const int signal = StopSignals::caught();
+  return signal == 0 || signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
+}
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,23 @@
+// `fencepost record` of a camera and wheels of this machine: `fencepost run` without a console.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/cli/exit_code.hpp"
+
+namespace fencepost::host::cli {
+
+struct DeviceRecording {
+  std::string camera;    ///< as `run` takes it
+  std::string odometry;  ///< as `run` takes it
+  std::string robot;     ///< a file, or empty
+  std::string log;
+  bool wait = false;
+  std::optional<double> seconds;
+};
+
+/// Until a signal, the time is over, or the file cannot be written. errors: Failure
+Exit record_devices(const DeviceRecording& recording);
+
+}  // namespace fencepost::host::cli

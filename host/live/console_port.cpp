@@ -1,0 +1,213 @@
+#include "host/live/console_port.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+
+#include "host/live/open_port.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using base::Error;
+using linux::Descriptor;
+
+/// What a terminal or a pipe takes without waiting once poll(2) says that it can be written.
+constexpr std::size_t kTerminalPortion = 256;
+constexpr std::size_t kPipePortion = 4096;  // PIPE_BUF
+
+constexpr std::string_view kAllowed = "allowed: - (this terminal), pty, tcp:HOST:PORT, /dev/tty...[,baud=N]";
+
+std::size_t length_of(ssize_t count) { return static_cast<std::size_t>(count); }
+
+bool writable(int fd) {
+  pollfd wait{fd, POLLOUT, 0};
+  return ::poll(&wait, 1, 0) > 0;
+}
+
+std::optional<std::uint32_t> baud_in(std::string_view option) {
+  constexpr std::string_view kStart = "baud=";
+  if (!option.starts_with(kStart)) return std::nullopt;
+  option.remove_prefix(kStart.size());
+  std::uint32_t baud = 0;
+  const char* end = option.data() + option.size();
+  const bool whole = std::from_chars(option.data(), end, baud).ptr == end;
+  return whole && baud >= 50 && baud <= 4'000'000 ? std::optional(baud) : std::nullopt;
+}
+
+}  // namespace
+
+base::Result<ConsoleSpec, std::string> parse_console(std::string_view text) {
+  ConsoleSpec spec;
+  if (text == "-") return spec;
+  if (text == "pty") {
+    spec.kind = ConsoleSpec::Kind::kPty;
+    return spec;
+  }
+  spec.kind = ConsoleSpec::Kind::kLine;
+  if (const auto tcp = parse_tcp(text)) {
+    spec.place = *tcp;
+    return spec;
+  }
+  const std::size_t comma = text.find(',');
+  const std::string_view path = text.substr(0, comma);
+  if (path.find('/') == std::string_view::npos) return fmt::format("console \"{}\": no such place; {}", text, kAllowed);
+  spec.place = {PlaceKind::kTty, std::string(path), 0};
+  if (comma == std::string_view::npos) return spec;
+  const std::string_view option = text.substr(comma + 1);
+  const auto baud = baud_in(option);
+  if (!baud) return fmt::format("console \"{}\": \"{}\" is no baud=N; {}", text, option, kAllowed);
+  spec.baud = *baud;
+  return spec;
+}
+
+void ConsolePort::watch(linux::WaitSet& set, bool output_waits) const {
+  set.add_readable(descriptor());
+  if (output_waits) set.add_writable(descriptor());
+}
+
+// --- this terminal ---
+
+TerminalConsole::TerminalConsole(int input, int output)
+    : input_(input),
+      output_(output),
+      input_is_terminal_(::isatty(input) == 1),
+      portion_(::isatty(output) == 1 ? kTerminalPortion : kPipePortion) {}
+
+// Whoever reads a terminal from the background is stopped by the kernel.
+bool TerminalConsole::may_read() const {
+  return !ended_ && (!input_is_terminal_ || ::tcgetpgrp(input_) == ::getpgrp());
+}
+
+int TerminalConsole::descriptor() const { return may_read() ? input_ : -1; }
+
+base::Result<std::size_t> TerminalConsole::read(std::span<std::uint8_t> in) {
+  if (!may_read() || in.empty()) return Error::kNotReady;
+  pollfd wait{input_, POLLIN, 0};
+  if (::poll(&wait, 1, 0) <= 0) return Error::kNotReady;
+  const ssize_t count = ::read(input_, in.data(), in.size());
+  if (count > 0) return length_of(count);
+  ended_ = count == 0 || (errno != EAGAIN && errno != EINTR);
+  return Error::kNotReady;
+}
+
+base::Result<std::size_t> TerminalConsole::write(std::span<const std::uint8_t> out) {
+  if (closed_) return out.size();
+  if (!writable(output_)) return Error::kFull;
+  const ssize_t count = ::write(output_, out.data(), std::min(out.size(), portion_));
+  if (count >= 0) return length_of(count);
+  if (errno == EAGAIN || errno == EINTR) return Error::kFull;
+  closed_ = true;
+  return out.size();
+}
+
+void TerminalConsole::watch(linux::WaitSet& set, bool output_waits) const {
+  set.add_readable(descriptor());
+  if (output_waits && !closed_) set.add_writable(output_);
+}
+
+// --- a pseudo-terminal ---
+
+std::unique_ptr<PtyConsole> PtyConsole::open() {
+  const auto fail = [] {
+    return DeviceFailure{
+        false,
+        linux::failure("make a pseudo-terminal", "for the console", errno, "see whether /dev/pts is mounted").sentence};
+  };
+  Descriptor master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  std::array<char, 64> name{};
+  const bool made = master.open() && ::grantpt(master.get()) == 0 && ::unlockpt(master.get()) == 0 &&
+                    ::ptsname_r(master.get(), name.data(), name.size()) == 0;
+  if (!made) throw fail();
+  Descriptor slave(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  termios line{};
+  if (!slave.open() || ::tcgetattr(slave.get(), &line) != 0) throw fail();
+  ::cfmakeraw(&line);  // no echo: what is said would come back as commands
+  if (::tcsetattr(slave.get(), TCSANOW, &line) != 0) throw fail();
+  return std::unique_ptr<PtyConsole>(new PtyConsole(std::move(master), std::move(slave), name.data()));
+}
+
+base::Result<std::size_t> PtyConsole::read(std::span<std::uint8_t> in) {
+  const ssize_t count = in.empty() ? 0 : ::read(master_.get(), in.data(), in.size());
+  if (count > 0) return length_of(count);
+  return Error::kNotReady;
+}
+
+base::Result<std::size_t> PtyConsole::write(std::span<const std::uint8_t> out) {
+  const ssize_t count = ::write(master_.get(), out.data(), out.size());
+  if (count > 0) return length_of(count);
+  return Error::kFull;
+}
+
+// --- any of them ---
+
+base::Result<std::size_t> PatientConsole::write(std::span<const std::uint8_t> out) {
+  if (out.empty()) return std::size_t{0};
+  if (discarding_) return resume(out);
+  const std::size_t taken = send(out);
+  if (taken > 0) {
+    stuck_since_.reset();
+    return taken;
+  }
+  if (!stuck_since_) stuck_since_ = now_;
+  const bool patient = !may_lose_ || now_ - *stuck_since_ < kPatience;
+  if (port_.connected() && patient) return Error::kFull;
+  discarding_ = true;
+  cut_begun_ = line_begun_;
+  return discard(out);
+}
+
+std::size_t PatientConsole::send(std::span<const std::uint8_t> out) {
+  const base::Result<std::size_t> taken = port_.write(out);
+  if (!taken || *taken == 0) return 0;
+  line_begun_ = out[*taken - 1] != '\n';
+  return *taken;
+}
+
+std::size_t PatientConsole::discard(std::span<const std::uint8_t> out) {
+  cut_begun_ = out.back() != '\n';
+  lost_ += out.size();
+  return out.size();
+}
+
+// From the next line on, if the port takes anything again; a line that was cut is ended first.
+std::size_t PatientConsole::resume(std::span<const std::uint8_t> out) {
+  std::size_t begin = 0;
+  if (cut_begun_) {
+    while (begin < out.size() && out[begin] != '\n') ++begin;
+    begin = std::min(begin + 1, out.size());
+  }
+  if (begin == out.size() || !port_.connected()) return discard(out);
+  constexpr std::array<std::uint8_t, 2> kLineEnd = {'\r', '\n'};
+  if (line_begun_ && send(kLineEnd) != kLineEnd.size()) return discard(out);
+  const std::size_t taken = send(out.subspan(begin));
+  if (taken == 0) return discard(out);
+  lost_ += begin;
+  discarding_ = false;
+  stuck_since_.reset();
+  return begin + taken;
+}
+
+void PatientConsole::tend(base::Time now) {
+  now_ = now;
+  port_.tend(now);
+}
+
+std::unique_ptr<ConsolePort> open_console(const ConsoleSpec& spec, bool wait) {
+  switch (spec.kind) {
+    case ConsoleSpec::Kind::kTerminal: return std::make_unique<TerminalConsole>(STDIN_FILENO, STDOUT_FILENO);
+    case ConsoleSpec::Kind::kPty: return PtyConsole::open();
+    case ConsoleSpec::Kind::kLine: break;
+  }
+  return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, "console", wait));
+}
+
+}  // namespace fencepost::host

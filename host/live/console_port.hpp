@@ -1,0 +1,139 @@
+// Where the console of `fencepost run` is: this terminal, a serial port, a connection, or a pseudo-terminal of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "hal/base/result.hpp"
+#include "hal/linux/descriptor.hpp"
+#include "hal/linux/wait.hpp"
+#include "host/live/device_spec.hpp"
+#include "host/live/port.hpp"
+
+namespace fencepost::host {
+
+struct ConsoleSpec {
+  enum class Kind : std::uint8_t { kTerminal, kPty, kLine };
+  Kind kind = Kind::kTerminal;
+  Place place;  ///< of a line: tty or tcp
+  std::uint32_t baud = 115'200;
+};
+
+/// "-" this terminal, "pty", tcp:HOST:PORT, or the path of a serial port with ",baud=N" behind it.
+/// errors: a sentence that says what is wrong and what is allowed.
+base::Result<ConsoleSpec, std::string> parse_console(std::string_view text);
+
+/// A byte port to people. What cannot be said is not kept for ever: see PatientConsole.
+class ConsolePort : public BytePort {
+ public:
+  /// Nobody will ever read what is written: the pipe was closed.
+  [[nodiscard]] virtual bool closed() const { return false; }
+  /// Nothing will ever be typed again: the input has ended.
+  [[nodiscard]] virtual bool ended() const { return false; }
+  /// Adds what wakes the loop when something was typed, and when there is room again for what waits.
+  virtual void watch(linux::WaitSet& set, bool output_waits) const;
+};
+
+/// Standard input and output. Reading stops at the end of input, and while the program is in the background.
+class TerminalConsole final : public ConsolePort {
+ public:
+  TerminalConsole(int input, int output);
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) override;
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override;
+  void tend(base::Time /*now*/) override {}
+  [[nodiscard]] bool connected() const override { return !closed_; }
+  [[nodiscard]] std::string problem() const override { return {}; }
+  [[nodiscard]] int descriptor() const override;
+  [[nodiscard]] bool closed() const override { return closed_; }
+  [[nodiscard]] bool ended() const override { return ended_; }
+  void watch(linux::WaitSet& set, bool output_waits) const override;
+
+ private:
+  [[nodiscard]] bool may_read() const;
+
+  int input_;
+  int output_;
+  bool input_is_terminal_;
+  std::size_t portion_;
+  bool ended_ = false;
+  bool closed_ = false;
+};
+
+/// A fresh pseudo-terminal; whoever opens `path` types and reads.
+class PtyConsole final : public ConsolePort {
+ public:
+  /// errors: DeviceFailure
+  static std::unique_ptr<PtyConsole> open();
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) override;
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override;
+  void tend(base::Time /*now*/) override {}
+  [[nodiscard]] bool connected() const override { return true; }
+  [[nodiscard]] std::string problem() const override { return {}; }
+  [[nodiscard]] int descriptor() const override { return master_.get(); }
+
+ private:
+  PtyConsole(linux::Descriptor master, linux::Descriptor slave, std::string path)
+      : master_(std::move(master)), slave_(std::move(slave)), path_(std::move(path)) {}
+
+  linux::Descriptor master_;
+  linux::Descriptor slave_;  ///< kept open: a master without a slave is hung up
+  std::string path_;
+};
+
+/// A serial port or a connection.
+class LineConsole final : public ConsolePort {
+ public:
+  explicit LineConsole(std::unique_ptr<BytePort> port) : port_(std::move(port)) {}
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) override { return port_->read(in); }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override { return port_->write(out); }
+  void tend(base::Time now) override { port_->tend(now); }
+  [[nodiscard]] bool connected() const override { return port_->connected(); }
+  [[nodiscard]] std::string problem() const override { return port_->problem(); }
+  [[nodiscard]] int descriptor() const override { return port_->descriptor(); }
+
+ private:
+  std::unique_ptr<BytePort> port_;
+};
+
+/// The loop's link. What is said while the line is gone is thrown away; it goes on with a whole line. With `may_lose`,
+/// so is what nobody takes for a second: for a console in mode log beside a log on disk, which must not hold up the
+/// robot because nobody reads it. Without a log on disk such a console is the log, and inputs are refused rather than
+/// lost.
+class PatientConsole {
+ public:
+  PatientConsole(ConsolePort& port, bool may_lose) : port_(port), may_lose_(may_lose) {}
+
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) { return port_.read(in); }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out);
+  void tend(base::Time now);
+  /// Bytes thrown away.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+ private:
+  static constexpr base::Duration kPatience = base::milliseconds(1'000);
+
+  std::size_t send(std::span<const std::uint8_t> out);
+  std::size_t discard(std::span<const std::uint8_t> out);
+  std::size_t resume(std::span<const std::uint8_t> out);
+
+  ConsolePort& port_;
+  bool may_lose_;
+  base::Time now_;
+  std::optional<base::Time> stuck_since_;
+  bool discarding_ = false;
+  bool line_begun_ = false;  ///< the last byte that went out ended no line
+  bool cut_begun_ = false;   ///< the last byte thrown away ended no line
+  std::uint64_t lost_ = 0;
+};
+static_assert(bus::ByteLink<PatientConsole>);
+
+/// errors: DeviceFailure
+std::unique_ptr<ConsolePort> open_console(const ConsoleSpec& spec, bool wait);
+
+}  // namespace fencepost::host

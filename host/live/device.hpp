@@ -1,0 +1,97 @@
+// Any camera and any odometry behind one interface each, so that one loop takes all of them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hal/linux/wait.hpp"
+#include "hal/sensor/camera.hpp"
+#include "hal/sensor/sources.hpp"
+
+namespace fencepost::host {
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  [[nodiscard]] virtual sensor::LinkState link() const = 0;
+  /// Once a turn of the loop, before it is polled.
+  virtual void tend(base::Time /*now*/) {}
+  /// Adds what wakes the loop when something arrives.
+  virtual void watch(linux::WaitSet& /*set*/) const {}
+  /// Why it is absent, a sentence without full stop; empty where that is not known.
+  [[nodiscard]] virtual std::string problem() const { return {}; }
+  /// How long the loop may sleep although nothing arrives: drivers ask their devices, and notice what is missing.
+  [[nodiscard]] virtual base::Duration patience() const { return base::milliseconds(100); }
+  /// It has a cable of its own, whose state is worth telling; the console's inputs have none.
+  [[nodiscard]] virtual bool cabled() const { return true; }
+};
+
+class CameraDevice : public Device {
+ public:
+  virtual base::Result<sensor::BlobFrame> poll(base::Time now) = 0;
+  [[nodiscard]] virtual std::uint32_t dropped() const = 0;
+};
+static_assert(sensor::BlobCamera<CameraDevice>);
+
+class OdometryDevice : public Device {
+ public:
+  virtual base::Result<sensor::OdometrySample> poll(base::Time now) = 0;
+};
+static_assert(sensor::OdometrySource<OdometryDevice>);
+
+/// Frames come as $FPFRM lines on the console: nothing to poll.
+class ConsoleCamera final : public CameraDevice {
+ public:
+  base::Result<sensor::BlobFrame> poll(base::Time /*now*/) override { return base::Error::kNotReady; }
+  [[nodiscard]] sensor::LinkState link() const override { return sensor::LinkState::kOk; }
+  [[nodiscard]] std::uint32_t dropped() const override { return 0; }
+  [[nodiscard]] bool cabled() const override { return false; }
+};
+
+/// The same for $FPODO.
+class ConsoleOdometry final : public OdometryDevice {
+ public:
+  base::Result<sensor::OdometrySample> poll(base::Time /*now*/) override { return base::Error::kNotReady; }
+  [[nodiscard]] sensor::LinkState link() const override { return sensor::LinkState::kOk; }
+  [[nodiscard]] bool cabled() const override { return false; }
+};
+
+/// A driver on its port. `Stack` owns both, in the order in which they need each other: `port()` and `driver`.
+template <class Base, class Stack>
+class PortedDevice : public Base {
+ public:
+  template <class... Arguments>
+  explicit PortedDevice(base::Duration patience, Arguments&&... arguments)
+      : stack_(std::forward<Arguments>(arguments)...), patience_(patience) {}
+
+  [[nodiscard]] sensor::LinkState link() const override {
+    return stack_.port().connected() ? stack_.driver.link() : sensor::LinkState::kAbsent;
+  }
+  void tend(base::Time now) override { stack_.port().tend(now); }
+  void watch(linux::WaitSet& set) const override { set.add_readable(stack_.port().descriptor()); }
+  [[nodiscard]] std::string problem() const override { return stack_.port().problem(); }
+  [[nodiscard]] base::Duration patience() const override { return patience_; }
+
+ protected:
+  Stack stack_;
+
+ private:
+  base::Duration patience_;
+};
+
+template <class Stack>
+class PortedCamera final : public PortedDevice<CameraDevice, Stack> {
+ public:
+  using PortedDevice<CameraDevice, Stack>::PortedDevice;
+  base::Result<sensor::BlobFrame> poll(base::Time now) override { return this->stack_.driver.poll(now); }
+  [[nodiscard]] std::uint32_t dropped() const override { return this->stack_.driver.dropped(); }
+};
+
+template <class Stack>
+class PortedOdometry final : public PortedDevice<OdometryDevice, Stack> {
+ public:
+  using PortedDevice<OdometryDevice, Stack>::PortedDevice;
+  base::Result<sensor::OdometrySample> poll(base::Time now) override { return this->stack_.driver.poll(now); }
+};
+
+}  // namespace fencepost::host

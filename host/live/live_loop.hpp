@@ -1,0 +1,58 @@
+// The robot's loop with a log beside its console, one instance a profile, behind one interface.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "firmware/app/console_state.hpp"
+#include "firmware/app/counters.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/linux/wait.hpp"
+#include "host/live/console_port.hpp"
+#include "host/live/device.hpp"
+#include "host/live/open_device.hpp"
+#include "host/live/robot_file.hpp"
+
+namespace fencepost::host {
+
+class LiveLoop {
+ public:
+  virtual ~LiveLoop() = default;
+
+  /// The first run. `robot`'s signatures and settings; what does not fit the profile is answered, a sentence each.
+  virtual std::vector<std::string> start(const record::Header& header,
+                                         const std::optional<sensor::CameraIntrinsics>& intrinsics,
+                                         const RobotFile& robot) = 0;
+  /// One turn. True: there is more to do at once, without waiting for anything.
+  virtual bool step(base::Time now) = 0;
+  /// The stream has ended.
+  virtual void finish() = 0;
+  /// Hands what waits to the console, as far as it takes it now.
+  virtual void flush() = 0;
+
+  /// A link changed: a record for the log and for a console in mode log, a sentence for one in mode text, unless empty.
+  virtual void tell(const record::LinkReport& report, std::string_view sentence) = 0;
+  /// Something waits for room on the console.
+  [[nodiscard]] virtual bool output_waits() const = 0;
+  /// Whole lines of the log, in order; the caller takes all of them.
+  [[nodiscard]] virtual std::span<const char> journal() const = 0;
+  virtual void journal_taken(std::size_t size) = 0;
+  /// The longest turn so far, for FPSTA.
+  virtual void note_turn(std::uint32_t microseconds) = 0;
+
+  [[nodiscard]] virtual const app::Counters& counters() const = 0;
+  [[nodiscard]] virtual std::uint64_t digest() const = 0;
+  /// FPFRM records in the log so far.
+  [[nodiscard]] virtual std::uint64_t frames_logged() const = 0;
+};
+
+/// `console` is borrowed, as are the devices. nullptr for an unknown profile name.
+std::unique_ptr<LiveLoop> make_live_loop(std::string_view profile, CameraDevice& camera, OdometryDevice& odometry,
+                                         PatientConsole& console, app::Mode mode);
+
+/// The names that make_live_loop knows.
+inline constexpr std::string_view kLiveProfiles = "micro, small, full";
+
+}  // namespace fencepost::host

@@ -1,0 +1,13 @@
+// The key "can" of a robot file: where in which CAN frames the wheels' numbers stand.
+#pragma once
+
+#include "drivers/can_wheels/wheels.hpp"
+#include "host/live/robot_file.hpp"
+#include "host/scene/json_reader.hpp"
+
+namespace fencepost::host {
+
+/// `wheels` has the track, and the way per count where the mapping gives no scale. errors: SceneProblem
+can_wheels::Mapping read_can(const JsonNode& node, const WheelNumbers& wheels);
+
+}  // namespace fencepost::host

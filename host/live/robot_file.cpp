@@ -1,0 +1,249 @@
+#include "host/live/robot_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "firmware/config/settings.hpp"
+#include "host/live/robot_can.hpp"
+#include "host/scene/read_scene.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kMaxPitch = 0.7;         // rad, as in scene files
+constexpr double kLongestFocus = 32'767;  // px, the stream's range
+constexpr double kPicometres = 1e12;      // in a metre
+constexpr std::uint8_t kDarkest = 16;     // what a CMUcam's imager gives, OV6620
+constexpr std::uint8_t kBrightest = 240;
+constexpr int kHalfWindow = 40;
+
+template <class Quantity>
+void read_quantity(const JsonNode& node, std::string_view key, double low, double high, std::string_view unit,
+                   std::optional<Quantity>& into) {
+  if (const auto found = node.find(key)) into = Quantity::nearest(found->number(low, high, unit));
+}
+
+template <class Whole>
+void read_whole(const JsonNode& node, std::string_view key, std::int64_t low, std::int64_t high,
+                std::optional<Whole>& into) {
+  if (const auto found = node.find(key)) into = static_cast<Whole>(found->integer(low, high));
+}
+
+sensor::CameraMount read_mount(const JsonNode& node) {
+  node.expect_keys({"x", "y", "z", "yaw", "pitch"});
+  sensor::CameraMount mount;
+  mount.x = base::Metres::nearest(node.number_or("x", 0, -10, 10, "m"));
+  mount.y = base::Metres::nearest(node.number_or("y", 0, -10, 10, "m"));
+  mount.z = base::Metres::nearest(node.number_or("z", 0, 0, 10, "m"));
+  mount.yaw = base::Radians::nearest(node.number_or("yaw", 0, -kTurn, kTurn, "rad"));
+  const auto pitch = node.find("pitch");
+  if (!pitch || !pitch->is_null()) {
+    mount.pitch = base::Radians::nearest(pitch ? pitch->number(-kMaxPitch, kMaxPitch, "rad") : 0);
+  }
+  return mount;
+}
+
+CameraNumbers read_camera_numbers(const JsonNode& node) {
+  node.expect_keys({"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "mount", "latency", "rate", "max_blobs"});
+  CameraNumbers camera;
+  if (const auto model = node.find("model")) {
+    const std::string text = model->text();
+    if (text.size() > sensor::kMaxText) {
+      model->fail("has " + std::to_string(text.size()) + " characters", "use at most 32");
+    }
+    camera.model = sensor::Text(text);
+  }
+  read_whole(node, "width", 2, 32'767, camera.width);
+  read_whole(node, "height", 2, 32'767, camera.height);
+  read_quantity(node, "fx", 1, kLongestFocus, "px", camera.fx);
+  read_quantity(node, "fy", 1, kLongestFocus, "px", camera.fy);
+  read_quantity(node, "cx", -32'768, 32'767, "px", camera.cx);
+  read_quantity(node, "cy", -32'768, 32'767, "px", camera.cy);
+  read_quantity(node, "k1", -1, 1, "", camera.k1);
+  read_quantity(node, "latency", 0, 10, "s", camera.latency);
+  if (const auto mount = node.find("mount")) camera.mount = read_mount(*mount);
+  return camera;
+}
+
+std::vector<record::Signature> read_signatures(const JsonNode& node) {
+  std::vector<record::Signature> signatures;
+  const std::size_t count = node.size(0, "signatures");
+  for (std::size_t i = 0; i < count; ++i) {
+    const SceneSignature read = read_signature(node.at(i));
+    for (const record::Signature& other : signatures) {
+      if (other.signature != read.id) continue;
+      node.at(i).at("id").fail("signature " + std::to_string(read.id) + " is there twice",
+                               "give each signature an id of its own");
+    }
+    signatures.push_back({read.id, read.rgb, sensor::Text(read.name)});
+  }
+  return signatures;
+}
+
+void read_range(const JsonNode& node, std::string_view channel, std::uint8_t& low, std::uint8_t& high) {
+  const JsonNode range = node.at(channel);
+  if (range.size(2, "numbers") > 2) range.fail("has more than two numbers", "give [least, greatest]");
+  low = static_cast<std::uint8_t>(range.at(std::size_t{0}).integer(0, 255));
+  high = static_cast<std::uint8_t>(range.at(std::size_t{1}).integer(0, 255));
+  if (low > high) range.fail("the least is above the greatest", "swap them");
+}
+
+std::vector<cmucam::ColourWindow> read_windows(const JsonNode& node) {
+  std::vector<cmucam::ColourWindow> windows;
+  const std::size_t count = node.size(1, "windows");
+  if (count > cmucam::kMaxWindows) {
+    node.fail("there are " + std::to_string(count) + " windows", "give at most " + std::to_string(cmucam::kMaxWindows));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonNode one = node.at(i);
+    one.expect_keys({"signature", "red", "green", "blue"});
+    cmucam::ColourWindow& window = windows.emplace_back();
+    window.signature = static_cast<std::uint8_t>(one.at("signature").integer(0, 255));
+    read_range(one, "red", window.red_min, window.red_max);
+    read_range(one, "green", window.green_min, window.green_max);
+    read_range(one, "blue", window.blue_min, window.blue_max);
+  }
+  return windows;
+}
+
+std::uint8_t clamped(int value) { return static_cast<std::uint8_t>(std::clamp<int>(value, kDarkest, kBrightest)); }
+
+cmucam::ColourWindow window_around(const record::Signature& signature) {
+  const sensor::Rgb rgb = signature.rgb;
+  return {signature.signature,
+          clamped(rgb.red - kHalfWindow),
+          clamped(rgb.red + kHalfWindow),
+          clamped(rgb.green - kHalfWindow),
+          clamped(rgb.green + kHalfWindow),
+          clamped(rgb.blue - kHalfWindow),
+          clamped(rgb.blue + kHalfWindow)};
+}
+
+std::int64_t read_step(const JsonNode& node) {
+  const double metres = node.number(-1, 1, "m");
+  const auto step = static_cast<std::int64_t>(std::llround(metres * kPicometres));
+  if (step == 0) node.fail("is 0", "give the way of the wheel's rim per tick, in metres");
+  return step;
+}
+
+WheelNumbers read_wheels(const JsonNode& node) {
+  node.expect_keys(
+      {"metres_per_tick", "left_metres_per_tick", "right_metres_per_tick", "track", "counter_bits", "max_speed"});
+  WheelNumbers wheels;
+  if (const auto both = node.find("metres_per_tick")) {
+    wheels.left_pm_per_count = wheels.right_pm_per_count = read_step(*both);
+  }
+  if (const auto left = node.find("left_metres_per_tick")) wheels.left_pm_per_count = read_step(*left);
+  if (const auto right = node.find("right_metres_per_tick")) wheels.right_pm_per_count = read_step(*right);
+  constexpr double kWidest = 9;  // m, drivers/odometry
+  if (const auto track = node.find("track")) {
+    wheels.track_pm = static_cast<std::int64_t>(std::llround(track->positive(kWidest, "m") * kPicometres));
+  }
+  if (const auto bits = node.find("counter_bits")) wheels.counter_bits = static_cast<int>(bits->integer(2, 32));
+  if (const auto speed = node.find("max_speed")) {
+    wheels.max_speed_mm_s = static_cast<std::int32_t>(std::lround(speed->positive(100, "m/s") * 1000));
+  }
+  return wheels;
+}
+
+class SettingReader {
+ public:
+  void set(const JsonNode& node, const std::string& key, const std::string& value) {
+    const auto error = settings_.set(key, value);
+    if (!error) {
+      taken_.emplace_back(key, value);
+    } else if (*error == config::SettingError::kUnknownKey) {
+      node.fail("there is no setting \"" + key + "\"", "share/doc/console.md lists them");
+    } else {
+      node.fail("\"" + value + "\" is not possible", "share/doc/console.md has the ranges");
+    }
+  }
+  std::vector<std::pair<std::string, std::string>> taken() { return std::move(taken_); }
+
+ private:
+  config::Settings settings_;
+  std::vector<std::pair<std::string, std::string>> taken_;
+};
+
+void read_settings(const nlohmann::json& value, const JsonNode& root, SettingReader& reader) {
+  if (const auto robot = root.find("robot")) {
+    robot->expect_keys({"width"});
+    if (const auto width = robot->find("width")) {
+      static_cast<void>(width->number(0.02, 5, "m"));
+      reader.set(*width, "robot.width", value.at("robot").at("width").dump());
+    }
+  }
+  const auto settings = root.find("settings");
+  if (!settings) return;
+  settings->expect_object();
+  for (const auto& [key, member] : value.at("settings").items()) {
+    const std::string text = member.is_string()    ? member.get<std::string>()
+                             : member.is_boolean() ? (member.get<bool>() ? "on" : "off")
+                                                   : member.dump();
+    reader.set(settings->at(key), key, text);
+  }
+}
+
+RobotFile read_robot(const nlohmann::json& value) {
+  const JsonNode root(value, "");
+  // The last four are of scenes: a scene file serves too.
+  root.expect_keys({"camera", "signatures", "robot", "wheels", "can", "windows", "settings", "format", "seed",
+                    "objects", "path", "noise"});
+  RobotFile robot;
+  if (const auto camera = root.find("camera")) robot.camera = read_camera_numbers(*camera);
+  if (const auto signatures = root.find("signatures")) robot.signatures = read_signatures(*signatures);
+  if (const auto windows = root.find("windows")) {
+    robot.windows = read_windows(*windows);
+  } else {
+    const std::size_t count = std::min(robot.signatures.size(), cmucam::kMaxWindows);
+    for (std::size_t i = 0; i < count; ++i) robot.windows.push_back(window_around(robot.signatures[i]));
+  }
+  if (const auto wheels = root.find("wheels")) robot.wheels = read_wheels(*wheels);
+  if (const auto can = root.find("can")) robot.can = read_can(*can, robot.wheels);
+  SettingReader settings;
+  read_settings(value, root, settings);
+  robot.settings = settings.taken();
+  return robot;
+}
+
+template <class T>
+void replace(T& value, const std::optional<T>& by) {
+  if (by) value = *by;
+}
+
+}  // namespace
+
+sensor::CameraIntrinsics CameraNumbers::over(sensor::CameraIntrinsics profile) const {
+  replace(profile.model, model);
+  replace(profile.width, width);
+  replace(profile.height, height);
+  replace(profile.fx, fx);
+  replace(profile.fy, fy);
+  replace(profile.cx, cx);
+  replace(profile.cy, cy);
+  replace(profile.k1, k1);
+  replace(profile.mount, mount);
+  replace(profile.latency, latency);
+  return profile;
+}
+
+odometry::WheelBase WheelNumbers::over(odometry::WheelBase wheels) const {
+  replace(wheels.left_pm_per_count, left_pm_per_count);
+  replace(wheels.right_pm_per_count, right_pm_per_count);
+  replace(wheels.track_pm, track_pm);
+  replace(wheels.counter_bits, counter_bits);
+  replace(wheels.max_speed_mm_s, max_speed_mm_s);
+  return wheels;
+}
+
+base::Result<RobotFile, std::string> parse_robot(std::string_view text, const std::string& name) {
+  try {
+    return read_robot(parse_json(text, "share/doc/live.md shows a robot file"));
+  } catch (const SceneProblem& problem) {
+    return name + ": " + problem.where + ": " + problem.what + "; " + problem.remedy;
+  }
+}
+
+}  // namespace fencepost::host

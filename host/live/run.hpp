@@ -1,0 +1,61 @@
+// `fencepost run`: the robot's loop on real devices until it is told to stop.
+#pragma once
+
+#include <csignal>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "hal/linux/clock.hpp"
+#include "host/live/console_port.hpp"
+#include "host/live/device_spec.hpp"
+#include "host/live/live_loop.hpp"
+#include "host/live/open_device.hpp"
+#include "host/live/run_log.hpp"
+
+namespace fencepost::host {
+
+struct RunPlan {
+  DeviceSpec camera;
+  DeviceSpec odometry;
+  RobotFile robot;
+  std::string profile = "full";  ///< one of kLiveProfiles
+  app::Mode mode = app::Mode::kText;
+  std::string version;                     ///< of the program, for FPHDR
+  std::optional<std::uint64_t> frames;     ///< stop after so many frame records
+  std::optional<base::Duration> duration;  ///< stop after so long
+  bool console_is_people = false;          ///< standard error is read beside the console: link news go there only
+  bool ends_without_log = false;           ///< a log that cannot be written any more ends the run
+};
+
+/// What a run is given; all of it is borrowed.
+struct RunParts {
+  linux::MonotonicClock clock;
+  Devices& devices;
+  ConsolePort& console;
+  RunLog* log = nullptr;
+  std::function<void(std::string_view)> say;      ///< messages for people, a line each
+  const volatile std::sig_atomic_t& interrupted;  ///< not 0: stop
+};
+
+struct RunSummary {
+  enum class End : std::uint8_t { kDone, kInterrupted, kConsoleClosed };
+  End end = End::kDone;
+  base::Duration time;
+  app::Counters counters;
+  std::uint64_t alerts = 0;
+  std::uint64_t digest = 0;
+  std::uint64_t console_lost = 0;  ///< bytes that nobody read
+  bool log_failed = false;
+  std::string log;  ///< its name; empty without
+  std::uint64_t log_bytes = 0;
+
+  /// "12.3 s: 617 frames, ... digest 0123456789abcdef, log run.log"
+  [[nodiscard]] std::string sentence() const;
+};
+
+RunSummary run_live(const RunPlan& plan, const RunParts& parts);
+
+}  // namespace fencepost::host

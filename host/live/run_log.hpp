@@ -1,0 +1,49 @@
+// The log of a run on disk, in one file or in parts.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/live/calibration_lines.hpp"
+#include "host/live/log_file.hpp"
+
+namespace fencepost::host {
+
+struct RunLogSettings {
+  std::string path;
+  bool overwrite = false;
+  std::uint64_t part_bytes = 0;  ///< 0: no limit
+  base::Duration part_age{};     ///< 0: no limit
+  std::string profile;           ///< told at the start of later parts, which have no FPHDR
+};
+
+/// Later parts begin with a comment and the calibration in force, but without FPHDR: the run goes on. So all parts, one
+/// after the other, are one log with the run's digest, and each alone is a recording that begins late.
+class RunLog {
+ public:
+  using Fault = LogFile::Fault;
+
+  /// errors: a sentence
+  static linux::Opened<RunLog> open(const RunLogSettings& settings, base::Time now);
+
+  /// One line, line end included.
+  [[nodiscard]] Fault write(std::string_view line, base::Time now);
+  [[nodiscard]] Fault tend(base::Time now) { return file_.tend(now); }
+  [[nodiscard]] Fault close() { return file_.close(); }
+  /// "run.log", or "run.log to run-0003.log".
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::uint64_t bytes() const { return file_.bytes(); }
+
+ private:
+  RunLog(std::unique_ptr<CalibrationLines> calibration, LogFile file, std::string first)
+      : calibration_(std::move(calibration)), file_(std::move(file)), first_(std::move(first)) {}
+
+  std::unique_ptr<CalibrationLines> calibration_;  ///< the file keeps its address
+  LogFile file_;
+  std::string first_;
+};
+
+}  // namespace fencepost::host

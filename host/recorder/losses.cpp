@@ -1,0 +1,36 @@
+#include "host/recorder/losses.hpp"
+
+namespace fencepost::host {
+namespace {
+
+// Its clock starts anew with every run, its counters with every boot only.
+bool booted_again(const record::StatusReport& now, const record::StatusReport& before) {
+  return now.frames < before.frames || now.odometry < before.odometry || now.blobs < before.blobs ||
+         now.records_dropped < before.records_dropped || now.blobs_dropped < before.blobs_dropped ||
+         now.refused < before.refused || now.rejected < before.rejected;
+}
+
+}  // namespace
+
+// The camera may count on or start anew.
+void Losses::accept(const record::Header& /*header*/) { last_frame_.reset(); }
+
+void Losses::accept(const sensor::BlobFrame& frame) {
+  if (last_frame_ && frame.frame > *last_frame_) frames_missing_ += frame.frame - *last_frame_ - 1;
+  last_frame_ = frame.frame;
+}
+
+void Losses::accept(const record::StatusReport& status) {
+  if (last_status_) {
+    const record::StatusReport before = booted_again(status, *last_status_) ? record::StatusReport() : *last_status_;
+    told_.records_dropped += status.records_dropped - before.records_dropped;
+    told_.blobs_dropped += status.blobs_dropped - before.blobs_dropped;
+    told_.refused += status.refused - before.refused;
+    told_.rejected += status.rejected - before.rejected;
+  }
+  last_status_ = status;
+}
+
+void Losses::accept(const record::LinkReport& link) { links_[std::string(link.device.view())] = link; }
+
+}  // namespace fencepost::host

@@ -1,0 +1,103 @@
+// A device, its cable and its driver on one clock: what every test of a driver stands on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "hal/base/result.hpp"
+#include "hal/base/units.hpp"
+#include "hal/fake/stepped_clock.hpp"
+#include "hal/sensor/blob_frame.hpp"
+
+namespace fencepost::test {
+
+/// What is the same of all rigs of cameras. `scene` is what each image shows; or `moving`: another box in each image,
+/// so that a damaged or an old one cannot pass for the right one.
+template <class Blobs = std::vector<sensor::Blob>>
+struct CameraRig {
+  using Sample = sensor::BlobFrame;
+
+  Blobs scene;
+  bool moving = false;
+  std::int64_t images = 0;
+  bool exposing = true;  ///< the imager works
+  base::Time next_image;
+  std::int64_t latest = 3;  ///< an answer takes its time: what is right may be so many images old, itself included
+
+  /// Whether an image is due.
+  bool expose(base::Time now, base::Duration period) {
+    if (now < next_image) return false;
+    next_image = now + period;
+    if (exposing) ++images;
+    return exposing;
+  }
+  /// Whether `is(n)` holds for the number of one of the last `count` images.
+  template <class Is>
+  [[nodiscard]] bool any_of_last(std::int64_t count, Is is) const {
+    for (std::int64_t image = images; image > images - count && image >= 0; --image) {
+      if (is(image)) return true;
+    }
+    return false;
+  }
+};
+
+/// Ten seconds of the fastest camera: what a stalled line may give when it goes on.
+inline constexpr std::int64_t kOldImages = 700;
+
+struct BenchClock {
+  fake::SteppedClock clock;
+};
+
+/// Rig: constructed on a clock, with
+/// - `Sample`, and `poll(now)` as the driver's
+/// - `device`, `link` (a Plug), `driver`
+/// - `live(now)`: what the device does by itself; `restart(now)`: its power goes off and on
+/// - `right(sample)`: whether that is what the device says now, `old(sample)`: or said some seconds ago; for rigs that
+///   are `moving`
+template <class Rig>
+class Bench : private BenchClock, public Rig {
+ public:
+  using Sample = typename Rig::Sample;
+  using BenchClock::clock;
+
+  template <class... Args>
+  explicit Bench(Args&&... args) : Rig(BenchClock::clock, std::forward<Args>(args)...) {}
+
+  /// The device acts, then the driver is polled once.
+  std::optional<Sample> step(base::Duration time = base::milliseconds(1)) {
+    clock.advance(time);
+    this->live(clock.now());
+    const base::Result<Sample> got = this->poll(clock.now());
+    if (!got) return std::nullopt;
+    disorder += last_t && got->t <= *last_t ? 1U : 0U;
+    last_t = got->t;
+    return *got;
+  }
+  /// By milliseconds; the samples of this time, which `frames` gathers too.
+  std::vector<Sample> run(base::Duration time) {
+    std::vector<Sample> samples;
+    for (const base::Time end = clock.now() + time; clock.now() < end;) {
+      if (const auto sample = step()) samples.push_back(*sample);
+    }
+    frames.insert(frames.end(), samples.begin(), samples.end());
+    return samples;
+  }
+  std::vector<Sample> run(std::int64_t ms) { return run(base::milliseconds(ms)); }
+  template <class Scene>
+  std::vector<Sample> run(std::int64_t ms, const Scene& shown) {
+    this->scene = shown;
+    return run(ms);
+  }
+  std::vector<Sample> run(std::int64_t ms, std::initializer_list<sensor::Blob> shown) {
+    this->scene = shown;
+    return run(ms);
+  }
+
+  std::vector<Sample> frames;
+  std::uint32_t disorder = 0;  ///< samples that are not later than the one before
+  std::optional<base::Time> last_t;
+};
+
+}  // namespace fencepost::test

@@ -1,0 +1,57 @@
+// Puts every driver through hostile hours and prints what came of it. Fails if anything that must never be has been.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "tests/drivers/bench/hostile_cases.hpp"
+
+namespace fencepost::test {
+namespace {
+
+bool run(const HostileCase& driver, double hours, unsigned seed) {
+  const HostileFigures figures = driver.hours(hours, seed);
+  fmt::print(
+      "{:<20} {} h: {} samples; {} bytes damaged, {} faults; of {} good frames in calm {} lost, {} bytes damaged then; "
+      "{} wrong samples, {} held back; longest gap {:.2f} s, recovery {:.2f} s; queue {}, heap {:+} bytes\n",
+      driver.name, hours, figures.samples, figures.corrupted, figures.faults, figures.whole, figures.lost(),
+      figures.corrupted_in_calm, figures.undetected, figures.held_back, figures.longest_gap.to_double(),
+      figures.longest_recovery.to_double(), figures.longest_queue, figures.heap_growth);
+  const auto faults = hostile_faults(figures, driver.limits);
+  for (const std::string& fault : faults) fmt::print("  FAULT {}\n", fault);
+  std::fflush(stdout);
+  return faults.empty();
+}
+
+int run_program(int argc, char** argv) {
+  double hours = 24;
+  unsigned seed = 1;
+  std::string only;
+  CLI::App app("Drivers on bad cables, for simulated hours");
+  app.add_option("--hours", hours, "of the robot's clock, each driver")->capture_default_str();
+  app.add_option("--seed", seed, "of damage and faults")->capture_default_str();
+  app.add_option("--only", only, "drivers whose name begins so");
+  CLI11_PARSE(app, argc, argv);
+  bool good = true;
+  bool any = false;
+  for (const HostileCase& driver : hostile_cases()) {
+    if (!driver.name.starts_with(only)) continue;
+    any = true;
+    good = run(driver, hours, seed) && good;
+  }
+  return good && any ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) {
+  try {
+    return fencepost::test::run_program(argc, argv);
+  } catch (const std::exception& error) {
+    static_cast<void>(std::fprintf(stderr, "hostile: %s\n", error.what()));
+    return 2;
+  }
+}

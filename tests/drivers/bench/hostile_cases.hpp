@@ -1,0 +1,35 @@
+// Every driver that is put through hostile hours.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hal/sensor/link_state.hpp"
+#include "tests/drivers/bench/hostile_figures.hpp"
+
+namespace fencepost::test {
+
+/// The link's state at the stations of a day without damage.
+struct Comeback {
+  sensor::LinkState before = sensor::LinkState::kOk;  ///< while the device is dead, at the beginning
+  sensor::LinkState working = sensor::LinkState::kAbsent;
+  sensor::LinkState stalled = sensor::LinkState::kOk;  ///< long enough
+  sensor::LinkState after_stall = sensor::LinkState::kAbsent;
+  sensor::LinkState unplugged = sensor::LinkState::kOk;
+  sensor::LinkState replugged = sensor::LinkState::kAbsent;
+  sensor::LinkState after_power_cycle = sensor::LinkState::kAbsent;
+  std::uint64_t samples_after_power_cycle = 0;
+  std::uint64_t wrong = 0;  ///< samples, ever
+};
+
+struct HostileCase {
+  std::string_view name;  ///< as devices are named on command lines, with what is behind the colon
+  HostileFigures (*hours)(double hours, std::uint32_t seed);
+  Comeback (*comeback)();
+  HostileLimits limits;
+};
+
+std::span<const HostileCase> hostile_cases();
+
+}  // namespace fencepost::test

@@ -1,0 +1,22 @@
+// libusb without USB: one device that is there, takes transfers and answers none; and what may hang in the real one.
+#pragma once
+
+#include <atomic>
+
+namespace fencepost::test {
+
+/// Each may be set and cleared at any time; whoever waits in there goes on when it is cleared.
+struct FakeLibusb {
+  std::atomic<bool> hang_in_open = false;
+  std::atomic<bool> hang_in_exit = false;
+  std::atomic<bool> keep_transfers = false;  ///< a cancelled one is not given back
+  std::atomic<bool> unplugged = false;       ///< transfers end, where they are not kept
+  std::atomic<int> contexts = 0;             ///< that are not closed
+  std::atomic<int> handles = 0;
+  std::atomic<int> transfers = 0;  ///< allocated
+  std::atomic<int> in_flight = 0;
+};
+
+FakeLibusb& fake_libusb();
+
+}  // namespace fencepost::test

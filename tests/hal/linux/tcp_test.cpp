@@ -1,0 +1,203 @@
+#include "hal/linux/tcp.hpp"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <string>
+
+#include "hal/linux/clock.hpp"
+#include "hal/linux/wait.hpp"
+
+namespace fencepost::linux {
+namespace {
+
+using base::Error;
+using base::milliseconds;
+using base::Time;
+
+std::span<const std::uint8_t> octets(std::string_view text) {
+  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
+}
+
+/// Listens on this machine, at a free port or at one that was free.
+class Server {
+ public:
+  explicit Server(std::uint16_t port = 0) { listen(port); }
+  void listen(std::uint16_t port) {
+    listening_ = Descriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    const int yes = 1;
+    ::setsockopt(listening_.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    auto* where = static_cast<sockaddr*>(static_cast<void*>(&address));
+    ASSERT_EQ(::bind(listening_.get(), where, sizeof address), 0);
+    ASSERT_EQ(::listen(listening_.get(), 1), 0);
+    socklen_t size = sizeof address;
+    ASSERT_EQ(::getsockname(listening_.get(), where, &size), 0);
+    port_ = ntohs(address.sin_port);
+  }
+  void accept() {
+    pollfd wait{listening_.get(), POLLIN, 0};
+    ASSERT_EQ(::poll(&wait, 1, 5000), 1);
+    peer_ = Descriptor(::accept(listening_.get(), nullptr, nullptr));
+    ASSERT_TRUE(peer_.open());
+  }
+  void hang_up() { peer_.close(); }
+  void stop() {
+    peer_.close();
+    listening_.close();
+  }
+  void say(std::string_view text) {
+    ASSERT_EQ(::send(peer_.get(), text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  }
+  std::string hear(std::size_t size) {
+    std::string text(size, '\0');
+    const ssize_t count = ::recv(peer_.get(), text.data(), size, MSG_WAITALL);
+    text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+    return text;
+  }
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+
+ private:
+  Descriptor listening_;
+  Descriptor peer_;
+  std::uint16_t port_ = 0;
+};
+
+/// The next bytes, or why there are none; waits for either.
+base::Result<std::size_t> wait_and_read(Tcp& tcp, std::span<std::uint8_t> in) {
+  const MonotonicClock clock;
+  WaitSet set;
+  set.add_readable(tcp.descriptor());
+  set.wait_until(clock, Time{} + milliseconds(5000));
+  return tcp.read(in);
+}
+
+/// Tends until it is connected, for at most ten seconds of its clock.
+bool connects(Tcp& tcp, Time& now) {
+  for (int i = 0; i < 1000 && !tcp.connected(); ++i) {
+    now = now + milliseconds(10);
+    tcp.tend(now);
+  }
+  return tcp.connected();
+}
+
+TEST(Tcp, CarriesBytesBothWays) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();
+  server.accept();
+  std::array<std::uint8_t, 8> in{};
+  EXPECT_EQ(tcp->read(in).error(), Error::kNotReady);
+  server.say("ping");
+  ASSERT_EQ(wait_and_read(*tcp, in).value(), 4U);
+  EXPECT_EQ(in[0], 'p');
+  EXPECT_EQ(tcp->write(octets("pong")).value(), 4U);
+  EXPECT_EQ(server.hear(4), "pong");
+}
+
+TEST(Tcp, FindsNames) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"localhost", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();  // where it names ::1 first, that refuses and the next is tried
+}
+
+TEST(Tcp, SaysWhatFailedWhereAndWhatToTry) {
+  std::uint16_t free_port = 0;
+  {
+    const Server server;
+    free_port = server.port();
+  }
+  Opened<Tcp> refused = Tcp::open({"127.0.0.1", free_port});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.problem().find("127.0.0.1:" + std::to_string(free_port)), std::string::npos) << refused.problem();
+  EXPECT_NE(refused.problem().find("nobody listens there"), std::string::npos) << refused.problem();
+
+  Opened<Tcp> unknown = Tcp::open({"no such host", 1});
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_NE(unknown.problem().find("no such host"), std::string::npos) << unknown.problem();
+}
+
+TEST(Tcp, ComesBackAfterTheServerDid) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();
+  server.accept();
+  server.stop();
+  std::array<std::uint8_t, 8> in{};
+  EXPECT_EQ(wait_and_read(*tcp, in).error(), Error::kGone);
+  EXPECT_FALSE(tcp->connected());
+  EXPECT_EQ(tcp->descriptor(), -1);
+  EXPECT_EQ(tcp->write(octets("x")).error(), Error::kGone);
+
+  Time now;
+  tcp->tend(now);
+  EXPECT_FALSE(tcp->connected());
+  EXPECT_NE(tcp->problem().find("nobody listens there"), std::string::npos) << tcp->problem();
+
+  server.listen(server.port());
+  ASSERT_TRUE(connects(*tcp, now)) << tcp->problem();
+  EXPECT_TRUE(tcp->problem().empty());
+  server.accept();
+  server.say("again");
+  EXPECT_EQ(wait_and_read(*tcp, in).value(), 5U);
+}
+
+TEST(Tcp, ConnectsLaterToWhoeverComesUpByThen) {
+  Server server;
+  const std::uint16_t port = server.port();
+  server.stop();
+  Opened<Tcp> tcp = Tcp::later({"localhost", port});  // may name ::1 first, where nobody will listen
+  ASSERT_TRUE(tcp) << tcp.problem();
+  EXPECT_FALSE(tcp->connected());
+  Time now;
+  tcp->tend(now);
+  EXPECT_FALSE(tcp->connected());
+  server.listen(port);
+  EXPECT_TRUE(connects(*tcp, now)) << tcp->problem();
+}
+
+TEST(Tcp, LooksForTheServerFourTimesASecond) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();
+  server.accept();
+  server.hang_up();
+  std::array<std::uint8_t, 8> in{};
+  EXPECT_EQ(wait_and_read(*tcp, in).error(), Error::kGone);
+  server.stop();
+  tcp->tend(Time{} + milliseconds(1000));  // refused
+  server.listen(server.port());
+  tcp->tend(Time{} + milliseconds(1249));
+  EXPECT_FALSE(tcp->connected());
+  Time now = Time{} + milliseconds(1250);
+  tcp->tend(now);
+  EXPECT_TRUE(connects(*tcp, now));
+}
+
+TEST(Tcp, FullIsNoLoss) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();
+  server.accept();
+  const std::string much(1 << 20, 'x');
+  std::size_t sent = 0;
+  base::Result<std::size_t> taken = Error::kNotReady;
+  for (int i = 0; i < 1000; ++i) {
+    taken = tcp->write(octets(much));
+    if (!taken) break;
+    sent += *taken;
+  }
+  ASSERT_FALSE(taken.ok());
+  EXPECT_EQ(taken.error(), Error::kFull);
+  EXPECT_EQ(server.hear(sent).size(), sent);
+}
+
+}  // namespace
+}  // namespace fencepost::linux

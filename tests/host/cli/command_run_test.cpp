@@ -1,0 +1,309 @@
+// `fencepost run` on emulated devices: what it logs, says and survives.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "tests/host/cli/fake_robot.hpp"
+#include "tests/host/cli/process.hpp"
+
+namespace fencepost::host::testing {
+namespace {
+
+std::string digest_in(const std::string& text) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex("digest ([0-9a-f]{16})")) ? match[1].str() : "no digest in " + text;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+constexpr const char* kRobot =
+    R"({"camera": {"mount": {"z": 0.12}}, "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}]})";
+
+class CommandRun : public ::testing::Test {
+ protected:
+  CommandRun() { spill(folder.path() / "robot.json", kRobot); }
+
+  [[nodiscard]] std::vector<std::string> on_devices(std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {
+        "run",     "--camera",  "pixy2:" + file("camera"), "--odometry", "create2:" + file("wheels"),
+        "--robot", "robot.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder.path() / name).string(); }
+  [[nodiscard]] std::string log(const std::string& name = "run.log") const { return slurp(folder.path() / name); }
+  [[nodiscard]] bool logs(const std::string& kind, std::size_t times) const {
+    return eventually([&] { return count(log(), kind) >= times; });
+  }
+  /// The log's replay agrees with what it holds, and has the run's digest.
+  void expect_replays(const std::string& files, const std::string& digest) const {
+    const Outcome replay = shell(folder, "cat " + files + " | fencepost replay --check -");
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    EXPECT_EQ(digest_in(replay.out), digest);
+  }
+
+  Folder folder;
+};
+
+TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "text", "--frames", "160"}));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  const std::string log_text = log();
+  EXPECT_EQ(count(log_text, "$FPFRM,"), 160U);
+  EXPECT_GT(count(log_text, "$FPODO,"), 100U);
+  EXPECT_EQ(count(log_text, "$FPHDR,1,fencepost,"), 1U);
+  EXPECT_NE(log_text.find(",linux,full*"), std::string::npos);
+  EXPECT_NE(log_text.find("$FPCAM,pixy2,316,208,273.66,"), std::string::npos);
+  EXPECT_NE(log_text.find("$FPSIG,1,d02020,red*"), std::string::npos);
+  EXPECT_NE(log_text.find("$FPDIG,"), std::string::npos);
+  EXPECT_NE(log_text.find("confirmed"), std::string::npos);
+  EXPECT_NE(run.out().find("NOTICE  red  "), std::string::npos) << run.out();
+  EXPECT_EQ(run.out().find('$'), std::string::npos) << run.out();
+  EXPECT_NE(run.err().find("log run.log"), std::string::npos) << run.err();
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, WithoutATerminalTheConsoleIsTheLog) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--frames", "60"}));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(count(run.out(), "$FPFRM,"), 60U);
+  expect_replays("out", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, TheConsoleObeysWhileItLogs) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet"}));
+  ASSERT_TRUE(logs("$FPFRM,", 60)) << run.err();
+  EXPECT_TRUE(eventually([&] {
+    run.type("status\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return run.out().find("camera link ok, pixy2 316x208; odometry link ok") != std::string::npos;
+  })) << run.out();
+  EXPECT_NE(run.out().find("profile full, mode quiet"), std::string::npos) << run.out();
+  run.type("set alert.notice 0.1\nstat\n");
+  EXPECT_TRUE(run.says("alert.notice = 0.10 m")) << run.out();
+  EXPECT_TRUE(run.says("error: unknown command 'stat'")) << run.out();
+  EXPECT_TRUE(logs("$FPCFG,alert.notice,0.10*", 1));
+  run.hang_up();  // the end of the console's input ends nothing
+  const std::size_t frames = count(log(), "$FPFRM,");
+  ASSERT_TRUE(logs("$FPFRM,", frames + 30));
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(run.out().find('$'), std::string::npos) << "quiet is quiet";
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, ARunStoppedByASignalReplays) {
+  const std::pair<int, int> kSignals[] = {{SIGINT, 130}, {SIGTERM, 0}, {SIGHUP, 130}};
+  for (const auto& [number, code] : kSignals) {
+    FakePixy camera(file("camera"));
+    FakeCreate wheels(file("wheels"));
+    Process run(folder, on_devices({"--log", "run.log", "--force"}));
+    ASSERT_TRUE(logs("$FPFRM,", 55)) << run.err();
+    run.signal(number);
+    EXPECT_EQ(run.wait(), code) << "signal " << number;
+    EXPECT_EQ(log().back(), '\n');
+    expect_replays("run.log", digest_in(run.err()));
+    expect_replays("out", digest_in(run.err()));
+    std::filesystem::remove(folder.path() / "run.log");
+  }
+}
+
+TEST_F(CommandRun, SurvivesACameraThatIsUnpluggedAndComesBack) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "text"}));
+  ASSERT_TRUE(logs("$FPFRM,", 20)) << run.err();
+  camera.device().unplug();
+  ASSERT_TRUE(run.says("camera pixy2 at " + file("camera") + " is absent")) << run.err();
+  const std::size_t odometry = count(log(), "$FPODO,");
+  ASSERT_TRUE(logs("$FPODO,", odometry + 100)) << "it goes on with what is left";
+  const std::size_t frames = count(log(), "$FPFRM,");
+  camera.device().plug();
+  ASSERT_TRUE(logs("$FPFRM,", frames + 60)) << run.err();
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(count(run.err(), "is absent"), 1U) << run.err();
+  EXPECT_GE(count(run.err(), "pixy2 at " + file("camera") + " works"), 2U) << run.err();
+  EXPECT_EQ(count(log(), "pixy2,absent,"), 1U);
+  EXPECT_GE(count(log(), "pixy2,ok,"), 2U);
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, SurvivesWheelsThatAreUnpluggedAndComeBack) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "text"}));
+  ASSERT_TRUE(logs("$FPFRM,", 60)) << run.err();
+  wheels.device().unplug();
+  ASSERT_TRUE(run.says("odometry create2 at " + file("wheels") + " is absent")) << run.err();
+  const std::size_t odometry = count(log(), "$FPODO,");
+  wheels.device().plug();
+  ASSERT_TRUE(logs("$FPODO,", odometry + 60)) << run.err();
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(count(run.err(), "is absent"), 1U) << run.err();
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, ADeviceThatIsNotThereIsAnErrorThatSaysWhatToDo) {
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices());
+  EXPECT_EQ(run.wait(), 4);
+  EXPECT_NE(run.err().find("pixy2: cannot open the serial port " + file("camera")), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("--wait"), std::string::npos) << run.err();
+  EXPECT_TRUE(run.out().empty());
+}
+
+TEST_F(CommandRun, WaitsForADeviceIfAsked) {
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--wait", "--frames", "30", "--log", "run.log"}));
+  ASSERT_TRUE(run.says("camera pixy2 at " + file("camera") + " is absent")) << run.err();
+  FakePixy camera(file("camera"));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(count(run.err(), "is absent"), 1U) << run.err();
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, PartsOfALogAreOneRunAndEachIsARecording) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--log-size", "8K", "--frames", "200"}));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  ASSERT_TRUE(std::filesystem::exists(folder.path() / "run-0003.log"));
+  for (const char* part : {"run-0002.log", "run-0003.log"}) {
+    const std::string text = log(part);
+    EXPECT_TRUE(text.starts_with("# the run goes on that began in run.log, profile full\r\n$FPCAM,")) << part;
+    EXPECT_EQ(text.find("$FPHDR"), std::string::npos) << part;
+    EXPECT_LT(text.find("$FPSIG,1,"), text.find("$FPODO,")) << part;
+    EXPECT_LT(text.find("$FPCFG,alert.stop,"), text.find("$FPODO,")) << part;
+    const Outcome alone = shell(folder, std::string("fencepost replay ") + part);
+    EXPECT_EQ(alone.exit_code, 0) << alone.err;
+    EXPECT_NE(alone.out.find("confirmed"), std::string::npos) << alone.out;
+  }
+  expect_replays("run.log run-*.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, NeverOverwritesALogUnlessTold) {
+  spill(folder.path() / "run.log", "precious");
+  const std::string command = "fencepost run --camera console --odometry console --log run.log < /dev/null";
+  const Outcome refused = shell(folder, command);
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_NE(refused.err.find("run.log: there is one"), std::string::npos) << refused.err;
+  EXPECT_EQ(log(), "precious");
+  EXPECT_EQ(shell(folder, command + " --force").exit_code, 0);
+  EXPECT_NE(log(), "precious");
+}
+
+TEST_F(CommandRun, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
+  const Outcome full =
+      shell(folder, "fencepost run --camera console --odometry console --mode text --log /dev/full < " +
+                        recording("approach_stop.log"));
+  EXPECT_EQ(full.exit_code, 4);
+  EXPECT_NE(full.err.find("the run goes on without a log"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("109 frames"), std::string::npos) << full.err;
+  EXPECT_NE(full.out.find("STOP  "), std::string::npos) << full.out;
+}
+
+TEST_F(CommandRun, ALogPlayedIntoTheConsoleGivesItsDigest) {
+  const Outcome replay = shell(folder, "fencepost replay " + recording("approach_stop.log"));
+  const std::string digest = digest_in(replay.out);
+  for (const char* profile : {"full", "small", "micro"}) {
+    const Outcome run =
+        shell(folder, std::string("fencepost run --camera console --odometry console --profile ") + profile +
+                          " --force --log run.log --mode quiet < " + recording("approach_stop.log"));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(log().find(std::string(",linux,") + profile + "*"), std::string::npos);
+    EXPECT_TRUE(std::string(profile) != "full" || digest_in(run.err) == digest) << run.err;
+    expect_replays("run.log", digest_in(run.err));
+  }
+}
+
+TEST_F(CommandRun, AConsoleOnAPtyIsTypedAt) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--console", "pty", "--log", "run.log"}));
+  ASSERT_TRUE(run.says("console at /dev/pts/")) << run.err();
+  std::smatch match;
+  const std::string err = run.err();
+  ASSERT_TRUE(std::regex_search(err, match, std::regex("console at (\\S+)")));
+  const linux::Descriptor terminal(::open(match[1].str().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK));
+  ASSERT_TRUE(terminal.open());
+  ASSERT_EQ(::write(terminal.get(), "version\r", 8), 8);
+  std::string heard;
+  EXPECT_TRUE(eventually([&] {
+    std::array<char, 4096> buffer{};
+    const ssize_t size = ::read(terminal.get(), buffer.data(), buffer.size());
+    if (size > 0) heard.append(buffer.data(), static_cast<std::size_t>(size));
+    return heard.find("fencepost " FENCEPOST_VERSION " for linux, profile full") != std::string::npos &&
+           heard.find("camera pixy2 at " + file("camera") + " works") != std::string::npos;
+  })) << heard;
+  run.signal(SIGTERM);
+  EXPECT_EQ(run.wait(), 0);
+  EXPECT_TRUE(run.out().empty()) << run.out();
+}
+
+TEST_F(CommandRun, AReaderThatLeavesEndsTheRun) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  const Outcome run = shell(folder,
+                            "{ fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot robot.json "
+                            "--mode log; echo $? > code; } | head -n 3");
+  EXPECT_EQ(log("code"), "0\n") << run.err;
+  EXPECT_EQ(count(run.out, "\n"), 3U);
+}
+
+TEST_F(CommandRun, NeedsNoStandardStreams) {
+  FakeCreate wheels(file("wheels"));
+  const Outcome run = shell(folder,
+                            "fencepost run --camera console --odometry create2:./wheels --seconds 0.5 --log run.log "
+                            "<&- >&- 2>&-");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_GT(count(log(), "$FPODO,"), 10U);
+}
+
+TEST_F(CommandRun, StopsAfterSomeSeconds) {
+  FakeCreate wheels(file("wheels"));
+  const Outcome run = shell(folder, "fencepost run --camera console --odometry create2:./wheels --seconds 0.5");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find(" s: 0 frames, "), std::string::npos) << run.err;
+}
+
+TEST_F(CommandRun, SaysWhatIsWrongWithItsArguments) {
+  const std::pair<std::string, std::string> kWrong[] = {
+      {"--camera pixi2:/dev/x --odometry console", "did you mean pixy2?"},
+      {"--camera console --odometry pixy2:/dev/x", "pixy2 is for --camera"},
+      {"--camera console --odometry console --console COM3", "allowed: - (this terminal), pty"},
+      {"--camera console --odometry console --log-size 64M", "name a file"},
+      {"--camera console --odometry console --log x --log-size many", "write 4K, 64M or 2G"},
+      {"--camera console --odometry console --log x --log-size 4095", "write 4K, 64M or 2G"},
+      {"--camera console --odometry console --log -", "--mode log"},
+      {"--camera cmucam2:/dev/x --odometry console", "tracks no colour yet"},
+      {"--camera console --odometry can:can0", "add \"can\" to a --robot file"},
+      {"--camera nxtcam:nxt --odometry console", "add --odometry nxt:usb"},
+      {"--camera pixy2:/dev/x --odometry create2:/dev/x", "cannot both have that port"},
+  };
+  for (const auto& [arguments, message] : kWrong) {
+    const Outcome run = shell(folder, "fencepost run " + arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    EXPECT_TRUE(run.out.empty());
+  }
+  const Outcome robot = shell(folder,
+                              "echo '{\"camra\": {}}' > r.json; fencepost run --camera console --odometry console "
+                              "--robot r.json");
+  EXPECT_EQ(robot.exit_code, 3);
+  EXPECT_NE(robot.err.find("r.json: /camra: unknown key"), std::string::npos) << robot.err;
+}
+
+}  // namespace
+}  // namespace fencepost::host::testing

@@ -1,0 +1,296 @@
+// `fencepost record` as a process, on a pseudo-terminal whose other end the test holds.
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/hal/linux/pty.hpp"
+#include "tests/host/cli/run.hpp"
+#include "tests/host/cli/running_program.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using linux::FarEnd;
+using testing::Folder;
+using testing::Outcome;
+using testing::RunningProgram;
+using testing::shell;
+using testing::slurp;
+using testing::spill;
+using testing::until_done;
+
+const std::string kOdometry = "$FPODO,7.6200,1.3820,-0.0145,0.0666*DAD3\r\n";  // from approach_stop.log
+const std::string kNext = "$FPODO,7.6400,1.3860,-0.0143,0.0666*9409\r\n";      // likewise
+
+class Record : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string folder_path() const { return folder.path().string(); }
+  [[nodiscard]] std::string log() const { return slurp(folder.path() / "run.log"); }
+  /// What the robot hears, until it is that long.
+  std::string heard(std::size_t size) {
+    std::string text;
+    until_done([&] { return (text += far.heard()).size() >= size; });
+    return text;
+  }
+  std::vector<std::string> files() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      if (entry.is_regular_file()) names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  Folder folder;
+  std::string port = (folder.path() / "tty").string();
+  FarEnd far{port};
+};
+
+TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  EXPECT_EQ(heard(10), "\rmode log\r");
+  const std::string bytes =
+      kOdometry + "mode is log\r\n" + std::string("\0\x1b[2J\xff\xfe\n", 8) + "\n$FPODO,broken*0000\n";
+  far.say(bytes + "no end");
+  ASSERT_TRUE(run.shows("broken*0000\n"));
+  EXPECT_EQ(run.out(), bytes);
+  EXPECT_EQ(log(), bytes + "no end");
+  EXPECT_EQ(run.end(SIGINT), 130);
+  EXPECT_EQ(run.out(), bytes + "no end");
+  EXPECT_EQ(log(), bytes + "no end");
+  EXPECT_NE(run.err().find("6 lines, "), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("1 record: 0 frames, 1 of odometry; 4 foreign lines\nrejected lines: crc 1\n"),
+            std::string::npos)
+      << run.err();
+  EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
+}
+
+TEST_F(Record, SigtermAndSighupEndItInOrder) {
+  for (const int signal : {SIGTERM, SIGHUP}) {
+    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+    ASSERT_EQ(heard(10), "\rmode log\r");
+    far.say("before the end");
+    ASSERT_TRUE(until_done([this] { return !log().empty(); }));
+    EXPECT_EQ(run.end(signal), signal == SIGTERM ? 0 : 130);
+    EXPECT_EQ(log(), "before the end");
+    EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
+    std::filesystem::remove(folder.path() / "run.log");
+  }
+}
+
+TEST_F(Record, WhatIsTypedGoesToTheRobot) {
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--no-command"});
+  ASSERT_TRUE(run.says("Ctrl-C ends it"));
+  run.type("status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
+  EXPECT_EQ(heard(47), "status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
+  run.close_input();
+  far.say("still there\n");
+  EXPECT_TRUE(run.shows("still there\n"));
+}
+
+TEST_F(Record, AsksForTheModeAndANewRun) {
+  const RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--mode", "plot", "--reset"});
+  EXPECT_EQ(heard(17), "\rmode plot\rreset\r");
+}
+
+// A board that boots when its port is opened misses the first one.
+TEST_F(Record, AsksAgainUntilARecordComes) {
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  EXPECT_EQ(heard(20), "\rmode log\r\rmode log\r");
+  far.say(kOdometry);
+  ASSERT_TRUE(run.shows(kOdometry));
+}
+
+TEST_F(Record, GoesOnAfterAReplug) {
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  ASSERT_EQ(heard(10), "\rmode log\r");
+  far.say(kOdometry + "$FPODO,cut");
+  ASSERT_TRUE(until_done([this] { return log().ends_with("cut"); }));
+  far.unplug();
+  ASSERT_TRUE(run.says(port + " has gone; the recording goes on when it is back\n"));
+  run.type("lost\n");
+  ASSERT_TRUE(run.says("not sent: " + port + " is not there\n"));
+  far.plug();
+  ASSERT_TRUE(run.says(port + " is back\n"));
+  EXPECT_EQ(heard(10), "\rmode log\r");
+  far.say(kNext);
+  ASSERT_TRUE(run.shows("cut\n" + kNext));
+  EXPECT_EQ(run.end(SIGINT), 130);
+  EXPECT_EQ(log(), kOdometry + "$FPODO,cut\n" + kNext);
+  EXPECT_NE(run.err().find("2 records"), std::string::npos) << run.err();
+  EXPECT_EQ(files(), std::vector<std::string>{"run.log"});
+}
+
+TEST_F(Record, WaitsForAPortWhenTold) {
+  far.unplug();
+  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--wait"});
+  ASSERT_TRUE(run.says("waiting for it: cannot open the serial port " + port));
+  far.plug();
+  EXPECT_EQ(heard(10), "\rmode log\r");
+  far.say(kOdometry);
+  EXPECT_TRUE(run.shows(kOdometry));
+}
+
+TEST_F(Record, APortThatIsNotThereIsSaidAndLeavesNoFile) {
+  far.unplug();
+  const Outcome run = shell(folder, "fencepost record " + port);
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_NE(run.err.find("cannot open the serial port " + port + ": No such file or directory; plug it in"),
+            std::string::npos)
+      << run.err;
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Record, NeverOverwrites) {
+  spill(folder.path() / "run.log", "old");
+  const Outcome run = shell(folder, "fencepost record " + port + " -o run.log");
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_NE(run.err.find("cannot create the log run.log: File exists; choose another name"), std::string::npos);
+  EXPECT_EQ(log(), "old");
+}
+
+TEST_F(Record, NamesTheFileByTheTime) {
+  RunningProgram run(folder_path(), {"record", port, "--no-command", "--seconds", "0.1"});
+  EXPECT_EQ(run.end(), 0) << run.err();
+  ASSERT_EQ(files().size(), 1U);
+  std::string name = files().front();
+  for (char& c : name) c = c >= '0' && c <= '9' ? 'd' : c;
+  EXPECT_EQ(name, "fencepost-dddddddd-dddddd.log");
+}
+
+// The order: what could not be kept is not shown.
+TEST_F(Record, AFullDiskEndsItAndNothingIsShownThatIsNotKept) {
+  RunningProgram run(folder_path(), {"record", port, "-o", "/dev/full"});
+  ASSERT_EQ(heard(10), "\rmode log\r");
+  far.say(kOdometry);
+  EXPECT_EQ(run.end(), 4);
+  EXPECT_EQ(run.out(), "");
+  EXPECT_NE(run.err().find("cannot write the log /dev/full: No space left on device; free some space"),
+            std::string::npos)
+      << run.err();
+}
+
+TEST_F(Record, AReaderThatStopsReadingIsNoError) {
+  const Outcome run = shell(folder, "{ seq 100000 | fencepost record - -o run.log; echo $? >code; } | head -1");
+  EXPECT_EQ(run.out, "1\n");
+  EXPECT_EQ(slurp(folder.path() / "code"), "0\n") << run.err;
+  EXPECT_EQ(slurp(folder.path() / "run.log").size(), 588'895U);  // 9*2 + 90*3 + ... + 90000*6 + 7
+}
+
+TEST_F(Record, StandardInputEndsIt) {
+  const Outcome run = shell(folder, "printf 'one\\ntwo' | fencepost record - -o run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "one\ntwo");
+  EXPECT_EQ(log(), "one\ntwo");
+}
+
+TEST_F(Record, WhatWasRecordedCanBeReplayed) {
+  const Outcome run = shell(folder, "fencepost record - -q -o run.log <" + testing::recording("approach_stop.log") +
+                                        " && fencepost replay run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(log(), slurp(FENCEPOST_SOURCE_DIR "/host/share/recordings/approach_stop.log"));
+}
+
+TEST_F(Record, ATcpPortIsAPort) {
+  linux::Descriptor listener(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* any = static_cast<sockaddr*>(static_cast<void*>(&address));
+  ASSERT_EQ(::bind(listener.get(), any, size), 0);
+  ASSERT_EQ(::listen(listener.get(), 1), 0);
+  ASSERT_EQ(::getsockname(listener.get(), any, &size), 0);
+  RunningProgram run(folder_path(),
+                     {"record", "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port)), "-o", "run.log"});
+  const linux::Descriptor peer(::accept(listener.get(), nullptr, nullptr));
+  ASSERT_EQ(::write(peer.get(), kOdometry.data(), kOdometry.size()), static_cast<ssize_t>(kOdometry.size()));
+  EXPECT_TRUE(run.shows(kOdometry));
+  std::array<char, 10> heard{};
+  EXPECT_EQ(::recv(peer.get(), heard.data(), heard.size(), MSG_WAITALL), 10);
+  EXPECT_EQ(std::string(heard.data(), heard.size()), "\rmode log\r");
+}
+
+// The devices are missing: the log has the start of a run, and their links.
+TEST_F(Record, DevicesOfThisMachineAreRecordedWithoutAConsole) {
+  const std::string line = "fencepost record --camera pixy2:./no --odometry create2:./nor --wait --seconds 0.2 -o ";
+  const Outcome run = shell(folder, line + "run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(log().starts_with("$FPHDR,1,fencepost,")) << log();
+  EXPECT_NE(log().find(",pixy2,absent,./no*"), std::string::npos) << log();
+  EXPECT_NE(log().find(",create2,absent,./nor*"), std::string::npos) << log();
+  const Outcome full = shell(folder, line + "/dev/full");
+  EXPECT_EQ(full.exit_code, 4);
+  EXPECT_NE(full.err.find("/dev/full: No space left on device"), std::string::npos) << full.err;
+  EXPECT_EQ(full.err.find("goes on without a log"), std::string::npos) << full.err;
+}
+
+TEST_F(Record, UsageErrorsAreSaid) {
+  for (const std::string& line : std::vector<std::string>{
+           "fencepost record", "fencepost record " + port + " -o -", "fencepost record tcp:nowhere",
+           "fencepost record " + port + " --mode nonsense", "fencepost record " + port + " --baud 0",
+           "fencepost record " + port + " --no-command --reset", "fencepost record --camera pixy2:/dev/null",
+           "fencepost record --camera pixy2:/no --odometry create2:/no " + port,
+           "fencepost record --camera console --odometry console",
+           "fencepost record " + port + " --robot robot.json"}) {
+    const Outcome run = shell(folder, line);
+    EXPECT_EQ(run.exit_code, 2) << line;
+    EXPECT_EQ(run.out, "") << line;
+    EXPECT_FALSE(run.err.empty()) << line;
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+/// Numbered lines, as fast as the pty takes them.
+class Feeder {
+ public:
+  explicit Feeder(int fd) : fd_(fd) {}
+  void feed() {
+    for (int i = 0; i < 50; ++i) {
+      if (rest_.empty()) rest_ = "line " + std::to_string(++number_) + "\r\n";
+      const ssize_t count = ::write(fd_, rest_.data(), rest_.size());
+      if (count <= 0) return;
+      rest_.erase(0, static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  int fd_;
+  int number_ = 0;
+  std::string rest_;
+};
+
+TEST_F(Record, AKillLosesNothingThatWasShown) {
+  constexpr int kKills = 100;
+  std::mt19937 random(20'240'607);
+  std::size_t lines = 0;
+  for (int round = 0; round < kKills; ++round) {
+    far.plug();
+    Feeder feeder(far.descriptor());
+    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+    ASSERT_EQ(heard(10), "\rmode log\r") << run.err();
+    ASSERT_TRUE(until_done([&] {
+      feeder.feed();
+      return !run.out().empty();
+    })) << run.err();
+    const auto then = std::chrono::steady_clock::now() + std::chrono::microseconds(random() % 5000);
+    while (std::chrono::steady_clock::now() < then) {
+      feeder.feed();
+      run.out();
+    }
+    ASSERT_EQ(run.end(SIGKILL), -SIGKILL);
+    const std::string shown = run.out().substr(0, run.out().rfind('\n') + 1);
+    ASSERT_TRUE(log().starts_with(shown))
+        << "round " << round << ": " << shown.size() << " bytes were shown, " << log().size() << " kept";
+    ASSERT_TRUE(shown.starts_with("line 1\r\n"));
+    lines += static_cast<std::size_t>(std::count(shown.begin(), shown.end(), '\n'));
+    std::filesystem::remove(folder.path() / "run.log");
+  }
+  EXPECT_GE(lines, std::size_t{kKills});
+}
+
+}  // namespace
+}  // namespace fencepost::host

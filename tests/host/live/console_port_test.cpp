@@ -1,0 +1,179 @@
+#include "host/live/console_port.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "host/live/open_port.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using base::Error;
+using base::milliseconds;
+using base::Time;
+
+std::span<const std::uint8_t> octets(std::string_view text) {
+  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
+}
+
+TEST(ConsoleSpec, ReadsEveryPlace) {
+  EXPECT_EQ(parse_console("-")->kind, ConsoleSpec::Kind::kTerminal);
+  EXPECT_EQ(parse_console("pty")->kind, ConsoleSpec::Kind::kPty);
+  const auto tcp = parse_console("tcp:desk:4000");
+  EXPECT_EQ(tcp->place.kind, PlaceKind::kTcp);
+  EXPECT_EQ(tcp->place.port, 4000);
+  const auto tty = parse_console("/dev/ttyGS0,baud=9600");
+  EXPECT_EQ(tty->place.kind, PlaceKind::kTty);
+  EXPECT_EQ(tty->place.name, "/dev/ttyGS0");
+  EXPECT_EQ(tty->baud, 9'600U);
+  EXPECT_EQ(parse_console("/dev/ttyGS0")->baud, 115'200U);
+}
+
+TEST(ConsoleSpec, SaysWhatIsAllowed) {
+  for (const char* text :
+       {"", "COM3", "tcp:desk", "ptty", "/dev/ttyS0,baud=", "/dev/ttyS0,baud=9e3", "/dev/ttyS0,x=1"}) {
+    const auto spec = parse_console(text);
+    ASSERT_FALSE(spec.ok()) << text;
+    EXPECT_NE(spec.error().find("allowed: - (this terminal), pty, tcp:HOST:PORT"), std::string::npos) << spec.error();
+  }
+}
+
+/// Takes what the test lets it.
+class FakePort final : public ConsolePort {
+ public:
+  base::Result<std::size_t> read(std::span<std::uint8_t> /*in*/) override { return Error::kNotReady; }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override {
+    if (!there) return Error::kGone;
+    const std::size_t count = std::min(out.size(), room);
+    if (count == 0) return Error::kFull;
+    said.append(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count));
+    room -= count;
+    return count;
+  }
+  void tend(Time /*now*/) override {}
+  [[nodiscard]] bool connected() const override { return there; }
+  [[nodiscard]] std::string problem() const override { return {}; }
+  [[nodiscard]] int descriptor() const override { return -1; }
+
+  bool there = true;
+  std::size_t room = 0;
+  std::string said;
+};
+
+class PatientConsoleTest : public testing::Test {
+ protected:
+  /// Writes it all as the loop does: what was not taken comes again.
+  std::size_t write(std::string_view text) {
+    const auto taken = console.write(octets(text));
+    return taken ? *taken : 0;
+  }
+  FakePort port;
+  PatientConsole console{port, true};
+};
+
+TEST_F(PatientConsoleTest, WaitsForASecondThenThrowsAway) {
+  EXPECT_EQ(console.write(octets("one\n")).error(), Error::kFull);
+  console.tend(Time{} + milliseconds(999));
+  EXPECT_EQ(console.write(octets("one\n")).error(), Error::kFull);
+  console.tend(Time{} + milliseconds(1000));
+  EXPECT_EQ(write("one\n"), 4U);
+  EXPECT_EQ(write("two\n"), 4U);
+  EXPECT_EQ(console.lost(), 8U);
+  EXPECT_EQ(port.said, "");
+  port.room = 100;
+  EXPECT_EQ(write("three\n"), 6U);
+  EXPECT_EQ(port.said, "three\n");
+}
+
+TEST_F(PatientConsoleTest, GoesOnWithAWholeLine) {
+  port.room = 5;
+  EXPECT_EQ(write("first line\n"), 5U);
+  EXPECT_EQ(write(" line\n"), 0U);
+  console.tend(Time{} + milliseconds(1000));
+  EXPECT_EQ(write(" line\nsecond li"), 15U);
+  port.room = 100;
+  EXPECT_EQ(write("ne\nthird\n"), 9U);
+  EXPECT_EQ(port.said, "first\r\nthird\n");
+  EXPECT_EQ(console.lost(), 15U + 3U);
+}
+
+TEST_F(PatientConsoleTest, DoesNotWaitForALineThatIsGone) {
+  port.there = false;
+  EXPECT_EQ(write("one\n"), 4U);
+  port.there = true;
+  port.room = 100;
+  EXPECT_EQ(write("two\n"), 4U);
+  EXPECT_EQ(port.said, "two\n");
+}
+
+TEST_F(PatientConsoleTest, AConsoleThatIsTheLogLosesNothingHoweverLongItTakes) {
+  PatientConsole log(port, false);
+  EXPECT_EQ(log.write(octets("one\n")).error(), Error::kFull);
+  log.tend(Time{} + milliseconds(100'000));
+  EXPECT_EQ(log.write(octets("one\n")).error(), Error::kFull);
+  port.room = 100;
+  EXPECT_EQ(log.write(octets("one\n")).value(), 4U);
+  EXPECT_EQ(port.said, "one\n");
+}
+
+TEST_F(PatientConsoleTest, ASlowConsoleLosesNothing) {
+  std::string text = "a line that takes its time\n";
+  for (int i = 0; i < 200 && !text.empty(); ++i) {
+    console.tend(Time{} + milliseconds(400 * i));
+    port.room = i % 2 == 0 ? 0 : 1;
+    text.erase(0, write(text));
+  }
+  EXPECT_EQ(port.said, "a line that takes its time\n");
+  EXPECT_EQ(console.lost(), 0U);
+}
+
+TEST(TerminalConsole, EndsWithItsInputAndKnowsAClosedPipe) {
+  int input[2];
+  int output[2];
+  ASSERT_EQ(::pipe(input), 0);
+  ASSERT_EQ(::pipe(output), 0);
+  TerminalConsole console(input[0], output[1]);
+  std::array<std::uint8_t, 8> in{};
+  EXPECT_EQ(console.read(in).error(), Error::kNotReady);
+  ASSERT_EQ(::write(input[1], "help\n", 5), 5);
+  EXPECT_EQ(console.read(in).value(), 5U);
+  EXPECT_FALSE(console.ended());
+  ::close(input[1]);
+  EXPECT_EQ(console.read(in).error(), Error::kNotReady);
+  EXPECT_TRUE(console.ended());
+  EXPECT_EQ(console.descriptor(), -1) << "an ended input wakes nobody";
+
+  EXPECT_EQ(console.write(octets("text\n")).value(), 5U);
+  EXPECT_FALSE(console.closed());
+  ::close(output[0]);
+  ::signal(SIGPIPE, SIG_IGN);
+  EXPECT_EQ(console.write(octets("text\n")).value(), 5U);
+  EXPECT_TRUE(console.closed());
+  ::close(input[0]);
+  ::close(output[1]);
+}
+
+TEST(TerminalConsole, AFullPipeIsNotWaitedFor) {
+  int output[2];
+  ASSERT_EQ(::pipe(output), 0);
+  const int closed = ::dup(output[0]);
+  ::close(closed);
+  TerminalConsole console(closed, output[1]);
+  const std::string much(4096, 'x');
+  base::Result<std::size_t> taken = Error::kNotReady;
+  for (int i = 0; i < 1000; ++i) {
+    taken = console.write(octets(much));
+    if (!taken) break;
+  }
+  EXPECT_EQ(taken.error(), Error::kFull);
+  std::array<std::uint8_t, 8> in{};
+  EXPECT_EQ(console.read(in).error(), Error::kNotReady) << "no input at all";
+  EXPECT_TRUE(console.ended());
+  ::close(output[0]);
+  ::close(output[1]);
+}
+
+}  // namespace
+}  // namespace fencepost::host

@@ -1,0 +1,31 @@
+// What the tests of logs on disk share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "host/live/log_file.hpp"
+#include "tests/hal/linux/pty.hpp"
+
+namespace fencepost::host {
+
+inline std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void spill(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+constexpr base::Time at(double seconds) { return base::Time::nearest(seconds); }
+
+class LogFolder : public testing::Test {
+ protected:
+  linux::TestFolder folder;
+  std::string path = folder.file("run.log");
+};
+
+}  // namespace fencepost::host

@@ -1,0 +1,81 @@
+#include "host/live/records_odometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "drivers/serial/pump.hpp"
+#include "firmware/record/encode.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using base::milliseconds;
+using base::Time;
+using sensor::LinkState;
+
+static_assert(serial::Session<RecordsSession>);
+static_assert(sensor::OdometrySource<serial::Pump<serial::LinkArchetype, RecordsSession>>);
+
+Time at(std::int64_t ms) { return Time{} + milliseconds(ms); }
+
+std::string line_of(const sensor::OdometrySample& sample) {
+  std::array<char, record::kMaxLine> line{};
+  return {line.data(), record::encode(sample, line)};
+}
+
+class RecordsTest : public testing::Test {
+ protected:
+  /// How many samples were complete.
+  int feed(RecordsSession& session, const std::string& bytes, Time now) {
+    int samples = 0;
+    for (const char byte : bytes) samples += session.take(static_cast<std::uint8_t>(byte), now) ? 1 : 0;
+    session.step(now);
+    return samples;
+  }
+  const sensor::OdometrySample sample{{50'000}, {1'000}, {-2'000}, {3'000}};  // 5 s, 0.1 m, -0.2 m, 0.3 rad
+};
+
+TEST_F(RecordsTest, StampsOnArrivalWhateverTheSendersClockSays) {
+  RecordsSession session(RecordStamp::kArrival);
+  EXPECT_EQ(feed(session, line_of(sample), at(70)), 1);
+  EXPECT_EQ(session.sample(), (sensor::OdometrySample{at(70), sample.x, sample.y, sample.heading}));
+  EXPECT_EQ(feed(session, line_of(sample), at(90)), 1) << "a sender that starts again, its clock too";
+  EXPECT_EQ(session.sample().t, at(90));
+}
+
+TEST_F(RecordsTest, KeepsTheSendersTimeIfTold) {
+  RecordsSession session(RecordStamp::kOwn);
+  EXPECT_EQ(feed(session, line_of(sample), at(70)), 1);
+  EXPECT_EQ(session.sample(), sample);
+  EXPECT_EQ(feed(session, "$FPODO,,0.1,0.2,0.3*C7C6\n", at(80)), 1);
+  EXPECT_EQ(session.sample().t, at(80));
+}
+
+TEST_F(RecordsTest, PassesOverWhatIsNoOdometry) {
+  RecordsSession session(RecordStamp::kArrival);
+  std::string damaged = line_of(sample);
+  damaged[8] = '9';
+  EXPECT_EQ(feed(session, "boot\r\n\r\n$FPDIG,50,0123456789abcdef*0000\r\n" + damaged, at(0)), 0);
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  EXPECT_EQ(feed(session, std::string(5'000, 'x') + "\n" + line_of(sample), at(10)), 1);
+  EXPECT_EQ(session.link(), LinkState::kOk);
+}
+
+TEST_F(RecordsTest, KnowsHowTheLinkIs) {
+  RecordsSession session(RecordStamp::kArrival);
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(feed(session, line_of(sample), at(0)), 1);
+  session.step(at(999));
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  session.step(at(1'000));
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(feed(session, line_of(sample).substr(0, 10), at(1'100)), 0);
+  session.link_lost();
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(feed(session, line_of(sample), at(1'200)), 1) << "the half line before the unplug is forgotten";
+}
+
+}  // namespace
+}  // namespace fencepost::host

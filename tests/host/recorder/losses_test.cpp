@@ -1,0 +1,83 @@
+#include "host/recorder/losses.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::host {
+namespace {
+
+sensor::BlobFrame frame(std::uint32_t number) {
+  sensor::BlobFrame frame;
+  frame.frame = number;
+  return frame;
+}
+
+record::StatusReport status(std::uint32_t frames, std::uint32_t records_dropped) {
+  record::StatusReport status;
+  status.frames = frames;
+  status.records_dropped = records_dropped;
+  return status;
+}
+
+TEST(Losses, CountsFramesPassedOver) {
+  Losses losses;
+  for (const std::uint32_t number : {5U, 6U, 9U, 10U, 12U}) losses.accept(frame(number));
+  EXPECT_EQ(losses.frames_missing(), 3U);  // 7, 8, 11
+}
+
+TEST(Losses, ACameraThatCountsAnewHasNoGap) {
+  Losses losses;
+  for (const std::uint32_t number : {100U, 0U, 1U, 3U}) losses.accept(frame(number));
+  EXPECT_EQ(losses.frames_missing(), 1U);
+}
+
+TEST(Losses, ANewRunHasNoGap) {
+  Losses losses;
+  losses.accept(frame(5));
+  losses.accept(record::Header{});
+  losses.accept(frame(500));
+  EXPECT_EQ(losses.frames_missing(), 0U);
+}
+
+TEST(Losses, WhatWasLostBeforeTheRecordingDoesNotCount) {
+  Losses losses;
+  losses.accept(status(100, 7));
+  EXPECT_EQ(losses.told(), ToldLosses{});
+  record::StatusReport later = status(150, 9);
+  later.blobs_dropped = 1;
+  later.refused = 4;
+  later.rejected = 3;
+  losses.accept(later);
+  EXPECT_EQ(losses.told(), (ToldLosses{2, 1, 4, 3}));
+}
+
+TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
+  Losses losses;
+  losses.accept(status(100, 7));
+  losses.accept(status(10, 5));
+  losses.accept(status(60, 6));
+  EXPECT_EQ(losses.told().records_dropped, 6U);  // 5 since the boot, and 1
+}
+
+// `reset` starts the clock anew, the counters go on.
+TEST(Losses, ANewRunIsNoBoot) {
+  Losses losses;
+  record::StatusReport first = status(100, 7);
+  first.t = {100'000};
+  losses.accept(first);
+  losses.accept(status(101, 7));
+  EXPECT_EQ(losses.told(), ToldLosses{});
+}
+
+TEST(Losses, ALinkHasTheStateLastTold) {
+  Losses losses;
+  record::LinkReport link;
+  link.state = sensor::LinkState::kSilent;
+  losses.accept(link);
+  link.state = sensor::LinkState::kOk;
+  losses.accept(link);
+  ASSERT_EQ(losses.links().size(), 1U);
+  EXPECT_EQ(losses.links().begin()->second.state, sensor::LinkState::kOk);
+}
+
+}  // namespace
+}  // namespace fencepost::host
