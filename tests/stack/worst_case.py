@@ -25,9 +25,10 @@ def short(title):
     return title.rsplit(":", 1)[-1]
 
 
-def read_graph(folder):
+def read_graph(folder, without=None):
+    """`without`: a folder below that is left out."""
     frames, kinds, calls, labels = {}, {}, {}, {}
-    files = sorted(pathlib.Path(folder).rglob("*.ci"))
+    files = sorted(file for file in pathlib.Path(folder).rglob("*.ci") if without not in file.parts)
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:

@@ -3,7 +3,7 @@
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
 // has been sent. Others: `power`, `run-pin`, `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera gone|back` (two-wire
-// bus); `pin NUMBER 0|1`; `counts`, answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
+// bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`, answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { Counter } from './counter.mjs';
@@ -62,12 +62,30 @@ const commands = {
     unblock: () => pico.usb.block(false),
   })[what](),
   camera: (what) => (pico.bus.there = what === 'back'),
-  pin: (number, level) => pico.mcu.gpio[Number(number)].setInputValue(level === '1'),
+  turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),
   counts: () => control.write(JSON.stringify({
     instructions: pico.instructions, erased: pico.rom.erased, programmed: pico.rom.programmed,
     lost: [pico.console.lost, pico.camera.lost],
   }) + '\n'),
 };
+
+// Two channels a wheel, a quarter of a period apart; A leads forwards.
+const kWheels = [[10, 11], [12, 13]];
+const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]];
+const quarters = [0, 0];
+function turn(counts, microseconds) {
+  while (counts.some((count) => count !== 0)) {
+    counts.forEach((count, wheel) => {
+      counts[wheel] -= Math.sign(count);
+      quarters[wheel] += Math.sign(count);
+      kLevels[quarters[wheel] & 3].forEach((level, channel) => {
+        const pin = pico.mcu.gpio[kWheels[wheel][channel]];
+        if (pin.rawInputValue !== !!level) pin.setInputValue(!!level);
+      });
+    });
+    pico.run(microseconds * 1000);
+  }
+}
 
 function obey(line) {
   const [word, ...rest] = line.split(' ');

@@ -8,16 +8,16 @@ namespace fencepost::test {
 
 inline constexpr std::size_t kPicoUsb = 2;
 
-/// `counts`: what to count (tests/boards/counting.hpp), or nothing.
-inline BoardUnderTest pico(const std::string& image = "pico", const std::string& counts = "") {
+/// `image`: the file's name. `counts`: what to count (tests/boards/counting.hpp), or nothing.
+inline BoardUnderTest pico(const std::string& image = "fencepost", const std::string& counts = "") {
   BoardUnderTest board;
-  board.name = image;
+  board.name = "pico";
   board.lines = 4;
   board.console = 0;
   board.camera = 1;
   board.control = 3;
   board.command = [image, counts](const std::vector<std::string>& sockets) {
-    std::vector<std::string> words = {"node", FENCEPOST_PICO_EMULATOR, image_of(image) + ".uf2"};
+    std::vector<std::string> words = {"node", FENCEPOST_PICO_EMULATOR, FENCEPOST_IMAGES_DIR "/pico/" + image + ".uf2"};
     words.insert(words.end(), sockets.begin(), sockets.end());
     if (!counts.empty()) words.push_back(counts);
     return words;

@@ -47,7 +47,7 @@ TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"alerts", "::watch_path("}},
                                             out);
   const SceneStream stream = stream_of(eight_boxes(4));
-  Bench bench(pico("pico", arguments.back()));
+  Bench bench(pico("fencepost", arguments.back()));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   ASSERT_TRUE(bench.await_camera()) << bench.said();
   for (const std::string& line : stream.calibration) bench.console().send(line);
