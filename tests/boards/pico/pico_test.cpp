@@ -43,7 +43,6 @@ TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
                                              {"objects", "::update_matched("},
-                                             {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
   const SceneStream stream = stream_of(eight_boxes(4));
@@ -60,7 +59,7 @@ TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
     std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
                 static_cast<double>(count.worst), static_cast<double>(count.calls));
   }
-  const double frames = static_cast<double>(counts.at("digest").calls);
+  const double frames = static_cast<double>(counts.at("objects").calls);
   EXPECT_GT(frames, 100);
   EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed("pico", "frame")));
   EXPECT_LE(counts.at("input").worst, committed("pico", "worst_frame"));

@@ -14,6 +14,7 @@ struct PicoWheels : ::testing::Test {
   void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
   void emulator(const std::string& command, double seconds) {
     bench.emulator().command(command);
+    bench.pump();  // the command takes its own time
     bench.run(seconds);
   }
 };
@@ -48,8 +49,8 @@ TEST_F(PicoWheels, CountsItsWheels) {
   EXPECT_TRUE(bench.obey("status", "robot x 0.00 m, y 0.00 m, heading 90 deg")) << bench.said();
 }
 
-// As hal/boards/README.md says: 20,000 edges a second of each wheel, while camera and console are at work. To and fro, for
-// a wheel as fast as that is taken for a fault.
+// As hal/boards/README.md says: 20,000 edges a second of each wheel, while camera and console are at work. To and fro,
+// for a wheel as fast as that is taken for a fault.
 TEST_F(PicoWheels, LosesNoCountAtTheHighestRate) {
   ASSERT_TRUE(bench.await_camera()) << bench.said();
   bench.console().send("help\r");
