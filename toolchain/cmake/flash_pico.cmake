@@ -1,7 +1,6 @@
 # cmake -DIMAGE=fencepost -P flash_pico.cmake: copies IMAGE.uf2 to the drive that the board shows, else asks picotool, else
 # openocd with IMAGE.elf.
-file(GLOB drives /media/*/RPI-RP2 /media/RPI-RP2 /run/media/*/RPI-RP2 /mnt/RPI-RP2 /Volumes/RPI-RP2)
-foreach(drive ${drives})
+foreach(drive /media/$ENV{USER}/RPI-RP2 /run/media/$ENV{USER}/RPI-RP2 /media/RPI-RP2 /mnt/RPI-RP2 /Volumes/RPI-RP2)
   if(EXISTS "${drive}/INFO_UF2.TXT")  # an empty folder is a drive that is not mounted
     file(COPY "${IMAGE}.uf2" DESTINATION "${drive}")
     message(STATUS "${IMAGE}.uf2 copied to ${drive}; the board starts it at once")
