@@ -22,13 +22,14 @@ void put_taken(Sentence& s, config::Key key, const config::Settings& settings) {
   if (about_confirming && k > n) s.put(" (").number(k).put(" of ").number(n).put(": no object can be confirmed)");
 }
 
-void put_version(Sentence& s, const record::Header* header) {
+void put_version(Sentence& s, const record::Header* header, std::string_view note) {
   if (!header) {
     s.put("fencepost");
     return;
   }
   s.put(header->product.view()).put(" ").put(header->version.view()).put(" for ").put(header->target.view());
   s.put(", profile ").put(header->profile.view()).put(", stream format ").number(header->format);
+  if (!note.empty()) s.put("; ").put(note);
 }
 
 void put_selftest(Sentence& s, std::uint64_t digest, std::uint64_t expected) {
@@ -107,7 +108,7 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
       }
       break;
     case Reply::kNewRun: s.put("a new run: the map is empty"); break;
-    case Reply::kVersion: put_version(s, facts.header); break;
+    case Reply::kVersion: put_version(s, facts.header, facts.note); break;
     case Reply::kSelftest: put_selftest(s, facts.digest, facts.expected_digest); break;
     default: put_error(s, answer); break;
   }

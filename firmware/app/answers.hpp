@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "firmware/app/console_state.hpp"
 #include "firmware/config/settings.hpp"
@@ -20,6 +21,7 @@ struct AnswerFacts {
   const record::Header* header = nullptr;
   std::uint64_t digest = 0;
   std::uint64_t expected_digest = 0;
+  std::string_view note;  ///< of the image, said by `version`
 };
 
 /// Answers that are lists (help, status, objects, map, all settings) are not known here.

@@ -36,6 +36,9 @@ class Console {
     kInput,  ///< a line that was an input of the loop: settle it
   };
 
+  /// What `version` says at its end; lives on.
+  void set_note(std::string_view note) { note_ = note; }
+
   /// Acts on the oldest line, which arrived at `now`.
   [[gnu::noinline]] Took take_line(base::Time now) {
     const std::optional<InputLines::Line> line = state().input.front();
@@ -168,7 +171,7 @@ class Console {
       default:
         return write_answer(answer,
                             {memory.console.mode, memory.console.alerts, memory.run.whole, memory.settings,
-                             memory.run.header, memory.map.digest(), canned_.digest},
+                             memory.run.header, memory.map.digest(), canned_.digest, note_},
                             out);
     }
   }
@@ -220,6 +223,7 @@ class Console {
 
   Pipeline<Profile>& pipeline_;
   CannedStream canned_;
+  std::string_view note_;
 };
 
 }  // namespace fencepost::app

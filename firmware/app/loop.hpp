@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "firmware/app/console.hpp"
 #include "hal/bus/byte_link.hpp"
@@ -32,10 +33,13 @@ class Loop {
     if (take_frame(now)) settle();
     listen(now);
     pipeline_.telling().calibration();
+    tell_links(now);
     console_.talk({camera_.link(), odometry_.link()});
     speak();
   }
 
+  /// What `version` says of the image at its end; lives on.
+  void set_note(std::string_view note) { console_.set_note(note); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
 
  private:
@@ -66,6 +70,12 @@ class Loop {
       if (took == Console<Profile>::Took::kNothing) return;
       if (took == Console<Profile>::Took::kInput) settle();
     }
+  }
+
+  void tell_links(base::Time now) {
+    LinkWatches& links = pipeline_.memory().links;
+    pipeline_.telling().link(links.camera, camera_, "camera", now);
+    pipeline_.telling().link(links.odometry, odometry_, "odometry", now);
   }
 
   // As much as the console's buffer holds.

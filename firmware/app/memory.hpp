@@ -10,6 +10,7 @@
 #include "firmware/app/console_state.hpp"
 #include "firmware/app/counters.hpp"
 #include "firmware/app/journal.hpp"
+#include "firmware/app/link_watch.hpp"
 #include "firmware/app/output_queue.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
@@ -62,6 +63,7 @@ struct Memory {
   std::array<AlertState, Profile::kObjects> alerts{};
   std::array<ReportState, Profile::kObjects> reports{};
   Counters counters;
+  LinkWatches links;
   ConsoleState console;
   OutputQueue<Profile::kOutputBytes> output;
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;

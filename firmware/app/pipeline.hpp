@@ -25,7 +25,9 @@ class Pipeline {
   /// In `log` everything that a replay must know is told again.
   void set_mode(Mode mode) {
     m_.console.mode = mode;
-    if (mode == Mode::kLog) telling_.retell_from(telling_.kHeaderRecord);
+    if (mode != Mode::kLog) return;
+    telling_.retell_from(telling_.kHeaderRecord);
+    telling_.retell_links();
   }
 
   /// The first run: no calibration, no signatures. `header` is told once the queue has room and must live on.
@@ -48,6 +50,7 @@ class Pipeline {
     m_.run.header = header;
     m_.run.header_due = header != nullptr;
     telling_.retell_from(telling_.kHeaderRecord);
+    if (telling_.logs()) telling_.retell_links();
   }
 
   /// In force for the frames after it. Frames that wait keep the calibration that they came with; of more than two

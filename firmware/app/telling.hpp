@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/app/link_words.hpp"
 #include "firmware/app/memory.hpp"
 #include "firmware/app/reports.hpp"
 #include "firmware/app/text.hpp"
@@ -115,6 +116,20 @@ class Telling {
     report(report_status(*m_.run.time, m_.counters, m_.map.size()));
   }
 
+  /// A cable's state: a record in mode log, a sentence in mode text. It waits for room, and for the end of an answer,
+  /// rather than be lost, for it is said only once. `source` is asked for its words only then.
+  template <class Source>
+  void link(LinkWatch& watch, const Source& source, std::string_view name, base::Time now) {
+    if (m_.run.testing || m_.console.answer.pending() || (logs() && !m_.run.told)) return;
+    const std::optional<sensor::LinkState> state = watch.observe(source.link(), now);
+    if (state && told_link(link_words(source, name, *state), *state, now)) watch.told();
+  }
+  /// Somebody begins to read records: both links again.
+  void retell_links() {
+    m_.links.camera.retell();
+    m_.links.odometry.retell();
+  }
+
   /// To whoever gets records; dropped and counted where there is no room.
   template <class Record>
   void report(const Record& record) {
@@ -137,6 +152,19 @@ class Telling {
   }
 
  private:
+  template <class Words>
+  [[gnu::noinline]] bool told_link(const Words& words, sensor::LinkState state, base::Time now) {
+    if (std::string_view(words.device).empty()) return true;
+    const bool logged =
+        !logs() || put_in_logs(record::LinkReport{now, sensor::Text(words.device), state, sensor::Text(words.detail)});
+    if (!logged || !shown_in(Mode::kText) || std::string_view(words.name).empty()) return logged;
+    const bool fits =
+        m_.output.put_line([&](std::span<char> room) { return describe_link(state, words.name, words.remedy, room); });
+    // What does not fit into an empty queue never will. With a journal, the record has been told already.
+    if (!fits && (logs() || m_.output.waiting().empty())) ++m_.counters.records_dropped;
+    return fits || logs() || m_.output.waiting().empty();
+  }
+
   [[nodiscard]] bool calibration_record(std::size_t index) {
     if (index == kHeaderRecord) {
       if (!m_.run.header_due) return true;

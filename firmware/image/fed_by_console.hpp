@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "firmware/app/counters.hpp"
+#include "firmware/app/link_words.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/sources.hpp"
 
@@ -33,6 +35,12 @@ class CountWatch {
   std::optional<base::Time> moved_at_;
 };
 
+/// Power and wires are those of the console, which works: what is missing is whoever sends. `remedy` says what.
+inline app::LinkWords sent_link_words(std::string_view name, sensor::LinkState state, std::string_view remedy) {
+  if (state != sensor::LinkState::kSilent) return app::plain_link_words(name, state);
+  return {name, name, "no records", remedy};
+}
+
 class CameraOnConsole {
  public:
   explicit CameraOnConsole(const app::Counters& counters) : counters_(counters) {}
@@ -43,6 +51,9 @@ class CameraOnConsole {
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
   [[nodiscard]] static std::uint32_t dropped() { return 0; }
+  [[nodiscard]] static app::LinkWords link_words(sensor::LinkState state) {
+    return sent_link_words("camera", state, "no $FPFRM records come over the console; send them");
+  }
 
  private:
   const app::Counters& counters_;
@@ -59,6 +70,9 @@ class OdometryOnConsole {
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
+  [[nodiscard]] static app::LinkWords link_words(sensor::LinkState state) {
+    return sent_link_words("odometry", state, "no $FPODO records come over the console; send them");
+  }
 
  private:
   const app::Counters& counters_;

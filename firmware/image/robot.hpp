@@ -11,6 +11,7 @@
 #include FENCEPOST_BOARD
 #include FENCEPOST_CAMERA
 #include FENCEPOST_ODOMETRY
+#include FENCEPOST_PANEL
 
 namespace fencepost::image {
 
@@ -23,15 +24,20 @@ inline const record::Header kHeader = {record::kStreamFormat, "fencepost", FENCE
 class Robot {
  public:
   Robot()
-      : loop_(memory_, camera_, odometry_, board::console(), app::Mode::kText), keeper_(pipeline(), board::flash()) {}
+      : loop_(memory_, camera_, odometry_, board::console(), app::Mode::kText),
+        keeper_(pipeline(), board::flash()),
+        panel_(pipeline()) {}
 
   void start() {
     board::start(FENCEPOST_CONSOLE_BAUD);
     Camera::start();
     Odometry::start();
     pipeline().start_run(kHeader);
+    loop_.set_note(FENCEPOST_NOTE);
     if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
+    // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
+    panel_.start();
     const BootFacts facts{kHeader, board::take_reset_reason(), board::take_panic()};
     for (std::size_t n = 0; n < kBootLines; ++n) {
       pipeline().telling().say([&](std::span<char> room) { return write_boot_line(n, facts, room); });
@@ -49,11 +55,18 @@ class Robot {
     const std::uint32_t began = board::clock().microseconds();
     board::feed_watchdog();
     loop_.step(board::clock().now());
-    if (!keeper_.keep()) pipeline().telling().say(not_kept);
+    if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
+      pipeline().telling().say([](std::span<char> room) { return not_kept(room); });
+    // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
+    panel_.turn({camera_.link(), odometry_.link()});
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;
   }
+
+  /// Turns between two looks for changed settings, each some hundred bytes compared; the loop turns thousands of times
+  /// a second where a camera talks, and at least a thousand.
+  static constexpr std::uint8_t kKeepEvery = 16;
 
   static std::size_t not_kept(std::span<char> room) {
     return app::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
@@ -65,6 +78,8 @@ class Robot {
   Odometry odometry_{memory_.counters};
   app::Loop<Profile, Camera, Odometry, Console> loop_;
   Keeper<Profile, board::Flash> keeper_;
+  Panel<Profile> panel_;
+  std::uint8_t turns_ = 0;
 };
 
 }  // namespace fencepost::image

@@ -88,8 +88,8 @@ void carve_half_plane(std::span<std::uint32_t> words, std::size_t columns, std::
                       const GridPlacement& placement, const HalfPlane& half_plane) {
   if (row_begin >= row_end) return;
   const Boundary boundary(half_plane, placement, columns);
-  std::array<RowEnd, 16>
-      ahead;  // NOLINT(cppcoreguidelines-pro-type-member-init): halves of halves; written before read
+  // Halves of halves: no grid has 2^16 rows. Written before they are read.
+  std::array<RowEnd, 16> ahead;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   std::size_t waiting = 1;
   RowEnd from{row_begin, boundary.column(row_begin)};
   ahead[0] = {row_end - 1, boundary.column(row_end - 1)};

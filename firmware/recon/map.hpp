@@ -221,7 +221,7 @@ class Map {
     }
   }
 
-  void chain_digest(const WaitingFrame& frame, const MapPose& pose) {
+  [[gnu::noinline]] void chain_digest(const WaitingFrame& frame, const MapPose& pose) {
     base::Fnv1a64 hash;
     hash.i64(static_cast<std::int64_t>(digest_));
     hash.u32(frame.frame);

@@ -1,7 +1,6 @@
 #include "firmware/recon/sheaf.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fencepost::recon {
@@ -27,38 +26,6 @@ bool meet(const Vec2& p, const Vec2& d, const Vec2& q, const Vec2& e, float leas
   if (along_d < kPostNearest || along_e < kPostNearest) return false;
   post = p + along_d * d;
   return post.squaredNorm() < kPostFarthest * kPostFarthest;
-}
-
-// The squares of the chords from a bearing to its nearest neighbours on either side.
-struct Neighbours {
-  static constexpr float kNobody = 4.0F;  // the whole circle's diameter, squared
-  float left = kNobody;
-  float right = kNobody;
-  float farther = kNobody;  ///< of the two
-
-  void meet(bool at_left, float away) {
-    float& nearest = at_left ? left : right;
-    if (!(away < nearest)) return;
-    nearest = away;
-    farther = std::max(left, right);
-  }
-  [[nodiscard]] float gap() const { return std::sqrt(left) + std::sqrt(right); }
-};
-
-// Both learn of each other; `b` is the younger one. A core without a float unit feels each of these operations: most
-// pairs are too far apart for either, and one coordinate is enough to see that. Rounding is monotonic, so a sum is
-// never less than one of its parts, and cross(b, a) is exactly -cross(a, b).
-void introduce(const Vec2& a, Neighbours& near_a, const Vec2& b, Neighbours& near_b) {
-  const auto too_far = [&](float squared) { return squared >= near_a.farther && squared >= near_b.farther; };
-  const float dx = b.x() - a.x();
-  const float dx_squared = dx * dx;
-  if (too_far(dx_squared)) return;
-  const float dy = b.y() - a.y();
-  const float away = dx_squared + dy * dy;
-  if (too_far(away)) return;
-  const bool b_is_left = cross(a, b) >= 0;
-  near_a.meet(b_is_left, away);
-  near_b.meet(!b_is_left, away);
 }
 
 // One or two vertices, and what a further point makes of them.
@@ -180,27 +147,6 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin) {
 
 bool repeats(const SheafView& view, const SheafView& other) {
   return (view.bearing - other.bearing).squaredNorm() < kParallaxLeast * kParallaxLeast;
-}
-
-std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer) {
-  std::array<Neighbours, kSheafMost> near{};
-  Neighbours near_newcomer;
-  // The nearest in age first: they are the nearest in bearing, and spare the others.
-  for (std::size_t apart = 1; apart < views.size(); ++apart) {
-    for (std::size_t j = apart; j < views.size(); ++j) {
-      introduce(views[j - apart].bearing, near[j - apart], views[j].bearing, near[j]);
-    }
-  }
-  for (std::size_t i = 0; i < views.size(); ++i) introduce(views[i].bearing, near[i], newcomer.bearing, near_newcomer);
-  std::size_t chosen = 0;
-  float smallest = 0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const float gap = near[i].gap() * static_cast<float>(views[i].true_ends());
-    if (i > 0 && !(gap < smallest)) continue;
-    chosen = i;
-    smallest = gap;
-  }
-  return chosen;
 }
 
 SheafPlane sheaf_plane(const SheafView& a, const SheafView& b, float least_sine) {

@@ -47,12 +47,20 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
-inline constexpr std::size_t kSheafMost = 75;  ///< views that a store may hold: the paper's tour
+/// What view_to_give_up works with: a bearing in whole numbers, and the squared distances to the nearest of the others
+/// to its right and to its left.
+struct RoughBearing {
+  std::int16_t x = 0;
+  std::int16_t y = 0;
+  std::array<std::uint32_t, 2> nearest{};
+  std::uint32_t least_gap = 0;  ///< that it would leave, at least
+};
 
 /// Which of the full store's views goes when `newcomer` comes: the one whose loss leaves the smallest gap of bearings
-/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2, and little
-/// of that where the views are in order of bearing.
-std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer);
+/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2, in whole
+/// numbers. `scratch`: one more than there are views.
+std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer,
+                            std::span<RoughBearing> scratch);
 
 /// The views of one object, oldest first. Not full, it holds every view that is 1 deg or more from the one before; a
 /// view nearer than that takes the newest one's place. Full, it thins out evenly over all bearings from which the
@@ -60,7 +68,7 @@ std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& n
 /// the newest view has a partner within 3.2 deg of 15 deg for N = 75, within 7.0 deg for N = 36.
 template <std::size_t N>
 class SheafViews {
-  static_assert(N >= 8 && N <= kSheafMost);
+  static_assert(N >= 8);
 
  public:
   void clear() { views_.clear(); }
@@ -76,12 +84,17 @@ class SheafViews {
       if (view.true_ends() >= newest.true_ends()) newest = view;
       return;
     }
-    if (views_.full()) views_.erase_at(view_to_give_up(views_.view(), view));
+    if (views_.full()) make_room_for(view);
     static_cast<void>(views_.push_back(view));
   }
   [[nodiscard]] std::span<const SheafView> view() const { return views_.view(); }
 
  private:
+  [[gnu::noinline]] void make_room_for(const SheafView& view) {
+    std::array<RoughBearing, N + 1> scratch;
+    views_.erase_at(view_to_give_up(views_.view(), view, scratch));
+  }
+
   base::FixedVector<SheafView, N> views_;
 };
 

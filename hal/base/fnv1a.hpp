@@ -37,10 +37,16 @@ class Fnv1a64 {
   [[nodiscard]] constexpr std::uint64_t value() const { return state_; }
 
  private:
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1
+  static constexpr bool kLongMultiplication = false;
+#else
+  static constexpr bool kLongMultiplication = true;
+#endif
+
   // The prime is 2^40 + 0x1B3. A core without long multiplication does the second part in halves of words; four times
   // as fast as a multiplication of 64 bits is there, and a hash is a tenth of a frame's work.
   static constexpr std::uint64_t times_prime(std::uint64_t v) {
-    if constexpr (sizeof(void*) >= sizeof v) return v * kPrime;
+    if constexpr (kLongMultiplication) return v * kPrime;
     constexpr std::uint32_t kLow = 0x1B3;
     const auto low = static_cast<std::uint32_t>(v);
     const auto high = static_cast<std::uint32_t>(v >> 32U);

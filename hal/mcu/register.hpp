@@ -1,4 +1,4 @@
-// One 32-bit register of a part, by its address.
+// One register of a part, by its address.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,15 @@ namespace fencepost::mcu {
 /// What a register has to say at an address that the part's manual gives.
 inline volatile std::uint32_t& reg(std::uint32_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(static_cast<std::uintptr_t>(address));
+}
+
+/// Likewise, of 16 bits, on parts whose registers are as wide as that.
+inline volatile std::uint16_t& reg16(std::uint32_t address) {
+  return *reinterpret_cast<volatile std::uint16_t*>(static_cast<std::uintptr_t>(address));
+}
+/// Of 8 bits: memories on a bus of that width.
+inline volatile std::uint8_t& reg8(std::uint32_t address) {
+  return *reinterpret_cast<volatile std::uint8_t*>(static_cast<std::uintptr_t>(address));
 }
 
 inline void set_bits(std::uint32_t address, std::uint32_t bits) { reg(address) = reg(address) | bits; }

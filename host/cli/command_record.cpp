@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "host/cli/command.hpp"
+#include "host/cli/live_devices.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/record_devices.hpp"
 #include "host/cli/stop_signals.hpp"
@@ -32,6 +33,7 @@ struct Request {
   bool no_command = false;
   bool wait = false;
   bool quiet = false;
+  PartOptions parts;
   std::optional<double> seconds;
 };
 
@@ -118,13 +120,18 @@ T opened(linux::Opened<T> what) {
   return std::move(*what);
 }
 
-void say_end(const Recorder& recorder, const LogFile& log, const Display& display, base::Time now) {
+/// "run.log", or "run.log to run-0003.log".
+std::string parts_name(const std::string& first, const LogFile& log) {
+  return first == log.path() ? first : first + " to " + log.path();
+}
+
+void say_end(const Recorder& recorder, const std::string& saved, const Display& display, base::Time now) {
   for (const std::string& line : summary(recorder.tally(), now)) say(line);
   if (display.lines_not_shown() > 0) {
     say(fmt::format("{} lines are in the file but were not shown: standard output was too slow",
                     display.lines_not_shown()));
   }
-  say(fmt::format("saved in {}", log.path()));
+  say("saved in " + saved);
 }
 
 /// A service that is told to stop has done its work.
@@ -134,23 +141,27 @@ Exit exit_code(const RecordingEnd& end) {
 
 Exit record_console(const Request& request) {
   const linux::MonotonicClock clock;
-  const StopSignals signals;
+  StopSignals signals;
   const std::unique_ptr<BytePort> port = open_port(request);
-  LogFile log = opened(LogFile::open({file_name(request)}, clock.now()));
+  const std::string name = file_name(request);
+  LogFile log = opened(
+      LogFile::open({.path = name, .part_bytes = request.parts.bytes(), .part_age = request.parts.age()}, clock.now()));
 
   const bool status = is_terminal(STDERR_FILENO) && can_redraw();
   Display display({!request.quiet, is_terminal(STDOUT_FILENO), status});
   std::optional<Keyboard> keyboard;
   if (request.port != "-") keyboard.emplace(status && is_terminal(STDIN_FILENO));
+  signals.on_second(Keyboard::give_back_terminal);
   RecorderSettings settings = recorder_settings(request);
   say(fmt::format("recording {} in {}; Ctrl-C ends it", settings.port_name, log.path()));
   if (!port->connected() && !port->problem().empty()) say("waiting for it: " + port->problem());
 
-  Recorder recorder({*port, log, display, keyboard ? &*keyboard : nullptr, StopSignals::caught(), clock},
-                    std::move(settings));
+  Recorder recorder(
+      {*port, log, display, keyboard ? &*keyboard : nullptr, StopSignals::caught(), signals.descriptor(), clock},
+      std::move(settings));
   const RecordingEnd end = recorder.run();
   keyboard.reset();
-  say_end(recorder, log, display, clock.now());
+  say_end(recorder, parts_name(name, log), display, clock.now());
   if (end.fault) throw Failure(Exit::kDevice, end.fault->sentence);
   return exit_code(end);
 }
@@ -158,8 +169,14 @@ Exit record_console(const Request& request) {
 Exit run(const Request& request) {
   check_usage(request);
   if (!of_devices(request)) return record_console(request);
-  return record_devices(
-      {request.camera, request.odometry, request.robot, file_name(request), request.wait, request.seconds});
+  return record_devices({.camera = request.camera,
+                         .odometry = request.odometry,
+                         .robot = request.robot,
+                         .log = file_name(request),
+                         .part_bytes = request.parts.bytes(),
+                         .part_age = request.parts.age(),
+                         .wait = request.wait,
+                         .seconds = request.seconds});
 }
 
 Action configure(CLI::App& app) {
@@ -171,6 +188,7 @@ Action configure(CLI::App& app) {
   app.add_option("--robot", request->robot, "with --camera: the robot's numbers (JSON)")->type_name("FILE");
   app.add_option("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
       ->type_name("FILE");
+  request->parts.add_to(app);
   app.add_option("--baud", request->baud, "of a serial port; default: 115200")->type_name("N")->check(positive());
   app.add_option("--mode", request->mode, "console mode asked for at the start; only log can be replayed; default: log")
       ->check(CLI::IsMember({"log", "text", "plot", "quiet"}));

@@ -5,12 +5,10 @@
 #include <memory>
 
 #include "host/cli/command.hpp"
-#include "host/cli/files.hpp"
-#include "host/cli/log_size.hpp"
+#include "host/cli/live_devices.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -21,28 +19,14 @@ struct Request {
   std::string console = "-";
   std::string robot;
   std::string log;
-  std::string log_size;
   std::string mode;
   std::string profile = "full";
-  std::optional<double> log_minutes;
+  PartOptions parts;
   std::optional<double> seconds;
   std::optional<std::uint64_t> frames;
   bool force = false;
   bool wait = false;
 };
-
-DeviceSpec device(const std::string& text, DeviceRole role) {
-  const auto spec = parse_device(text, role);
-  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
-  return *spec;
-}
-
-RobotFile read_robot(const std::string& path) {
-  if (path.empty()) return {};
-  const auto robot = parse_robot(read_input(path), input_name(path));
-  if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
-  return *robot;
-}
 
 ConsoleSpec console_of(const Request& request) {
   const auto spec = parse_console(request.console);
@@ -60,8 +44,8 @@ app::Mode mode_of(const Request& request, const ConsoleSpec& console) {
 
 RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
   RunPlan plan;
-  plan.camera = device(request.camera, DeviceRole::kCamera);
-  plan.odometry = device(request.odometry, DeviceRole::kOdometry);
+  plan.camera = device_of(request.camera, DeviceRole::kCamera);
+  plan.odometry = device_of(request.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(request.robot);
   plan.profile = request.profile;
   plan.mode = mode_of(request, console);
@@ -77,31 +61,15 @@ RunLogSettings log_of(const Request& request) {
   settings.path = request.log;
   settings.overwrite = request.force;
   settings.profile = request.profile;
-  if (request.log_minutes) settings.part_age = base::Duration::nearest(60 * *request.log_minutes);
-  if (!request.log_size.empty()) {
-    const auto size = size_in(request.log_size);
-    constexpr std::uint64_t kLeast = 4096;  // a part begins with a kilobyte of calibration
-    if (!size || *size < kLeast)
-      throw Failure(Exit::kUsage, "--log-size " + request.log_size + " is not possible; write 4K, 64M or 2G");
-    settings.part_bytes = *size;
-  }
-  const bool parts = request.log_minutes || !request.log_size.empty();
-  if (request.log.empty() && (parts || request.force)) {
+  settings.part_age = request.parts.age();
+  settings.part_bytes = request.parts.bytes();
+  if (request.log.empty() && (request.parts.given() || request.force)) {
     throw Failure(Exit::kUsage, "--log-size, --log-minutes and --force say something of --log; name a file with it");
   }
   if (request.log == "-") {
     throw Failure(Exit::kUsage, "--log takes a file; for the log on standard output use --mode log");
   }
   return settings;
-}
-
-Devices open(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
-  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
-  if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
-    const std::string hint = failure->usage ? "" : ", or --wait for it";
-    throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
-  }
-  return std::move(*std::get_if<Devices>(&opened));
 }
 
 std::unique_ptr<ConsolePort> open(const ConsoleSpec& spec, bool wait) {
@@ -121,6 +89,11 @@ void say_what_is_assumed(const RunPlan& plan, const Devices& devices) {
     say("where the camera sits is not known: it is taken to be above the robot's middle, looking ahead; give --robot "
         "FILE with \"camera\": {\"mount\": ...}");
   }
+}
+
+/// A person sits at the console.
+bool typed_at(const RunPlan& plan) {
+  return plan.console_is_people && is_terminal(STDIN_FILENO) && is_terminal(STDOUT_FILENO);
 }
 
 Exit exit_of(const RunSummary& summary) {
@@ -143,7 +116,7 @@ Exit run(const Request& request) {
   const RunLogSettings log_settings = log_of(request);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open(plan, clock, request.wait);
+  Devices devices = open_devices_of(plan, clock, request.wait);
   const auto console = open(console_spec, request.wait);
   std::optional<RunLog> log;
   if (!request.log.empty()) {
@@ -152,8 +125,11 @@ Exit run(const Request& request) {
     log.emplace(std::move(*opened));
   }
   say_what_is_assumed(plan, devices);
-  const RunSummary summary = run_live(plan, {clock, devices, *console, log ? &*log : nullptr,
-                                             [](std::string_view text) { say(text); }, StopSignals::caught()});
+  if (typed_at(plan)) say("type help for the commands; Ctrl-C ends the run");
+  const RunSummary summary =
+      run_live(plan, {clock, devices, *console, log ? &*log : nullptr, [](std::string_view text) { say(text); },
+                      StopSignals::caught(), signals.descriptor()});
+  if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say(summary.sentence());
   return exit_of(summary);
 }
@@ -173,11 +149,7 @@ Action configure(CLI::App& app) {
       ->check(CLI::IsMember({"text", "log", "plot", "quiet"}));
   app.add_option("--log", request->log, "write the whole record stream there, whatever the console shows")
       ->type_name("FILE");
-  app.add_option("--log-size", request->log_size, "begin a new part of the log after so much, such as 64M")
-      ->type_name("SIZE");
-  app.add_option("--log-minutes", request->log_minutes, "begin a new part of the log after so long")
-      ->type_name("N")
-      ->check(positive());
+  request->parts.add_to(app);
   app.add_flag("--force", request->force, "overwrite an existing log");
   app.add_flag("--wait", request->wait, "wait for devices that are not there yet, instead of ending with exit code 4");
   app.add_option("--profile", request->profile, "capacities; default: full")

@@ -11,7 +11,6 @@
 #include "firmware/record/encode.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
-#include "host/cli/suggest.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/emulate/serve/server.hpp"
 #include "host/scene/load.hpp"
@@ -25,7 +24,7 @@ using emulate::DeviceSpec;
 using emulate::Feed;
 
 volatile std::sig_atomic_t interrupted = 0;
-extern "C" void note_interrupt(int) { interrupted = 1; }
+extern "C" void note_interrupt(int signal) { interrupted = signal; }
 
 /// Links are removed and counts told also at Ctrl-C.
 void catch_interrupts() {
@@ -53,10 +52,6 @@ struct Device {
 DeviceSpec spec_of(const std::string& word) {
   const emulate::ParsedDevice parsed = emulate::parse_device(word);
   if (parsed.problem.empty()) return parsed.spec;
-  std::vector<std::string> names;
-  for (const DeviceKind& kind : emulate::device_kinds()) names.emplace_back(kind.name);
-  const std::string near = parsed.spec.kind ? "" : nearest_word(word.substr(0, word.find_first_of(":,@")), names);
-  if (!near.empty()) fail_usage(fmt::format("no device \"{}\"; did you mean {}?", word, near));
   fail_usage(parsed.problem);
 }
 
@@ -252,6 +247,7 @@ Exit emulate(const EmulateRequest& request) {
   catch_interrupts();
   for (std::size_t i = 0; i < devices.size(); ++i) tell(devices[i].name + " on " + server.place(i));
   const bool finished = server.run([] { return interrupted != 0; });
+  if (interrupted == SIGINT) leave_interrupted_line();
   for (std::size_t i = 0; i < stage.size(); ++i) say_counts(stage.station(i));
   return finished ? Exit::kDone : Exit::kInterrupted;
 }

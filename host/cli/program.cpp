@@ -9,8 +9,8 @@
 #include "host/cli/files.hpp"
 #include "host/cli/help.hpp"
 #include "host/cli/interrupt.hpp"
-#include "host/cli/suggest.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/text/suggest.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -29,9 +29,7 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
     }
     names.push_back(command.name);
   }
-  const std::string near = nearest_word(word, names);
-  const std::string guess = near.empty() ? "" : fmt::format(" did you mean {}?", near);
-  return fmt::format("no command \"{}\" in {};{} See {} --help", word, where, guess, where);
+  return fmt::format("no command \"{}\" in {};{} See {} --help", word, where, did_you_mean(word, names), where);
 }
 
 class Program {

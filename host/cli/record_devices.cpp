@@ -4,10 +4,9 @@
 
 #include <csignal>
 
-#include "host/cli/files.hpp"
+#include "host/cli/live_devices.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -25,26 +24,16 @@ class NoConsole final : public ConsolePort {
 };
 
 DeviceSpec device(const std::string& text, DeviceRole role) {
-  const auto spec = parse_device(text, role);
-  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
-  if (spec->kind == DeviceKind::kConsole) {
-    throw Failure(Exit::kUsage, "record has no console of its own; name the port whose lines are to be recorded");
-  }
-  return *spec;
-}
-
-RobotFile robot_file(const std::string& path) {
-  if (path.empty()) return {};
-  const auto robot = parse_robot(read_input(path), input_name(path));
-  if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
-  return *robot;
+  const DeviceSpec spec = device_of(text, role);
+  if (spec.kind != DeviceKind::kConsole) return spec;
+  throw Failure(Exit::kUsage, "record has no console of its own; name the port whose lines are to be recorded");
 }
 
 RunPlan plan_of(const DeviceRecording& recording) {
   RunPlan plan;
   plan.camera = device(recording.camera, DeviceRole::kCamera);
   plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
-  plan.robot = robot_file(recording.robot);
+  plan.robot = read_robot(recording.robot);
   plan.mode = app::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
   if (recording.seconds) plan.duration = base::Duration::nearest(*recording.seconds);
@@ -53,18 +42,11 @@ RunPlan plan_of(const DeviceRecording& recording) {
   return plan;
 }
 
-Devices open(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
-  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
-  if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
-    const std::string hint = failure->usage ? "" : ", or --wait for it";
-    throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
-  }
-  return std::move(*std::get_if<Devices>(&opened));
-}
-
-RunLog open_log(const std::string& path, base::Time now) {
+RunLog open_log(const DeviceRecording& recording, base::Time now) {
   RunLogSettings settings;
-  settings.path = path;
+  settings.path = recording.log;
+  settings.part_bytes = recording.part_bytes;
+  settings.part_age = recording.part_age;
   settings.profile = RunPlan().profile;
   auto opened = RunLog::open(settings, now);
   if (!opened) throw Failure(Exit::kDevice, opened.problem());
@@ -77,15 +59,16 @@ Exit record_devices(const DeviceRecording& recording) {
   const RunPlan plan = plan_of(recording);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open(plan, clock, recording.wait);
-  RunLog log = open_log(recording.log, clock.now());
+  Devices devices = open_devices_of(plan, clock, recording.wait);
+  RunLog log = open_log(recording, clock.now());
   say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", plan.camera.where(), plan.odometry.where(), log.name()));
   if (!devices.intrinsics) {
     say("the camera's calibration is not known: the log has no FPCAM, so replay needs --camera; or give --robot FILE");
   }
   NoConsole console;
-  const RunSummary summary =
-      run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); }, StopSignals::caught()});
+  const RunSummary summary = run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); },
+                                             StopSignals::caught(), signals.descriptor()});
+  if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say(summary.sentence());
   if (summary.log_failed) return Exit::kDevice;
   const int signal = StopSignals::caught();

@@ -1,9 +1,11 @@
 // `fencepost record` of a camera and wheels of this machine: `fencepost run` without a console.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "hal/base/units.hpp"
 #include "host/cli/exit_code.hpp"
 
 namespace fencepost::host::cli {
@@ -13,6 +15,8 @@ struct DeviceRecording {
   std::string odometry;  ///< as `run` takes it
   std::string robot;     ///< a file, or empty
   std::string log;
+  std::uint64_t part_bytes = 0;  ///< 0: no limit
+  base::Duration part_age{};     ///< 0: no limit
   bool wait = false;
   std::optional<double> seconds;
 };

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <csignal>
+#include <optional>
+
+#include "hal/linux/signal_flag.hpp"
 
 namespace fencepost::host::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP set `caught` instead of ending the program; a second one ends it. One
-/// that was ignored (nohup) stays ignored. One object at a time.
+/// While it lives, SIGINT, SIGTERM and SIGHUP set `caught` instead of ending the program; a second SIGINT or SIGTERM
+/// ends it. One that was ignored (nohup) stays ignored. One object at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -16,6 +19,13 @@ class StopSignals {
 
   /// 0, or the number of the signal.
   [[nodiscard]] static const volatile std::sig_atomic_t& caught();
+  /// For WaitSet: readable once one was caught, so that a signal that comes just before sleeping is not slept over.
+  [[nodiscard]] int descriptor() const { return flag_ ? flag_->descriptor() : -1; }
+  /// Called before a second signal ends the program; within a signal handler, with all that this forbids.
+  void on_second(void (*undo)());
+
+ private:
+  std::optional<linux::SignalFlag> flag_;
 };
 
 }  // namespace fencepost::host::cli

@@ -20,6 +20,10 @@ bool colour_on_stdout() {
   return is_terminal(STDOUT_FILENO) && !refused && can_redraw();
 }
 
+void leave_interrupted_line() {
+  if (is_terminal(STDERR_FILENO)) std::fputc('\n', stderr);
+}
+
 void say(std::string_view message) {
   std::fwrite(message.data(), 1, message.size(), stderr);
   std::fputc('\n', stderr);

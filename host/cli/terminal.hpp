@@ -13,6 +13,9 @@ bool colour_on_stdout();
 /// TERM is not "dumb": a line can be erased and written anew.
 bool can_redraw();
 
+/// Where standard error is a terminal: a line end, because it has shown ^C just now.
+void leave_interrupted_line();
+
 /// One message line to standard error.
 void say(std::string_view message);
 

@@ -1,12 +1,15 @@
 // Any camera and any odometry behind one interface each, so that one loop takes all of them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "hal/linux/wait.hpp"
 #include "hal/sensor/camera.hpp"
 #include "hal/sensor/sources.hpp"
+#include "host/live/link_wording.hpp"
+#include "host/live/port.hpp"
 
 namespace fencepost::host {
 
@@ -22,8 +25,32 @@ class Device {
   [[nodiscard]] virtual std::string problem() const { return {}; }
   /// How long the loop may sleep although nothing arrives: drivers ask their devices, and notice what is missing.
   [[nodiscard]] virtual base::Duration patience() const { return base::milliseconds(100); }
+  /// How many inputs for it the console gave so far.
+  virtual void console_gave(std::uint64_t /*inputs*/) {}
   /// It has a cable of its own, whose state is worth telling; the console's inputs have none.
   [[nodiscard]] virtual bool cabled() const { return true; }
+
+  /// Who it is, for the words below; before that nothing is told of it.
+  void introduce(DeviceRole role, const DeviceSpec& spec) {
+    role_ = role;
+    spec_ = spec;
+  }
+  /// People read standard error beside the console: the loop then tells the records only.
+  void leave_sentences_to_others() { sentences_ = false; }
+  [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
+    return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
+  }
+  /// Asked by the loop when it has to say how the link is (firmware/app/link_words.hpp).
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const {
+    LinkWording words = wording(state);
+    if (!sentences_) words.name.clear();
+    return words;
+  }
+
+ private:
+  DeviceRole role_ = DeviceRole::kCamera;
+  std::optional<DeviceSpec> spec_;
+  bool sentences_ = true;
 };
 
 class CameraDevice : public Device {
@@ -39,22 +66,39 @@ class OdometryDevice : public Device {
 };
 static_assert(sensor::OdometrySource<OdometryDevice>);
 
+inline sensor::LinkState console_link(std::uint64_t inputs) {
+  return inputs > 0 ? sensor::LinkState::kOk : sensor::LinkState::kSilent;
+}
+
 /// Frames come as $FPFRM lines on the console: nothing to poll.
 class ConsoleCamera final : public CameraDevice {
  public:
   base::Result<sensor::BlobFrame> poll(base::Time /*now*/) override { return base::Error::kNotReady; }
-  [[nodiscard]] sensor::LinkState link() const override { return sensor::LinkState::kOk; }
+  [[nodiscard]] sensor::LinkState link() const override { return link_; }
+  void console_gave(std::uint64_t inputs) override { link_ = console_link(inputs); }
   [[nodiscard]] std::uint32_t dropped() const override { return 0; }
   [[nodiscard]] bool cabled() const override { return false; }
+
+ private:
+  sensor::LinkState link_ = sensor::LinkState::kSilent;
 };
 
 /// The same for $FPODO.
 class ConsoleOdometry final : public OdometryDevice {
  public:
   base::Result<sensor::OdometrySample> poll(base::Time /*now*/) override { return base::Error::kNotReady; }
-  [[nodiscard]] sensor::LinkState link() const override { return sensor::LinkState::kOk; }
+  [[nodiscard]] sensor::LinkState link() const override { return link_; }
+  void console_gave(std::uint64_t inputs) override { link_ = console_link(inputs); }
   [[nodiscard]] bool cabled() const override { return false; }
+
+ private:
+  sensor::LinkState link_ = sensor::LinkState::kSilent;
 };
+
+/// What is not there need not be asked.
+inline base::Duration patience_with(const Port& port, base::Duration patience) {
+  return port.connected() ? patience : linux::kRetryInterval;
+}
 
 /// A driver on its port. `Stack` owns both, in the order in which they need each other: `port()` and `driver`.
 template <class Base, class Stack>
@@ -70,7 +114,7 @@ class PortedDevice : public Base {
   void tend(base::Time now) override { stack_.port().tend(now); }
   void watch(linux::WaitSet& set) const override { set.add_readable(stack_.port().descriptor()); }
   [[nodiscard]] std::string problem() const override { return stack_.port().problem(); }
-  [[nodiscard]] base::Duration patience() const override { return patience_; }
+  [[nodiscard]] base::Duration patience() const override { return patience_with(stack_.port(), patience_); }
 
  protected:
   Stack stack_;

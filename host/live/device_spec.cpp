@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
-#include "host/cli/suggest.hpp"
+#include "host/text/device_word.hpp"
+#include "host/text/suggest.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -61,6 +61,7 @@ const std::vector<KindInfo>& kinds() {
         {"port", {kNxt}, {}, 1, 4},
         {"map", {kI2c, kNxt}, {"on", "off"}, 0, 0},
         {"lock", {kI2c, kNxt}, {"on", "off"}, 0, 0}}},
+      {DeviceKind::kNxtCam5, "nxtcam5", DeviceRole::kCamera, line, {baud(), one_of("silence", {"lost", "empty"})}},
       {DeviceKind::kAvrCam, "avrcam", DeviceRole::kCamera, line, {baud()}},
       {DeviceKind::kXbc, "xbc", DeviceRole::kCamera, line, {baud()}},
       {DeviceKind::kConsole, "console", DeviceRole::kCamera, {kNone}, {}},
@@ -102,30 +103,14 @@ std::string_view shape(PlaceKind place) {
 
 std::string_view role_name(DeviceRole role) { return role == DeviceRole::kCamera ? "camera" : "odometry"; }
 
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
-
 std::string shapes(const KindInfo& info) {
   std::vector<std::string> words;
   for (const PlaceKind place : info.places) words.emplace_back(shape(place));
-  return joined(words);
+  return listed(words);
 }
 
 bool has(const std::vector<PlaceKind>& places, PlaceKind place) {
   return std::find(places.begin(), places.end(), place) != places.end();
-}
-
-std::string guess(std::string_view word, const std::vector<std::string>& known) {
-  const std::string near = cli::nearest_word(word, known);
-  return near.empty() ? "" : fmt::format(" did you mean {}?", near);
-}
-
-std::optional<std::uint32_t> number_in(std::string_view text) {
-  const bool hex = text.starts_with("0x");
-  if (hex) text.remove_prefix(2);
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, hex ? 16 : 10);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole ? std::optional(value) : std::nullopt;
 }
 
 Place place_in(std::string_view text, bool can) {
@@ -142,30 +127,19 @@ Place place_in(std::string_view text, bool can) {
   return place;
 }
 
-/// The words between commas.
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    words.push_back(text.substr(0, comma));
-    if (comma == std::string_view::npos) return words;
-    text.remove_prefix(comma + 1);
-  }
-}
-
 class Parser {
  public:
   Parser(std::string_view text, DeviceRole role) : text_(text), role_(role) {}
 
   base::Result<DeviceSpec, std::string> parse() {
-    const std::vector<std::string_view> words = split(text_);
-    const std::size_t colon = words[0].find(':');
-    const std::string_view kind = words[0].substr(0, colon);
-    if (!find_kind(kind)) return problem_;
-    const bool placed = colon != std::string_view::npos;
-    if (!take_place(placed ? words[0].substr(colon + 1) : std::string_view())) return problem_;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-      if (!take_option(words[i])) return problem_;
+    const DeviceWord word = split_device(text_);
+    if (!find_kind(word.kind) || !take_place(word.place.value_or(""))) return problem_;
+    for (const DeviceOption& option : word.options) {
+      if (!take_option(option)) return problem_;
+    }
+    if (!word.problem.empty()) {
+      fail("{}", word.problem);
+      return problem_;
     }
     spec_.text = text_;
     return spec_;
@@ -191,9 +165,9 @@ class Parser {
       return true;
     }
     for (const KindInfo& info : kinds()) {
-      if (info.name == name) return fail("{} is for --{}; allowed here: {}", name, role_name(info.role), joined(known));
+      if (info.name == name) return fail("{} is for --{}; allowed here: {}", name, role_name(info.role), listed(known));
     }
-    return fail("there is no {} \"{}\";{} allowed: {}", role_name(role_), name, guess(name, known), joined(known));
+    return fail("{}", no_such(role_name(role_), name, known));
   }
 
   bool take_place(std::string_view text) {
@@ -209,15 +183,10 @@ class Parser {
     return fail("\"{}\" is no place for it; allowed: {}", text, shapes(*info_));
   }
 
-  bool take_option(std::string_view word) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string_view::npos) return fail("\"{}\" is no option; write NAME=VALUE", word);
-    const std::string name(word.substr(0, equals));
-    const std::string value(word.substr(equals + 1));
-    const OptionInfo* option = find_option(name);
-    if (option == nullptr) return false;
-    if (!allowed(*option, value)) return false;
-    if (!spec_.options.emplace(name, value).second) return fail("{} is given twice; remove one", name);
+  bool take_option(const DeviceOption& given) {
+    const OptionInfo* option = find_option(given.name);
+    if (option == nullptr || !allowed(*option, given.value)) return false;
+    spec_.options.emplace(given.name, given.value);
     return true;
   }
 
@@ -232,14 +201,14 @@ class Parser {
       fail("no options are known of {} at {}; remove \"{}\"", info_->name, shape(spec_.place.kind), name);
     } else {
       fail("no option \"{}\" of {} at {};{} allowed: {}", name, info_->name, shape(spec_.place.kind),
-           guess(name, known), joined(known));
+           did_you_mean(name, known), listed(known));
     }
     return nullptr;
   }
 
   bool allowed(const OptionInfo& option, const std::string& value) {
     if (option.choices.empty()) {
-      const std::optional<std::uint32_t> number = number_in(value);
+      const std::optional<std::uint32_t> number = whole_number(value);
       if (number && *number >= option.low && *number <= option.high) return true;
       return fail("{}={} is not possible; allowed: whole numbers from {} to {}", option.name, value, option.low,
                   option.high);
@@ -247,7 +216,7 @@ class Parser {
     const auto& words = option.choices;
     if (words.front() == "*") return !value.empty() || fail("{} is empty", option.name);
     if (std::find(words.begin(), words.end(), value) != words.end()) return true;
-    return fail("{}={} is not possible; allowed: {}", option.name, value, joined(words));
+    return fail("{}={} is not possible; allowed: {}", option.name, value, listed(words));
   }
 
   std::string_view text_;
@@ -281,7 +250,7 @@ std::string DeviceSpec::option(const std::string& name, const std::string& fallb
 
 std::uint32_t DeviceSpec::number(const std::string& name, std::uint32_t fallback) const {
   const auto found = options.find(name);
-  return found == options.end() ? fallback : number_in(found->second).value_or(fallback);
+  return found == options.end() ? fallback : whole_number(found->second).value_or(fallback);
 }
 
 std::optional<Place> parse_tcp(std::string_view text) {
@@ -292,7 +261,7 @@ std::optional<Place> parse_tcp(std::string_view text) {
   if (colon == std::string_view::npos) return std::nullopt;
   std::string_view host = text.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  const std::optional<std::uint32_t> port = number_in(text.substr(colon + 1));
+  const std::optional<std::uint32_t> port = whole_number(text.substr(colon + 1));
   if (host.empty() || !port || *port == 0 || *port > 0xFFFF) return std::nullopt;
   return Place{kTcp, std::string(host), static_cast<std::uint16_t>(*port)};
 }

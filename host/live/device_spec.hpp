@@ -21,6 +21,7 @@ enum class DeviceKind : std::uint8_t {
   kCmuCam3,
   kCmuCam4,
   kNxtCam,
+  kNxtCam5,
   kAvrCam,
   kXbc,
   kCreate1,

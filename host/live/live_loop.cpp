@@ -13,13 +13,59 @@ struct Journaled : Base {
   static constexpr std::size_t kJournalBytes = 256 * 1024;
 };
 
+/// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
+constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
+
+/// The devices' clock goes on where the run's begins anew.
+class ShiftedCamera {
+ public:
+  ShiftedCamera(CameraDevice& camera, const base::Duration& shift) : camera_(camera), shift_(shift) {}
+  base::Result<sensor::BlobFrame> poll(base::Time now) {
+    const base::Result<sensor::BlobFrame> seen = camera_.poll(now + shift_);
+    if (!seen) return seen;
+    sensor::BlobFrame frame = *seen;
+    frame.t = frame.t - shift_;
+    return frame;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return camera_.link(); }
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return camera_.link_words(state); }
+  [[nodiscard]] std::uint32_t dropped() const { return camera_.dropped(); }
+
+ private:
+  CameraDevice& camera_;
+  const base::Duration& shift_;
+};
+
+class ShiftedOdometry {
+ public:
+  ShiftedOdometry(OdometryDevice& odometry, const base::Duration& shift) : odometry_(odometry), shift_(shift) {}
+  base::Result<sensor::OdometrySample> poll(base::Time now) {
+    const base::Result<sensor::OdometrySample> told = odometry_.poll(now + shift_);
+    if (!told) return told;
+    sensor::OdometrySample sample = *told;
+    sample.t = sample.t - shift_;
+    return sample;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return odometry_.link(); }
+  [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return odometry_.link_words(state); }
+
+ private:
+  OdometryDevice& odometry_;
+  const base::Duration& shift_;
+};
+
 template <class Base>
 class ProfileLoop final : public LiveLoop {
  public:
   using Profile = Journaled<Base>;
 
   ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, app::Mode mode)
-      : console_(console), loop_(*memory_, camera, odometry, console, mode, app::canned_stream<Profile>()) {
+      : camera_device_(camera),
+        odometry_device_(odometry),
+        console_(console),
+        camera_(camera, shift_),
+        odometry_(odometry, shift_),
+        loop_(*memory_, camera_, odometry_, console, mode, app::canned_stream<Profile>()) {
     memory_->journal.start();
   }
 
@@ -42,8 +88,9 @@ class ProfileLoop final : public LiveLoop {
   }
 
   bool step(base::Time now) override {
+    if (now - shift_ >= base::Time{} + kLongestRun) begin_anew(now);
     const std::uint64_t before = inputs();
-    loop_.step(now);
+    step_and_watch(now);
     if (inputs() != before) return true;
     app::ConsoleState& console = memory_->console;
     return !output_waits() && (console.answer.pending() || loop_.pipeline().testing() || console.input.front());
@@ -54,17 +101,7 @@ class ProfileLoop final : public LiveLoop {
     if (taken) memory_->output.taken(*taken);
   }
 
-  void tell(const record::LinkReport& report, std::string_view sentence) override {
-    app::Telling<Profile>& telling = loop_.pipeline().telling();
-    telling.report(report);
-    if (sentence.empty() || !telling.shown_in(app::Mode::kText)) return;
-    telling.say([sentence](std::span<char> room) -> std::size_t {
-      if (room.size() < sentence.size() + 2) return 0;
-      const auto end = std::copy(sentence.begin(), sentence.end(), room.begin());
-      std::copy_n("\r\n", 2, end);
-      return sentence.size() + 2;
-    });
-  }
+  [[nodiscard]] const std::vector<std::string>& link_news() const override { return link_news_; }
   [[nodiscard]] bool output_waits() const override { return !memory_->output.waiting().empty(); }
   [[nodiscard]] std::span<const char> journal() const override { return memory_->journal.waiting(); }
   void journal_taken(std::size_t size) override { memory_->journal.taken(size); }
@@ -82,6 +119,11 @@ class ProfileLoop final : public LiveLoop {
   }
 
  private:
+  void begin_anew(base::Time now) {
+    loop_.pipeline().restart();
+    shift_ = now - base::Time{};
+  }
+
   /// Grows with each input, used or not.
   [[nodiscard]] std::uint64_t inputs() const {
     const app::Counters& counters = memory_->counters;
@@ -89,10 +131,35 @@ class ProfileLoop final : public LiveLoop {
            counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)];
   }
 
+  void step_and_watch(base::Time now) {
+    loop_.step(now - shift_);
+    link_news_.clear();
+    note_news(camera_device_, memory_->links.camera, camera_known_);
+    note_news(odometry_device_, memory_->links.odometry, odometry_known_);
+  }
+  // A new run tells its log the states in force again; those are no news.
+  void note_news(const Device& device, const app::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
+    if (!device.cabled() || !watch.last_told() || watch.last_told() == known) return;
+    known = watch.last_told();
+    const sensor::LinkState state = *known;
+    const LinkWording words = device.wording(state);
+    std::array<char, record::kMaxLine> line{};
+    const std::size_t size = app::describe_link(state, words.name, words.remedy, line);
+    if (size > 2) link_news_.emplace_back(line.data(), size - 2);
+  }
+
   std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
   record::Header header_;
+  std::vector<std::string> link_news_;
+  std::optional<sensor::LinkState> camera_known_;
+  std::optional<sensor::LinkState> odometry_known_;
+  CameraDevice& camera_device_;
+  OdometryDevice& odometry_device_;
   PatientConsole& console_;
-  app::Loop<Profile, CameraDevice, OdometryDevice, PatientConsole> loop_;
+  base::Duration shift_;  ///< of the run's zero from the devices'
+  ShiftedCamera camera_;
+  ShiftedOdometry odometry_;
+  app::Loop<Profile, ShiftedCamera, ShiftedOdometry, PatientConsole> loop_;
 };
 
 template <class Base, class... Arguments>

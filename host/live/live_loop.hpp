@@ -25,15 +25,16 @@ class LiveLoop {
   virtual std::vector<std::string> start(const record::Header& header,
                                          const std::optional<sensor::CameraIntrinsics>& intrinsics,
                                          const RobotFile& robot) = 0;
-  /// One turn. True: there is more to do at once, without waiting for anything.
+  /// One turn. True: there is more to do at once, without waiting for anything. After eleven days, before the stream's
+  /// clock ends, a new run begins, with a new FPHDR and t from 0.
   virtual bool step(base::Time now) = 0;
   /// The stream has ended.
   virtual void finish() = 0;
   /// Hands what waits to the console, as far as it takes it now.
   virtual void flush() = 0;
 
-  /// A link changed: a record for the log and for a console in mode log, a sentence for one in mode text, unless empty.
-  virtual void tell(const record::LinkReport& report, std::string_view sentence) = 0;
+  /// What the loop told of links in its last turn, a sentence each, whatever the console shows.
+  [[nodiscard]] virtual const std::vector<std::string>& link_news() const = 0;
   /// Something waits for room on the console.
   [[nodiscard]] virtual bool output_waits() const = 0;
   /// Whole lines of the log, in order; the caller takes all of them.

@@ -4,6 +4,7 @@
 #include "drivers/nxt/sensor_port.hpp"
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
+#include "drivers/nxtcam/v5_camera.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
 #include "drivers/wire/i2c_stream.hpp"
@@ -21,8 +22,8 @@ constexpr base::Duration kAsked = milliseconds(4);
 /// Nothing wakes the loop: the device has to be looked at.
 constexpr base::Duration kLookedAt = milliseconds(2);
 
-constexpr std::uint8_t kPixyAddress = 0x54;   // 7 bits, Pixy2 documentation, porting guide
-constexpr std::uint32_t kPixyBaud = 115'200;  // as configured in PixyMon for the command line's users
+constexpr std::uint8_t kPixyAddress = 0x54;  // 7 bits, Pixy2 documentation, porting guide
+constexpr std::uint32_t kPixyBaud = 19'200;  // as delivered
 constexpr std::uint32_t kCmuCam4Baud = 19'200;
 constexpr std::uint32_t kXbcBaud = 38'400;
 constexpr std::uint32_t kUsualBaud = 115'200;
@@ -78,7 +79,7 @@ class NxtCamBehindBrick final : public CameraDevice {
     return brick_->port().connected() ? camera_.link() : sensor::LinkState::kAbsent;
   }
   [[nodiscard]] std::string problem() const override { return brick_->port().problem(); }
-  [[nodiscard]] base::Duration patience() const override { return kAsked; }
+  [[nodiscard]] base::Duration patience() const override { return patience_with(brick_->port(), kAsked); }
 
  private:
   std::shared_ptr<BrickStation> brick_;
@@ -149,6 +150,12 @@ Camera open_nxtcam(const DeviceSpec& spec, const std::shared_ptr<BrickStation>& 
   return std::make_unique<NxtCamBehindBrick>(brick, port, options, address);
 }
 
+Camera open_nxtcam5(const DeviceSpec& spec, bool wait) {
+  nxtcam::V5Options options;
+  options.silence_is_empty = spec.option("silence", "lost") == "empty";
+  return on_line<nxtcam::V5Camera<BytePort>>(spec, kUsualBaud, wait, options);
+}
+
 }  // namespace
 
 Camera open_camera(const DeviceSpec& spec, const RobotFile& robot, const std::shared_ptr<BrickStation>& brick,
@@ -161,6 +168,7 @@ Camera open_camera(const DeviceSpec& spec, const RobotFile& robot, const std::sh
     case DeviceKind::kCmuCam3:
     case DeviceKind::kCmuCam4: return open_cmucam(spec, robot, wait);
     case DeviceKind::kNxtCam: return open_nxtcam(spec, brick, wait);
+    case DeviceKind::kNxtCam5: return open_nxtcam5(spec, wait);
     case DeviceKind::kAvrCam: return on_line<nxtcam::SerialCamera<BytePort>>(spec, kUsualBaud, wait);
     case DeviceKind::kXbc: return on_line<xbc::Xbc<BytePort>>(spec, kXbcBaud, wait, xbc::Config{});
     default: return std::make_unique<ConsoleCamera>();
@@ -176,6 +184,7 @@ std::optional<sensor::CameraIntrinsics> profile_of(const DeviceSpec& spec) {
     case DeviceKind::kCmuCam3:
     case DeviceKind::kCmuCam4: return cmucam::nominal_intrinsics(dialect_of(spec), {});
     case DeviceKind::kNxtCam: return nxtcam::kProfile;
+    case DeviceKind::kNxtCam5: return nxtcam::kV5Profile;
     case DeviceKind::kAvrCam: {
       sensor::CameraIntrinsics profile = nxtcam::kProfile;
       profile.model = "avrcam";

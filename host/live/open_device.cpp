@@ -31,6 +31,8 @@ std::variant<Devices, DeviceFailure> open_devices(const DeviceSpec& camera, cons
     const std::shared_ptr<BrickStation> brick = open_brick(odometry, wait);
     devices.odometry = open_odometry(odometry, robot, brick, clock, wait);
     devices.camera = open_camera(camera, robot, brick, wait);
+    devices.camera->introduce(DeviceRole::kCamera, camera);
+    devices.odometry->introduce(DeviceRole::kOdometry, odometry);
     devices.intrinsics = intrinsics_of(camera, robot);
     return devices;
   } catch (DeviceFailure& failure) {

@@ -103,7 +103,7 @@ class BrickOdometry final : public OdometryDevice {
   void tend(base::Time now) override { brick_->port().tend(now); }
   void watch(linux::WaitSet& set) const override { set.add_readable(brick_->port().descriptor()); }
   [[nodiscard]] std::string problem() const override { return brick_->port().problem(); }
-  [[nodiscard]] base::Duration patience() const override { return kBrickAsked; }
+  [[nodiscard]] base::Duration patience() const override { return patience_with(brick_->port(), kBrickAsked); }
 
  private:
   std::shared_ptr<BrickStation> brick_;

@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "hal/linux/wait.hpp"
-#include "host/live/link_watch.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -25,13 +24,15 @@ class Run {
       : plan_(plan),
         parts_(parts),
         console_(parts.console, parts.log != nullptr),
-        loop_(make_live_loop(plan.profile, *parts.devices.camera, *parts.devices.odometry, console_, plan.mode)),
-        camera_watch_(DeviceRole::kCamera, plan.camera),
-        odometry_watch_(DeviceRole::kOdometry, plan.odometry) {}
+        loop_(make_live_loop(plan.profile, *parts.devices.camera, *parts.devices.odometry, console_, plan.mode)) {}
 
   RunSummary go() {
     for (const std::string& complaint : loop_->start(header_of(plan_), parts_.devices.intrinsics, plan_.robot)) {
       parts_.say(complaint);
+    }
+    if (plan_.console_is_people) {
+      parts_.devices.camera->leave_sentences_to_others();
+      parts_.devices.odometry->leave_sentences_to_others();
     }
     begun_ = parts_.clock.now();
     bool more = true;
@@ -53,18 +54,15 @@ class Run {
     const bool more = loop_->step(now);
     const auto took = std::chrono::steady_clock::now() - before;
     loop_->note_turn(static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(took).count()));
-    watch(camera_watch_, *parts_.devices.camera, now);
-    watch(odometry_watch_, *parts_.devices.odometry, now);
+    say_link_news();
+    parts_.devices.camera->console_gave(loop_->frames_logged());
+    parts_.devices.odometry->console_gave(loop_->counters().odometry);
     write_log(now);
     return more;
   }
 
-  void watch(LinkWatch& link, const Device& device, base::Time now) {
-    if (!device.cabled()) return;
-    const std::optional<LinkNews> news = link.observe(device.link(), device.problem(), now);
-    if (!news) return;
-    parts_.say(news->sentence);
-    loop_->tell(news->report, plan_.console_is_people ? std::string_view() : news->sentence);
+  void say_link_news() {
+    for (const std::string& sentence : loop_->link_news()) parts_.say(sentence);
   }
 
   // Line by line: a part of the log ends at the right one, with the calibration of that place.
@@ -91,6 +89,7 @@ class Run {
 
   void wait() {
     linux::WaitSet set;
+    set.add_readable(parts_.interrupted_descriptor);
     parts_.devices.camera->watch(set);
     parts_.devices.odometry->watch(set);
     parts_.console.watch(set, loop_->output_waits());
@@ -152,8 +151,6 @@ class Run {
   const RunParts& parts_;
   PatientConsole console_;
   std::unique_ptr<LiveLoop> loop_;
-  LinkWatch camera_watch_;
-  LinkWatch odometry_watch_;
   base::Time begun_;
   RunSummary summary_;
 };
@@ -177,10 +174,11 @@ std::string refused_in(const app::Counters& counters) {
 }  // namespace
 
 std::string RunSummary::sentence() const {
-  std::string text = fmt::format("{:.1f} s: {}, {}, {}, {} rejected, {}, digest {:016x}", time.to_double(),
+  std::string text = fmt::format("{:.1f} s: {}, {}, {}, {} rejected, {}", time.to_double(),
                                  counted(counters.frames, "frame"), counted(counters.odometry, "odometry sample"),
-                                 refused_in(counters), counters.rejected, counted(alerts, "alert"), digest);
+                                 refused_in(counters), counters.rejected, counted(alerts, "alert"));
   if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
+  text += fmt::format("\ndigest {:016x}", digest);
   if (!log.empty()) text += fmt::format(", log {} ({} bytes{})", log, log_bytes, log_failed ? ", broken off" : "");
   return text;
 }

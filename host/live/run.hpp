@@ -38,6 +38,7 @@ struct RunParts {
   RunLog* log = nullptr;
   std::function<void(std::string_view)> say;      ///< messages for people, a line each
   const volatile std::sig_atomic_t& interrupted;  ///< not 0: stop
+  int interrupted_descriptor = -1;                ///< readable then; -1: an interrupt is seen a little later
 };
 
 struct RunSummary {
@@ -52,7 +53,7 @@ struct RunSummary {
   std::string log;  ///< its name; empty without
   std::uint64_t log_bytes = 0;
 
-  /// "12.3 s: 617 frames, ... digest 0123456789abcdef, log run.log"
+  /// Two lines: "12.3 s: 617 frames, ...", and "digest 0123456789abcdef, log run.log (...)".
   [[nodiscard]] std::string sentence() const;
 };
 

@@ -11,6 +11,10 @@
 namespace fencepost::host {
 namespace {
 
+// Plain memory, because a signal handler may touch nothing else.
+termios terminal_before{};
+volatile std::sig_atomic_t terminal_taken = 0;
+
 bool in_foreground() { return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
 
 bool something_to_read() {
@@ -27,6 +31,7 @@ Keyboard::Keyboard(bool edits) : edits_(edits) {
 }
 
 Keyboard::~Keyboard() {
+  terminal_taken = 0;
   if (before_ && in_foreground()) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &*before_);
 }
 
@@ -34,11 +39,18 @@ Keyboard::~Keyboard() {
 void Keyboard::take_terminal() {
   termios mode{};
   if (!in_foreground() || ::tcgetattr(STDIN_FILENO, &mode) != 0 || (mode.c_lflag & ICANON) == 0) return;
-  if (!before_) before_ = mode;
+  if (!before_) {
+    before_ = terminal_before = mode;
+    terminal_taken = 1;
+  }
   mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   mode.c_cc[VMIN] = 1;
   mode.c_cc[VTIME] = 0;
   ::tcsetattr(STDIN_FILENO, TCSADRAIN, &mode);
+}
+
+void Keyboard::give_back_terminal() {
+  if (terminal_taken != 0 && in_foreground()) ::tcsetattr(STDIN_FILENO, TCSANOW, &terminal_before);
 }
 
 void Keyboard::tend() {

@@ -25,6 +25,9 @@ class Keyboard {
   /// Once in a while: a shell that stopped and continued the program has set the terminal its own way.
   void tend();
 
+  /// The terminal as it was, at once: for the handler of a signal that ends the program.
+  static void give_back_terminal();
+
   /// The line being typed.
   [[nodiscard]] const std::string& typing() const { return line_.text(); }
   /// For WaitSet; -1 once it has ended.

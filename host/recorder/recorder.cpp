@@ -143,6 +143,7 @@ void Recorder::show_status() {
 
 void Recorder::sleep() {
   linux::WaitSet set;
+  set.add_readable(parts_.interrupted_descriptor);
   set.add_readable(parts_.port.descriptor());
   if (parts_.keyboard != nullptr && outgoing_.size() < kMostOutgoing) set.add_readable(parts_.keyboard->descriptor());
   if (!outgoing_.empty()) set.add_writable(parts_.port.descriptor());

@@ -39,6 +39,7 @@ class Recorder {
     Display& display;
     Keyboard* keyboard;
     const volatile std::sig_atomic_t& interrupted;  ///< not 0: the signal that ends it
+    int interrupted_descriptor;                     ///< readable then, for WaitSet; or -1
     const linux::MonotonicClock& clock;
   };
   Recorder(const Parts& parts, RecorderSettings settings);

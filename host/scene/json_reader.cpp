@@ -8,26 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "host/text/suggest.hpp"
+
 namespace fencepost::host {
 
 namespace {
 
 /// Levenshtein distance.
-std::size_t typing_errors(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
 std::string listed(std::initializer_list<std::string_view> words) {
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
@@ -84,19 +71,6 @@ nlohmann::json parse_json(std::string_view text, std::string_view example) {
   }
 }
 
-std::string nearest_word(std::string_view word, std::initializer_list<std::string_view> known) {
-  std::size_t fewest = word.size() / 3 + 2;  // more errors than that is another word
-  std::string best;
-  for (const std::string_view candidate : known) {
-    const std::size_t errors = typing_errors(word, candidate);
-    if (errors < fewest) {
-      fewest = errors;
-      best = candidate;
-    }
-  }
-  return best;
-}
-
 void JsonNode::fail(std::string what, std::string remedy) const {
   throw SceneProblem{pointer_.empty() ? "/" : pointer_, std::move(what), std::move(remedy)};
 }
@@ -109,7 +83,7 @@ void JsonNode::expect_keys(std::initializer_list<std::string_view> allowed) cons
   expect_object();
   for (const auto& [key, member] : value_->items()) {
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    const std::string nearest = nearest_word(key, allowed);
+    const std::string nearest = nearest_word(key, std::vector<std::string>(allowed.begin(), allowed.end()));
     const std::string remedy =
         nearest.empty() ? "remove it; allowed: " + listed(allowed) : "did you mean \"" + nearest + "\"?";
     JsonNode(member, pointer_ + "/" + key).fail("unknown key \"" + key + "\"", remedy);

@@ -66,7 +66,4 @@ class JsonNode {
 /// Positions lie within this of the origin, m: the record stream's range.
 inline constexpr double kWorldLimit = 1000;
 
-/// The word of `known` with the fewest typing errors towards `word`; empty when none is near.
-std::string nearest_word(std::string_view word, std::initializer_list<std::string_view> known);
-
 }  // namespace fencepost::host

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "host/scene/read_scene.hpp"
+#include "host/text/suggest.hpp"
 
 namespace fencepost::host {
 

@@ -7,13 +7,6 @@
 #include "tests/firmware/app/desk.hpp"
 
 namespace fencepost::test {
-namespace {
-
-double seconds_since(WallClock::time_point start) {
-  return std::chrono::duration<double>(WallClock::now() - start).count();
-}
-
-}  // namespace
 
 std::string unstamped(const sensor::OdometrySample& sample) {
   const std::string stamped = line_of(sample);
@@ -25,18 +18,35 @@ std::string unstamped(const sensor::OdometrySample& sample) {
   return "$" + body + "*" + check.data() + "\r\n";
 }
 
-Bench::Bench(BoardUnderTest board) : board_(std::move(board)), emulator_(board_) {}
+Bench::Bench(BoardUnderTest board)
+    : board_(std::move(board)), machine_(board_.machine ? board_.machine() : std::make_unique<Emulator>(board_)) {
+  attach_devices();
+}
 
-base::Time Bench::now() const { return base::Time::nearest(seconds_since(started_)); }
+base::Time Bench::now() const { return base::Time::nearest(machine_->seconds()); }
 
 void Bench::pump() {
-  emulator_.pump();
+  machine_->pump();
   if (board_.camera >= 0) pump_camera();
-  said_ += console().take();
-  emulator_.wait();
+  if (base_) base_->pump(now());
+  const std::string more = console().take();
+  said_ += more;
+  all_ += more;
+}
+
+void Bench::attach_devices() {
+  if (board_.camera_pace > 0) camera_line().set_pace(board_.camera_pace);
+  if (board_.camera_device) other_camera_ = std::make_unique<Attached>(camera_line(), board_.camera_device(), now());
+  if (board_.base_device) base_ = std::make_unique<Attached>(base_line(), board_.base_device(), now());
+}
+
+void Bench::unplug_camera(bool unplugged) {
+  unplugged_ = unplugged;
+  if (other_camera_) other_camera_->unplug(unplugged);
 }
 
 void Bench::pump_camera() {
+  if (other_camera_) return other_camera_->pump(now());
   const std::string asked = camera_line().take();
   if (unplugged_) return;
   for (const char byte : asked) {
@@ -45,8 +55,21 @@ void Bench::pump_camera() {
   }
 }
 
+std::string Bench::last_link(std::string_view sensor) const {
+  std::string state;
+  const std::string name = "," + std::string(sensor) + ",";
+  for (std::size_t at = all_.find("$FPLNK,"); at != std::string::npos; at = all_.find("$FPLNK,", at + 1)) {
+    const std::string line = all_.substr(at, all_.find('\n', at) - at);
+    const std::size_t found = line.find(name);
+    if (found == std::string::npos) continue;
+    const std::size_t begin = found + name.size();
+    state = line.substr(begin, line.find(',', begin) - begin);
+  }
+  return state;
+}
+
 bool Bench::await(std::string_view text, double seconds) {
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds; pump()) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds; pump()) {
     if (said_.find(text) != std::string::npos) return true;
   }
   return false;
@@ -59,12 +82,12 @@ bool Bench::obey(std::string_view command, std::string_view expected) {
 }
 
 void Bench::run(double seconds) {
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds;) pump();
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds;) pump();
 }
 
 bool Bench::await_camera(double seconds) {
   if (board_.camera < 0) return true;  // there is none before frames come
-  for (const auto start = WallClock::now(); seconds_since(start) < seconds; run(0.2)) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < seconds; run(0.2)) {
     camera_.show({});
     if (obey("status", "; odometry link ") && said_.find("camera link silent") == std::string::npos &&
         said_.find("camera link unready") == std::string::npos) {
@@ -85,22 +108,25 @@ void Bench::give(const SceneStream::Input& input) {
 }
 
 void Bench::give(const sensor::OdometrySample& sample) {
+  if (base_) return base_->roll(sample.t);
   console().send(board_.camera >= 0 ? unstamped(sample) : line_of(sample));
 }
 
 void Bench::give(const sensor::BlobFrame& frame) {
+  if (other_camera_) return other_camera_->see(frame, now());
   if (board_.camera < 0) {
-    console().send(line_of(frame));
+    if (!unplugged_) console().send(line_of(frame));
   } else {
     camera_.show({frame.blobs.begin(), frame.blobs.end()});
   }
 }
 
 void Bench::play(const SceneStream& stream, const std::function<void(double)>& also) {
-  const auto start = WallClock::now();
+  if (base_) base_->drive(stream.way());
+  const double start = machine_->seconds();
   for (const SceneStream::Input& input : stream.inputs) {
     const double t = std::visit([](const auto& one) { return one.t.to_double(); }, input);
-    while (seconds_since(start) < t) pump();
+    while (machine_->seconds() - start < t) pump();
     if (also) also(t);
     give(input);
   }
@@ -111,7 +137,7 @@ std::string Bench::digest() {
   const std::size_t before = said_.size();
   console().send("status\r");
   const std::string_view word = "; digest ";
-  for (const auto start = WallClock::now(); seconds_since(start) < 5; pump()) {
+  for (const double start = machine_->seconds(); machine_->seconds() - start < 5; pump()) {
     const std::size_t at = said_.find(word, before);
     if (at != std::string::npos && said_.size() >= at + word.size() + 16) return said_.substr(at + word.size(), 16);
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "hal/base/units.hpp"
 #include "host/emulate/pixy2.hpp"
+#include "tests/boards/attached.hpp"
 #include "tests/boards/emulator.hpp"
 #include "tests/boards/scene_stream.hpp"
 
@@ -25,12 +27,14 @@ class Bench {
   /// Everything the console has said since clear().
   [[nodiscard]] const std::string& said() const { return said_; }
   void clear() { said_.clear(); }
+  /// State of the last record of that link, whenever it was; empty if there was none.
+  [[nodiscard]] std::string last_link(std::string_view sensor) const;
 
   /// Until the board says that its camera works.
   bool await_camera(double seconds = 10);
   /// Mode log and a new run; then the calibration.
   bool start_log(const SceneStream& stream);
-  /// In real time. `also(seconds)` is called between inputs, and may do harm.
+  /// In the machine's time. `also(seconds)` is called between inputs, and may do harm.
   void play(const SceneStream& stream, const std::function<void(double)>& also = {});
   /// Asks for the status and takes its digest; empty if none came.
   std::string digest();
@@ -40,26 +44,32 @@ class Bench {
   void give(const sensor::OdometrySample& sample);
   void give(const sensor::BlobFrame& frame);
 
-  [[nodiscard]] Line& console() { return emulator_.line(board_.console); }
-  [[nodiscard]] Line& line(std::size_t n) { return emulator_.line(n); }
-  [[nodiscard]] Line& camera_line() { return emulator_.line(static_cast<std::size_t>(board_.camera)); }
-  [[nodiscard]] bool alive() { return emulator_.alive(); }
-  void stop() { emulator_.stop(); }
+  [[nodiscard]] Line& console() { return machine_->line(board_.console); }
+  [[nodiscard]] Line& line(std::size_t n) { return machine_->line(n); }
+  [[nodiscard]] Line& camera_line() { return machine_->line(static_cast<std::size_t>(board_.camera)); }
+  [[nodiscard]] bool alive() { return machine_->alive(); }
+  /// By the machine's clock.
+  [[nodiscard]] double seconds() const { return machine_->seconds(); }
+  void stop() { machine_->stop(); }
   /// The camera's cable is pulled, or back.
-  void unplug_camera(bool unplugged) { unplugged_ = unplugged; }
-  [[nodiscard]] Emulator& emulator() { return emulator_; }
+  void unplug_camera(bool unplugged);
+  void unplug_base(bool unplugged) { base_->unplug(unplugged); }
+  [[nodiscard]] Line& base_line() { return machine_->line(static_cast<std::size_t>(board_.base)); }
   void pump();
 
  private:
   [[nodiscard]] base::Time now() const;
   void pump_camera();
+  void attach_devices();
 
   BoardUnderTest board_;
-  Emulator emulator_;
-  WallClock::time_point started_ = WallClock::now();
+  std::unique_ptr<Machine> machine_;
   emulate::Pixy2 camera_{base::Time{-100'000}};  // has been on for ten seconds
   bool unplugged_ = false;
+  std::unique_ptr<Attached> other_camera_;  ///< instead of the Pixy2
+  std::unique_ptr<Attached> base_;
   std::string said_;
+  std::string all_;  ///< since the start
 };
 
 /// The record stream's line, with an empty time: stamped when it arrives.

@@ -1,5 +1,8 @@
 #include "tests/boards/counting.hpp"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -45,7 +48,8 @@ std::vector<std::string> counting_arguments(const std::string& elf,
     const bool is_call = !is_head && std::regex_match(line, match, call);
     if (!is_head && !is_call) continue;
     const std::string name = match[is_head ? 2 : 3];
-    if (name.find("+0x") != std::string::npos) continue;  // a far jump within a function, which Armv6-M has no other for
+    if (name.find("+0x") != std::string::npos)
+      continue;  // a far jump within a function, which Armv6-M has no other for
     for (std::size_t i = 0; i < stages.size(); ++i) {
       if (name.find(stages[i].second) == std::string::npos) continue;
       if (is_head) entries[i] = match[1];
@@ -85,6 +89,21 @@ std::uint64_t committed(const std::string& image, const std::string& column) {
     if (row["image"] == image) return std::stoull(row.at(column));
   }
   throw std::runtime_error("no row of " + image);
+}
+
+void expect_counts_as_committed(const Counts& counts, const std::string& image, const std::string& frame,
+                                double least) {
+  for (const auto& [name, count] : counts) {
+    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
+    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
+                static_cast<double>(count.worst), static_cast<double>(count.calls));
+  }
+  const double frames = static_cast<double>(counts.at(frame).calls);
+  EXPECT_GT(frames, least);
+  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
+  EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));
+  EXPECT_GT(counts.at("stack").sum, 1000U);
+  EXPECT_LE(counts.at("stack").sum, committed(image, "stack"));
 }
 
 }  // namespace fencepost::test

@@ -25,5 +25,8 @@ std::vector<std::string> counting_arguments(const std::string& elf,
 Counts read_counts(const std::string& file);
 /// The row's number in firmware/image/sizes.csv.
 std::uint64_t committed(const std::string& image, const std::string& column);
+/// Prints the stages; expects more than `least` frames - calls of the stage `frame` - and what one of them sets in
+/// motion (the stage "input") and the stack within the image's row.
+void expect_counts_as_committed(const Counts& counts, const std::string& image, const std::string& frame, double least);
 
 }  // namespace fencepost::test

@@ -1,6 +1,5 @@
 #include "tests/boards/emulator.hpp"
 
-#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -15,9 +14,8 @@ extern char** environ;
 namespace fencepost::test {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{30'000};
+constexpr std::chrono::milliseconds kPatience{10'000};
 constexpr std::chrono::microseconds kNap{500};
-constexpr double kLinePace = 11'520;  // bytes a second at 115200 baud
 
 std::string make_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "fencepost-board-XXXXXX").string();
@@ -27,26 +25,23 @@ std::string make_folder() {
 
 }  // namespace
 
-std::string image_of(const std::string& board) { return FENCEPOST_IMAGES_DIR "/" + board + "/fencepost"; }
+std::string image_of(const std::string& board, const std::string& image) {
+  return FENCEPOST_IMAGES_DIR "/" + board + "/" + image;
+}
 
-Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()), control_(board.control) {
-  if (control_ >= 0) BenchClock::emulated = BenchClock::duration{0};  // before the lines look at it
+Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
   std::vector<std::string> sockets;
   for (std::size_t i = 0; i < board.lines; ++i) {
     sockets.push_back(folder_ + "/line" + std::to_string(i));
     lines_.emplace_back(sockets.back());
   }
   start(board.command(sockets));
-  for (Line& line : lines_) {
+  for (SocketLine& line : lines_) {
     if (!line.accept(kPatience)) throw std::runtime_error("the emulator did not connect its lines");
-    if (control_ >= 0) line.limit_pace(kLinePace);
   }
-  if (control_ < 0) return;
-  lines_[static_cast<std::size_t>(control_)].limit_pace(1e12);
 }
 
 Emulator::~Emulator() {
-  BenchClock::emulated.reset();
   if (child_ > 0) {
     ::kill(child_, SIGKILL);
     ::waitpid(child_, nullptr, 0);
@@ -72,29 +67,6 @@ bool Emulator::alive() {
   return false;
 }
 
-void Emulator::wait() {
-  if (control_ < 0) return std::this_thread::sleep_for(kNap);
-  const std::string answer = ask("run 1000");
-  if (!answer.starts_with("at ")) throw std::runtime_error("the emulator says " + answer);
-  BenchClock::emulated = std::chrono::microseconds(std::stoll(answer.substr(3)));
-}
-
-std::string Emulator::ask(const std::string& line) {
-  command(line);
-  Line& control = lines_[static_cast<std::size_t>(control_)];
-  std::string heard;
-  for (;;) {
-    control.pump();
-    heard += control.take();
-    if (!heard.empty() && heard.back() == '\n') break;
-    pollfd there{control.socket(), POLLIN, 0};
-    if (::poll(&there, 1, 1000) < 1 && !alive()) throw std::runtime_error("the emulator has ended");
-    if ((there.revents & POLLHUP) != 0) throw std::runtime_error("the emulator has ended");
-  }
-  heard.pop_back();
-  return heard;
-}
-
 void Emulator::stop() {
   if (child_ <= 0) return;
   ::kill(child_, SIGTERM);
@@ -103,7 +75,10 @@ void Emulator::stop() {
 }
 
 void Emulator::pump() {
-  for (Line& line : lines_) line.pump();
+  for (SocketLine& line : lines_) line.pump(seconds());
+  std::this_thread::sleep_for(kNap);
 }
+
+double Emulator::seconds() const { return std::chrono::duration<double>(WallClock::now() - started_).count(); }
 
 }  // namespace fencepost::test

@@ -1,60 +1,75 @@
-// An emulator as a child process, with a socket for each serial line.
+// A machine that runs an image: an emulator as a child process with a socket for each serial line, or another.
 #pragma once
 
 #include <sys/types.h>
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "host/emulate/serve/peer.hpp"
 #include "tests/boards/line.hpp"
 
 namespace fencepost::test {
+
+/// Something that runs an image.
+class Machine {
+ public:
+  virtual ~Machine() = default;
+  virtual Line& line(std::size_t n) = 0;
+  /// It has not ended by itself.
+  virtual bool alive() = 0;
+  /// A moment: half a millisecond or so by its clock. All lines move.
+  virtual void pump() = 0;
+  /// By its clock.
+  [[nodiscard]] virtual double seconds() const = 0;
+  /// Ends it in good order, so that plugins can write what they know.
+  virtual void stop() {}
+};
 
 /// What has to be known of a board to talk to its image.
 struct BoardUnderTest {
   std::string name;  ///< of its preset
   /// The emulator's command; `sockets`: paths to connect to, one a line.
   std::function<std::vector<std::string>(const std::vector<std::string>& sockets)> command;
+  /// Or the emulator itself, where it is no program of its own.
+  std::function<std::unique_ptr<Machine>()> machine = {};
   std::size_t lines = 1;
   std::size_t console = 0;  ///< its line
-  int camera = -1;          ///< the Pixy2's line; negative: frames go over the console
-  /// The line on which an emulator with a time of its own is told to go on; negative: it lives in real time.
-  /// `run MICROSECONDS` is answered by `at MICROSECONDS` when all has been said that was to say until then.
-  int control = -1;
+  int camera = -1;          ///< the camera's line; negative: frames go over the console
+  int base = -1;            ///< the wheel base's line; negative: odometry goes over the console
+  double camera_pace = 0;   ///< bytes a second of its line, where that is not 115200 baud
+  /// Devices of the lines above; a camera's line without one has a Pixy2.
+  std::function<std::unique_ptr<emulate::Peer>()> camera_device = {};
+  std::function<std::unique_ptr<emulate::Peer>()> base_device = {};
+  double frames_share = 0.9;  ///< of a scene's frames, as the camera can tell them
 };
 
 /// The folder with the images that this build has made.
-std::string image_of(const std::string& board);
+std::string image_of(const std::string& board, const std::string& image = "fencepost");
 
-class Emulator {
+class Emulator : public Machine {
  public:
   /// Starts it and waits until all lines are connected. Throws std::runtime_error with the reason.
   explicit Emulator(const BoardUnderTest& board);
-  ~Emulator();
+  ~Emulator() override;
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
-  [[nodiscard]] Line& line(std::size_t n) { return lines_[n]; }
-  /// It has not ended by itself.
-  [[nodiscard]] bool alive();
-  void pump();
-  /// A while passes: half a millisecond of the wall's time, or one of the emulator's own. Throws if it has ended.
-  void wait();
-  /// A word to an emulator that has a control line.
-  void command(const std::string& line) { lines_[static_cast<std::size_t>(control_)].send(line + "\n"); }
-  /// What it answers.
-  std::string ask(const std::string& line);
-  /// Ends it in good order, so that plugins can write what they know.
-  void stop();
+  SocketLine& line(std::size_t n) override { return lines_[n]; }
+  bool alive() override;
+  void pump() override;
+  [[nodiscard]] double seconds() const override;
+  void stop() override;
 
  private:
   void start(const std::vector<std::string>& command);
 
   std::string folder_;
-  int control_;
-  std::deque<Line> lines_;
+  std::deque<SocketLine> lines_;
+  WallClock::time_point started_ = WallClock::now();
   pid_t child_ = -1;
 };
 

@@ -5,15 +5,16 @@
 
 namespace fencepost::test {
 
-inline BoardUnderTest f405(std::vector<std::string> more = {}) {
+/// `image`: of its build folder.
+inline BoardUnderTest f405(std::vector<std::string> more = {}, const std::string& image = "fencepost") {
   BoardUnderTest board;
   board.name = "f405";
   board.lines = 3;
   board.camera = 0;
   board.console = 1;
-  board.command = [more = std::move(more)](const std::vector<std::string>& sockets) {
+  board.command = [more = std::move(more), image](const std::vector<std::string>& sockets) {
     std::vector<std::string> words = {"qemu-system-arm", "-M",   "netduinoplus2", "-nographic",
-                                      "-monitor",        "none", "-kernel",       image_of("f405") + ".elf"};
+                                      "-monitor",        "none", "-kernel",       image_of("f405", image) + ".elf"};
     for (const std::string& path : sockets) {
       words.insert(words.end(), {"-serial", "unix:" + path});
     }

@@ -59,14 +59,17 @@ TEST(F405, ReplaysAMinute) { expect_scene_replays(f405(), "small", minute_scene(
 // toolchain/long boards
 TEST(F405, DISABLED_ReplaysTenMinutes) { expect_scene_replays(f405(), "small", minute_scene(600)); }
 
+TEST(F405, DISABLED_SurvivesAMinuteOfGarbage) { expect_survives_garbage(f405(), kMinuteOfBytes); }
+
 TEST(F405, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(f405()); }
 TEST(F405, SurvivesGarbageOnAllLines) { expect_survives_garbage(f405()); }
 TEST(F405, SurvivesOdometryThatStops) { expect_survives_odometry_loss(f405()); }
 TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405()); }
 TEST(F405, SurvivesLinesThatAreCut) { expect_survives_cut_lines(f405()); }
 
-// A frame of eight objects, all that it sets in motion. At 50 frames a second 336,000 cycles are a tenth of 168 MHz; at
-// 1.4 cycles an instruction the committed mean is 14 %: most of it updates the eight objects' models.
+// A frame of eight objects, all that it sets in motion. At 50 frames a second 336,000 cycles are a tenth of 168 MHz,
+// that is 240,000 instructions at 1.4 cycles each. The committed mean is above it: most of it updates the objects'
+// models.
 TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
   const std::string out = ::testing::TempDir() + "fencepost-f405-counts";
   const auto arguments = counting_arguments(image_of("f405") + ".elf",
@@ -78,6 +81,7 @@ TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
+  static_cast<void>(std::remove(out.c_str()));  // of an earlier run
   const double seconds = 12;
   const SceneStream stream = stream_of(eight_boxes(seconds));
   Bench bench(f405(arguments));
@@ -87,18 +91,8 @@ TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
   bench.stop();
-  const Counts counts = read_counts(out);
-  for (const auto& [name, count] : counts) {
-    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
-    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
-                static_cast<double>(count.worst), static_cast<double>(count.calls));
-  }
-  const double frames = static_cast<double>(counts.at("digest").calls);
-  EXPECT_GT(frames, 400);  // 600 were shown; a busy machine shows some too late
-  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed("f405", "frame")));
-  EXPECT_LE(counts.at("input").worst, committed("f405", "worst_frame"));
-  EXPECT_GT(counts.at("stack").sum, 1000U);
-  EXPECT_LE(counts.at("stack").sum, committed("f405", "stack"));
+  expect_counts_as_committed(read_counts(out), "f405", "digest",
+                             400);  // 600 were shown; a busy machine shows some too late
 }
 
 }  // namespace

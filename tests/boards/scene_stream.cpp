@@ -35,6 +35,14 @@ host::SceneObject box(const char* name, std::uint8_t signature, double x, double
 
 }  // namespace
 
+std::vector<sensor::OdometrySample> SceneStream::way() const {
+  std::vector<sensor::OdometrySample> poses;
+  for (const Input& input : inputs) {
+    if (const auto* pose = std::get_if<sensor::OdometrySample>(&input)) poses.push_back(*pose);
+  }
+  return poses;
+}
+
 SceneStream stream_of(const host::Scene& scene) {
   SceneStream stream;
   const auto done = host::simulate(scene, [&](std::string_view line) { stream.log += line; });
@@ -52,9 +60,9 @@ host::Scene recorded_scene(const std::string& name) {
   return *scene;
 }
 
-host::Scene minute_scene(double seconds) {
+host::Scene minute_scene(double seconds, double rate) {
   host::Scene scene = recorded_scene("blocks_arc");
-  scene.rate = 20;
+  scene.rate = rate;
   scene.objects = {box("first", 1, -0.25, 0.1, 0.05, 0.15), box("second", 2, 0.2, 0.2, 0.06, 0.2),
                    box("third", 3, 0.05, -0.25, 0.04, 0.25)};
   scene.signatures = {
@@ -66,6 +74,17 @@ host::Scene minute_scene(double seconds) {
   arc.sweep = 4 * std::numbers::pi * seconds / 60;
   arc.views = static_cast<int>(std::lround(seconds * scene.rate));
   scene.path = arc;
+  return scene;
+}
+
+host::Scene box_beside_the_way(const sensor::CameraIntrinsics& camera) {
+  host::Scene scene;
+  scene.seed = 5;
+  scene.camera = camera;
+  scene.rate = 10;
+  scene.signatures = {{1, "red", {0xd0, 0x20, 0x20}}};
+  scene.objects = {box("beside", 1, 1.4, 0.22, 0.05, 0.3)};
+  scene.path = host::WaypointPath{{{0, 0}, {1.1, 0}}, 0.15, 0.8};
   return scene;
 }
 

@@ -66,6 +66,13 @@ std::size_t confirmed_in(const std::string& log, const std::string& profile) {
   return n;
 }
 
+// A wheel base and some cameras never rest: what came in after the digest was told is not in it.
+std::string log_until_digest(const std::string& said) {
+  const std::size_t begin = said.find("$FPHDR");
+  const std::size_t line = said.rfind('\n', said.rfind("; digest "));
+  return said.substr(begin, line + 1 - begin);
+}
+
 }  // namespace
 
 void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene,
@@ -73,11 +80,11 @@ void expect_scene_replays(const BoardUnderTest& board, const std::string& profil
   const SceneStream stream = stream_of(scene);
   Bench bench(board);
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  ASSERT_TRUE(bench.await_camera(20)) << bench.said();
   ASSERT_TRUE(bench.start_log(stream)) << bench.said();
   bench.play(stream);
   const std::string digest = bench.digest();
-  const std::string log = bench.said().substr(bench.said().find("$FPHDR"));
+  const std::string log = log_until_digest(bench.said());
 
   host::ReplayOptions options;
   options.check = true;
@@ -86,13 +93,14 @@ void expect_scene_replays(const BoardUnderTest& board, const std::string& profil
   const host::ResultDocument& result = replayed.result;
   EXPECT_EQ(result.profile, profile);
   EXPECT_EQ(host::digest_text(result.digest), digest);
-  EXPECT_GT(replayed.check.compared, 20U);
+  EXPECT_GT(replayed.check.compared, static_cast<std::uint64_t>(20 * board.frames_share));
   EXPECT_EQ(replayed.check.differing, 0U) << (replayed.check.mismatches.empty() ? "" : replayed.check.mismatches[0]);
   for (const auto& rejected : result.log.rejected) EXPECT_EQ(rejected.count, 0U);
   expect_same_alerts(log, result);
   expect_objects(scene, result, confirmed_in(stream.log, profile), placed);
   const auto frames = count(stream.log, "$FPFRM,");
-  EXPECT_GT(result.log.frames, frames * 9 / 10) << "of " << frames;
+  EXPECT_GT(static_cast<double>(result.log.frames), static_cast<double>(frames) * board.frames_share)
+      << "of " << frames;
   EXPECT_EQ(count(bench.said(), "READY"), 0U) << "it was reset";
 }
 

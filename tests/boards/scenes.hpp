@@ -8,8 +8,8 @@
 
 namespace fencepost::test {
 
-/// GoogleTest expectations; `profile` is the one that the image has to say it was built with. `placed`: m, how far off its
-/// truth an object may be; more where a small table has only just begun with it.
+/// GoogleTest expectations; `profile` is the one that the image has to say it was built with. `placed`: m, how far off
+/// its truth an object may be; more where a small table has only just begun with it.
 void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene,
                           double placed = 0.08);
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "hal/base/result.hpp"
 #include "hal/linux/clock.hpp"
 
 namespace fencepost::guest {

@@ -5,15 +5,13 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <mutex>
 #include <numeric>
 #include <utility>
 
 #include "hal/linux/wait.hpp"
 #include "tests/guest/eventually.hpp"
-#include "tests/guest/usbip_device.hpp"
+#include "tests/guest/i2c_adapter.hpp"
 
 namespace fencepost::guest {
 namespace {
@@ -25,34 +23,24 @@ using linux::Opened;
 
 constexpr std::uint8_t kDevice = 0x01;  // where an NXTCam is, and many tools refuse to look
 
-/// A memory of 256 registers with an address pointer, on a bus of its own. Requests of the adapter: i2c-tiny-usb.c of
-/// the Linux kernel.
-class Adapter {
+/// A memory of 256 registers with an address pointer, on a bus of its own.
+class Memory {
  public:
-  Adapter() : device_(model()) {
-    std::iota(registers_.begin(), registers_.end(), std::uint8_t{0});
-    eventually([] { return node().empty(); });  // the last test's adapter may be there for another moment
-    device_.plug();
+  Memory() { std::iota(registers_.begin(), registers_.end(), std::uint8_t{0}); }
+  std::optional<Bytes> answer(const I2cMessage& message) {
+    const std::lock_guard lock(mutex_);
+    bus_ += 'S';
+    const bool mine = message.address == kDevice;
+    const std::string what = message.reading ? "R" + std::to_string(message.length) : "W" + size_of(message);
+    bus_ += mine ? what : "N";
+    if (message.last) bus_ += 'P';
+    if (!mine) return std::nullopt;
+    Bytes in(message.length);
+    for (std::uint8_t& byte : in) byte = registers_[pointer_++];
+    if (!message.out.empty()) pointer_ = message.out[0];
+    for (std::size_t i = 1; i < message.out.size(); ++i) registers_[pointer_++] = message.out[i];
+    return in;
   }
-  /// Its node, once the kernel has made it; empty if it never does.
-  static std::string path() {
-    std::string found;
-    eventually([&found] {
-      found = node();
-      return !found.empty() && std::filesystem::exists(found);
-    });
-    return found;
-  }
-  static std::string node() {
-    for (const auto& entry : std::filesystem::directory_iterator("/sys/bus/i2c/devices")) {
-      std::string name;
-      std::getline(std::ifstream(entry.path() / "name"), name);
-      if (name.rfind("i2c-tiny-usb", 0) == 0) return "/dev/" + entry.path().filename().string();
-    }
-    return {};
-  }
-  UsbipDevice& wire() { return device_; }
-
   std::uint8_t reg(std::uint8_t index) {
     const std::lock_guard lock(mutex_);
     return registers_[index];
@@ -65,52 +53,12 @@ class Adapter {
   }
 
  private:
-  UsbModel model() {
-    UsbModel model;
-    model.vendor = 0x0403;
-    model.product = 0xC631;
-    model.strings = {"Till Harbaum", "i2c-tiny-usb", "1"};
-    model.interface_descriptors = {9, 4, 0, 0, 0, 0xFF, 0, 0, 0};
-    model.on_control = [this](const UsbSetup& setup, const Bytes& out) { return request(setup, out); };
-    return model;
-  }
-  std::optional<Bytes> request(const UsbSetup& setup, const Bytes& out) {
-    enum : std::uint8_t { kEcho = 0, kFunctions = 1, kDelay = 2, kStatus = 3, kTransfer = 4, kLast = 7 };
-    switch (setup.request) {
-      case kEcho: return Bytes{static_cast<std::uint8_t>(setup.value), static_cast<std::uint8_t>(setup.value >> 8)};
-      case kFunctions: return Bytes{0x01, 0x00, 0xFF, 0x0E};  // I2C_FUNC_I2C and what SMBus can do by it
-      case kDelay: return Bytes();
-      case kStatus: return Bytes{acknowledged_ ? std::uint8_t{1} : std::uint8_t{2}};
-      default: break;
-    }
-    if (setup.request > kLast) return std::nullopt;
-    return transfer(setup, out);
-  }
-  Bytes transfer(const UsbSetup& setup, const Bytes& out) {
-    const std::lock_guard lock(mutex_);
-    constexpr std::uint8_t kStart = 1;
-    constexpr std::uint8_t kStop = 2;
-    const bool reading = (setup.type & 0x80U) != 0;
-    if ((setup.request & kStart) != 0 || reading) bus_ += 'S';
-    acknowledged_ = setup.index == kDevice;
-    if (!acknowledged_) bus_ += 'N';
-    if (acknowledged_) bus_ += (reading ? "R" : "W") + std::to_string(setup.length);
-    Bytes in(reading ? setup.length : 0U);
-    if (acknowledged_ && reading) {
-      for (std::uint8_t& byte : in) byte = registers_[pointer_++];
-    }
-    if (acknowledged_ && !out.empty()) pointer_ = out[0];
-    for (std::size_t i = 1; acknowledged_ && i < out.size(); ++i) registers_[pointer_++] = out[i];
-    if ((setup.request & kStop) != 0) bus_ += 'P';
-    return in;
-  }
+  static std::string size_of(const I2cMessage& message) { return std::to_string(message.out.size()); }
 
-  std::mutex mutex_;  // requests come on the device's own thread
+  std::mutex mutex_;  // messages come on the adapter's own thread
   std::array<std::uint8_t, 256> registers_{};
   std::string bus_;
-  bool acknowledged_ = true;
   std::uint8_t pointer_ = 0;
-  UsbipDevice device_;
 };
 
 class I2cTest : public testing::Test {
@@ -121,7 +69,7 @@ class I2cTest : public testing::Test {
     Opened<I2c> opened = I2c::open({path});
     ASSERT_TRUE(opened) << opened.problem();
     i2c.emplace(std::move(*opened));
-    static_cast<void>(adapter.take_log());
+    static_cast<void>(memory.take_log());
   }
   void TearDown() override { i2c.reset(); }
 
@@ -137,7 +85,8 @@ class I2cTest : public testing::Test {
   }
 
   const linux::MonotonicClock clock;
-  Adapter adapter;
+  Memory memory;
+  I2cAdapter adapter{[this](const I2cMessage& message) { return memory.answer(message); }};
   std::string path;
   std::optional<I2c> i2c;
 };
@@ -146,16 +95,16 @@ TEST_F(I2cTest, ReadsARegisterAfterARepeatedStart) {
   const Result<Bytes> in = transfer(kDevice, {0x42}, 3);
   ASSERT_TRUE(in) << static_cast<int>(in.error());
   EXPECT_EQ(*in, (Bytes{0x42, 0x43, 0x44}));
-  EXPECT_EQ(adapter.take_log(), "SW1SR3P") << "no stop between writing and reading";
+  EXPECT_EQ(memory.take_log(), "SW1SR3P") << "no stop between writing and reading";
 }
 
 TEST_F(I2cTest, WritesWithoutReading) {
   const Result<Bytes> in = transfer(kDevice, {0x41, 0xAA, 0xBB}, 0);
   ASSERT_TRUE(in);
   EXPECT_TRUE(in->empty());
-  EXPECT_EQ(adapter.reg(0x41), 0xAA);
-  EXPECT_EQ(adapter.reg(0x42), 0xBB);
-  EXPECT_EQ(adapter.take_log(), "SW3P");
+  EXPECT_EQ(memory.reg(0x41), 0xAA);
+  EXPECT_EQ(memory.reg(0x42), 0xBB);
+  EXPECT_EQ(memory.take_log(), "SW3P");
 }
 
 TEST_F(I2cTest, ReadsWithoutWriting) {

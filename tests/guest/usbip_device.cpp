@@ -173,7 +173,7 @@ Bytes UsbipDevice::describe(std::uint16_t which) const {
       bytes.reserve(9 + model_.interface_descriptors.size());  // else GCC 12 warns of its own vector at -O3
       bytes = {9, kConfiguration};
       put_half(bytes, static_cast<std::uint16_t>(9 + model_.interface_descriptors.size()));
-      bytes.insert(bytes.end(), {1, 1, 0, 0xC0, 0});
+      bytes.insert(bytes.end(), {model_.interfaces, 1, 0, 0xC0, 0});
       bytes.insert(bytes.end(), model_.interface_descriptors.begin(), model_.interface_descriptors.end());
       break;
     case kString:
@@ -261,6 +261,11 @@ void UsbipDevice::hold(bool on) {
 int UsbipDevice::waiting() {
   const Lock lock(mutex_);
   return static_cast<int>(waiting_.size());
+}
+
+int UsbipDevice::held() {
+  const Lock lock(mutex_);
+  return static_cast<int>(held_.size());
 }
 
 int UsbipDevice::taken_back() {

@@ -33,7 +33,8 @@ struct UsbSetup {
 struct UsbModel {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
-  Bytes interface_descriptors;       ///< with their endpoints; one interface
+  std::uint8_t interfaces = 1;
+  Bytes interface_descriptors;       ///< with their endpoints
   std::vector<std::string> strings;  ///< manufacturer, product, serial number
   /// A telegram that arrived on a bulk endpoint.
   std::function<void(Bytes)> on_bulk;
@@ -61,6 +62,8 @@ class UsbipDevice {
   void hold(bool on);
   /// IN transfers that wait for data.
   int waiting();
+  /// Transfers that are held back.
+  int held();
   /// Transfers that the host took back before they were answered.
   int taken_back();
 

@@ -26,9 +26,10 @@ def short(title):
 
 
 def read_graph(folder, without=None):
-    """`without`: a folder below that is left out."""
+    """Of all objects below `folder`, but for those in folders whose names begin with `without`."""
     frames, kinds, calls, labels = {}, {}, {}, {}
-    files = sorted(file for file in pathlib.Path(folder).rglob("*.ci") if without not in file.parts)
+    files = sorted(file for file in pathlib.Path(folder).rglob("*.ci")
+                   if not without or not any(part.startswith(without) for part in file.parts))
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:

@@ -1,4 +1,7 @@
 # cmake -DTOOL=... -DHINT=... -DCOMMAND=a;b;c -P flash_board.cmake: puts an image onto a board, or says what is missing.
+if(TOOL MATCHES "NOTFOUND$")
+  message(FATAL_ERROR "No tool writes this image onto its board. ${HINT}")
+endif()
 find_program(tool ${TOOL})
 if(NOT tool)
   message(FATAL_ERROR "${TOOL} is not installed (Debian: apt-get install ${TOOL}). ${HINT}")

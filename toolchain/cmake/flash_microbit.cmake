@@ -1,8 +1,13 @@
 # cmake -DIMAGE=fencepost.hex -P flash_microbit.cmake: copies it to the drive that the board shows, else asks openocd.
-file(GLOB drives /media/*/MICROBIT /media/MICROBIT /run/media/*/MICROBIT /mnt/MICROBIT /Volumes/MICROBIT)
+set(MOUNTS /proc/mounts CACHE FILEPATH "Linux: what is mounted where")
+set(drives /Volumes/MICROBIT) # macOS
+if(EXISTS "${MOUNTS}")
+  file(STRINGS "${MOUNTS}" lines REGEX "^[^ ]+ [^ ]*/MICROBIT ")
+  list(TRANSFORM lines REPLACE "^[^ ]+ ([^ ]+) .*" "\\1")
+  list(APPEND drives ${lines})
+endif()
 foreach(drive ${drives})
-  # An empty folder is a drive that is not mounted; the board's own always has this file.
-  if(EXISTS "${drive}/DETAILS.TXT" OR EXISTS "${drive}/MICROBIT.HTM")
+  if(IS_DIRECTORY "${drive}")
     file(COPY "${IMAGE}" DESTINATION "${drive}")
     message(STATUS "${IMAGE} copied to ${drive}; the board starts it when its yellow light stops blinking")
     return()

@@ -24,6 +24,7 @@ Clock the_clock;
 constinit Link console_line;
 constinit Link camera_line;
 constinit Link base_line;
+I2c the_bus{{'B', 8}, {'B', 9}};
 constinit Flash the_flash;
 constexpr part::Encoder kLeft{part::kTimer3, 1U << 1, {'A', 6}, {'A', 7}};
 constexpr part::Encoder kRight{part::kTimer4, 1U << 2, {'B', 6}, {'B', 7}};
@@ -43,11 +44,13 @@ void start_encoders() {
   kLeft.start();
   kRight.start();
 }
+void start_i2c() { the_bus.start(clocks.apb1); }
 
 Clock& clock() { return the_clock; }
 Link& console() { return console_line; }
 Link& camera() { return camera_line; }
 Link& base() { return base_line; }
+I2c& i2c() { return the_bus; }
 Flash& flash() { return the_flash; }
 std::uint32_t left_count() { return kLeft.count(); }
 std::uint32_t right_count() { return kRight.count(); }
@@ -70,7 +73,10 @@ void systick_interrupt() {
   board::console().on_millisecond();
   board::camera().on_millisecond();
   board::base().on_millisecond();
+  board::i2c().on_millisecond();
 }
+void i2c1_event_interrupt() { board::i2c().on_event(); }
+void i2c1_error_interrupt() { board::i2c().on_error(); }
 void usart1_interrupt() { board::camera().on_interrupt(); }
 void usart2_interrupt() { board::console().on_interrupt(); }
 void usart3_interrupt() { board::base().on_interrupt(); }

@@ -9,6 +9,7 @@
 #include "hal/mcu/reset.hpp"
 #include "hal/mcu/stm32f4/encoder.hpp"
 #include "hal/mcu/stm32f4/flash.hpp"
+#include "hal/mcu/stm32f4/i2c.hpp"
 #include "hal/mcu/stm32f4/uart.hpp"
 
 namespace fencepost::board {
@@ -18,6 +19,7 @@ inline constexpr int kEncoderBits = 16;
 
 using Clock = mcu::cortex_m::SysTickClock;
 using Link = mcu::stm32f4::Uart;
+using I2c = mcu::stm32f4::I2c;
 using Flash = mcu::stm32f4::Flash;
 
 /// Before anything else here: clocks, timer, watchdog, console.
@@ -26,11 +28,13 @@ void start(std::uint32_t console_baud);
 void start_camera(std::uint32_t baud);
 void start_base(std::uint32_t baud);
 void start_encoders();
+void start_i2c();
 
 Clock& clock();
 Link& console();  ///< USART2: PA2 sends, PA3 receives
 Link& camera();   ///< USART1: PA9 sends, PA10 receives
 Link& base();     ///< USART3: PB10 sends, PB11 receives; a wheel base such as a Create
+I2c& i2c();       ///< I2C1: PB8 clock, PB9 data; a Pixy2 or NXTCam
 Flash& flash();
 /// Left wheel: PA6 and PA7. Right wheel: PB6 and PB7. Modulo 2^kEncoderBits.
 std::uint32_t left_count();

@@ -22,6 +22,8 @@ constexpr part::Pin kFirstRow{13};
 constexpr std::uint32_t kFirstColumn = 4;
 constexpr std::uint32_t kColumns = 9;
 
+constexpr unsigned kHalfASecond = 19;  // 2^19 us
+
 constexpr std::uint32_t kLooks = 100'000;  // the crystal starts within 1 ms (product specification)
 
 constinit Clock the_clock;
@@ -58,12 +60,14 @@ Clock& clock() { return the_clock; }
 Link& console() { return console_line; }
 I2c& i2c() { return the_bus; }
 Flash& flash() { return the_flash; }
-void led(bool on) { kFirstRow.drive(on); }
 
 mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
 std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
 
-void feed_watchdog() { part::feed_watchdog(); }
+void feed_watchdog() {
+  part::feed_watchdog();
+  kFirstRow.drive((the_clock.microseconds() >> kHalfASecond & 1U) != 0);
+}
 void idle() {
   mcu::cortex_m::sleep_unless([] { return console_line.waiting(); });
 }

@@ -30,12 +30,11 @@ Clock& clock();
 Link& console();  ///< P0.24 sends, P0.25 receives: the interface chip's serial line on USB
 I2c& i2c();       ///< P0.00 is the clock, edge connector 19; P0.30 the data, 20. The board's own sensors share it.
 Flash& flash();
-/// The pixel at the upper left.
-void led(bool on);
 
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
+/// Also beats the heart: the pixel at the upper left, on and off once a second as long as the loop turns.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

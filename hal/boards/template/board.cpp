@@ -5,6 +5,7 @@ namespace {
 
 Clock the_clock;
 Link line{115'200};
+I2c two_wire_bus;
 Flash the_flash;
 
 }  // namespace
@@ -12,6 +13,7 @@ Flash the_flash;
 void start(std::uint32_t /*console_baud*/) {}
 void start_camera(std::uint32_t /*baud*/) {}
 void start_base(std::uint32_t /*baud*/) {}
+void start_i2c() {}
 void start_encoders() {}
 std::uint32_t left_count() { return 0; }
 std::uint32_t right_count() { return 0; }
@@ -20,6 +22,7 @@ Clock& clock() { return the_clock; }
 Link& console() { return line; }
 Link& camera() { return line; }
 Link& base() { return line; }
+I2c& i2c() { return two_wire_bus; }
 Flash& flash() { return the_flash; }
 
 mcu::ResetReason take_reset_reason() { return mcu::ResetReason::kUnknown; }

@@ -11,6 +11,7 @@
 #include "hal/bus/flash_pages.hpp"
 #include "hal/mcu/reset.hpp"
 #include "hal/template/clock.hpp"
+#include "hal/template/i2c_master.hpp"
 #include "hal/template/uart.hpp"
 
 namespace fencepost::board {
@@ -25,6 +26,8 @@ struct Clock : port::BoardClock {
 };
 /// Fill in: a bus::ByteLink. Where lines are of several kinds (USB and a UART), a type for each.
 using Link = port::Uart;
+/// Fill in where the board has a two-wire bus for a camera; else leave it out, and cameras *_i2c cannot be chosen.
+using I2c = port::I2cMaster;
 
 /// Fill in: two pages that the linker script leaves free. A part without such flash keeps nothing: like this.
 struct Flash {
@@ -42,6 +45,7 @@ void start(std::uint32_t console_baud);
 /// Fill in: each before its link is used, if it is at all.
 void start_camera(std::uint32_t baud);
 void start_base(std::uint32_t baud);
+void start_i2c();
 /// Fill in where the board can count wheels; else leave these three out, and `encoders` cannot be chosen.
 void start_encoders();
 std::uint32_t left_count();
@@ -51,6 +55,7 @@ Clock& clock();
 Link& console();
 Link& camera();
 Link& base();
+I2c& i2c();
 Flash& flash();
 
 /// Fill in: once after the start; later calls need not know it any more.

@@ -28,7 +28,7 @@ std::uint32_t __aeabi_f2uiz(Bits x);
 std::int64_t __aeabi_f2lz(Bits x);
 std::uint64_t __aeabi_f2ulz(Bits x);
 
-Bits __aeabi_fadd(Bits a, Bits b) { return soft::add(a, b); }
+[[gnu::noinline]] Bits __aeabi_fadd(Bits a, Bits b) { return soft::add(a, b); }  // one copy for three names
 Bits __aeabi_fsub(Bits a, Bits b) { return __aeabi_fadd(a, b ^ soft::kSign); }
 Bits __aeabi_frsub(Bits a, Bits b) { return __aeabi_fadd(b, a ^ soft::kSign); }
 Bits __aeabi_fmul(Bits a, Bits b) { return soft::multiply(a, b); }

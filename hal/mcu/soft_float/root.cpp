@@ -1,9 +1,8 @@
 // sqrtf of the C library, by the same arithmetic.
-#include <bit>
-
 #include "hal/mcu/soft_float/float32.hpp"
 
-extern "C" float sqrtf(float x);
-float sqrtf(float x) {
-  return std::bit_cast<float>(fencepost::mcu::soft::root(std::bit_cast<fencepost::mcu::soft::Bits>(x)));
-}
+namespace soft = fencepost::mcu::soft;
+
+// Its name in the library; declared by that, it could not take bits.
+extern "C" soft::Bits fencepost_root(soft::Bits x) asm("sqrtf");
+soft::Bits fencepost_root(soft::Bits x) { return soft::root(x); }

@@ -22,6 +22,19 @@ struct Pin {
     change_bits(address() + kPortPull, 0x3U << (2 * number), kPullUp << (2 * number));
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeAlternate << (2 * number));
   }
+  /// Likewise of a bus on which everybody only pulls down.
+  void connect_open(std::uint32_t function) const {
+    connect(function);
+    set_bits(address() + kPortOpen, 1U << number);
+  }
+  /// By hand, pulling down only.
+  void make_open_output() const {
+    turn_on();
+    set_bits(address() + kPortOpen, 1U << number);
+    change_bits(address() + kPortPull, 0x3U << (2 * number), kPullUp << (2 * number));
+    make_output();
+  }
+  [[nodiscard]] bool high() const { return (reg(address() + kPortInput) & (1U << number)) != 0; }
   void make_output() const {
     turn_on();
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));

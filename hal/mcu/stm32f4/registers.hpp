@@ -54,7 +54,9 @@ inline constexpr std::uint32_t kFlashAt168MHz = 5U | (1U << 8) | (1U << 9) | (1U
 inline constexpr std::uint32_t kPortA = 0x4002'0000;
 inline constexpr std::uint32_t kPortStride = 0x400;
 inline constexpr std::uint32_t kPortMode = 0x00;      // 8.4.1, two bits a pin
+inline constexpr std::uint32_t kPortOpen = 0x04;      // 8.4.2: drives low only
 inline constexpr std::uint32_t kPortPull = 0x0C;      // 8.4.4, two bits a pin
+inline constexpr std::uint32_t kPortInput = 0x10;     // 8.4.5
 inline constexpr std::uint32_t kPortSet = 0x18;       // 8.4.7, lower half sets, upper half clears
 inline constexpr std::uint32_t kPortFunction = 0x20;  // 8.4.9 and 8.4.10, four bits a pin, eight pins a word
 inline constexpr std::uint32_t kModeOutput = 1;
@@ -77,6 +79,33 @@ inline constexpr std::uint32_t kUsartSend = 1U << 3;
 inline constexpr std::uint32_t kUsartReceiveInterrupt = 1U << 5;
 inline constexpr std::uint32_t kUsartSendInterrupt = 1U << 7;
 inline constexpr std::uint32_t kUsartEnable = 1U << 13;
+
+// The two-wire bus, RM0090 27.6.
+inline constexpr std::uint32_t kI2c1 = 0x4000'5400;
+inline constexpr std::uint32_t kI2c1Clock = 1U << 21;  // in kRccApb1Enable
+inline constexpr std::uint32_t kI2cControl1 = 0x00;    // 27.6.1
+inline constexpr std::uint32_t kI2cControl2 = 0x04;    // 27.6.2
+inline constexpr std::uint32_t kI2cData = 0x10;        // 27.6.5
+inline constexpr std::uint32_t kI2cStatus1 = 0x14;     // 27.6.6
+inline constexpr std::uint32_t kI2cStatus2 = 0x18;     // 27.6.7
+inline constexpr std::uint32_t kI2cClock = 0x1C;       // 27.6.8
+inline constexpr std::uint32_t kI2cRise = 0x20;        // 27.6.9
+inline constexpr std::uint32_t kI2cEnable = 1U << 0;   // control 1
+inline constexpr std::uint32_t kI2cStart = 1U << 8;
+inline constexpr std::uint32_t kI2cStop = 1U << 9;
+inline constexpr std::uint32_t kI2cAcknowledge = 1U << 10;
+inline constexpr std::uint32_t kI2cPosition = 1U << 11;  // the acknowledge is the next byte's
+inline constexpr std::uint32_t kI2cReset = 1U << 15;
+inline constexpr std::uint32_t kI2cErrorInterrupt = 1U << 8;  // control 2
+inline constexpr std::uint32_t kI2cEventInterrupt = 1U << 9;
+inline constexpr std::uint32_t kI2cBufferInterrupt = 1U << 10;
+inline constexpr std::uint32_t kI2cStarted = 1U << 0;  // status 1
+inline constexpr std::uint32_t kI2cAddressed = 1U << 1;
+inline constexpr std::uint32_t kI2cByteFinished = 1U << 2;
+inline constexpr std::uint32_t kI2cReceived = 1U << 6;
+inline constexpr std::uint32_t kI2cNoAcknowledge = 1U << 10;
+inline constexpr std::uint32_t kI2cErrors = 0xF00;  // bus, arbitration, acknowledge, overrun
+inline constexpr std::uint32_t kI2cBusy = 1U << 1;  // status 2
 
 // Timers as quadrature decoders, RM0090 18.3.12 and 18.4.
 inline constexpr std::uint32_t kTimer3 = 0x4000'0400;
@@ -106,6 +135,8 @@ inline constexpr std::uint32_t kPowerControl = 0x4000'7000;
 inline constexpr std::uint32_t kRegulatorScale1 = 1U << 14;
 
 // Interrupt numbers, RM0090 table 61.
+inline constexpr std::uint32_t kInterruptI2c1Event = 31;
+inline constexpr std::uint32_t kInterruptI2c1Error = 32;
 inline constexpr std::uint32_t kInterruptUsart1 = 37;
 inline constexpr std::uint32_t kInterruptUsart2 = 38;
 inline constexpr std::uint32_t kInterruptUsart3 = 39;

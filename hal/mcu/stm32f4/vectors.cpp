@@ -10,6 +10,8 @@ void image_stack_top();  // an address, of the linker's
 [[noreturn]] void reset_handler();
 void unexpected_exception();
 void systick_interrupt();
+void i2c1_event_interrupt();
+void i2c1_error_interrupt();
 void usart1_interrupt();
 void usart2_interrupt();
 void usart3_interrupt();
@@ -30,6 +32,8 @@ constexpr Table make_table() {
   table[0] = image_stack_top;
   table[1] = reset_handler;
   table[kSysTick] = systick_interrupt;
+  table[kFirstInterrupt + kInterruptI2c1Event] = i2c1_event_interrupt;
+  table[kFirstInterrupt + kInterruptI2c1Error] = i2c1_error_interrupt;
   table[kFirstInterrupt + kInterruptUsart1] = usart1_interrupt;
   table[kFirstInterrupt + kInterruptUsart2] = usart2_interrupt;
   table[kFirstInterrupt + kInterruptUsart3] = usart3_interrupt;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/emulate/nxtcam.hpp"
+#include "host/emulate/nxtcam5.hpp"
 #include "host/emulate/pixy2.hpp"
 #include "host/emulate/xbc.hpp"
 
@@ -130,6 +131,39 @@ class NxtCamPeer final : public Peer {
   bool used_ = false;
 };
 
+class NxtCam5Peer final : public Peer {
+ public:
+  Bytes power_up(base::Time now) override {
+    camera_.restart(now);
+    next_image_ = now + kLongestPause;
+    return {};
+  }
+  Bytes take(std::uint8_t byte, base::Time now) override {
+    Bytes reply = camera_.take(byte, now);
+    used_ = used_ || camera_.tracking();
+    return reply;
+  }
+  Bytes see(const sensor::BlobFrame& frame, base::Time now) override {
+    shown_ = list_of(frame);
+    return step(now);
+  }
+  [[nodiscard]] std::optional<base::Time> next() const override { return next_image_; }
+  Bytes step(base::Time now) override {
+    next_image_ = now + kLongestPause;
+    return camera_.image(shown_, now);
+  }
+  [[nodiscard]] bool in_use() const override { return used_; }
+
+ private:
+  // A real one never rests: without a blob for a tenth of a second its hosts take it that it sees none.
+  static constexpr base::Duration kLongestPause = base::milliseconds(90);
+
+  std::vector<sensor::Blob> shown_;
+  base::Time next_image_;
+  NxtCam5 camera_{base::Time{}};
+  bool used_ = false;
+};
+
 }  // namespace
 
 std::unique_ptr<Peer> make_pixy2_peer() { return std::make_unique<Pixy2Peer>(); }
@@ -138,5 +172,6 @@ std::unique_ptr<Peer> make_cmucam_peer(CmuCamModel model, Colours colours) {
 }
 std::unique_ptr<Peer> make_xbc_peer() { return std::make_unique<XbcPeer>(); }
 std::unique_ptr<Peer> make_nxtcam_peer() { return std::make_unique<NxtCamPeer>(); }
+std::unique_ptr<Peer> make_nxtcam5_peer() { return std::make_unique<NxtCam5Peer>(); }
 
 }  // namespace fencepost::emulate

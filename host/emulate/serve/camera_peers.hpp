@@ -22,5 +22,6 @@ std::unique_ptr<Peer> make_cmucam_peer(CmuCamModel model, Colours colours);
 std::unique_ptr<Peer> make_xbc_peer();
 /// The serial side, AVRcam's dialect; signatures are colours.
 std::unique_ptr<Peer> make_nxtcam_peer();
+std::unique_ptr<Peer> make_nxtcam5_peer();
 
 }  // namespace fencepost::emulate

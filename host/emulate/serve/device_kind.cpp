@@ -3,12 +3,14 @@
 #include <cstdlib>
 
 #include "drivers/odometry/wheel_base.hpp"
+#include "host/text/device_word.hpp"
 
 namespace fencepost::emulate {
 namespace {
 
 constexpr ImageLimits kPixy2Image{316, 208, 16, 16, 1, 7, 61};
 constexpr ImageLimits kNxtCamImage{176, 144, 8, 8, 0, 7, 30};
+constexpr ImageLimits kNxtCam5Image{240, 160, 16, 16, 0, 255, 30};
 constexpr double kCmuCamRate = 17;
 
 constexpr ImageLimits cmucam_image(std::uint16_t width, std::uint16_t height, double rate) {
@@ -29,6 +31,7 @@ std::unique_ptr<Peer> make_create(const DeviceSpec& spec, const Colours&) {
 std::unique_ptr<Peer> make_pixy2(const DeviceSpec&, const Colours&) { return make_pixy2_peer(); }
 std::unique_ptr<Peer> make_xbc(const DeviceSpec&, const Colours&) { return make_xbc_peer(); }
 std::unique_ptr<Peer> make_nxtcam(const DeviceSpec&, const Colours&) { return make_nxtcam_peer(); }
+std::unique_ptr<Peer> make_nxtcam5(const DeviceSpec&, const Colours&) { return make_nxtcam5_peer(); }
 std::unique_ptr<Peer> make_nxt(const DeviceSpec& spec, const Colours&) {
   return make_nxt_peer(spec.wheels, spec.camera_port);
 }
@@ -52,9 +55,9 @@ bool to_number(const std::string& text, double& value) {
   return end == text.c_str() + text.size();
 }
 
-std::string names() {
-  std::string list;
-  for (const DeviceKind& kind : device_kinds()) list += (list.empty() ? "" : ", ") + std::string(kind.name);
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const DeviceKind& kind : device_kinds()) list.emplace_back(kind.name);
   return list;
 }
 
@@ -66,14 +69,13 @@ const DeviceKind* find(std::string_view name) {
 }
 
 /// A sentence if the option is not one of the device's, or its value none.
-std::string set_option(DeviceSpec& spec, const std::string& option) {
-  const std::size_t equals = option.find('=');
-  const std::string name = option.substr(0, equals);
-  const std::string text = equals == std::string::npos ? "" : option.substr(equals + 1);
+std::string set_option(DeviceSpec& spec, const host::DeviceOption& option) {
+  const auto& [name, text] = option;
+  const std::optional<std::uint32_t> whole = host::whole_number(text);
   double value = 0;
   const bool number = to_number(text, value);
-  if (name == "baud" && number && value <= 4'000'000 && (value >= 50 || value == 0)) {
-    spec.baud = static_cast<std::uint32_t>(value);
+  if (name == "baud" && whole && *whole <= 4'000'000 && (*whole >= 50 || *whole == 0)) {
+    spec.baud = *whole;
   } else if (name == "tick" && spec.kind->wheels.tick > 0 && number && value > 0 && value < 1) {
     spec.wheels.tick = value;
   } else if (name == "track" && spec.kind->wheels.tick > 0 && number && value > 0 && value < 10) {
@@ -83,7 +85,7 @@ std::string set_option(DeviceSpec& spec, const std::string& option) {
   } else if (name == "layout" && spec.kind->name == "can" && (text == "canopen" || text == "talon")) {
     spec.talon = text == "talon";
   } else {
-    return "option \"" + option + "\" of " + std::string(spec.kind->name) +
+    return "option \"" + name + "=" + text + "\" of " + std::string(spec.kind->name) +
            " is not possible; there are baud=N, of wheels tick=M and track=M in metres, of can layout=canopen|talon, "
            "of nxtcam:nxt port=1..4";
   }
@@ -120,6 +122,7 @@ const std::vector<DeviceKind>& device_kinds() {
       {"cmucam3", Speech::kText, 115'200, cmucam_image(88, 144, kCmuCamRate), 0, {}, make_cmucam<CmuCamModel::kThree>},
       {"cmucam4", Speech::kText, 19'200, cmucam_image(160, 120, 30), 0, {}, make_cmucam<CmuCamModel::kFour>},
       {"nxtcam", Speech::kAvrcam, 115'200, kNxtCamImage, 0, {}, make_nxtcam},
+      {"nxtcam5", Speech::kNxtCam5, 115'200, kNxtCam5Image, 0, {}, make_nxtcam5},
       {"avrcam", Speech::kAvrcam, 115'200, kNxtCamImage, 0, {}, make_nxtcam},
       {"xbc", Speech::kText, 38'400, kXbcImage, 0, {}, make_xbc},
       {"create1", Speech::kCreate, 57'600, std::nullopt, 0, kCreateShape, make_create<CreateModel::kOne>},
@@ -133,34 +136,29 @@ const std::vector<DeviceKind>& device_kinds() {
 
 ParsedDevice parse_device(const std::string& text) {
   ParsedDevice parsed;
-  std::string rest = text;
-  const auto cut = [&rest](char at) {
-    const std::size_t end = rest.find(at);
-    const std::string front = rest.substr(0, end);
-    rest = end == std::string::npos ? "" : rest.substr(end + 1);
-    return front;
-  };
-  std::string head = cut(',');
-  if (head.rfind("nxtcam@nxt", 0) == 0) head.replace(0, 10, "nxtcam:nxt");
-  const std::size_t colon = head.find(':');
-  std::string name = head.substr(0, colon);
-  std::string place = colon == std::string::npos ? "" : head.substr(colon + 1);
-  const bool behind_brick = name == "nxtcam" && (place == "nxt" || place.rfind("nxt:", 0) == 0);
+  const host::DeviceWord word = host::split_device(text);
+  std::string name = word.kind;
+  std::string place = word.place.value_or("");
+  const bool short_form = name == "nxtcam@nxt";
+  const bool behind_brick = short_form || (name == "nxtcam" && (place == "nxt" || place.starts_with("nxt:")));
   if (behind_brick) {
     name = "nxt";
-    place = place.size() > 4 ? place.substr(4) : "";
+    if (!short_form) place = place.size() > 4 ? place.substr(4) : "";
   }
   DeviceSpec& spec = parsed.spec;
   spec.kind = find(name);
   if (spec.kind == nullptr) {
-    parsed.problem = "no device \"" + name + "\"; there are " + names();
+    parsed.problem = host::no_such("device", name, names());
     return parsed;
   }
   spec.baud = spec.kind->baud;
   spec.wheels = spec.kind->wheels;
   if (behind_brick) spec.camera_port = 1;
   parsed.problem = set_place(spec, place);
-  while (parsed.problem.empty() && !rest.empty()) parsed.problem = set_option(spec, cut(','));
+  if (parsed.problem.empty()) parsed.problem = word.problem;
+  for (const host::DeviceOption& option : word.options) {
+    if (parsed.problem.empty()) parsed.problem = set_option(spec, option);
+  }
   return parsed;
 }
 

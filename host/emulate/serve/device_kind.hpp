@@ -14,7 +14,7 @@
 
 namespace fencepost::emulate {
 
-enum class Speech : std::uint8_t { kText, kPixy2, kCreate, kNxt, kAvrcam, kCan };
+enum class Speech : std::uint8_t { kText, kPixy2, kCreate, kNxt, kAvrcam, kNxtCam5, kCan };
 
 struct DeviceSpec;
 

@@ -88,6 +88,18 @@ std::string nxt_words(View bytes) {
   return name + ": " + look_up(kNxtStates, bytes[4]);
 }
 
+constexpr std::size_t kNxtCam5Blob = 12;  ///< bytes of its frame
+
+std::string nxtcam5_words(bool from_host, View bytes) {
+  if (bytes.size() < 5 || bytes[0] != 0x55 || bytes[1] != 0xAA) return {};
+  switch (bytes[3]) {
+    case 1: return from_host ? "ask version" : "version";
+    case 3: return std::string("command '") + static_cast<char>(bytes[4]) + "'";
+    case 4: return std::to_string(bytes.size() / kNxtCam5Blob) + " blobs";
+    default: return {};
+  }
+}
+
 }  // namespace
 
 std::string hex_of(View bytes, std::size_t most) {
@@ -108,6 +120,7 @@ std::string words_of(Speech speech, bool from_host, View bytes) {
     case Speech::kAvrcam:
       if (!from_host && bytes[0] == 0x0A && bytes.size() > 1) return std::to_string(bytes[1]) + " objects";
       return quoted(bytes);
+    case Speech::kNxtCam5: return nxtcam5_words(from_host, bytes);
     case Speech::kCan: return "frame";
   }
   return {};

@@ -10,12 +10,13 @@ namespace fencepost::test {
 namespace {
 
 struct PicoConsole : ::testing::Test {
-  Bench bench{pico()};
-  Line& usb = bench.emulator().line(kPicoUsb);
+  EmulatedPico* machine = nullptr;
+  Bench bench{pico(&machine)};
+  Line& usb = machine->line(EmulatedPico::kUsb);
 
   void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
   void computer(const std::string& does) {
-    bench.emulator().command("usb " + does);
+    machine->command("usb " + does);
     bench.run(0.1);
   }
   std::string usb_says(const std::string& typed) {
@@ -72,7 +73,7 @@ TEST_F(PicoConsole, TakesAsMuchAtOnceAsAComputerSends) {
   computer("plug");
   usb_says("mode log");
   usb_says("reset");
-  usb.limit_pace(1e12);
+  usb.set_pace(1e6);
   std::string lines;
   for (int i = 0; i < 1000; ++i) {
     sensor::OdometrySample sample;

@@ -12,15 +12,16 @@ namespace fencepost::test {
 namespace {
 
 struct PicoPart : ::testing::Test {
-  Bench bench{pico()};
+  EmulatedPico* machine = nullptr;
+  Bench bench{pico(&machine)};
 
   void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
   void restart(const std::string& how) {
     bench.clear();
-    bench.emulator().command(how);
+    machine->command(how);
     ASSERT_TRUE(bench.await("READY\r\n")) << how << ": " << bench.said();
   }
-  nlohmann::json counts() { return nlohmann::json::parse(bench.emulator().ask("counts")); }
+  nlohmann::json counts() { return nlohmann::json::parse(machine->ask("counts")); }
 };
 
 TEST_F(PicoPart, KeepsSettingsOverResetsAndPowerCuts) {
@@ -72,7 +73,7 @@ TEST_F(PicoPart, TellsOnceWhereTheLastRunDied) {
 
 TEST_F(PicoPart, TheWatchdogEndsAnEndlessLoop) {
   bench.clear();
-  bench.emulator().command("hang");
+  machine->command("hang");
   bench.run(2.5);
   EXPECT_EQ(bench.said(), "");
   ASSERT_TRUE(bench.await("READY\r\n", 2)) << bench.said();

@@ -1,26 +1,32 @@
-// The Raspberry Pi Pico's image in its emulator: serial lines are UART0 (console), UART1 (camera), USB (console, too),
-// and the control line of an emulator that has a time of its own.
+// The Raspberry Pi Pico's image in its emulator: serial lines are UART0 (console), UART1 (camera), USB (console, too).
 #pragma once
 
-#include "tests/boards/emulator.hpp"
+#include <memory>
+
+#include "tests/boards/pico/machine.hpp"
 
 namespace fencepost::test {
 
-inline constexpr std::size_t kPicoUsb = 2;
-
-/// `image`: the file's name. `counts`: what to count (tests/boards/counting.hpp), or nothing.
-inline BoardUnderTest pico(const std::string& image = "fencepost", const std::string& counts = "") {
+/// `seen`, if not null, is where the machine will be while the bench has it. `image`: of its build folder.
+/// `counts`: what to count (tests/boards/counting.hpp), or nothing.
+inline BoardUnderTest pico(EmulatedPico** seen = nullptr, const std::string& image = "fencepost",
+                           const std::string& counts = "") {
   BoardUnderTest board;
   board.name = "pico";
-  board.lines = 4;
-  board.console = 0;
-  board.camera = 1;
-  board.control = 3;
+  board.lines = EmulatedPico::kLines;
+  board.console = EmulatedPico::kConsole;
+  board.camera = EmulatedPico::kCamera;
   board.command = [image, counts](const std::vector<std::string>& sockets) {
-    std::vector<std::string> words = {"node", FENCEPOST_PICO_EMULATOR, FENCEPOST_IMAGES_DIR "/pico/" + image + ".uf2"};
+    std::vector<std::string> words = {FENCEPOST_NODE, FENCEPOST_PICO_EMULATOR, image_of("pico", image) + ".uf2"};
     words.insert(words.end(), sockets.begin(), sockets.end());
     if (!counts.empty()) words.push_back(counts);
     return words;
+  };
+  const BoardUnderTest plain = board;
+  board.machine = [plain, seen] {
+    auto machine = std::make_unique<EmulatedPico>(plain);
+    if (seen != nullptr) *seen = machine.get();
+    return machine;
   };
   return board;
 }

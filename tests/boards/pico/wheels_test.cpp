@@ -1,4 +1,4 @@
-// The Pico with its camera on the two-wire bus and encoders at the wheels: the second image of its preset.
+// The Pico with its camera on the two-wire bus and encoders at the wheels: another image of its preset.
 #include <gtest/gtest.h>
 
 #include "tests/boards/bench.hpp"
@@ -9,11 +9,12 @@ namespace fencepost::test {
 namespace {
 
 struct PicoWheels : ::testing::Test {
-  Bench bench{pico("fencepost_second")};
+  EmulatedPico* machine = nullptr;
+  Bench bench{pico(&machine, "fencepost-pixy2_i2c-encoders")};
 
   void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
   void emulator(const std::string& command, double seconds) {
-    bench.emulator().command(command);
+    machine->command(command);
     bench.pump();  // the command takes its own time
     bench.run(seconds);
   }

@@ -54,7 +54,8 @@ struct Pixy2UsbRig : Pixy2Images {
       : Pixy2Images(clock), usb(device), link(usb, clock, damage), chirp(link), driver(chirp) {
     link.set_bytes_per_ms(1'000);
     // Behind header and result: the type of the packet in it.
-    link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes[4] == 0x40 && bytes[17] == 0x21; });
+    link.count_frames(
+        [](std::span<const std::uint8_t> bytes) { return bytes.size() > 17 && bytes[4] == 0x40 && bytes[17] == 0x21; });
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
   void restart(base::Time now) { usb.restart(now), link.forget(); }

@@ -186,7 +186,7 @@ TEST(V5Camera, AnUnnoticedResetIsRepaired) {
 // A camera that takes no questions: heard by its blobs alone.
 TEST(V5Camera, OneThatAnswersNothingIsSilentWithoutBlobs) {
   Bench bench;
-  bench.device.answers = false;
+  bench.device.set_answers(false);
   bench.restart(bench.clock.now());
   bench.run(3'000, {kRed});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
@@ -197,7 +197,7 @@ TEST(V5Camera, OneThatAnswersNothingIsSilentWithoutBlobs) {
 
 TEST(V5Camera, OrEmptyIfSoTold) {
   Bench bench(test::Damage{}, V5Options{.ask = false, .silence_is_empty = true});
-  bench.device.answers = false;
+  bench.device.set_answers(false);
   bench.restart(bench.clock.now());
   bench.run(5'000, {});
   EXPECT_EQ(bench.driver.link(), LinkState::kSilent) << "never heard";

@@ -49,5 +49,12 @@ TEST(FedByConsole, IsSilentBeforeTheFirstAndASecondAfterTheLast) {
   EXPECT_EQ(at(1.7), sensor::LinkState::kOk);
 }
 
+TEST(FedByConsole, SaysThatItsRecordsAreMissing) {
+  EXPECT_EQ(CameraOnConsole::link_words(sensor::LinkState::kSilent).remedy,
+            "no $FPFRM records come over the console; send them");
+  EXPECT_EQ(OdometryOnConsole::link_words(sensor::LinkState::kSilent).detail, "no records");
+  EXPECT_EQ(OdometryOnConsole::link_words(sensor::LinkState::kOk).remedy, "");
+}
+
 }  // namespace
 }  // namespace fencepost::image

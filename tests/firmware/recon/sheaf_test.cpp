@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -213,7 +215,8 @@ TEST(SheafViews, BlindViewsAreNotKeptAndHalfOnesDoNotPushWholeOnesOut) {
 
   store.clear();
   for (int i = 0; i < 24; ++i) store.add(sighting_at(15 * i, i == 7), {});
-  const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7));
+  std::array<recon::RoughBearing, 128> scratch{};
+  const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7), scratch);
   EXPECT_EQ(goes, 7U);
 }
 

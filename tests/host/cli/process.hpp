@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/host/cli/run.hpp"
@@ -33,8 +34,12 @@ inline bool eventually(const std::function<bool()>& condition) {
 
 class Process {
  public:
-  /// `fencepost arguments...` in `folder`, its output in files there. `input` is read from a pipe, see `type`.
-  Process(const Folder& folder, const std::vector<std::string>& arguments) : folder_(folder) {
+  /// `fencepost arguments...` in `folder`, its output in the files `out` and `err` there, behind `name` where several
+  /// run in one folder. Standard input is a pipe, see `type`.
+  Process(const Folder& folder, const std::vector<std::string>& arguments, std::string name = {})
+      : folder_(folder), name_(std::move(name)) {
+    // Before the fork: what an earlier one said here must not be taken for its words.
+    for (const char* file : {"out", "err"}) spill(folder_.path() / (name_ + file), "");
     int pipe[2] = {-1, -1};
     EXPECT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
     pid_ = ::fork();
@@ -62,6 +67,11 @@ class Process {
   }
   void signal(int number) const { EXPECT_EQ(::kill(pid_, number), 0); }
 
+  /// Sends the signal and waits.
+  int end(int number) {
+    signal(number);
+    return wait();
+  }
   /// Its exit code; of one that a signal killed, 1000 and its number.
   int wait() {
     const auto end = std::chrono::steady_clock::now() + kDeadline;
@@ -80,11 +90,15 @@ class Process {
     return status_.has_value();
   }
 
-  [[nodiscard]] std::string out() const { return slurp(folder_.path() / "out"); }
-  [[nodiscard]] std::string err() const { return slurp(folder_.path() / "err"); }
+  [[nodiscard]] std::string out() const { return slurp(folder_.path() / (name_ + "out")); }
+  [[nodiscard]] std::string err() const { return slurp(folder_.path() / (name_ + "err")); }
   /// Waits until standard error, or output, says so.
   [[nodiscard]] bool says(const std::string& text) const {
     return eventually([&] { return err().find(text) != std::string::npos || out().find(text) != std::string::npos; });
+  }
+  /// Waits until standard output shows it.
+  [[nodiscard]] bool shows(const std::string& text) const {
+    return eventually([&] { return out().find(text) != std::string::npos; });
   }
   [[nodiscard]] pid_t pid() const { return pid_; }
 
@@ -96,17 +110,18 @@ class Process {
     argv.push_back(name.data());
     for (std::string& one : copies) argv.push_back(one.data());
     argv.push_back(nullptr);
-    const bool ready =
-        ::chdir(folder_.path().c_str()) == 0 && ::dup2(input, 0) == 0 && redirect("out", 1) && redirect("err", 2);
+    const bool ready = ::chdir(folder_.path().c_str()) == 0 && ::dup2(input, 0) == 0 && redirect(name_ + "out", 1) &&
+                       redirect(name_ + "err", 2);
     if (ready) ::execv(FENCEPOST_EXE, argv.data());
     ::_exit(127);
   }
-  static bool redirect(const char* file, int fd) {
-    const int opened = ::open(file, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  static bool redirect(const std::string& file, int fd) {
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     return opened >= 0 && ::dup2(opened, fd) == fd;
   }
 
   const Folder& folder_;
+  std::string name_;
   pid_t pid_ = -1;
   int typing_ = -1;
   std::optional<int> status_;

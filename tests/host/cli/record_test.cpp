@@ -7,39 +7,40 @@
 #include <random>
 
 #include "tests/hal/linux/pty.hpp"
-#include "tests/host/cli/run.hpp"
-#include "tests/host/cli/running_program.hpp"
+#include "tests/host/cli/process.hpp"
 
 namespace fencepost::host {
 namespace {
 
 using linux::FarEnd;
+using testing::eventually;
 using testing::Folder;
 using testing::Outcome;
-using testing::RunningProgram;
+using testing::Process;
 using testing::shell;
 using testing::slurp;
 using testing::spill;
-using testing::until_done;
 
 const std::string kOdometry = "$FPODO,7.6200,1.3820,-0.0145,0.0666*DAD3\r\n";  // from approach_stop.log
 const std::string kNext = "$FPODO,7.6400,1.3860,-0.0143,0.0666*9409\r\n";      // likewise
 
 class Record : public ::testing::Test {
  protected:
-  [[nodiscard]] std::string folder_path() const { return folder.path().string(); }
   [[nodiscard]] std::string log() const { return slurp(folder.path() / "run.log"); }
   /// What the robot hears, until it is that long.
   std::string heard(std::size_t size) {
     std::string text;
-    until_done([&] { return (text += far.heard()).size() >= size; });
+    eventually([&] { return (text += far.heard()).size() >= size; });
     return text;
   }
+  /// Without those that have the program's own words.
   std::vector<std::string> files() {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-      if (entry.is_regular_file()) names.push_back(entry.path().filename().string());
+      const std::string name = entry.path().filename().string();
+      if (entry.is_regular_file() && name != "out" && name != "err") names.push_back(name);
     }
+    std::sort(names.begin(), names.end());
     return names;
   }
 
@@ -49,7 +50,7 @@ class Record : public ::testing::Test {
 };
 
 TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
-  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  Process run(folder, {"record", port, "-o", "run.log"});
   EXPECT_EQ(heard(10), "\rmode log\r");
   const std::string bytes =
       kOdometry + "mode is log\r\n" + std::string("\0\x1b[2J\xff\xfe\n", 8) + "\n$FPODO,broken*0000\n";
@@ -69,10 +70,10 @@ TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
 
 TEST_F(Record, SigtermAndSighupEndItInOrder) {
   for (const int signal : {SIGTERM, SIGHUP}) {
-    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+    Process run(folder, {"record", port, "-o", "run.log"});
     ASSERT_EQ(heard(10), "\rmode log\r");
     far.say("before the end");
-    ASSERT_TRUE(until_done([this] { return !log().empty(); }));
+    ASSERT_TRUE(eventually([this] { return !log().empty(); }));
     EXPECT_EQ(run.end(signal), signal == SIGTERM ? 0 : 130);
     EXPECT_EQ(log(), "before the end");
     EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
@@ -81,33 +82,33 @@ TEST_F(Record, SigtermAndSighupEndItInOrder) {
 }
 
 TEST_F(Record, WhatIsTypedGoesToTheRobot) {
-  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--no-command"});
+  Process run(folder, {"record", port, "-o", "run.log", "--no-command"});
   ASSERT_TRUE(run.says("Ctrl-C ends it"));
   run.type("status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
   EXPECT_EQ(heard(47), "status\n$FPODO,1.0000,0.0000,0.0000,0.0000*1234\n");
-  run.close_input();
+  run.hang_up();
   far.say("still there\n");
   EXPECT_TRUE(run.shows("still there\n"));
 }
 
 TEST_F(Record, AsksForTheModeAndANewRun) {
-  const RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--mode", "plot", "--reset"});
+  const Process run(folder, {"record", port, "-o", "run.log", "--mode", "plot", "--reset"});
   EXPECT_EQ(heard(17), "\rmode plot\rreset\r");
 }
 
 // A board that boots when its port is opened misses the first one.
 TEST_F(Record, AsksAgainUntilARecordComes) {
-  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  Process run(folder, {"record", port, "-o", "run.log"});
   EXPECT_EQ(heard(20), "\rmode log\r\rmode log\r");
   far.say(kOdometry);
   ASSERT_TRUE(run.shows(kOdometry));
 }
 
 TEST_F(Record, GoesOnAfterAReplug) {
-  RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+  Process run(folder, {"record", port, "-o", "run.log"});
   ASSERT_EQ(heard(10), "\rmode log\r");
   far.say(kOdometry + "$FPODO,cut");
-  ASSERT_TRUE(until_done([this] { return log().ends_with("cut"); }));
+  ASSERT_TRUE(eventually([this] { return log().ends_with("cut"); }));
   far.unplug();
   ASSERT_TRUE(run.says(port + " has gone; the recording goes on when it is back\n"));
   run.type("lost\n");
@@ -125,7 +126,7 @@ TEST_F(Record, GoesOnAfterAReplug) {
 
 TEST_F(Record, WaitsForAPortWhenTold) {
   far.unplug();
-  RunningProgram run(folder_path(), {"record", port, "-o", "run.log", "--wait"});
+  Process run(folder, {"record", port, "-o", "run.log", "--wait"});
   ASSERT_TRUE(run.says("waiting for it: cannot open the serial port " + port));
   far.plug();
   EXPECT_EQ(heard(10), "\rmode log\r");
@@ -152,8 +153,8 @@ TEST_F(Record, NeverOverwrites) {
 }
 
 TEST_F(Record, NamesTheFileByTheTime) {
-  RunningProgram run(folder_path(), {"record", port, "--no-command", "--seconds", "0.1"});
-  EXPECT_EQ(run.end(), 0) << run.err();
+  Process run(folder, {"record", port, "--no-command", "--seconds", "0.1"});
+  EXPECT_EQ(run.wait(), 0) << run.err();
   ASSERT_EQ(files().size(), 1U);
   std::string name = files().front();
   for (char& c : name) c = c >= '0' && c <= '9' ? 'd' : c;
@@ -162,14 +163,31 @@ TEST_F(Record, NamesTheFileByTheTime) {
 
 // The order: what could not be kept is not shown.
 TEST_F(Record, AFullDiskEndsItAndNothingIsShownThatIsNotKept) {
-  RunningProgram run(folder_path(), {"record", port, "-o", "/dev/full"});
+  Process run(folder, {"record", port, "-o", "/dev/full"});
   ASSERT_EQ(heard(10), "\rmode log\r");
   far.say(kOdometry);
-  EXPECT_EQ(run.end(), 4);
+  EXPECT_EQ(run.wait(), 4);
   EXPECT_EQ(run.out(), "");
   EXPECT_NE(run.err().find("cannot write the log /dev/full: No space left on device; free some space"),
             std::string::npos)
       << run.err();
+}
+
+TEST_F(Record, GoesOnInNewFilesThatAreOneRecording) {
+  Process run(folder, {"record", port, "-o", "run.log", "--no-command", "--log-size", "4K"});
+  ASSERT_TRUE(run.says("Ctrl-C ends it"));
+  std::string all;
+  for (int i = 0; i < 3; ++i) {
+    const std::string lines(3'000, static_cast<char>('a' + i));
+    far.say(lines + "\n");
+    all += lines + "\n";
+    ASSERT_TRUE(eventually([&] { return run.out().size() == all.size(); }));
+  }
+  EXPECT_EQ(run.end(SIGINT), 130);
+  EXPECT_EQ(files(), (std::vector<std::string>{"run-0002.log", "run.log"}));
+  EXPECT_EQ(log().size(), 6'002U) << "a part ends with a line";
+  EXPECT_EQ(log() + slurp(folder.path() / "run-0002.log"), all);
+  EXPECT_NE(run.err().find("saved in run.log to run-0002.log\n"), std::string::npos) << run.err();
 }
 
 TEST_F(Record, AReaderThatStopsReadingIsNoError) {
@@ -203,8 +221,7 @@ TEST_F(Record, ATcpPortIsAPort) {
   ASSERT_EQ(::bind(listener.get(), any, size), 0);
   ASSERT_EQ(::listen(listener.get(), 1), 0);
   ASSERT_EQ(::getsockname(listener.get(), any, &size), 0);
-  RunningProgram run(folder_path(),
-                     {"record", "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port)), "-o", "run.log"});
+  Process run(folder, {"record", "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port)), "-o", "run.log"});
   const linux::Descriptor peer(::accept(listener.get(), nullptr, nullptr));
   ASSERT_EQ(::write(peer.get(), kOdometry.data(), kOdometry.size()), static_cast<ssize_t>(kOdometry.size()));
   EXPECT_TRUE(run.shows(kOdometry));
@@ -270,18 +287,18 @@ TEST_F(Record, AKillLosesNothingThatWasShown) {
   for (int round = 0; round < kKills; ++round) {
     far.plug();
     Feeder feeder(far.descriptor());
-    RunningProgram run(folder_path(), {"record", port, "-o", "run.log"});
+    Process run(folder, {"record", port, "-o", "run.log"});
     ASSERT_EQ(heard(10), "\rmode log\r") << run.err();
-    ASSERT_TRUE(until_done([&] {
+    ASSERT_TRUE(eventually([&] {
       feeder.feed();
       return !run.out().empty();
     })) << run.err();
     const auto then = std::chrono::steady_clock::now() + std::chrono::microseconds(random() % 5000);
     while (std::chrono::steady_clock::now() < then) {
       feeder.feed();
-      run.out();
+      static_cast<void>(run.out());
     }
-    ASSERT_EQ(run.end(SIGKILL), -SIGKILL);
+    ASSERT_EQ(run.end(SIGKILL), 1000 + SIGKILL);
     const std::string shown = run.out().substr(0, run.out().rfind('\n') + 1);
     ASSERT_TRUE(log().starts_with(shown))
         << "round " << round << ": " << shown.size() << " bytes were shown, " << log().size() << " kept";

@@ -21,7 +21,8 @@ TEST(EmulatedCmuCam, Versions) {
   EXPECT_EQ(one.feed("\r"), ":");
   CmuCamDevice three(CmuCamModel::kThree);
   EXPECT_EQ(three.power_up(), "CMUcam2 v1.00 c6\r:");
-  EXPECT_EQ(three.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A")) << "no CR";
+  EXPECT_EQ(three.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A"))
+      << "no CR";
   EXPECT_EQ(three.feed("\r"), "ACK\r:");
   CmuCamDevice four(CmuCamModel::kFour);
   EXPECT_EQ(four.feed("GV\r"), "ACK\rCMUcam4 v1.02\r:");

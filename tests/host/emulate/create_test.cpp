@@ -37,7 +37,8 @@ TEST(EmulatedCreate, DoesNothingBeforeStart) {
   EXPECT_EQ(two.feed(test::hex_text("94 02 2B 2C 8E 2B")), "");
   EXPECT_EQ(two.frame(), "");
   EXPECT_EQ(two.feed(test::hex_text("80 83 8E 23")), test::hex_text("02"));
-  EXPECT_EQ(two.feed(test::hex_text("91 00 84 00 84 95 02 23 2B")), test::hex_text("02 00 00")) << "132 as an argument is no mode";
+  EXPECT_EQ(two.feed(test::hex_text("91 00 84 00 84 95 02 23 2B")), test::hex_text("02 00 00"))
+      << "132 as an argument is no mode";
   EXPECT_EQ(two.power_up(), "");
   EXPECT_EQ(two.mode(), 0);
 }

@@ -32,6 +32,7 @@ TEST(DeviceSpec, ReadsEveryKindAtItsPlaces) {
       {"cmucam4:/dev/ttyS0", kCamera, kCmuCam4, PlaceKind::kTty, "/dev/ttyS0", "cmucam4 at /dev/ttyS0"},
       {"nxtcam:nxt", kCamera, kNxtCam, PlaceKind::kNxt, "nxt", "nxtcam behind the NXT brick"},
       {"nxtcam:/dev/i2c-7", kCamera, kNxtCam, PlaceKind::kI2c, "/dev/i2c-7", "nxtcam at /dev/i2c-7"},
+      {"nxtcam5:/dev/ttyS1", kCamera, kNxtCam5, PlaceKind::kTty, "/dev/ttyS1", "nxtcam5 at /dev/ttyS1"},
       {"avrcam:/dev/ttyS1", kCamera, kAvrCam, PlaceKind::kTty, "/dev/ttyS1", "avrcam at /dev/ttyS1"},
       {"xbc:/dev/ttyS1", kCamera, kXbc, PlaceKind::kTty, "/dev/ttyS1", "xbc at /dev/ttyS1"},
       {"console", kCamera, kConsole, PlaceKind::kNone, "", "console"},

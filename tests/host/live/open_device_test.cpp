@@ -25,11 +25,11 @@ constexpr const char* kRobot = R"({"signatures": [{"id": 1, "rgb": "d02020"}], "
 
 // Every camera that there is, at every place that it can have, though nothing is plugged in.
 TEST(OpenDevices, AwaitsEveryCamera) {
-  const char* kCameras[] = {
-      "pixy2:/dev/no",         "pixy2:/dev/i2c-250", "pixy2:/dev/spidev250.0", "pixy2:tcp:127.0.0.1:1",
-      "pixy2:usb,serial=none", "pixy2.1:/dev/no",    "cmucam1:/dev/no",        "cmucam2:/dev/no",
-      "cmucam3:/dev/no",       "cmucam4:/dev/no",    "nxtcam:/dev/i2c-250",    "nxtcam:/dev/no",
-      "avrcam:/dev/no",        "xbc:/dev/no"};
+  const char* kCameras[] = {"pixy2:/dev/no",         "pixy2:/dev/i2c-250",    "pixy2:/dev/spidev250.0",
+                            "pixy2:tcp:127.0.0.1:1", "pixy2:usb,serial=none", "pixy2.1:/dev/no",
+                            "cmucam1:/dev/no",       "cmucam2:/dev/no",       "cmucam3:/dev/no",
+                            "cmucam4:/dev/no",       "nxtcam:/dev/i2c-250",   "nxtcam:/dev/no",
+                            "avrcam:/dev/no",        "xbc:/dev/no",           "nxtcam5:/dev/no"};
   for (const char* name : kCameras) {
     auto opened = open(name, "console", true, kRobot);
     auto* devices = std::get_if<Devices>(&opened);
@@ -42,6 +42,7 @@ TEST(OpenDevices, AwaitsEveryCamera) {
     EXPECT_EQ(devices->camera->link(), LinkState::kAbsent) << name;
     EXPECT_FALSE(devices->camera->problem().empty()) << name;
     EXPECT_TRUE(devices->camera->cabled());
+    EXPECT_EQ(devices->camera->patience(), linux::kRetryInterval) << name << ": nothing to ask";
   }
 }
 
@@ -59,6 +60,7 @@ TEST(OpenDevices, AwaitsEveryOdometry) {
     EXPECT_EQ(devices->odometry->link(), LinkState::kAbsent) << name;
     EXPECT_FALSE(devices->odometry->problem().empty()) << name;
     EXPECT_FALSE(devices->intrinsics.has_value()) << "the console tells it";
+    EXPECT_EQ(devices->odometry->patience(), linux::kRetryInterval) << name;
   }
 }
 
@@ -74,6 +76,19 @@ TEST(OpenDevices, ACameraBehindTheBrickSharesIt) {
   }
   EXPECT_EQ(devices->camera->link(), LinkState::kAbsent);
   EXPECT_EQ(devices->camera->problem(), devices->odometry->problem());
+  EXPECT_EQ(devices->camera->patience(), linux::kRetryInterval);
+}
+
+TEST(OpenDevices, TheConsolesInputsAreSilentUntilOneCame) {
+  auto opened = open("console", "console", false);
+  auto* devices = std::get_if<Devices>(&opened);
+  ASSERT_NE(devices, nullptr);
+  EXPECT_EQ(devices->camera->link(), LinkState::kSilent);
+  EXPECT_EQ(devices->odometry->link(), LinkState::kSilent);
+  devices->camera->console_gave(0);
+  devices->odometry->console_gave(1);
+  EXPECT_EQ(devices->camera->link(), LinkState::kSilent);
+  EXPECT_EQ(devices->odometry->link(), LinkState::kOk);
 }
 
 TEST(OpenDevices, WithoutWaitingAMissingDeviceIsAFailure) {

@@ -44,13 +44,14 @@ TEST(DeviceSpec, PutsAnNxtCamOnTheBrick) {
   EXPECT_EQ(spec("nxtcam:nxt").camera_port, 1);
   EXPECT_EQ(spec("nxtcam@nxt,port=4").camera_port, 4);
   EXPECT_EQ(spec("nxtcam:nxt:/tmp/brick,port=2").where, "/tmp/brick");
+  EXPECT_EQ(spec("nxtcam@nxt:/tmp/brick").where, "/tmp/brick");
   EXPECT_EQ(spec("nxtcam").kind->name, "nxtcam");
 }
 
 TEST(DeviceSpec, SaysWhatIsWrong) {
-  for (const char* text :
-       {"", "pixy3", "pixy2:tcp:", "can", "can:", "pixy2:usb", "nxtcam:/dev/i2c-1", "pixy2,tick=1", "pixy2,baud=fast",
-        "pixy2,baud=7", "create2,track=0", "nxt,port=1", "nxtcam:nxt,port=5", "can:vcan0,layout=odd", "pixy2,,"}) {
+  for (const char* text : {"", "pixy3", "pixy2:tcp:", "can", "can:", "pixy2:usb", "nxtcam:/dev/i2c-1", "pixy2,tick=1",
+                           "pixy2,baud=fast", "pixy2,baud=7", "create2,track=0", "nxt,port=1", "nxtcam:nxt,port=5",
+                           "can:vcan0,layout=odd", "pixy2,,", "pixy2,baud=9600,baud=9600", "pixy2,baud=9600.5"}) {
     EXPECT_NE(parse_device(text).problem, "") << text;
   }
 }
@@ -66,6 +67,8 @@ TEST(Words, SayWhatTheBytesMean) {
   EXPECT_EQ(words_of(Speech::kCreate, true, hex("80 94 02 2B 2C")), "start, stream");
   EXPECT_EQ(words_of(Speech::kNxt, true, hex("03 00 00 06 01")), "get output state");
   EXPECT_EQ(words_of(Speech::kNxt, false, hex("03 00 02 05 C0")), "set input mode: out of range");
+  EXPECT_EQ(words_of(Speech::kNxtCam5, true, hex("55 AA 01 03 45 48")), "command 'E'");
+  EXPECT_EQ(words_of(Speech::kNxtCam5, false, hex("55 AA 07 04 02 00 02 3C 28 52 47 0B")), "1 blobs");
   EXPECT_EQ(words_of(Speech::kAvrcam, false, hex("0A 02 02 3C 28 50 46")), "2 objects");
 }
 

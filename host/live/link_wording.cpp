@@ -1,13 +1,9 @@
-#include "host/live/link_watch.hpp"
+#include "host/live/link_wording.hpp"
 
 namespace fencepost::host {
 namespace {
 
 using sensor::LinkState;
-
-constexpr base::Duration kLasting = base::milliseconds(1'000);
-
-bool told_at_once(LinkState state) { return state == LinkState::kAbsent || state == LinkState::kOk; }
 
 std::string_view silent_remedy(PlaceKind place) {
   switch (place) {
@@ -27,8 +23,9 @@ std::string_view unready_remedy(DeviceKind kind) {
     case DeviceKind::kCmuCam1:
     case DeviceKind::kCmuCam2:
     case DeviceKind::kCmuCam3:
-    case DeviceKind::kCmuCam4: return "it is being set up, or does not understand: check its kind";
+    case DeviceKind::kCmuCam4: return "it is being set up, or of another kind";
     case DeviceKind::kNxtCam:
+    case DeviceKind::kNxtCam5:
     case DeviceKind::kAvrCam: return "teach it colours with the maker's program";
     case DeviceKind::kXbc: return "start fencepost_xbc.ic on it, of this version";
     case DeviceKind::kCreate1:
@@ -41,35 +38,23 @@ std::string_view unready_remedy(DeviceKind kind) {
   return "it is not ready yet";
 }
 
-}  // namespace
-
-LinkWatch::LinkWatch(DeviceRole role, const DeviceSpec& spec)
-    : name_((role == DeviceRole::kCamera ? "camera " : "odometry ") + spec.where()), spec_(spec) {}
-
-std::optional<LinkNews> LinkWatch::observe(LinkState state, const std::string& problem, base::Time now) {
-  if (seen_ != state) {
-    seen_ = state;
-    since_ = now;
-  }
-  if (told_ == state || (!told_at_once(state) && now - since_ < kLasting)) return std::nullopt;
-  told_ = state;
-  LinkNews news;
-  news.report = {now, sensor::Text(spec_.kind_name()), state, sensor::Text(spec_.place.name)};
-  news.sentence = sentence(state, problem);
-  return news;
-}
-
-std::string LinkWatch::sentence(LinkState state, const std::string& problem) const {
+std::string remedy_of(const DeviceSpec& spec, LinkState state, const std::string& problem) {
   switch (state) {
-    case LinkState::kAbsent:
-      return name_ + " is absent; going on without it until it is back" + (problem.empty() ? "" : ": " + problem);
-    case LinkState::kSilent:
-      return name_ + " is silent: nothing answers; " + std::string(silent_remedy(spec_.place.kind));
-    case LinkState::kUnready: return name_ + " is unready; " + std::string(unready_remedy(spec_.kind));
-    case LinkState::kEmpty: return name_ + " works and sees nothing";
+    case LinkState::kAbsent: return problem;
+    case LinkState::kSilent: return "nothing answers; " + std::string(silent_remedy(spec.place.kind));
+    case LinkState::kUnready: return std::string(unready_remedy(spec.kind));
+    case LinkState::kEmpty:
     case LinkState::kOk: break;
   }
-  return name_ + " works";
+  return {};
+}
+
+}  // namespace
+
+LinkWording word_link(DeviceRole role, const DeviceSpec& spec, LinkState state, const std::string& problem) {
+  const std::string_view sensor = role == DeviceRole::kCamera ? "camera " : "odometry ";
+  return {std::string(sensor) + spec.where(), std::string(spec.kind_name()), spec.place.name,
+          remedy_of(spec, state, problem)};
 }
 
 }  // namespace fencepost::host

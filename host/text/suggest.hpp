@@ -5,10 +5,13 @@
 #include <string_view>
 #include <vector>
 
-namespace fencepost::host::cli {
+namespace fencepost::host {
 
 /// The candidate with the fewest typing errors (swaps of neighbours count one) from `word`; empty when none is near
 /// enough to be a guess rather than noise.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
-}  // namespace fencepost::host::cli
+/// " did you mean pixy2?", or nothing: to be put behind a complaint.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace fencepost::host

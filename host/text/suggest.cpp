@@ -1,8 +1,8 @@
-#include "host/cli/suggest.hpp"
+#include "host/text/suggest.hpp"
 
 #include <algorithm>
 
-namespace fencepost::host::cli {
+namespace fencepost::host {
 namespace {
 
 /// Damerau-Levenshtein distance (optimal string alignment).
@@ -37,4 +37,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   return best;
 }
 
-}  // namespace fencepost::host::cli
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest_word(word, candidates);
+  return near.empty() ? std::string() : " did you mean " + near + "?";
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,56 @@
+// When the state of a cable is worth a word. Times are the robot's clock, not the stream's: a replay has no cables.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hal/base/units.hpp"
+#include "hal/sensor/link_state.hpp"
+
+namespace fencepost::app {
+
+/// Gone and back are told at once; other states when they have lasted a second, since a device that starts, or a blob
+/// that flickers, goes through several. Three bytes, for there is one a sensor in the smallest memory.
+class LinkWatch {
+ public:
+  /// The state that is to be told now, until told() says that it was.
+  std::optional<sensor::LinkState> observe(sensor::LinkState state, base::Time now) {
+    if (seen_ != byte(state)) {
+      seen_ = byte(state);
+      since_ = tenths(now);
+    }
+    if (told_ == seen_) return std::nullopt;
+    const bool at_once = state == sensor::LinkState::kAbsent || state == sensor::LinkState::kOk;
+    // Rounds of the counter, 25.6 s, delay a line that found no room for so long once more.
+    const auto lasted = static_cast<std::uint8_t>(tenths(now) - since_);
+    if (!at_once && lasted <= kLasting) return std::nullopt;
+    return state;
+  }
+  void told() { told_ = seen_; }
+  /// The state in force is told again, to somebody who has not heard it yet.
+  void retell() { told_ = kNothing; }
+
+  [[nodiscard]] std::optional<sensor::LinkState> last_told() const {
+    if (told_ == kNothing) return std::nullopt;
+    return static_cast<sensor::LinkState>(told_);
+  }
+
+ private:
+  static constexpr std::uint8_t kNothing = 0xFF;
+  static constexpr std::uint8_t kLasting = 10;  ///< tenths of a second, of which the first may be nearly over
+
+  static constexpr std::uint8_t byte(sensor::LinkState state) { return static_cast<std::uint8_t>(state); }
+  static constexpr std::uint8_t tenths(base::Time now) { return static_cast<std::uint8_t>(now.raw / 1000); }
+
+  std::uint8_t told_ = kNothing;
+  std::uint8_t seen_ = kNothing;
+  std::uint8_t since_ = 0;  ///< tenths of a second, modulo 256
+};
+
+/// Of camera and odometry.
+struct LinkWatches {
+  LinkWatch camera;
+  LinkWatch odometry;
+};
+
+}  // namespace fencepost::app

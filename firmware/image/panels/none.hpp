@@ -1,0 +1,16 @@
+// FENCEPOST_PANEL=none: the board has nothing to show things on.
+#pragma once
+
+#include "firmware/app/listings.hpp"
+#include "firmware/app/pipeline.hpp"
+
+namespace fencepost::image {
+
+template <class Profile>
+struct Panel {
+  explicit Panel(app::Pipeline<Profile>& /*pipeline*/) {}
+  static void start() {}
+  static void turn(const app::Links& /*links*/) {}
+};
+
+}  // namespace fencepost::image

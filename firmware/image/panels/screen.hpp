@@ -1,0 +1,23 @@
+// FENCEPOST_PANEL=screen: the board's screen shows the map, its buttons change what is shown.
+#pragma once
+
+#include "firmware/view/map_view.hpp"
+#include FENCEPOST_BOARD
+
+namespace fencepost::image {
+
+template <class Profile>
+class Panel {
+ public:
+  explicit Panel(app::Pipeline<Profile>& pipeline) : view_(pipeline, board::screen()) {}
+  void start() { view_.start(); }
+  void turn(const app::Links& links) {
+    view_.press(board::buttons());
+    view_.turn(links);
+  }
+
+ private:
+  view::MapView<Profile, board::Screen> view_;
+};
+
+}  // namespace fencepost::image

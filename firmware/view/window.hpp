@@ -1,0 +1,58 @@
+// Which part of the map the screen shows: x up, y to the left, at one of a few scales.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "firmware/app/map_listing.hpp"
+#include "firmware/view/shapes.hpp"
+
+namespace fencepost::view {
+
+struct Scale {
+  std::int32_t mm;       ///< a pixel
+  std::int32_t grid_mm;  ///< between two lines of the grid; a multiple of mm
+};
+inline constexpr std::array<Scale, 7> kScales = {
+    {{2, 100}, {5, 100}, {10, 500}, {20, 500}, {50, 1000}, {100, 5000}, {200, 5000}}};
+
+struct Window {
+  static constexpr std::int32_t kSide = 160;  ///< pixels, both ways; its left upper corner is the screen's
+  static constexpr std::int32_t kRim = 12;    ///< kept free around what is to be seen
+
+  app::MapMillimetres middle;
+  std::uint8_t scale = 1;
+
+  [[nodiscard]] std::int32_t mm() const { return kScales[scale].mm; }
+  [[nodiscard]] std::int32_t grid_mm() const { return kScales[scale].grid_mm; }
+  [[nodiscard]] Point pixel_of(app::MapMillimetres place) const {
+    return point_at(kSide / 2 - (place.y - middle.y) / mm(), kSide / 2 - (place.x - middle.x) / mm());
+  }
+};
+
+/// Grows around all that is to be seen.
+class Sight {
+ public:
+  void include(app::MapMillimetres place, std::int32_t radius) {
+    low_ = {std::min(low_.x, place.x - radius), std::min(low_.y, place.y - radius)};
+    high_ = {std::max(high_.x, place.x + radius), std::max(high_.y, place.y + radius)};
+  }
+  /// At the finest scale that shows it all; a whole number of pixels from the origin, so that nothing trembles.
+  [[nodiscard]] Window window() const {
+    Window window;
+    const std::int32_t larger = std::max(high_.x - low_.x, high_.y - low_.y);
+    while (window.scale + 1U < kScales.size() && larger > (Window::kSide - 2 * Window::kRim) * window.mm()) {
+      ++window.scale;
+    }
+    const auto rounded = [&](std::int32_t value) { return value / (10 * window.mm()) * (10 * window.mm()); };
+    window.middle = {rounded(low_.x + (high_.x - low_.x) / 2), rounded(low_.y + (high_.y - low_.y) / 2)};
+    return window;
+  }
+
+ private:
+  app::MapMillimetres low_{INT32_MAX, INT32_MAX};
+  app::MapMillimetres high_{INT32_MIN, INT32_MIN};
+};
+
+}  // namespace fencepost::view

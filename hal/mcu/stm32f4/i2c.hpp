@@ -1,0 +1,32 @@
+// The two-wire master on the part's registers: I2C1.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mcu/register.hpp"
+#include "hal/mcu/stm32f4/i2c_master.hpp"
+#include "hal/mcu/stm32f4/pin.hpp"
+
+namespace fencepost::mcu::stm32f4 {
+
+struct I2cRegisters {
+  Pin clock;
+  Pin data;
+  std::uint32_t bus_hz = 0;  ///< of APB1
+
+  [[nodiscard]] static std::uint32_t read(std::uint32_t offset) { return reg(kI2c1 + offset); }
+  static void write(std::uint32_t offset, std::uint32_t value) { reg(kI2c1 + offset) = value; }
+  /// Reset, wires freed, 100 kHz: what a Pixy2 and an NXTCam both can. Not from an interrupt: it takes 0.2 ms.
+  void restart() const;
+};
+
+class I2c : public I2cMaster<I2cRegisters> {
+ public:
+  I2c(Pin clock, Pin data) : I2cMaster({clock, data, 0}) {}
+  /// Once, before all else here. `bus_hz`: of APB1.
+  void start(std::uint32_t bus_hz);
+};
+
+static_assert(bus::I2cBus<I2c>);
+
+}  // namespace fencepost::mcu::stm32f4

@@ -1,0 +1,49 @@
+#include "host/cli/live_devices.hpp"
+
+#include "host/cli/exit_code.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/log_size.hpp"
+#include "host/cli/positive.hpp"
+
+namespace fencepost::host::cli {
+
+DeviceSpec device_of(const std::string& text, DeviceRole role) {
+  const auto spec = parse_device(text, role);
+  if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
+  return *spec;
+}
+
+RobotFile read_robot(const std::string& path) {
+  if (path.empty()) return {};
+  const auto robot = parse_robot(read_input(path), input_name(path));
+  if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
+  return *robot;
+}
+
+Devices open_devices_of(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
+  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
+  if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
+    const std::string hint = failure->usage ? "" : ", or --wait for it";
+    throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
+  }
+  return std::move(*std::get_if<Devices>(&opened));
+}
+
+void PartOptions::add_to(CLI::App& app) {
+  app.add_option("--log-size", size, "begin a new part of the log after so much, such as 64M")->type_name("SIZE");
+  app.add_option("--log-minutes", minutes, "begin a new part of the log after so long")
+      ->type_name("N")
+      ->check(positive());
+}
+
+std::uint64_t PartOptions::bytes() const {
+  if (size.empty()) return 0;
+  constexpr std::uint64_t kLeast = 4096;  // a part begins with a kilobyte of calibration
+  const auto bytes = size_in(size);
+  if (bytes && *bytes >= kLeast) return *bytes;
+  throw Failure(Exit::kUsage, "--log-size " + size + " is not possible; write 4K, 64M or 2G");
+}
+
+base::Duration PartOptions::age() const { return minutes ? base::Duration::nearest(60 * *minutes) : base::Duration{}; }
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,34 @@
+// What `run` and `record` do alike with the cameras and wheels of this machine.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+#include "host/live/run.hpp"
+
+namespace fencepost::host::cli {
+
+/// errors: Failure (kUsage)
+DeviceSpec device_of(const std::string& text, DeviceRole role);
+
+/// An empty path: no numbers. errors: Failure (kUnreadable)
+RobotFile read_robot(const std::string& path);
+
+/// errors: Failure (kUsage, kDevice)
+Devices open_devices_of(const RunPlan& plan, linux::MonotonicClock clock, bool wait);
+
+/// --log-size and --log-minutes: when a log goes on in a new part.
+struct PartOptions {
+  std::string size;
+  std::optional<double> minutes;
+
+  void add_to(CLI::App& app);
+  [[nodiscard]] bool given() const { return minutes || !size.empty(); }
+  /// 0: no limit. errors: Failure (kUsage)
+  [[nodiscard]] std::uint64_t bytes() const;
+  [[nodiscard]] base::Duration age() const;
+};
+
+}  // namespace fencepost::host::cli

@@ -1,0 +1,87 @@
+// The STM32F405 images of other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the two-wire
+// bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
+// tests/firmware/image.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "drivers/cmucam/dialect.hpp"
+#include "host/emulate/serve/camera_peers.hpp"
+#include "host/emulate/serve/wheel_peers.hpp"
+#include "tests/boards/bench.hpp"
+#include "tests/boards/f405.hpp"
+#include "tests/boards/faults.hpp"
+#include "tests/boards/scenes.hpp"
+
+namespace fencepost::test {
+namespace {
+
+// Open Interface specification of the Create 2: wheels of 72 mm, 508.8 counts a revolution.
+constexpr emulate::WheelShape kCreate2 = {0.072 * std::numbers::pi / 508.8, 0.235};
+
+// The Create on USART3 is the odometry; the camera's line is slower, and its two colours share its frames.
+BoardUnderTest f405_on_create() {
+  BoardUnderTest board = f405({}, "fencepost-cmucam4-create2");
+  board.base = 2;
+  board.camera_pace = 1'920;
+  board.frames_share = 0.3;
+  board.camera_device = [] {
+    return emulate::make_cmucam_peer(emulate::CmuCamModel::kFour, [](std::uint8_t) {
+      return sensor::Rgb{0xd0, 0x20, 0x20};
+    });
+  };
+  board.base_device = [] { return emulate::make_create_peer(emulate::CreateModel::kTwo, kCreate2); };
+  return board;
+}
+
+TEST(F405Devices, ReplaysABoxSeenByACmucamOnACreate) {
+  sensor::CameraMount mount;
+  mount.x = base::Metres::nearest(0.05);
+  mount.z = base::Metres::nearest(0.12);
+  mount.pitch = base::Radians{0};
+  expect_scene_replays(f405_on_create(), "small",
+                       box_beside_the_way(cmucam::nominal_intrinsics(cmucam::kCmuCam4, mount)));
+}
+
+TEST(F405Devices, TellsOfACreateThatIsUnpluggedAndBack) {
+  Bench bench(f405_on_create());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await("odometry works\r\n")) << bench.said();
+  ASSERT_TRUE(bench.obey("mode log", "$FPLNK,")) << bench.said();
+  bench.clear();
+  bench.unplug_base(true);
+  ASSERT_TRUE(bench.await(",odometry,silent,no answer*")) << bench.said();
+  bench.unplug_base(false);
+  ASSERT_TRUE(bench.await(",odometry,ok,*")) << bench.said();
+  EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+
+// Its bytes as fast as the emulator takes them; good frames of the Create come afterwards.
+TEST(F405Devices, SurvivesGarbageFromItsWheelBase) {
+  Bench bench(f405_on_create());
+  ASSERT_TRUE(bench.await("odometry works\r\n")) << bench.said();
+  bench.unplug_base(true);
+  expect_takes_garbage(bench, {&bench.base_line()}, kFifteenSecondsOfBytes / 3);
+  EXPECT_FALSE(bench.obey("status", "odometry link ok")) << bench.said();
+  bench.unplug_base(false);
+  bench.clear();
+  ASSERT_TRUE(bench.obey("mode log", ",odometry,ok,*")) << bench.said();
+  EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+
+class F405TwoWire : public ::testing::TestWithParam<const char*> {};
+
+// The emulator's bus takes every start and does nothing: the master has to give up each transfer, and the loop must not
+// notice. Encoders are told by their count, which stays zero.
+TEST_P(F405TwoWire, GoesOnWithACameraBusThatHangs) {
+  Bench bench(f405({}, GetParam()));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.await("camera is silent: ")) << bench.said();
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+  EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+INSTANTIATE_TEST_SUITE_P(Cameras, F405TwoWire,
+                         ::testing::Values("fencepost-pixy2_i2c-encoders", "fencepost-nxtcam_i2c-create1"));
+
+}  // namespace
+}  // namespace fencepost::test

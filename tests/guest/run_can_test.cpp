@@ -1,0 +1,132 @@
+// `fencepost run` with wheels on the kernel's own SocketCAN, played by canplayer and by `fencepost emulate`.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "host/emulate/can_wheels.hpp"
+#include "host/emulate/serve/feed.hpp"
+#include "host/emulate/serve/travel.hpp"
+#include "host/scene/load.hpp"
+#include "tests/guest/live_run.hpp"
+
+namespace fencepost::guest {
+namespace {
+
+constexpr double kWay = 0.5;       // of the scene
+constexpr double kCount = 0.0001;  // metres, as `emulate` has it
+constexpr double kTrack = 0.235;
+// A drive of five seconds past a post.
+constexpr const char* kScene = R"({"format": 1, "seed": 1,
+  "camera": {"model": "pixy2", "width": 316, "height": 208, "fx": 273.6, "fy": 273.6, "cx": 157.5, "cy": 103.5, "k1": 0,
+             "mount": {"x": 0, "y": 0, "z": 0.12, "yaw": 0, "pitch": 0}, "latency": 0.05, "rate": 10, "max_blobs": 16},
+  "robot": {"width": 0.2},
+  "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}],
+  "objects": [{"name": "post", "signature": 1, "height": 0.2, "footprint": {"circle": [1.3, 0.2, 0.05]}}],
+  "path": {"type": "waypoints", "points": [[0, 0], [0.5, 0]], "speed": 0.1, "turn_rate": 0.8}})";
+constexpr const char* kRobot = R"({
+  "camera": {"mount": {"z": 0.12}, "latency": 0.05},
+  "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}],
+  "wheels": {"metres_per_tick": 0.0001, "track": 0.235},
+  "can": {"left": {"id": "0x185", "byte": 2}, "right": {"id": "0x186", "byte": 2}}})";
+
+/// On a starved processor up to 2 mm of the way were seen to be missing.
+constexpr double kLost = 0.1;
+
+bool shell(const std::string& line) { return std::system(line.c_str()) == 0; }
+
+/// A line as candump -l writes it.
+std::string candump_line(base::Time t, const bus::CanFrame& frame) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "(%.6f) vcan0 %03X#", 1'700'000'000 + t.to_double(), frame.id);
+  std::string line = text.data();
+  for (std::size_t i = 0; i < frame.length; ++i) {
+    std::snprintf(text.data(), text.size(), "%02X", static_cast<unsigned>(frame.data[i]));
+    line += text.data();
+  }
+  return line + "\n";
+}
+
+/// What the wheels say from one time of the scene to another.
+std::string candump_of(const host::Scene& scene, base::Time from, base::Time to) {
+  const emulate::Feed feed = emulate::feed_from_scene(scene);
+  const emulate::TravelLog travel(feed.poses);
+  emulate::CanWheels wheels(emulate::CanWheels::Kind::kCanopen, from - emulate::CanWheels::kBoot);
+  std::string text;
+  for (base::Time t = wheels.next(); t < to; t = wheels.next()) {
+    const emulate::Travel now = travel.at(t);
+    const auto counts = [](double way) { return static_cast<std::int32_t>(emulate::counts_of(way, kCount)); };
+    wheels.turn(counts(now.left(kTrack)), counts(now.right(kTrack)), 0, 0);
+    for (const bus::CanFrame& frame : wheels.frames(t)) text += candump_line(t, frame);
+  }
+  return text;
+}
+
+class RunOnCan : public LiveRun {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(shell("ip link add vcan0 type vcan && ip link set vcan0 up"));
+    write("robot.json", kRobot);
+    host::testing::spill(far.path() / "scene.json", kScene);
+  }
+  void TearDown() override { shell("ip link delete vcan0"); }
+
+  void emulate(std::vector<std::string> devices) {
+    std::vector<std::string> words = {"emulate"};
+    words.insert(words.end(), devices.begin(), devices.end());
+    words.insert(words.end(), {"scene.json", "--loop"});  // however slow the processor is, there are pictures
+    emulator.emplace(far, words);
+    ASSERT_TRUE(emulator->says("pixy2 on cam")) << emulator->err();
+    start("pixy2:" + (far.path() / "cam").string(), "can:vcan0");
+    ASSERT_TRUE(emulator->says("time begins")) << emulator->err() << run->err();
+  }
+  void play(const std::string& candump) {
+    write("wheels.candump", candump);
+    EXPECT_TRUE(shell("canplayer -I " + (folder.path() / "wheels.candump").string() + " > /dev/null"));
+  }
+  void down_and_up() {
+    ASSERT_TRUE(shell("ip link set vcan0 down"));
+    EXPECT_TRUE(run->says(kGone)) << run->err();
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // looked for several times, and told once
+    ASSERT_TRUE(shell("ip link set vcan0 up"));
+  }
+
+  const std::string kGone = "odometry can at vcan0 is absent";
+  host::testing::Folder far;
+  std::optional<Process> emulator;
+};
+
+TEST_F(RunOnCan, FollowsWhatCanplayerPlaysAndSurvivesTheInterfaceGoingDown) {
+  const auto scene = host::parse_scene(kScene, "scene");
+  ASSERT_TRUE(scene.ok());
+  const base::Time arrived{base::Time::nearest(5.5)};
+  emulate({"pixy2:cam"});
+  // At first, or some of the way is gone before the first pair.
+  const base::Duration standing = base::milliseconds(200);
+  play(candump_of(*scene, base::Time{} - standing, arrived));
+  EXPECT_TRUE(arrives_at(kWay, kLost)) << x() << run->err();
+  down_and_up();
+  const std::string before = log();
+  EXPECT_GE(count(before, "$FPFRM,"), 20U);
+  ASSERT_TRUE(host::testing::eventually([this] { return said("odometry can at vcan0 works") >= 1; }));
+  play(candump_of(*scene, arrived, arrived + base::milliseconds(1'000)));
+  EXPECT_TRUE(logs("$FPODO,", count(before, "$FPODO,") + 40)) << run->err();  // 50 pairs of frames
+  EXPECT_TRUE(arrives_at(kWay, kLost)) << x();
+  expect_replays();
+  EXPECT_EQ(said(kGone), 1U) << run->err();
+}
+
+TEST_F(RunOnCan, FollowsEmulatedWheelsThroughTheInterfaceGoingDown) {
+  emulate({"can:vcan0", "pixy2:cam"});
+  expect_flow("at first");
+  down_and_up();
+  expect_flow("after the interface went down and up");
+  expect_replays();
+  EXPECT_EQ(said(kGone), 1U) << run->err();
+  emulator->signal(SIGINT);
+  emulator->wait();
+}
+
+}  // namespace
+}  // namespace fencepost::guest

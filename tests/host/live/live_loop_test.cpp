@@ -1,0 +1,69 @@
+// The robot's loop behind its interface of the host.
+#include "host/live/live_loop.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::host {
+namespace {
+
+/// A sample at each poll, as a driver stamps it.
+class Wheels final : public OdometryDevice {
+ public:
+  base::Result<sensor::OdometrySample> poll(base::Time now) override {
+    if (last_ == now) return base::Error::kNotReady;
+    last_ = now;
+    return sensor::OdometrySample{now, {}, {}, {}};
+  }
+  [[nodiscard]] sensor::LinkState link() const override { return sensor::LinkState::kOk; }
+
+ private:
+  std::optional<base::Time> last_;
+};
+
+class Deaf final : public ConsolePort {
+ public:
+  base::Result<std::size_t> read(std::span<std::uint8_t>) override { return base::Error::kNotReady; }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) override { return out.size(); }
+  void tend(base::Time) override {}
+  [[nodiscard]] bool connected() const override { return true; }
+  [[nodiscard]] std::string problem() const override { return {}; }
+  [[nodiscard]] int descriptor() const override { return -1; }
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// t of a record ends at 999,999 s.
+TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
+  ConsoleCamera camera;
+  Wheels wheels;
+  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
+  Deaf port;
+  PatientConsole console(port, true);
+  const auto loop = make_live_loop("full", camera, wheels, console, app::Mode::kQuiet);
+  record::Header header;
+  header.product = "fencepost";
+  EXPECT_TRUE(loop->start(header, std::nullopt, {}).empty());
+  std::string log;
+  for (int second = 998'990; second < 1'000'100; second += 10) {
+    const base::Time now{std::int64_t{10'000} * second};
+    while (loop->step(now)) {
+    }
+    log.append(loop->journal().begin(), loop->journal().end());
+    loop->journal_taken(loop->journal().size());
+  }
+  EXPECT_EQ(count(log, "$FPHDR,"), 2U);
+  EXPECT_EQ(count(log, "$FPODO,"), 111U) << "one a step";
+  EXPECT_NE(log.find("$FPODO,998990.0000,"), std::string::npos) << log.substr(0, 2000);
+  EXPECT_NE(log.find("$FPODO,0.0000,"), std::string::npos);
+  EXPECT_NE(log.find("$FPODO,1090.0000,"), std::string::npos);
+  EXPECT_EQ(count(log, "$FPLNK,998990.0000,create2,ok"), 1U) << log.substr(0, 2000);
+  EXPECT_EQ(count(log, ",create2,ok"), 2U) << "each run is told the state in force";
+  EXPECT_EQ(count(log, "$FPODO,99900"), 0U) << "the new run began in time";
+}
+
+}  // namespace
+}  // namespace fencepost::host
