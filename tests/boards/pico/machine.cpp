@@ -33,13 +33,13 @@ void EmulatedPico::command(const std::string& line) {
 
 std::string EmulatedPico::ask(const std::string& line) {
   command(line);
-  std::string heard;
+  SocketLine& control = this->line(kControl);
+  std::string heard = control.take();
   while (!heard.ends_with('\n')) {
-    if (!this->line(kControl).await(kPatience)) continue;
+    const bool more = control.await(kPatience);
     move_control();
-    const std::string more = this->line(kControl).take();
-    if (more.empty() && !alive()) throw std::runtime_error("the emulator has ended");
-    heard += more;
+    heard += control.take();
+    if (more && heard.empty() && !alive()) throw std::runtime_error("the emulator has ended");
   }
   heard.pop_back();
   return heard;

@@ -55,7 +55,10 @@ export class Pico {
     const watchdog = mcu.peripherals[0x40058];
     if (how !== 'power') watchdog.scratchData.set(oldWatchdog.scratchData);
     if (how === 'watchdog') watchdog.reason = oldWatchdog.reason;
-    watchdog.onWatchdogTrigger = () => (this.dead = true);
+    watchdog.onWatchdogTrigger = () => {
+      watchdog.timer.enable = false; // or rp2040js triggers again and again, and no time passes
+      this.dead = true;
+    };
     this.dead = false;
     mcu.peripherals[0x40064] = { readUint32: () => kChipReset[how], writeUint32Atomic: () => {} };
   }
