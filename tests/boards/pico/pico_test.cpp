@@ -8,6 +8,7 @@
 #include "tests/boards/faults.hpp"
 #include "tests/boards/pico/pico.hpp"
 #include "tests/boards/scenes.hpp"
+#include "tests/firmware/app/desk.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -19,6 +20,30 @@ TEST(Pico, SaysWhoItIsAndPassesItsSelfTest) {
       << bench.said();
   EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
   EXPECT_TRUE(bench.obey("version", "fencepost 0.1.0 for pico")) << bench.said();
+}
+
+// firmware/FIRST_ALERT.md, steps 4 to 7: pushed by hand towards a red post, at 0.1 m/s.
+TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
+  Bench bench(pico());
+  ASSERT_TRUE(bench.await("odometry is silent: no $FPODO records come over the console; send them\r\n"))
+      << bench.said();
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+  bench.clear();
+  bench.console().send(line_of(desk_camera()));
+  bench.console().send(line_of(record::Signature{1, {0xd0, 0x20, 0x20}, "red"}));
+  for (std::uint32_t i = 0; i < 160; ++i) {
+    const double x = 0.005 * i;
+    bench.give(desk_odometry(0.05 * i, x));
+    bench.give(desk_frame(0.05 * i, i, x));
+    bench.run(0.05);
+  }
+  std::size_t at = 0;
+  for (const std::string_view sentence :
+       {"odometry works\r\n", "NOTICE  red  0.", "WARN    red  0.4", "STOP    red  0.2"}) {
+    at = bench.said().find(sentence, at);
+    ASSERT_NE(at, std::string::npos) << sentence << " is not in\n" << bench.said();
+  }
+  EXPECT_TRUE(bench.obey("status", "camera link ok, pixy2 316x208; odometry link ok")) << bench.said();
 }
 
 TEST(Pico, ReplaysAnApproach) { expect_scene_replays(pico(), "small", recorded_scene("approach_stop")); }
