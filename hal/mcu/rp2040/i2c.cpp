@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/free_wires.hpp"
 #include "hal/mcu/register.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
 #include "hal/mcu/rp2040/timer_clock.hpp"
@@ -12,9 +13,9 @@ namespace {
 
 constexpr std::uint32_t kHalfPulse = 5;  // us
 
-void pause(std::uint32_t microseconds) {
+void pause() {
   const std::uint32_t began = TimerClock::microseconds();
-  while (TimerClock::microseconds() - began <= microseconds) {
+  while (TimerClock::microseconds() - began <= kHalfPulse) {
   }
 }
 
@@ -126,23 +127,10 @@ std::uint32_t I2c::command(std::size_t n) const {
   return kI2cRead | last | (n == written_ && written_ > 0 ? kI2cRestart : 0);
 }
 
-// A device that was interrupted in a byte still wants its clocks: at most nine, then a stop.
 void I2c::free_bus() const {
-  wiring_.clock.pull_down(false);
-  wiring_.data.pull_down(false);
-  wiring_.clock.drive(false);
-  wiring_.data.drive(false);
-  wiring_.clock.connect(kFunctionSoftware);
-  wiring_.data.connect(kFunctionSoftware);
-  for (int i = 0; i < 9 && !wiring_.data.high(); ++i) {
-    wiring_.clock.pull_down(true);
-    pause(kHalfPulse);
-    wiring_.clock.pull_down(false);
-    pause(kHalfPulse);
-  }
-  wiring_.data.pull_down(true);
-  pause(kHalfPulse);
-  wiring_.data.pull_down(false);
+  wiring_.clock.take_wire();
+  wiring_.data.take_wire();
+  free_wires(wiring_.clock, wiring_.data, pause);
 }
 
 }  // namespace fencepost::mcu::rp2040

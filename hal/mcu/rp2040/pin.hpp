@@ -22,7 +22,13 @@ struct Pin {
     connect(kFunctionSoftware);
   }
   void drive(bool high) const { reg(high ? kSioOutSet : kSioOutClear) = mask(); }
-  /// As wires with several ends want it: pulled down or left alone.
+  /// One of several ends of a wire, by pull_down(); left alone at first.
+  void take_wire() const {
+    pull_down(false);
+    drive(false);
+    connect(kFunctionSoftware);
+  }
+  /// Or left alone.
   void pull_down(bool down) const { reg(down ? kSioDriveSet : kSioDriveClear) = mask(); }
   /// Of all pins, a bit each.
   [[nodiscard]] static std::uint32_t levels() { return reg(kSioIn); }

@@ -1,14 +1,9 @@
-// The vector table (RP2040 datasheet 2.3.2). The board defines the handlers named here; all else ends in a panic.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
+// The vector table (RP2040 datasheet 2.3.2). The board defines the handlers named here.
+#include "hal/mcu/cortex_m/vector_table.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
 
 extern "C" {
-void image_stack_top();  // an address, of the linker's
 [[noreturn]] void load_program();
-void unexpected_exception();
 void timer_interrupt();
 void usb_interrupt();
 void pins_interrupt();
@@ -18,29 +13,13 @@ void i2c_interrupt();
 }
 
 namespace fencepost::mcu::rp2040 {
-namespace {
 
-using Handler = void (*)();
-constexpr std::size_t kFirstInterrupt = 16;
-constexpr std::size_t kInterrupts = 26;
-using Table = std::array<Handler, kFirstInterrupt + kInterrupts>;
+using cortex_m::of_interrupt;
 
-constexpr Table make_table() {
-  Table table{};
-  table.fill(unexpected_exception);
-  table[0] = image_stack_top;
-  table[1] = load_program;
-  table[kFirstInterrupt + kInterruptTimer0] = timer_interrupt;
-  table[kFirstInterrupt + kInterruptUsb] = usb_interrupt;
-  table[kFirstInterrupt + kInterruptPins] = pins_interrupt;
-  table[kFirstInterrupt + kInterruptUart0] = uart0_interrupt;
-  table[kFirstInterrupt + kInterruptUart1] = uart1_interrupt;
-  table[kFirstInterrupt + kInterruptI2c0] = i2c_interrupt;
-  return table;
-}
-
-}  // namespace
-
-[[gnu::section(".vectors"), gnu::used]] extern constinit const Table vectors = make_table();
+[[gnu::section(".vectors"), gnu::used]] extern constinit const cortex_m::VectorTable<26> vectors =
+    cortex_m::make_vector_table<26>(
+        load_program, {of_interrupt(kInterruptTimer0, timer_interrupt), of_interrupt(kInterruptUsb, usb_interrupt),
+                       of_interrupt(kInterruptPins, pins_interrupt), of_interrupt(kInterruptUart0, uart0_interrupt),
+                       of_interrupt(kInterruptUart1, uart1_interrupt), of_interrupt(kInterruptI2c0, i2c_interrupt)});
 
 }  // namespace fencepost::mcu::rp2040
