@@ -24,7 +24,7 @@ void TwiRegisters::restart() const {
   pause();
   take_wire(clock);
   take_wire(data);
-  free_wires(clock, data, pause);
+  free_wires(clock, data, [] { pause(); });
   write(kTwiPower, 1);
   clock.make_two_wire();
   data.make_two_wire();

@@ -130,7 +130,7 @@ std::uint32_t I2c::command(std::size_t n) const {
 void I2c::free_bus() const {
   wiring_.clock.take_wire();
   wiring_.data.take_wire();
-  free_wires(wiring_.clock, wiring_.data, pause);
+  free_wires(wiring_.clock, wiring_.data, [] { pause(); });
 }
 
 }  // namespace fencepost::mcu::rp2040

@@ -25,7 +25,7 @@ void I2cRegisters::restart() const {
   write(kI2cControl1, 0);
   take_wire(clock);
   take_wire(data);
-  free_wires(clock, data, pause);
+  free_wires(clock, data, [] { pause(); });
   clock.connect_open(kPinFunction);
   data.connect_open(kPinFunction);
   write(kI2cControl1, kI2cReset);
