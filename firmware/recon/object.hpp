@@ -108,6 +108,7 @@ struct Object : ObjectCore {
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+    last_bearing = first.center;
     // A guessed place, until there is an estimate: what the first wedges leave is known before any distance is.
     clip.start();
     grid.start();
