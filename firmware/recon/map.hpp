@@ -273,10 +273,13 @@ class Map {
     hash.u32(size());
     hash.u32(next_id_);
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (objects_[o].used() && matcher_.seen(o)) hash_core(hash, objects_[o]);
+      if (objects_[o].used() && matcher_.seen(o)) hash_sighted(hash, objects_[o]);
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
-    if (turn.used()) hash_object(hash, turn);
+    if (turn.used()) {
+      hash_core(hash, turn);
+      hash_store(hash, turn, frames_ / kObjects % kDigestStores);
+    }
     ++frames_;
     digest_ = hash.value();
   }

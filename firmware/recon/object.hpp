@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <type_traits>
 
 #include "firmware/recon/carve.hpp"
 #include "firmware/recon/clip.hpp"
@@ -55,7 +56,6 @@ struct ObjectCore {
   Vec2 last_lens{0, 0};               ///< of the last sighting that the models took; local
   Vec2 last_bearing{1, 0};            ///< of the same; unit, map axes
   Cylinder cylinder;
-  CylinderPaper cylinder_paper;
   HeightBand band;
 
   [[nodiscard]] bool used() const { return id != 0; }
@@ -93,13 +93,15 @@ template <class Profile>
 struct Object : ObjectCore {
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
-  CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] std::conditional_t<Profile::kPaperCylinder, CylinderPaper, NoCylinderPaper> cylinder_paper;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
 
   /// Starts a new object at its first sighting, which is still to be tracked.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
+    cylinder_paper = {};
     sheaf.clear();
     id = new_id;
     signature = new_signature;
