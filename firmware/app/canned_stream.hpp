@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x684e50a76d1ec347;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x69bfe820a87cf92a;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xa35851cfc2ce5aeb;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x9a8de61e82dcea16;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x2a823fa6005329ff;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x2af2aca409f6366e;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -2,8 +2,8 @@
 // fixed by stream format 1 (host/share/doc/digest.md):
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   each object seen in the frame: who it is, its views, its estimate;
-//   one slot in turn (frame count modulo capacity), if used: its core and one of its stores, another one each round.
-// A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all stores of all slots take.
+//   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
+// A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 
 #include <cstdint>
@@ -27,21 +27,22 @@ void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t
 void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents);
 void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
 
-inline constexpr std::size_t kDigestStores = 3;
+inline constexpr std::size_t kDigestParts = 4;
 
-/// 0: waiting tangents, clip, sums of cylinder_paper; 1: sheaf; 2: grid. Nothing of what the profile lacks.
+/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid. Nothing of what the profile lacks.
 template <class Profile>
-void hash_store(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t store) {
-  if (store == 0) {
+void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t part) {
+  if (part == 0) hash_core(hash, object);
+  if (part == 1) {
     hash_pending(hash, object.pending.view());
     hash_clip(hash, object.clip.vertices());
     if constexpr (Profile::kPaperCylinder) hash_paper(hash, object.cylinder_paper);
   }
   if constexpr (Profile::kSheafViews > 0) {
-    if (store == 1) hash_sheaf(hash, object.sheaf.view());
+    if (part == 2) hash_sheaf(hash, object.sheaf.view());
   }
   if constexpr (Profile::kGridCells > 0) {
-    if (store == 2) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
+    if (part == 3) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
   }
 }
 
