@@ -77,7 +77,7 @@ TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("},
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
-                                             {"models", "::update_models("},
+                                             {"model", "::model("},
                                              {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
