@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0xa0d9a2dc4337608f;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x684e50a76d1ec347;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x66fd1cd1a9faff5a;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xa35851cfc2ce5aeb;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x14e8be218155d102;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x2a823fa6005329ff;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -54,9 +54,9 @@ Vec2 to_map(const LensPose& pose, const Vec2& camera_direction) { return rotated
 
 // Sigma of one tangent, rad. `normal` is the tangent's, map axes; `reach` the distance at which it touches.
 float end_sigma(const CylinderEstimate& estimate, const Vec2& normal, float reach, const MeasurementNoise& noise) {
-  const float pose_variance = noise.heading * noise.heading + noise.position * noise.position / (reach * reach);
   const float shape = noise.roundness * estimate.radius;
-  return std::sqrt((estimate.covariance.along(normal) + shape * shape) / (reach * reach) + pose_variance);
+  const float offset_variance = estimate.covariance.along(normal) + shape * shape + noise.position * noise.position;
+  return std::sqrt(offset_variance / (reach * reach) + noise.heading * noise.heading);
 }
 
 // The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.

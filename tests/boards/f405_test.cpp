@@ -77,7 +77,7 @@ TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("},
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
-                                             {"objects", "::update_matched("},
+                                             {"models", "::update_models("},
                                              {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
