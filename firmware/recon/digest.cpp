@@ -39,6 +39,16 @@ void hash_pose(base::Fnv1a64& hash, const MapPose& pose) {
   hash.i32(pose.heading);
 }
 
+void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object) {
+  const CylinderEstimate& estimate = object.cylinder.estimate();
+  hash.u32(object.id);
+  hash.u32(object.views);
+  hash.u8(static_cast<std::uint8_t>(estimate.refusal));
+  if (!estimate.ok()) return;
+  hash_vec(hash, estimate.center);
+  hash.f32(estimate.radius);
+}
+
 void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u32(object.id);
   hash.u8(object.signature);
@@ -54,6 +64,7 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u16(object.history.bits);
   hash.u8(object.history.length);
   hash.u16(object.missed_in_a_row);
+  hash.u8(object.waiting);
   hash.u8(object.sureness);
   hash.f32(object.presence);
   hash.i32(object.origin.x);
@@ -74,16 +85,19 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
     hash.f32(estimate.radius);
     hash_symmetric(hash, estimate.covariance);
   }
-  const CylinderPaper::Sums& paper = object.cylinder_paper.sums();
-  hash.f32(paper.nxx);
-  hash.f32(paper.nxy);
-  hash.f32(paper.nyy);
-  hash_vec(hash, paper.moment);
-  hash_vec(hash, paper.reach);
-  hash.f32(paper.start);
-  hash.f32(paper.views);
   hash_band(hash, object.band.bottom());
   hash_band(hash, object.band.top());
+}
+
+void hash_paper(base::Fnv1a64& hash, const CylinderPaper& paper) {
+  const CylinderPaper::Sums& sums = paper.sums();
+  hash.f32(sums.nxx);
+  hash.f32(sums.nxy);
+  hash.f32(sums.nyy);
+  hash_vec(hash, sums.moment);
+  hash_vec(hash, sums.reach);
+  hash.f32(sums.start);
+  hash.f32(sums.views);
 }
 
 void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices) {
@@ -117,16 +131,7 @@ void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views) {
   }
 }
 
-void hash_hybrid(base::Fnv1a64& hash, const HybridCore& core, ConstClusters clusters, const OutlineView& outline) {
-  hash.i32(core.origin.x);
-  hash.i32(core.origin.y);
-  hash_vec(hash, core.last_lens);
-  hash.u8(core.views);
-  hash.u8(core.used);
-  hash.u8(core.spread);
-  hash.u8(static_cast<std::uint8_t>(core.refusal));
-  hash.u8(core.news ? 1 : 0);
-  hash.u8(core.fitting ? 1 : 0);
+void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters) {
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const PackedCluster& cluster = clusters[i];
     if (cluster.views == 0) continue;
@@ -137,6 +142,18 @@ void hash_hybrid(base::Fnv1a64& hash, const HybridCore& core, ConstClusters clus
     hash.u8(cluster.sigma);
     hash.u8(cluster.views);
   }
+}
+
+void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline) {
+  hash.i32(core.origin.x);
+  hash.i32(core.origin.y);
+  hash_vec(hash, core.last_lens);
+  hash.u8(core.views);
+  hash.u8(core.used);
+  hash.u8(core.spread);
+  hash.u8(static_cast<std::uint8_t>(core.refusal));
+  hash.u8(core.news ? 1 : 0);
+  hash.u8(core.fitting ? 1 : 0);
   if (core.refusal != HybridRefusal::kNone) return;
   for (const std::int16_t offset : outline.offsets) hash.u16(static_cast<std::uint16_t>(offset));
   for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);

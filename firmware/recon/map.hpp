@@ -149,27 +149,45 @@ class Map {
     }
   }
 
-  // Most of a frame's work, so a small part does it for few objects a frame: first for those that were seen most often
-  // since their last turn.
+  // Most of a frame's work, so a small part does it for few objects a frame.
   void update_models(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
                      const MeasurementNoise& noise) {
+    const std::size_t nearest = lowest_foot(frame);
     for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
-      const std::size_t o = longest_waiting();
+      const std::size_t o = most_urgent(frame, nearest);
       if (o == kObjects) return;
       objects_[o].model(sighting_of(o, frame, camera, lens), noise);
     }
   }
 
-  // Of the objects seen in this frame, the older slot of two that wait alike; kObjects if none waits.
-  [[nodiscard]] std::size_t longest_waiting() const {
-    std::size_t longest = kObjects;
-    std::uint8_t most = 0;
+  [[nodiscard]] std::int16_t foot_of(std::size_t o, const WaitingFrame& frame) const {
+    return frame.blobs[matcher_.blob_of(o)].box.y2;
+  }
+  // Of the objects seen in this frame the one whose foot is lowest in the image: the robot is about to hit that one.
+  [[nodiscard]] std::size_t lowest_foot(const WaitingFrame& frame) const {
+    std::size_t lowest = kObjects;
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (!matcher_.seen(o) || objects_[o].waiting <= most) continue;
-      longest = o;
-      most = objects_[o].waiting;
+      if (!matcher_.seen(o)) continue;
+      if (lowest == kObjects || foot_of(o, frame) > foot_of(lowest, frame)) lowest = o;
     }
-    return longest;
+    return lowest;
+  }
+
+  // Of the objects seen in this frame the one that has waited longest for its models' turn; `nearest` waits twice as
+  // long as others. Of two the nearer one. kObjects if none waits. Nobody waits for ever: what is new or near goes
+  // before others for as long as they have waited less than twice the capacity.
+  [[nodiscard]] std::size_t most_urgent(const WaitingFrame& frame, std::size_t nearest) const {
+    std::size_t urgent = kObjects;
+    int longest = 0;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!matcher_.seen(o) || objects_[o].waiting == 0) continue;
+      const int waited = objects_[o].waiting * (o == nearest ? 2 : 1);
+      const bool before = waited == longest && foot_of(o, frame) > foot_of(urgent, frame);
+      if (waited < longest || (waited == longest && !before)) continue;
+      urgent = o;
+      longest = waited;
+    }
+    return urgent;
   }
 
   void count_pieces() {
@@ -258,10 +276,10 @@ class Map {
     hash.u32(size());
     hash.u32(next_id_);
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (objects_[o].used() && matcher_.seen(o)) hash_core(hash, objects_[o]);
+      if (objects_[o].used() && matcher_.seen(o)) hash_sighted(hash, objects_[o]);
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
-    if (turn.used()) hash_object(hash, turn);
+    if (turn.used()) hash_part(hash, turn, frames_ / kObjects % kDigestParts);
     ++frames_;
     digest_ = hash.value();
   }

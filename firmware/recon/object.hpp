@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <type_traits>
 
 #include "firmware/recon/carve.hpp"
 #include "firmware/recon/clip.hpp"
@@ -57,7 +58,6 @@ struct ObjectCore {
   Vec2 last_lens{0, 0};                ///< of the last sighting that the models took; local
   Vec2 last_bearing{1, 0};             ///< of the same; unit, map axes
   Cylinder cylinder;
-  CylinderPaper cylinder_paper;
   HeightBand band;
 
   static constexpr std::uint8_t kNoOutline = 0xFF;
@@ -98,7 +98,8 @@ template <class Profile>
 struct Object : ObjectCore {
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
-  CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] std::conditional_t<Profile::kPaperCylinder, CylinderPaper, NoCylinderPaper> cylinder_paper;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
   Hybrid<Profile::kHybridSectors> hybrid;
 
@@ -106,6 +107,7 @@ struct Object : ObjectCore {
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
+    cylinder_paper = {};
     sheaf.clear();
     hybrid.begin(first);
     id = new_id;
@@ -115,6 +117,7 @@ struct Object : ObjectCore {
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+    last_bearing = first.center;
     // A guessed place, until there is an estimate: what the first wedges leave is known before any distance is.
     clip.start();
     grid.start();

@@ -90,7 +90,9 @@ TEST(GivenRun, CarvesRecklesslyWithWrongFlags) {
     const auto recklessness = [&] {
       double sum = 0;
       for (const host::ObjectEvaluation& object : run_given(tour, "full").objects) {
-        sum += object.cuts.back().models.back().score.recklessness;
+        for (const host::ModelScore& model : object.cuts.back().models) {
+          if (model.model == "clip") sum += model.score.recklessness;
+        }
       }
       return sum / 15;
     };

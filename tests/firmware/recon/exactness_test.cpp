@@ -147,7 +147,6 @@ void expect_grid_keeps_footprint() {
 }
 TEST(Exactness, FullGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<config::Full>(); }
 TEST(Exactness, SmallGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<config::Small>(); }
-TEST(Exactness, MicroGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<config::Micro>(); }
 
 TEST(Exactness, CylinderIsRecoveredWithinAMillimetre) {
   for (const double radius : {0.03, 0.07, 0.2}) {
