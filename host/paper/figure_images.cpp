@@ -211,8 +211,7 @@ PaperFigure figure_8(const PaperData& data) {
     fig.add_picture(fmt::format("fig08_{}_real.png", frame + 1), real_picture(tour, frame),
                     fmt::format("image {}", frame + 1));
     fig.add_picture(fmt::format("fig08_{}_segmented.png", frame + 1), segmentation(tour, frame), "its regions");
-    for (std::size_t a = 0; a < algorithms().size(); ++a) {
-      const Algorithm& algorithm = algorithms()[a];
+    for (const Algorithm& algorithm : algorithms()) {
       const auto world = world_of(tour, data.shown.models, algorithm, data.shown.snapshot(tour.frames.size()));
       const auto both = reacquire_both(tour, renderer, world, frame);
       fig.add_picture(fmt::format("fig08_{}_{}.png", frame + 1, algorithm.key),
