@@ -28,7 +28,7 @@ constexpr std::string_view kMoreStyle = R"css(
 .claims .differs { background: #fde3d0; color: #7c2d12; }
 .claims .beyond { background: #e4e0f5; color: #3b2a7a; }
 tr.soft td { color: var(--soft); }
-table.decisions th, table.decisions td { white-space: normal; }
+table.decisions th { white-space: normal; }
 td small { display: block; font-size: 12px; color: var(--soft); white-space: nowrap; }
 .csv { font-size: 13px; margin: 8px 0 0; }
 )css";

@@ -110,6 +110,18 @@ TEST(DrawPicture, ShadesWallsByWhereTheyLook) {
   EXPECT_NE(picture.at(5, 5), picture.at(5, 115));  // wall, floor
 }
 
+TEST(DrawPicture, PaintsTheNearerWallOfOneSolidOverItsFartherOnes) {
+  const std::vector<Solid> alone{block(0.8, -0.05, 0.9, 0.05)};
+  std::vector<Solid> both = alone;
+  both[0].footprint.push_back({{{1, 0}, {1.2, -0.2}, {1.4, 0}, {1.2, 0.2}}, {}});  // looks elsewhere: another shade
+  const sensor::Rgb near = draw_picture(alone, view(), PictureStyle::kShaded).at(100, 60);
+  const Picture picture = draw_picture(both, view(), PictureStyle::kShaded);
+  EXPECT_EQ(picture.at(100, 60), near);
+  EXPECT_NE(picture.at(125, 60), near);
+  std::swap(both[0].footprint[0], both[0].footprint[1]);
+  EXPECT_EQ(draw_picture(both, view(), PictureStyle::kShaded).at(100, 60), near);
+}
+
 TEST(DrawPicture, LeavesOutWhatEnclosesTheLensAndWhatIsBehindIt) {
   const std::vector<Solid> solids{block(-2, -2, 2, 2), block(-1.2, -0.1, -1, 0.1)};
   EXPECT_EQ(count(draw_picture(solids, view(), PictureStyle::kSegmented), kWhite), 200U * 120U);
