@@ -20,14 +20,14 @@ double hue_degrees(sensor::Rgb rgb) {
 }  // namespace
 
 Appearance appearance(sensor::Rgb rgb) {
-  constexpr double kDark = 0.08;  // brightness below which a colour cannot be told from noise
+  constexpr double kDark = 0.1;  // brightness below which a colour cannot be told from noise
   constexpr double kHalfStrong =
       0.25;  // saturation at which a colour counts half: greys are split finely, paints coarsely
   constexpr double kBrightness = 0.8;
   const double most = std::max({rgb.red, rgb.green, rgb.blue}) / 255.0;
   const double least = std::min({rgb.red, rgb.green, rgb.blue}) / 255.0;
   if (most == 0) return {};
-  const double saturation = (most - least) / most * most / (most + kDark);
+  const double saturation = (most - least) / most * square(most) / (square(most) + square(kDark));
   const double strength = square(saturation) / (square(saturation) + square(kHalfStrong));
   const double alpha = rgb.red - (rgb.green + rgb.blue) / 2.0;
   const double beta = std::numbers::sqrt3 / 2 * (rgb.green - rgb.blue);

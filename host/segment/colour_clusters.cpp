@@ -1,13 +1,12 @@
 #include "host/segment/colour_clusters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <opencv2/imgproc.hpp>
-#include <set>
-
-#include "host/segment/connected.hpp"
 
 namespace fencepost::host {
 
@@ -24,7 +23,7 @@ sensor::Rgb to_rgb(const cv::Vec3d& bgr) {
 
 struct Point {
   Appearance looks;
-  const ColourRegion* region = nullptr;
+  const ColourCount* count = nullptr;
 };
 
 /// Index of the nearest centre, and how far it is.
@@ -37,7 +36,7 @@ std::pair<std::size_t, double> nearest(const std::vector<Appearance>& centres, c
   return best;
 }
 
-/// A centre wherever a point is farther than the radius from those before it; large regions come first.
+/// A centre wherever a point is farther than the radius from those before it; frequent colours come first.
 std::vector<Appearance> first_centres(const std::vector<Point>& points) {
   std::vector<Appearance> centres;
   for (const Point& point : points) {
@@ -55,7 +54,7 @@ std::vector<Appearance> moved_centres(const std::vector<Appearance>& centres, co
   std::vector<Sum> sums(centres.size());
   for (const Point& point : points) {
     Sum& sum = sums[nearest(centres, point.looks).first];
-    const double pixels = point.region->pixels;
+    const double pixels = point.count->pixels;
     sum.looks = {sum.looks.x + pixels * point.looks.x, sum.looks.y + pixels * point.looks.y,
                  sum.looks.z + pixels * point.looks.z};
     sum.pixels += pixels;
@@ -69,53 +68,46 @@ std::vector<Appearance> moved_centres(const std::vector<Appearance>& centres, co
   return moved;
 }
 
-std::vector<ColourCluster> described(const std::vector<Appearance>& centres, const std::vector<Point>& points) {
+std::vector<ColourCluster> described(const std::vector<Appearance>& centres, const std::vector<Point>& points,
+                                     double min_pixels) {
   std::vector<ColourCluster> clusters(centres.size());
   std::vector<cv::Vec3d> colours(centres.size(), cv::Vec3d(0, 0, 0));
-  std::vector<std::set<std::size_t>> images(centres.size());
+  std::vector<std::map<std::size_t, double>> pixels_of(centres.size());
   for (const Point& point : points) {
     const std::size_t i = nearest(centres, point.looks).first;
-    clusters[i].pixels += point.region->pixels;
-    clusters[i].border_pixels += point.region->border_pixels;
-    colours[i] += point.region->pixels * point.region->bgr;
-    images[i].insert(point.region->image);
+    clusters[i].pixels += point.count->pixels;
+    clusters[i].border_pixels += point.count->border_pixels;
+    colours[i] += point.count->pixels * point.count->bgr;
+    pixels_of[i][point.count->image] += point.count->pixels;
   }
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     clusters[i].looks = centres[i];
-    clusters[i].images = images[i].size();
+    for (const auto& [image, pixels] : pixels_of[i]) clusters[i].images += pixels >= min_pixels ? 1 : 0;
     if (clusters[i].pixels > 0) clusters[i].rgb = to_rgb(colours[i] / clusters[i].pixels);
   }
   std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
   return clusters;
 }
 
-std::vector<int> parts_of(const cv::Mat& smooth) {
-  constexpr int kStep = 4;  // grey levels between neighbours of one region
-  const auto pixel = [&](std::size_t at) -> const cv::Vec3b& {
-    const auto columns = static_cast<std::size_t>(smooth.cols);
-    return smooth.at<cv::Vec3b>(static_cast<int>(at / columns), static_cast<int>(at % columns));
-  };
-  const auto same = [&](std::size_t a, std::size_t b) {
-    const cv::Vec3b& p = pixel(a);
-    const cv::Vec3b& q = pixel(b);
-    return std::abs(p[0] - q[0]) <= kStep && std::abs(p[1] - q[1]) <= kStep && std::abs(p[2] - q[2]) <= kStep;
-  };
-  return connected_parts(smooth.rows, smooth.cols, false, same);
-}
-
-/// All neighbours of the pixel are of its own part.
-bool is_inside(const std::vector<int>& part, const cv::Size& size, int u, int v) {
-  const auto part_of = [&](int column, int row) {
-    return part[static_cast<std::size_t>(row) * static_cast<std::size_t>(size.width) +
-                static_cast<std::size_t>(column)];
-  };
-  const int own = part_of(u, v);
-  for (int row = std::max(0, v - 1); row <= std::min(size.height - 1, v + 1); ++row) {
-    for (int column = std::max(0, u - 1); column <= std::min(size.width - 1, u + 1); ++column) {
-      if (part_of(column, row) != own) return false;
+/// All neighbours of the pixel look like it.
+bool is_inside(const cv::Mat& smooth, int u, int v) {
+  constexpr int kStep = 6;  // grey levels; shading in a smoothed image is slower, edges are faster
+  const cv::Vec3b& own = smooth.at<cv::Vec3b>(v, u);
+  for (int row = std::max(0, v - 1); row <= std::min(smooth.rows - 1, v + 1); ++row) {
+    for (int column = std::max(0, u - 1); column <= std::min(smooth.cols - 1, u + 1); ++column) {
+      const cv::Vec3b& other = smooth.at<cv::Vec3b>(row, column);
+      for (int c = 0; c < 3; ++c) {
+        if (std::abs(own[c] - other[c]) > kStep) return false;
+      }
     }
   }
   return true;
+}
+
+void add_pixel(ColourCount& count, const cv::Vec3b& colour, bool on_border) {
+  count.bgr += cv::Vec3d(colour[0], colour[1], colour[2]);
+  count.pixels += 1;
+  if (on_border) count.border_pixels += 1;
 }
 
 }  // namespace
@@ -127,35 +119,34 @@ cv::Mat mean_shift(const cv::Mat& image, double spatial, double range) {
   return smooth;
 }
 
-std::vector<ColourRegion> colour_regions(const cv::Mat& smooth, double min_pixels, int darkest, std::size_t image) {
-  const std::vector<int> part = parts_of(smooth);
-  std::vector<ColourRegion> regions;
+std::vector<ColourCount> count_colours(const cv::Mat& smooth, int darkest, std::size_t image) {
+  const auto step = [](const cv::Vec3b& colour) { return std::array{colour[2] / 8, colour[1] / 8, colour[0] / 8}; };
+  std::map<std::array<int, 3>, ColourCount> counts;
   for (int v = 0; v < smooth.rows; ++v) {
     for (int u = 0; u < smooth.cols; ++u) {
-      const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(smooth.cols) + static_cast<std::size_t>(u);
-      const auto number = static_cast<std::size_t>(part[at]);
-      if (number >= regions.size()) regions.resize(number + 1, {{0, 0, 0}, 0, 0, image});
       const cv::Vec3b& colour = smooth.at<cv::Vec3b>(v, u);
-      if (std::max({colour[0], colour[1], colour[2]}) < darkest || !is_inside(part, smooth.size(), u, v)) continue;
-      regions[number].bgr += cv::Vec3d(colour[0], colour[1], colour[2]);
-      regions[number].pixels += 1;
-      if (u == 0 || v == 0 || u == smooth.cols - 1 || v == smooth.rows - 1) regions[number].border_pixels += 1;
+      if (std::max({colour[0], colour[1], colour[2]}) < darkest || !is_inside(smooth, u, v)) continue;
+      const bool on_border = u == 0 || v == 0 || u == smooth.cols - 1 || v == smooth.rows - 1;
+      add_pixel(counts.try_emplace(step(colour), ColourCount{{0, 0, 0}, 0, 0, image}).first->second, colour, on_border);
     }
   }
-  std::erase_if(regions, [&](const ColourRegion& region) { return region.pixels < std::max(1.0, min_pixels); });
-  for (ColourRegion& region : regions) region.bgr /= region.pixels;
-  return regions;
+  std::vector<ColourCount> list;
+  for (auto& [key, count] : counts) {
+    count.bgr /= count.pixels;
+    list.push_back(count);
+  }
+  return list;
 }
 
-std::vector<ColourCluster> cluster_colours(std::vector<ColourRegion> regions) {
+std::vector<ColourCluster> cluster_colours(std::vector<ColourCount> counts, double min_pixels) {
   constexpr int kRounds = 12;
-  std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
+  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
   std::vector<Point> points;
-  points.reserve(regions.size());
-  for (const ColourRegion& region : regions) points.push_back({appearance(to_rgb(region.bgr)), &region});
+  points.reserve(counts.size());
+  for (const ColourCount& count : counts) points.push_back({appearance(to_rgb(count.bgr)), &count});
   std::vector<Appearance> centres = first_centres(points);
   for (int round = 0; round < kRounds; ++round) centres = moved_centres(centres, points);
-  return described(centres, points);
+  return described(centres, points, min_pixels);
 }
 
 }  // namespace fencepost::host

@@ -1,4 +1,4 @@
-// Which colours a set of images has: mean-shift smoothed images fall into regions, their colours into clusters.
+// Which colours a set of images has: the colours of smoothed images fall into clusters.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,27 +12,27 @@ namespace fencepost::host {
 /// neighbourhood of `spatial` px and `range` grey levels. 8-bit blue, green, red.
 cv::Mat mean_shift(const cv::Mat& image, double spatial, double range);
 
-/// One region of nearly constant colour in a smoothed image.
-struct ColourRegion {
+/// How often one image shows a colour (steps of 8 grey levels).
+struct ColourCount {
   cv::Vec3d bgr;  ///< mean
   double pixels = 0;
   double border_pixels = 0;  ///< of them on the image's border
   std::size_t image = 0;
 };
 
-/// Regions of at least `min_pixels`. Pixels darker than `darkest` in every channel belong to none. Edges between
-/// colours are too thin to be one.
-std::vector<ColourRegion> colour_regions(const cv::Mat& smooth, double min_pixels, int darkest, std::size_t image);
+/// Counts the pixels whose neighbours all look alike, in order of colour: the mixtures along edges are none of the
+/// scene's colours. Pixels darker than `darkest` in every channel are left out.
+std::vector<ColourCount> count_colours(const cv::Mat& smooth, int darkest, std::size_t image);
 
 struct ColourCluster {
   Appearance looks;
   sensor::Rgb rgb;
   double pixels = 0;
   double border_pixels = 0;
-  std::size_t images = 0;  ///< that have a region of it
+  std::size_t images = 0;  ///< that show at least min_pixels of it
 };
 
-/// Clusters of radius kSameColour about, largest first. Same regions, same clusters.
-std::vector<ColourCluster> cluster_colours(std::vector<ColourRegion> regions);
+/// Clusters of radius kSameColour about, most pixels first. Same counts, same clusters.
+std::vector<ColourCluster> cluster_colours(std::vector<ColourCount> counts, double min_pixels);
 
 }  // namespace fencepost::host

@@ -4,8 +4,8 @@
 #include <turbojpeg.h>
 
 #include <fstream>
-#include <iterator>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace fencepost::host {
@@ -52,7 +52,8 @@ cv::Mat decode_jpeg(std::string_view bytes, const std::string& name) {
   int height = 0;
   int subsampling = 0;
   int space = 0;
-  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0) fail();
+  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0 || width < 1)
+    fail();
   check_size(width, height, name);
   cv::Mat image(height, width, CV_8UC3);
   const int pitch = static_cast<int>(image.step[0]);
@@ -74,10 +75,11 @@ cv::Mat decode_image(std::string_view bytes, const std::string& name) {
 
 cv::Mat read_image(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  // A folder opens but does not read.
-  if (!file.is_open() || file.bad()) throw SegmentProblem{path, "cannot be read", "check the name and the permissions"};
-  return decode_image(bytes, path);
+  std::ostringstream all;
+  if (file) all << file.rdbuf();
+  // An empty file sets failbit on `all` only; a folder opens but cannot be read.
+  if (!file || file.bad()) throw SegmentProblem{path, "cannot be read", "check the name and the permissions"};
+  return decode_image(all.str(), path);
 }
 
 std::string encode_png(const cv::Mat& image) {

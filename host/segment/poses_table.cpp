@@ -123,7 +123,7 @@ void settle_times(PosesTable& table, bool has_time) {
     return;
   }
   const double first = table.rows.front().pose.t;
-  table.shifted_times = first < 0 || table.rows.back().pose.t > kLatest;
+  table.shifted_times = first < 0 || first > kLatest || table.rows.back().pose.t > kLatest;
   std::int64_t previous = -1;  // in the stream's ticks
   for (ImagePose& row : table.rows) {
     if (table.shifted_times) row.pose.t -= first;

@@ -49,11 +49,9 @@ std::optional<std::pair<int, int>> gap_between(int a1, int a2, int b1, int b2) {
 
 int width(const std::optional<std::pair<int, int>>& gap) { return gap ? gap->second - gap->first + 1 : 0; }
 
-/// What the two have in common along one axis, or the gap where they have nothing.
+/// The gap between the two along one axis, or what they have in common where there is none.
 std::pair<int, int> span_between(int a1, int a2, int b1, int b2) {
-  const int first = std::max(a1, b1);
-  const int last = std::min(a2, b2);
-  return {std::min(first, last), std::max(first, last)};
+  return gap_between(a1, a2, b1, b2).value_or(std::pair{std::max(a1, b1), std::min(a2, b2)});
 }
 
 /// More than half of the rectangle between the two is of another signature: something stands in front.

@@ -108,19 +108,18 @@ class Segmentation {
 
   std::vector<ColourCluster> look_for_colours(std::size_t count) {
     constexpr std::size_t kMostKept = std::size_t{256} << 20U;  // bytes
-    std::vector<ColourRegion> regions;
+    std::vector<ColourCount> counts;
     std::size_t bytes = 0;
     for (std::size_t k = 0; k < count; ++k) {
       step();
       const std::size_t i = k * views_.size() / count;
       const Prepared prepared = prepare(i);
-      const auto found =
-          colour_regions(prepared.smooth, rules_.min_pixels / 2.0, options_.classes.background.darkest, i);
-      regions.insert(regions.end(), found.begin(), found.end());
+      const auto found = count_colours(prepared.smooth, options_.classes.background.darkest, i);
+      counts.insert(counts.end(), found.begin(), found.end());
       bytes += 2 * prepared.smooth.total() * prepared.smooth.elemSize();
       if (bytes < kMostKept) kept_.emplace(i, prepared);
     }
-    return cluster_colours(std::move(regions));
+    return cluster_colours(std::move(counts), rules_.min_pixels / 2.0);
   }
 
   void add_frame(std::size_t i, const ColourClasses& classes) {

@@ -43,7 +43,8 @@ void Straightener::make_maps() {
 }
 
 cv::Mat Straightener::operator()(const cv::Mat& image) const {
-  cv::Mat upright = image;
+  cv::Mat upright;
+  if (rotate_ == 0) upright = image;
   if (rotate_ == 90) cv::rotate(image, upright, cv::ROTATE_90_CLOCKWISE);
   if (rotate_ == 180) cv::rotate(image, upright, cv::ROTATE_180);
   if (rotate_ == 270) cv::rotate(image, upright, cv::ROTATE_90_COUNTERCLOCKWISE);

@@ -30,12 +30,11 @@ cylinder {
   }
   finish { Matt }
 }
-// A post of the table's own wood: nothing that has a colour to look for, but in some views it stands before the blocks.
-box {
-  <-0.012, 0, -0.012>, <0.012, 0.17, 0.012> rotate y * 20 translate <0.24, 0, -0.13>
-  pigment { color rgb <0.52, 0.44, 0.35> }
-  finish { Matt }
-}
+// A thin post and a low block of the table's own wood: no colour to look for, but in some views they hide a strip of a
+// block, or its foot.
+#declare Unpainted = texture { pigment { color rgb <0.52, 0.44, 0.35> } finish { Matt } };
+box { <-0.006, 0, -0.006>, <0.006, 0.17, 0.006> rotate y * 20 translate <0.42, 0, -0.2> texture { Unpainted } }
+box { <-0.04, 0, -0.02>, <0.04, 0.035, 0.02> rotate y * 35 translate <0.25, 0, -0.09> texture { Unpainted } }
 // Walls, floor and ceiling.
 difference {
   box { <-3.2, -0.75, -3.0>, <3.2, 1.9, 3.0> }
