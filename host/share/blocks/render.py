@@ -10,6 +10,7 @@ import json
 import math
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -66,6 +67,17 @@ def camera_of(scene, pose):
             f"  up <0, {height}, 0> right <{s:.9f}, 0, {-c:.9f}> * {width} }}\n")
 
 
+def without_remarks(png):
+    """The file without POV-Ray's date and settings: only what makes the picture."""
+    kept, at = png[:8], 8
+    while at < len(png):
+        (length,) = struct.unpack(">I", png[at:at + 4])
+        if png[at + 4:at + 8] in (b"IHDR", b"IDAT", b"IEND"):
+            kept += png[at:at + length + 12]
+        at += length + 12
+    return kept
+
+
 def render(scene, pose, blocks, target):
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder) / "view.pov"
@@ -76,6 +88,7 @@ def render(scene, pose, blocks, target):
                               capture_output=True, text=True, cwd=folder, env=dict(os.environ, HOME=folder))
         if done.returncode != 0 or not target.exists():
             sys.exit(f"render.py: povray failed:\n{done.stderr}")
+        target.write_bytes(without_remarks(target.read_bytes()))
 
 
 def main():
