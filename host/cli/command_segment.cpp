@@ -94,15 +94,21 @@ SegmentHooks hooks_for(const Request& request, const std::vector<View>& views) {
   return hooks;
 }
 
+/// "1 region", "2 regions".
+std::string counted(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 void say_counts(const SegmentSummary& summary) {
-  say(fmt::format("{} images of {} x {} px, {} blobs", summary.frames, summary.width, summary.height, summary.blobs));
-  const auto say_if = [](std::size_t count, const char* what) {
-    if (count > 0) say(fmt::format("{} {}", count, what));
+  say(fmt::format("{} of {} x {} px, {}", counted(summary.frames, "image"), summary.width, summary.height,
+                  counted(summary.blobs, "blob")));
+  const auto say_if = [](std::size_t count, const char* thing, const char* what) {
+    if (count > 0) say(counted(count, thing) + " " + what);
   };
-  say_if(summary.empty, "images show nothing but background");
-  say_if(summary.merged, "regions joined to another of their signature");
-  say_if(summary.small, "regions left out: too small (--min-pixels)");
-  say_if(summary.dropped, "regions left out: a frame holds 16, the largest");
+  say_if(summary.empty, "image", "with nothing but background");
+  say_if(summary.merged, "region", "joined to another of the same signature");
+  say_if(summary.small, "region", "left out: too small (--min-pixels)");
+  say_if(summary.dropped, "region", "left out: a frame holds 16, the largest");
 }
 
 void say_colours(const SegmentSummary& summary) {
@@ -122,7 +128,7 @@ void say_colours(const SegmentSummary& summary) {
 }
 
 void say_table(const PosesTable& table, const ImageList& list) {
-  if (list.without_pose > 0) say(fmt::format("{} images left out: not in {}", list.without_pose, table.file));
+  if (list.without_pose > 0) say(counted(list.without_pose, "image") + " left out: not in " + table.file);
   if (table.made_up_times) say(table.file + " has no column t: times are made up, one image every 0.1 s");
   if (table.shifted_times) say("t counts from the first image: the stream's clock ends at 999999 s");
   for (const std::string& column : table.unused_columns) say("column " + column + " of " + table.file + " is not used");

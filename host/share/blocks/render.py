@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Renders a scene's views with POV-Ray: render.py SCENE.json FOLDER [--views N,N,...].
 
-Writes FOLDER/view_NNN.png and FOLDER/poses.csv (image,t,x,y,heading of the robot; s, m, rad). One thread and no random sampling: the
-same scene gives the same bytes with the same POV-Ray. The path must be an arc around a centre, the camera level.
+Writes FOLDER/view_NNN.png and FOLDER/poses.csv (image,t,x,y,heading of the robot; s, m, rad). One thread a view and no random sampling:
+the same scene gives the same bytes with the same POV-Ray. The path must be an arc around a centre, the camera level.
 """
 
 import argparse
@@ -14,6 +14,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -87,7 +88,7 @@ def render(scene, pose, blocks, target):
         done = subprocess.run(["povray", f"+I{source}", f"+O{target}", "+FN8", "-D", "-GA", *size, *quality],
                               capture_output=True, text=True, cwd=folder, env=dict(os.environ, HOME=folder))
         if done.returncode != 0 or not target.exists():
-            sys.exit(f"render.py: povray failed:\n{done.stderr}")
+            raise SystemExit(f"render.py: povray failed:\n{done.stderr}")
         target.write_bytes(without_remarks(target.read_bytes()))
 
 
@@ -105,13 +106,15 @@ def main():
     colours = {signature["id"]: signature["rgb"] for signature in scene["signatures"]}
     blocks = "".join(block_of(thing, colours) for thing in scene["objects"])
     wanted = {int(view) for view in arguments.views.split(",")} if arguments.views else None
-    rows = ["image,t,x,y,heading"]
+    rows, jobs = ["image,t,x,y,heading"], []
     for i, pose in enumerate(poses_of(scene)):
         name = f"view_{i:03}.png"
         rows.append(f"{name}," + ",".join(f"{value:.4f}" for value in pose))
         if wanted is None or i in wanted:
-            render(scene, pose, blocks, folder / name)
-            print(f"{name} of {scene['path']['views']}", file=sys.stderr)
+            jobs.append((pose, folder / name))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:  # a renderer of one thread each
+        for done, _ in enumerate(pool.map(lambda job: render(scene, job[0], blocks, job[1]), jobs), 1):
+            print(f"{done} of {len(jobs)} views", file=sys.stderr)
     (folder / "poses.csv").write_text("\n".join(rows) + "\n")
 
 
