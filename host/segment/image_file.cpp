@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace fencepost::host {
 
@@ -44,7 +45,7 @@ cv::Mat decode_png(std::string_view bytes, const std::string& name) {
 
 cv::Mat decode_jpeg(std::string_view bytes, const std::string& name) {
   const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), &tjDestroy);
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  const std::vector<unsigned char> data(bytes.begin(), bytes.end());
   const auto fail = [&] {
     throw SegmentProblem{name, std::string("is a damaged JPEG (") + tjGetErrorStr2(decoder.get()) + ")", kDamaged};
   };
@@ -52,12 +53,13 @@ cv::Mat decode_jpeg(std::string_view bytes, const std::string& name) {
   int height = 0;
   int subsampling = 0;
   int space = 0;
-  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0 || width < 1)
+  if (tjDecompressHeader3(decoder.get(), data.data(), data.size(), &width, &height, &subsampling, &space) != 0 ||
+      width < 1)
     fail();
   check_size(width, height, name);
   cv::Mat image(height, width, CV_8UC3);
   const int pitch = static_cast<int>(image.step[0]);
-  if (tjDecompress2(decoder.get(), data, bytes.size(), image.data, width, pitch, height, TJPF_BGR,
+  if (tjDecompress2(decoder.get(), data.data(), data.size(), image.data, width, pitch, height, TJPF_BGR,
                     TJFLAG_ACCURATEDCT) != 0) {
     fail();
   }

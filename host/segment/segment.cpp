@@ -35,9 +35,9 @@ std::vector<sensor::OdometrySample> odometry_of(const std::vector<View>& views) 
     if (i > 0) {
       const TimedPose& last = views[i - 1].pose;
       const double turn = std::remainder(pose.heading - last.heading, 2 * std::numbers::pi);
-      const double steps = std::ceil((pose.t - last.t) / kLongest);
-      for (double k = 1; k < steps; ++k) {
-        const double share = k / steps;
+      const int steps = static_cast<int>(std::ceil((pose.t - last.t) / kLongest));
+      for (int k = 1; k < steps; ++k) {
+        const double share = static_cast<double>(k) / steps;
         add(last.t + share * (pose.t - last.t), last.x + share * (pose.x - last.x), last.y + share * (pose.y - last.y),
             last.heading + share * turn);
       }
@@ -155,7 +155,7 @@ class Segmentation {
 
   [[noreturn]] void fail_empty(const ColourClasses& classes) const {
     throw SegmentProblem{views_.size() == 1 ? views_[0].path : "the images", "show nothing but background in any view",
-                         classes.background().size() > 0 && options_.classes.signatures.empty()
+                         !classes.background().empty() && options_.classes.signatures.empty()
                              ? "give the colours with --signatures or --colour, or the background's with --background"
                              : "check the colours that were given, or let them be found"};
   }
