@@ -1,6 +1,7 @@
 #include "host/segment/colour_classes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -17,6 +18,14 @@ constexpr std::size_t kMostSignatures = 255;
 bool is_shade_of(const Appearance& shade, const Appearance& of) {
   constexpr double kLighter = 0.3;  // of 0.8 from black to white
   return squared_hue_distance(shade, of) < kSame && shade.z < of.z + kLighter;
+}
+
+/// Strong colours of one hue: one paint, from its brightest to its darkest side.
+bool is_same_paint(const Appearance& a, const Appearance& b) {
+  constexpr double kStrong = 0.4;
+  constexpr double kCosine = 0.97;  // of 14 degrees of hue
+  const double length = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
+  return length > kStrong * kStrong && a.x * b.x + a.y * b.y > kCosine * length;
 }
 
 /// Which clusters are background, when nobody says: the largest, all that take a tenth of the images' borders, and the
@@ -104,8 +113,14 @@ void ColourClasses::take_found(const std::vector<ColourCluster>& clusters, const
   const std::vector<bool> background = background_of(clusters, rules.background);
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const ColourCluster& cluster = clusters[i];
+    const auto paint = std::find_if(signatures_.begin(), signatures_.end(), [&](const SignatureUse& use) {
+      return is_same_paint(cluster.looks, appearance(use.signature.rgb));
+    });
     if (background[i]) {
       add_background(cluster);
+    } else if (paint != signatures_.end()) {
+      prototypes_.push_back({cluster.looks, paint->signature.signature});
+      paint->images = std::max(paint->images, cluster.images);
     } else if (cluster.images < fewest || signatures_.size() == kMostSignatures) {
       prototypes_.push_back({cluster.looks, 0});
       rare_.push_back(cluster.rgb);

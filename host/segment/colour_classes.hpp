@@ -22,7 +22,7 @@ struct BackgroundRule {
 struct ClassRules {
   BackgroundRule background;
   /// Given: the clusters near one of these belong to it, whatever the light made of it; the rest is background.
-  /// Empty: each cluster that is no background is a signature, numbered from 1, most pixels first.
+  /// Empty: each paint that is no background is a signature, numbered from 1, most pixels first.
   std::vector<record::Signature> signatures;
   bool silhouette = false;  ///< all that is no background is signature 1
 };

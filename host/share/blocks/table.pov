@@ -3,16 +3,16 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1
-  radiosity { count 120 nearest_count 8 error_bound 0.5 recursion_limit 1 brightness 0.9 pretrace_end 0.02 }
+  radiosity { count 120 nearest_count 8 error_bound 0.5 recursion_limit 1 brightness 0.6 pretrace_end 0.02 }
 }
 
 #declare Lamp = light_source {
-  <1.1, 1.3, 0.5> color rgb <1.0, 0.95, 0.86> * 1.5
+  <1.1, 1.3, 0.5> color rgb <1.0, 0.9, 0.74> * 1.6
   area_light <0.3, 0, 0>, <0, 0, 0.3>, 9, 9 adaptive 2 circular orient
   fade_distance 1.8 fade_power 2
 };
 #declare Window = light_source {
-  <-2.6, 1.3, -1.2> color rgb <0.75, 0.85, 1.0> * 0.6
+  <-2.6, 1.3, -1.2> color rgb <0.75, 0.85, 1.0> * 0.25
   area_light <0, 0.9, 0>, <0.5, 0, -0.9>, 9, 9 adaptive 2
   fade_distance 2.5 fade_power 2
 };
@@ -30,11 +30,12 @@ cylinder {
   }
   finish { Matt }
 }
-// A thin post and a low block of the table's own wood: no colour to look for, but in some views they hide a strip of a
-// block, or its foot.
-#declare Unpainted = texture { pigment { color rgb <0.52, 0.44, 0.35> } finish { Matt } };
-box { <-0.006, 0, -0.006>, <0.006, 0.17, 0.006> rotate y * 20 translate <0.42, 0, -0.2> texture { Unpainted } }
-box { <-0.04, 0, -0.02>, <0.04, 0.035, 0.02> rotate y * 35 translate <0.25, 0, -0.09> texture { Unpainted } }
+// A low block of the table's own wood: no colour to look for, but in some views it hides a foot.
+box {
+  <-0.04, 0, -0.02>, <0.04, 0.035, 0.02> rotate y * 35 translate <0.25, 0, -0.09>
+  pigment { color rgb <0.52, 0.44, 0.35> }
+  finish { Matt }
+}
 // Walls, floor and ceiling.
 difference {
   box { <-3.2, -0.75, -3.0>, <3.2, 1.9, 3.0> }

@@ -47,6 +47,20 @@ TEST(Segment, ABlocksLitAndShadedSidesAreOne) {
   }
 }
 
+// A round thing shows all shades from light to dark.
+TEST(Segment, ACansShadesAreOneSignature) {
+  cv::Mat image = room();
+  for (int u = 40; u <= 79; ++u) {
+    const double light = 0.25 + 0.75 * (79 - u) / 39.0;
+    const auto lit = [&](int channel) { return static_cast<std::uint8_t>(light * channel); };
+    paint(image, u, 40, u, 79, {lit(60), lit(190), lit(90)});
+  }
+  const Recorded log = segmented(twice(image));
+  ASSERT_EQ(log.signatures.size(), 1U);
+  ASSERT_EQ(log.frames.at(0).blobs.size(), 1U);
+  expect_box(log.frames[0].blobs[0], 40, 40, 79, 79);
+}
+
 TEST(Segment, RedOnBothSidesOfTheHueSeamIsOne) {
   cv::Mat image = room();
   paint(image, 20, 40, 39, 79, {200, 30, 41});  // hue 356
