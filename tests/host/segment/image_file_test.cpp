@@ -90,6 +90,14 @@ TEST(ImageFile, CutFilesAreRefused) {
   }
 }
 
+TEST(ImageFile, APngWithAWrongChecksumIsRefused) {
+  std::string png = encode_png(colourful());
+  const std::size_t data = png.find("IDAT");
+  ASSERT_NE(data, std::string::npos);
+  png[data + 20] = static_cast<char>(png[data + 20] ^ 1);
+  EXPECT_EQ(refusal(png).rfind("it: is a damaged PNG", 0), 0U) << refusal(png);
+}
+
 TEST(ImageFile, DamagedFilesNeverCrash) {
   std::mt19937 random(7);
   int refused = 0;

@@ -58,9 +58,14 @@ TEST(Regions, CentroidAndColourAreMeansOverThePixels) {
 }
 
 TEST(Regions, TouchingOnesOfOneSignatureAreOneAlsoAcrossCorners) {
-  EXPECT_EQ(found(drawn({"......", ".aa...", ".aaaa.", "...aa.", "......"}), kPlain).kept.size(), 1U);
-  EXPECT_EQ(found(drawn({"......", ".aa...", "...aa.", "......"}), kPlain).kept.size(), 1U);
-  EXPECT_EQ(found(drawn({"......", "...aa.", ".aa...", "......"}), kPlain).kept.size(), 1U);
+  for (const std::vector<std::string>& rows :
+       {std::vector<std::string>{"......", ".aa...", ".aaaa.", "...aa.", "......"},
+        std::vector<std::string>{"......", ".aa...", "...aa.", "......"},
+        std::vector<std::string>{"......", "...aa.", ".aa...", "......"}}) {
+    const Regions regions = found(drawn(rows), kPlain);
+    EXPECT_EQ(regions.kept.size(), 1U);
+    EXPECT_EQ(regions.merged, 0U) << "they are connected, there is no gap to bridge";
+  }
   EXPECT_EQ(found(drawn({"......", ".aabb.", ".aabb.", "......"}), kPlain).kept.size(), 2U);
 }
 
