@@ -37,35 +37,42 @@ bool must_stop(const Obstacle& obstacle, float stop, float slack) {
 
 }  // namespace
 
+AlertRules::AlertRules(const config::Settings& settings)
+    : stop(settings.number(Key::kAlertStop)),
+      warn(settings.number(Key::kAlertWarn)),
+      notice(settings.number(Key::kAlertNotice)),
+      ttc_stop(settings.number(Key::kAlertTtcStop)),
+      ttc_warn(settings.number(Key::kAlertTtcWarn)),
+      repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}
+
 bool credible(const recon::ObjectCore& object) { return object.confirmed && object.missed_in_a_row < kGoneAfterMisses; }
 
-AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack) {
+AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack) {
   if (!obstacle.known) return AlertLevel::kClear;
-  const auto near = [&](Key key) { return obstacle.distance <= slack * settings.number(key); };
-  const auto soon = [&](Key key) { return obstacle.closing && obstacle.ttc <= slack * settings.number(key); };
-  if (!obstacle.in_path) return near(Key::kAlertWarn) ? AlertLevel::kNotice : AlertLevel::kClear;
-  if (must_stop(obstacle, settings.number(Key::kAlertStop), slack) || soon(Key::kAlertTtcStop))
-    return AlertLevel::kStop;
-  if (near(Key::kAlertWarn) || soon(Key::kAlertTtcWarn)) return AlertLevel::kWarn;
-  if (near(Key::kAlertNotice)) return AlertLevel::kNotice;
+  const auto near = [&](float distance) { return obstacle.distance <= slack * distance; };
+  const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
+  if (!obstacle.in_path) return near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
+  if (must_stop(obstacle, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
+  if (near(rules.warn) || soon(rules.ttc_warn)) return AlertLevel::kWarn;
+  if (near(rules.notice)) return AlertLevel::kNotice;
   return AlertLevel::kClear;
 }
 
 std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
-                                const config::Settings& settings, base::Time now) {
+                                const AlertRules& rules, base::Time now) {
   if (state.id != object.id) {
     state = AlertState{};
     state.id = object.id;
   }
   const bool believed = credible(object);
-  const AlertLevel due = believed ? level_for(obstacle, settings, 1.0F) : AlertLevel::kClear;
+  const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
   if (due > state.level) {
     state.level = due;
     state.easing = false;
     state.said_at = Stamp(now);
     return due;
   }
-  const AlertLevel held = believed ? level_for(obstacle, settings, kHysteresis) : AlertLevel::kClear;
+  const AlertLevel held = believed ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;
@@ -80,7 +87,7 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   } else {
     state.easing = false;
   }
-  base::Duration interval{base::Time::kPerUnit / settings.raw(Key::kAlertRate)};
+  base::Duration interval = rules.repeat;
   if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
   if (state.level > AlertLevel::kClear && state.said_at.since(now) >= interval) {
     state.said_at = Stamp(now);

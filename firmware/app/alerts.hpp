@@ -34,17 +34,28 @@ inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 /// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
 inline constexpr std::uint16_t kGoneAfterMisses = 12;
 
+/// The settings as numbers to compare with, once for all objects.
+struct AlertRules {
+  explicit AlertRules(const config::Settings& settings);
+  float stop;      ///< m
+  float warn;      ///< m
+  float notice;    ///< m
+  float ttc_stop;  ///< s
+  float ttc_warn;  ///< s
+  base::Duration repeat;
+};
+
 /// Worth an alert: confirmed, and not gone from where it should be.
 [[nodiscard]] bool credible(const recon::ObjectCore& object);
 
 /// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
 /// anything else as near as alert.warn is worth a notice. A stop is early rather than late: what is known badly counts
 /// as nearer than it seems, and so does what will be there before the path is watched again.
-record::AlertLevel level_for(const Obstacle& obstacle, const config::Settings& settings, float slack);
+record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
 /// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of warn and
 /// stop at most alert.rate times a second (notice: once a second), an easing once it has lasted.
 std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
-                                        const config::Settings& settings, base::Time now);
+                                        const AlertRules& rules, base::Time now);
 
 }  // namespace fencepost::app

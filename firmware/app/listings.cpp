@@ -117,7 +117,7 @@ std::size_t write_object(char letter, const recon::ObjectCore& object, std::stri
   if (!object.cylinder.estimate().ok()) {
     return s.put("  no place: ").put(recon::name(object.cylinder.estimate().refusal)).end();
   }
-  const record::ObjectReport report = report_object(object, see_obstacle(object, pose, {}), now);
+  const record::ObjectReport report = report_object(object, see_obstacle(object, RobotPlace(pose), {}), now);
   s.put(" ").metres_to(41, report.x).put(" ").metres_to(49, report.y).put(" ").metres_to(57, report.radius);
   s.put(" ").metres_to(65, report.distance).put("  ").bearing(report.bearing);
   return s.end();

@@ -36,16 +36,22 @@ bool swept(const Vec2& center, float radius, const RobotPath& path) {
 
 }  // namespace
 
-Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
+RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
+  const base::SinCos direction = base::sincos_urad(pose.heading);
+  heading = {direction.cos, direction.sin};
+}
+
+float Obstacle::bearing() const { return base::atan2_rad(toward.y(), toward.x()); }
+
+Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
-  const base::SinCos heading = base::sincos_urad(pose.heading);
-  const Vec2 away = cylinder.center - recon::offset_from(object.origin, pose.position);
-  const Vec2 center{heading.cos * away.x() + heading.sin * away.y(), heading.cos * away.y() - heading.sin * away.x()};
+  const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
+  const Vec2 center{robot.heading.dot(away), recon::cross(robot.heading, away)};
   const float range = std::sqrt(center.squaredNorm());
   Obstacle obstacle;
   obstacle.known = true;
-  obstacle.bearing = base::atan2_rad(center.y(), center.x());
+  obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.sigma = range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
   obstacle.cut_off = object.left_open || object.right_open;

@@ -15,18 +15,28 @@ struct RobotPath {
 
 /// Robot frame: origin midway between the wheels, x forward, y left.
 struct Obstacle {
-  bool known = false;    ///< the object has an alert model
-  float bearing = 0;     ///< rad, of the nearest point
-  float distance = 0;    ///< m, from the robot's origin to the nearest point; 0 inside
-  float sigma = 0;       ///< m, of the distance
-  bool cut_off = false;  ///< where it was seen last, an end of it was outside the image or hidden
+  bool known = false;        ///< the object has an alert model
+  recon::Vec2 toward{0, 0};  ///< m, the middle of the alert model: the nearest point is on the way to it
+  float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
+  float sigma = 0;           ///< m, of the distance
+  bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing
   bool in_path = false;
+
+  /// rad, of the nearest point
+  [[nodiscard]] float bearing() const;
 };
 
-/// Alert model: the cylinder. `pose` is where the robot is now.
-Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path);
+/// Where the robot is now: its heading as a direction, once for all obstacles.
+struct RobotPlace {
+  explicit RobotPlace(const recon::MapPose& pose);
+  recon::MapPoint position;
+  recon::Vec2 heading;  ///< unit
+};
+
+/// Alert model: the cylinder.
+Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path);
 
 }  // namespace fencepost::app

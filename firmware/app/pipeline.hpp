@@ -253,18 +253,19 @@ class Pipeline {
     path.motion = m_.poses.motion(kMotionSpan);
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
-    std::optional<Nearest> nearest;
+    const RobotPlace robot(m_.poses.latest());
+    const AlertRules rules(m_.settings);
+    std::optional<Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::ObjectCore& object = m_.map.slots()[o];
       if (!object.used()) continue;
-      const Obstacle obstacle = see_obstacle(object, m_.poses.latest(), path);
-      const auto level = judge(m_.alerts[o], object, obstacle, m_.settings, now);
-      const record::AlertReport report = report_alert(object, obstacle, level.value_or(m_.alerts[o].level), now);
-      if (level) telling_.alert(report);
-      highest = std::max(highest, report.level);
-      const bool nearer = !nearest || report.distance < nearest->distance;
-      if (obstacle.known && credible(object) && nearer) nearest = Nearest{report.distance, report.bearing};
+      const Obstacle obstacle = see_obstacle(object, robot, path);
+      const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
+      if (level) telling_.alert(report_alert(object, obstacle, *level, now));
+      highest = std::max(highest, m_.alerts[o].level);
+      const bool nearer = !nearest || obstacle.distance < nearest->distance;
+      if (obstacle.known && credible(object) && nearer) nearest = obstacle;
     }
     telling_.plot(nearest, highest, now);
   }

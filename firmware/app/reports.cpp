@@ -48,7 +48,7 @@ record::ObjectReport report_object(const recon::ObjectCore& object, const Obstac
   report.radius = metres(cylinder.radius);
   report.z_min = metres(band.z_min);
   report.z_max = metres(band.z_max);
-  report.bearing = radians(obstacle.bearing);
+  report.bearing = radians(obstacle.bearing());
   report.distance = metres(obstacle.distance);
   report.confidence = ratio(object.confidence());
   report.state = state_of(object, now);
@@ -70,6 +70,8 @@ record::StatusReport report_status(base::Time now, const Counters& counters, std
   return report;
 }
 
+Nearest nearest_of(const Obstacle& obstacle) { return {metres(obstacle.distance), radians(obstacle.bearing())}; }
+
 record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
                                  base::Time now) {
   record::AlertReport report;
@@ -77,7 +79,7 @@ record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle
   report.level = level;
   report.id = object.id;
   report.signature = object.signature;
-  report.bearing = radians(obstacle.bearing);
+  report.bearing = radians(obstacle.bearing());
   report.distance = metres(obstacle.distance);
   if (obstacle.closing && obstacle.ttc < kLongestTtc) {
     report.ttc = base::Duration{ten_thousandths(obstacle.ttc)};

@@ -3,6 +3,7 @@
 
 #include "firmware/app/counters.hpp"
 #include "firmware/app/obstacle.hpp"
+#include "firmware/app/text.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/record/records.hpp"
 
@@ -17,6 +18,8 @@ record::ObjectState state_of(const recon::ObjectCore& object, base::Time now);
 record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now);
 
 record::StatusReport report_status(base::Time now, const Counters& counters, std::uint32_t objects);
+
+Nearest nearest_of(const Obstacle& obstacle);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
                                  base::Time now);

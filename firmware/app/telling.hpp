@@ -84,8 +84,10 @@ class Telling {
     say([&](std::span<char> room) { return describe(report, name_of(report.signature), room); });
   }
 
-  void plot(const std::optional<Nearest>& nearest, record::AlertLevel level, base::Time now) {
+  void plot(const std::optional<Obstacle>& obstacle, record::AlertLevel level, base::Time now) {
     if (!shown_in(Mode::kPlot) || m_.console.plotted_at.since(now) < kPlotInterval) return;
+    std::optional<Nearest> nearest;
+    if (obstacle) nearest = nearest_of(*obstacle);
     m_.console.plotted_at = Stamp(now);
     say([&](std::span<char> room) { return describe_plot(nearest, level, room); });
   }
@@ -106,7 +108,7 @@ class Telling {
       const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
       if (!changed && !due) continue;
       last = {object.id, state, Stamp(now)};
-      report(report_object(object, see_obstacle(object, m_.poses.latest(), {}), now));
+      report(report_object(object, see_obstacle(object, RobotPlace(m_.poses.latest()), {}), now));
     }
   }
 

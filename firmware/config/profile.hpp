@@ -11,12 +11,14 @@ namespace fencepost::config {
 struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
+  static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kPoses = 24;         ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kPending = 6;        ///< tangents kept until an object has a place
   static constexpr std::size_t kClipVertices = 24;  ///< 8 bytes each; more edges than that are given up
-  static constexpr std::size_t kGridCells = 32;     ///< a side: 128 bytes
-  static constexpr std::size_t kSheafViews = 0;     ///< no room: the sheaf is absent
+  static constexpr std::size_t kGridCells = 0;   ///< the clip is the same wedges, exactly, in less code and fewer steps
+  static constexpr bool kPaperCylinder = false;  ///< for comparisons at the desk
+  static constexpr std::size_t kSheafViews = 0;  ///< no room: the sheaf is absent
   static constexpr std::size_t kSheafPosts = 0;
   static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
   static constexpr std::size_t kJournalBytes = 0;     ///< of a log beside the console: a brain with a disk has one
@@ -29,11 +31,13 @@ struct Micro {
 struct Small {
   static constexpr std::string_view kName = "small";
   static constexpr std::size_t kObjects = 8;
+  static constexpr std::size_t kModelTurns = 2;
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kPoses = 64;
   static constexpr std::size_t kPending = 16;
   static constexpr std::size_t kClipVertices = 96;
-  static constexpr std::size_t kGridCells = 64;
+  static constexpr std::size_t kGridCells = 64;  ///< a side: 512 bytes
+  static constexpr bool kPaperCylinder = true;
   static constexpr std::size_t kSheafViews = 36;  ///< 32 bytes each; one every 10 degrees of a whole tour
   static constexpr std::size_t kSheafPosts = 72;  ///< vertices of its hull, no part of Memory: two for each view
   static constexpr std::size_t kOutputBytes = 4096;
@@ -47,11 +51,13 @@ struct Small {
 struct Full {
   static constexpr std::string_view kName = "full";
   static constexpr std::size_t kObjects = 32;
+  static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kPending = 64;
   static constexpr std::size_t kClipVertices = 192;  ///< 75 views of a round object need at most 154
   static constexpr std::size_t kGridCells = 128;
+  static constexpr bool kPaperCylinder = true;
   static constexpr std::size_t kSheafViews = 75;  ///< 32 bytes each; the paper's tour, whole
   static constexpr std::size_t kSheafPosts = 192;
   static constexpr std::size_t kOutputBytes = 16384;

@@ -48,7 +48,7 @@ struct Interval {
   bool bottom_censored = true;
 };
 
-Interval interval_of(const CameraModel& camera, const BlobRays& rays);
+Interval interval_of(const CameraModel& camera, const Box& box);
 
 /// Cost of taking the blob for the object, 0 (perfect) to 200; kImpossible: it cannot be. The mean over the box's
 /// visible sides of the squared deviation in units of three sigmas, at most 1 a side: place, size and shape in one. Of
@@ -62,8 +62,8 @@ bool covers(const Prediction& prediction, const Interval& interval);
 bool has_middle_of(const Prediction& prediction, const Interval& interval);
 
 /// Counts the frames in a row in which an end that was seen is more than three sigmas off, always to the same side.
-/// `rays`: which ends of the blob are this object's own.
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const BlobRays& rays);
+/// `ends`: the blob's that are not this object's own.
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Interval& interval, const OpenEnds& ends);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Interval& interval);

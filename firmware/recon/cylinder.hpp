@@ -35,11 +35,11 @@ struct Symmetric3 {
 
   /// (n, 1) M (n, 1)'
   [[nodiscard]] float along(const Vec2& n) const {
-    return n.x() * n.x() * xx + n.y() * n.y() * yy + rr + 2 * (n.x() * n.y() * xy + n.x() * xr + n.y() * yr);
+    return n.x() * (n.x() * xx + 2 * (n.y() * xy + xr)) + n.y() * (n.y() * yy + 2 * yr) + rr;
   }
   /// n M n' of the (x, y) part.
   [[nodiscard]] float position_along(const Vec2& n) const {
-    return n.x() * n.x() * xx + n.y() * n.y() * yy + 2 * n.x() * n.y() * xy;
+    return n.x() * (n.x() * xx + 2 * n.y() * xy) + n.y() * n.y() * yy;
   }
   void scale(float factor);
   void add(const Symmetric3& other);

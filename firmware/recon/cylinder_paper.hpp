@@ -33,4 +33,11 @@ class CylinderPaper {
   Sums sums_;
 };
 
+/// Where there is no room for the model: costs no byte, remembers nothing.
+class NoCylinderPaper {
+ public:
+  void add(const Sighting&, MapPoint) {}
+  void move_origin(const Vec2&) {}
+};
+
 }  // namespace fencepost::recon

@@ -39,6 +39,16 @@ void hash_pose(base::Fnv1a64& hash, const MapPose& pose) {
   hash.i32(pose.heading);
 }
 
+void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object) {
+  const CylinderEstimate& estimate = object.cylinder.estimate();
+  hash.u32(object.id);
+  hash.u32(object.views);
+  hash.u8(static_cast<std::uint8_t>(estimate.refusal));
+  if (!estimate.ok()) return;
+  hash_vec(hash, estimate.center);
+  hash.f32(estimate.radius);
+}
+
 void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u32(object.id);
   hash.u8(object.signature);
@@ -54,6 +64,7 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u16(object.history.bits);
   hash.u8(object.history.length);
   hash.u16(object.missed_in_a_row);
+  hash.u8(object.waiting);
   hash.f32(object.presence);
   hash.i32(object.origin.x);
   hash.i32(object.origin.y);
@@ -73,16 +84,19 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
     hash.f32(estimate.radius);
     hash_symmetric(hash, estimate.covariance);
   }
-  const CylinderPaper::Sums& paper = object.cylinder_paper.sums();
-  hash.f32(paper.nxx);
-  hash.f32(paper.nxy);
-  hash.f32(paper.nyy);
-  hash_vec(hash, paper.moment);
-  hash_vec(hash, paper.reach);
-  hash.f32(paper.start);
-  hash.f32(paper.views);
   hash_band(hash, object.band.bottom());
   hash_band(hash, object.band.top());
+}
+
+void hash_paper(base::Fnv1a64& hash, const CylinderPaper& paper) {
+  const CylinderPaper::Sums& sums = paper.sums();
+  hash.f32(sums.nxx);
+  hash.f32(sums.nxy);
+  hash.f32(sums.nyy);
+  hash_vec(hash, sums.moment);
+  hash_vec(hash, sums.reach);
+  hash.f32(sums.start);
+  hash.f32(sums.views);
 }
 
 void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices) {

@@ -1,8 +1,9 @@
 // The state digest: FNV-1a 64 over an explicit little-endian serialisation, chained frame to frame. What is hashed is
 // fixed by stream format 1 (host/share/doc/digest.md):
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
-//   each object seen in the frame: its core (identity, counters, origin, equations, estimate);
-//   one slot in turn (frame count modulo capacity), if used: its core, sheaf, clip and grid.
+//   each object seen in the frame: who it is, its views, its estimate;
+//   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
+// A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +17,33 @@
 namespace fencepost::recon {
 
 void hash_pose(base::Fnv1a64& hash, const MapPose& pose);
+/// Of an object that the frame showed.
+void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object);
 void hash_core(base::Fnv1a64& hash, const ObjectCore& object);
+void hash_paper(base::Fnv1a64& hash, const CylinderPaper& paper);
 void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices);
 void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t placements,
                std::span<const std::uint32_t> words);
 void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents);
 void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
 
+inline constexpr std::size_t kDigestParts = 4;
+
+/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid. Nothing of what the profile lacks.
 template <class Profile>
-void hash_object(base::Fnv1a64& hash, const Object<Profile>& object) {
-  hash_core(hash, object);
-  hash_pending(hash, object.pending.view());
-  if constexpr (Profile::kSheafViews > 0) hash_sheaf(hash, object.sheaf.view());
-  hash_clip(hash, object.clip.vertices());
-  hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
+void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t part) {
+  if (part == 0) hash_core(hash, object);
+  if (part == 1) {
+    hash_pending(hash, object.pending.view());
+    hash_clip(hash, object.clip.vertices());
+    if constexpr (Profile::kPaperCylinder) hash_paper(hash, object.cylinder_paper);
+  }
+  if constexpr (Profile::kSheafViews > 0) {
+    if (part == 2) hash_sheaf(hash, object.sheaf.view());
+  }
+  if constexpr (Profile::kGridCells > 0) {
+    if (part == 3) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
+  }
 }
 
 }  // namespace fencepost::recon

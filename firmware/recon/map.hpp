@@ -54,9 +54,10 @@ class Map {
     outcome.matched = matcher_.match(frame);
     matcher_.share_merged(frame);
     matcher_.hide_behind_models();
-    update_matched(frame, camera, lens, noise);
+    track_matched(frame, camera, lens);
     notice_missing();
-    begin_new(frame, camera, lens, noise, outcome);
+    begin_new(frame, camera, lens, outcome);
+    update_models(frame, camera, lens, noise);
     count_pieces();
     drop_doubles();
     forget_refuted();
@@ -89,16 +90,19 @@ class Map {
     }
   }
 
-  void update_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
-                      const MeasurementNoise& noise) {
+  [[nodiscard]] Sighting sighting_of(std::size_t o, const WaitingFrame& frame, const CameraModel& camera,
+                                     const LensPose& lens) const {
+    return make_sighting(camera, lens, matcher_.rays_for(o, frame, camera));
+  }
+
+  void track_matched(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!matcher_.seen(o)) continue;
       ObjectType& object = objects_[o];
-      const BlobRays rays = matcher_.rays_for(o, frame, camera);
-      const Sighting sighting = make_sighting(camera, lens, rays);
-      compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), rays);
-      if (object.contradicted()) object.restart(sighting, exposure_);
-      object.observe(sighting, exposure_, noise);
+      const OpenEnds ends = matcher_.open_ends(o);
+      compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), ends);
+      if (object.contradicted()) object.restart(sighting_of(o, frame, camera, lens), exposure_);
+      object.track(ends, exposure_);
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);
     }
@@ -118,8 +122,7 @@ class Map {
     }
   }
 
-  void begin_new(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
-                 const MeasurementNoise& noise, FrameOutcome& outcome) {
+  void begin_new(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
     for (std::size_t b = 0; b < matcher_.blobs(); ++b) {
       const Interval& interval = matcher_.interval(b);
       if (matcher_.taken(b) || (interval.left_censored && interval.right_censored)) continue;
@@ -133,15 +136,55 @@ class Map {
         ++outcome.refused;
         continue;
       }
-      const Sighting sighting = make_sighting(camera, lens, matcher_.rays_of(frame, camera, b));
-      objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting, exposure_);
+      matcher_.begin(slot, b);
+      objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting_of(slot, frame, camera, lens), exposure_);
       if (next_id_ == 0) next_id_ = 1;
       objects_[slot].confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
-      objects_[slot].observe(sighting, exposure_, noise);
+      objects_[slot].track(matcher_.open_ends(slot), exposure_);
       objects_[slot].history.push(true);
-      matcher_.begin(slot, b);
       ++outcome.born;
     }
+  }
+
+  // Most of a frame's work, so a small part does it for few objects a frame.
+  void update_models(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
+                     const MeasurementNoise& noise) {
+    const std::size_t nearest = lowest_foot(frame);
+    for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
+      const std::size_t o = most_urgent(frame, nearest);
+      if (o == kObjects) return;
+      objects_[o].model(sighting_of(o, frame, camera, lens), noise);
+    }
+  }
+
+  [[nodiscard]] std::int16_t foot_of(std::size_t o, const WaitingFrame& frame) const {
+    return frame.blobs[matcher_.blob_of(o)].box.y2;
+  }
+  // Of the objects seen in this frame the one whose foot is lowest in the image: the robot is about to hit that one.
+  [[nodiscard]] std::size_t lowest_foot(const WaitingFrame& frame) const {
+    std::size_t lowest = kObjects;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!matcher_.seen(o)) continue;
+      if (lowest == kObjects || foot_of(o, frame) > foot_of(lowest, frame)) lowest = o;
+    }
+    return lowest;
+  }
+
+  // Of the objects seen in this frame the one that has waited longest for its models' turn; `nearest` waits twice as
+  // long as others. Of two the nearer one. kObjects if none waits. Nobody waits for ever: what is new or near goes
+  // before others for as long as they have waited less than twice the capacity.
+  [[nodiscard]] std::size_t most_urgent(const WaitingFrame& frame, std::size_t nearest) const {
+    std::size_t urgent = kObjects;
+    int longest = 0;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!matcher_.seen(o) || objects_[o].waiting == 0) continue;
+      const int waited = objects_[o].waiting * (o == nearest ? 2 : 1);
+      const bool before = waited == longest && foot_of(o, frame) > foot_of(urgent, frame);
+      if (waited < longest || (waited == longest && !before)) continue;
+      urgent = o;
+      longest = waited;
+    }
+    return urgent;
   }
 
   void count_pieces() {
@@ -230,10 +273,10 @@ class Map {
     hash.u32(size());
     hash.u32(next_id_);
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (objects_[o].used() && matcher_.seen(o)) hash_core(hash, objects_[o]);
+      if (objects_[o].used() && matcher_.seen(o)) hash_sighted(hash, objects_[o]);
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
-    if (turn.used()) hash_object(hash, turn);
+    if (turn.used()) hash_part(hash, turn, frames_ / kObjects % kDigestParts);
     ++frames_;
     digest_ = hash.value();
   }

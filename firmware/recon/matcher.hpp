@@ -34,9 +34,8 @@ class Matcher {
   void see(const WaitingFrame& frame, const CameraModel& camera) {
     blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
     for (std::size_t b = 0; b < blobs_; ++b) {
-      BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
-      censor(rays, hidden_ends(frame.blobs.view(), b, camera.rows));
-      intervals_[b] = interval_of(camera, rays);
+      intervals_[b] = interval_of(camera, frame.blobs[b].box);
+      censor(intervals_[b], hidden_ends(frame.blobs.view(), b, camera.rows));
       object_of_[b] = kNoMatch;
     }
   }
@@ -94,6 +93,14 @@ class Matcher {
         if (hides_end(predictions_[o], own, intervals_[b].right, 1)) intervals_[b].right_censored = true;
       }
     }
+  }
+
+  /// The ends of the object's blob that are not its own.
+  [[nodiscard]] OpenEnds open_ends(std::size_t o) const {
+    const Interval& interval = intervals_[blob_of_[o]];
+    const Shared& shared = shared_[o];
+    return {interval.left_censored || (shared.any && shared.is_right),
+            interval.right_censored || (shared.any && !shared.is_right)};
   }
 
   /// Of a blob that two objects share, the ends and rows that are another's are not this one's.

@@ -1,9 +1,11 @@
-// One object: what it is, how often it was seen, and its models. All views of it pass through observe().
+// One object: what it is, how often it was seen, and its models. Each sighting passes through track(); the models take
+// those for which the map has a turn, by model().
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <type_traits>
 
 #include "firmware/recon/carve.hpp"
 #include "firmware/recon/clip.hpp"
@@ -48,12 +50,12 @@ struct ObjectCore {
   base::Time last_seen;
   SightingHistory history;
   std::uint16_t missed_in_a_row = 0;  ///< frames in which it should have been seen and was not, since the last sighting
+  std::uint8_t waiting = 0;           ///< sightings since the last one that the models took; a new object's count more
   float presence = 1;                 ///< running share of expected sightings that came
   MapPoint origin;                    ///< of the local frame of all models
-  Vec2 last_lens{0, 0};               ///< local
-  Vec2 last_bearing{1, 0};            ///< unit, map axes
+  Vec2 last_lens{0, 0};               ///< of the last sighting that the models took; local
+  Vec2 last_bearing{1, 0};            ///< of the same; unit, map axes
   Cylinder cylinder;
-  CylinderPaper cylinder_paper;
   HeightBand band;
 
   [[nodiscard]] bool used() const { return id != 0; }
@@ -63,6 +65,16 @@ struct ObjectCore {
   [[nodiscard]] bool contradicted() const {
     constexpr int kEnough = 10;  // a lost or grown segment says it once
     return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kEnough;
+  }
+
+  /// What matching, alerts and the table's order need of every sighting.
+  void track(const OpenEnds& ends, base::Time t) {
+    left_open = ends.left;
+    right_open = ends.right;
+    last_seen = t;
+    missed_in_a_row = 0;
+    ++views;
+    if (waiting < 0xFF) ++waiting;
   }
 
   /// In [0, 1]: 1 - sqrt(outline sigma / radius), times the share of expected sightings that came; 0 without cylinder.
@@ -81,20 +93,24 @@ template <class Profile>
 struct Object : ObjectCore {
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
-  CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;
+  [[no_unique_address]] std::conditional_t<Profile::kPaperCylinder, CylinderPaper, NoCylinderPaper> cylinder_paper;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
 
-  /// Starts a new object at its first sighting.
+  /// Starts a new object at its first sighting, which is still to be tracked.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
     static_cast<ObjectCore&>(*this) = ObjectCore{};  // member by member: a whole object does not fit on the stack
     pending.clear();
+    cylinder_paper = {};
     sheaf.clear();
     id = new_id;
     signature = new_signature;
     last_seen = t;
+    waiting = Profile::kObjects;  // no alert before it has a place: it goes before all that had a turn lately
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);
+    last_bearing = first.center;
     // A guessed place, until there is an estimate: what the first wedges leave is known before any distance is.
     clip.start();
     grid.start();
@@ -111,21 +127,18 @@ struct Object : ObjectCore {
     presence = was_present;
   }
 
-  /// One more view of the object.
-  void observe(const Sighting& sighting, base::Time t, const MeasurementNoise& noise) {
+  /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight
+  /// is how far the lens has moved since the last one that was taken.
+  void model(const Sighting& sighting, const MeasurementNoise& noise) {
     const Vec2 lens = sighting.lens_from(origin);
-    cylinder.add(sighting, origin, views == 0 ? 1.0F : novelty(lens), noise);
+    cylinder.add(sighting, origin, cylinder.first_views() == 0 ? 1.0F : novelty(lens), noise);
     cylinder_paper.add(sighting, origin);
     sheaf.add(sighting, origin);
     band.add(sighting, origin);
     cylinder.solve(lens);
     last_lens = lens;
     last_bearing = sighting.center;
-    left_open = sighting.left.censored;
-    right_open = sighting.right.censored;
-    last_seen = t;
-    missed_in_a_row = 0;
-    ++views;
+    waiting = 0;
     if (cylinder.estimate().ok() && must_move()) move_arena();
     if (!sighting.left.censored) cut(left_tangent(sighting, origin));
     if (!sighting.right.censored) cut(right_tangent(sighting, origin));

@@ -26,6 +26,12 @@ struct MapRay {
   bool censored = true;
 };
 
+/// The ends of an object that a blob does not show: there it goes on behind a neighbour or the border.
+struct OpenEnds {
+  bool left = true;
+  bool right = true;
+};
+
 /// A view of one blob. Directions in map axes; the lens is at `anchor` + `lens` (m).
 struct Sighting {
   MapPoint anchor;    ///< the robot's position at the exposure
@@ -42,6 +48,7 @@ struct Sighting {
 
   /// The lens in a local frame with map axes.
   [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
+  [[nodiscard]] OpenEnds open_ends() const { return {left.censored, right.censored}; }
 };
 
 /// map_T_lens at one exposure.

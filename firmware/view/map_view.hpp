@@ -91,10 +91,10 @@ class MapView {
     if (!app::drawn(object) || memory().poses.empty()) return;
     colour(slot, object.signature);
     picture_.add(make_figure(object, object.clip.vertices(), slot, picture_.window()));
-    const app::Obstacle obstacle = app::see_obstacle(object, memory().poses.latest(), {});
+    const app::Obstacle obstacle = app::see_obstacle(object, app::RobotPlace(memory().poses.latest()), {});
     const auto distance = base::Metres::nearest(obstacle.distance);
     if (app::credible(object) && (!nearest_ || distance < nearest_->distance)) {
-      nearest_ = app::Nearest{distance, base::Radians::nearest(obstacle.bearing)};
+      nearest_ = app::Nearest{distance, base::Radians::nearest(obstacle.bearing())};
     }
     const app::AlertState& alert = memory().alerts[slot];
     if (alert.id == object.id && alert.level > level_) level_ = alert.level;

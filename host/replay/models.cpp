@@ -148,8 +148,8 @@ ModelResult cylinder_model(const recon::ObjectCore& object) {
   return model;
 }
 
-ModelResult cylinder_paper_model(const recon::ObjectCore& object) {
-  const recon::PaperCylinder cylinder = object.cylinder_paper.solve();
+ModelResult cylinder_paper_model(const recon::ObjectCore& object, const recon::CylinderPaper& paper) {
+  const recon::PaperCylinder cylinder = paper.solve();
   ModelResult model;
   model.name = "cylinder_paper";
   if (!cylinder.ok) {

@@ -12,7 +12,7 @@ namespace fencepost::host {
 
 /// 64 vertices, the circle's area. Map frame.
 ModelResult cylinder_model(const recon::ObjectCore& object);
-ModelResult cylinder_paper_model(const recon::ObjectCore& object);
+ModelResult cylinder_paper_model(const recon::ObjectCore& object, const recon::CylinderPaper& paper);
 ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::Vec2> vertices);
 
 /// The convex hull of a sheaf's posts; `name` is sheaf or sheaf_paper.
@@ -26,7 +26,8 @@ ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacem
 /// All models of the profile, in the order of the result document.
 template <class Profile>
 std::vector<ModelResult> models_of(const recon::Object<Profile>& object) {
-  std::vector<ModelResult> models{cylinder_model(object), cylinder_paper_model(object)};
+  std::vector<ModelResult> models{cylinder_model(object)};
+  if constexpr (Profile::kPaperCylinder) models.push_back(cylinder_paper_model(object, object.cylinder_paper));
   if constexpr (Profile::kSheafViews > 0) {
     recon::PlaneSheaf<Profile::kSheafViews, Profile::kSheafPosts> sheaf;
     sheaf.build_paper(object.sheaf.view());
@@ -34,7 +35,9 @@ std::vector<ModelResult> models_of(const recon::Object<Profile>& object) {
     sheaf.build(object.sheaf.view());
     models.push_back(sheaf_model(object, "sheaf", sheaf.hull(), sheaf.refusal()));
   }
-  models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
+  if constexpr (Profile::kGridCells > 0) {
+    models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
+  }
   models.push_back(clip_model(object, object.clip.vertices()));
   return models;
 }

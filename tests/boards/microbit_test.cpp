@@ -121,7 +121,7 @@ TEST(Microbit, CountsNoMoreInstructionsForFourObjectsThanCommitted) {
                                             {{"turn", "image::Robot::work("},
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
-                                             {"object", "::observe("},
+                                             {"model", "::model("},
                                              {"frame", "recon::hash_pose("},
                                              {"alerts", "::watch_path("}},
                                             out);

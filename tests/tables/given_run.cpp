@@ -53,7 +53,8 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
     if (result.visible++ == 0) {
       object->begin(static_cast<std::uint32_t>(truth + 1), scene_object.signature, sighting, t);
     }
-    object->observe(sighting, t, {});
+    object->track(sighting.open_ends(), t);
+    object->model(sighting, {});
     if (!std::binary_search(kTableViews.begin(), kTableViews.end(), object->views)) continue;
     result.cuts.push_back(host::cut_of(describe(*object), scene_object.footprint, false));
   }

@@ -11,7 +11,10 @@ namespace {
 
 using app::Obstacle;
 using app::RobotPath;
-using app::see_obstacle;
+
+app::Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
+  return app::see_obstacle(object, app::RobotPlace(pose), path);
+}
 
 RobotPath driving(float forward, float turn = 0) {
   RobotPath path;
@@ -27,7 +30,7 @@ TEST(Obstacle, DistanceAndBearingAreFromTheRobotsOriginToTheNearestPoint) {
   const Obstacle seen = see_obstacle(object, {{100'000, 200'000}, 1'570'796}, driving(0));
   ASSERT_TRUE(seen.known);
   EXPECT_NEAR(seen.distance, 0.4F, 2e-3F);
-  EXPECT_NEAR(seen.bearing, 0.6435F, 5e-3F);  // atan2(0.3, 0.4)
+  EXPECT_NEAR(seen.bearing(), 0.6435F, 5e-3F);  // atan2(0.3, 0.4)
   EXPECT_FALSE(seen.closing);
 }
 

@@ -171,7 +171,7 @@ TEST(Map, AFullTableGivesUpTheLeastUsefulTentativeObject) {
   drive.step(more, 0, 0.1, 0);  // the tentative 4 goes, 5 takes its place
   EXPECT_EQ(drive.map->evicted(), 1U);
   for (const auto* object : drive.objects()) EXPECT_NE(object->signature, 4);
-  for (int i = 0; i < 5; ++i) drive.step(more, 0, 0.1 + 0.01 * i, 0);
+  for (int i = 0; i < 12; ++i) drive.step(more, 0, 0.1 + 0.01 * i, 0);  // a turn of the models for each of the four
   more.push_back({6, 1.6, 0.6, 0.04});
   const recon::FrameOutcome outcome = drive.step(more, 0, 0.15, 0);  // all four confirmed: no room
   EXPECT_EQ(outcome.refused, 1);
@@ -311,6 +311,47 @@ TEST(Map, HeightBandFollowsFromTheRows) {
   ASSERT_TRUE(band.top_known);
   EXPECT_NEAR(band.z_min, 0.0F, 0.004F);
   EXPECT_NEAR(band.z_max, 0.10F, 0.004F);
+}
+
+// Something new in every frame, and something near: whoever is seen still has its turn in bounded time, the near one
+// more often than others, and the new one in the frame that shows it first if nobody has waited long.
+TEST(Map, EveryObjectThatIsSeenHasItsTurnOfTheModels) {
+  constexpr int kBound = 3 * static_cast<int>(config::Micro::kObjects) + 2;
+  const std::vector<Post> kept = {{1, 0.8, 0.1, 0.04}, {2, 1.6, -0.1, 0.04}, {3, 1.6, 0.4, 0.04}};
+  Drive<config::Micro> drive;
+  drive.step({kept[0]}, 0, 0, 0);
+  EXPECT_EQ(drive.objects()[0]->waiting, 0);
+  std::array<int, 4> turns{};
+  int longest = 0;
+  for (int i = 1; i < 200; ++i) {
+    std::vector<Post> posts = kept;
+    posts.push_back({static_cast<std::uint8_t>(4 + i % 100), 1.6, -0.4, 0.04});  // never the same again
+    drive.step(posts, 0, 0.0005 * i, 0);
+    ASSERT_EQ(drive.map->size(), 4U);
+    int modelled = 0;
+    for (const auto* object : drive.objects()) {
+      const bool now = object->waiting == 0;
+      modelled += now ? 1 : 0;
+      if (object->signature > 3) continue;
+      turns.at(object->signature) += now ? 1 : 0;
+      longest = std::max<int>(longest, object->waiting);
+    }
+    EXPECT_EQ(modelled, 1) << i;
+  }
+  EXPECT_LE(longest, kBound);
+  EXPECT_GT(longest, 4);  // those that are new did go first
+  EXPECT_GT(turns[1], turns[2]);
+  EXPECT_GT(turns[2], 200 / kBound);
+  EXPECT_GT(turns[3], 200 / kBound);
+}
+
+// Where there is a turn for each, no sighting is left out.
+TEST(Map, ModelsTakeAllSightingsWhereThereIsATurnForEach) {
+  Drive<config::Full> drive;
+  for (int i = 0; i < 20; ++i)
+    drive.step({{1, 1.5, 0.3, 0.04}, {2, 1.8, 0.0, 0.06}, {3, 1.8, -0.4, 0.06}}, 0, 0.01 * i, 0);
+  ASSERT_EQ(drive.map->size(), 3U);
+  for (const auto* object : drive.objects()) EXPECT_EQ(object->cylinder_paper.sums().views, 20);
 }
 
 // Any change of any input bit that reaches the state changes the digest.

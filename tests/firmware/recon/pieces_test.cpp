@@ -168,24 +168,22 @@ TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
 
 TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
   recon::ObjectCore object;
-  recon::BlobRays rays;
-  rays.left.censored = rays.right.censored = false;
-  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), rays);
+  constexpr recon::OpenEnds kNone{false, false};
+  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), kNone);
   EXPECT_EQ(object.left_off, 0);
   EXPECT_EQ(object.right_off, 3);
-  recon::compare_ends(object, expected(100, 150), blob(101, 130), rays);
+  recon::compare_ends(object, expected(100, 150), blob(101, 130), kNone);
   EXPECT_EQ(object.right_off, -1);
-  recon::compare_ends(object, expected(100, 150), blob(101, 151), rays);
+  recon::compare_ends(object, expected(100, 150), blob(101, 151), kNone);
   EXPECT_EQ(object.right_off, 0);
 }
 
 TEST(CompareEnds, AWrongPoseContradictsNothing) {
   recon::ObjectCore object;
-  recon::BlobRays rays;
-  rays.left.censored = rays.right.censored = false;
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), rays);
+  constexpr recon::OpenEnds kNone{false, false};
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), kNone);
   EXPECT_FALSE(object.contradicted());
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), rays);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), kNone);
   EXPECT_TRUE(object.contradicted());
 }
 

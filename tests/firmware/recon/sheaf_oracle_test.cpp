@@ -146,7 +146,8 @@ struct Tour {
 
   void add(const ExactView& view) {
     if (views.empty()) object->begin(1, 1, view.sighting, {});
-    object->observe(view.sighting, {}, {});
+    object->track(view.sighting.open_ends(), {});
+    object->model(view.sighting, {});
     views.push_back({view.wedge.apex, view.wedge.left, view.wedge.right});
   }
   // Map frame of exact_view.hpp.

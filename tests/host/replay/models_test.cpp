@@ -75,7 +75,7 @@ TEST(Models, SayWhyTheyAreEmpty) {
   EXPECT_EQ(host::cylinder_model(nothing).reason, "only censored ends seen");
   EXPECT_EQ(host::carve_model(nothing, {}, kCells, words).reason, "no place yet");
   EXPECT_EQ(host::clip_model(placed_object(), {}).reason, "contradictory wedges carved everything away");
-  EXPECT_FALSE(host::cylinder_paper_model(nothing).circle.has_value());
+  EXPECT_FALSE(host::cylinder_paper_model(nothing, {}).circle.has_value());
   EXPECT_EQ(host::sheaf_model(nothing, "sheaf", {}, recon::SheafRefusal::kFewPosts).reason, "fewer than three posts");
 }
 
