@@ -43,19 +43,6 @@ double squared_distance(const Appearance& a, const Appearance& b) {
   return squared_hue_distance(a, b) + square(a.z - b.z);
 }
 
-AppearanceTable::AppearanceTable() {
-  constexpr std::size_t kSteps = 64;
-  const auto middle = [](std::size_t step) { return static_cast<std::uint8_t>(step * 4 + 2); };
-  all_.reserve(kSteps * kSteps * kSteps);
-  for (std::size_t red = 0; red < kSteps; ++red) {
-    for (std::size_t green = 0; green < kSteps; ++green) {
-      for (std::size_t blue = 0; blue < kSteps; ++blue) {
-        all_.push_back(appearance({middle(red), middle(green), middle(blue)}));
-      }
-    }
-  }
-}
-
 std::string colour_name(sensor::Rgb rgb) {
   struct Span {
     double end;  // degrees

@@ -13,6 +13,8 @@ constexpr double kSame = kSameColour * kSameColour;  // squared, as all distance
 constexpr double kGivenReach = 0.3 * 0.3;            // a given colour is a guess at what the light made of it
 constexpr double kFarthest = 0.25 * 0.25;            // from its prototype a pixel still belongs to a signature
 constexpr std::size_t kMostSignatures = 255;
+constexpr std::size_t kStep = 4;  // grey levels that no class can tell apart
+constexpr std::size_t kSteps = 256 / kStep;
 
 /// The same colour in less light, or in somewhat more. Strong colours are one class in any light anyway.
 bool is_shade_of(const Appearance& shade, const Appearance& of) {
@@ -60,7 +62,7 @@ std::vector<bool> background_of(const std::vector<ColourCluster>& clusters, cons
 }  // namespace
 
 ColourClasses::ColourClasses(const std::vector<ColourCluster>& clusters, const ClassRules& rules, std::size_t images)
-    : darkest_(rules.background.darkest) {
+    : darkest_(rules.background.darkest), silhouette_(rules.silhouette), known_(kSteps * kSteps * kSteps, -1) {
   for (const sensor::Rgb colour : rules.background.colours) prototypes_.push_back({appearance(colour), 0});
   if (rules.silhouette) {
     take_silhouette(clusters, rules);
@@ -69,7 +71,6 @@ ColourClasses::ColourClasses(const std::vector<ColourCluster>& clusters, const C
   } else {
     take_found(clusters, rules, images);
   }
-  fill_table(rules);
 }
 
 void ColourClasses::add_background(const ColourCluster& cluster) {
@@ -159,28 +160,36 @@ void ColourClasses::name_signatures() {
   }
 }
 
-void ColourClasses::fill_table(const ClassRules& rules) {
-  const double farthest = rules.silhouette ? std::numeric_limits<double>::infinity() : kFarthest;
-  label_of_.assign(table_.all().size(), rules.silhouette ? 1 : 0);
-  for (std::size_t i = 0; i < label_of_.size(); ++i) {
-    double distance = farthest;
-    for (const Prototype& prototype : prototypes_) {
-      const double to_this = squared_distance(table_.all()[i], prototype.looks);
-      if (to_this >= distance) continue;
-      distance = to_this;
-      label_of_[i] = prototype.label;
-    }
+std::uint8_t ColourClasses::nearest_label(sensor::Rgb rgb) const {
+  const Appearance looks = appearance(rgb);
+  double distance = silhouette_ ? std::numeric_limits<double>::infinity() : kFarthest;
+  std::uint8_t label = silhouette_ ? 1 : 0;
+  for (const Prototype& prototype : prototypes_) {
+    const double to_this = squared_distance(looks, prototype.looks);
+    if (to_this >= distance) continue;
+    distance = to_this;
+    label = prototype.label;
   }
+  return label;
 }
 
-cv::Mat ColourClasses::labels_of(const cv::Mat& smooth) const {
+std::uint8_t ColourClasses::label_of(const cv::Vec3b& bgr) {
+  const std::size_t index = (bgr[2] / kStep * kSteps + bgr[1] / kStep) * kSteps + bgr[0] / kStep;
+  if (known_[index] < 0) {
+    const auto middle = [](std::uint8_t level) { return static_cast<std::uint8_t>(level / kStep * kStep + kStep / 2); };
+    known_[index] = nearest_label({middle(bgr[2]), middle(bgr[1]), middle(bgr[0])});
+  }
+  return static_cast<std::uint8_t>(known_[index]);
+}
+
+cv::Mat ColourClasses::labels_of(const cv::Mat& smooth) {
   cv::Mat labels(smooth.rows, smooth.cols, CV_8U);
   for (int v = 0; v < smooth.rows; ++v) {
     const auto* colour = smooth.ptr<cv::Vec3b>(v);
     auto* label = labels.ptr<std::uint8_t>(v);
     for (int u = 0; u < smooth.cols; ++u) {
       const bool dark = std::max({colour[u][0], colour[u][1], colour[u][2]}) < darkest_;
-      label[u] = dark ? 0 : label_of_[table_.index(colour[u])];
+      label[u] = dark ? 0 : label_of(colour[u]);
     }
   }
   return labels;

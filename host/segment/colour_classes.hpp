@@ -38,7 +38,7 @@ class ColourClasses {
   ColourClasses(const std::vector<ColourCluster>& clusters, const ClassRules& rules, std::size_t images);
 
   /// 0: background, n: the n-th of `signatures`. One byte a pixel of the smoothed image.
-  [[nodiscard]] cv::Mat labels_of(const cv::Mat& smooth) const;
+  [[nodiscard]] cv::Mat labels_of(const cv::Mat& smooth);
 
   [[nodiscard]] const std::vector<SignatureUse>& signatures() const { return signatures_; }
   /// Colours that were taken for background, largest first.
@@ -56,15 +56,16 @@ class ColourClasses {
   void take_silhouette(const std::vector<ColourCluster>& clusters, const ClassRules& rules);
   void name_signatures();
   void add_background(const ColourCluster& cluster);
-  void fill_table(const ClassRules& rules);
+  [[nodiscard]] std::uint8_t nearest_label(sensor::Rgb rgb) const;
+  std::uint8_t label_of(const cv::Vec3b& bgr);
 
   std::vector<Prototype> prototypes_;
   std::vector<SignatureUse> signatures_;
   std::vector<sensor::Rgb> background_;
   std::vector<sensor::Rgb> rare_;
   int darkest_;
-  AppearanceTable table_;
-  std::vector<std::uint8_t> label_of_;  ///< by the table's index
+  bool silhouette_;
+  std::vector<int> known_;  ///< label of each colour in steps of 4 grey levels; -1: not asked for yet
 };
 
 }  // namespace fencepost::host

@@ -21,7 +21,7 @@ sensor::Rgb to_rgb(const cv::Vec3d& bgr) {
   return {channel(bgr[2]), channel(bgr[1]), channel(bgr[0])};
 }
 
-struct Point {
+struct Sample {
   Appearance looks;
   const ColourCount* count = nullptr;
 };
@@ -37,22 +37,22 @@ std::pair<std::size_t, double> nearest(const std::vector<Appearance>& centres, c
 }
 
 /// A centre wherever a point is farther than the radius from those before it; frequent colours come first.
-std::vector<Appearance> first_centres(const std::vector<Point>& points) {
+std::vector<Appearance> first_centres(const std::vector<Sample>& points) {
   std::vector<Appearance> centres;
-  for (const Point& point : points) {
+  for (const Sample& point : points) {
     if (nearest(centres, point.looks).second > kRadius) centres.push_back(point.looks);
   }
   return centres;
 }
 
 /// Each centre to the mean of its points, by their pixels; centres without any go.
-std::vector<Appearance> moved_centres(const std::vector<Appearance>& centres, const std::vector<Point>& points) {
+std::vector<Appearance> moved_centres(const std::vector<Appearance>& centres, const std::vector<Sample>& points) {
   struct Sum {
     Appearance looks;
     double pixels = 0;
   };
   std::vector<Sum> sums(centres.size());
-  for (const Point& point : points) {
+  for (const Sample& point : points) {
     Sum& sum = sums[nearest(centres, point.looks).first];
     const double pixels = point.count->pixels;
     sum.looks = {sum.looks.x + pixels * point.looks.x, sum.looks.y + pixels * point.looks.y,
@@ -68,12 +68,12 @@ std::vector<Appearance> moved_centres(const std::vector<Appearance>& centres, co
   return moved;
 }
 
-std::vector<ColourCluster> described(const std::vector<Appearance>& centres, const std::vector<Point>& points,
+std::vector<ColourCluster> described(const std::vector<Appearance>& centres, const std::vector<Sample>& points,
                                      double min_pixels) {
   std::vector<ColourCluster> clusters(centres.size());
   std::vector<cv::Vec3d> colours(centres.size(), cv::Vec3d(0, 0, 0));
   std::vector<std::map<std::size_t, double>> pixels_of(centres.size());
-  for (const Point& point : points) {
+  for (const Sample& point : points) {
     const std::size_t i = nearest(centres, point.looks).first;
     clusters[i].pixels += point.count->pixels;
     clusters[i].border_pixels += point.count->border_pixels;
@@ -141,7 +141,7 @@ std::vector<ColourCount> count_colours(const cv::Mat& smooth, int darkest, std::
 std::vector<ColourCluster> cluster_colours(std::vector<ColourCount> counts, double min_pixels) {
   constexpr int kRounds = 12;
   std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
-  std::vector<Point> points;
+  std::vector<Sample> points;
   points.reserve(counts.size());
   for (const ColourCount& count : counts) points.push_back({appearance(to_rgb(count.bgr)), &count});
   std::vector<Appearance> centres = first_centres(points);

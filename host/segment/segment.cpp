@@ -72,7 +72,7 @@ class Segmentation {
   Segmented run() {
     const std::size_t looked_at = std::min(views_.size(), kColourViews);
     steps_ = views_.size() + looked_at;
-    const ColourClasses classes(look_for_colours(looked_at), options_.classes, looked_at);
+    ColourClasses classes(look_for_colours(looked_at), options_.classes, looked_at);
     result_.summary.signatures = classes.signatures();
     result_.summary.background = classes.background();
     result_.summary.rare = classes.rare();
@@ -122,7 +122,7 @@ class Segmentation {
     return cluster_colours(std::move(counts), rules_.min_pixels / 2.0);
   }
 
-  void add_frame(std::size_t i, const ColourClasses& classes) {
+  void add_frame(std::size_t i, ColourClasses& classes) {
     step();
     const Prepared prepared = prepare(i);
     kept_.erase(i);

@@ -92,17 +92,9 @@ Box box_of(const host::MultiPolygon& areas) {
   return box;
 }
 
-class RingImages : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "NOT TESTED: " << kFolder << " is not on this machine";
-  }
-};
-
 // The data set's silhouettes were thresholded, grown by 10 px and shrunk by 7: their ends lie 3 px, 0.9 mrad, farther
 // out.
-TEST_F(RingImages, GiveTheBearingsOfTheSilhouettes) {
-  const host::Recorded log = host::read_back(segmented_ring().log);
+void expect_bearings(const host::Recorded& log) {
   const std::vector<RingView> views = ring_views();
   ASSERT_EQ(log.frames.size(), views.size());
   const sensor::CameraIntrinsics& camera = log.cameras.at(0);
@@ -135,9 +127,8 @@ TEST_F(RingImages, GiveTheBearingsOfTheSilhouettes) {
   EXPECT_LT(inwards.back(), 2.5e-3);
 }
 
-TEST_F(RingImages, GiveTheBoundingBoxThatItsAuthorsPublish) {
-  const host::Segmented segmented = segmented_ring();
-  const host::ReplayOutcome outcome = host::replay(segmented.log, "ring", {});
+void expect_published_box(const std::string& log) {
+  const host::ReplayOutcome outcome = host::replay(log, "ring", {});
   ASSERT_FALSE(outcome.unreadable.has_value());
   ASSERT_EQ(outcome.result.objects.size(), 1U);
   EXPECT_EQ(outcome.result.objects[0].views, 15U);
@@ -155,6 +146,13 @@ TEST_F(RingImages, GiveTheBoundingBoxThatItsAuthorsPublish) {
     EXPECT_NEAR(box.y_high, kPublished.y_high, 3e-3) << model.name;
   }
   EXPECT_GE(seen, 2);
+}
+
+TEST(RingImages, GiveTheBearingsOfTheSilhouettesAndThePublishedBox) {
+  if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "NOT TESTED: " << kFolder << " is not on this machine";
+  const host::Segmented segmented = segmented_ring();
+  expect_bearings(host::read_back(segmented.log));
+  expect_published_box(segmented.log);
 }
 
 }  // namespace

@@ -42,15 +42,6 @@ TEST(Appearance, BlackHasNoHue) {
   EXPECT_LT(apart({3, 1, 1}, {1, 1, 3}), kSameColour);
 }
 
-TEST(Appearance, TheTableIsWithinAStepOfTheFormula) {
-  const AppearanceTable table;
-  for (const sensor::Rgb rgb :
-       {sensor::Rgb{200, 30, 30}, sensor::Rgb{128, 128, 128}, sensor::Rgb{255, 255, 255}, sensor::Rgb{30, 60, 170}}) {
-    const Appearance& entry = table.all()[table.index({rgb.blue, rgb.green, rgb.red})];
-    EXPECT_LT(std::sqrt(squared_distance(entry, appearance(rgb))), kSameColour / 5);
-  }
-}
-
 TEST(ColourName, IsWhatPeopleSay) {
   EXPECT_EQ(colour_name({200, 30, 30}), "red");
   EXPECT_EQ(colour_name({90, 10, 14}), "red");
