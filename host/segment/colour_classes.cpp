@@ -13,8 +13,8 @@ constexpr double kSame = kSameColour * kSameColour;  // squared, as all distance
 constexpr double kGivenReach = 0.3 * 0.3;            // a given colour is a guess at what the light made of it
 constexpr double kFarthest = 0.25 * 0.25;            // from its prototype a pixel still belongs to a signature
 constexpr std::size_t kMostSignatures = 255;
-constexpr std::size_t kStep = 4;  // grey levels that no class can tell apart
-constexpr std::size_t kSteps = 256 / kStep;
+constexpr std::size_t kLevels = 4;  // grey levels that no class can tell apart
+constexpr std::size_t kSteps = 256 / kLevels;
 
 /// The same colour in less light, or in somewhat more. Strong colours are one class in any light anyway.
 bool is_shade_of(const Appearance& shade, const Appearance& of) {
@@ -174,9 +174,11 @@ std::uint8_t ColourClasses::nearest_label(sensor::Rgb rgb) const {
 }
 
 std::uint8_t ColourClasses::label_of(const cv::Vec3b& bgr) {
-  const std::size_t index = (bgr[2] / kStep * kSteps + bgr[1] / kStep) * kSteps + bgr[0] / kStep;
+  const std::size_t index = (bgr[2] / kLevels * kSteps + bgr[1] / kLevels) * kSteps + bgr[0] / kLevels;
   if (known_[index] < 0) {
-    const auto middle = [](std::uint8_t level) { return static_cast<std::uint8_t>(level / kStep * kStep + kStep / 2); };
+    const auto middle = [](std::uint8_t level) {
+      return static_cast<std::uint8_t>(level / kLevels * kLevels + kLevels / 2);
+    };
     known_[index] = nearest_label({middle(bgr[2]), middle(bgr[1]), middle(bgr[0])});
   }
   return static_cast<std::uint8_t>(known_[index]);

@@ -16,7 +16,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr const char* kHeader = "image,t,x,y,heading";
-constexpr double kFarthest = 1000;       // m and rad, the stream's ranges
+constexpr double kLargest = 1000;        // m and rad, the stream's ranges
 constexpr double kLatest = 999'999;      // s, likewise
 constexpr double kTick = 1e-4;           // s, likewise
 constexpr double kMadeUpInterval = 0.1;  // s
@@ -41,7 +41,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 }
 
 /// For a message: what was read, in print and not too much of it.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string shown = "\"";
   for (const char c : text.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
@@ -57,16 +57,16 @@ class Header {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto* known = std::find(kNames.begin(), kNames.end(), fields[i]);
       if (known == kNames.end()) {
-        table.unused_columns.push_back(quoted(fields[i]));
+        table.unused_columns.push_back(in_quotes(fields[i]));
         continue;
       }
       auto& at = at_[static_cast<std::size_t>(known - kNames.begin())];
-      if (at) throw SegmentProblem{place, "has two columns " + quoted(fields[i]), "take one out"};
+      if (at) throw SegmentProblem{place, "has two columns " + in_quotes(fields[i]), "take one out"};
       at = i;
     }
     for (const Column column : {kImage, kX, kY, kHeading}) {
       if (!at_[column]) {
-        throw SegmentProblem{place, "has no column " + quoted(kNames[column]),
+        throw SegmentProblem{place, "has no column " + in_quotes(kNames[column]),
                              std::string("write as the first line: ") + kHeader};
       }
     }
@@ -82,10 +82,10 @@ class Header {
     double value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
-      throw SegmentProblem{place, std::string(kNames[column]) + " is " + quoted(field) + ", not a number",
+      throw SegmentProblem{place, std::string(kNames[column]) + " is " + in_quotes(field) + ", not a number",
                            "correct the line or take it out"};
     }
-    if (column != kTime && std::abs(value) > kFarthest) {
+    if (column != kTime && std::abs(value) > kLargest) {
       throw SegmentProblem{place, std::string(kNames[column]) + " is beyond +-1000",
                            "write metres and radians, from an origin near by"};
     }
@@ -158,7 +158,7 @@ PosesTable parse_poses(std::string_view text, const std::string& file) {
     }
     table.rows.push_back(to_row(line, *header, number, place));
     if (!seen.insert(table.rows.back().image).second) {
-      throw SegmentProblem{place, quoted(table.rows.back().image) + " is there twice", "take one of the lines out"};
+      throw SegmentProblem{place, in_quotes(table.rows.back().image) + " is there twice", "take one of the lines out"};
     }
   }
   if (table.rows.empty()) {
