@@ -73,9 +73,9 @@ TEST(HybridJudgement, SpearmanGoesByRank) {
   EXPECT_NEAR(spearman(falling), 1, 1e-12);
   const std::vector<Confidence> rising{{0.1, 0.1}, {0.2, 0.2}, {0.3, 9}};
   EXPECT_NEAR(spearman(rising), -1, 1e-12);
-  // Ranks of doubt 0.5 0.5 2 3 and of excess 0 1 3 2: covariance 4, variances 4.5 and 5.
+  // Ranks of doubt 0.5 0.5 2 3 and of excess 0 1 3 2: covariance 3.5, variances 4.5 and 5.
   const std::vector<Confidence> tied{{0.9, 0.1}, {0.9, 0.2}, {0.5, 0.9}, {0.2, 0.4}};
-  EXPECT_NEAR(spearman(tied), 4 / std::sqrt(4.5 * 5), 1e-12);
+  EXPECT_NEAR(spearman(tied), 3.5 / std::sqrt(4.5 * 5), 1e-12);
 }
 
 }  // namespace
