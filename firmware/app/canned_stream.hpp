@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x65363978e6db04af;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x58525292b07d804c;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xad9178cef7115f37;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xbc4ff1b902b99f5d;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x7e71f5cc49c3ebc7;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x4b1c4ae6adb6f083;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -13,9 +13,14 @@ constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of th
 // A pivot below this share of its own diagonal is rounding.
 constexpr float kLeastPivot = 2e-6F;
 
-// The spread is learnt from so many tangents on, as if this many of the expected size had been seen before.
+// Nobody tells the robot how good its camera and its wheels are, and sigmas that are too small cost far more than those
+// that are too large: a fit begins with twice the sigmas. From so many tangents on their spread is learnt, as if this
+// many of somewhat less had been seen before; a fit takes so many of them for itself.
+constexpr float kFirstSpread = 4.0F;
 constexpr std::uint8_t kTangentsForSpread = 7;
-constexpr float kSpreadPrior = 8.0F;
+constexpr float kSpreadPrior = 4.0F;
+constexpr float kExpectedSpread = 3.0F;
+constexpr float kFreedoms = 4.0F;
 constexpr float kLeastSpread = 0.05F;
 constexpr float kMostSpread = 9.0F;
 
@@ -69,7 +74,7 @@ template <std::size_t kOrder>
 void LowOrderFit<kOrder>::begin(std::size_t order, float radius) {
   x_.fill(0);
   x_[0] = radius;
-  spread_ = 1;
+  spread_ = kFirstSpread;
   order_ = static_cast<std::uint8_t>(order);
 }
 
@@ -133,7 +138,8 @@ bool LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
   solve_upper(matrix_, correction);
   for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
   if (learn_spread && tangents_ >= kTangentsForSpread) {
-    const float spread = (sums_.squares + kSpreadPrior) / (std::max(1.0F, sums_.weight) + kSpreadPrior);
+    const float spread =
+        (sums_.squares + kSpreadPrior * kExpectedSpread) / (std::max(1.0F, sums_.weight - kFreedoms) + kSpreadPrior);
     spread_ = std::clamp(spread, kLeastSpread, kMostSpread);
   }
   return true;

@@ -20,7 +20,7 @@ constexpr float kWeakening = 0.5F;
 // then it counts for so much.
 constexpr float kOverrulingShare = 0.35F;
 constexpr float kOverrulingViews = 0.9F;
-constexpr float kOverruled = 0.15F;
+constexpr float kOverruled = 0.3F;
 
 constexpr float kSigmaUnit = 6.25e-6F;  // m; mantissas are 16..31
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr float kLargestRadius = 0.35F;  // m, that scales sides
 
-// A side is known to 2 r sqrt(D) before anything is seen.
-constexpr float kSideSigma = 2.0F;
+// A side is known to 1.8 r sqrt(D) before anything is seen.
+constexpr float kSideSigma = 1.8F;
 // Weight of a side of length l relative to that of a round outline, D r: D r / (l + 0.3 D r); those above half of D r
 // are drawn to D r, the others to nothing.
 constexpr float kSoftening = 0.3F;
@@ -27,7 +27,7 @@ constexpr float kHold = 0.15F;
 constexpr std::uint8_t kTangentsForSpread = 7;
 constexpr float kSpreadPrior = 8.0F;
 constexpr float kExpectedSpread = 0.6F;
-constexpr float kFreedoms = 8.0F;  // roughly, of an outline
+constexpr float kFreedoms = 12.0F;  // roughly, of an outline
 constexpr float kLeastSpread = 0.02F;
 constexpr float kMostSpread = 9.0F;
 
