@@ -90,7 +90,7 @@ void LowOrderFit<kOrder>::begin_pass(float widening) {
 template <std::size_t kOrder>
 void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool trusted) {
   const Cluster cluster = unpack(clusters[index]);
-  std::array<float, kUnknowns> basis;
+  std::array<float, kUnknowns> basis{};
   const std::span<float> used(basis.data(), unknowns());
   const std::size_t sectors = clusters.size() / kClustersPerSector;
   series_basis(direction_of({index / kClustersPerSector, cluster.phase}, sectors), used);
@@ -147,7 +147,7 @@ bool LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
 
 template <std::size_t kOrder>
 float LowOrderFit<kOrder>::offset_at(const Vec2& direction) const {
-  std::array<float, kUnknowns> basis;
+  std::array<float, kUnknowns> basis{};
   const std::span<float> used(basis.data(), unknowns());
   series_basis(direction, used);
   float offset = 0;
@@ -157,7 +157,7 @@ float LowOrderFit<kOrder>::offset_at(const Vec2& direction) const {
 
 template <std::size_t kOrder>
 float LowOrderFit<kOrder>::sigma_at(const Vec2& direction) const {
-  std::array<float, kUnknowns> basis;
+  std::array<float, kUnknowns> basis{};
   const std::span<float> used(basis.data(), unknowns());
   series_basis(direction, used);
   solve_lower(matrix_, used);  // b' (L L')^-1 b = |L^-1 b|^2

@@ -140,7 +140,7 @@ void expect_no_allocation() {
   EXPECT_GT(memory->counters.frames, 50U);
   EXPECT_GT(console.bytes, 10'000U);
   const std::size_t reserved = app::kReserved<Profile>;
-  std::printf("  profile %-5s sizeof(Memory) %6zu + %5zu reserved (hybrid, pose correction) = %6zu of %6zu bytes\n",
+  std::printf("  profile %-5s sizeof(Memory) %6zu + %5zu reserved (pose correction) = %6zu of %6zu bytes\n",
               std::string(Profile::kName).c_str(), sizeof(app::Memory<Profile>), reserved,
               sizeof(app::Memory<Profile>) + reserved, Profile::kBudget);
   EXPECT_LE(sizeof(app::Memory<Profile>) + reserved, Profile::kBudget);
