@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x69bfe820a87cf92a;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x58525292b07d804c;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x9a8de61e82dcea16;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xbc4ff1b902b99f5d;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x2af2aca409f6366e;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x4b1c4ae6adb6f083;
 
 template <class Profile>
 CannedStream canned_stream() {

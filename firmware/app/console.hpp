@@ -182,9 +182,10 @@ class Console {
     if (state().answer.line == 0) return write_objects_head(out);
     const std::size_t slot = next_used(state().answer.line - 1U);
     if (slot == Profile::kObjects) return Sentence(out).put("end of list").end();
-    const recon::ObjectCore& object = memory.map.slots()[slot];
-    const std::size_t size = write_object(letter_of(slot), object, pipeline_.telling().name_of(object.signature),
-                                          memory.poses.latest(), memory.run.time.value_or(base::Time{}), out);
+    const recon::Object<Profile>& object = memory.map.slots()[slot];
+    const Obstacle seen = see_obstacle(object, RobotPlace(memory.poses.latest()), {});
+    const std::size_t size = write_object(letter_of(slot), object, pipeline_.telling().name_of(object.signature), seen,
+                                          memory.run.time.value_or(base::Time{}), out);
     if (size > 0) state().answer.line = static_cast<std::uint8_t>(slot + 1);
     return size;
   }

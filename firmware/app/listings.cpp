@@ -103,8 +103,8 @@ std::size_t write_none(std::string_view what, const StatusFacts& facts, std::spa
   return s.end();
 }
 
-std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name,
-                         const recon::MapPose& pose, base::Time now, std::span<char> out) {
+std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name, const Obstacle& seen,
+                         base::Time now, std::span<char> out) {
   constexpr std::size_t kMaxName = 10;
   Sentence s(out);
   s.put({&letter, 1}).put(" ").number(object.id).gap_to(8);
@@ -117,7 +117,7 @@ std::size_t write_object(char letter, const recon::ObjectCore& object, std::stri
   if (!object.cylinder.estimate().ok()) {
     return s.put("  no place: ").put(recon::name(object.cylinder.estimate().refusal)).end();
   }
-  const record::ObjectReport report = report_object(object, see_obstacle(object, RobotPlace(pose), {}), now);
+  const record::ObjectReport report = report_object(object, seen, now);
   s.put(" ").metres_to(41, report.x).put(" ").metres_to(49, report.y).put(" ").metres_to(57, report.radius);
   s.put(" ").metres_to(65, report.distance).put("  ").bearing(report.bearing);
   return s.end();

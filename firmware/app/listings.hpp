@@ -42,8 +42,8 @@ std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<c
 std::size_t write_objects_head(std::span<char> out);
 /// `what` is missing, and why that may be.
 std::size_t write_none(std::string_view what, const StatusFacts& facts, std::span<char> out);
-/// One object as the robot at `pose` sees it at time `now`.
-std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name,
-                         const recon::MapPose& pose, base::Time now, std::span<char> out);
+/// One object as the robot sees it at time `now`.
+std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name, const Obstacle& seen,
+                         base::Time now, std::span<char> out);
 
 }  // namespace fencepost::app

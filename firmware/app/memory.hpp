@@ -69,9 +69,9 @@ struct Memory {
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
 };
 
-/// What is still to come into the same budget: the hybrid, the pose correction.
+/// What is still to come into the same budget: the pose correction.
 template <class Profile>
-inline constexpr std::size_t kReserved = Profile::kObjects* Profile::kHybridReserve + Profile::kPoseReserve;
+inline constexpr std::size_t kReserved = Profile::kPoseReserve;
 
 template <class Profile>
 inline constexpr bool kFits = sizeof(Memory<Profile>) + kReserved<Profile> <= Profile::kBudget;

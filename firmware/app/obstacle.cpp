@@ -19,6 +19,14 @@ constexpr float kTightestArc = 0.15F;
 // Flatter arcs than this are straight to the eye (m).
 constexpr float kFlattestArc = 50.0F;
 
+// An outline whose sigma is below this share of its radius is not moved out any more (recon::inflation).
+constexpr float kWellKnown = 0.4F;
+
+void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
+  if (!obstacle.closing) return;
+  obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
+}
+
 // Is the disc (center, radius), robot frame, in the strip of half width w that the motion sweeps?
 bool swept(const Vec2& center, float radius, const RobotPath& path) {
   const float direction = path.motion.forward < -kStanding ? -1.0F : 1.0F;
@@ -58,10 +66,18 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.in_path = swept(center, cylinder.radius, path);
   obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
   obstacle.closing = obstacle.closing_speed > kNotClosing;
-  if (obstacle.closing) {
-    obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
-  }
+  set_time_to_contact(path, obstacle);
   return obstacle;
+}
+
+void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
+                        const RobotPath& path, Obstacle& obstacle) {
+  if (!(outline.mean_sigma() < kWellKnown * outline.radius())) return;
+  std::size_t nearest = 0;
+  const float distance = outline.distance_from(recon::offset_from(origin, robot.position), nearest);
+  obstacle.distance = std::max(0.0F, distance);
+  obstacle.sigma = outline.sigma(nearest);
+  set_time_to_contact(path, obstacle);
 }
 
 }  // namespace fencepost::app

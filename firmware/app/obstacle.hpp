@@ -39,4 +39,19 @@ struct RobotPlace {
 /// Alert model: the cylinder.
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path);
 
+/// The same obstacle with the distance to `outline` and its uncertainty there, in the local frame at `origin`, if that
+/// is known well. Where it reaches to the side, and so what is in the path, stays the cylinder's.
+void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
+                        const RobotPath& path, Obstacle& obstacle);
+
+/// Alert model: the hybrid where it is known well, else the cylinder.
+template <class Profile>
+Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const RobotPath& path) {
+  Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, path);
+  if (obstacle.known && object.hybrid.ok()) {
+    measure_by_outline(object.hybrid.outline(), object.hybrid.origin, robot, path, obstacle);
+  }
+  return obstacle;
+}
+
 }  // namespace fencepost::app

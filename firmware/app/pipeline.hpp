@@ -258,7 +258,7 @@ class Pipeline {
     std::optional<Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-      const recon::ObjectCore& object = m_.map.slots()[o];
+      const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
       const Obstacle obstacle = see_obstacle(object, robot, path);
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);

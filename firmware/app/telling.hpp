@@ -100,7 +100,7 @@ class Telling {
   void objects(base::Time now) {
     if (!logs()) return;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-      const recon::ObjectCore& object = m_.map.slots()[o];
+      const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used() || !object.cylinder.estimate().ok()) continue;
       ReportState& last = m_.reports[o];
       const record::ObjectState state = state_of(object, now);

@@ -20,11 +20,13 @@ struct Micro {
   static constexpr bool kPaperCylinder = false;  ///< for comparisons at the desk
   static constexpr std::size_t kSheafViews = 0;  ///< no room: the sheaf is absent
   static constexpr std::size_t kSheafPosts = 0;
-  static constexpr std::size_t kOutputBytes = 1024;   ///< one longest line
-  static constexpr std::size_t kJournalBytes = 0;     ///< of a log beside the console: a brain with a disk has one
-  static constexpr std::size_t kBudget = 10 * 1024;   ///< bytes of Memory, reserves included
-  static constexpr std::size_t kHybridReserve = 512;  ///< bytes an object, for the tangent-space filter
-  static constexpr std::size_t kPoseReserve = 1024;   ///< bytes, for the pose correction by landmarks
+  static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
+  static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
+  static constexpr std::size_t kBudget = 10 * 1024;  ///< bytes of Memory, reserves included
+  static constexpr std::size_t kHybridSectors = 32;  ///< of directions: the small version, a series of order 5
+  static constexpr std::size_t kHybridOrder = 5;
+  static constexpr int kHybridSteps = 1;             ///< of a fit in a frame
+  static constexpr std::size_t kPoseReserve = 1024;  ///< bytes, for the pose correction by landmarks
 };
 
 /// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
@@ -43,7 +45,9 @@ struct Small {
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 64 * 1024;
-  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kHybridSectors = 64;
+  static constexpr std::size_t kHybridOrder = 3;
+  static constexpr int kHybridSteps = 8;
   static constexpr std::size_t kPoseReserve = 1536;
 };
 
@@ -63,7 +67,9 @@ struct Full {
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 320 * 1024;
-  static constexpr std::size_t kHybridReserve = 1200;
+  static constexpr std::size_t kHybridSectors = 64;
+  static constexpr std::size_t kHybridOrder = 3;
+  static constexpr int kHybridSteps = 0;  ///< all of them
   static constexpr std::size_t kPoseReserve = 1536;
 };
 

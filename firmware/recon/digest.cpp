@@ -65,6 +65,7 @@ void hash_core(base::Fnv1a64& hash, const ObjectCore& object) {
   hash.u8(object.history.length);
   hash.u16(object.missed_in_a_row);
   hash.u8(object.waiting);
+  hash.u8(object.sureness);
   hash.f32(object.presence);
   hash.i32(object.origin.x);
   hash.i32(object.origin.y);
@@ -128,6 +129,34 @@ void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views) {
     hash_vec(hash, view.left);
     hash_vec(hash, view.right);
   }
+}
+
+void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters) {
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const PackedCluster& cluster = clusters[i];
+    if (cluster.views == 0) continue;
+    hash.u8(static_cast<std::uint8_t>(i));
+    hash.u8(cluster.offset_low);
+    hash.u8(cluster.offset_high);
+    hash.u8(cluster.phase);
+    hash.u8(cluster.sigma);
+    hash.u8(cluster.views);
+  }
+}
+
+void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline) {
+  hash.i32(core.origin.x);
+  hash.i32(core.origin.y);
+  hash_vec(hash, core.last_lens);
+  hash.u8(core.views);
+  hash.u8(core.used);
+  hash.u8(core.spread);
+  hash.u8(static_cast<std::uint8_t>(core.refusal));
+  hash.u8(core.news ? 1 : 0);
+  hash.u8(core.fitting ? 1 : 0);
+  if (core.refusal != HybridRefusal::kNone) return;
+  for (const std::int16_t offset : outline.offsets) hash.u16(static_cast<std::uint16_t>(offset));
+  for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);
 }
 
 }  // namespace fencepost::recon

@@ -26,10 +26,13 @@ void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t
                std::span<const std::uint32_t> words);
 void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents);
 void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
+void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
+void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
 
-inline constexpr std::size_t kDigestParts = 4;
+inline constexpr std::size_t kDigestParts = 6;
 
-/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid. Nothing of what the profile lacks.
+/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid; 4: the hybrid's tangents; 5: its
+/// outline. Nothing of what the profile lacks.
 template <class Profile>
 void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t part) {
   if (part == 0) hash_core(hash, object);
@@ -44,6 +47,8 @@ void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t p
   if constexpr (Profile::kGridCells > 0) {
     if (part == 3) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
   }
+  if (part == 4) hash_clusters(hash, object.hybrid.clusters);
+  if (part == 5) hash_outline(hash, object.hybrid, object.hybrid.outline());
 }
 
 }  // namespace fencepost::recon

@@ -8,6 +8,7 @@
 
 #include "firmware/recon/digest.hpp"
 #include "firmware/recon/frame_queue.hpp"
+#include "firmware/recon/hybrid/outline_fitter.hpp"
 #include "firmware/recon/matcher.hpp"
 #include "firmware/recon/object.hpp"
 
@@ -34,6 +35,7 @@ class Map {
 
   void clear() {
     for (ObjectType& object : objects_) object.id = 0;
+    fitter_.clear();
     next_id_ = 1;
     frames_ = 0;
     evicted_ = 0;
@@ -59,6 +61,7 @@ class Map {
     begin_new(frame, camera, lens, outcome);
     update_models(frame, camera, lens, noise);
     count_pieces();
+    fitter_.fit(objects_);
     drop_doubles();
     forget_refuted();
     confirm(confirmation);
@@ -296,6 +299,7 @@ class Map {
 
   base::Time exposure_;  ///< of the current frame
   Matcher<ObjectType, kObjects> matcher_;
+  OutlineFitter<Profile> fitter_;
 };
 
 }  // namespace fencepost::recon

@@ -13,6 +13,8 @@ constexpr float kLeastNovelty = 0.05F;
 }  // namespace
 
 float ObjectCore::confidence() const {
+  constexpr float kUnit = 1.0F / 200.0F;
+  if (sureness != kNoOutline) return static_cast<float>(sureness) * kUnit * presence;
   const CylinderEstimate& estimate = cylinder.estimate();
   if (!estimate.ok()) return 0;
   const float uncertainty = std::sqrt(std::min(1.0F, estimate.outline_sigma() / estimate.radius));

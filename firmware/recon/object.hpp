@@ -12,6 +12,7 @@
 #include "firmware/recon/cylinder.hpp"
 #include "firmware/recon/cylinder_paper.hpp"
 #include "firmware/recon/height_band.hpp"
+#include "firmware/recon/hybrid/hybrid.hpp"
 #include "firmware/recon/sheaf.hpp"
 #include "firmware/recon/sighting.hpp"
 #include "hal/base/fixed.hpp"
@@ -51,12 +52,15 @@ struct ObjectCore {
   SightingHistory history;
   std::uint16_t missed_in_a_row = 0;  ///< frames in which it should have been seen and was not, since the last sighting
   std::uint8_t waiting = 0;           ///< sightings since the last one that the models took; a new object's count more
-  float presence = 1;                 ///< running share of expected sightings that came
-  MapPoint origin;                    ///< of the local frame of all models
-  Vec2 last_lens{0, 0};               ///< of the last sighting that the models took; local
-  Vec2 last_bearing{1, 0};            ///< of the same; unit, map axes
+  std::uint8_t sureness = kNoOutline;  ///< of the hybrid's outline, in half per cent; kNoOutline: there is none yet
+  float presence = 1;                  ///< running share of expected sightings that came
+  MapPoint origin;                     ///< of the local frame of all models
+  Vec2 last_lens{0, 0};                ///< of the last sighting that the models took; local
+  Vec2 last_bearing{1, 0};             ///< of the same; unit, map axes
   Cylinder cylinder;
   HeightBand band;
+
+  static constexpr std::uint8_t kNoOutline = 0xFF;
 
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return arenas > 0; }
@@ -77,7 +81,8 @@ struct ObjectCore {
     if (waiting < 0xFF) ++waiting;
   }
 
-  /// In [0, 1]: 1 - sqrt(outline sigma / radius), times the share of expected sightings that came; 0 without cylinder.
+  /// In [0, 1]: how well the outline is known, 1 - sqrt(mean sigma / radius), times the share of expected sightings
+  /// that came. The outline is the hybrid's; the cylinder's until that has been fitted; without either 0.
   [[nodiscard]] float confidence() const;
   /// Weight of a view from `lens`: what a parked robot sees again is not news. In [0.05, 1].
   [[nodiscard]] float novelty(const Vec2& lens) const;
@@ -96,6 +101,7 @@ struct Object : ObjectCore {
   [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;
   [[no_unique_address]] std::conditional_t<Profile::kPaperCylinder, CylinderPaper, NoCylinderPaper> cylinder_paper;
   [[no_unique_address]] SheafViews<Profile::kSheafViews> sheaf;
+  Hybrid<Profile::kHybridSectors> hybrid;
 
   /// Starts a new object at its first sighting, which is still to be tracked.
   void begin(std::uint32_t new_id, std::uint8_t new_signature, const Sighting& first, base::Time t) {
@@ -103,6 +109,7 @@ struct Object : ObjectCore {
     pending.clear();
     cylinder_paper = {};
     sheaf.clear();
+    hybrid.begin(first);
     id = new_id;
     signature = new_signature;
     last_seen = t;
@@ -127,6 +134,12 @@ struct Object : ObjectCore {
     presence = was_present;
   }
 
+  /// The outline has been fitted.
+  void note_outline() {
+    constexpr float kPerUnit = 200.0F;
+    if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kPerUnit + 0.5F);
+  }
+
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight
   /// is how far the lens has moved since the last one that was taken.
   [[gnu::noinline]] void model(const Sighting& sighting, const MeasurementNoise& noise) {
@@ -134,6 +147,7 @@ struct Object : ObjectCore {
     cylinder.add(sighting, origin, cylinder.first_views() == 0 ? 1.0F : novelty(lens), noise);
     cylinder_paper.add(sighting, origin);
     sheaf.add(sighting, origin);
+    hybrid.add(sighting, noise);
     band.add(sighting, origin);
     cylinder.solve(lens);
     last_lens = lens;

@@ -8,7 +8,7 @@
 namespace fencepost::host {
 
 Cut cut_of(const ObjectResult& object, const Polygon& footprint, bool end) {
-  Cut cut{object.views, end, std::nullopt, {}};
+  Cut cut{object.views, end, std::nullopt, {}, object.confidence};
   if (const Circle* circle = object_circle(object)) {
     const Point center = centroid(footprint);
     cut.position_error = std::hypot(circle->center.x - center.x, circle->center.y - center.y);

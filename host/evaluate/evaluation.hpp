@@ -22,6 +22,7 @@ struct Cut {
   bool end = false;
   std::optional<double> position_error;  ///< m, from the cylinder's centre to the footprint's centroid
   std::vector<ModelScore> models;        ///< none for a true object that was not found: each counts as one without area
+  double confidence = 0;                 ///< the object's
 };
 
 /// The object of the map that means a true one.

@@ -173,6 +173,21 @@ ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::V
   return model;
 }
 
+ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline) {
+  ModelResult model;
+  model.name = "hybrid";
+  model.reason = std::string(name(hybrid.refusal));
+  if (hybrid.refusal != recon::HybridRefusal::kNone) return model;
+  std::array<recon::Vec2, recon::kOutlineVertices> vertices;
+  const std::size_t size = recon::outline_polygon(outline, 0, vertices);
+  if (size == 0) {
+    model.reason = std::string(name(recon::HybridRefusal::kEmpty));
+    return model;
+  }
+  model.geometry.push_back(map_polygon(hybrid.origin, std::span(vertices).first(size)));
+  return model;
+}
+
 ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
                         recon::SheafRefusal refusal) {
   ModelResult model;

@@ -19,6 +19,9 @@ ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::V
 ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
                         recon::SheafRefusal refusal);
 
+/// The fitted outline, moved out where it is uncertain.
+ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline);
+
 /// Outline of the solid cells, holes included.
 ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
                         std::span<const std::uint32_t> words);
@@ -39,6 +42,7 @@ std::vector<ModelResult> models_of(const recon::Object<Profile>& object) {
     models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
   }
   models.push_back(clip_model(object, object.clip.vertices()));
+  models.push_back(hybrid_model(object.hybrid, object.hybrid.outline()));
   return models;
 }
 

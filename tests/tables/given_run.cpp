@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "firmware/config/profile.hpp"
+#include "firmware/recon/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/object.hpp"
 #include "host/evaluate/cut.hpp"
 #include "host/replay/models.hpp"
@@ -28,6 +29,7 @@ host::ObjectResult describe(const recon::Object<Profile>& object) {
   result.signature = object.signature;
   result.state = record::ObjectState::kConfirmed;
   result.views = object.views;
+  result.confidence = object.hybrid.ok() ? static_cast<double>(object.hybrid.outline().confidence()) : 0;
   result.models = host::models_of(object);
   return result;
 }
@@ -42,6 +44,7 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
   result.swaps = 0;
   const recon::CameraModel camera = recon::make_camera_model(tour.scene.camera);
   const auto object = std::make_unique<recon::Object<Profile>>();
+  recon::HybridSolver<Profile::kHybridSectors, Profile::kHybridOrder> solver;
   for (std::size_t v = 0; v < tour.views.size(); ++v) {
     const GivenView& view = tour.views[v];
     const auto given =
@@ -55,6 +58,7 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
     }
     object->track(sighting.open_ends(), t);
     object->model(sighting, {});
+    if (object->hybrid.news) solver.solve(object->hybrid);
     if (!std::binary_search(kTableViews.begin(), kTableViews.end(), object->views)) continue;
     result.cuts.push_back(host::cut_of(describe(*object), scene_object.footprint, false));
   }

@@ -7,6 +7,7 @@
 #include "host/geometry/planar.hpp"
 #include "host/scene/load.hpp"
 #include "tests/tables/given_run.hpp"
+#include "tests/tables/reference_scene.hpp"
 #include "tests/tables/tour.hpp"
 
 namespace fencepost::test {
@@ -49,8 +50,16 @@ host::Evaluation run_log(unsigned seed, const Tour& tour, const QualityOptions& 
 
 }  // namespace
 
+host::Scene scene_of(SceneKind kind, unsigned seed) {
+  switch (kind) {
+    case SceneKind::kSpread: return spread_scene(seed);
+    case SceneKind::kTwoConvex: return two_objects_scene(seed);
+    default: return reference_scene(seed);
+  }
+}
+
 host::Evaluation run_scene(unsigned seed, const NoiseLevel& level, const QualityOptions& options) {
-  const Tour tour = drive_tour(seed, level);
+  const Tour tour = drive_tour(scene_of(options.kind, seed), level);
   if (!options.dump.empty())
     dump(options.dump, std::string(level.key) + "_" + std::to_string(seed), tour.scene, tour.log);
   host::Evaluation evaluation =

@@ -15,7 +15,16 @@ enum class OcclusionFlags {
   kTrue,      ///< from the simulator, and so is whose each blob is
 };
 
+/// The random scenes to run.
+enum class SceneKind {
+  kSequential,  ///< reference_scene()
+  kSpread,      ///< spread_scene()
+  kTwoConvex,   ///< two_objects_scene()
+};
+host::Scene scene_of(SceneKind kind, unsigned seed);
+
 struct QualityOptions {
+  SceneKind kind = SceneKind::kSequential;
   OcclusionFlags flags = OcclusionFlags::kInferred;
   std::string profile = "full";
   std::string dump;  ///< a folder for each scene and its log, to look closer with `fencepost evaluate`; empty: none

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "tests/tables/quality_run.hpp"
 #include "tests/tables/study.hpp"
@@ -86,6 +87,9 @@ int run_program(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::IsMember({"true", "inferred"}));
   app.add_option("--compare", request.reference, "a file of reference figures (tests/tables/reference.csv)");
+  app.add_option("--scene", request.options.kind, "sequential views, the same spread, or two convex objects")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SceneKind>{
+          {"sequential", SceneKind::kSequential}, {"spread", SceneKind::kSpread}, {"convex", SceneKind::kTwoConvex}}));
   app.add_option("--profile", request.options.profile, "capacities of the robot")->capture_default_str();
   app.add_option("--dump", request.options.dump, "a folder for the scenes and logs, for fencepost evaluate");
   CLI11_PARSE(app, argc, argv);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kObjects = 3;
+constexpr double kSmallest = 0.06;  // m
+constexpr double kLargest = 0.26;
 constexpr double kDisc = 0.35;       // m
 constexpr double kApart = 0.03;      // m between the circles around two objects
 constexpr double kHeight = 0.2;      // m, more than the lens has
@@ -27,22 +29,23 @@ class Dice {
   std::mt19937 random_;
 };
 
-host::LinearRing random_footprint(Dice& dice, unsigned shape) {
-  const double size = dice.between(0.06, 0.26);
+enum Shape : unsigned { kRectangle, kTriangle, kRound, kElbow };
+
+host::LinearRing footprint(Dice& dice, unsigned shape, double size) {
   const double a = size / 2;
   host::LinearRing ring;
   switch (shape) {
-    case 0: {
+    case kRectangle: {
       const double b = a * dice.between(0.4, 1);
       return {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
     }
-    case 1:
+    case kTriangle:
       for (int i = 0; i < 3; ++i) {
         const double angle = 2 * kPi * i / 3 + dice.between(-0.25, 0.25);
         ring.push_back({size / 1.8 * std::cos(angle), size / 1.8 * std::sin(angle)});
       }
       return ring;
-    case 2:
+    case kRound:
       for (int i = 0; i < 40; ++i) ring.push_back({a * std::cos(2 * kPi * i / 40), a * std::sin(2 * kPi * i / 40)});
       return ring;
     default: {
@@ -70,25 +73,43 @@ Disc disc_of(const host::LinearRing& ring) {
   return disc;
 }
 
+// Puts the ring into a disc around the origin, clear of what is there. False: there is no room this time.
+bool place(Dice& dice, const host::LinearRing& ring, double disc_radius, std::vector<Disc>& placed,
+           host::Scene& scene) {
+  const double angle = dice.between(0, 2 * kPi);
+  const double away = disc_radius * std::sqrt(dice.between(0, 1));
+  const double turn = dice.between(0, 2 * kPi);
+  const host::Polygon footprint = host::moved({ring, {}}, turn, {away * std::cos(angle), away * std::sin(angle)});
+  const Disc disc = disc_of(footprint.outer);
+  const bool free = std::none_of(placed.begin(), placed.end(), [&](const Disc& other) {
+    return std::hypot(other.center.x - disc.center.x, other.center.y - disc.center.y) <
+           other.radius + disc.radius + kApart;
+  });
+  if (!free) return false;
+  placed.push_back(disc);
+  const auto signature = static_cast<std::uint8_t>(placed.size());
+  const std::string number = std::to_string(placed.size());
+  scene.signatures.push_back({signature, "colour " + number, {200, 40, 40}});
+  scene.objects.push_back({"object " + number, signature, 0, kHeight, footprint});
+  return true;
+}
+
 void add_objects(Dice& dice, host::Scene& scene) {
   std::vector<Disc> placed;
   for (int tries = 0; placed.size() < kObjects && tries < 2000; ++tries) {
-    const host::LinearRing ring = random_footprint(dice, dice.below(4));
-    const double angle = dice.between(0, 2 * kPi);
-    const double away = kDisc * std::sqrt(dice.between(0, 1));
-    const double turn = dice.between(0, 2 * kPi);
-    const host::Polygon footprint = host::moved({ring, {}}, turn, {away * std::cos(angle), away * std::sin(angle)});
-    const Disc disc = disc_of(footprint.outer);
-    const bool free = std::none_of(placed.begin(), placed.end(), [&](const Disc& other) {
-      return std::hypot(other.center.x - disc.center.x, other.center.y - disc.center.y) <
-             other.radius + disc.radius + kApart;
-    });
-    if (!free) continue;
-    placed.push_back(disc);
-    const auto signature = static_cast<std::uint8_t>(placed.size());
-    const std::string number = std::to_string(placed.size());
-    scene.signatures.push_back({signature, "colour " + number, {200, 40, 40}});
-    scene.objects.push_back({"object " + number, signature, 0, kHeight, footprint});
+    const unsigned shape = dice.below(4);
+    const double size = dice.between(kSmallest, kLargest);
+    static_cast<void>(place(dice, footprint(dice, shape, size), kDisc, placed, scene));
+  }
+}
+
+void add_two_convex(Dice& dice, unsigned seed, host::Scene& scene) {
+  constexpr double kSmallDisc = 0.25;
+  std::vector<Disc> placed;
+  for (int tries = 0; placed.size() < 2 && tries < 2000; ++tries) {
+    const Shape shape = placed.empty() || seed % 2 == 1 ? kRectangle : kRound;
+    const double size = dice.between(0.12, 0.2);
+    static_cast<void>(place(dice, footprint(dice, shape, size), kSmallDisc, placed, scene));
   }
 }
 
@@ -104,28 +125,46 @@ void set_camera(host::Scene& scene) {
   camera.mount.pitch = base::Radians{0};
 }
 
-void set_path(Dice& dice, host::Scene& scene) {
-  const double radius = dice.between(0.8, 1.1);
+/// View i of the tour comes i * `stride` steps after the first, modulo the circle.
+void set_path(Dice& dice, double radius, int stride, host::Scene& scene) {
   const double start = dice.between(0, 2 * kPi);
   scene.rate = 10;
   host::PosesPath path;
   for (int i = 0; i < kTourViews; ++i) {
-    const double angle = start + 2 * kPi * i / kTourViews;
+    const double angle = start + 2 * kPi * (i * stride % kTourViews) / kTourViews;
     path.poses.push_back({i / scene.rate, radius * std::cos(angle), radius * std::sin(angle),
                           angle + kPi + dice.between(-kLookAside, kLookAside)});
   }
   scene.path = path;
 }
 
-}  // namespace
-
-host::Scene reference_scene(unsigned seed) {
+host::Scene three_objects(unsigned seed, int stride) {
   Dice dice(seed);
   host::Scene scene;
   scene.seed = seed;
   set_camera(scene);
   add_objects(dice, scene);
-  set_path(dice, scene);
+  set_path(dice, dice.between(0.8, 1.1), stride, scene);
+  return scene;
+}
+
+}  // namespace
+
+host::Scene reference_scene(unsigned seed) { return three_objects(seed, 1); }
+
+host::Scene spread_scene(unsigned seed) {
+  constexpr int kStride = 29;
+  return three_objects(seed, kStride);
+}
+
+host::Scene two_objects_scene(unsigned seed) {
+  constexpr double kRadius = 0.95;
+  Dice dice(seed);
+  host::Scene scene;
+  scene.seed = seed;
+  set_camera(scene);
+  add_two_convex(dice, seed, scene);
+  set_path(dice, kRadius, 1, scene);
   return scene;
 }
 

@@ -13,4 +13,12 @@ host::Scene reference_scene(unsigned seed);
 
 inline constexpr int kTourViews = 75;
 
+/// The same views in another order: each some 139 degrees from the one before, so that the first few already come from
+/// all around.
+host::Scene spread_scene(unsigned seed);
+
+/// Figure 7: two convex objects (rectangle and round one, or two rectangles; 0.12 to 0.2 m) in a disc of 0.25 m radius,
+/// seen from a circle of 0.95 m. The second one is the one to look at.
+host::Scene two_objects_scene(unsigned seed);
+
 }  // namespace fencepost::test

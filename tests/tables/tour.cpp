@@ -5,10 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "firmware/record/decode.hpp"
 #include "firmware/record/encode.hpp"
-#include "tests/tables/reference_scene.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -31,9 +31,9 @@ std::string line_of(const sensor::BlobFrame& frame) {
 
 }  // namespace
 
-Tour drive_tour(unsigned seed, const NoiseLevel& level) {
+Tour drive_tour(host::Scene scene, const NoiseLevel& level) {
   Tour tour;
-  tour.scene = reference_scene(seed);
+  tour.scene = std::move(scene);
   tour.scene.noise.pose_xy = level.pose_xy;
   tour.scene.noise.pose_heading = level.pose_heading * std::numbers::pi / 180;
   Poses poses;

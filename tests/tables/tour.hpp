@@ -21,7 +21,8 @@ struct Tour {
   std::vector<GivenView> views;          ///< one for each frame
 };
 
-/// Poses and boxes of `views` are those of `log`. Throws std::runtime_error if the scene cannot be simulated.
-Tour drive_tour(unsigned seed, const NoiseLevel& level);
+/// `scene` without noise, seen with that of `level`. Poses and boxes of `views` are those of `log`. Throws
+/// std::runtime_error if the scene cannot be simulated.
+Tour drive_tour(host::Scene scene, const NoiseLevel& level);
 
 }  // namespace fencepost::test

@@ -8,6 +8,7 @@
 
 #include "tests/tables/given_run.hpp"
 #include "tests/tables/quality_run.hpp"
+#include "tests/tables/reference_scene.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -30,8 +31,8 @@ struct Counts {
 Counts count(std::string_view key, double edge_px) {
   Counts counts;
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Tour ideal = drive_tour(seed, level("0"));
-    const Tour noisy = drive_tour(seed, level(key));
+    const Tour ideal = drive_tour(reference_scene(seed), level("0"));
+    const Tour noisy = drive_tour(reference_scene(seed), level(key));
     for (std::size_t v = 0; v < noisy.views.size(); ++v) {
       for (const GivenBlob& given : noisy.views[v].blobs) {
         counts.seen += 1;
@@ -73,9 +74,9 @@ TEST(Tour, MissesAndMistakesAsOftenAsTheLevelSays) {
 }
 
 TEST(Tour, IsTheSameForTheSameSeed) {
-  const Tour tour = drive_tour(7, level("4"));
-  EXPECT_EQ(tour.log, drive_tour(7, level("4")).log);
-  EXPECT_NE(tour.log, drive_tour(8, level("4")).log);
+  const Tour tour = drive_tour(reference_scene(7), level("4"));
+  EXPECT_EQ(tour.log, drive_tour(reference_scene(7), level("4")).log);
+  EXPECT_NE(tour.log, drive_tour(reference_scene(8), level("4")).log);
   EXPECT_EQ(tour.frames.size(), 75U);
   EXPECT_EQ(tour.views.size(), 75U);
 }
@@ -85,11 +86,13 @@ TEST(GivenRun, CarvesRecklesslyWithWrongFlags) {
   double with_truth = 0;
   double without = 0;
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    Tour tour = drive_tour(seed, level("0"));
+    Tour tour = drive_tour(reference_scene(seed), level("0"));
     const auto recklessness = [&] {
       double sum = 0;
       for (const host::ObjectEvaluation& object : run_given(tour, "full").objects) {
-        sum += object.cuts.back().models.back().score.recklessness;
+        for (const host::ModelScore& model : object.cuts.back().models) {
+          if (model.model == "clip") sum += model.score.recklessness;
+        }
       }
       return sum / 15;
     };
@@ -104,14 +107,14 @@ TEST(GivenRun, CarvesRecklesslyWithWrongFlags) {
 }
 
 TEST(GivenRun, MeasuresEveryModelAtEveryNumberOfViews) {
-  const host::Evaluation evaluation = run_given(drive_tour(3, level("2")), "full");
+  const host::Evaluation evaluation = run_given(drive_tour(reference_scene(3), level("2")), "full");
   ASSERT_EQ(evaluation.objects.size(), 3U);
   for (const host::ObjectEvaluation& object : evaluation.objects) {
     ASSERT_EQ(object.cuts.size(), kTableViews.size() + 1);
     for (const host::Cut& cut : object.cuts) EXPECT_EQ(cut.models.size(), evaluation.models.size());
     EXPECT_EQ(object.cuts.back().views, object.visible);
   }
-  EXPECT_THROW(static_cast<void>(run_given(drive_tour(3, level("2")), "huge")), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(run_given(drive_tour(reference_scene(3), level("2")), "huge")), std::runtime_error);
 }
 
 }  // namespace

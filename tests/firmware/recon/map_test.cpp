@@ -293,7 +293,7 @@ TEST(Map, AnObjectThatShouldBeSeenAndIsNotLosesCredit) {
   Drive<config::Small> drive;
   for (int i = 0; i < 20; ++i) drive.step(posts, 0, 0.02 * i, -0.01 * i);
   const float before = drive.objects()[0]->confidence();
-  EXPECT_GT(before, 0.3F);
+  EXPECT_GT(before, 0.15F);                                              // seen from one side only
   for (int i = 20; i < 40; ++i) drive.step({}, 0, 0.02 * i, -0.01 * i);  // still in view, but gone
   EXPECT_EQ(drive.objects()[0]->missed_in_a_row, 20);
   EXPECT_LT(drive.objects()[0]->confidence(), 0.2F * before);

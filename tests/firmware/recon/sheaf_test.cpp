@@ -191,6 +191,7 @@ TEST(SheafViews, MicroPaysNothing) {
   struct Without : recon::ObjectCore {
     base::FixedVector<recon::HalfPlane, config::Micro::kPending> pending;
     recon::ConvexClip<config::Micro::kClipVertices> clip;
+    recon::Hybrid<config::Micro::kHybridSectors> hybrid;
   };
   static_assert(sizeof(recon::Object<config::Micro>) == sizeof(Without));
 }

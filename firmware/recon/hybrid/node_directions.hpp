@@ -1,0 +1,57 @@
+// The directions at which an outline is kept: 64 around the circle, or every second one of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "firmware/recon/geometry.hpp"
+
+namespace fencepost::recon {
+
+inline constexpr std::size_t kDirections = 64;
+
+/// Cosines of 2 pi k / 64. Literals, so that no compiler's arithmetic has a part in them.
+inline constexpr std::array<float, kDirections / 4 + 1> kQuarterCosines = {
+    1.0F,         0.995184727F, 0.98078528F,  0.956940336F,  0.923879533F, 0.881921264F,
+    0.831469612F, 0.773010453F, 0.707106781F, 0.634393284F,  0.555570233F, 0.471396737F,
+    0.382683432F, 0.290284677F, 0.195090322F, 0.0980171403F, 0.0F};
+
+/// Unit vector at k turns of 1/64.
+inline Vec2 direction_at(std::size_t k) {
+  constexpr std::size_t kQuarter = kDirections / 4;
+  const std::size_t rest = k % kQuarter;
+  const float along = kQuarterCosines[rest];
+  const float across = kQuarterCosines[kQuarter - rest];
+  switch (k / kQuarter % 4) {
+    case 0: return {along, across};
+    case 1: return {-across, along};
+    case 2: return {-along, -across};
+    default: return {across, -along};
+  }
+}
+
+/// Unit vector of node k of `nodes`, 64 or 32.
+inline Vec2 node_direction(std::size_t k, std::size_t nodes) { return direction_at(k * (kDirections / nodes)); }
+
+/// What follows from the angle between two nodes.
+struct NodeStep {
+  float angle = 0;   ///< rad
+  float sine = 0;    ///< of the angle
+  float cosine = 0;  ///< of the angle
+};
+inline NodeStep node_step(std::size_t nodes) {
+  const std::size_t k = kDirections / nodes;
+  return {6.28318531F / static_cast<float>(nodes), kQuarterCosines[kDirections / 4 - k], kQuarterCosines[k]};
+}
+
+/// Sine and cosine of an angle in [0, 0.2] rad: Taylor to x^5 and x^4, error below 1e-7.
+inline float small_sine(float x) {
+  const float q = x * x;
+  return x * (1.0F - q * (1.66666667e-1F - q * 8.33333333e-3F));
+}
+inline float small_cosine(float x) {
+  const float q = x * x;
+  return 1.0F - q * (0.5F - q * (4.16666667e-2F - q * 1.38888889e-3F));
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,31 @@
+// What one view says of an outline: tangents of its convex hull.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/sighting.hpp"
+
+namespace fencepost::recon {
+
+/// h(normal) = bound is known to sigma: the support function of the object, sampled once. Local frame, metres.
+struct Tangent {
+  HalfPlane line;
+  float sigma = 0;
+};
+
+/// At most three: the two ends of a blob, and its foot where the camera's height and pitch are known.
+struct ViewTangents {
+  enum Which : std::uint8_t { kLeft = 1, kRight = 2, kFront = 4 };
+  Tangent left;
+  Tangent right;
+  Tangent front;
+  std::uint8_t present = 0;  ///< bits of Which
+};
+
+/// `distance`: from the lens to the object's middle (m). `first_views`: nothing outvotes a lost piece of the segment
+/// yet, so its probability goes into the sigma of the edges. Errors: what is censored is not present.
+ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
+                         const MeasurementNoise& noise);
+
+}  // namespace fencepost::recon
