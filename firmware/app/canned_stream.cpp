@@ -1,9 +1,13 @@
 #include "firmware/app/canned_stream.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace fencepost::app {
+namespace {
 
 // clang-format off
-const std::string_view kCannedLines =
+constexpr std::string_view kLines =
     "$FPCAM,selftest,316,208,273.60,273.60,157.50,103.50,-0.0500,0.0500,0.0100,0.1200,0.0200,0.0500,0.0500*F757\n"
     "$FPODO,0.0000,0.1613,-0.0420,6.4216*F47A\n"
     "$FPFRM,0.0500,0,1,1,170,60,213,134,191.7,96.9,3221,d02020*780F\n"
@@ -71,5 +75,28 @@ const std::string_view kCannedLines =
     "$FPFRM,2.3500,23,2,1,101,60,155,135,128.4,96.7,3869,d02020,2,235,28,269,131,252.0,79.4,3550,2040d0*647E\n"
     "$FPODO,2.3600,1.6878,-0.5350,8.6216*183B\n";
 // clang-format on
+
+constexpr std::size_t kPackedBytes = pack_lines(kLines, {});
+static_assert(kPackedBytes > 0, "kPackedPieces lacks something that these lines have");
+constexpr std::array<std::uint8_t, kPackedBytes> kPacked = [] {
+  std::array<std::uint8_t, kPackedBytes> packed{};
+  pack_lines(kLines, packed);
+  return packed;
+}();
+
+constexpr std::size_t longest_line(std::string_view lines) {
+  std::size_t longest = 0;
+  for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n')) {
+    longest = std::max(longest, end);
+    lines.remove_prefix(end + 1);
+  }
+  return longest;
+}
+static_assert(longest_line(kLines) <= kLongestCannedLine);
+
+}  // namespace
+
+const std::string_view kCannedLines = kLines;
+const std::span<const std::uint8_t> kPackedLines = kPacked;
 
 }  // namespace fencepost::app

@@ -2,20 +2,26 @@
 // desk can be asked for the same digest: `fencepost replay selftest.log --profile micro`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "firmware/app/packed_lines.hpp"
 #include "firmware/config/profile.hpp"
 
 namespace fencepost::app {
 
+inline constexpr std::size_t kLongestCannedLine = 112;  ///< without its end
+
 struct CannedStream {
-  std::string_view lines;    ///< each ends with '\n'
-  std::uint64_t digest = 0;  ///< state digest after the last of them
+  std::span<const std::uint8_t> packed;  ///< lines of at most kLongestCannedLine, see pack_lines
+  std::uint64_t digest = 0;              ///< state digest after the last of them
 };
 
-/// Record lines: a camera and three dozen frames of a drive around two objects.
+/// Record lines: a camera and two dozen frames of a drive around two objects. An image has them packed alone.
 extern const std::string_view kCannedLines;
+extern const std::span<const std::uint8_t> kPackedLines;
 
 /// By profile: they keep different numbers of objects, vertices and cells. A change of the reconstruction changes
 /// these; tests/firmware/app/selftest_test.cpp then prints the new ones.
@@ -30,7 +36,7 @@ inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x4b1c4ae6adb6f083;
 
 template <class Profile>
 CannedStream canned_stream() {
-  return {kCannedLines, kCannedDigest<Profile>};
+  return {kPackedLines, kCannedDigest<Profile>};
 }
 
 }  // namespace fencepost::app

@@ -1,6 +1,7 @@
 // The console: lines that people and programs send, and what they are answered.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -58,14 +59,12 @@ class Console {
 
   /// The self-test's next line; true if it was an input: settle it.
   [[gnu::noinline]] bool rehearse() {
-    std::uint16_t& at = state().selftest_at;
-    if (at >= canned_.lines.size()) {
+    std::array<char, kLongestCannedLine> room{};
+    const std::string_view line = unpack_line(canned_.packed, state().selftest_at, room);
+    if (line.empty()) {
       state().answer.reply = Reply::kSelftest;
       return false;
     }
-    const std::string_view rest = record::after(canned_.lines, at);
-    const std::string_view line = record::before(rest, '\n');
-    at = static_cast<std::uint16_t>(at + line.size() + 1);
     Intake<Profile> intake{pipeline_, Purpose::kSelftest};
     static_cast<void>(record::decode(line, {}, intake));
     return intake.input;

@@ -63,7 +63,7 @@ struct ConsoleState {
   bool alerts = true;
   std::uint8_t turns_without_room = 0;  ///< since the answer's last line
   Answer answer;
-  std::uint16_t selftest_at = 0;  ///< next character of the canned stream
+  std::uint16_t selftest_at = 0;  ///< next code of the canned stream
   Stamp plotted_at;
   TopView view;  ///< of the map that is being drawn
   InputLines input;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "firmware/app/pipeline.hpp"
 #include "firmware/record/decode.hpp"
@@ -12,7 +13,7 @@ namespace fencepost::app {
 enum class Purpose : std::uint8_t { kRun, kSelftest };
 
 /// Takes what one line holds. The other kinds are no inputs: a log that is played into a robot has them too, and they
-/// are passed over.
+/// are passed over unread, but for a header, whose format may be another.
 template <class Profile>
 struct Intake {
   Pipeline<Profile>& pipeline;
@@ -32,7 +33,16 @@ struct Intake {
   template <class Record>
   void accept(const Record& /*record*/) {}
 
+  template <class Record>
+  static constexpr bool wants() {
+    return is_any_of<Record, record::Header, sensor::CameraIntrinsics, record::Signature, sensor::OdometrySample,
+                     sensor::BlobFrame>;
+  }
+
  private:
+  template <class Record, class... Kinds>
+  static constexpr bool is_any_of = (std::is_same_v<Record, Kinds> || ...);
+
   template <class Input>
   void take(const Input& item) {
     input = true;

@@ -142,7 +142,7 @@ struct Object : ObjectCore {
 
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight
   /// is how far the lens has moved since the last one that was taken.
-  void model(const Sighting& sighting, const MeasurementNoise& noise) {
+  [[gnu::noinline]] void model(const Sighting& sighting, const MeasurementNoise& noise) {
     const Vec2 lens = sighting.lens_from(origin);
     cylinder.add(sighting, origin, cylinder.first_views() == 0 ? 1.0F : novelty(lens), noise);
     cylinder_paper.add(sighting, origin);

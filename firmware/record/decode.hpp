@@ -12,7 +12,8 @@
 namespace fencepost::record {
 
 /// Takes each kind of record by `accept(const X&)`. One that wants few kinds adds a template for the rest:
-/// `template <class X> void accept(const X&) {}`.
+/// `template <class X> void accept(const X&) {}`. If it also has `template <class X> static constexpr bool wants()`,
+/// the fields of what it does not want are not even read: a line of such a kind is no fault if its CRC is right.
 template <class S>
 concept RecordSink = requires(S sink, const Header& header, const sensor::CameraIntrinsics& camera,
                               const Signature& signature, const sensor::OdometrySample& odometry,
@@ -60,6 +61,17 @@ std::optional<Reject> read(const Line& line, const DecodeOptions& options, LinkR
 std::optional<Reject> read(const Line& line, const DecodeOptions& options, StatusReport& record);
 std::optional<Reject> read(const Line& line, const DecodeOptions& options, Setting& record);
 
+template <class Sink, class Record>
+constexpr bool wants() {
+  if constexpr (requires { Sink::template wants<Record>(); }) return Sink::template wants<Record>();
+  return true;
+}
+
+template <class Record, RecordSink Sink>
+requires(!wants<Sink, Record>()) base::Result<Kind, Reject> deliver(const Line& line, const DecodeOptions& /*options*/,
+                                                                    Sink& /*sink*/) {
+  return line.kind;
+}
 template <class Record, RecordSink Sink>
 base::Result<Kind, Reject> deliver(const Line& line, const DecodeOptions& options, Sink& sink) {
   Record record;

@@ -20,6 +20,8 @@ void FieldWriter::number(std::int64_t raw, const NumberField& field) {
   put({digits, write_decimal(raw, field.decimals, digits)});
 }
 
+void FieldWriter::short_number(std::int32_t raw, const NumberField& field) { number(std::int64_t{raw}, field); }
+
 void FieldWriter::text(const sensor::Text& text) {
   put(',');
   for (const char c : text.view()) {

@@ -1,22 +1,33 @@
 // Writes one line field by field. Anything that cannot be written makes the whole line void.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "firmware/record/decimal.hpp"
 #include "firmware/record/kinds.hpp"
 
 namespace fencepost::record {
 
+template <class Rep>
+concept ShortNumber = std::integral<Rep> && std::in_range<std::int32_t>(std::numeric_limits<Rep>::max());
+
 class FieldWriter {
  public:
   FieldWriter(Kind kind, std::span<char> line);
 
   void number(std::int64_t raw, const NumberField& field);
+  /// Most are this short, which is a third less to pass.
+  template <ShortNumber Rep>
+  void number(Rep raw, const NumberField& field) {
+    short_number(raw, field);
+  }
   template <class Quantity>
   void number_or_empty(const std::optional<Quantity>& quantity, const NumberField& field) {
     quantity ? number(quantity->raw, field) : put(',');
@@ -44,6 +55,7 @@ class FieldWriter {
   std::size_t finish();
 
  private:
+  void short_number(std::int32_t raw, const NumberField& field);
   void put(char c);
   void put(std::string_view characters);
   void put_hex(std::uint64_t value, unsigned digits, std::string_view alphabet);

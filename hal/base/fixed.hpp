@@ -88,35 +88,41 @@ class Ring {
   /// False, and nothing stored, when full.
   [[nodiscard]] constexpr bool push_back(const T& item) {
     if (full()) return false;
-    items_[(head_ + size_) % N] = item;
+    items_[slot(size_)] = item;
     size_ = static_cast<CountFor<N>>(size_ + 1);
     return true;
   }
   /// Makes room by dropping the oldest.
   constexpr void push_over_oldest(const T& item) {
     if (full()) pop_front();
-    items_[(head_ + size_) % N] = item;
+    items_[slot(size_)] = item;
     size_ = static_cast<CountFor<N>>(size_ + 1);
   }
   constexpr void pop_front() {
     FENCEPOST_CHECK(size_ > 0);
-    head_ = static_cast<CountFor<N>>((head_ + 1U) % N);
+    head_ = static_cast<CountFor<N>>(slot(1));
     size_ = static_cast<CountFor<N>>(size_ - 1);
   }
   constexpr void clear() { head_ = size_ = 0; }
 
   constexpr T& operator[](std::size_t i) {
     FENCEPOST_CHECK(i < size_);
-    return items_[(head_ + i) % N];
+    return items_[slot(i)];
   }
   constexpr const T& operator[](std::size_t i) const {
     FENCEPOST_CHECK(i < size_);
-    return items_[(head_ + i) % N];
+    return items_[slot(i)];
   }
   [[nodiscard]] constexpr const T& front() const { return (*this)[0]; }
   [[nodiscard]] constexpr const T& back() const { return (*this)[size_ - 1U]; }
 
  private:
+  /// No remainder: i is at most N, and division is a loop on small parts.
+  [[nodiscard]] constexpr std::size_t slot(std::size_t i) const {
+    const std::size_t at = head_ + i;
+    return at < N ? at : at - N;
+  }
+
   std::array<T, N> items_{};
   CountFor<N> head_ = 0;
   CountFor<N> size_ = 0;

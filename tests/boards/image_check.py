@@ -28,6 +28,8 @@ RAM = 0x20000000  # of every Cortex-M (Armv7-M B3.1)
 # The RP2040's boot ROM, through pointers that it tells: an allowance.
 ROM_CALLER = re.compile(r"mcu::rp2040::Flash::")
 ROM_STACK = 256
+# Written in assembly (hal/mcu/division/aeabi.cpp): their own bytes of stack, and what they call.
+ASSEMBLY = {"__aeabi_uldivmod": (32, "fencepost_uldivmod"), "__aeabi_ldivmod": (32, "fencepost_ldivmod")}
 STARTS = ["fencepost_start", "image_main"]
 INTERRUPT = re.compile(r"\w+_interrupt$")
 
@@ -58,8 +60,30 @@ def sizes(elf):
     return flash, ram
 
 
+def other_names(elf):
+    """{symbol: all symbols at its address}: functions that the compiler found to be the same have one body."""
+    at = {}
+    for line in run("arm-none-eabi-nm", "--defined-only", elf).splitlines():
+        address, kind, name = line.split(" ", 2)
+        if kind in "tTwW":
+            at.setdefault(address, []).append(name)
+    return {name: names for names in at.values() for name in names}
+
+
 class ImageDepths(worst_case.Depths):
+    def __init__(self, graph, same):
+        super().__init__(graph)
+        self.same = same
+        self.titles = {worst_case.short(title): title for title in self.frames}
+        for name, (frame, callee) in ASSEMBLY.items():
+            if name in self.frames:
+                self.frames[name] = frame
+                self.calls.setdefault(name, set()).add(callee)
+
     def outside(self, function, path):
+        for name in self.same.get(worst_case.short(function), ()):
+            if name in self.titles:
+                return self.of(self.titles[name], path)
         if LIBGCC.match(worst_case.short(function)):
             return LIBGCC_FRAME, [function]
         if function == "__indirect_call" and path and ROM_CALLER.search(self.labels.get(path[-1], "")):
@@ -69,9 +93,9 @@ class ImageDepths(worst_case.Depths):
         return super().outside(function, path)
 
 
-def stack(build, context_words):
+def stack(elf, build, context_words):
     # Images of other choices lie beside this one, with functions of the same names.
-    depths = ImageDepths(worst_case.read_graph(build, without="fencepost_image_"))
+    depths = ImageDepths(worst_case.read_graph(build, without="fencepost_image_"), other_names(elf))
     names = {worst_case.short(title): title for title in depths.frames}
     missing = [root for root in STARTS if root not in names]
     if missing:
@@ -109,7 +133,7 @@ def main():
         sys.exit(f"image_check: {table} has no row for {image}")
     faults, symbols = symbol_faults(elf)
     flash, ram = sizes(elf)
-    deepest, stack_faults = stack(build, context_words)
+    deepest, stack_faults = stack(elf, build, context_words)
     faults += stack_faults
     for name, measured in (("flash", flash), ("ram", ram), ("stack", deepest)):
         committed = int(rows[image][name])

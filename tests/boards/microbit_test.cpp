@@ -122,7 +122,7 @@ TEST(Microbit, CountsNoMoreInstructionsForFourObjectsThanCommitted) {
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
                                              {"model", "::model("},
-                                             {"frame", "recon::hash_pose("},
+                                             {"frame", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
   const SceneStream stream = stream_of(four_boxes(8));

@@ -25,11 +25,17 @@ def short(title):
     return title.rsplit(":", 1)[-1]
 
 
+def of_link_time(graph_file):
+    compiled = [graph_file.with_suffix(suffix) for suffix in (".obj", ".o")]
+    return any(file.exists() and b".gnu.lto_" in file.read_bytes() for file in compiled)
+
+
 def read_graph(folder, without=None):
-    """Of all objects below `folder`, but for those in folders whose names begin with `without`."""
+    """Of all objects below `folder`, but for those in folders whose names begin with `without`. Objects that are
+    optimised when they are linked have their graph beside the program; one beside them is of an older build."""
     frames, kinds, calls, labels = {}, {}, {}, {}
     files = sorted(file for file in pathlib.Path(folder).rglob("*.ci")
-                   if not without or not any(part.startswith(without) for part in file.parts))
+                   if not (without and any(part.startswith(without) for part in file.parts)) and not of_link_time(file))
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:

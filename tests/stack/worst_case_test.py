@@ -44,6 +44,15 @@ class WorstCase(unittest.TestCase):
             self.assertEqual(code, 1, expected)
             self.assertIn(expected, output)
 
+    def test_passes_over_the_graph_of_an_object_that_is_optimised_at_link_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "program.ltrans0.ci").write_text(graph(("root", 16, "static")))
+            pathlib.Path(folder, "x.cpp.ci").write_text(graph(("root", 8, "static"), edges=[("root", "printf")]))
+            for content, code in ((b"code", 1), (b"\0.gnu.lto_.opts\0", 0)):
+                pathlib.Path(folder, "x.cpp.obj").write_bytes(content)
+                done = subprocess.run([sys.executable, str(CHECK), folder, "root=16"], capture_output=True, check=False)
+                self.assertEqual(done.returncode, code, content)
+
     def test_refuses_to_compare_nothing(self):
         self.assertNotEqual(self.run_on(graph(("other", 8, "static")), "root=1000")[0], 0)
         with tempfile.TemporaryDirectory() as folder:

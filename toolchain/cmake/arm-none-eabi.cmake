@@ -3,6 +3,9 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+# Those that see what a compiler with -flto leaves in its objects.
+set(CMAKE_AR arm-none-eabi-gcc-ar)
+set(CMAKE_RANLIB arm-none-eabi-gcc-ranlib)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # a program would need the linker script
 # Headers of libraries without code (Eigen) may come from the host, programs and libraries may not be guessed.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

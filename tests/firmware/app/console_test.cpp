@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -237,6 +238,17 @@ TEST(Console, BadRecordsAreCountedAndInModeTextSaid) {
   EXPECT_EQ(desk.type("$FPODO,1.0000,0,0,0*0000\n"), "");
   EXPECT_EQ(desk.memory().counters.rejected, 4U);
   EXPECT_EQ(desk.memory().counters.odometry, 1U);
+}
+
+// An object, a digest and a setting with fields that nobody could read: they are no inputs, so nobody does. A header's
+// format is looked at, for the lines behind it may be others.
+TEST(Console, LeavesTheFieldsOfOtherRecordsUnread) {
+  Desk<config::Micro> desk;
+  for (const std::string body : {"FPOBJ,x", "FPDIG,", "FPCFG"})
+    EXPECT_EQ(desk.type(record::sealed(body) + "\n"), "") << body;
+  EXPECT_EQ(desk.memory().counters.rejected, 0U);
+  EXPECT_NE(desk.type(record::sealed("FPHDR,9,a,b,c,d") + "\n").find("rejected (format)"), std::string::npos);
+  EXPECT_EQ(desk.memory().counters.rejected, 1U);
 }
 
 TEST(Console, CalibrationAndSignaturesComeAsRecords) {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/firmware/app/desk.hpp"
 
@@ -49,7 +50,10 @@ TYPED_TEST(Selftest, FailsIfOneBitOfTheStreamIsAnother) {
   const std::size_t at = lines.find("$FPFRM") + 20;
   lines[at] = static_cast<char>(lines[at] ^ 1);  // its CRC is wrong now
   app::CannedStream canned = app::canned_stream<TypeParam>();
-  canned.lines = lines;
+  std::vector<std::uint8_t> packed(app::pack_lines(lines, {}));
+  ASSERT_FALSE(packed.empty());
+  app::pack_lines(lines, packed);
+  canned.packed = packed;
   Desk<TypeParam> desk(Mode::kText, {}, canned);
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest FAIL: digest ", 0), 0U);
 }

@@ -1,0 +1,71 @@
+// Record lines in less than half their bytes: they are nearly all digits, so a character is four bits, and a fifteenth
+// code announces one of sixteen pieces. The self-test's stream is packed when it is compiled.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace fencepost::app {
+
+/// Codes 0 to 14 are a character each; 15 and one more code, a piece.
+inline constexpr std::string_view kPackedCharacters = "0123456789,.-*\n";
+inline constexpr std::uint8_t kPieceFollows = 15;
+inline constexpr std::array<std::string_view, 12> kPackedPieces = {
+    "A", "B", "C", "D", "E", "F", "$FPODO,", "$FPFRM,", "$FPCAM,", "selftest", "d02020", "2040d0"};
+static_assert(kPackedCharacters.size() == kPieceFollows && kPackedPieces.size() <= 16);
+
+/// Puts codes, two to a byte, the first of them into the lower half; counts on where there is no room.
+class CodeWriter {
+ public:
+  explicit constexpr CodeWriter(std::span<std::uint8_t> out) : out_(out) {}
+
+  constexpr void put(std::size_t code) {
+    const std::size_t byte = count_ / 2;
+    if (byte < out_.size()) {
+      const auto half = static_cast<std::uint8_t>(code);
+      out_[byte] = count_ % 2 == 0 ? half : static_cast<std::uint8_t>(out_[byte] | half << 4U);
+    }
+    ++count_;
+  }
+  [[nodiscard]] constexpr std::size_t bytes() const { return (count_ + 1) / 2; }
+
+ private:
+  std::span<std::uint8_t> out_;
+  std::size_t count_ = 0;
+};
+
+/// Which piece `text` begins with; their number if none.
+constexpr std::size_t piece_at_front(std::string_view text) {
+  std::size_t i = 0;
+  while (i < kPackedPieces.size() && !text.starts_with(kPackedPieces[i])) ++i;
+  return i;
+}
+
+/// Bytes that the packed `text` takes, of which those that have room are in `out`; 0 if it has a character that no code
+/// stands for. A text of whole lines ends with '\n'.
+constexpr std::size_t pack_lines(std::string_view text, std::span<std::uint8_t> out) {
+  CodeWriter codes(out);
+  while (!text.empty()) {
+    std::size_t used = 1;
+    if (const std::size_t piece = piece_at_front(text); piece < kPackedPieces.size()) {
+      codes.put(kPieceFollows);
+      codes.put(piece);
+      used = kPackedPieces[piece].size();
+    } else if (const std::size_t code = kPackedCharacters.find(text.front()); code != std::string_view::npos) {
+      codes.put(code);
+    } else {
+      return 0;
+    }
+    text.remove_prefix(used);
+  }
+  return codes.bytes();
+}
+
+/// The line that begins at code `at` of `packed`, without its end, in `room`; moves `at` behind it. Empty at the end of
+/// all, or where there is no room for the line.
+std::string_view unpack_line(std::span<const std::uint8_t> packed, std::uint16_t& at, std::span<char> room);
+
+}  // namespace fencepost::app
