@@ -56,11 +56,18 @@ class Depths:
         self.frames, self.kinds, self.calls, self.labels = graph
         self.known = {}
         self.faults = []
+        # What several files may define (an instantiated template) bears its file's name where it is defined only.
+        self.defined = {}
+        for title in self.frames:
+            if ":" in title and short(title).startswith("_Z"):
+                self.defined.setdefault(short(title), []).append(title)
 
     def of(self, function, path=()):
         """(bytes, deepest path) from here down."""
         if function not in self.frames:  # a constructor's two names are one function
             function = re.sub(r"C1E", "C2E", function, count=1)
+        if function not in self.frames and function in self.defined:
+            return max((self.of(title, path) for title in self.defined[function]), key=lambda depth: depth[0])
         if function in self.known:
             return self.known[function]
         if function in path:

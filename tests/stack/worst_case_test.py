@@ -53,6 +53,12 @@ class WorstCase(unittest.TestCase):
                 done = subprocess.run([sys.executable, str(CHECK), folder, "root=16"], capture_output=True, check=False)
                 self.assertEqual(done.returncode, code, content)
 
+    def test_finds_a_template_where_it_is_defined(self):
+        text = graph(("root", 16, "static"), ("t.cpp:_Z1tIiEvv", 100, "static"), ("u.cpp:_Z1tIiEvv", 40, "static"),
+                     edges=[("root", "_Z1tIiEvv")])
+        self.assertEqual(self.run_on(text, "root=116")[0], 0)
+        self.assertEqual(self.run_on(text, "root=115")[0], 1)
+
     def test_refuses_to_compare_nothing(self):
         self.assertNotEqual(self.run_on(graph(("other", 8, "static")), "root=1000")[0], 0)
         with tempfile.TemporaryDirectory() as folder:
