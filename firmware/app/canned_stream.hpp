@@ -22,11 +22,11 @@ extern const std::string_view kCannedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x684e50a76d1ec347;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x6551a00af11c5a88;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xa35851cfc2ce5aeb;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc842922881b6f0c7;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x2a823fa6005329ff;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xd2f44025cb55a079;
 
 template <class Profile>
 CannedStream canned_stream() {
