@@ -243,7 +243,8 @@ class Pipeline {
       confirmation = {m_.settings.raw(config::Key::kConfirmK), m_.settings.raw(config::Key::kConfirmN)};
     }
     const bool correct = m_.settings.raw(config::Key::kCorrectPose) != 0 && !m_.run.testing;
-    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation, correct);
+    const float drift = correct ? 0.01F * m_.settings.number(config::Key::kCorrectDrift) : 0.0F;
+    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation, drift);
     if (m_.run.testing) return;
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());

@@ -18,13 +18,16 @@
 
 namespace fencepost::recon {
 
-/// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre. About that of a
-/// wheel base that is 3 % and 2 degrees a metre off.
+/// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre.
 struct DriftNoise {
-  float position = 0.012F;  ///< m a sqrt(m) driven
-  float heading = 0.020F;   ///< rad a sqrt(m) driven
-  float turning = 0.03F;    ///< rad a sqrt(rad) turned
+  float position = 0;  ///< m a sqrt(m) driven
+  float heading = 0;   ///< rad a sqrt(m) driven
+  float turning = 0;   ///< rad a sqrt(rad) turned
 };
+
+/// Of a wheel base whose distances are off by `share`: with 3 % it turns 2 degrees a metre by itself (the reference's
+/// middle drift, and what it was best corrected with).
+constexpr DriftNoise drift_noise(float share) { return {0.4F * share, 0.67F * share, share}; }
 
 /// Something round that stands still. Map frame.
 struct Landmark {

@@ -45,12 +45,12 @@ class Map {
   }
 
   /// One frame through the whole algorithm. `odometry`: where the robot was at the exposure, by odometry alone;
-  /// `correct`: the pose is corrected by the objects. Blobs of `frame` that are pieces of one object are joined in
-  /// place.
+  /// `drift`: by what share of the distance that may be off; more than 0, the objects correct it. Blobs of `frame`
+  /// that are pieces of one object are joined in place.
   FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
-                         const MeasurementNoise& noise, Confirmation confirmation, bool correct = false) {
+                         const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
     exposure_ = frame.t - camera.latency;
-    MapPose pose = correction_.drive(odometry, correct);
+    MapPose pose = correction_.drive(odometry, drift);
     matcher_.predict(objects_, camera, lens_pose(pose, camera),
                      [&](std::size_t o) { return correction_.matching_noise(o, noise); });
     matcher_.see(frame, camera);
@@ -60,7 +60,7 @@ class Map {
     outcome.matched = matcher_.match(frame);
     matcher_.share_merged(frame);
     matcher_.hide_behind_models();
-    if (correct) pose = correction_.correct(objects_, matcher_, frame, camera, noise);
+    if (drift > 0) pose = correction_.correct(objects_, matcher_, frame, camera, noise);
     const LensPose lens = lens_pose(pose, camera);
     track_matched(frame, camera, lens);
     notice_missing();
@@ -71,7 +71,7 @@ class Map {
     drop_doubles();
     forget_refuted();
     confirm(confirmation);
-    correction_.follow(objects_, matcher_, noise);
+    correction_.follow(objects_, matcher_, frame, camera, noise);
     chain_digest(frame, pose);
     return outcome;
   }
@@ -115,7 +115,10 @@ class Map {
       ObjectType& object = objects_[o];
       const OpenEnds ends = matcher_.open_ends(o);
       compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), ends);
-      if (object.contradicted()) object.restart(sighting_of(o, frame, camera, lens), exposure_);
+      if (object.contradicted()) {
+        object.restart(sighting_of(o, frame, camera, lens), exposure_);
+        correction_.forget(o);
+      }
       object.track(ends, exposure_);
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);

@@ -20,10 +20,12 @@ inline constexpr float kCorrectedHeading = 0.0105F;  ///< rad
 inline constexpr float kCorrectedPosition = 0.006F;  ///< m
 
 /// What the filter is told of an object that becomes a landmark.
-LandmarkGuess guess_of(const ObjectCore& object, MapPoint robot, const MeasurementNoise& noise);
+/// Its cylinder, where there is one; else the row's depth or a typical size
+/// tell how far it may be on the bearing of `seen`, from the corrected pose. Radius 0: nothing does.
+LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const MeasurementNoise& noise);
 
-/// The noise of one sighting by itself: the filter knows the pose's.
-MeasurementNoise without_pose(MeasurementNoise noise);
+/// Of an object that is no noise.
+inline constexpr std::uint32_t kViewsForLandmark = 3;
 
 /// Slot i of the filter is slot i of the map's table: every object that is confirmed and placed is a landmark, for as
 /// long as it keeps its slot and its models.
@@ -38,15 +40,17 @@ class PoseCorrection {
     filter_.view().at = {};
   }
 
-  /// The robot has moved; where it is now. Switched off, what was corrected so far stays: the map is where it is.
-  MapPose drive(const MapPose& odometry, bool on) {
+  /// The robot has moved; where it is now. `drift`: by what share of the distance odometry may be off, 0 switches the
+  /// correction off. What was corrected so far stays then: the map is where it is.
+  MapPose drive(const MapPose& odometry, float drift) {
+    const bool on = drift > 0;
     if (on && !running_) {
       const FilterView filter = filter_.view();
       filter.at = {recon::corrected(filter.at, odometry), odometry};
       start(filter);
     }
     running_ = on;
-    if (running_) drive_to(filter_.view(), odometry, {});
+    if (running_) drive_to(filter_.view(), odometry, drift_noise(drift));
     return corrected(odometry);
   }
 
@@ -88,20 +92,26 @@ class PoseCorrection {
 
   /// The map has changed: forgets what is no object any more, takes in what can be a landmark now.
   template <class Objects, class Matcher>
-  void follow(const Objects& objects, const Matcher& matcher, const MeasurementNoise& noise) {
+  void follow(const Objects& objects, const Matcher& matcher, const WaitingFrame& frame, const CameraModel& camera,
+              const MeasurementNoise& noise) {
     if (!running_) return;
     for (std::size_t o = 0; o < kLandmarks; ++o) {
       const ObjectCore& object = objects[o];
-      const bool known = filter_.landmark(o).used();
       const auto tag = static_cast<std::uint8_t>(object.id & 0xFFU);
-      const bool same = object.used() && object.placed() && tags_[o] == tag;
-      if (known && same) continue;
-      if (known) forget_landmark(filter_.view(), o);
-      if (!object.confirmed || !object.used() || !object.placed() || !matcher.seen(o)) continue;
-      if (!object.cylinder.estimate().ok()) continue;
-      add_landmark(filter_.view(), o, guess_of(object, filter_.at().pose.position, noise));
+      const bool known = filter_.landmark(o).used();
+      if (known && object.used() && tags_[o] == tag) continue;
+      if (known) forget(o);
+      if (!object.used() || object.views < kViewsForLandmark || !matcher.seen(o)) continue;
+      const Sighting seen = make_sighting(camera, lens_pose(pose(), camera), matcher.rays_for(o, frame, camera));
+      const LandmarkGuess guess = guess_of(object, seen, noise);
+      if (!(guess.radius > 0)) continue;
+      add_landmark(filter_.view(), o, guess);
       tags_[o] = tag;
     }
+  }
+  /// The models of that object begin anew: it is not what it was taken for.
+  void forget(std::size_t slot) {
+    if (running_ && filter_.landmark(slot).used()) forget_landmark(filter_.view(), slot);
   }
 
  private:
@@ -111,7 +121,7 @@ class PoseCorrection {
     const Landmark& landmark = filter_.landmark(slot);
     const MapPoint robot = filter_.at().pose.position;
     const float distance = std::sqrt(offset_from(robot, landmark.center).squaredNorm());
-    const ViewTangents view = tangents_of(seen, {}, distance, false, without_pose(noise));
+    const ViewTangents view = tangents_of(seen, {}, distance, false, noise);
     // What is not round about it is not news either as long as the robot stands.
     const float novelty = objects[slot].novelty(offset_from(objects[slot].origin, robot));
     const auto correct_one = [&](ViewTangents::Which which, const Tangent& tangent) {

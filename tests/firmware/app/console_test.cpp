@@ -37,6 +37,7 @@ TEST(Console, Help) {
             "  confirm.k          3  1..16         sightings that confirm an object\r\n"
             "  confirm.n          5  1..16         among this many frames\r\n"
             "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
+            "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
             "  correct.pose     off  on|off        correct the pose by landmarks seen again\r\n");
 }
 
