@@ -150,6 +150,10 @@ const std::vector<Drift>& drifts() {
   return kDrifts;
 }
 
+std::string drift_log(const DriftOptions& options) {
+  return drive(loop_scene(options.seed, options.loops), options).text;
+}
+
 DriftResult run_drift(const DriftOptions& options) {
   const host::Scene scene = loop_scene(options.seed, options.loops);
   const DrivenLog log = drive(scene, options);

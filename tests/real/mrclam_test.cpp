@@ -108,6 +108,9 @@ TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   EXPECT_LT(median(medians), 3.0);
 }
 
+// Commanded velocities: a second in which the robot turns is 3 degrees off, one in which it does not 1 degree.
+constexpr const char* kDrift = "15";
+
 struct Place {
   host::Point found;
   host::Point survey;
@@ -183,8 +186,10 @@ host::ReplayOutcome replay_by_odometry(const host::Imported& imported, bool corr
   std::string log = imported.log;
   if (correct) {
     std::array<char, record::kMaxLine> line{};
-    const std::size_t size = record::encode(record::Setting{"correct.pose", "on"}, line);
-    log.insert(log.find('\n') + 1, line.data(), size);
+    for (const auto& [key, value] : {std::pair{"correct.pose", "on"}, {"correct.drift", kDrift}}) {
+      const std::size_t size = record::encode(record::Setting{key, value}, line);
+      log.insert(log.find('\n') + 1, line.data(), size);
+    }
   }
   host::ReplayOptions options;
   options.profile = "full";
