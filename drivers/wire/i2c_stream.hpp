@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "hal/bus/byte_link.hpp"
 #include "hal/bus/i2c_bus.hpp"
@@ -14,6 +15,8 @@ namespace fencepost::wire {
 
 /// Each call does at most one step of a transfer: a read that finds the bus free begins one and says kNotReady, a later
 /// read gives its bytes. Nobody acknowledging is kNotReady too: a device that is starting, or not there, is silent.
+/// A write that found the bus busy has it next, if it is tried again before the second read after that: who reads until
+/// there is nothing would else have begun the next read each time.
 template <bus::I2cBus Bus>
 class I2cStream {
  public:
@@ -36,8 +39,10 @@ class I2cStream {
   base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
     if (busy_) {
       if (const auto error = collect(); error != base::Error::kNotReady) return error;
+      write_waits_ = busy_;
       if (busy_) return base::Error::kFull;
     }
+    write_waits_ = false;
     const base::Result<std::size_t> begun = bus_.begin(address_, out.first(std::min(out.size(), kChunk)), 0);
     busy_ = begun.ok();
     reading_ = false;
@@ -48,6 +53,7 @@ class I2cStream {
   // kNotReady: nothing worse than that.
   base::Error advance() {
     if (busy_) return collect();
+    if (std::exchange(write_waits_, false)) return base::Error::kNotReady;
     const base::Result<std::size_t> begun = bus_.begin(address_, {}, kChunk);
     busy_ = begun.ok();
     reading_ = true;
@@ -79,6 +85,7 @@ class I2cStream {
   std::uint8_t address_;
   bool busy_ = false;
   bool reading_ = false;
+  bool write_waits_ = false;
   std::array<std::uint8_t, 2 * kChunk> bytes_{};
   std::size_t next_ = 0;
   std::size_t end_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "firmware/app/loop.hpp"
 #include "firmware/config/profile.hpp"
@@ -15,6 +16,7 @@
 namespace fencepost::image {
 
 using Profile = config::FENCEPOST_PROFILE;
+using Console = std::remove_reference_t<decltype(board::console())>;
 
 inline const record::Header kHeader = {record::kStreamFormat, "fencepost", FENCEPOST_VERSION, board::kTarget,
                                        Profile::kName};
@@ -74,7 +76,7 @@ class Robot {
   app::Memory<Profile> memory_;
   Camera camera_{memory_.counters};
   Odometry odometry_{memory_.counters};
-  app::Loop<Profile, Camera, Odometry, board::Link> loop_;
+  app::Loop<Profile, Camera, Odometry, Console> loop_;
   Keeper<Profile, board::Flash> keeper_;
   Panel<Profile> panel_;
   std::uint8_t turns_ = 0;

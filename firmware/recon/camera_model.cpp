@@ -63,6 +63,11 @@ Vec2 undistort(const CameraModel& camera, float u, float v) {
   return distorted * (r / r_d);
 }
 
+Cut cut_by_border(const CameraModel& camera, const Box& box) {
+  return {box.x1 <= kBorderPixels, box.x2 >= camera.width - 1 - kBorderPixels, box.y1 <= kBorderPixels,
+          box.y2 >= camera.rows - 1 - kBorderPixels};
+}
+
 BlobRays rays_of_box(const CameraModel& camera, const Box& box) {
   const float u_left = static_cast<float>(box.x1) - 0.5F;
   const float u_right = static_cast<float>(box.x2) + 0.5F;
@@ -71,17 +76,23 @@ BlobRays rays_of_box(const CameraModel& camera, const Box& box) {
   const float u_middle = 0.5F * (u_left + u_right);
   const float v_middle = 0.5F * (v_top + v_bottom);
 
+  const Cut cut = cut_by_border(camera, box);
   BlobRays rays;
   rays.left.direction = ground_direction(camera, undistort(camera, u_left, v_middle));
-  rays.left.censored = box.x1 <= kBorderPixels;
+  rays.left.censored = cut.left;
   rays.right.direction = ground_direction(camera, undistort(camera, u_right, v_middle));
-  rays.right.censored = box.x2 >= camera.width - 1 - kBorderPixels;
+  rays.right.censored = cut.right;
   rays.center = ground_direction(camera, undistort(camera, u_middle, v_middle));
   rays.top.drop = drop_per_depth(camera, undistort(camera, u_middle, v_top).y());
-  rays.top.censored = box.y1 <= kBorderPixels;
+  rays.top.censored = cut.top;
   rays.bottom.drop = drop_per_depth(camera, undistort(camera, u_middle, v_bottom).y());
-  rays.bottom.censored = box.y2 >= camera.rows - 1 - kBorderPixels;
+  rays.bottom.censored = cut.bottom;
   return rays;
+}
+
+float level_column(const CameraModel& camera, float u, float v) {
+  const Vec2 at = undistort(camera, u, v);
+  return column_of(camera, {camera.pitch.x() - at.y() * camera.pitch.y(), -at.x()});
 }
 
 float column_of(const CameraModel& camera, const Vec2& direction) {

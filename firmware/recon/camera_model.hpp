@@ -59,13 +59,25 @@ struct Box {
   std::int16_t y2 = 0;
 };
 
-/// Continuous edges are x1-0.5 and x2+0.5. An end within one pixel of the border is censored (x1 <= 1,
-/// x2 >= width-2; rows y1 <= 1, y2 >= rows-2), since the object may go on outside the image.
+/// The sides of a box that the image's border cuts off: within one pixel of it (x1 <= 1, x2 >= width-2; rows y1 <= 1,
+/// y2 >= rows-2) the object may go on outside the image.
+struct Cut {
+  bool left = false;
+  bool right = false;
+  bool top = false;
+  bool bottom = false;
+};
+Cut cut_by_border(const CameraModel& camera, const Box& box);
+
+/// Continuous edges are x1-0.5 and x2+0.5. What the border cuts is censored.
 BlobRays rays_of_box(const CameraModel& camera, const Box& box);
 
 /// Undistorted normalised coordinates of a pixel position: x right, y down, at depth 1.
 /// Inverts x_d = x_u (1 + k1 r_u^2) with a fixed number of Newton steps.
 Vec2 undistort(const CameraModel& camera, float u, float v);
+
+/// Where a pixel position of the real camera is in the level, undistorted one; rows aside.
+float level_column(const CameraModel& camera, float u, float v);
 
 /// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
 /// image when it points sideways or backwards. For prediction; distortion is left out.

@@ -52,12 +52,26 @@ Vec2 to_camera(const LensPose& pose, const Vec2& map_direction) {
 }
 Vec2 to_map(const LensPose& pose, const Vec2& camera_direction) { return rotated(pose.axis, camera_direction); }
 
-// Sigma of one tangent, rad. `normal` is the tangent's, map axes; `reach` the distance at which it touches.
-float end_sigma(const CylinderEstimate& estimate, const Vec2& normal, float reach, const MeasurementNoise& noise) {
-  const float shape = noise.roundness * estimate.radius;
-  const float offset_variance = estimate.covariance.along(normal) + shape * shape + noise.position * noise.position;
-  return std::sqrt(offset_variance / (reach * reach) + noise.heading * noise.heading);
-}
+// Sigma of one tangent, rad.
+class EndSigma {
+ public:
+  /// `reach`: the distance at which the tangents touch.
+  EndSigma(const CylinderEstimate& estimate, float reach, const MeasurementNoise& noise)
+      : covariance_(estimate.covariance), heading_(noise.heading * noise.heading), per_square_(1 / (reach * reach)) {
+    const float shape = noise.roundness * estimate.radius;
+    others_ = shape * shape + noise.position * noise.position;
+  }
+  /// `normal` is the tangent's, map axes.
+  [[nodiscard]] float along(const Vec2& normal) const {
+    return std::sqrt((covariance_.along(normal) + others_) * per_square_ + heading_);
+  }
+
+ private:
+  const Symmetric3& covariance_;
+  float heading_;
+  float per_square_;
+  float others_;
+};
 
 // The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.
 PredictedLine predict_row(const CameraModel& camera, float drop, float relative_depth_sigma,
@@ -103,8 +117,9 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   // Each end by its own uncertainty: an object seen from one side only has one good end.
   const float reach = distance * cosine;
   const float px_per_radian = camera.fx / (bearing.x() * bearing.x());
-  const float left_sigma = px_per_radian * end_sigma(estimate, left_of(to_map(pose, left)), reach, noise);
-  const float right_sigma = px_per_radian * end_sigma(estimate, -left_of(to_map(pose, right)), reach, noise);
+  const EndSigma sigma(estimate, reach, noise);
+  const float left_sigma = px_per_radian * sigma.along(left_of(to_map(pose, left)));
+  const float right_sigma = px_per_radian * sigma.along(-left_of(to_map(pose, right)));
   const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
   const float left_tolerance = slack + kGateSigmas * left_sigma;
   const float right_tolerance = slack + kGateSigmas * right_sigma;
@@ -203,13 +218,15 @@ Prediction predict(const CameraModel& camera, const LensPose& pose, const Object
   return prediction;
 }
 
-Interval interval_of(const CameraModel& camera, const BlobRays& rays) {
-  return {whole_pixels(column_of(camera, rays.left.direction)),
-          whole_pixels(column_of(camera, rays.right.direction)),
-          rays.left.censored,
-          rays.right.censored,
-          rays.top.censored,
-          rays.bottom.censored};
+Interval interval_of(const CameraModel& camera, const Box& box) {
+  const float v_middle = 0.5F * static_cast<float>(box.y1 + box.y2);
+  const Cut cut = cut_by_border(camera, box);
+  return {whole_pixels(level_column(camera, static_cast<float>(box.x1) - 0.5F, v_middle)),
+          whole_pixels(level_column(camera, static_cast<float>(box.x2) + 0.5F, v_middle)),
+          cut.left,
+          cut.right,
+          cut.top,
+          cut.bottom};
 }
 
 std::uint8_t match_cost(const Prediction& prediction, const Interval& interval, const Box& box) {

@@ -48,7 +48,7 @@ struct Interval {
   bool bottom_censored = true;
 };
 
-Interval interval_of(const CameraModel& camera, const BlobRays& rays);
+Interval interval_of(const CameraModel& camera, const Box& box);
 
 /// Cost of taking the blob for the object, 0 (perfect) to 200; kImpossible: it cannot be. The mean over the box's
 /// visible sides of the squared deviation in units of three sigmas, at most 1 a side: place, size and shape in one. Of

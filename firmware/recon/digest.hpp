@@ -2,9 +2,9 @@
 // fixed by stream format 1 (host/share/doc/digest.md):
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   each object seen in the frame: who it is, its views, its estimate;
-//   one slot in turn (frame count modulo capacity), if used: its core and one of its stores, another one each round.
+//   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
 //   while the pose is corrected: the pose's covariance, and the landmark of that slot with all of its covariances.
-// A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all stores of all slots take.
+// A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 
 #include <cstdint>
@@ -31,25 +31,26 @@ void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
 void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
 void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
 
-inline constexpr std::size_t kDigestStores = 5;
+inline constexpr std::size_t kDigestParts = 6;
 
-/// 0: waiting tangents, clip, sums of cylinder_paper; 1: sheaf; 2: grid; 3: the hybrid's tangents; 4: its outline.
-/// Nothing of what the profile lacks.
+/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid; 4: the hybrid's tangents; 5: its
+/// outline. Nothing of what the profile lacks.
 template <class Profile>
-void hash_store(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t store) {
-  if (store == 0) {
+void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t part) {
+  if (part == 0) hash_core(hash, object);
+  if (part == 1) {
     hash_pending(hash, object.pending.view());
     hash_clip(hash, object.clip.vertices());
     if constexpr (Profile::kPaperCylinder) hash_paper(hash, object.cylinder_paper);
   }
   if constexpr (Profile::kSheafViews > 0) {
-    if (store == 1) hash_sheaf(hash, object.sheaf.view());
+    if (part == 2) hash_sheaf(hash, object.sheaf.view());
   }
   if constexpr (Profile::kGridCells > 0) {
-    if (store == 2) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
+    if (part == 3) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
   }
-  if (store == 3) hash_clusters(hash, object.hybrid.clusters);
-  if (store == 4) hash_outline(hash, object.hybrid, object.hybrid.outline());
+  if (part == 4) hash_clusters(hash, object.hybrid.clusters);
+  if (part == 5) hash_outline(hash, object.hybrid, object.hybrid.outline());
 }
 
 void hash_floats(base::Fnv1a64& hash, std::span<const float> values);

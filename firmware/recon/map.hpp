@@ -293,10 +293,7 @@ class Map {
       if (objects_[o].used() && matcher_.seen(o)) hash_sighted(hash, objects_[o]);
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
-    if (turn.used()) {
-      hash_core(hash, turn);
-      hash_store(hash, turn, frames_ / kObjects % kDigestStores);
-    }
+    if (turn.used()) hash_part(hash, turn, frames_ / kObjects % kDigestParts);
     if (correction_.running()) hash_filter(hash, correction_.filter(), frames_ % kObjects);
     ++frames_;
     digest_ = hash.value();

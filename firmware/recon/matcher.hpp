@@ -36,9 +36,8 @@ class Matcher {
   void see(const WaitingFrame& frame, const CameraModel& camera) {
     blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
     for (std::size_t b = 0; b < blobs_; ++b) {
-      BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
-      censor(rays, hidden_ends(frame.blobs.view(), b, camera.rows));
-      intervals_[b] = interval_of(camera, rays);
+      intervals_[b] = interval_of(camera, frame.blobs[b].box);
+      censor(intervals_[b], hidden_ends(frame.blobs.view(), b, camera.rows));
       object_of_[b] = kNoMatch;
     }
   }

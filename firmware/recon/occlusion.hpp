@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/recon/camera_model.hpp"
+#include "firmware/recon/correspondence.hpp"
 #include "firmware/recon/frame_queue.hpp"
 
 namespace fencepost::recon {
@@ -23,10 +23,10 @@ struct HiddenEnds {
 HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows);
 
 /// Marks what is hidden as censored.
-inline void censor(BlobRays& rays, const HiddenEnds& hidden) {
-  if (hidden.left) rays.left.censored = true;
-  if (hidden.right) rays.right.censored = true;
-  if (hidden.bottom) rays.bottom.censored = true;
+inline void censor(Interval& interval, const HiddenEnds& hidden) {
+  interval.left_censored = interval.left_censored || hidden.left;
+  interval.right_censored = interval.right_censored || hidden.right;
+  interval.bottom_censored = interval.bottom_censored || hidden.bottom;
 }
 
 /// Two blobs this close (px) touch: 2 px plus three sigmas of an edge.

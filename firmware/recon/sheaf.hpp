@@ -47,12 +47,10 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
-/// What view_to_give_up works with: a bearing in whole numbers, and the squared distances to the nearest of the others
-/// to its right and to its left.
+/// What view_to_give_up works with: a bearing in whole numbers.
 struct RoughBearing {
   std::int16_t x = 0;
   std::int16_t y = 0;
-  std::array<std::uint32_t, 2> nearest{};
   std::uint32_t least_gap = 0;  ///< that it would leave, at least
 };
 

@@ -1,6 +1,7 @@
 // Which view a full store gives up. The answer is that of float arithmetic on all pairs of views; on a core without a
 // float unit those would be most of a frame's work, so whole numbers first tell which few pairs can matter.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -65,42 +66,41 @@ RoughPair pair_of(const RoughBearing& a, const RoughBearing& b) {
   return {static_cast<std::uint32_t>(dx * dx + dy * dy), a.x * b.y - a.y * b.x};
 }
 
-void find_nearest(std::span<RoughBearing> bearings) {
-  for (RoughBearing& bearing : bearings) bearing.nearest = {kNobody, kNobody};
-  for (std::size_t i = 0; i < bearings.size(); ++i) {
-    RoughBearing& a = bearings[i];
-    for (std::size_t j = i + 1; j < bearings.size(); ++j) {
-      RoughBearing& b = bearings[j];
-      const RoughPair pair = pair_of(a, b);
-      std::uint32_t& of_a = a.nearest[pair.side > 0 ? 1 : 0];
-      std::uint32_t& of_b = b.nearest[pair.side > 0 ? 0 : 1];
-      const std::uint32_t away = pair.side_known() ? pair.away : kUnknown;
-      if (away < of_a) of_a = away;
-      if (away < of_b) of_b = away;
-    }
+// Squared distances to the nearest others to the right and to the left. Not kept for all bearings: that would be twice
+// the scratch, and few are asked for again.
+using Nearest = std::array<std::uint32_t, 2>;
+
+Nearest nearest_of(std::span<const RoughBearing> bearings, std::size_t i) {
+  Nearest nearest{kNobody, kNobody};
+  for (std::size_t j = 0; j < bearings.size(); ++j) {
+    if (j == i) continue;
+    const RoughPair pair = pair_of(bearings[i], bearings[j]);
+    std::uint32_t& of_side = nearest[pair.side > 0 ? 1 : 0];
+    of_side = std::min(of_side, pair.side_known() ? pair.away : kUnknown);
   }
+  return nearest;
 }
 
 // The gap that the view would leave, at least; with twice kGapSlack on top, at most. 0: not known.
-std::uint32_t least_gap(const RoughBearing& bearing, const SheafView& view) {
-  if (bearing.nearest[0] == kUnknown || bearing.nearest[1] == kUnknown) return 0;
-  const std::uint32_t gap = whole_root(bearing.nearest[0]) + whole_root(bearing.nearest[1]);
+std::uint32_t least_gap(const Nearest& nearest, const SheafView& view) {
+  if (nearest[0] == kUnknown || nearest[1] == kUnknown) return 0;
+  const std::uint32_t gap = whole_root(nearest[0]) + whole_root(nearest[1]);
   const std::uint32_t whole = gap * static_cast<std::uint32_t>(view.true_ends());
   return whole > kGapSlack ? whole - kGapSlack : 0;
 }
 
 // Both may be off: the nearest, and one that seems farther.
-bool may_be_nearest(const RoughBearing& bearing, const RoughBearing& other) {
-  const RoughPair pair = pair_of(bearing, other);
-  const std::uint32_t limit = bearing.nearest[pair.side > 0 ? 1 : 0];
+bool may_be_nearest(const RoughPair& pair, const Nearest& nearest) {
+  const std::uint32_t limit = nearest[pair.side > 0 ? 1 : 0];
   return limit == kUnknown || !pair.side_known() || pair.away <= limit + 3 * slack(limit);
 }
 
 float gap_of(std::size_t i, std::span<const SheafView> views, const SheafView& newcomer,
              std::span<const RoughBearing> rough) {
+  const Nearest nearest = nearest_of(rough, i);
   Neighbours neighbours;
   for (std::size_t j = 0; j <= views.size(); ++j) {
-    if (j == i || !may_be_nearest(rough[i], rough[j])) continue;
+    if (j == i || !may_be_nearest(pair_of(rough[i], rough[j]), nearest)) continue;
     neighbours.consider(views[i].bearing, (j < views.size() ? views[j] : newcomer).bearing, j > i);
   }
   return neighbours.gap() * static_cast<float>(views[i].true_ends());
@@ -114,10 +114,9 @@ std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& n
   const std::span<RoughBearing> rough = scratch.first(views.size() + 1);
   for (std::size_t i = 0; i < views.size(); ++i) set_rough(rough[i], views[i].bearing);
   set_rough(rough[views.size()], newcomer.bearing);
-  find_nearest(rough);
   std::uint32_t enough = UINT32_MAX;  // one of them leaves no larger gap than this
   for (std::size_t i = 0; i < views.size(); ++i) {
-    rough[i].least_gap = least_gap(rough[i], views[i]);
+    rough[i].least_gap = least_gap(nearest_of(rough, i), views[i]);
     if (rough[i].least_gap > 0) enough = std::min(enough, rough[i].least_gap + 2 * kGapSlack);
   }
   std::optional<std::size_t> chosen;

@@ -35,6 +35,9 @@ class Rings {
     return count;
   }
 
+  /// Bytes that write() would take now.
+  [[nodiscard]] std::size_t room() const { return kSend - sending_.size(); }
+
   /// The interrupt's side.
   void received(std::uint8_t byte) {
     if (!received_.put(byte)) lost();
@@ -46,6 +49,8 @@ class Rings {
 
   /// Bytes wait for the loop.
   [[nodiscard]] bool waiting() const { return !received_.empty(); }
+  /// Of those that came.
+  [[nodiscard]] std::size_t receive_room() const { return kReceive - received_.size(); }
 
  private:
   ByteRing<kReceive> received_;

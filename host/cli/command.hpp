@@ -32,6 +32,8 @@ Command report_command();
 Command simulate_command();
 Command evaluate_command();
 Command import_command();
+Command segment_command();
+Command paper_command();
 Command run_command();
 Command emulate_command();
 

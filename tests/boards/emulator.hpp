@@ -58,7 +58,7 @@ class Emulator : public Machine {
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
-  Line& line(std::size_t n) override { return lines_[n]; }
+  SocketLine& line(std::size_t n) override { return lines_[n]; }
   bool alive() override;
   void pump() override;
   [[nodiscard]] double seconds() const override;

@@ -68,8 +68,8 @@ TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405
 TEST(F405, SurvivesLinesThatAreCut) { expect_survives_cut_lines(f405()); }
 
 // A frame of eight objects, all that it sets in motion. At 50 frames a second 336,000 cycles are a tenth of 168 MHz,
-// that is 240,000 instructions at 1.4 cycles each. The committed mean is above it: most of it updates the objects'
-// models.
+// that is 240,000 instructions at 1.4 cycles each. Most of it
+// updates the models of the two objects whose turn it is.
 TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
   const std::string out = ::testing::TempDir() + "fencepost-f405-counts";
   const auto arguments = counting_arguments(image_of("f405") + ".elf",
@@ -77,7 +77,7 @@ TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("},
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
-                                             {"models", "::update_models("},
+                                             {"model", "::model("},
                                              {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);

@@ -24,6 +24,10 @@ CONTEXT_WORDS = 27
 # Functions of the compiler's library: allowances for their frames, by their code (12.2: at most 10 words and a callee).
 LIBGCC = re.compile(r"__(?:aeabi_\w+|popcount\w+|clz\w+|ctz\w+|gnu_\w+|\w*div\w*|\w*mod\w*|[a-z]+[sd]f\w*)$|sqrtf?$")
 LIBGCC_FRAME = 96
+RAM = 0x20000000  # of every Cortex-M (Armv7-M B3.1)
+# The RP2040's boot ROM, through pointers that it tells: an allowance.
+ROM_CALLER = re.compile(r"mcu::rp2040::Flash::")
+ROM_STACK = 256
 STARTS = ["fencepost_start", "image_main"]
 INTERRUPT = re.compile(r"\w+_interrupt$")
 
@@ -40,16 +44,16 @@ def symbol_faults(elf):
 
 
 def sizes(elf):
-    """(bytes of flash, bytes of static memory) by the sections that are loaded or reserved."""
+    """(bytes of flash, bytes of static memory) by the sections that are loaded or reserved; code in memory is both."""
     flash = ram = 0
     for line in run("arm-none-eabi-readelf", "-SW", elf).splitlines():
-        match = re.match(r"\s*\[ *\d+\] (\S+)\s+(\S+)\s+[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+\s+(\S*A\S*)", line)
+        match = re.match(r"\s*\[ *\d+\] (\S+)\s+(\S+)\s+([0-9a-f]+) [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+\s+(\S*A\S*)", line)
         if not match or match.group(1) == ".stack":
             continue
-        size = int(match.group(3), 16)
+        size = int(match.group(4), 16)
         if match.group(2) != "NOBITS":
             flash += size
-        if "W" in match.group(4):
+        if "W" in match.group(5) or int(match.group(3), 16) >= RAM:
             ram += size
     return flash, ram
 
@@ -58,6 +62,8 @@ class ImageDepths(worst_case.Depths):
     def outside(self, function, path):
         if LIBGCC.match(worst_case.short(function)):
             return LIBGCC_FRAME, [function]
+        if function == "__indirect_call" and path and ROM_CALLER.search(self.labels.get(path[-1], "")):
+            return ROM_STACK, ["boot ROM"]
         if path and path[-1] == "fencepost_start":  # the table of constructors: each is a root of its own
             return 0, []
         return super().outside(function, path)

@@ -44,6 +44,11 @@ bool SocketLine::accept(std::chrono::milliseconds patience) {
   return connected_ >= 0;
 }
 
+bool SocketLine::await(std::chrono::milliseconds patience) {
+  pollfd wait{connected_, POLLIN, 0};
+  return ::poll(&wait, 1, static_cast<int>(patience.count())) == 1;
+}
+
 std::size_t SocketLine::put(std::string_view bytes) {
   const ssize_t sent = ::send(connected_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
   return sent > 0 ? static_cast<std::size_t>(sent) : 0;

@@ -1,8 +1,10 @@
 // One serial line of an emulated board, with the pace of a real one.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -27,7 +29,9 @@ class Line {
   std::string take();
 
   /// Bytes a second; 115200 baud at first.
-  void set_pace(double pace) { pace_ = pace; }
+  void set_pace(double pace) { pace_ = std::min(pace, fastest_); }
+  /// Where the emulator keeps the line's pace itself, what came faster would only wait there.
+  void limit_pace(double fastest) { set_pace(fastest_ = fastest); }
   /// The other side's bytes stay where they are.
   void block(bool blocked) { blocked_ = blocked; }
   void unsend() { waiting_.clear(); }
@@ -42,6 +46,7 @@ class Line {
   std::string waiting_;
   std::string heard_;
   double pace_ = 11'520;
+  double fastest_ = std::numeric_limits<double>::infinity();
   double allowed_ = 0;
   double last_ = 0;
   bool blocked_ = false;
@@ -58,6 +63,8 @@ class SocketLine : public Line {
 
   /// The emulator has connected; false after `patience`.
   bool accept(std::chrono::milliseconds patience);
+  /// The board has sent something, or hung up; false after `patience`.
+  bool await(std::chrono::milliseconds patience);
   [[nodiscard]] std::size_t unread() const override;
   [[nodiscard]] std::size_t held() const override;
 

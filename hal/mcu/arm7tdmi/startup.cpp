@@ -1,40 +1,18 @@
-// From reset to image_main: stacks and memory as C++ expects them. Symbols come from sections.ld.
+#include "hal/mcu/startup.hpp"
+
 #include <cstdint>
 
 extern "C" {
 extern std::uint32_t image_fast_source[];
 extern std::uint32_t image_fast_begin[];
 extern std::uint32_t image_fast_code_end[];
-extern std::uint32_t image_data_source[];
-extern std::uint32_t image_data_begin[];
-extern std::uint32_t image_data_end[];
-extern std::uint32_t image_bss_begin[];
-extern std::uint32_t image_bss_end[];
-extern void (*image_init_begin[])();
-extern void (*image_init_end[])();
-[[noreturn]] void image_main();
-
-[[noreturn, gnu::used]] void fencepost_start();
 [[noreturn]] void reset_handler();
 }
 
-namespace {
-
 // No memcpy: it may lie in the memory that is being filled.
-[[gnu::optimize("no-tree-loop-distribute-patterns"), gnu::noinline]] void copy(const std::uint32_t* source,
-                                                                               std::uint32_t* begin,
-                                                                               const std::uint32_t* end) {
-  while (begin < end) *begin++ = *source++;
-}
-
-}  // namespace
-
-[[gnu::optimize("no-tree-loop-distribute-patterns")]] void fencepost_start() {
-  copy(image_fast_source, image_fast_begin, image_fast_code_end);
-  copy(image_data_source, image_data_begin, image_data_end);
-  for (std::uint32_t* word = image_bss_begin; word < image_bss_end; ++word) *word = 0;
-  for (void (**init)() = image_init_begin; init < image_init_end; ++init) (*init)();
-  image_main();
+[[gnu::optimize("no-tree-loop-distribute-patterns")]] void prepare_core() {
+  const std::uint32_t* source = image_fast_source;
+  for (std::uint32_t* word = image_fast_begin; word < image_fast_code_end; ++word) *word = *source++;
 }
 
 // The core starts in ARM state. Interrupt mode (0x12) and system mode (0x1F) have a stack pointer each; the

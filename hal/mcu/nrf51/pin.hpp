@@ -19,6 +19,8 @@ struct Pin {
   /// The same, but driven by drive().
   void make_two_wire_by_hand() const { configure(kPinOutput | kPinPullUp | kPinDrivesLowOnly); }
   void drive(bool high) const { reg(high ? kPinsSet : kPinsClear) = 1U << number; }
+  /// Of a wire that is driven by hand: pulled down or left alone.
+  void pull_down(bool down) const { drive(!down); }
   [[nodiscard]] bool high() const { return (reg(kPinsIn) >> number & 1U) != 0; }
 
  private:

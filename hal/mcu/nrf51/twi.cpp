@@ -1,6 +1,7 @@
 #include "hal/mcu/nrf51/twi.hpp"
 
 #include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/free_wires.hpp"
 
 namespace fencepost::mcu::nrf51 {
 namespace {
@@ -10,24 +11,9 @@ void pause() {
   for (int i = 0; i < 30; ++i) asm volatile("nop");
 }
 
-// A device that was cut off in a byte holds the data wire until it has got its clocks: nine at most; then a stop.
-void free_wires(Pin clock, Pin data) {
-  clock.drive(true);
-  data.drive(true);
-  clock.make_two_wire_by_hand();
-  data.make_two_wire();
-  pause();
-  for (int i = 0; i < 9 && !data.high(); ++i) {
-    clock.drive(false);
-    pause();
-    clock.drive(true);
-    pause();
-  }
-  data.drive(false);
-  data.make_two_wire_by_hand();
-  pause();
-  data.drive(true);
-  pause();
+void take_wire(Pin pin) {
+  pin.drive(true);
+  pin.make_two_wire_by_hand();
 }
 
 }  // namespace
@@ -36,7 +22,9 @@ void TwiRegisters::restart() const {
   write(kTwiEnable, 0);
   write(kTwiPower, 0);
   pause();
-  free_wires(clock, data);
+  take_wire(clock);
+  take_wire(data);
+  free_wires(clock, data, [] { pause(); });
   write(kTwiPower, 1);
   clock.make_two_wire();
   data.make_two_wire();

@@ -1,6 +1,7 @@
 #include "hal/mcu/stm32f4/i2c.hpp"
 
 #include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/free_wires.hpp"
 
 namespace fencepost::mcu::stm32f4 {
 namespace {
@@ -13,30 +14,18 @@ void pause() {
   for (int i = 0; i < 300; ++i) asm volatile("nop");
 }
 
-// A device that was cut off in a byte holds the data wire until it has got its clocks: nine at most; then a stop.
-void free_wires(Pin clock, Pin data) {
-  clock.drive(true);
-  data.drive(true);
-  clock.make_open_output();
-  data.make_open_output();
-  pause();
-  for (int i = 0; i < 9 && !data.high(); ++i) {
-    clock.drive(false);
-    pause();
-    clock.drive(true);
-    pause();
-  }
-  data.drive(false);
-  pause();
-  data.drive(true);
-  pause();
+void take_wire(Pin pin) {
+  pin.drive(true);
+  pin.make_open_output();
 }
 
 }  // namespace
 
 void I2cRegisters::restart() const {
   write(kI2cControl1, 0);
-  free_wires(clock, data);
+  take_wire(clock);
+  take_wire(data);
+  free_wires(clock, data, [] { pause(); });
   clock.connect_open(kPinFunction);
   data.connect_open(kPinFunction);
   write(kI2cControl1, kI2cReset);

@@ -40,6 +40,8 @@ struct Pin {
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));
   }
   void drive(bool high) const { reg(address() + kPortSet) = 1U << (number + (high ? 0U : 16U)); }
+  /// An open output, as wires with several ends want it: pulled down or left alone.
+  void pull_down(bool down) const { drive(!down); }
 
  private:
   void turn_on() const { set_bits(kRccAhb1Enable, 1U << static_cast<std::uint32_t>(port - 'A')); }

@@ -1,14 +1,9 @@
-// The vector table (RM0090 table 61). The board defines the handlers named here; all else ends in a panic.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
+// The vector table (RM0090 table 61). The board defines the handlers named here.
+#include "hal/mcu/cortex_m/vector_table.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
 
 extern "C" {
-void image_stack_top();  // an address, of the linker's
 [[noreturn]] void reset_handler();
-void unexpected_exception();
 void systick_interrupt();
 void i2c1_event_interrupt();
 void i2c1_error_interrupt();
@@ -18,30 +13,15 @@ void usart3_interrupt();
 }
 
 namespace fencepost::mcu::stm32f4 {
-namespace {
 
-using Handler = void (*)();
-constexpr std::size_t kFirstInterrupt = 16;
-constexpr std::size_t kSysTick = 15;
-constexpr std::size_t kInterrupts = 82;
-using Table = std::array<Handler, kFirstInterrupt + kInterrupts>;
+using cortex_m::of_interrupt;
 
-constexpr Table make_table() {
-  Table table{};
-  table.fill(unexpected_exception);
-  table[0] = image_stack_top;
-  table[1] = reset_handler;
-  table[kSysTick] = systick_interrupt;
-  table[kFirstInterrupt + kInterruptI2c1Event] = i2c1_event_interrupt;
-  table[kFirstInterrupt + kInterruptI2c1Error] = i2c1_error_interrupt;
-  table[kFirstInterrupt + kInterruptUsart1] = usart1_interrupt;
-  table[kFirstInterrupt + kInterruptUsart2] = usart2_interrupt;
-  table[kFirstInterrupt + kInterruptUsart3] = usart3_interrupt;
-  return table;
-}
-
-}  // namespace
-
-[[gnu::section(".vectors"), gnu::used]] extern constinit const Table vectors = make_table();
+[[gnu::section(".vectors"), gnu::used]] extern constinit const cortex_m::VectorTable<82> vectors =
+    cortex_m::make_vector_table<82>(reset_handler, {{cortex_m::kSysTick, systick_interrupt},
+                                                    of_interrupt(kInterruptI2c1Event, i2c1_event_interrupt),
+                                                    of_interrupt(kInterruptI2c1Error, i2c1_error_interrupt),
+                                                    of_interrupt(kInterruptUsart1, usart1_interrupt),
+                                                    of_interrupt(kInterruptUsart2, usart2_interrupt),
+                                                    of_interrupt(kInterruptUsart3, usart3_interrupt)});
 
 }  // namespace fencepost::mcu::stm32f4

@@ -106,7 +106,7 @@ TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                              {{"turn", "image::Robot::work("},
                               {"line", "::take_line("},
                               {"input", "::settle("},
-                              {"models", "::update_models("},
+                              {"model", "::model("},
                               {"digest", "::chain_digest("},
                               {"alerts", "::watch_path("},
                               {"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}});

@@ -44,6 +44,37 @@ TEST(I2cStream, WritesBetweenReadsWithoutLosingBytes) {
   EXPECT_EQ(bus.transfers()[1].out.size(), 3U);
 }
 
+// A loop turns: it reads until there is nothing, then it writes. Each transfer ends between two turns.
+TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
+  const std::array<fake::I2cStep, 4> script = {{{kBytes, {}, 1}, {{}, {}, 1}, {kBytes, {}, 1}, {kBytes, {}, 1}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  const auto read_all = [&] {
+    while (stream.read(in)) {
+    }
+  };
+  read_all();
+  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  read_all();
+  ASSERT_TRUE(stream.write(kBytes)) << "the bus is the reader's for ever";
+  EXPECT_EQ(bus.transfers().back().out.size(), 3U);
+}
+
+// A writer that does not come back holds nobody up.
+TEST(I2cStream, AWriterHasTheBusForOneTurnOnly) {
+  const std::array<fake::I2cStep, 2> script = {{{kBytes, {}, 1}, {kBytes, {}, 0}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the writer's turn
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // begins
+  EXPECT_EQ(stream.read(in).value(), 3U);
+}
+
 TEST(I2cStream, LongWritesAreCut) {
   Bus bus({});
   I2cStream<Bus> stream(bus, 0x54);

@@ -1,0 +1,89 @@
+#include "hal/boards/pico/board.hpp"
+
+#include "hal/mcu/cortex_m/core.hpp"
+#include "hal/mcu/rp2040/clocks.hpp"
+#include "hal/mcu/rp2040/panic.hpp"
+#include "hal/mcu/rp2040/registers.hpp"
+#include "hal/mcu/rp2040/reset_reason.hpp"
+#include "hal/mcu/rp2040/watchdog.hpp"
+
+namespace fencepost::board {
+namespace {
+
+namespace part = mcu::rp2040;
+
+constexpr part::UartWiring kConsole = {part::kUart0, part::kResetUart0, part::kInterruptUart0, {0}, {1}};
+constexpr part::UartWiring kCamera = {part::kUart1, part::kResetUart1, part::kInterruptUart1, {4}, {5}};
+constexpr part::I2cWiring kI2c = {part::kI2c0, part::kResetI2c0, part::kInterruptI2c0, {8}, {9}};
+constexpr part::Pin kLight = {25};
+
+part::Clocks clocks;
+mcu::ResetReason reason;
+Clock the_clock;
+constinit part::Uart console_line;
+constinit part::UsbSerial usb_line;
+constinit Console the_console{console_line, usb_line};
+constinit Link camera_line;
+constinit I2c the_i2c;
+constinit Flash the_flash;
+constinit part::Encoder left;
+constinit part::Encoder right;
+
+}  // namespace
+
+void start(std::uint32_t console_baud) {
+  clocks = part::start_clocks();
+  part::bring_up(part::kResetIoBank0 | part::kResetPadsBank0);
+  the_clock.start(clocks.reference);
+  reason = part::read_reset_reason();
+  part::start_watchdog();
+  kLight.make_output();
+  console_line.start(kConsole, clocks.core, console_baud);
+  if (clocks.usb) usb_line.start();
+}
+
+void start_camera(std::uint32_t baud) { camera_line.start(kCamera, clocks.core, baud); }
+void start_base(std::uint32_t baud) { start_camera(baud); }
+void start_i2c() { the_i2c.start(kI2c, clocks.core); }
+void start_encoders() {
+  left.start({10}, {11});
+  right.start({12}, {13});
+  mcu::cortex_m::enable_interrupt(part::kInterruptPins);
+}
+
+Clock& clock() { return the_clock; }
+Console& console() { return the_console; }
+Link& camera() { return camera_line; }
+Link& base() { return camera_line; }
+I2c& i2c() { return the_i2c; }
+Flash& flash() { return the_flash; }
+std::uint32_t left_count() { return left.count() & 0xFFFFU; }
+std::uint32_t right_count() { return right.count() & 0xFFFFU; }
+
+mcu::ResetReason take_reset_reason() { return reason; }
+std::optional<mcu::Panic> take_panic() { return part::take_panic(); }
+
+void feed_watchdog() {
+  part::feed_watchdog();
+  constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
+  kLight.drive((the_clock.microseconds() & kFlash) == 0);
+}
+void idle() {
+  mcu::cortex_m::sleep_unless([] { return console_line.waiting() || usb_line.waiting() || camera_line.waiting(); });
+}
+
+}  // namespace fencepost::board
+
+using namespace fencepost;
+
+extern "C" {
+void timer_interrupt() { board::clock().tick(); }
+void usb_interrupt() { board::usb_line.on_interrupt(); }
+void pins_interrupt() {
+  board::left.on_interrupt();
+  board::right.on_interrupt();
+}
+void uart0_interrupt() { board::console_line.on_interrupt(); }
+void uart1_interrupt() { board::camera().on_interrupt(); }
+void i2c_interrupt() { board::i2c().on_interrupt(); }
+}

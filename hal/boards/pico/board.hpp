@@ -1,0 +1,55 @@
+// Raspberry Pi Pico: RP2040, 125 MHz, 264 KB of memory, of whose two cores one is used. What every board offers:
+// hal/boards/README.md. The console is on USB and on a serial line at the same time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/mcu/reset.hpp"
+#include "hal/mcu/rp2040/encoder.hpp"
+#include "hal/mcu/rp2040/flash.hpp"
+#include "hal/mcu/rp2040/i2c.hpp"
+#include "hal/mcu/rp2040/timer_clock.hpp"
+#include "hal/mcu/rp2040/uart.hpp"
+#include "hal/mcu/rp2040/usb_serial.hpp"
+#include "hal/mcu/twin_link.hpp"
+
+namespace fencepost::board {
+
+inline constexpr std::string_view kTarget = "pico";
+inline constexpr int kEncoderBits = 16;
+
+using Clock = mcu::rp2040::TimerClock;
+using Link = mcu::rp2040::Uart;
+using Console = mcu::TwinLink<mcu::rp2040::Uart, mcu::rp2040::UsbSerial>;
+using I2c = mcu::rp2040::I2c;
+using Flash = mcu::rp2040::Flash;
+
+/// Before anything else here: clocks, timer, watchdog, console.
+void start(std::uint32_t console_baud);
+/// Before the link is used.
+void start_camera(std::uint32_t baud);
+void start_base(std::uint32_t baud);
+void start_encoders();
+void start_i2c();
+
+Clock& clock();
+Console& console();  ///< UART0: GP0 sends, GP1 receives; and USB
+Link& camera();      ///< UART1: GP4 sends, GP5 receives
+Link& base();        ///< the same line: for a wheel base, where the camera is on the two-wire bus
+I2c& i2c();          ///< I2C0: GP8 data, GP9 clock
+Flash& flash();
+/// Left wheel: GP10 and GP11. Right wheel: GP12 and GP13. Modulo 2^kEncoderBits.
+std::uint32_t left_count();
+std::uint32_t right_count();
+
+mcu::ResetReason take_reset_reason();
+std::optional<mcu::Panic> take_panic();
+
+/// The green light (GP25) shows that the loop turns: a flash a second.
+void feed_watchdog();
+/// Sleeps until something may have happened: a byte, or a millisecond.
+void idle();
+
+}  // namespace fencepost::board

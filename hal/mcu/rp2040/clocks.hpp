@@ -1,0 +1,19 @@
+// The clock tree: 125 MHz for the core, 48 MHz for USB, out of the board's crystal of 12 MHz.
+#pragma once
+
+#include <cstdint>
+
+namespace fencepost::mcu::rp2040 {
+
+/// Hz, as they came to be.
+struct Clocks {
+  std::uint32_t reference = 0;  ///< of timer and watchdog
+  std::uint32_t core = 0;       ///< and of the peripherals
+  bool usb = false;             ///< the 48 MHz are there
+};
+
+/// Where the crystal does not start, the part goes on with its ring oscillator, at some 6.5 MHz (2.17): the loop runs,
+/// serial lines may be wrong by a third. Where a PLL does not lock: with the crystal's 12 MHz, rightly.
+Clocks start_clocks();
+
+}  // namespace fencepost::mcu::rp2040

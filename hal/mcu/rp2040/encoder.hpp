@@ -1,0 +1,36 @@
+// A wheel encoder on two pins, counted by their interrupts.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mcu/quadrature.hpp"
+#include "hal/mcu/rp2040/pin.hpp"
+
+namespace fencepost::mcu::rp2040 {
+
+class Encoder {
+ public:
+  void start(Pin a, Pin b) {
+    a_ = a;
+    b_ = b;
+    a_.interrupt_at_edges();
+    b_.interrupt_at_edges();
+    quadrature_.start(a_.high(), b_.high());
+  }
+  /// The pins' interrupt, which all pins share: forgotten first, an edge that comes then interrupts again.
+  void on_interrupt() {
+    a_.forget_edges();
+    b_.forget_edges();
+    const std::uint32_t levels = Pin::levels();
+    quadrature_.feed((levels & a_.mask()) != 0, (levels & b_.mask()) != 0);
+  }
+  /// Modulo 2^32.
+  [[nodiscard]] std::uint32_t count() const { return quadrature_.count(); }
+
+ private:
+  Pin a_;
+  Pin b_;
+  Quadrature quadrature_;
+};
+
+}  // namespace fencepost::mcu::rp2040

@@ -1,0 +1,29 @@
+// The last two sectors of the board's flash, for settings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/bus/flash_pages.hpp"
+
+namespace fencepost::mcu::rp2040 {
+
+/// Of 2 MB, which the linker script leaves free. By the boot ROM's functions (2.8.3.1.3), from memory and with
+/// interrupts held, since the flash cannot be read meanwhile: 0.7 ms a word, up to 0.4 s for an erasure
+/// (W25Q16JV, 9.6). A serial line overruns its 32 bytes in 2.8 ms at 115200 baud; encoders lose counts in an erasure,
+/// too.
+class Flash {
+ public:
+  [[nodiscard]] static std::size_t size() { return kSector; }
+  [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n);
+  static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes);
+  static bool erase(std::size_t n);
+
+ private:
+  static constexpr std::size_t kSector = 4096;
+};
+
+static_assert(bus::FlashPages<Flash>);
+
+}  // namespace fencepost::mcu::rp2040

@@ -1,0 +1,22 @@
+// Brings the program from the flash into memory, and starts it there. All of it: reading four bytes of flash that are
+// in no cache takes 2 us, a frame would take as long as the cache pleases. And while flash is written nothing can be
+// read.
+extern "C" {
+[[noreturn]] void load_program();
+}
+
+// The symbols are image.ld's. Runs in the flash, the rest of the code is not there yet.
+[[gnu::naked, gnu::section(".loader"), gnu::used]] void load_program() {
+  asm volatile(
+      "ldr r0, =image_program_source\n\t"
+      "ldr r1, =image_program_begin\n\t"
+      "ldr r2, =image_program_end\n\t"
+      "b 2f\n"
+      "1: ldm r0!, {r3}\n\t"
+      "stm r1!, {r3}\n"
+      "2: cmp r1, r2\n\t"
+      "blo 1b\n\t"
+      "ldr r0, =reset_handler\n\t"
+      "bx r0\n\t"
+      ".ltorg\n\t");
+}

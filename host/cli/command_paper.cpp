@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/paper/log_tour.hpp"
+#include "host/paper/paper.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Request {
+  std::string log;
+  std::string scene;
+  std::string output = "fencepost-paper";
+  PaperOptions options;
+};
+
+/// Before a minute of work: the folder is there and takes files.
+void prepare(const std::string& folder) {
+  const auto fail = [&](const std::string& why) {
+    throw Failure(Exit::kDevice, "cannot write into " + folder + ": " + why + "; choose another folder with -o");
+  };
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail("it is a file");
+  fs::create_directories(folder, error);
+  if (error) fail(error.message());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(std::system_category().message(errno));
+}
+
+/// The recorded run, if one was named.
+std::optional<PaperRun> recorded_run(const Request& request) {
+  if (request.log.empty() && request.scene.empty()) return std::nullopt;
+  if (request.log.empty() || request.scene.empty()) {
+    throw Failure(Exit::kUsage, "--log and --scene belong together: a run, and the truth about it");
+  }
+  const Scene scene = read_scene(request.scene);
+  return PaperRun{fs::path(request.log).filename().string(), tour_of_log(read_input(request.log), scene)};
+}
+
+std::vector<PaperFile> make_page(const PaperOptions& options, const std::string& log) {
+  try {
+    return write_paper(options);
+  } catch (const std::runtime_error& error) {
+    if (!options.run) throw;
+    throw Failure(Exit::kUnreadable, log + ": " + error.what());
+  }
+}
+
+Exit run(const Request& request) {
+  PaperOptions options = request.options;
+  options.run = recorded_run(request);
+  prepare(request.output);
+  options.mean_scenes = std::min(options.mean_scenes, options.scenes);
+  if (is_terminal(STDERR_FILENO)) {
+    options.progress = [](std::string_view what) { say(fmt::format("computing: {}", what)); };
+  }
+  for (const PaperFile& file : make_page(options, request.log)) {
+    write_output((fs::path(request.output) / file.name).string(), file.bytes);
+  }
+  say("wrote " + (fs::path(request.output) / "index.html").string() + "; open it in a browser");
+  return Exit::kDone;
+}
+
+Action configure(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  request->options.generator = "fencepost " FENCEPOST_VERSION;
+  app.add_option(
+         "-o,--output", request->output,
+         "folder for the page, its drawings and CSV files; default: fencepost-paper. Files of the same names are "
+         "replaced, others stay")
+      ->type_name("DIR");
+  app.add_option("--seed", request->options.seed, "of the scene that is drawn; the others count up from it; default: 1")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000));
+  app.add_option("--scenes", request->options.scenes,
+                 "scenes of the table of Figure 10; so many, but at most 20, for the curves; default: 60")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000));
+  app.add_option("--log", request->log, "a recorded run instead of simulated scenes: of fencepost segment, say")
+      ->type_name("LOG");
+  app.add_option("--scene", request->scene, "the truth about that run; its first two objects are the landmarks")
+      ->type_name("SCENE");
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command paper_command() {
+  return {"paper",
+          "the paper's figures and its table, from simulated scenes, as a folder",
+          "  fencepost paper -o paper\n"
+          "  fencepost paper -o paper-7 --seed 7 --scenes 10\n"
+          "  fencepost paper -o blocks --log blocks.log --scene blocks.json\n",
+          configure,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

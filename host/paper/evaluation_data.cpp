@@ -1,0 +1,193 @@
+#include "host/paper/evaluation_data.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace fencepost::host {
+namespace {
+
+/// So many hard scenes are searched for a mismatch, where the table's have none.
+constexpr std::uint64_t kHardScenes = 10;
+
+MultiPolygon geometry_of(const Snapshot& snapshot, std::string_view name) {
+  for (const ModelResult& model : snapshot.models) {
+    if (model.name == name) return model.geometry;
+  }
+  return {};
+}
+
+void measure(SequenceData& data) {
+  for (const Algorithm& algorithm : algorithms()) {
+    auto& by_landmark = data.scores.emplace_back();
+    for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+      std::vector<Score>& scores = by_landmark.emplace_back();
+      const Polygon& footprint = data.tour.scene.objects[landmark].footprint;
+      for (const Snapshot& snapshot : data.models.of(algorithm, landmark).snapshots) {
+        scores.push_back(score(geometry_of(snapshot, algorithm.model), footprint));
+      }
+    }
+  }
+}
+
+void look(SequenceData& data) {
+  const Scene& scene = data.tour.scene;
+  const double pitch = scene.camera.mount.pitch ? scene.camera.mount.pitch->to_double() : 0.0;
+  const FieldOfView view = field_of_view(scene.camera, pitch);
+  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+    ViewSet set(scene.objects[landmark].footprint.outer);
+    auto& shown = data.shown.emplace_back();
+    auto& thoroughness = data.thoroughness.emplace_back();
+    auto& novelty = data.novelty.emplace_back();
+    for (const FrameTruth& frame : data.tour.frames) {
+      shown.push_back(visible_perimeter(scene.objects, landmark, lens_at(scene.camera, frame.pose), view));
+      novelty.push_back(set.novelty(shown.back()));
+      set.add(shown.back());
+      thoroughness.push_back(set.thoroughness());
+    }
+  }
+}
+
+std::vector<Sequence> reacquire_by_all(const SequenceData& data) {
+  RegionRenderer renderer(data.tour.scene.camera);
+  std::vector<Sequence> sequences;
+  for (const Algorithm& algorithm : algorithms()) {
+    const auto world = world_of(data.tour, data.models, algorithm, data.snapshot(data.tour.frames.size()));
+    sequences.push_back(reacquire_all(data.tour, renderer, world));
+  }
+  return sequences;
+}
+
+/// Each view that shows the landmark, by models of the first images.
+void sample_novelty(const SequenceData& data, std::vector<std::vector<NoveltySample>>& samples) {
+  RegionRenderer renderer(data.tour.scene.camera);
+  for (const std::size_t images : kNoveltySets) {
+    if (images > data.tour.frames.size()) continue;
+    ViewSet set(data.tour.scene.objects[kYellowLandmark].footprint.outer);
+    for (std::size_t f = 0; f < images; ++f) set.add(data.shown[kYellowLandmark][f]);
+    for (std::size_t a = 0; a < algorithms().size(); ++a) {
+      const auto world = world_of(data.tour, data.models, algorithms()[a], data.snapshot(images));
+      for (std::size_t f = 0; f < data.tour.frames.size(); ++f) {
+        const auto novelty = set.novelty(data.shown[kYellowLandmark][f]);
+        const auto match = reacquire_both(data.tour, renderer, world, f)[kYellowLandmark].match;
+        if (novelty && match) samples[a].push_back({images, *novelty, match->match_confidence});
+      }
+    }
+  }
+}
+
+/// Keeps the mismatch of least confidence.
+void keep_least_sure(const Sequence& sequence, Mismatch found, std::optional<Mismatch>& least) {
+  for (found.landmark = 0; found.landmark < sequence.size(); ++found.landmark) {
+    for (found.frame = 0; found.frame < sequence[found.landmark].size(); ++found.frame) {
+      const Reacquisition& one = sequence[found.landmark][found.frame];
+      if (one.outcome != MatchOutcome::kMismatched) continue;
+      found.confidence = one.match->match_confidence;
+      if (!least || found.confidence < least->confidence) least = found;
+    }
+  }
+}
+
+std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t seed, std::size_t scenes,
+                                             std::optional<Mismatch>& least) {
+  std::vector<ReacquisitionScore> table(algorithms().size());
+  for (std::uint64_t i = 0; i < scenes; ++i) {
+    const Tour tour = drive(blocks_world(world, seed + i));
+    RegionRenderer renderer(tour.scene.camera);
+    const Models models = reconstruct(tour, block_count(world), {tour.frames.size()});
+    for (std::size_t a = 0; a < table.size(); ++a) {
+      const Sequence sequence = reacquire_all(tour, renderer, world_of(tour, models, algorithms()[a], 0));
+      table[a].add(sequence);
+      keep_least_sure(sequence, {world, seed + i, a, 0, 0, 0}, least);
+    }
+  }
+  return table;
+}
+
+std::vector<std::size_t> first_numbers(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  return numbers;
+}
+
+}  // namespace
+
+std::size_t SequenceData::snapshot(std::size_t images) const {
+  const auto found = std::find(after.begin(), after.end(), images);
+  if (found == after.end()) throw std::logic_error("no snapshot after that image");
+  return static_cast<std::size_t>(found - after.begin());
+}
+
+SequenceData follow_sequence(Tour tour, std::size_t blocks, const std::vector<std::size_t>& after) {
+  SequenceData data;
+  data.tour = std::move(tour);
+  data.after = after;
+  data.models = reconstruct(data.tour, blocks, after);
+  measure(data);
+  look(data);
+  return data;
+}
+
+PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
+                         const Progress& progress) {
+  const auto sequence = [](std::uint64_t number, bool noisy, const std::vector<std::size_t>& after) {
+    constexpr BlocksWorld kKind = BlocksWorld::kFigures;
+    return follow_sequence(drive(blocks_world(kKind, number, noisy)), block_count(kKind), after);
+  };
+  PaperData data;
+  data.seed = seed;
+  data.table_scenes = table_scenes;
+  data.mean_images = kMeanImages;
+  progress("the sequence that is drawn");
+  data.shown = sequence(seed, true, first_numbers(kPaperViews));
+  data.sequence = reacquire_by_all(data.shown);
+  progress("more scenes, for means");
+  data.novelty.resize(algorithms().size());
+  for (std::uint64_t i = 1; i <= mean_scenes; ++i) {
+    data.noisy.push_back(sequence(seed + i, true, kMeanImages));
+    data.ideal.push_back(sequence(seed + i, false, kMeanImages));
+    sample_novelty(data.noisy.back(), data.novelty);
+  }
+  progress("landmarks found again, for the table");
+  data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.mismatch);
+  for (std::uint64_t i = 0; i < kHardScenes && !data.mismatch; ++i) {
+    score_scenes(BlocksWorld::kHard, seed + i, 1, data.mismatch);
+  }
+  return data;
+}
+
+PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress) {
+  constexpr std::size_t kLeastFrames = 8;
+  const std::size_t frames = tour.frames.size();
+  const std::size_t blocks = tour.scene.objects.size();
+  if (frames < kLeastFrames) throw std::runtime_error("fewer than 8 frames with a pose");
+  if (blocks < 2) throw std::runtime_error("the scene needs two objects, its first two are the landmarks");
+  PaperData data;
+  data.run = name;
+  data.table_scenes = 1;
+  for (const std::size_t images : kMeanImages) {
+    if (images < frames) data.mean_images.push_back(images);
+  }
+  data.mean_images.push_back(frames);
+  progress("the run");
+  data.shown = follow_sequence(std::move(tour), blocks, first_numbers(frames));
+  data.sequence = reacquire_by_all(data.shown);
+  data.noisy.push_back(data.shown);
+  data.novelty.resize(algorithms().size());
+  sample_novelty(data.shown, data.novelty);
+  data.table.resize(algorithms().size());
+  for (std::size_t a = 0; a < data.table.size(); ++a) {
+    data.table[a].add(data.sequence[a]);
+    keep_least_sure(data.sequence[a], {BlocksWorld::kPaperLike, 0, a, 0, 0, 0}, data.mismatch);
+  }
+  return data;
+}
+
+double mean_score(const std::vector<SequenceData>& sequences, std::size_t algorithm, std::size_t images,
+                  double Score::*what) {
+  double sum = 0;
+  for (const SequenceData& data : sequences) sum += data.score(algorithm, kYellowLandmark, images).*what;
+  return sequences.empty() ? 0 : sum / static_cast<double>(sequences.size());
+}
+
+}  // namespace fencepost::host

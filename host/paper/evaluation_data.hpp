@@ -1,0 +1,90 @@
+// Everything that the figures show, computed once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/evaluate/metrics.hpp"
+#include "host/metrics/visibility.hpp"
+#include "host/paper/blocks_world.hpp"
+#include "host/paper/reacquire.hpp"
+
+namespace fencepost::host {
+
+/// A sequence of images of the two landmarks, and what each algorithm made of it after some of them.
+struct SequenceData {
+  Tour tour;
+  std::vector<std::size_t> after;                           ///< image numbers (1 is the first), ascending
+  Models models;                                            ///< one snapshot for each of `after`
+  std::vector<std::vector<std::vector<Score>>> scores;      ///< by algorithm, landmark and snapshot
+  std::vector<std::vector<PerimeterPart>> shown;            ///< by landmark and frame
+  std::vector<std::vector<double>> thoroughness;            ///< of the images up to and with that frame
+  std::vector<std::vector<std::optional<double>>> novelty;  ///< of that frame over the images before it
+
+  /// Index of the snapshot after `images`; it must be there.
+  [[nodiscard]] std::size_t snapshot(std::size_t images) const;
+  [[nodiscard]] const Score& score(std::size_t algorithm, std::size_t landmark, std::size_t images) const {
+    return scores[algorithm][landmark][snapshot(images)];
+  }
+};
+
+/// `blocks`: how many of the scene's objects, from the first, are reconstructed.
+SequenceData follow_sequence(Tour tour, std::size_t blocks, const std::vector<std::size_t>& after);
+
+/// Reacquisition of the yellow landmark from every pose of a sequence, by models of its first images.
+struct NoveltySample {
+  std::size_t images = 0;  ///< that the models are of
+  double novelty = 0;      ///< of this view over them
+  double confidence = 0;   ///< match_confidence
+};
+
+/// Sets of first images that Figure 13 builds its models of.
+inline const std::vector<std::size_t> kNoveltySets{8, 18, 36};
+
+/// A landmark taken for something else.
+struct Mismatch {
+  BlocksWorld world = BlocksWorld::kPaperLike;
+  std::uint64_t seed = 0;
+  std::size_t algorithm = 0;
+  std::size_t landmark = 0;
+  std::size_t frame = 0;
+  double confidence = 0;
+};
+
+struct PaperData {
+  std::uint64_t seed = 0;
+  std::string run;                        ///< name of the recorded run that all of this is of; empty: simulated scenes
+  std::vector<std::size_t> mean_images;   ///< after which the means are taken, ascending
+  SequenceData shown;                     ///< the sequence that is drawn; a snapshot after each image
+  std::vector<SequenceData> noisy;        ///< more scenes, for means
+  std::vector<SequenceData> ideal;        ///< the same scenes without noise
+  std::vector<ReacquisitionScore> table;  ///< by algorithm, over `table_scenes` scenes
+  std::size_t table_scenes = 0;
+  std::optional<Mismatch> mismatch;  ///< the one of least confidence in those scenes; if there is none, in a hard one
+  std::vector<Sequence> sequence;    ///< by algorithm: the shown scene's landmarks, by models of all its images
+  std::vector<std::vector<NoveltySample>> novelty;  ///< by algorithm, over `noisy`
+};
+
+/// Images after which the means over scenes are taken, as far as there are so many.
+inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
+
+/// Told what is being computed, for people who wait.
+using Progress = std::function<void(std::string_view what)>;
+
+/// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.
+PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
+                         const Progress& progress);
+
+/// The same of one recorded run: the scene's first two objects are the landmarks (red, yellow), the means are of this
+/// run alone, and so is the table. errors: std::runtime_error: too few frames or objects.
+PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress);
+
+/// Mean R or P (member of Score) of the yellow landmark over sequences.
+double mean_score(const std::vector<SequenceData>& sequences, std::size_t algorithm, std::size_t images,
+                  double Score::*what);
+
+}  // namespace fencepost::host

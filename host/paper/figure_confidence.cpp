@@ -1,0 +1,228 @@
+// Figures 12, 13 and 14: confidence along the sequence and over novelty, recklessness and paranoia over thoroughness.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/paper/figure.hpp"
+#include "host/paper/figure_curves.hpp"
+#include "host/report/markup.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using markup::escaped;
+using markup::figure;
+
+/// Novelty at which two segments of Figure 13 meet.
+constexpr double kHalfNew = 0.5;
+
+std::vector<Point> points_of(const std::vector<NoveltySample>& samples, double from, double to) {
+  std::vector<Point> points;
+  for (const NoveltySample& sample : samples) {
+    if (sample.novelty >= from && sample.novelty <= to) points.push_back({sample.novelty, sample.confidence});
+  }
+  return points;
+}
+
+/// (thoroughness, R or P) of the yellow landmark over all scenes and images.
+std::vector<Point> against_thoroughness(const std::vector<SequenceData>& sequences, std::size_t algorithm,
+                                        double Score::*what) {
+  std::vector<Point> points;
+  for (const SequenceData& data : sequences) {
+    for (const std::size_t images : data.after) {
+      points.push_back(
+          {data.thoroughness[kYellowLandmark][images - 1], data.score(algorithm, kYellowLandmark, images).*what});
+    }
+  }
+  return points;
+}
+
+struct Range {
+  double low = 1;
+  double high = 0;
+  double changes = 0;  ///< mean step from image to image
+};
+
+Range range_of(const std::vector<Reacquisition>& sequence) {
+  Range range;
+  std::optional<double> before;
+  double steps = 0;
+  for (const Reacquisition& one : sequence) {
+    if (!one.match) continue;
+    const double value = one.match->match_confidence;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+    if (before) {
+      range.changes += std::abs(value - *before);
+      steps += 1;
+    }
+    before = value;
+  }
+  if (steps > 0) range.changes /= steps;
+  return range;
+}
+
+bool of_the_paper(const Algorithm& algorithm) { return algorithm.paper_average.has_value(); }
+
+}  // namespace
+
+PaperFigure figure_12(const PaperData& data) {
+  PaperFigure fig{"12", "Match confidence over the sequence", {}, {}, {}};
+  fig.add(
+      "<p>Models of all images, rendered from each of their poses; the second best match score minus the best "
+      "one.</p><div class=\"charts\">");
+  Csv csv("image,landmark,algorithm,error,match_confidence,margin,outcome");
+  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+    Chart chart{fmt::format("The {} landmark", landmark_name(landmark)),
+                "image",
+                "match confidence",
+                0,
+                axis_end(data),
+                0,
+                1,
+                {}};
+    for (std::size_t a = 0; a < algorithms().size(); ++a) {
+      ChartSeries series = series_of(algorithms()[a]);
+      for (std::size_t f = 0; f < data.sequence[a][landmark].size(); ++f) {
+        const Reacquisition& one = data.sequence[a][landmark][f];
+        series.points.push_back({static_cast<double>(f + 1), one.match ? one.match->match_confidence : std::nan("")});
+        csv.row({std::to_string(f + 1), landmark_name(landmark), std::string(algorithms()[a].key),
+                 one.match ? csv_number(one.match->error) : "",
+                 one.match ? csv_number(one.match->match_confidence) : "",
+                 one.match ? csv_number(one.match->margin) : "", std::string(name(one.outcome))});
+      }
+      chart.series.push_back(series);
+    }
+    fig.add_svg(fmt::format("fig12_{}.svg", landmark_name(landmark)), draw_chart(chart), "chart");
+  }
+  fig.add("</div>");
+  fig.add_file("fig12.csv", csv.text());
+  if (const auto cylinder = algorithm_index("cylinder")) {
+    const Range range = range_of(data.sequence[*cylinder][kYellowLandmark]);
+    fig.say(
+        range.high - range.low > 0.2,
+        fmt::format("The confidence varies hugely with the pose of the camera, whatever the algorithm: by cylinders, "
+                    "for yellow, between {} and {}, by {} from one image to the next. What else is in the image "
+                    "decides it.",
+                    figure(range.low, 2), figure(range.high, 2), figure(range.changes, 2)),
+        " In this scene the background hardly changes.");
+  }
+  return fig;
+}
+
+PaperFigure figure_13(const PaperData& data) {
+  PaperFigure fig{"13", "Match confidence against novelty", {}, {}, {}};
+  fig.add(
+      fmt::format("<p>Models of the first 8, 18 and 36 images ({}), rendered from all poses that show the yellow "
+                  "landmark. Novelty is that of the viewpoint over the images of the model. Lines: means over tenths "
+                  "of novelty; dots: every 25th viewpoint.</p><div class=\"charts\">",
+                  scenes_text(data, data.noisy.size())));
+  Csv csv("algorithm,images,novelty,match_confidence");
+  std::size_t segments = 0;
+  std::size_t downward = 0;
+  std::string slopes;
+  for (std::size_t a = 0; a < algorithms().size(); ++a) {
+    const Algorithm& algorithm = algorithms()[a];
+    Chart chart{std::string(algorithm.label), "novelty of the viewpoint", "match confidence", 0, 1, 0, 1, {}};
+    ChartSeries dots{"", std::string(algorithm.colour), {}, {}, false, true, 0.35};
+    for (std::size_t i = 0; i < data.novelty[a].size(); ++i) {
+      const NoveltySample& sample = data.novelty[a][i];
+      csv.row({std::string(algorithm.key), std::to_string(sample.images), csv_number(sample.novelty),
+               csv_number(sample.confidence)});
+      if (i % 25 == 0) dots.points.push_back({sample.novelty, sample.confidence});
+    }
+    ChartSeries line{"", std::string(algorithm.colour), {}, {}, true, true, 1};
+    line.points = binned_means(points_of(data.novelty[a], 0, 1), 0, 1, 10, 5);
+    chart.series = {dots, line};
+    fig.add_svg(fmt::format("fig13_{}.svg", algorithm.key), draw_chart(chart), "chart");
+    const double low = slope(points_of(data.novelty[a], 0, kHalfNew));
+    const double high = slope(points_of(data.novelty[a], kHalfNew, 1));
+    slopes += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                          escaped(algorithm.label), figure(low, 2), figure(high, 2));
+    if (!of_the_paper(algorithm)) continue;
+    segments += 2;
+    downward += (low < 0 ? 1U : 0U) + (high < 0 ? 1U : 0U);
+  }
+  fig.add(
+      "</div><div class=\"scroll\"><table class=\"counts\"><thead><tr><th>model</th><th class=\"n\">slope below "
+      "half new</th><th class=\"n\">slope above</th></tr></thead><tbody>\n" +
+      slopes + "</tbody></table></div>\n");
+  fig.add_file("fig13.csv", csv.text());
+  fig.say(
+      2 * downward > segments,
+      fmt::format("Confidence falls as novelty rises in {} of {} segments of the paper\u2019s three algorithms (the "
+                  "paper: in five of six).",
+                  downward, segments),
+      " Below half new, the models already have the side that is in view; what else is in the image decides.");
+  return fig;
+}
+
+PaperFigure figure_14(const PaperData& data) {
+  PaperFigure fig{"14", "Recklessness and paranoia against thoroughness", {}, {}, {}};
+  fig.add(
+      fmt::format("<p>The data of Figure 7 (yellow, {}) by the share of the perimeter that the images have "
+                  "shown: means over parts of 5 %.</p><div class=\"charts\">",
+                  scenes_text(data, data.noisy.size())));
+  Csv csv("algorithm,thoroughness,recklessness,paranoia");
+  for (const bool reckless : {true, false}) {
+    Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
+    for (std::size_t a = 0; a < algorithms().size(); ++a) {
+      ChartSeries series = series_of(algorithms()[a]);
+      series.points = binned_means(
+          against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia), 0, 1, 20, 3);
+      chart.series.push_back(series);
+    }
+    fig.add_svg(reckless ? "fig14_r.svg" : "fig14_p.svg", draw_chart(chart), "chart");
+  }
+  fig.add("</div>");
+  const auto trend = [&](std::size_t a, double Score::*what) {
+    return rank_correlation(against_thoroughness(data.noisy, a, what));
+  };
+  std::string table;
+  for (std::size_t a = 0; a < algorithms().size(); ++a) {
+    const auto r = against_thoroughness(data.noisy, a, &Score::recklessness);
+    const auto p = against_thoroughness(data.noisy, a, &Score::paranoia);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      csv.row({std::string(algorithms()[a].key), csv_number(r[i].x), csv_number(r[i].y), csv_number(p[i].y)});
+    }
+    table += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                         escaped(algorithms()[a].label), figure(trend(a, &Score::recklessness), 2),
+                         figure(trend(a, &Score::paranoia), 2));
+  }
+  fig.add(
+      "<div class=\"scroll\"><table class=\"counts\"><thead><tr><th>rank correlation with thoroughness</th>"
+      "<th class=\"n\">R</th><th class=\"n\">P</th></tr></thead><tbody>\n" +
+      table + "</tbody></table></div>\n");
+  fig.add_file("fig14.csv", csv.text());
+  const auto cylinder = algorithm_index("cylinder");
+  const auto carving = algorithm_index("carving");
+  if (!cylinder || !carving) return fig;
+  fig.say(
+      trend(*cylinder, &Score::paranoia) < 0 && trend(*carving, &Score::paranoia) < 0,
+      fmt::format("Paranoia decreases as more of the object is seen, by cylinders (rank correlation {}) and by carving "
+                  "({}).",
+                  figure(trend(*cylinder, &Score::paranoia), 2), figure(trend(*carving, &Score::paranoia), 2)),
+      " The additional images do not help here.");
+  const double cylinder_r = trend(*cylinder, &Score::recklessness);
+  fig.say(cylinder_r < 0, fmt::format("Recklessness decreases too for cylinders ({}).", figure(cylinder_r, 2)),
+          " Its floor is the difference between a circle and the block.");
+  const double carving_r = trend(*carving, &Score::recklessness);
+  fig.say(carving_r > 0,
+          fmt::format("For carving it can only increase, since what is cut away never comes back ({}){}.",
+                      figure(carving_r, 2),
+                      data.run.empty() ? "; here not slowly: 5 % of our segments lose up to half of their width" : ""),
+          " No segment was too small.");
+  const auto hybrid = algorithm_index("hybrid");
+  if (!hybrid) return fig;
+  const double hybrid_r = trend(*hybrid, &Score::recklessness);
+  const double hybrid_p = trend(*hybrid, &Score::paranoia);
+  fig.claims.push_back(
+      {ClaimKind::kBeyond,
+       fmt::format("The hybrid: rank correlation of its recklessness with thoroughness {}, of its paranoia {}{}.",
+                   figure(hybrid_r, 2), figure(hybrid_p, 2),
+                   hybrid_r < 0 && hybrid_p < 0 ? "; both fall, it takes back what a bad segment cut away" : "")});
+  return fig;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,16 @@
+// A recorded run as a tour: what `segment` made of images with known poses, or a simulated log.
+#pragma once
+
+#include <string_view>
+
+#include "host/paper/tour.hpp"
+
+namespace fencepost::host {
+
+/// Frames and poses of the log's last run; `scene` has the truth, and the camera where the log has none. Odometry is
+/// taken for the true pose. Whose a blob is: the object that shows most pixels inside the blob's box, of those with its
+/// signature if any has it (a tenth of the box is then enough, else a third). Its ends are hidden where the true image
+/// says so. Frames outside the odometry are left out. The path and the noise of `scene` play no part.
+Tour tour_of_log(std::string_view log, const Scene& scene);
+
+}  // namespace fencepost::host

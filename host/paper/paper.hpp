@@ -1,0 +1,32 @@
+// The paper's evaluation as a folder: one page, its drawings and their numbers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/paper/figure.hpp"
+
+namespace fencepost::host {
+
+/// A recorded run, to be evaluated instead of simulated scenes.
+struct PaperRun {
+  std::string name;
+  Tour tour;
+};
+
+struct PaperOptions {
+  std::uint64_t seed = 1;
+  std::size_t scenes = 60;       ///< of Figure 10
+  std::size_t mean_scenes = 20;  ///< of the curves
+  std::optional<PaperRun> run;   ///< then the seed and the numbers of scenes play no part
+  std::string generator = "fencepost";
+  Progress progress = [](std::string_view) {};
+};
+
+/// index.html first. The same options give the same bytes. Drawings and CSV files lie beside the page. errors:
+/// std::runtime_error: a run with too few frames or objects.
+std::vector<PaperFile> write_paper(const PaperOptions& options);
+
+}  // namespace fencepost::host

@@ -1,0 +1,49 @@
+// One scene, driven once: what the robot gets, and what only a simulator knows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/sensor/odometry.hpp"
+#include "host/metrics/reacquisition.hpp"
+#include "host/scene/scene.hpp"
+#include "host/simulate/truth.hpp"
+
+namespace fencepost::host {
+
+/// The regions of one image, with the truth about each.
+struct RealImage {
+  std::vector<Region> regions;
+  std::vector<BlobTruth> truths;
+};
+
+/// Which ends of an object's widest region the border or a nearer object cuts, noise apart: a piece that noise takes
+/// away, or adds, changes nothing of that.
+struct HiddenEnds {
+  bool left = false;
+  bool right = false;
+};
+
+struct Tour {
+  Scene scene;
+  std::string log;
+  std::vector<FrameTruth> frames;
+  std::vector<sensor::OdometrySample> poses;    ///< as the log has them, at each frame's exposure
+  std::vector<RealImage> images;                ///< one for each frame
+  std::vector<std::vector<HiddenEnds>> hidden;  ///< by frame and object
+};
+
+/// errors: std::runtime_error: the scene cannot be simulated, or has no odometry at an exposure.
+Tour drive(const Scene& scene);
+
+/// The believed pose of the robot at frame `frame`.
+TimedPose believed_pose(const Tour& tour, std::size_t frame);
+
+/// What is expected to be found: a region of that object alone, with both of its ends, at least kLeastWhole wide.
+bool is_whole_in(const RealImage& image, std::size_t object);
+inline constexpr double kLeastWhole = 12;  ///< px
+
+/// True if the region is of that object, or of several with it among them.
+bool is_of(const BlobTruth& region, std::size_t object);
+
+}  // namespace fencepost::host

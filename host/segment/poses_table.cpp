@@ -1,0 +1,172 @@
+#include "host/segment/poses_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "host/segment/image_file.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+constexpr const char* kHeader = "image,t,x,y,heading";
+constexpr double kLargest = 1000;        // m and rad, the stream's ranges
+constexpr double kLatest = 999'999;      // s, likewise
+constexpr double kTick = 1e-4;           // s, likewise
+constexpr double kMadeUpInterval = 0.1;  // s
+
+enum Column : std::size_t { kImage, kX, kY, kHeading, kTime, kColumns };
+constexpr std::array<std::string_view, kColumns> kNames = {"image", "x", "y", "heading", "t"};
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t start = 0; start <= line.size();) {
+    const std::size_t end = std::min(line.find(',', start), line.size());
+    fields.push_back(trimmed(line.substr(start, end - start)));
+    start = end + 1;
+  }
+  return fields;
+}
+
+/// For a message: what was read, in print and not too much of it.
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  std::string shown = "\"";
+  for (const char c : text.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (text.size() > kMost ? "...\"" : "\"");
+}
+
+/// Where each column stands in the header.
+class Header {
+ public:
+  Header(std::string_view line, const std::string& place, PosesTable& table) {
+    const std::vector<std::string_view> fields = fields_of(line);
+    width_ = fields.size();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const auto* known = std::find(kNames.begin(), kNames.end(), fields[i]);
+      if (known == kNames.end()) {
+        table.unused_columns.push_back(in_quotes(fields[i]));
+        continue;
+      }
+      auto& at = at_[static_cast<std::size_t>(known - kNames.begin())];
+      if (at) throw SegmentProblem{place, "has two columns " + in_quotes(fields[i]), "take one out"};
+      at = i;
+    }
+    for (const Column column : {kImage, kX, kY, kHeading}) {
+      if (!at_[column]) {
+        throw SegmentProblem{place, "has no column " + in_quotes(kNames[column]),
+                             std::string("write as the first line: ") + kHeader};
+      }
+    }
+  }
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] bool has_time() const { return at_[kTime].has_value(); }
+  [[nodiscard]] std::string_view text(const std::vector<std::string_view>& fields, Column column) const {
+    return fields[*at_[column]];
+  }
+  [[nodiscard]] double number(const std::vector<std::string_view>& fields, Column column,
+                              const std::string& place) const {
+    const std::string_view field = text(fields, column);
+    double value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+      throw SegmentProblem{place, std::string(kNames[column]) + " is " + in_quotes(field) + ", not a number",
+                           "correct the line or take it out"};
+    }
+    if (column != kTime && std::abs(value) > kLargest) {
+      throw SegmentProblem{place, std::string(kNames[column]) + " is beyond +-1000",
+                           "write metres and radians, from an origin near by"};
+    }
+    return value;
+  }
+
+ private:
+  std::array<std::optional<std::size_t>, kColumns> at_;
+  std::size_t width_ = 0;
+};
+
+ImagePose to_row(std::string_view line, const Header& header, std::size_t number, const std::string& place) {
+  const std::vector<std::string_view> fields = fields_of(line);
+  if (fields.size() != header.width()) {
+    throw SegmentProblem{
+        place, "has " + std::to_string(fields.size()) + " columns instead of " + std::to_string(header.width()),
+        "correct the line; names of images cannot hold commas"};
+  }
+  ImagePose row;
+  row.line = number;
+  row.image = header.text(fields, kImage);
+  if (row.image.empty()) throw SegmentProblem{place, "names no image", "write its file name, or take the line out"};
+  row.pose = {header.has_time() ? header.number(fields, kTime, place) : 0, header.number(fields, kX, place),
+              header.number(fields, kY, place), header.number(fields, kHeading, place)};
+  return row;
+}
+
+/// Times as the stream can say them: from 0 on, strictly increasing when rounded to 0.1 ms.
+void settle_times(PosesTable& table, bool has_time) {
+  table.made_up_times = !has_time;
+  if (!has_time) {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      table.rows[i].pose.t = kMadeUpInterval * static_cast<double>(i);
+    }
+    return;
+  }
+  const double first = table.rows.front().pose.t;
+  table.shifted_times = first < 0 || first > kLatest || table.rows.back().pose.t > kLatest;
+  std::int64_t previous = -1;  // in the stream's ticks
+  for (ImagePose& row : table.rows) {
+    if (table.shifted_times) row.pose.t -= first;
+    if (row.pose.t > kLatest) {
+      throw SegmentProblem{table.place(row), "t is more than 999999 s after the first", "write t in seconds"};
+    }
+    const std::int64_t tick = row.pose.t < 0 ? -1 : std::llround(row.pose.t / kTick);
+    if (tick <= previous) {
+      throw SegmentProblem{table.place(row), "t is not later than the line before", "sort the lines by t, in seconds"};
+    }
+    previous = tick;
+  }
+}
+
+}  // namespace
+
+PosesTable parse_poses(std::string_view text, const std::string& file) {
+  PosesTable table;
+  table.file = file;
+  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark of spreadsheets
+  std::optional<Header> header;
+  std::set<std::string, std::less<>> seen;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.front() == '#') continue;
+    const std::string place = file + ":" + std::to_string(number);
+    if (!header) {
+      header.emplace(line, place, table);
+      continue;
+    }
+    table.rows.push_back(to_row(line, *header, number, place));
+    if (!seen.insert(table.rows.back().image).second) {
+      throw SegmentProblem{place, in_quotes(table.rows.back().image) + " is there twice", "take one of the lines out"};
+    }
+  }
+  if (table.rows.empty()) {
+    throw SegmentProblem{file, header ? "has a header but no rows" : "is empty",
+                         std::string("write a line for each image: ") + kHeader};
+  }
+  settle_times(table, header->has_time());
+  return table;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,125 @@
+#include "host/segment/setup_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "firmware/record/stream_reader.hpp"
+#include "host/scene/read_scene.hpp"
+#include "host/segment/image_file.hpp"
+
+namespace fencepost::host {
+
+namespace {
+
+/// Keeps the first calibration of a stream and each signature once.
+struct SetupSink {
+  std::optional<sensor::CameraIntrinsics> camera;
+  std::vector<record::Signature> signatures;
+  void accept(const sensor::CameraIntrinsics& found) {
+    if (!camera) camera = found;
+  }
+  void accept(const record::Signature& found) {
+    const auto same = [&](const record::Signature& known) { return known.signature == found.signature; };
+    if (std::none_of(signatures.begin(), signatures.end(), same)) signatures.push_back(found);
+  }
+  template <class Record>
+  void accept(const Record&) {}
+};
+
+SetupSink read_stream(std::string_view text) {
+  std::array<char, record::StreamReader::kBuffer> buffer{};
+  record::StreamReader reader(buffer);
+  SetupSink sink;
+  reader.push(text, sink);
+  reader.push("\n", sink);  // a single pasted line is a whole line here
+  return sink;
+}
+
+bool is_json(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  return start != std::string_view::npos && text[start] == '{';
+}
+
+/// What `read` makes of the JSON text; a complaint of the reader becomes ours.
+template <class Read>
+auto from_json(std::string_view text, const std::string& name, Read read) {
+  try {
+    const nlohmann::json value = parse_json(text, "share/doc/segment.md shows one");
+    const JsonNode root(value, "");
+    root.expect_object();
+    return read(root);
+  } catch (const SceneProblem& problem) {
+    throw SegmentProblem{problem.where.empty() ? name : name + ": " + problem.where, problem.what, problem.remedy};
+  }
+}
+
+void expect_each_once(const std::vector<record::Signature>& signatures, const std::string& name) {
+  for (auto a = signatures.begin(); a != signatures.end(); ++a) {
+    for (auto b = signatures.begin(); b != a; ++b) {
+      if (a->signature != b->signature) continue;
+      throw SegmentProblem{name, "signature " + std::to_string(a->signature) + " is there twice",
+                           "give each signature an id of its own"};
+    }
+  }
+}
+
+}  // namespace
+
+sensor::CameraIntrinsics parse_camera(std::string_view text, const std::string& name) {
+  if (is_json(text)) {
+    return from_json(text, name, [](const JsonNode& root) {
+      Scene scene;
+      read_camera(root.at("camera"), scene);
+      return scene.camera;
+    });
+  }
+  const SetupSink sink = read_stream(text);
+  if (sink.camera) return *sink.camera;
+  throw SegmentProblem{name, "has no calibration", "give a scene, its block \"camera\", or the $FPCAM line of a log"};
+}
+
+std::vector<record::Signature> parse_signatures(std::string_view text, const std::string& name) {
+  std::vector<record::Signature> signatures;
+  if (is_json(text)) {
+    signatures = from_json(text, name, [](const JsonNode& root) {
+      std::vector<record::Signature> all;
+      const JsonNode list = root.at("signatures");
+      for (std::size_t i = 0; i < list.size(1, "signatures"); ++i) {
+        const SceneSignature signature = read_signature(list.at(i));
+        all.push_back({signature.id, signature.rgb, sensor::Text(signature.name)});
+      }
+      return all;
+    });
+  } else {
+    signatures = read_stream(text).signatures;
+  }
+  if (signatures.empty()) {
+    throw SegmentProblem{name, "has no signatures", "give a scene, its \"signatures\", or $FPSIG lines of a log"};
+  }
+  expect_each_once(signatures, name);
+  return signatures;
+}
+
+sensor::Rgb parse_rgb(std::string_view digits, const std::string& where) {
+  if (digits.size() != 6 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string_view::npos) {
+    throw SegmentProblem{where, "\"" + std::string(digits.substr(0, 40)) + "\" is not a colour",
+                         "write six hex digits RRGGBB, such as c02020"};
+  }
+  const auto channel = [&](std::size_t at) {
+    return static_cast<std::uint8_t>(std::stoul(std::string(digits.substr(at, 2)), nullptr, 16));
+  };
+  return {channel(0), channel(2), channel(4)};
+}
+
+record::Signature parse_colour(std::string_view text, std::uint8_t number) {
+  const std::size_t equals = text.find('=');
+  const std::string_view name = text.substr(0, equals);
+  if (equals == std::string_view::npos || name.empty() || name.size() > sensor::kMaxText) {
+    throw SegmentProblem{"--colour", "\"" + std::string(text.substr(0, 40)) + "\" is not NAME=RRGGBB",
+                         "write for example red=c02020"};
+  }
+  return {number, parse_rgb(text.substr(equals + 1), "--colour"), sensor::Text(name)};
+}
+
+}  // namespace fencepost::host

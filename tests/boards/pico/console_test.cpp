@@ -1,0 +1,112 @@
+// The Pico's console is on USB and on a serial line at the same time.
+#include <gtest/gtest.h>
+
+#include "host/replay/replay.hpp"
+#include "host/result/lookup.hpp"
+#include "tests/boards/bench.hpp"
+#include "tests/boards/pico/pico.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct PicoConsole : ::testing::Test {
+  EmulatedPico* machine = nullptr;
+  Bench bench{pico(&machine)};
+  Line& usb = machine->line(EmulatedPico::kUsb);
+
+  void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
+  void computer(const std::string& does) {
+    machine->command("usb " + does);
+    bench.run(0.1);
+  }
+  std::string usb_says(const std::string& typed) {
+    static_cast<void>(usb.take());
+    usb.send(typed + "\r");
+    bench.run(0.2);
+    return usb.take();
+  }
+};
+
+TEST_F(PicoConsole, AnswersOnBothWhateverWasTypedWhere) {
+  computer("plug");
+  bench.clear();
+  const std::string answer = usb_says("version");
+  EXPECT_NE(answer.find("fencepost 0.1.0 for pico"), std::string::npos) << answer;
+  EXPECT_EQ(bench.said(), answer);
+  EXPECT_TRUE(bench.obey("version", "fencepost 0.1.0 for pico"));
+  bench.run(0.1);
+  EXPECT_EQ(usb.take(), bench.said());
+}
+
+TEST_F(PicoConsole, WorksWithoutUsbAndAfterItIsGone) {
+  EXPECT_TRUE(bench.obey("version", "for pico")) << "nobody has plugged it in yet";
+  computer("plug");
+  EXPECT_NE(usb_says("version"), "");
+  computer("unplug");
+  EXPECT_TRUE(bench.obey("version", "for pico"));
+  bench.run(0.1);
+  EXPECT_EQ(usb.take(), "");
+  computer("plug");
+  EXPECT_NE(usb_says("version").find("for pico"), std::string::npos);
+}
+
+TEST_F(PicoConsole, IsNotHeldUpByAPortThatIsClosedOrNeverRead) {
+  computer("plug");
+  EXPECT_NE(usb_says("version"), "") << "it leads now";
+  computer("block");
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(bench.obey("help", "selftest") && bench.obey("version", "for pico")) << i;
+  }
+  computer("unblock");
+  static_cast<void>(usb.take());
+  EXPECT_NE(usb_says("version").find("for pico"), std::string::npos);
+  computer("close");
+  EXPECT_TRUE(bench.obey("version", "for pico"));
+  bench.run(0.1);
+  EXPECT_EQ(usb.take(), "") << "nobody listens: nothing is kept for later";
+  computer("open");
+  EXPECT_NE(usb_says("version").find("for pico"), std::string::npos);
+}
+
+// A thousand records at once are more than its queues hold: USB waits for the program, nothing is lost.
+TEST_F(PicoConsole, TakesAsMuchAtOnceAsAComputerSends) {
+  computer("plug");
+  usb_says("mode log");
+  usb_says("reset");
+  usb.set_pace(1e6);
+  std::string lines;
+  for (int i = 0; i < 1000; ++i) {
+    sensor::OdometrySample sample;
+    sample.x = base::Metres::nearest(0.001 * i);
+    lines += unstamped(sample);
+  }
+  usb.send(lines);
+  bench.run(4);
+  bench.clear();
+  const std::string status = usb_says("status");
+  // Those that come in one turn of the loop have one time, and only the first of a time counts.
+  const auto number = [&status](std::string_view name) {
+    return std::stoi(status.substr(status.rfind(name) + name.size()));
+  };
+  EXPECT_EQ(number("; odometry ") + number("; rejected "), 1000) << status;
+}
+
+TEST_F(PicoConsole, ReplaysALogFromUsb) {
+  const SceneStream stream = stream_of(recorded_scene("approach_stop"));
+  ASSERT_TRUE(bench.await_camera());
+  computer("plug");
+  usb_says("mode log");
+  std::string log = usb_says("reset");
+  bench.play(stream, [&](double) { log += usb.take(); });
+  bench.run(0.2);
+  const std::string digest = bench.digest();
+  bench.run(0.2);
+  log += usb.take();
+  const host::ReplayOutcome replayed = host::replay(log, "usb", {});
+  ASSERT_FALSE(replayed.unreadable) << log.substr(0, 500);
+  EXPECT_EQ(host::digest_text(replayed.result.digest), digest);
+  EXPECT_GT(replayed.result.log.frames, 20U);
+}
+
+}  // namespace
+}  // namespace fencepost::test

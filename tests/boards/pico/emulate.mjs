@@ -1,0 +1,113 @@
+// usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL [COUNTS]
+//
+// A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
+// CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
+// has been sent. Others: `power`, `run-pin`, `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera
+// gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
+// answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
+import { readFileSync } from 'node:fs';
+import { connect } from 'node:net';
+import { Counter } from './counter.mjs';
+import { Pico } from './pico.mjs';
+import { loadUf2 } from './uf2.mjs';
+
+const [image, ...paths] = process.argv.slice(2);
+const counter = paths.length === 5 ? new Counter(paths.pop()) : null;
+if (paths.length !== 4) {
+  console.error('usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL [COUNTS]');
+  process.exit(2);
+}
+
+const [consoleSocket, cameraSocket, usbSocket, control] = await Promise.all(
+  paths.map((path) => new Promise((resolve, reject) => {
+    const socket = connect(path, () => resolve(socket));
+    socket.on('error', reject);
+    socket.on('close', () => process.exit(0));
+  })),
+);
+
+// Bytes for a socket, gathered until the end of a run.
+function outlet(socket) {
+  const bytes = [];
+  const take = (byte) => bytes.push(byte);
+  take.flush = () => {
+    if (bytes.length) socket.write(Buffer.from(bytes.splice(0)));
+  };
+  return take;
+}
+const out = { console: outlet(consoleSocket), camera: outlet(cameraSocket), usb: outlet(usbSocket) };
+const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) }, counter);
+loadUf2(readFileSync(image), pico.flash);
+pico.start('power');
+
+consoleSocket.on('data', (bytes) => pico.console.come(bytes));
+usbSocket.on('data', (bytes) => pico.usb.come(bytes));
+cameraSocket.on('data', (bytes) => (pico.mcu.uart[1].enabled ? pico.camera : pico.bus).come(bytes));
+
+const commands = {
+  run: (microseconds) => {
+    pico.run(Number(microseconds) * 1000);
+    Object.values(out).forEach((one) => one.flush());
+    control.write(`at ${Math.round(pico.nanos / 1000)}\n`);
+  },
+  power: () => pico.start('power'),
+  'run-pin': () => pico.start('run'),
+  fault: () => pico.rom.fault(),
+  hang: () => pico.rom.hang(),
+  usb: (what) => ({
+    plug: () => pico.usb.plug(),
+    unplug: () => pico.usb.unplug(),
+    open: () => pico.usb.open(true),
+    close: () => pico.usb.open(false),
+    block: () => pico.usb.block(true),
+    unblock: () => pico.usb.block(false),
+  })[what](),
+  camera: (what) => (pico.bus.there = what === 'back'),
+  turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),
+  counts: () => control.write(JSON.stringify({
+    instructions: pico.instructions, erased: pico.rom.erased, programmed: pico.rom.programmed,
+    lost: [pico.console.lost, pico.camera.lost],
+  }) + '\n'),
+};
+
+// Two channels a wheel, a quarter of a period apart; A leads forwards.
+const kWheels = [[10, 11], [12, 13]];
+const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]];
+const quarters = [0, 0];
+function turn(counts, microseconds) {
+  while (counts.some((count) => count !== 0)) {
+    counts.forEach((count, wheel) => {
+      counts[wheel] -= Math.sign(count);
+      quarters[wheel] += Math.sign(count);
+      kLevels[quarters[wheel] & 3].forEach((level, channel) => {
+        const pin = pico.mcu.gpio[kWheels[wheel][channel]];
+        if (pin.rawInputValue !== !!level) pin.setInputValue(!!level);
+      });
+    });
+    pico.run(microseconds * 1000);
+  }
+}
+
+function obey(line) {
+  const [word, ...rest] = line.split(' ');
+  if (!(word in commands)) throw Error(`no command: ${line}`);
+  commands[word](...rest);
+}
+
+process.on('SIGTERM', () => {
+  counter?.write();
+  process.exit(0);
+});
+
+// After what came over the other sockets at the same time: it was sent before.
+let text = '';
+control.on('data', (bytes) => {
+  text += bytes;
+  setImmediate(() => {
+    for (let end = text.indexOf('\n'); end >= 0; end = text.indexOf('\n')) {
+      const line = text.slice(0, end);
+      text = text.slice(end + 1);
+      obey(line);
+    }
+  });
+});

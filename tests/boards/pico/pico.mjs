@@ -1,0 +1,92 @@
+// A Raspberry Pi Pico with our program in its flash: rp2040js, and what the part has around it.
+import { LogLevel, ConsoleLogger, RP2040 } from 'rp2040js';
+import { BootRom } from './boot_rom.mjs';
+import { SerialLine } from './serial_line.mjs';
+import { TwoWire } from './two_wire.mjs';
+import { checkBoot2 } from './uf2.mjs';
+import { UsbHost } from './usb_host.mjs';
+
+const kBoot2 = 0x20041f00; // where the boot ROM copies it (RP2040 datasheet 2.8.1.3)
+const kRom = 0x20042000; // its stack
+const kCycleNanos = 8; // 125 MHz
+const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
+
+export class Pico {
+  /** `out`: where bytes go to: console(byte), camera(byte), usb(bytes). `counter`: sees each instruction, or nothing. */
+  constructor(out, counter = null) {
+    this.out = out;
+    this.counter = counter;
+    this.past = 0;
+    this.instructions = 0;
+    this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
+  }
+
+  get nanos() {
+    return this.past + (this.mcu ? this.mcu.clock.nanos : 0);
+  }
+
+  /** `how`: 'power', 'run' (the pin) or 'watchdog'. Memory is random after 'power' only. */
+  start(how) {
+    const before = this.mcu;
+    const watchdog = before?.peripherals[0x40058];
+    if (before) {
+      this.past = this.nanos;
+      this.flash.set(before.flash.subarray(0, this.flash.length));
+    }
+    const mcu = (this.mcu = new RP2040());
+    mcu.logger = new ConsoleLogger(LogLevel.Error, true);
+    mcu.flash.set(this.flash);
+    if (how === 'power') mcu.sram.forEach((_, i) => (mcu.sram[i] = (i * 2654435761) >>> 24));
+    else mcu.sram.set(before.sram);
+    this.wire(how, watchdog);
+    checkBoot2(mcu.flash);
+    mcu.sram.set(mcu.flash.subarray(0, 256), kBoot2 - 0x20000000);
+    mcu.core.PC = kBoot2;
+    mcu.core.SP = kRom;
+  }
+
+  wire(how, oldWatchdog) {
+    const { mcu } = this;
+    this.rom = new BootRom(mcu);
+    this.console = new SerialLine(mcu, 0, this.out.console);
+    this.camera = new SerialLine(mcu, 1, this.out.camera);
+    this.bus = new TwoWire(mcu, 0x54, this.out.camera);
+    this.usb = new UsbHost(mcu, this.out.usb);
+    const watchdog = mcu.peripherals[0x40058];
+    if (how !== 'power') watchdog.scratchData.set(oldWatchdog.scratchData);
+    if (how === 'watchdog') watchdog.reason = oldWatchdog.reason;
+    watchdog.onWatchdogTrigger = () => {
+      watchdog.timer.enable = false; // or rp2040js triggers again and again, and no time passes
+      this.dead = true;
+    };
+    this.dead = false;
+    mcu.peripherals[0x40064] = { readUint32: () => kChipReset[how], writeUint32Atomic: () => {} };
+  }
+
+  /** So many nanoseconds. */
+  run(nanos) {
+    const until = this.nanos + nanos;
+    while (this.nanos < until) {
+      if (this.dead) this.start('watchdog');
+      this.advance(until - this.past);
+    }
+  }
+
+  advance(until) {
+    const { mcu } = this;
+    const { core, clock } = mcu;
+    while (clock.nanos < until && !this.dead) {
+      if (!core.waiting) {
+        if (this.counter !== null) this.counter.see(core);
+        clock.nanosCounter += core.executeInstruction() * kCycleNanos;
+        if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= clock.nanosCounter) clock.tick(0);
+        this.instructions++;
+      } else if (core.checkForInterrupts()) {
+        core.waiting = false;
+      } else {
+        const next = clock.nextAlarm ? Math.max(clock.nanosToNextAlarm, 0) : until;
+        clock.tick(Math.min(next, until - clock.nanos));
+      }
+    }
+  }
+}

@@ -1,0 +1,35 @@
+// A camera on the two-wire bus that takes and gives a stream of bytes: what it is asked goes to the socket, what it says
+// comes from there. A device without an answer sends zeros.
+const kInterruptMask = 0x30;
+const kByteNanos = 90e3; // nine bits at 100 kHz
+
+export class TwoWire {
+  constructor(mcu, address, send) {
+    const bus = mcu.i2c[0];
+    this.coming = [];
+    this.there = true;
+    const write = bus.writeUint32.bind(bus); // rp2040js has the mask, but does not let it be written
+    bus.writeUint32 = (offset, value) => {
+      if (offset !== kInterruptMask) return write(offset, value);
+      bus.intEnable = value;
+      return bus.checkInterrupts();
+    };
+    const later = mcu.clock.createAlarm(() => this.next());
+    const after = (next) => {
+      this.next = next;
+      later.schedule(kByteNanos);
+    };
+    bus.onStart = () => after(() => bus.completeStart());
+    bus.onConnect = (target) => after(() => bus.completeConnect(this.there && target === address));
+    bus.onWriteByte = (byte) => {
+      send(byte);
+      after(() => bus.completeWrite(true));
+    };
+    bus.onReadByte = () => after(() => bus.completeRead(this.coming.shift() ?? 0));
+    bus.onStop = () => after(() => bus.completeStop());
+  }
+
+  come(bytes) {
+    for (const byte of bytes) this.coming.push(byte);
+  }
+}

@@ -1,0 +1,41 @@
+// What the RP2040's port decides, as far as a desk can tell; the rest runs in the emulator (tests/boards/pico).
+#include <gtest/gtest.h>
+
+#include "hal/mcu/rp2040/reset_reason.hpp"
+#include "hal/mcu/rp2040/usb_descriptors.hpp"
+
+namespace fencepost::mcu::rp2040 {
+namespace {
+
+TEST(Rp2040, TellsWhyItWasReset) {
+  EXPECT_EQ(reset_reason(0, false, 1U << 8), ResetReason::kPowerOn);
+  EXPECT_EQ(reset_reason(0, true, 1U << 16), ResetReason::kPin);
+  EXPECT_EQ(reset_reason(0, true, 1U << 20), ResetReason::kSoftware);
+  EXPECT_EQ(reset_reason(1, true, 1U << 8), ResetReason::kWatchdog);
+  EXPECT_EQ(reset_reason(1, false, 1U << 8), ResetReason::kSoftware) << "the boot loader's timer is none of ours";
+  EXPECT_EQ(reset_reason(2, true, 1U << 8), ResetReason::kSoftware);
+  EXPECT_EQ(reset_reason(0, false, 0), ResetReason::kUnknown);
+}
+
+// USB 2.0 9.5: each descriptor begins with its length and its kind; the configuration tells the sum of its own.
+TEST(Rp2040, DescriptorsAreAsLongAsTheySay) {
+  EXPECT_EQ(usb::kDevice[0], usb::kDevice.size());
+  EXPECT_EQ(usb::kLanguage[0], usb::kLanguage.size());
+  EXPECT_EQ(usb::kName[0], usb::kName.size());
+  EXPECT_EQ(usb::kConfiguration[2] | (usb::kConfiguration[3] << 8), static_cast<int>(usb::kConfiguration.size()));
+  std::size_t at = 0;
+  int interfaces = 0;
+  int endpoints = 0;
+  while (at < usb::kConfiguration.size()) {
+    ASSERT_GE(usb::kConfiguration[at], 2);
+    interfaces += usb::kConfiguration[at + 1] == 4 ? 1 : 0;
+    endpoints += usb::kConfiguration[at + 1] == 5 ? 1 : 0;
+    at += usb::kConfiguration[at];
+  }
+  EXPECT_EQ(at, usb::kConfiguration.size());
+  EXPECT_EQ(interfaces, usb::kConfiguration[4]);
+  EXPECT_EQ(endpoints, 3);
+}
+
+}  // namespace
+}  // namespace fencepost::mcu::rp2040

@@ -1,0 +1,53 @@
+"""Runs what a document shows and compares: python3 document.py FENCEPOST SOURCES DOCUMENT [--write].
+
+Each fenced block that begins with "$ " is a command and what it says, on both outputs. The commands run one after the other in one
+folder. Numbers, and how columns are filled up with blanks, may differ; nothing else may. --write puts what was seen into the document.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+BLOCK = re.compile(r"^```\n\$ ((?:[^\n]*\\\n)*[^\n]*\n)(.*?)^```$", re.S | re.M)
+
+
+def masked(text):
+    return re.sub(r"[ -]+", " ", re.sub(r"\b[0-9a-f]{16}\b|\b[0-9a-f]{6}\b|\d+(\.\d+)?", "#", text))
+
+
+def run(command, folder):
+    environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", TERM="dumb", NO_COLOR="1")
+    done = subprocess.run(["sh", "-c", command.replace("\\\n", " ")], cwd=folder, env=environment, text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode != 0:
+        raise SystemExit(f"$ {command}ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def main(program, sources, name, write=False):
+    document = Path(sources) / "host/share/doc" / name
+    text = document.read_text()
+    different = seen = 0
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(Path(sources).resolve() / "host", Path(folder) / "host")
+        os.symlink(Path(program).resolve(), Path(folder) / "fencepost")
+        for command, expected in BLOCK.findall(text):
+            seen += 1
+            shown = run(command, folder)
+            if write:
+                text = text.replace(f"$ {command}{expected}```", f"$ {command}{shown}```", 1)
+            elif masked(expected) != masked(shown):
+                different += 1
+                print(f"$ {command}the document says\n{expected}\nbut this was seen\n{shown}")
+    if write:
+        document.write_text(text)
+    if not seen:
+        raise SystemExit(f"{document} shows no command")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:4], write="--write" in sys.argv[4:]))
