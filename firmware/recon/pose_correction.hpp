@@ -83,8 +83,9 @@ class PoseCorrection {
     for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
-      take(objects, next_,
-           make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.rays_for(next_, frame, camera)), noise);
+      const Sighting seen =
+          make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.rays_for(next_, frame, camera));
+      take(objects, next_, seen, lens_pose(pose(), camera), noise);
       ++turns;
     }
     return filter_.at().pose;
@@ -115,15 +116,15 @@ class PoseCorrection {
   }
 
  private:
-  // `seen` from the robot: its anchor is the robot frame's origin.
+  // `seen` from the robot: its anchor is the robot frame's origin. `lens`: in the map.
   template <class Objects>
-  void take(Objects& objects, std::size_t slot, const Sighting& seen, const MeasurementNoise& noise) {
+  void take(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
+            const MeasurementNoise& noise) {
     const Landmark& landmark = filter_.landmark(slot);
-    const MapPoint robot = filter_.at().pose.position;
-    const float distance = std::sqrt(offset_from(robot, landmark.center).squaredNorm());
+    const float distance = std::sqrt(offset_from(lens.anchor, landmark.center).squaredNorm());
     const ViewTangents view = tangents_of(seen, {}, distance, false, noise);
     // What is not round about it is not news either as long as the robot stands.
-    const float novelty = objects[slot].novelty(offset_from(objects[slot].origin, robot));
+    const float novelty = objects[slot].novelty(offset_from(objects[slot].origin, lens.anchor) + lens.lens);
     const auto correct_one = [&](ViewTangents::Which which, const Tangent& tangent) {
       if ((view.present & which) == 0) return;
       const float shape = noise.roundness * landmark.radius;

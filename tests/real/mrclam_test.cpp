@@ -196,8 +196,11 @@ host::ReplayOutcome replay_by_odometry(const host::Imported& imported, bool corr
   return host::replay(log, "odometry", options);
 }
 
-// The whole quarter of an hour by the wheels alone, with and without pose correction. What limits it: DEVELOPERS see
-// tests/real/README.md.
+// The whole quarter of an hour by the wheels alone, with and without pose correction. What limits it: landmarks stand 2
+// to 6 m away and one at a time is in the image, so a distance is known by a size that is guessed (the boxes are made
+// of measured ranges and an assumed width) or after metres of driving, in which the heading has drifted by more than
+// the linearised filter bears. Whose blob it is, is no help then: given that, and the true width, the mean pose errors
+// were 0.5 and 1.7 m.
 TEST_P(Mrclam, PoseCorrectionOverTheWholeRecording) {
   host::MrclamOptions options;
   options.poses = host::PoseSource::kTruth;
