@@ -183,7 +183,7 @@ class Console {
     const std::size_t slot = next_used(state().answer.line - 1U);
     if (slot == Profile::kObjects) return Sentence(out).put("end of list").end();
     const recon::Object<Profile>& object = memory.map.slots()[slot];
-    const Obstacle seen = see_obstacle(object, RobotPlace(memory.poses.latest()), {});
+    const Obstacle seen = see_obstacle(object, RobotPlace(robot_pose(memory)), {});
     const std::size_t size = write_object(letter_of(slot), object, pipeline_.telling().name_of(object.signature), seen,
                                           memory.run.time.value_or(base::Time{}), out);
     if (size > 0) state().answer.line = static_cast<std::uint8_t>(slot + 1);
@@ -211,7 +211,7 @@ class Console {
     const Memory<Profile>& memory = pipeline_.memory();
     StatusFacts facts{Profile::kName, memory.console.mode, memory.console.alerts, links,
                       memory.run,     memory.counters,     memory.calibration};
-    if (!memory.poses.empty()) facts.robot = memory.poses.latest();
+    if (!memory.poses.empty()) facts.robot = robot_pose(memory);
     facts.objects = memory.map.size();
     for (const recon::ObjectCore& object : memory.map.slots()) {
       facts.confirmed += object.used() && object.confirmed ? 1U : 0U;

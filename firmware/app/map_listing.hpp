@@ -31,7 +31,7 @@ inline bool drawn(const recon::ObjectCore& object) { return object.used() && obj
 /// Needs a pose of the robot.
 template <class Profile>
 TopView view_of(const Memory<Profile>& memory) {
-  const recon::MapPose& pose = memory.poses.latest();
+  const recon::MapPose pose = robot_pose(memory);
   MapExtent extent;
   extent.include(millimetres(pose.position), 0);
   for (const recon::ObjectCore& object : memory.map.slots()) {

@@ -42,6 +42,7 @@ struct Run {
   const record::Header* header = nullptr;
   Stamp watched_at;
   Stamp status_at;
+  Stamp pose_told_at;
   Stamp calibration_at;
   std::uint8_t telling = 0;  ///< next calibration record to tell
   bool told = false;         ///< all of them are queued
@@ -69,12 +70,15 @@ struct Memory {
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
 };
 
-/// What is still to come into the same budget: the pose correction.
+/// Where the robot is in the map, by its latest odometry and the corrections so far. Needs odometry.
 template <class Profile>
-inline constexpr std::size_t kReserved = Profile::kPoseReserve;
+recon::MapPose robot_pose(const Memory<Profile>& memory) {
+  return memory.map.corrected(memory.poses.latest());
+}
 
 template <class Profile>
-inline constexpr bool kFits = sizeof(Memory<Profile>) + kReserved<Profile> <= Profile::kBudget;
+inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
+                              sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
 static_assert(kFits<config::Micro>);
 static_assert(kFits<config::Small>);

@@ -154,6 +154,7 @@ class Pipeline {
     seen(frame);
     watch_path(frame.t);
     telling_.digest(frame.frame);
+    telling_.pose(frame.t - m_.calibration.models[frame.camera].latency);
     telling_.objects(frame.t);
     m_.waiting.pop_front();
     return true;
@@ -241,7 +242,9 @@ class Pipeline {
     if (!m_.run.testing) {
       confirmation = {m_.settings.raw(config::Key::kConfirmK), m_.settings.raw(config::Key::kConfirmN)};
     }
-    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation);
+    const bool correct = m_.settings.raw(config::Key::kCorrectPose) != 0 && !m_.run.testing;
+    const float drift = correct ? 0.01F * m_.settings.number(config::Key::kCorrectDrift) : 0.0F;
+    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation, drift);
     if (m_.run.testing) return;
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
@@ -253,7 +256,7 @@ class Pipeline {
     path.motion = m_.poses.motion(kMotionSpan);
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
-    const RobotPlace robot(m_.poses.latest());
+    const RobotPlace robot(robot_pose(m_));
     const AlertRules rules(m_.settings);
     std::optional<Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;

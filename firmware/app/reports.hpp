@@ -4,6 +4,7 @@
 #include "firmware/app/counters.hpp"
 #include "firmware/app/obstacle.hpp"
 #include "firmware/app/text.hpp"
+#include "firmware/recon/landmark_filter.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/record/records.hpp"
 
@@ -16,6 +17,9 @@ record::ObjectState state_of(const recon::ObjectCore& object, base::Time now);
 
 /// Needs an estimate: object.cylinder.estimate().ok().
 record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now);
+
+/// The robot's pose at t, with the correction's own sigmas.
+record::Position report_pose(const recon::MapPose& pose, const recon::PoseSigma& sigma, base::Time t);
 
 record::StatusReport report_status(base::Time now, const Counters& counters, std::uint32_t objects);
 

@@ -17,6 +17,7 @@ namespace fencepost::app {
 inline constexpr base::Duration kRepeatCalibration = base::milliseconds(10'000);
 inline constexpr base::Duration kStatusInterval = base::milliseconds(1000);
 inline constexpr base::Duration kObjectInterval = base::milliseconds(500);
+inline constexpr base::Duration kPoseInterval = base::milliseconds(500);
 inline constexpr base::Duration kPlotInterval = base::milliseconds(100);
 inline constexpr std::uint32_t kDigestEvery = 50;  ///< frames
 
@@ -108,8 +109,16 @@ class Telling {
       const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
       if (!changed && !due) continue;
       last = {object.id, state, Stamp(now)};
-      report(report_object(object, see_obstacle(object, RobotPlace(m_.poses.latest()), {}), now));
+      report(report_object(object, see_obstacle(object, RobotPlace(robot_pose(m_)), {}), now));
     }
+  }
+
+  /// Where the robot was at an exposure, while the pose is corrected.
+  void pose(base::Time exposure) {
+    if (!logs() || !m_.map.correction().running()) return;
+    if (m_.run.pose_told_at.since(exposure) < kPoseInterval) return;
+    m_.run.pose_told_at = Stamp(exposure);
+    report(report_pose(m_.map.correction().pose(), m_.map.correction().sigma(), exposure));
   }
 
   void status() {

@@ -25,8 +25,8 @@ struct Micro {
   static constexpr std::size_t kBudget = 10 * 1024;  ///< bytes of Memory, reserves included
   static constexpr std::size_t kHybridSectors = 32;  ///< of directions: the small version, a series of order 5
   static constexpr std::size_t kHybridOrder = 5;
-  static constexpr int kHybridSteps = 1;             ///< of a fit in a frame
-  static constexpr std::size_t kPoseReserve = 1024;  ///< bytes, for the pose correction by landmarks
+  static constexpr int kHybridSteps = 1;           ///< of a fit in a frame
+  static constexpr std::size_t kPoseBytes = 1024;  ///< of the pose correction, at most: each object may be a landmark
 };
 
 /// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
@@ -48,7 +48,7 @@ struct Small {
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
   static constexpr int kHybridSteps = 8;
-  static constexpr std::size_t kPoseReserve = 1536;
+  static constexpr std::size_t kPoseBytes = 1536;
 };
 
 /// The desk and Linux brains.
@@ -69,8 +69,8 @@ struct Full {
   static constexpr std::size_t kBudget = 320 * 1024;
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
-  static constexpr int kHybridSteps = 0;  ///< all of them
-  static constexpr std::size_t kPoseReserve = 1536;
+  static constexpr int kHybridSteps = 0;             ///< all of them
+  static constexpr std::size_t kPoseBytes = 18'432;  ///< 32 landmarks; 8 need 1.5 KB
 };
 
 }  // namespace fencepost::config

@@ -159,4 +159,14 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
   for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);
 }
 
+void hash_floats(base::Fnv1a64& hash, std::span<const float> values) {
+  for (const float value : values) hash.f32(value);
+}
+
+void hash_landmark(base::Fnv1a64& hash, const Landmark& landmark) {
+  hash.i32(landmark.center.x);
+  hash.i32(landmark.center.y);
+  hash.f32(landmark.radius);
+}
+
 }  // namespace fencepost::recon

@@ -3,6 +3,7 @@
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   each object seen in the frame: who it is, its views, its estimate;
 //   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
+//   while the pose is corrected: the pose's covariance, and the landmark of that slot with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <span>
 
 #include "firmware/recon/carve.hpp"
+#include "firmware/recon/landmark_filter.hpp"
 #include "firmware/recon/object.hpp"
 #include "firmware/recon/pose_history.hpp"
 #include "hal/base/fnv1a.hpp"
@@ -49,6 +51,19 @@ void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t p
   }
   if (part == 4) hash_clusters(hash, object.hybrid.clusters);
   if (part == 5) hash_outline(hash, object.hybrid, object.hybrid.outline());
+}
+
+void hash_floats(base::Fnv1a64& hash, std::span<const float> values);
+void hash_landmark(base::Fnv1a64& hash, const Landmark& landmark);
+
+/// Of the pose correction, while it is on: the pose's covariance, and one landmark with all of its own.
+template <std::size_t kLandmarks>
+void hash_filter(base::Fnv1a64& hash, const LandmarkFilter<kLandmarks>& filter, std::size_t slot) {
+  hash_floats(hash, filter.pose_covariances());
+  if (!filter.landmark(slot).used()) return;
+  hash_landmark(hash, filter.landmark(slot));
+  hash_floats(hash, filter.place_covariances(slot));
+  hash_floats(hash, filter.radius_covariances(slot));
 }
 
 }  // namespace fencepost::recon

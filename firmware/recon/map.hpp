@@ -11,6 +11,7 @@
 #include "firmware/recon/hybrid/outline_fitter.hpp"
 #include "firmware/recon/matcher.hpp"
 #include "firmware/recon/object.hpp"
+#include "firmware/recon/pose_correction.hpp"
 
 namespace fencepost::recon {
 
@@ -36,19 +37,22 @@ class Map {
   void clear() {
     for (ObjectType& object : objects_) object.id = 0;
     fitter_.clear();
+    correction_.clear();
     next_id_ = 1;
     frames_ = 0;
     evicted_ = 0;
     digest_ = base::Fnv1a64::kOffsetBasis;
   }
 
-  /// One frame at its exposure pose, through the whole algorithm. Blobs of `frame` that are pieces of one object are
-  /// joined in place.
-  FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& pose,
-                         const MeasurementNoise& noise, Confirmation confirmation) {
+  /// One frame through the whole algorithm. `odometry`: where the robot was at the exposure, by odometry alone;
+  /// `drift`: by what share of the distance that may be off; more than 0, the objects correct it. Blobs of `frame`
+  /// that are pieces of one object are joined in place.
+  FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
+                         const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
     exposure_ = frame.t - camera.latency;
-    const LensPose lens = lens_pose(pose, camera);
-    matcher_.predict(objects_, camera, lens, noise);
+    MapPose pose = correction_.drive(odometry, drift);
+    matcher_.predict(objects_, camera, lens_pose(pose, camera),
+                     [&](std::size_t o) { return correction_.matching_noise(o, noise); });
     matcher_.see(frame, camera);
     matcher_.join_pieces(frame, camera, objects_);
     retire_divided();
@@ -56,18 +60,25 @@ class Map {
     outcome.matched = matcher_.match(frame);
     matcher_.share_merged(frame);
     matcher_.hide_behind_models();
+    if (drift > 0) pose = correction_.correct(objects_, matcher_, frame, camera, noise);
+    const LensPose lens = lens_pose(pose, camera);
     track_matched(frame, camera, lens);
     notice_missing();
     begin_new(frame, camera, lens, outcome);
-    update_models(frame, camera, lens, noise);
+    update_models(frame, camera, lens, correction_.model_noise(noise));
     count_pieces();
     fitter_.fit(objects_);
     drop_doubles();
     forget_refuted();
     confirm(confirmation);
+    correction_.follow(objects_, matcher_, frame, camera, noise);
     chain_digest(frame, pose);
     return outcome;
   }
+
+  /// Where the robot is in the map, by odometry and all corrections so far.
+  [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return correction_.corrected(odometry); }
+  [[nodiscard]] const PoseCorrection<Profile>& correction() const { return correction_; }
 
   [[nodiscard]] std::span<const ObjectType> slots() const { return objects_; }
   [[nodiscard]] std::uint64_t digest() const { return digest_; }
@@ -104,7 +115,10 @@ class Map {
       ObjectType& object = objects_[o];
       const OpenEnds ends = matcher_.open_ends(o);
       compare_ends(object, matcher_.prediction(o), matcher_.interval(matcher_.blob_of(o)), ends);
-      if (object.contradicted()) object.restart(sighting_of(o, frame, camera, lens), exposure_);
+      if (object.contradicted()) {
+        object.restart(sighting_of(o, frame, camera, lens), exposure_);
+        correction_.forget(o);
+      }
       object.track(ends, exposure_);
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);
@@ -280,6 +294,7 @@ class Map {
     }
     const ObjectType& turn = objects_[frames_ % kObjects];
     if (turn.used()) hash_part(hash, turn, frames_ / kObjects % kDigestParts);
+    if (correction_.running()) hash_filter(hash, correction_.filter(), frames_ % kObjects);
     ++frames_;
     digest_ = hash.value();
   }
@@ -300,6 +315,7 @@ class Map {
   base::Time exposure_;  ///< of the current frame
   Matcher<ObjectType, kObjects> matcher_;
   OutlineFitter<Profile> fitter_;
+  PoseCorrection<Profile> correction_;
 };
 
 }  // namespace fencepost::recon

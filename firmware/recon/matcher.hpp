@@ -24,9 +24,11 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
+  /// `noise_of(o)`: of the pose and the camera, as far as they matter for the object in slot o.
+  template <class NoiseOf>
+  void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens, NoiseOf&& noise_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      predictions_[o] = objects[o].used() ? recon::predict(camera, lens, objects[o], noise) : Prediction{};
+      predictions_[o] = objects[o].used() ? recon::predict(camera, lens, objects[o], noise_of(o)) : Prediction{};
       blob_of_[o] = kNoMatch;
     }
   }

@@ -134,6 +134,12 @@ struct Object : ObjectCore {
     presence = was_present;
   }
 
+  /// The object stands elsewhere by `step` (m): it was seen from poses that were wrong by as much.
+  void shift(const Vec2& step) {
+    origin = moved(origin, step);
+    hybrid.origin = moved(hybrid.origin, step);
+  }
+
   /// The outline has been fitted.
   void note_outline() {
     constexpr float kPerUnit = 200.0F;

@@ -7,14 +7,6 @@ namespace {
 
 constexpr std::int64_t kTwoPiMicroradians = 6'283'185;
 
-// Difference of two headings brought into [-pi, pi].
-std::int64_t short_way(std::int64_t microradians) {
-  std::int64_t wrapped = microradians % kTwoPiMicroradians;
-  if (wrapped > kTwoPiMicroradians / 2) wrapped -= kTwoPiMicroradians;
-  if (wrapped < -kTwoPiMicroradians / 2) wrapped += kTwoPiMicroradians;
-  return wrapped;
-}
-
 // a + (b - a) num / den, half away from zero, in integers.
 std::int32_t between(std::int32_t a, std::int64_t difference, std::int64_t num, std::int64_t den) {
   const std::int64_t product = difference * num;
@@ -23,6 +15,13 @@ std::int32_t between(std::int32_t a, std::int64_t difference, std::int64_t num, 
 }
 
 }  // namespace
+
+std::int64_t short_way(std::int64_t microradians) {
+  std::int64_t wrapped = microradians % kTwoPiMicroradians;
+  if (wrapped > kTwoPiMicroradians / 2) wrapped -= kTwoPiMicroradians;
+  if (wrapped < -kTwoPiMicroradians / 2) wrapped += kTwoPiMicroradians;
+  return wrapped;
+}
 
 MapPose to_map_pose(const sensor::OdometrySample& sample) {
   constexpr std::int32_t kMapUnitsPerTenthMillimetre = kMapUnitsPerMetre / base::Metres::kPerUnit;

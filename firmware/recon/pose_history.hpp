@@ -36,6 +36,9 @@ struct PoseSample {
 
 MapPose to_map_pose(const sensor::OdometrySample& sample);
 
+/// A difference of two headings (urad) brought into [-pi, pi].
+std::int64_t short_way(std::int64_t microradians);
+
 /// Pose between two samples; heading the short way round. `at` lies within [before.ticks, after.ticks].
 MapPose interpolate(const PoseSample& before, const PoseSample& after, std::uint32_t at);
 

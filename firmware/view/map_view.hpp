@@ -67,7 +67,7 @@ class MapView {
 
   void begin() {
     picture_.begin(window());
-    if (!memory().poses.empty()) picture_.put_robot(make_robot(memory().poses.latest(), picture_.window()));
+    if (!memory().poses.empty()) picture_.put_robot(make_robot(app::robot_pose(memory()), picture_.window()));
     level_ = record::AlertLevel::kClear;
     nearest_.reset();
     named_ = row_ = 0;
@@ -77,7 +77,7 @@ class MapView {
   [[nodiscard]] Window window() const {
     Sight sight;
     app::MapMillimetres robot;
-    if (!memory().poses.empty()) robot = app::millimetres(memory().poses.latest().position);
+    if (!memory().poses.empty()) robot = app::millimetres(app::robot_pose(memory()).position);
     sight.include(robot, 0);
     if (zoom_) return {robot, static_cast<std::uint8_t>(*zoom_)};
     for (const auto& object : memory().map.slots()) {
@@ -91,7 +91,7 @@ class MapView {
     if (!app::drawn(object) || memory().poses.empty()) return;
     colour(slot, object.signature);
     picture_.add(make_figure(object, object.clip.vertices(), slot, picture_.window()));
-    const app::Obstacle obstacle = app::see_obstacle(object, app::RobotPlace(memory().poses.latest()), {});
+    const app::Obstacle obstacle = app::see_obstacle(object, app::RobotPlace(app::robot_pose(memory())), {});
     const auto distance = base::Metres::nearest(obstacle.distance);
     if (app::credible(object) && (!nearest_ || distance < nearest_->distance)) {
       nearest_ = app::Nearest{distance, base::Radians::nearest(obstacle.bearing())};

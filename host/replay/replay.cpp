@@ -56,7 +56,8 @@ class Replay {
     ++odometry_;
     if (!wanted(sample.t)) return;
     runner().take(sample);
-    path_.push_back({sample.t.to_double(), sample.x.to_double(), sample.y.to_double(), sample.heading.to_double()});
+    path_.push_back(runner().pose_of(sample));
+    last_ = sample;
   }
   void accept(const sensor::BlobFrame& frame) {
     ++frames_;
@@ -115,7 +116,7 @@ class Replay {
     result.profile = profile_;
     result.objects = runner_->objects();
     result.path = path_;
-    result.pose = path_.empty() ? std::nullopt : std::optional(path_.back());
+    result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
     result.signatures = signatures_;
     const std::vector<std::string>& complaints = runner_->complaints();
     outcome_.complaints.insert(outcome_.complaints.end(), complaints.begin(), complaints.end());
@@ -188,6 +189,7 @@ class Replay {
   std::array<char, record::StreamReader::kBuffer> buffer_{};
   record::StreamReader reader_{buffer_};
   std::vector<PoseResult> path_;
+  sensor::OdometrySample last_;  ///< of the path
   std::vector<record::Signature> signatures_;
   std::uint64_t frames_ = 0;
   std::uint64_t frames_taken_ = 0;

@@ -48,6 +48,16 @@ class ProfileRunner final : public Runner {
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
 
+  [[nodiscard]] PoseResult pose_of(const sensor::OdometrySample& sample) const override {
+    const recon::MapPose odometry = recon::to_map_pose(sample);
+    const recon::MapPose pose = memory_->map.corrected(odometry);
+    if (pose == odometry) {
+      return {sample.t.to_double(), sample.x.to_double(), sample.y.to_double(), sample.heading.to_double()};
+    }
+    return {sample.t.to_double(), static_cast<double>(pose.position.x) / recon::kMapUnitsPerMetre,
+            static_cast<double>(pose.position.y) / recon::kMapUnitsPerMetre, pose.heading * 1e-6};
+  }
+
   [[nodiscard]] std::vector<ObjectResult> objects() const override {
     std::vector<ObjectResult> results;
     for (const auto& object : memory_->map.slots()) {

@@ -11,10 +11,7 @@ namespace fencepost::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kObjects = 3;
-constexpr double kSmallest = 0.06;  // m
-constexpr double kLargest = 0.26;
-constexpr double kDisc = 0.35;       // m
+constexpr double kSmallest = 0.06;   // m
 constexpr double kApart = 0.03;      // m between the circles around two objects
 constexpr double kHeight = 0.2;      // m, more than the lens has
 constexpr double kLookAside = 0.05;  // rad
@@ -94,12 +91,12 @@ bool place(Dice& dice, const host::LinearRing& ring, double disc_radius, std::ve
   return true;
 }
 
-void add_objects(Dice& dice, host::Scene& scene) {
+void add_objects(Dice& dice, std::size_t count, double largest, double disc, host::Scene& scene) {
   std::vector<Disc> placed;
-  for (int tries = 0; placed.size() < kObjects && tries < 2000; ++tries) {
+  for (int tries = 0; placed.size() < count && tries < 2000; ++tries) {
     const unsigned shape = dice.below(4);
-    const double size = dice.between(kSmallest, kLargest);
-    static_cast<void>(place(dice, footprint(dice, shape, size), kDisc, placed, scene));
+    const double size = dice.between(kSmallest, largest);
+    static_cast<void>(place(dice, footprint(dice, shape, size), disc, placed, scene));
   }
 }
 
@@ -143,12 +140,38 @@ host::Scene three_objects(unsigned seed, int stride) {
   host::Scene scene;
   scene.seed = seed;
   set_camera(scene);
-  add_objects(dice, scene);
+  add_objects(dice, 3, 0.26, 0.35, scene);
   set_path(dice, dice.between(0.8, 1.1), stride, scene);
   return scene;
 }
 
+// Ovals, the camera looking to the left and now and then aside.
+void set_loops(Dice& dice, int loops, host::Scene& scene) {
+  const double radius = dice.between(0.95, 1.2);
+  const double start = dice.between(0, 2 * kPi);
+  scene.rate = 10;
+  scene.camera.mount.yaw = base::Radians::nearest(kPi / 2);
+  host::PosesPath path;
+  for (int i = 0; i < kTourViews * loops; ++i) {
+    const double angle = start + 2 * kPi * i / kTourViews;
+    const double away = radius * (1 + 0.12 * std::sin(2 * angle + 1));
+    path.poses.push_back(
+        {i / scene.rate, away * std::cos(angle), away * std::sin(angle), angle + kPi / 2 + 0.15 * std::sin(3 * angle)});
+  }
+  scene.path = path;
+}
+
 }  // namespace
+
+host::Scene loop_scene(unsigned seed, int loops) {
+  Dice dice(seed);
+  host::Scene scene;
+  scene.seed = seed;
+  set_camera(scene);
+  add_objects(dice, 4, 0.24, 0.45, scene);
+  set_loops(dice, loops, scene);
+  return scene;
+}
 
 host::Scene reference_scene(unsigned seed) { return three_objects(seed, 1); }
 

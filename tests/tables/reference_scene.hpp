@@ -17,6 +17,10 @@ inline constexpr int kTourViews = 75;
 /// all around.
 host::Scene spread_scene(unsigned seed);
 
+/// Four objects in a disc of 0.45 m radius (0.06 to 0.24 m), the same camera looking to the robot's left from ovals
+/// around them, 75 views each, 0.8 to 1.3 m from the centre.
+host::Scene loop_scene(unsigned seed, int loops);
+
 /// Figure 7: two convex objects (rectangle and round one, or two rectangles; 0.12 to 0.2 m) in a disc of 0.25 m radius,
 /// seen from a circle of 0.95 m. The second one is the one to look at.
 host::Scene two_objects_scene(unsigned seed);
