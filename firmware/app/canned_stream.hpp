@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x58525292b07d804c;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x8ed015cc0435399a;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xbc4ff1b902b99f5d;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xad9178cef7115f37;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x4b1c4ae6adb6f083;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xa2b8fb3be4062cd8;
 
 template <class Profile>
 CannedStream canned_stream() {
