@@ -11,6 +11,11 @@
 namespace fencepost::test {
 namespace {
 
+// Of any size up to the largest here: the build forbids Eigen the heap.
+using DenseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 64, 64>;
+using DenseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 64, 1>;
+using DenseRow = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 64>;
+
 using recon::HalfPlane;
 using recon::LandmarkFilter;
 using recon::MapPose;
@@ -41,12 +46,12 @@ HalfPlane tangent_of(const Disc& disc, const Eigen::Vector3d& pose, int side) {
 class DenseFilter {
  public:
   explicit DenseFilter(int landmarks, const Eigen::Vector3d& pose)
-      : n_(3 + 3 * landmarks), x(Eigen::VectorXd::Zero(n_)), P(Eigen::MatrixXd::Zero(n_, n_)) {
+      : n_(3 + 3 * landmarks), x(DenseVector::Zero(n_)), P(DenseMatrix::Zero(n_, n_)) {
     x.head<3>() = pose;
     P.diagonal().head<3>().setConstant(1e-6);
   }
   void drive(double dx, double dy, double turn) {  // map axes
-    Eigen::MatrixXd F = Eigen::MatrixXd::Identity(n_, n_);
+    DenseMatrix F = DenseMatrix::Identity(n_, n_);
     F(0, 2) = -dy;
     F(1, 2) = dx;
     P = F * P * F.transpose();
@@ -59,7 +64,7 @@ class DenseFilter {
   void add(int slot, const Eigen::Vector2d& away, double radius, const Eigen::Matrix3d& covariance) {
     const int at = 3 + 3 * slot;
     x.segment<3>(at) = Eigen::Vector3d(x[0] + away.x(), x[1] + away.y(), radius);
-    Eigen::MatrixXd G = Eigen::MatrixXd::Identity(n_, n_);
+    DenseMatrix G = DenseMatrix::Identity(n_, n_);
     G(at, at) = G(at + 1, at + 1) = 0;
     G(at, 0) = G(at + 1, 1) = 1;
     G(at, 2) = -away.y();
@@ -72,7 +77,7 @@ class DenseFilter {
     const Eigen::Rotation2Dd turn(x[2]);
     const Eigen::Vector2d normal = turn * tangent.normal.cast<double>();
     const Eigen::Vector2d away = x.segment<2>(at) - x.head<2>();
-    Eigen::RowVectorXd H = Eigen::RowVectorXd::Zero(n_);
+    DenseRow H = DenseRow::Zero(n_);
     H.head<2>() = -normal.transpose();
     H[2] = Eigen::Vector2d(-normal.y(), normal.x()).dot(away);
     H.segment<2>(at) = normal.transpose();
@@ -83,8 +88,8 @@ class DenseFilter {
     const double z = std::fabs(residual) / std::sqrt(S);
     if (z > 2) variance += S * (z / 2 - 1);
     S = (H * P * H.transpose())(0) + variance;
-    const Eigen::VectorXd K = P * H.transpose() / S;
-    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n_, n_) - K * H;
+    const DenseVector K = P * H.transpose() / S;
+    const DenseMatrix A = DenseMatrix::Identity(n_, n_) - K * H;
     P = A * P * A.transpose() + K * variance * K.transpose();
     x += K * residual;
   }
@@ -93,16 +98,16 @@ class DenseFilter {
   int n_;
 
  public:
-  Eigen::VectorXd x;
-  Eigen::MatrixXd P;
+  DenseVector x;
+  DenseMatrix P;
 };
 
 // What the packed covariances stand for; those between radii are zero.
 template <std::size_t N>
-Eigen::MatrixXd unpacked(LandmarkFilter<N>& filter) {
+DenseMatrix unpacked(LandmarkFilter<N>& filter) {
   constexpr auto kPlaces = static_cast<int>(recon::places_of(N));
   constexpr auto kAll = static_cast<int>(recon::states_of(N));
-  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(kAll, kAll);
+  DenseMatrix P = DenseMatrix::Zero(kAll, kAll);
   std::size_t at = 0;
   for (int i = 0; i < kPlaces; ++i) {
     for (int j = 0; j <= i; ++j) P(i, j) = P(j, i) = static_cast<double>(filter.view().covariance[at++]);
@@ -219,7 +224,7 @@ TEST(LandmarkFilter, AgreesWithADenseFilterInDouble) {
       ASSERT_NEAR(landmark.center.y * 1e-5, dense.x[at + 1], 0.004) << i;
       ASSERT_NEAR(landmark.radius, dense.x[at + 2], 0.004) << i;
     }
-    const Eigen::MatrixXd P = unpacked(loop.filter);
+    const DenseMatrix P = unpacked(loop.filter);
     for (Eigen::Index k = 0; k < 3; ++k) {
       ASSERT_GT(std::sqrt(P(k, k)), 0.98 * std::sqrt(dense.P(k, k))) << i << " " << k;
       ASSERT_LT(std::sqrt(P(k, k)), 1.10 * std::sqrt(dense.P(k, k))) << i << " " << k;
@@ -241,13 +246,13 @@ TEST(LandmarkFilter, StaysPositiveAfterTenThousandUpdates) {
     }
     if (i % 50 != 0) continue;
     // Only what is used; in units of its own sigmas.
-    Eigen::MatrixXd P = unpacked(loop.filter);
+    DenseMatrix P = unpacked(loop.filter);
     std::vector<int> used{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21, 22};
-    const Eigen::MatrixXd part = P(used, used);
-    const Eigen::VectorXd sigma = part.diagonal().cwiseSqrt();
+    const DenseMatrix part = P(used, used);
+    const DenseVector sigma = part.diagonal().cwiseSqrt();
     ASSERT_TRUE((sigma.array() > 0).all()) << i;
-    const Eigen::MatrixXd correlation = sigma.cwiseInverse().asDiagonal() * part * sigma.cwiseInverse().asDiagonal();
-    ASSERT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation).eigenvalues().minCoeff(), -1e-6) << i;
+    const DenseMatrix correlation = sigma.cwiseInverse().asDiagonal() * part * sigma.cwiseInverse().asDiagonal();
+    ASSERT_GT(Eigen::SelfAdjointEigenSolver<DenseMatrix>(correlation).eigenvalues().minCoeff(), -1e-6) << i;
   }
   EXPECT_EQ(refused, 0);
   EXPECT_LT(loop.position_error(loop.filter.at().pose), 0.05);
@@ -373,10 +378,10 @@ TEST(LandmarkFilter, ForgetsALandmarkWithoutTouchingTheOthers) {
   }
   recon::forget_landmark(one.filter.view(), 2);
   EXPECT_FALSE(one.filter.landmark(2).used());
-  const Eigen::MatrixXd P = unpacked(one.filter);
+  const DenseMatrix P = unpacked(one.filter);
   EXPECT_EQ(P.row(7).norm() + P.row(8).norm() + P.row(13).norm(), 0);
   for (Loop<4>* loop : {&one, &other}) loop->advance(10);
-  const Eigen::MatrixXd Q = unpacked(other.filter);
+  const DenseMatrix Q = unpacked(other.filter);
   EXPECT_EQ(unpacked(one.filter).topLeftCorner(7, 7), Q.topLeftCorner(7, 7));
 }
 

@@ -8,11 +8,15 @@
 namespace fencepost::test {
 namespace {
 
+// Of any size up to the largest here: the build forbids Eigen the heap.
+using DenseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 64, 64>;
+using DenseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 64, 1>;
+
 using recon::CyclicBand;
 using recon::kRing;
 
-Eigen::MatrixXd dense(const CyclicBand& band) {
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(kRing, kRing);
+DenseMatrix dense(const CyclicBand& band) {
+  DenseMatrix a = DenseMatrix::Zero(kRing, kRing);
   for (std::size_t k = 0; k < kRing; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const auto one = static_cast<Eigen::Index>((k + 1) % kRing);
@@ -24,8 +28,8 @@ Eigen::MatrixXd dense(const CyclicBand& band) {
   return a;
 }
 
-Eigen::VectorXd right_side(const CyclicBand& band) {
-  Eigen::VectorXd b(kRing);
+DenseVector right_side(const CyclicBand& band) {
+  DenseVector b(kRing);
   for (std::size_t k = 0; k < kRing; ++k) b(static_cast<Eigen::Index>(k)) = static_cast<double>(band.rhs[k]);
   return b;
 }
@@ -64,7 +68,7 @@ TEST(CyclicBand, SolvesAsTheDenseSolverInDoubleDoes) {
   std::mt19937 random(7);
   for (int run = 0; run < 200; ++run) {
     CyclicBand band = random_system(random, 0.5F);
-    const Eigen::VectorXd exact = dense(band).ldlt().solve(right_side(band));
+    const DenseVector exact = dense(band).ldlt().solve(right_side(band));
     ASSERT_TRUE(solve(band));
     for (std::size_t k = 0; k < kRing; ++k) {
       EXPECT_NEAR(static_cast<double>(band.rhs[k]), exact(static_cast<Eigen::Index>(k)), 2e-5 * exact.norm()) << run;
@@ -80,7 +84,7 @@ TEST(CyclicBand, EveryCouplingCounts) {
     for (const bool second : {false, true}) {
       CyclicBand band = base;
       (second ? band.second : band.first)[k] += 0.8F;
-      const Eigen::VectorXd exact = dense(band).ldlt().solve(right_side(band));
+      const DenseVector exact = dense(band).ldlt().solve(right_side(band));
       ASSERT_TRUE(solve(band));
       double off = 0;
       for (std::size_t i = 0; i < kRing; ++i) {

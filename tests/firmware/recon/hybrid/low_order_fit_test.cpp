@@ -13,6 +13,11 @@
 namespace fencepost::test {
 namespace {
 
+// Of any size up to the largest here: the build forbids Eigen the heap.
+using DenseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 64, 1>;
+using SingleMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, 0, 64, 64>;
+using SingleVector = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, 64, 1>;
+
 using namespace recon;
 
 TEST(Inlier, IsTheMixtureOfTheText) {
@@ -44,16 +49,16 @@ TEST(PackedCholesky, SolvesAsTheDenseSolverInDoubleDoes) {
   std::uniform_real_distribution<float> any(-1, 1);
   for (const Eigen::Index n : {1, 3, 7, 11}) {
     for (int run = 0; run < 50; ++run) {
-      Eigen::MatrixXf root(n, n);
+      SingleMatrix root(n, n);
       for (Eigen::Index i = 0; i < n * n; ++i) root(i) = any(random);
-      const Eigen::MatrixXf a = root * root.transpose() + 0.3F * Eigen::MatrixXf::Identity(n, n);
-      Eigen::VectorXf b(n);
+      const SingleMatrix a = root * root.transpose() + 0.3F * SingleMatrix::Identity(n, n);
+      SingleVector b(n);
       for (Eigen::Index i = 0; i < n; ++i) b(i) = any(random);
       std::vector<float> packed;
       for (Eigen::Index i = 0; i < n; ++i) {
         for (Eigen::Index j = 0; j <= i; ++j) packed.push_back(a(i, j));
       }
-      const Eigen::VectorXd exact = a.cast<double>().ldlt().solve(b.cast<double>());
+      const DenseVector exact = a.cast<double>().ldlt().solve(b.cast<double>());
       ASSERT_TRUE(factorise(packed, static_cast<std::size_t>(n)));
       const std::span<float> x(b.data(), static_cast<std::size_t>(n));
       solve_lower(packed, x);
