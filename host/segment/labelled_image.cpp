@@ -5,7 +5,7 @@
 
 namespace fencepost::host {
 
-cv::Mat labelled_image(const cv::Mat& image, const cv::Mat& labels, const std::vector<Region>& blobs,
+cv::Mat labelled_image(const cv::Mat& image, const cv::Mat& labels, const std::vector<ImageRegion>& blobs,
                        const std::vector<SignatureUse>& signatures) {
   constexpr double kDim = 0.5;
   cv::Mat grey;
@@ -21,7 +21,7 @@ cv::Mat labelled_image(const cv::Mat& image, const cv::Mat& labels, const std::v
     }
   }
   const cv::Scalar white(255, 255, 255);
-  for (const Region& blob : blobs) {
+  for (const ImageRegion& blob : blobs) {
     cv::rectangle(picture, {blob.x1, blob.y1}, {blob.x2, blob.y2}, white);
     const int number = signatures[blob.label - 1U].signature.signature;
     constexpr double kLetter = 0.4;  // of the font's own size, about 9 px high

@@ -11,7 +11,7 @@ namespace fencepost::host {
 
 namespace {
 
-void add_pixel(Region& region, int u, int v, const cv::Vec3b& colour) {
+void add_pixel(ImageRegion& region, int u, int v, const cv::Vec3b& colour) {
   if (region.pixels == 0) region = {region.label, u, v, u, v};
   region.x1 = std::min(region.x1, u);
   region.x2 = std::max(region.x2, u);
@@ -22,11 +22,11 @@ void add_pixel(Region& region, int u, int v, const cv::Vec3b& colour) {
   region.sum_bgr += cv::Vec3d(colour[0], colour[1], colour[2]);
 }
 
-std::vector<Region> all_parts(const cv::Mat& labels, const cv::Mat& image) {
+std::vector<ImageRegion> all_parts(const cv::Mat& labels, const cv::Mat& image) {
   const std::uint8_t* label = labels.ptr();
   const auto same = [&](std::size_t a, std::size_t b) { return label[a] == label[b]; };
   const std::vector<int> part = connected_parts(labels.rows, labels.cols, true, same);
-  std::vector<Region> regions;
+  std::vector<ImageRegion> regions;
   for (std::size_t i = 0; i < part.size(); ++i) {
     const auto number = static_cast<std::size_t>(part[i]);
     if (number >= regions.size()) regions.resize(number + 1);
@@ -36,7 +36,7 @@ std::vector<Region> all_parts(const cv::Mat& labels, const cv::Mat& image) {
     const int v = static_cast<int>(i) / labels.cols;
     add_pixel(regions[number], u, v, image.at<cv::Vec3b>(v, u));
   }
-  std::erase_if(regions, [](const Region& region) { return region.label == 0; });
+  std::erase_if(regions, [](const ImageRegion& region) { return region.label == 0; });
   return regions;
 }
 
@@ -55,7 +55,7 @@ std::pair<int, int> span_between(int a1, int a2, int b1, int b2) {
 }
 
 /// More than half of the rectangle between the two is of another signature: something stands in front.
-bool is_filled(const Region& a, const Region& b, const cv::Mat& labels) {
+bool is_filled(const ImageRegion& a, const ImageRegion& b, const cv::Mat& labels) {
   const auto [left, right] = span_between(a.x1, a.x2, b.x1, b.x2);
   const auto [top, bottom] = span_between(a.y1, a.y2, b.y1, b.y2);
   int others = 0;
@@ -68,14 +68,14 @@ bool is_filled(const Region& a, const Region& b, const cv::Mat& labels) {
   return 2 * others > (right - left + 1) * (bottom - top + 1);
 }
 
-bool belong_together(const Region& a, const Region& b, const cv::Mat& labels, int max_gap) {
+bool belong_together(const ImageRegion& a, const ImageRegion& b, const cv::Mat& labels, int max_gap) {
   if (a.label != b.label) return false;
   const auto across = gap_between(a.x1, a.x2, b.x1, b.x2);
   const auto down = gap_between(a.y1, a.y2, b.y1, b.y2);
   return width(across) <= max_gap && width(down) <= max_gap && !is_filled(a, b, labels);
 }
 
-void absorb(Region& into, const Region& other) {
+void absorb(ImageRegion& into, const ImageRegion& other) {
   into.x1 = std::min(into.x1, other.x1);
   into.y1 = std::min(into.y1, other.y1);
   into.x2 = std::max(into.x2, other.x2);
@@ -87,7 +87,7 @@ void absorb(Region& into, const Region& other) {
 }
 
 /// Joins what belongs together until nothing does; the number of joints.
-std::size_t merge(std::vector<Region>& regions, const cv::Mat& labels, int max_gap) {
+std::size_t merge(std::vector<ImageRegion>& regions, const cv::Mat& labels, int max_gap) {
   std::size_t merged = 0;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     for (std::size_t k = i + 1; k < regions.size(); ++k) {
@@ -102,7 +102,7 @@ std::size_t merge(std::vector<Region>& regions, const cv::Mat& labels, int max_g
 }
 
 /// Ends near the border onto it.
-void snap(Region& region, const cv::Size& size, int border) {
+void snap(ImageRegion& region, const cv::Size& size, int border) {
   if (region.x1 <= border) region.x1 = 0;
   if (region.y1 <= border) region.y1 = 0;
   if (region.x2 >= size.width - 1 - border) region.x2 = size.width - 1;
@@ -115,16 +115,16 @@ Regions find_regions(const cv::Mat& labels, const cv::Mat& image, const RegionRu
   Regions regions;
   regions.kept = all_parts(labels, image);
   const auto least = static_cast<std::uint32_t>(std::max(1, rules.min_pixels));
-  regions.small = std::erase_if(regions.kept, [&](const Region& region) { return region.pixels < least; });
+  regions.small = std::erase_if(regions.kept, [&](const ImageRegion& region) { return region.pixels < least; });
   regions.merged = merge(regions.kept, labels, rules.max_gap);
-  for (Region& region : regions.kept) snap(region, labels.size(), rules.border);
-  std::sort(regions.kept.begin(), regions.kept.end(), [](const Region& a, const Region& b) {
+  for (ImageRegion& region : regions.kept) snap(region, labels.size(), rules.border);
+  std::sort(regions.kept.begin(), regions.kept.end(), [](const ImageRegion& a, const ImageRegion& b) {
     return std::tuple(b.pixels, a.label, a.x1, a.y1) < std::tuple(a.pixels, b.label, b.x1, b.y1);
   });
   return regions;
 }
 
-sensor::Blob to_blob(const Region& region) {
+sensor::Blob to_blob(const ImageRegion& region) {
   sensor::Blob blob;
   blob.x1 = static_cast<std::int16_t>(region.x1);
   blob.y1 = static_cast<std::int16_t>(region.y1);

@@ -20,7 +20,7 @@ struct RegionRules {
 };
 
 /// Bounds inclusive, whole pixels.
-struct Region {
+struct ImageRegion {
   std::uint8_t label = 0;
   int x1 = 0;
   int y1 = 0;
@@ -33,9 +33,9 @@ struct Region {
 };
 
 struct Regions {
-  std::vector<Region> kept;  ///< largest first
-  std::size_t small = 0;     ///< dropped: fewer than min_pixels
-  std::size_t merged = 0;    ///< joined across a gap to another
+  std::vector<ImageRegion> kept;  ///< largest first
+  std::size_t small = 0;          ///< dropped: fewer than min_pixels
+  std::size_t merged = 0;         ///< joined across a gap to another
 };
 
 /// `labels`: 0 is background, one byte a pixel; `image`: the colours as they were, blue, green, red. Diagonal
@@ -43,6 +43,6 @@ struct Regions {
 Regions find_regions(const cv::Mat& labels, const cv::Mat& image, const RegionRules& rules);
 
 /// As the stream has it; signature is left 0.
-sensor::Blob to_blob(const Region& region);
+sensor::Blob to_blob(const ImageRegion& region);
 
 }  // namespace fencepost::host

@@ -143,7 +143,7 @@ class Segmentation {
     frame.t = base::Time::nearest(views_[i].pose.t) + files_.latency;
     frame.frame = static_cast<std::uint32_t>(i);
     std::set<std::uint8_t> seen;
-    for (const Region& region : regions.kept) {
+    for (const ImageRegion& region : regions.kept) {
       sensor::Blob blob = to_blob(region);
       blob.signature = classes.signatures()[region.label - 1U].signature.signature;
       (void)frame.blobs.push_back(blob);

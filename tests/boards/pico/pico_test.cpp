@@ -68,7 +68,7 @@ TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
                                              {"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("},
                                              {"line", "::take_line("},
                                              {"input", "::settle("},
-                                             {"objects", "::update_matched("},
+                                             {"objects", "::update_models("},
                                              {"digest", "::chain_digest("},
                                              {"alerts", "::watch_path("}},
                                             out);
