@@ -1,6 +1,9 @@
 // How far a tangent is to be believed, given what the model says of it.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "hal/base/exp.hpp"
 
 namespace fencepost::recon {
@@ -21,10 +24,29 @@ inline float inlier_share(float residual, float sigma) {
   return good / (good + bad);
 }
 
+/// What a fit takes for granted of its spread before it has seen any tangent.
+struct SpreadPrior {
+  float weight;    ///< as if so many tangents had been seen
+  float expected;  ///< and their squared residuals, in sigmas, had had this mean
+  float freedoms;  ///< so many tangents a fit takes for itself
+  float least;
+  float most;
+};
+
 /// Running sums from which a fit learns how much larger residuals are than sigmas say.
 struct Spread {
   float squares = 0;  ///< of residuals in sigmas, weighted
   float weight = 0;
+
+  /// The square of that ratio.
+  [[nodiscard]] float learnt(const SpreadPrior& prior) const {
+    const float spread =
+        (squares + prior.weight * prior.expected) / (std::max(1.0F, weight - prior.freedoms) + prior.weight);
+    return std::clamp(spread, prior.least, prior.most);
+  }
 };
+
+/// From so many tangents on a fit learns its spread.
+inline constexpr std::uint8_t kTangentsForSpread = 7;
 
 }  // namespace fencepost::recon

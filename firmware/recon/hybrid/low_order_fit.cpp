@@ -14,15 +14,9 @@ constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of th
 constexpr float kLeastPivot = 2e-6F;
 
 // Nobody tells the robot how good its camera and its wheels are, and sigmas that are too small cost far more than those
-// that are too large: a fit begins with twice the sigmas. From so many tangents on their spread is learnt, as if this
-// many of somewhat less had been seen before; a fit takes so many of them for itself.
+// that are too large: a fit begins with twice the sigmas, and learns from there.
 constexpr float kFirstSpread = 4.0F;
-constexpr std::uint8_t kTangentsForSpread = 7;
-constexpr float kSpreadPrior = 4.0F;
-constexpr float kExpectedSpread = 3.0F;
-constexpr float kFreedoms = 4.0F;
-constexpr float kLeastSpread = 0.05F;
-constexpr float kMostSpread = 9.0F;
+constexpr SpreadPrior kSpreadPrior{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
 
 std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
 
@@ -137,11 +131,7 @@ bool LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
   solve_lower(matrix_, correction);
   solve_upper(matrix_, correction);
   for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
-  if (learn_spread && tangents_ >= kTangentsForSpread) {
-    const float spread =
-        (sums_.squares + kSpreadPrior * kExpectedSpread) / (std::max(1.0F, sums_.weight - kFreedoms) + kSpreadPrior);
-    spread_ = std::clamp(spread, kLeastSpread, kMostSpread);
-  }
+  if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kSpreadPrior);
   return true;
 }
 

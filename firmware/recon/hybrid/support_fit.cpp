@@ -24,12 +24,7 @@ constexpr float kStiffness = 100.0F;
 // it: each support value is held where it was with this sigma (m).
 constexpr float kHold = 0.15F;
 
-constexpr std::uint8_t kTangentsForSpread = 7;
-constexpr float kSpreadPrior = 8.0F;
-constexpr float kExpectedSpread = 0.6F;
-constexpr float kFreedoms = 12.0F;  // roughly, of an outline
-constexpr float kLeastSpread = 0.02F;
-constexpr float kMostSpread = 9.0F;
+constexpr SpreadPrior kSpreadPrior{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
 
 std::size_t next(std::size_t k) { return (k + 1) % kRing; }
 std::size_t previous(std::size_t k) { return (k + kRing - 1) % kRing; }
@@ -106,9 +101,7 @@ void SupportFit::finish_pass(bool learn_spread) {
   for (std::size_t k = 0; k < kRing; ++k) offsets_[k] += band_.rhs[k];
   measure();
   if (!learn_spread || tangents_ < kTangentsForSpread) return;
-  const float spread =
-      (sums_.squares + kSpreadPrior * kExpectedSpread) / (std::max(1.0F, sums_.weight - kFreedoms) + kSpreadPrior);
-  spread_ = std::clamp(spread, kLeastSpread, kMostSpread);
+  spread_ = sums_.learnt(kSpreadPrior);
 }
 
 void SupportFit::measure() {
