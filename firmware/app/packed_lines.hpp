@@ -37,6 +37,23 @@ class CodeWriter {
   std::size_t count_ = 0;
 };
 
+/// What a character may begin. A table, since compilers bound the steps of what they compute.
+struct FirstCharacter {
+  std::uint8_t code = kPieceFollows;  ///< the character's own; kPieceFollows if it has none
+  bool begins_piece = false;
+};
+
+inline constexpr std::array<FirstCharacter, 128> kFirstCharacters = [] {
+  std::array<FirstCharacter, 128> table{};
+  for (std::size_t i = 0; i < kPackedCharacters.size(); ++i) {
+    table[static_cast<unsigned char>(kPackedCharacters[i])].code = static_cast<std::uint8_t>(i);
+  }
+  for (const std::string_view piece : kPackedPieces) {
+    table[static_cast<unsigned char>(piece.front())].begins_piece = true;
+  }
+  return table;
+}();
+
 /// Which piece `text` begins with; their number if none.
 constexpr std::size_t piece_at_front(std::string_view text) {
   std::size_t i = 0;
@@ -48,18 +65,20 @@ constexpr std::size_t piece_at_front(std::string_view text) {
 /// stands for. A text of whole lines ends with '\n'.
 constexpr std::size_t pack_lines(std::string_view text, std::span<std::uint8_t> out) {
   CodeWriter codes(out);
-  while (!text.empty()) {
-    std::size_t used = 1;
-    if (const std::size_t piece = piece_at_front(text); piece < kPackedPieces.size()) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const FirstCharacter first = byte < kFirstCharacters.size() ? kFirstCharacters[byte] : FirstCharacter{};
+    const std::size_t piece = first.begins_piece ? piece_at_front(text.substr(at)) : kPackedPieces.size();
+    if (piece < kPackedPieces.size()) {
       codes.put(kPieceFollows);
       codes.put(piece);
-      used = kPackedPieces[piece].size();
-    } else if (const std::size_t code = kPackedCharacters.find(text.front()); code != std::string_view::npos) {
-      codes.put(code);
+      at += kPackedPieces[piece].size();
+    } else if (first.code != kPieceFollows) {
+      codes.put(first.code);
+      ++at;
     } else {
       return 0;
     }
-    text.remove_prefix(used);
   }
   return codes.bytes();
 }
