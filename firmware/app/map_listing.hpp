@@ -28,14 +28,46 @@ inline std::int32_t radius_of(const recon::ObjectCore& object) {
 }
 inline bool drawn(const recon::ObjectCore& object) { return object.used() && object.cylinder.estimate().ok(); }
 
+/// Is it drawn as its outline? As a disc it is where that is not known well.
+template <class Profile>
+bool outlined(const recon::Object<Profile>& object) {
+  return object.hybrid.ok() && object.hybrid.outline().known_well();
+}
+
+inline std::int32_t whole_millimetres(float metres) {
+  constexpr float kFarthest = 100.0F;  // m
+  return static_cast<std::int32_t>(1000 * std::clamp(metres, -kFarthest, kFarthest));
+}
+
+/// The four ends of an outline along the axes.
+inline void include(const recon::OutlineView& outline, MapMillimetres origin, MapExtent& extent) {
+  const std::size_t quarter = outline.offsets.size() / 4;
+  const auto reach = [&](std::size_t k) { return whole_millimetres(outline.offset(k * quarter)); };
+  extent.include({origin.x + reach(0), origin.y + reach(1)}, 0);
+  extent.include({origin.x - reach(2), origin.y - reach(3)}, 0);
+}
+
+/// The part of an outline that lies in this row.
+inline void draw(const recon::OutlineView& outline, MapMillimetres origin, char letter, TopViewRow& row) {
+  row.point(origin, letter);
+  const recon::Chord chord = outline.chord_at(0.001F * static_cast<float>(row.x() - origin.x));
+  if (chord.empty()) return;
+  row.bar(origin.y + whole_millimetres(chord.low), origin.y + whole_millimetres(chord.high), letter);
+}
+
 /// Needs a pose of the robot.
 template <class Profile>
 TopView view_of(const Memory<Profile>& memory) {
   const recon::MapPose pose = robot_pose(memory);
   MapExtent extent;
   extent.include(millimetres(pose.position), 0);
-  for (const recon::ObjectCore& object : memory.map.slots()) {
-    if (drawn(object)) extent.include(center_of(object), radius_of(object));
+  for (const auto& object : memory.map.slots()) {
+    if (!drawn(object)) continue;
+    if (outlined(object)) {
+      include(object.hybrid.outline(), millimetres(object.hybrid.origin), extent);
+    } else {
+      extent.include(center_of(object), radius_of(object));
+    }
   }
   return TopView::of(extent, millimetres(pose.position), pose.heading);
 }
@@ -44,8 +76,13 @@ template <class Profile>
 std::size_t write_map_row(const Memory<Profile>& memory, std::size_t row, std::span<char> out) {
   TopViewRow drawing(memory.console.view, row);
   for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-    const recon::ObjectCore& object = memory.map.slots()[o];
-    if (drawn(object)) drawing.disc(center_of(object), radius_of(object), letter_of(o));
+    const auto& object = memory.map.slots()[o];
+    if (!drawn(object)) continue;
+    if (outlined(object)) {
+      draw(object.hybrid.outline(), millimetres(object.hybrid.origin), letter_of(o), drawing);
+    } else {
+      drawing.disc(center_of(object), radius_of(object), letter_of(o));
+    }
   }
   drawing.robot();
   return drawing.write(out);

@@ -19,9 +19,6 @@ constexpr float kTightestArc = 0.15F;
 // Flatter arcs than this are straight to the eye (m).
 constexpr float kFlattestArc = 50.0F;
 
-// An outline whose sigma is below this share of its radius is not moved out any more (recon::inflation).
-constexpr float kWellKnown = 0.4F;
-
 void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   if (!obstacle.closing) return;
   obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
@@ -72,7 +69,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
 
 void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
                         const RobotPath& path, Obstacle& obstacle) {
-  if (!(outline.mean_sigma() < kWellKnown * outline.radius())) return;
+  if (!outline.known_well()) return;
   std::size_t nearest = 0;
   const float distance = outline.distance_from(recon::offset_from(origin, robot.position), nearest);
   obstacle.distance = std::max(0.0F, distance);

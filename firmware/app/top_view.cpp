@@ -65,15 +65,22 @@ void TopViewRow::mark(std::int32_t column, char c) {
   cells_[static_cast<std::size_t>(column)] = c;
 }
 
+void TopViewRow::point(MapMillimetres place, char letter) {
+  if (view_.row_of(place.x) == static_cast<std::int32_t>(row_)) mark(view_.column_of(place.y), letter);
+}
+
+void TopViewRow::bar(std::int32_t low, std::int32_t high, char letter) {
+  const std::int32_t last = view_.column_of(low);
+  for (std::int32_t column = view_.column_of(high); column <= last; ++column) mark(column, letter);
+}
+
 void TopViewRow::disc(MapMillimetres center, std::int32_t radius, char letter) {
-  const auto row = static_cast<std::int32_t>(row_);
-  if (view_.row_of(center.x) == row) mark(view_.column_of(center.y), letter);
-  const auto away = static_cast<float>((view_.top - row) * view_.row_mm() - center.x);
+  point(center, letter);
+  const auto away = static_cast<float>(x() - center.x);
   const auto r = static_cast<float>(radius);
   if (std::fabs(away) > r) return;
   const auto half = static_cast<std::int32_t>(std::sqrt(r * r - away * away));
-  const std::int32_t last = view_.column_of(center.y - half);
-  for (std::int32_t column = view_.column_of(center.y + half); column <= last; ++column) mark(column, letter);
+  bar(center.y - half, center.y + half, letter);
 }
 
 void TopViewRow::robot() {

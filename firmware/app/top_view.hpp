@@ -51,6 +51,12 @@ struct TopView {
 class TopViewRow {
  public:
   TopViewRow(const TopView& view, std::size_t row);
+  /// Map x of its middle, mm.
+  [[nodiscard]] std::int32_t x() const { return (view_.top - static_cast<std::int32_t>(row_)) * view_.row_mm(); }
+  /// One character, if it is in this row.
+  void point(MapMillimetres place, char letter);
+  /// From y to y.
+  void bar(std::int32_t low, std::int32_t high, char letter);
   /// Nothing smaller than one character.
   void disc(MapMillimetres center, std::int32_t radius, char letter);
   /// An arrow, and dots in the direction of the heading.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/geometry/rings.hpp"
+#include "host/scene/table_camera.hpp"
 #include "host/simulate/random.hpp"
 
 namespace fencepost::host {
@@ -61,7 +62,8 @@ class Builder {
   }
 
   Scene build(bool noisy) {
-    set_camera();
+    scene_.camera = table_camera("blocks");
+    scene_.rate = kRate;
     for (const Paint& paint : kPaints) {
       scene_.signatures.push_back({static_cast<std::uint8_t>(scene_.signatures.size() + 1), paint.name, paint.rgb});
     }
@@ -75,19 +77,6 @@ class Builder {
 
  private:
   [[nodiscard]] bool figures() const { return kind_ == BlocksWorld::kFigures; }
-
-  void set_camera() {
-    sensor::CameraIntrinsics& camera = scene_.camera;
-    camera.model = "blocks";
-    camera.width = 176;
-    camera.height = 144;
-    camera.fx = camera.fy = base::Pixels2::nearest(88 / std::tan(43 * kPi / 360));
-    camera.cx = base::Pixels2::nearest(87.5);
-    camera.cy = base::Pixels2::nearest(71.5);
-    camera.mount.z = base::Metres::nearest(0.15);
-    camera.mount.pitch = base::Radians{0};
-    scene_.rate = kRate;
-  }
 
   Shape shape_of(std::size_t block) {
     if (block == kRedLandmark) return Shape::kRectangle;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "host/geometry/rings.hpp"
+#include "host/scene/table_camera.hpp"
 #include "tests/identity/random_footprint.hpp"
 
 namespace fencepost::test {
@@ -108,7 +109,8 @@ Approach random_approach(unsigned seed, const NoiseLevel& level, double nearest)
   Approach approach;
   host::Scene& scene = approach.scene;
   scene.seed = seed;
-  set_table_camera(scene);
+  scene.camera = host::table_camera("test");
+  scene.rate = 10;
   scene.camera.latency = base::Duration::nearest(0.05);
   scene.noise = scene_noise(level);
   for (std::uint8_t id = 1; id <= kColours; ++id) scene.signatures.push_back({id, "colour " + std::to_string(id), {}});

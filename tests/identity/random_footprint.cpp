@@ -43,17 +43,4 @@ double radius_of(const host::LinearRing& ring) {
   return radius;
 }
 
-void set_table_camera(host::Scene& scene) {
-  sensor::CameraIntrinsics& camera = scene.camera;
-  camera.model = "test";
-  camera.width = 176;
-  camera.height = 144;
-  camera.fx = camera.fy = base::Pixels2::nearest(88 / std::tan(43 * kPi / 360));
-  camera.cx = base::Pixels2::nearest(87.5);
-  camera.cy = base::Pixels2::nearest(71.5);
-  camera.mount.z = base::Metres::nearest(0.15);
-  camera.mount.pitch = base::Radians{0};
-  scene.rate = 10;
-}
-
 }  // namespace fencepost::test

@@ -1,4 +1,4 @@
-// Footprints and camera of the published tables: box, triangle, round, L; 0.06 to 0.26 m across.
+// Footprints of the published tables: box, triangle, round, L; 0.06 to 0.26 m across.
 #pragma once
 
 #include <random>
@@ -24,8 +24,5 @@ host::LinearRing random_footprint(Dice& dice);
 
 /// From the origin to the farthest vertex, m.
 double radius_of(const host::LinearRing& ring);
-
-/// 176 x 144 px, 43 degrees, level, 0.15 m above the floor, ten frames a second.
-void set_table_camera(host::Scene& scene);
 
 }  // namespace fencepost::test

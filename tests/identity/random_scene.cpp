@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "host/geometry/rings.hpp"
+#include "host/scene/table_camera.hpp"
 #include "tests/identity/random_footprint.hpp"
 
 namespace fencepost::test {
@@ -34,7 +35,8 @@ host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise)
   Dice dice(seed);
   host::Scene scene;
   scene.seed = seed;
-  set_table_camera(scene);
+  scene.camera = host::table_camera("test");
+  scene.rate = 10;
   set_noise(scene, noise);
   std::vector<Disc> placed;
   for (int tries = 0; static_cast<int>(placed.size()) < objects && tries < 5000; ++tries) {

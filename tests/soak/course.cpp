@@ -8,6 +8,7 @@
 
 #include "firmware/record/stream_reader.hpp"
 #include "host/geometry/rings.hpp"
+#include "host/scene/table_camera.hpp"
 #include "host/simulate/odometer.hpp"
 #include "host/simulate/simulate.hpp"
 #include "tests/identity/random_footprint.hpp"
@@ -54,7 +55,8 @@ Piece make_lap(unsigned seed, host::Point center) {
 
 Piece make_transfer(host::Point from, host::Point to) {
   host::Scene scene;
-  set_table_camera(scene);
+  scene.camera = host::table_camera("test");
+  scene.rate = 10;
   scene.signatures.push_back({1, "colour 1", {}});
   const double seconds = std::hypot(to.x - from.x, to.y - from.y) / kSpeed;
   host::PosesPath path;

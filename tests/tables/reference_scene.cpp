@@ -6,6 +6,7 @@
 #include <random>
 
 #include "host/geometry/rings.hpp"
+#include "host/scene/table_camera.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -110,18 +111,6 @@ void add_two_convex(Dice& dice, unsigned seed, host::Scene& scene) {
   }
 }
 
-void set_camera(host::Scene& scene) {
-  sensor::CameraIntrinsics& camera = scene.camera;
-  camera.model = "test";
-  camera.width = 176;
-  camera.height = 144;
-  camera.fx = camera.fy = base::Pixels2::nearest(88 / std::tan(43 * kPi / 360));
-  camera.cx = base::Pixels2::nearest(87.5);
-  camera.cy = base::Pixels2::nearest(71.5);
-  camera.mount.z = base::Metres::nearest(0.15);
-  camera.mount.pitch = base::Radians{0};
-}
-
 /// View i of the tour comes i * `stride` steps after the first, modulo the circle.
 void set_path(Dice& dice, double radius, int stride, host::Scene& scene) {
   const double start = dice.between(0, 2 * kPi);
@@ -139,7 +128,7 @@ host::Scene three_objects(unsigned seed, int stride) {
   Dice dice(seed);
   host::Scene scene;
   scene.seed = seed;
-  set_camera(scene);
+  scene.camera = host::table_camera("test");
   add_objects(dice, 3, 0.26, 0.35, scene);
   set_path(dice, dice.between(0.8, 1.1), stride, scene);
   return scene;
@@ -167,7 +156,7 @@ host::Scene loop_scene(unsigned seed, int loops) {
   Dice dice(seed);
   host::Scene scene;
   scene.seed = seed;
-  set_camera(scene);
+  scene.camera = host::table_camera("test");
   add_objects(dice, 4, 0.24, 0.45, scene);
   set_loops(dice, loops, scene);
   return scene;
@@ -185,7 +174,7 @@ host::Scene two_objects_scene(unsigned seed) {
   Dice dice(seed);
   host::Scene scene;
   scene.seed = seed;
-  set_camera(scene);
+  scene.camera = host::table_camera("test");
   add_two_convex(dice, seed, scene);
   set_path(dice, kRadius, 1, scene);
   return scene;

@@ -79,6 +79,22 @@ float inflation(float share) {
   return std::min(3.0F, 2.0F + (share - 3.0F) / 3.0F);
 }
 
+Chord OutlineView::chord_at(float x) const {
+  Chord chord{-kSquare, kSquare};
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const Vec2 out = node_direction(k, offsets.size());
+    const float left = offset(k) - out.x() * x;
+    if (out.y() > 0) {
+      chord.high = std::min(chord.high, left / out.y());
+    } else if (out.y() < 0) {
+      chord.low = std::max(chord.low, left / out.y());
+    } else if (left < 0) {
+      return {1, 0};
+    }
+  }
+  return chord;
+}
+
 std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Vec2> vertices) {
   const float radius = outline.radius();
   vertices[0] = {-kSquare, -kSquare};

@@ -43,8 +43,17 @@ struct HybridCore {
   bool fitting = false;  ///< a solver works on it
 };
 
+/// What a line and an outline have in common, low to high; empty if it passes by.
+struct Chord {
+  float low = 0;
+  float high = 0;
+  [[nodiscard]] bool empty() const { return !(low <= high); }
+};
+
 /// The fitted outline: support values and their sigmas at directions all around. Local frame of HybridCore::origin.
 struct OutlineView {
+  static constexpr float kWellKnown = 0.4F;  ///< sigma as a share of the radius
+
   std::span<const std::int16_t> offsets;  ///< kOffsetStep
   std::span<const std::uint8_t> sigmas;   ///< encode_sigma()
 
@@ -57,6 +66,10 @@ struct OutlineView {
   [[nodiscard]] float slope(const SectorPlace& place) const;
   /// In [0, 1]: the expected R + P above that of the hull is about 1.05 (1 - confidence).
   [[nodiscard]] float confidence() const;
+  /// Is it one to draw and to measure by? Where it is not, inflation() moves it out.
+  [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnown * radius(); }
+  /// The y of its points with this x, m; uncertainty left out.
+  [[nodiscard]] Chord chord_at(float x) const;
   /// Distance (m) from a point to the outline, uncertainty left out; negative inside. Low by at most 0.2 % of the
   /// distance to the nearest corner.
   [[nodiscard]] float distance_from(const Vec2& point, std::size_t& nearest) const;

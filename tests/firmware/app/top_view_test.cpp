@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
+
+#include "firmware/app/map_listing.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -101,6 +104,57 @@ TEST(TopView, ADiscIsRoundToTheEyeAndNeverLost) {
   EXPECT_EQ(widest, 11U);
   EXPECT_EQ(height, 5U);
   EXPECT_NE(place_of(rows, 'B').first, -1);
+}
+
+// A wall 0.6 m wide and 0.1 m deep: its support values, by hand.
+struct Wall {
+  std::array<std::int16_t, 64> offsets{};
+  std::array<std::uint8_t, 64> sigmas{};
+
+  Wall() {
+    for (std::size_t k = 0; k < offsets.size(); ++k) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / 64;
+      const double reach = 0.05 * std::fabs(std::cos(angle)) + 0.3 * std::fabs(std::sin(angle));
+      offsets[k] = static_cast<std::int16_t>(std::lround(reach / recon::kOffsetStep));
+    }
+  }
+  [[nodiscard]] recon::OutlineView outline() const { return {offsets, sigmas}; }
+};
+
+TEST(TopView, AChordIsWhatALineCutsFromAnOutline) {
+  const Wall wall;
+  for (const float x : {-0.049F, 0.0F, 0.03F}) {
+    const recon::Chord chord = wall.outline().chord_at(x);
+    ASSERT_FALSE(chord.empty()) << x;
+    EXPECT_NEAR(chord.low, -0.3F, 1e-3F) << x;
+    EXPECT_NEAR(chord.high, 0.3F, 1e-3F) << x;
+  }
+  EXPECT_TRUE(wall.outline().chord_at(0.051F).empty());
+  EXPECT_TRUE(wall.outline().chord_at(-0.2F).empty());
+}
+
+TEST(TopView, AnOutlineIsDrawnAsItIsWhereverItStands) {
+  const Wall wall;
+  for (const MapMillimetres place : {MapMillimetres{600, 0}, MapMillimetres{623, 317}, MapMillimetres{-900, -40}}) {
+    MapExtent extent;
+    extent.include({0, 0}, 0);
+    app::include(wall.outline(), place, extent);
+    const TopView view = TopView::of(extent, {0, 0}, 0);
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < TopView::kRows; ++i) {
+      TopViewRow row(view, i);
+      app::draw(wall.outline(), place, 'W', row);
+      std::array<char, 128> out{};
+      const std::string text(out.data(), row.write(out));
+      const auto width = std::count(text.begin(), text.end(), 'W');
+      if (width == 0) continue;
+      ++rows;
+      // 0.6 m of whole columns; the row of its middle alone may be out of reach of its edge.
+      if (width > 1) EXPECT_NEAR(static_cast<double>(width) * view.column_mm(), 600, 1.5 * view.column_mm()) << text;
+    }
+    EXPECT_GE(rows, 1U) << place.x;
+    EXPECT_LE(static_cast<std::int32_t>(rows) * view.row_mm(), 100 + 2 * view.row_mm()) << place.x;
+  }
 }
 
 TEST(TopView, EverythingStaysInTheDrawingAtEveryScale) {
