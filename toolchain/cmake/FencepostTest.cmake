@@ -1,16 +1,6 @@
-# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ... [STUDIES filter]): one GoogleTest program, its cases known to
-# CTest. STUDIES measure over many scenes: a build with sanitizers leaves them out, and they run no code that others do not.
+# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ...): one GoogleTest program, its cases known to CTest.
 function(fencepost_test name)
-  cmake_parse_arguments(ARG "" "STUDIES" "SOURCES;LIBRARIES" ${ARGN})
-  set(cases "*")
-  if(FENCEPOST_TESTS STREQUAL "REST")
-    if(NOT ARG_STUDIES)
-      return()
-    endif()
-    set(cases "${ARG_STUDIES}")
-  elseif(FENCEPOST_SANITIZE AND ARG_STUDIES)
-    set(cases "-${ARG_STUDIES}")
-  endif()
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_flags GTest::gtest GTest::gtest_main)
   # Recordings by others live beside the checkout and are never part of it; tests that need them skip without.
@@ -18,7 +8,7 @@ function(fencepost_test name)
     FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FENCEPOST_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
   # Cases are numbered, not named by their values, which may be whole documents.
-  gtest_discover_tests(${name} NO_PRETTY_VALUES TEST_FILTER "${cases}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
 # fencepost_fuzzer(<name> SOURCE a.cpp LIBRARIES x ...): a program for endless fuzzing by hand, with -DFENCEPOST_FUZZ=ON

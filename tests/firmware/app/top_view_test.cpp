@@ -115,7 +115,7 @@ struct Wall {
     for (std::size_t k = 0; k < offsets.size(); ++k) {
       const double angle = 2 * std::numbers::pi * static_cast<double>(k) / 64;
       const double reach = 0.05 * std::fabs(std::cos(angle)) + 0.3 * std::fabs(std::sin(angle));
-      offsets[k] = static_cast<std::int16_t>(std::lround(reach / recon::kOffsetStep));
+      offsets[k] = static_cast<std::int16_t>(std::lround(reach / double{recon::kOffsetStep}));
     }
   }
   [[nodiscard]] recon::OutlineView outline() const { return {offsets, sigmas}; }
@@ -150,7 +150,8 @@ TEST(TopView, AnOutlineIsDrawnAsItIsWhereverItStands) {
       if (width == 0) continue;
       ++rows;
       // 0.6 m of whole columns; the row of its middle alone may be out of reach of its edge.
-      if (width > 1) EXPECT_NEAR(static_cast<double>(width) * view.column_mm(), 600, 1.5 * view.column_mm()) << text;
+      if (width == 1) continue;
+      EXPECT_NEAR(static_cast<double>(width) * view.column_mm(), 600, 1.5 * view.column_mm()) << text;
     }
     EXPECT_GE(rows, 1U) << place.x;
     EXPECT_LE(static_cast<std::int32_t>(rows) * view.row_mm(), 100 + 2 * view.row_mm()) << place.x;
