@@ -13,8 +13,8 @@
 namespace fencepost::test {
 namespace {
 
-// Frames a second of the minute: with three objects and 50 odometry lines a second the part keeps up with seven.
-constexpr double kRate = 6;
+// Frames a second of the minute: with three objects and 50 odometry lines a second the part keeps up with ten.
+constexpr double kRate = 9;
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
