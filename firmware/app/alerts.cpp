@@ -72,7 +72,8 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
     state.said_at = Stamp(now);
     return due;
   }
-  const AlertLevel held = believed ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
+  const bool may_hold = believed && state.level > AlertLevel::kClear;
+  const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;

@@ -58,9 +58,11 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.known = true;
   obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
-  obstacle.sigma = range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
   obstacle.cut_off = object.left_open || object.right_open;
   obstacle.in_path = swept(center, cylinder.radius, path);
+  if (obstacle.in_path && range > 0) {
+    obstacle.sigma = std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range)));
+  }
   obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
   obstacle.closing = obstacle.closing_speed > kNotClosing;
   set_time_to_contact(path, obstacle);

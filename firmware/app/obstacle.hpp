@@ -18,7 +18,7 @@ struct Obstacle {
   bool known = false;        ///< the object has an alert model
   recon::Vec2 toward{0, 0};  ///< m, the middle of the alert model: the nearest point is on the way to it
   float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
-  float sigma = 0;           ///< m, of the distance
+  float sigma = 0;           ///< m, of the distance, if it is in the path: it is not asked for otherwise
   bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing

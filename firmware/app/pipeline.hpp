@@ -250,7 +250,7 @@ class Pipeline {
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
   }
 
-  void watch_path(base::Time now) {
+  [[gnu::noinline]] void watch_path(base::Time now) {
     m_.run.watched_at = Stamp(now);
     RobotPath path;
     path.motion = m_.poses.motion(kMotionSpan);

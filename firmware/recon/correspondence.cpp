@@ -43,8 +43,8 @@ constexpr float kSides = 4;
 
 std::int16_t whole_pixels(float value) {
   constexpr float kFarOutside = 30'000.0F;
-  const float clamped = std::clamp(value, -kFarOutside, kFarOutside);
-  return static_cast<std::int16_t>(clamped < 0 ? clamped - 0.5F : clamped + 0.5F);
+  if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
+  return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
 }
 
 Vec2 to_camera(const LensPose& pose, const Vec2& map_direction) {

@@ -51,8 +51,8 @@ class Map {
                          const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
     exposure_ = frame.t - camera.latency;
     MapPose pose = correction_.drive(odometry, drift);
-    matcher_.predict(objects_, camera, lens_pose(pose, camera),
-                     [&](std::size_t o) { return correction_.matching_noise(o, noise); });
+    LensPose lens = lens_pose(pose, camera);
+    matcher_.predict(objects_, camera, lens, [&](std::size_t o) { return correction_.matching_noise(o, noise); });
     matcher_.see(frame, camera);
     matcher_.join_pieces(frame, camera, objects_);
     retire_divided();
@@ -60,8 +60,10 @@ class Map {
     outcome.matched = matcher_.match(frame);
     matcher_.share_merged(frame);
     matcher_.hide_behind_models();
-    if (drift > 0) pose = correction_.correct(objects_, matcher_, frame, camera, noise);
-    const LensPose lens = lens_pose(pose, camera);
+    if (drift > 0) {
+      pose = correction_.correct(objects_, matcher_, frame, camera, noise);
+      lens = lens_pose(pose, camera);
+    }
     track_matched(frame, camera, lens);
     notice_missing();
     begin_new(frame, camera, lens, outcome);
@@ -164,8 +166,8 @@ class Map {
   }
 
   // Most of a frame's work, so a small part does it for few objects a frame.
-  void update_models(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
-                     const MeasurementNoise& noise) {
+  [[gnu::noinline]] void update_models(const WaitingFrame& frame, const CameraModel& camera, const LensPose& lens,
+                                       const MeasurementNoise& noise) {
     const std::size_t nearest = lowest_foot(frame);
     for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
       const std::size_t o = most_urgent(frame, nearest);

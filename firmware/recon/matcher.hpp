@@ -26,14 +26,15 @@ class Matcher {
 
   /// `noise_of(o)`: of the pose and the camera, as far as they matter for the object in slot o.
   template <class NoiseOf>
-  void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens, NoiseOf&& noise_of) {
+  [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
+                                 NoiseOf&& noise_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = objects[o].used() ? recon::predict(camera, lens, objects[o], noise_of(o)) : Prediction{};
       blob_of_[o] = kNoMatch;
     }
   }
 
-  void see(const WaitingFrame& frame, const CameraModel& camera) {
+  [[gnu::noinline]] void see(const WaitingFrame& frame, const CameraModel& camera) {
     blobs_ = static_cast<std::uint8_t>(frame.blobs.size());
     for (std::size_t b = 0; b < blobs_; ++b) {
       intervals_[b] = interval_of(camera, frame.blobs[b].box);

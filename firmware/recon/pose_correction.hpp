@@ -77,8 +77,8 @@ class PoseCorrection {
   /// Takes the frame's sightings of landmarks, on a small part of Profile::kModelTurns of them, in turn. Objects move
   /// with their landmarks. The pose that comes of it.
   template <class Objects, class Matcher>
-  MapPose correct(Objects& objects, const Matcher& matcher, const WaitingFrame& frame, const CameraModel& camera,
-                  const MeasurementNoise& noise) {
+  [[gnu::noinline]] MapPose correct(Objects& objects, const Matcher& matcher, const WaitingFrame& frame,
+                                    const CameraModel& camera, const MeasurementNoise& noise) {
     std::size_t turns = 0;
     for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);

@@ -72,11 +72,19 @@ using Nearest = std::array<std::uint32_t, 2>;
 
 Nearest nearest_of(std::span<const RoughBearing> bearings, std::size_t i) {
   Nearest nearest{kNobody, kNobody};
-  for (std::size_t j = 0; j < bearings.size(); ++j) {
-    if (j == i) continue;
-    const RoughPair pair = pair_of(bearings[i], bearings[j]);
+  const RoughBearing own = bearings[i];
+  const auto consider = [&](const RoughBearing& other) {
+    // Most are farther away than both in x alone: on whatever side, none of these is the nearest.
+    const std::int32_t dx = other.x - own.x;
+    if (static_cast<std::uint32_t>(dx * dx) > std::max(nearest[0], nearest[1])) return;
+    const RoughPair pair = pair_of(own, other);
     std::uint32_t& of_side = nearest[pair.side > 0 ? 1 : 0];
     of_side = std::min(of_side, pair.side_known() ? pair.away : kUnknown);
+  };
+  // Neighbours in time first: they are near.
+  for (std::size_t step = 1; step < bearings.size(); ++step) {
+    if (i + step < bearings.size()) consider(bearings[i + step]);
+    if (i >= step) consider(bearings[i - step]);
   }
   return nearest;
 }

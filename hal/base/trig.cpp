@@ -55,12 +55,14 @@ SinCos sincos_urad(std::int64_t microradians) {
   // Whole turns go first, in integers of 1 prad: 159 turns at 1000 rad cost less than 0.1 nrad.
   constexpr std::int64_t kNoOverflow = 9'000'000'000'000;
   if (microradians > kNoOverflow || microradians < -kNoOverflow) microradians %= 6'283'185;
-  std::int64_t pico = (microradians * 1'000'000) % kTwoPiPicoradians;
+  std::int64_t pico = microradians * 1'000'000;
+  if (pico >= kTwoPiPicoradians || pico <= -kTwoPiPicoradians) pico %= kTwoPiPicoradians;
   if (pico < 0) pico += kTwoPiPicoradians;
-  // Nearest quarter turn, and the rest within +-pi/4.
-  const std::int64_t quarter = (pico + kHalfPiPicoradians / 2) / kHalfPiPicoradians;
-  const SinCos rest = sincos_of_octant(pico - quarter * kHalfPiPicoradians);
-  switch (quarter & 3) {
+  // Nearest quarter turn, and the rest within +-pi/4: four comparisons are less than a division of 64 bits.
+  unsigned quarter = 0;
+  for (; pico >= kHalfPiPicoradians / 2; pico -= kHalfPiPicoradians) ++quarter;
+  const SinCos rest = sincos_of_octant(pico);
+  switch (quarter & 3U) {
     case 0: return {rest.cos, rest.sin};
     case 1: return {-rest.sin, rest.cos};
     case 2: return {-rest.cos, -rest.sin};

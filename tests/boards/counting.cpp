@@ -33,9 +33,22 @@ std::string symbol_address(const std::string& symbols, const std::string& name) 
 
 }  // namespace
 
-std::vector<std::string> counting_arguments(const std::string& elf,
-                                            const std::vector<std::pair<std::string, std::string>>& stages,
-                                            const std::string& out) {
+Stages stages_of_a_loop(const Stages& more) {
+  Stages stages = {{"turn", "image::Robot::work("},
+                   {"line", "::take_line("},
+                   {"input", "::settle("},
+                   {"predict", "::predict<"},
+                   {"see", "::see(fencepost::recon"},
+                   {"pose", "::correct<"},
+                   {"models", "::update_models("},
+                   {"hybrid", "::fit<"},
+                   {"digest", "::chain_digest("},
+                   {"alerts", "::watch_path("}};
+  stages.insert(stages.end(), more.begin(), more.end());
+  return stages;
+}
+
+std::vector<std::string> counting_arguments(const std::string& elf, const Stages& stages, const std::string& out) {
   const std::string symbols = output_of("arm-none-eabi-nm " + elf);
   std::istringstream code(output_of("arm-none-eabi-objdump -d -C --no-show-raw-insn " + elf));
   std::vector<std::string> entries(stages.size());
@@ -76,32 +89,71 @@ Counts read_counts(const std::string& file) {
   return counts;
 }
 
-std::uint64_t committed(const std::string& image, const std::string& column) {
-  std::ifstream in(FENCEPOST_SOURCE_DIR "/firmware/image/sizes.csv");
-  std::string line;
-  std::getline(in, line);
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> rows_of(const std::string& table) {
+  std::ifstream in(FENCEPOST_SOURCE_DIR "/firmware/image/" + table);
+  std::vector<Row> rows;
   std::vector<std::string> head;
-  for (std::istringstream words(line); std::getline(words, line, ',');) head.push_back(line);
-  while (std::getline(in, line)) {
+  for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
-    std::map<std::string, std::string> row;
-    for (const std::string& name : head) std::getline(words, row[name], ',');
-    if (row["image"] == image) return std::stoull(row.at(column));
+    if (head.empty()) {
+      for (std::string word; std::getline(words, word, ',');) head.push_back(word);
+      continue;
+    }
+    for (Row& row = rows.emplace_back(); const std::string& name : head) std::getline(words, row[name], ',');
+  }
+  return rows;
+}
+
+void expect_stages_as_committed(const Counts& counts, const std::string& image, const std::string& pose) {
+  const auto frames = static_cast<double>(counts.at("digest").calls);
+  std::size_t compared = 0;
+  for (const Row& row : rows_of("stages.csv")) {
+    if (row.at("image") != image || row.at("pose") != pose) continue;
+    const std::string& stage = row.at("stage");
+    ASSERT_TRUE(counts.contains(stage)) << stage;
+    const StageCount& count = counts.at(stage);
+    EXPECT_GT(count.calls, 0U) << stage;
+    EXPECT_LE(static_cast<double>(count.sum) / frames, std::stod(row.at("frame"))) << stage;
+    EXPECT_LE(static_cast<double>(count.worst), std::stod(row.at("worst"))) << stage;
+    ++compared;
+  }
+  EXPECT_GE(compared, 7U) << "firmware/image/stages.csv has few rows of " << image << " with the pose correction "
+                          << pose;
+}
+
+void print(const Counts& counts) {
+  const auto frames = static_cast<double>(std::max<std::uint64_t>(counts.at("digest").calls, 1));
+  for (const auto& [name, count] : counts) {
+    if (name == "stack") continue;
+    std::printf("%-8s %8.0f instructions a frame, worst call %8.0f, %.0f calls\n", name.c_str(),
+                static_cast<double>(count.sum) / frames, static_cast<double>(count.worst),
+                static_cast<double>(count.calls));
+  }
+  std::printf("stack    %8.0f bytes\n", static_cast<double>(counts.at("stack").sum));
+}
+
+}  // namespace
+
+std::uint64_t committed(const std::string& image, const std::string& column) {
+  for (const Row& row : rows_of("sizes.csv")) {
+    if (row.at("image") == image) return std::stoull(row.at(column));
   }
   throw std::runtime_error("no row of " + image);
 }
 
-void expect_counts_as_committed(const Counts& counts, const std::string& image, const std::string& frame,
-                                double least) {
-  for (const auto& [name, count] : counts) {
-    const double each = static_cast<double>(count.sum) / static_cast<double>(std::max<std::uint64_t>(count.calls, 1));
-    std::printf("%-8s %8.0f instructions, worst %8.0f, %.0f calls\n", name.c_str(), each,
-                static_cast<double>(count.worst), static_cast<double>(count.calls));
-  }
-  const double frames = static_cast<double>(counts.at(frame).calls);
+void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least) {
+  print(counts);
+  const auto frames = static_cast<double>(counts.at("digest").calls);
   EXPECT_GT(frames, least);
-  EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
-  EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));
+  expect_stages_as_committed(counts, image, corrected == PoseCorrected::kYes ? "on" : "off");
+  if (corrected == PoseCorrected::kNo) {
+    EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
+    EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));
+  }
   EXPECT_GT(counts.at("stack").sum, 1000U);
   EXPECT_LE(counts.at("stack").sum, committed(image, "stack"));
 }

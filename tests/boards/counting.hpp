@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fencepost::test {
@@ -17,16 +18,25 @@ struct StageCount {
 /// By stage name; "all": everything the core did, "stack": sum is the high-water mark in bytes.
 using Counts = std::map<std::string, StageCount>;
 
-/// The emulator's arguments. `stages`: a name for the table and a part of the function's demangled name, each.
-/// Throws std::runtime_error where a function is not in the image, or nothing calls it.
-std::vector<std::string> counting_arguments(const std::string& elf,
-                                            const std::vector<std::pair<std::string, std::string>>& stages,
-                                            const std::string& out);
+/// A name for the tables and a part of the function's demangled name, each.
+using Stages = std::vector<std::pair<std::string, std::string>>;
+
+/// What all images have: "input" is all that a frame sets in motion, and of that "predict" where objects should be,
+/// "see" the blobs' ends, "pose" the pose correction, "models" and "hybrid", "digest", "alerts"; beside it "line", the
+/// console and its records, and the loop's whole "turn". `more` are the board's own.
+Stages stages_of_a_loop(const Stages& more = {});
+
+/// The emulator's arguments. Throws std::runtime_error where a function is not in the image, or nothing calls it.
+std::vector<std::string> counting_arguments(const std::string& elf, const Stages& stages, const std::string& out);
 Counts read_counts(const std::string& file);
 /// The row's number in firmware/image/sizes.csv.
 std::uint64_t committed(const std::string& image, const std::string& column);
-/// Prints the stages; expects more than `least` frames - calls of the stage `frame` - and what one of them sets in
-/// motion (the stage "input") and the stack within the image's row.
-void expect_counts_as_committed(const Counts& counts, const std::string& image, const std::string& frame, double least);
+/// Is correct.pose on while it is counted?
+enum class PoseCorrected : bool { kNo, kYes };
+
+/// Prints the stages; expects more than `least` frames - calls of the stage "digest" - and of each stage no more
+/// instructions a frame, and a call, than its row in firmware/image/stages.csv has; the stack and, with correct.pose
+/// off, the whole frame ("input") within the image's row in sizes.csv.
+void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least);
 
 }  // namespace fencepost::test

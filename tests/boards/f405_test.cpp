@@ -55,6 +55,9 @@ TEST(F405, TellsOnceWhereTheLastRunDied) {
 TEST(F405, ReplaysAnApproach) { expect_scene_replays(f405(), "small", recorded_scene("approach_stop")); }
 TEST(F405, ReplaysACorridor) { expect_scene_replays(f405(), "small", recorded_scene("corridor")); }
 TEST(F405, ReplaysAMinute) { expect_scene_replays(f405(), "small", minute_scene()); }
+TEST(F405, ReplaysACorrectedPose) {
+  expect_scene_replays(f405(), "small", minute_scene(20), 0.08, PoseCorrected::kYes);
+}
 
 // toolchain/long boards
 TEST(F405, DISABLED_ReplaysTenMinutes) { expect_scene_replays(f405(), "small", minute_scene(600)); }
@@ -68,32 +71,29 @@ TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405
 TEST(F405, SurvivesLinesThatAreCut) { expect_survives_cut_lines(f405()); }
 
 // A frame of eight objects, all that it sets in motion. At 50 frames a second 336,000 cycles are a tenth of 168 MHz,
-// that is 240,000 instructions at 1.4 cycles each. Most of it
-// updates the models of the two objects whose turn it is.
-TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
+// that is 240,000 instructions at 1.4 cycles each. Most of it updates models and outlines of the objects whose turn it
+// is.
+void count_eight_objects(PoseCorrected corrected) {
   const std::string out = ::testing::TempDir() + "fencepost-f405-counts";
-  const auto arguments = counting_arguments(image_of("f405") + ".elf",
-                                            {{"turn", "image::Robot::work("},
-                                             {"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("},
-                                             {"line", "::take_line("},
-                                             {"input", "::settle("},
-                                             {"model", "::model("},
-                                             {"digest", "::chain_digest("},
-                                             {"alerts", "::watch_path("}},
-                                            out);
+  const auto arguments =
+      counting_arguments(image_of("f405") + ".elf",
+                         stages_of_a_loop({{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}), out);
   static_cast<void>(std::remove(out.c_str()));  // of an earlier run
   const double seconds = 12;
   const SceneStream stream = stream_of(eight_boxes(seconds));
   Bench bench(f405(arguments));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   ASSERT_TRUE(bench.await_camera()) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
   for (const std::string& line : stream.calibration) bench.console().send(line);
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
   bench.stop();
-  expect_counts_as_committed(read_counts(out), "f405", "digest",
+  expect_counts_as_committed(read_counts(out), "f405", corrected,
                              400);  // 600 were shown; a busy machine shows some too late
 }
+TEST(F405, CountsNoMoreInstructionsForEightObjectsThanCommitted) { count_eight_objects(PoseCorrected::kNo); }
+TEST(F405, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_eight_objects(PoseCorrected::kYes); }
 
 }  // namespace
 }  // namespace fencepost::test

@@ -28,8 +28,11 @@ RAM = 0x20000000  # of every Cortex-M (Armv7-M B3.1)
 # The RP2040's boot ROM, through pointers that it tells: an allowance.
 ROM_CALLER = re.compile(r"mcu::rp2040::Flash::")
 ROM_STACK = 256
-# Written in assembly (hal/mcu/division/aeabi.cpp): their own bytes of stack, and what they call.
-ASSEMBLY = {"__aeabi_uldivmod": (32, "fencepost_uldivmod"), "__aeabi_ldivmod": (32, "fencepost_ldivmod")}
+# Written in assembly (hal/mcu/division/aeabi.cpp, hal/mcu/soft_float/armv6m.cpp): their own bytes of stack, and what
+# they call.
+ASSEMBLY = {"__aeabi_uldivmod": (32, "fencepost_uldivmod"), "__aeabi_ldivmod": (32, "fencepost_ldivmod"),
+            "__aeabi_fadd": (24, "fencepost_add"), "__aeabi_fsub": (24, "fencepost_add"),
+            "__aeabi_fmul": (24, "fencepost_multiply")}
 STARTS = ["fencepost_start", "image_main"]
 INTERRUPT = re.compile(r"\w+_interrupt$")
 
@@ -76,8 +79,9 @@ class ImageDepths(worst_case.Depths):
         self.same = same
         self.titles = {worst_case.short(title): title for title in self.frames}
         for name, (frame, callee) in ASSEMBLY.items():
-            if name in self.frames:
+            if callee in self.frames:
                 self.frames[name] = frame
+                self.kinds[name] = "static"
                 self.calls.setdefault(name, set()).add(callee)
 
     def outside(self, function, path):

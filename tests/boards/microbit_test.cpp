@@ -71,6 +71,9 @@ TEST(Microbit, ReplaysAnApproach) { expect_scene_replays(microbit(), "micro", re
 // Six objects for a table of four: the last two replace others, and are seen from few places before the end.
 TEST(Microbit, ReplaysACorridor) { expect_scene_replays(microbit(), "micro", recorded_scene("corridor"), 0.2); }
 TEST(Microbit, ReplaysAMinute) { expect_scene_replays(microbit(), "micro", minute_scene()); }
+TEST(Microbit, ReplaysACorrectedPose) {
+  expect_scene_replays(microbit(), "micro", minute_scene(20), 0.08, PoseCorrected::kYes);
+}
 
 // toolchain/long boards
 TEST(Microbit, DISABLED_ReplaysTenMinutes) { expect_scene_replays(microbit(), "micro", minute_scene(600)); }
@@ -114,27 +117,23 @@ TEST(Microbit, GoesOnWithACameraBusThatHangs) {
 
 // A frame of four objects, all that it sets in motion: 60 frames a second of 16 MHz, at 1.4 cycles an instruction, are
 // 190,000. The committed numbers say how far off that is.
-TEST(Microbit, CountsNoMoreInstructionsForFourObjectsThanCommitted) {
+void count_four_objects(PoseCorrected corrected) {
   const std::string image = "microbit-console";
   const std::string out = ::testing::TempDir() + "fencepost-microbit-counts";
-  const auto arguments = counting_arguments(image_of(image) + ".elf",
-                                            {{"turn", "image::Robot::work("},
-                                             {"line", "::take_line("},
-                                             {"input", "::settle("},
-                                             {"model", "::model("},
-                                             {"frame", "::chain_digest("},
-                                             {"alerts", "::watch_path("}},
-                                            out);
+  const auto arguments = counting_arguments(image_of(image) + ".elf", stages_of_a_loop(), out);
   const SceneStream stream = stream_of(four_boxes(8));
   Bench bench(microbit(image, arguments));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
   for (const std::string& line : stream.calibration) bench.console().send(line);
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 4 of 4")) << bench.said();
   bench.stop();
-  expect_counts_as_committed(read_counts(out), image, "frame",
+  expect_counts_as_committed(read_counts(out), image, corrected,
                              100);  // 160 were shown; a busy machine shows some too late
 }
+TEST(Microbit, CountsNoMoreInstructionsForFourObjectsThanCommitted) { count_four_objects(PoseCorrected::kNo); }
+TEST(Microbit, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_four_objects(PoseCorrected::kYes); }
 
 }  // namespace
 }  // namespace fencepost::test

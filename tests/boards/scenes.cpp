@@ -66,6 +66,11 @@ std::size_t confirmed_in(const std::string& log, const std::string& profile) {
   return n;
 }
 
+// Behind the header.
+std::string with_setting(std::string log, const record::Setting& setting) {
+  return log.insert(log.find('\n') + 1, line_of(setting));
+}
+
 // A wheel base and some cameras never rest: what came in after the digest was told is not in it.
 std::string log_until_digest(const std::string& said) {
   const std::size_t begin = said.find("$FPHDR");
@@ -76,11 +81,13 @@ std::string log_until_digest(const std::string& said) {
 }  // namespace
 
 void expect_scene_replays(const BoardUnderTest& board, const std::string& profile, const host::Scene& scene,
-                          double placed) {
-  const SceneStream stream = stream_of(scene);
+                          double placed, PoseCorrected corrected) {
+  SceneStream stream = stream_of(scene);
+  if (corrected == PoseCorrected::kYes) stream.log = with_setting(stream.log, {"correct.pose", "on"});
   Bench bench(board);
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   ASSERT_TRUE(bench.await_camera(20)) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
   ASSERT_TRUE(bench.start_log(stream)) << bench.said();
   bench.play(stream);
   const std::string digest = bench.digest();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "firmware/recon/cylinder.hpp"
 #include "firmware/recon/hybrid/low_order_fit.hpp"
@@ -46,9 +47,9 @@ float OutlineView::radius() const {
 }
 
 float OutlineView::mean_sigma() const {
-  float sum = 0;
-  for (const std::uint8_t code : sigmas) sum += decode_sigma(code);
-  return sum / static_cast<float>(sigmas.size());
+  std::uint32_t sum = 0;
+  for (const std::uint8_t code : sigmas) sum += whole_sigma(code);
+  return static_cast<float>(sum) * kSigmaUnit / static_cast<float>(sigmas.size());
 }
 
 float OutlineView::slope(const SectorPlace& place) const {
@@ -61,15 +62,31 @@ float OutlineView::slope(const SectorPlace& place) const {
 
 float OutlineView::confidence() const { return 1.0F - std::sqrt(std::min(1.0F, mean_sigma() / radius())); }
 
+// Whole numbers of kOffsetStep find the side, for cores that have nothing else; the distance is that side's in floats.
 float OutlineView::distance_from(const Vec2& point, std::size_t& nearest) const {
-  float distance = 0;
-  for (std::size_t k = 0; k < offsets.size(); ++k) {
-    const float outside = node_direction(k, offsets.size()).dot(point) - offset(k);
-    if (k > 0 && outside <= distance) continue;
-    distance = outside;
+  constexpr float kReach = 6.0F;  // m: products of a coordinate that is no larger fit
+  const float size = std::max(std::fabs(point.x()), std::fabs(point.y()));
+  const float steps = (size > kReach ? kReach / size : 1.0F) / kOffsetStep;
+  const WholeVector at{static_cast<std::int32_t>(point.x() * steps), static_cast<std::int32_t>(point.y() * steps)};
+  std::int32_t most = std::numeric_limits<std::int32_t>::min();
+  const auto consider = [&](std::size_t k, std::int32_t along) {
+    const std::int32_t outside = along - offsets[k] * kWholeUnit;
+    if (outside <= most) return;
+    most = outside;
     nearest = k;
+  };
+  // Four directions at a time, a quarter turn apart.
+  const std::size_t quarter = offsets.size() / 4;
+  for (std::size_t k = 0; k < quarter; ++k) {
+    const WholeVector direction = whole_direction(k, offsets.size());
+    const std::int32_t along = direction.x * at.x + direction.y * at.y;
+    const std::int32_t left = direction.x * at.y - direction.y * at.x;
+    consider(k, along);
+    consider(k + quarter, left);
+    consider(k + 2 * quarter, -along);
+    consider(k + 3 * quarter, -left);
   }
-  return distance;
+  return node_direction(nearest, offsets.size()).dot(point) - offset(nearest);
 }
 
 float inflation(float share) {

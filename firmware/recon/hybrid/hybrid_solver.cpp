@@ -9,7 +9,8 @@ namespace {
 
 // Floating-point operations, roughly. A series of u unknowns.
 constexpr int work_of_tangent(std::size_t u) { return static_cast<int>(60 + 6 * u + u * (u + 1)); }
-constexpr int work_of_solution(std::size_t u) { return static_cast<int>(u * u * u / 3 + 4 * u * u); }
+constexpr int work_of_row(std::size_t i) { return static_cast<int>(10 + 4 * i + i * i); }
+constexpr int work_of_solution(std::size_t u) { return static_cast<int>(4 * u * u); }
 constexpr int work_of_node(std::size_t u) { return static_cast<int>(20 + 6 * u + u * u); }
 constexpr int kSupportTangentWork = 75;
 constexpr int kSideWork = 45;
@@ -63,6 +64,7 @@ int HybridSolver<kSectors, kOrder>::advance(HybridType& hybrid) {
   switch (stage_) {
     case Stage::kDone: return 0;
     case Stage::kLowOrder: return advance_low_order(hybrid);
+    case Stage::kFactorise: return advance_factor(hybrid);
     case Stage::kNodes: return advance_nodes(hybrid);
     default: return advance_support(hybrid);
   }
@@ -71,21 +73,31 @@ int HybridSolver<kSectors, kOrder>::advance(HybridType& hybrid) {
 template <std::size_t kSectors, std::size_t kOrder>
 int HybridSolver<kSectors, kOrder>::advance_low_order(HybridType& hybrid) {
   constexpr std::size_t kUnknowns = series_size(kOrder);
-  const bool doubt = views_ >= kViewsToDoubt && pass_ > 0;
   if (find_cluster(hybrid)) {
-    low_order_.add(hybrid.clusters, index_, !doubt);
+    low_order_.add(hybrid.clusters, index_, !doubts());
     ++index_;
     return work_of_tangent(kUnknowns);
   }
-  const bool learn = doubt && kLowOrderPasses[pass_] <= kLearningWidening;
-  if (!low_order_.finish_pass(learn)) {
+  low_order_.begin_solution();
+  enter(Stage::kFactorise);
+  return 0;
+}
+
+template <std::size_t kSectors, std::size_t kOrder>
+int HybridSolver<kSectors, kOrder>::advance_factor(HybridType& hybrid) {
+  const int work = work_of_row(index_);
+  if (!low_order_.factorise(index_)) {
     refuse(hybrid);
-  } else if (++pass_ < passes_) {
+    return work;
+  }
+  if (++index_ < low_order_.unknowns()) return work;
+  low_order_.finish_pass(doubts() && kLowOrderPasses[pass_] <= kLearningWidening);
+  if (++pass_ < passes_) {
     begin_low_order_pass();
   } else {
     enter(Stage::kNodes);
   }
-  return work_of_solution(kUnknowns);
+  return work + work_of_solution(low_order_.unknowns());
 }
 
 // Sigmas and offsets of the low order, all around.

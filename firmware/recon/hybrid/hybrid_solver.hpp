@@ -14,7 +14,7 @@
 namespace fencepost::recon {
 
 /// A step is at least one piece of work and ends when it has done this many floating-point operations, roughly: on a
-/// core without a floating-point unit some 60,000 instructions.
+/// core without a floating-point unit some 30,000 instructions, at most 50,000.
 inline constexpr int kWorkPerStep = 500;
 
 /// The middle of the outline may be this far from the local origin before that follows it (m).
@@ -43,7 +43,9 @@ class HybridSolver {
   /// Goes on with the object it was begun with. Its outline is replaced when the fit is done. True: done, or refused.
   bool step(HybridType& hybrid) {
     int work = 0;
-    while (work < kWorkPerStep && stage_ != Stage::kDone) work += advance(hybrid);
+    do {
+      work += advance(hybrid);
+    } while (work < kWorkPerStep && stage_ != Stage::kDone);
     return stage_ == Stage::kDone;
   }
   /// All steps at once: the same bits.
@@ -57,13 +59,16 @@ class HybridSolver {
   void abandon() { stage_ = Stage::kDone; }
 
  private:
-  enum class Stage : std::uint8_t { kDone, kLowOrder, kNodes, kTangents, kSides, kEliminate, kSubstitute };
+  enum class Stage : std::uint8_t { kDone, kLowOrder, kFactorise, kNodes, kTangents, kSides, kEliminate, kSubstitute };
 
   struct NoSupport {};
 
+  // The first pass of a fit believes all tangents, and so do all as long as there are few views.
+  [[nodiscard]] bool doubts() const { return views_ >= kViewsToDoubt && pass_ > 0; }
   // One piece of work; its cost in floating-point operations.
   int advance(HybridType& hybrid);
   int advance_low_order(HybridType& hybrid);
+  int advance_factor(HybridType& hybrid);
   int advance_nodes(HybridType& hybrid);
   int advance_support(HybridType& hybrid);
   int finish_support_pass(HybridType& hybrid);

@@ -32,19 +32,17 @@ void series_basis(const Vec2& direction, std::span<float> basis) {
   }
 }
 
-bool factorise(std::span<float> matrix, std::size_t unknowns) {
-  for (std::size_t i = 0; i < unknowns; ++i) {
-    float* row = &matrix[row_of(i)];
-    const float diagonal = row[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      const float* other = &matrix[row_of(j)];
-      for (std::size_t k = 0; k < j; ++k) row[j] -= row[k] * other[k];
-      row[j] /= other[j];
-      row[i] -= row[j] * row[j];
-    }
-    if (!(row[i] > kLeastPivot * diagonal)) return false;
-    row[i] = std::sqrt(row[i]);
+bool factorise_row(std::span<float> matrix, std::size_t i) {
+  float* row = &matrix[row_of(i)];
+  const float diagonal = row[i];
+  for (std::size_t j = 0; j < i; ++j) {
+    const float* other = &matrix[row_of(j)];
+    for (std::size_t k = 0; k < j; ++k) row[j] -= row[k] * other[k];
+    row[j] /= other[j];
+    row[i] -= row[j] * row[j];
   }
+  if (!(row[i] > kLeastPivot * diagonal)) return false;
+  row[i] = std::sqrt(row[i]);
   return true;
 }
 
@@ -124,15 +122,12 @@ void LowOrderFit<kOrder>::add_priors() {
 }
 
 template <std::size_t kOrder>
-bool LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
-  add_priors();
-  if (!factorise(matrix_, unknowns())) return false;
+void LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
   const std::span<float> correction(rhs_.data(), unknowns());
   solve_lower(matrix_, correction);
   solve_upper(matrix_, correction);
   for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
   if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kSpreadPrior);
-  return true;
 }
 
 template <std::size_t kOrder>

@@ -19,8 +19,9 @@ constexpr std::size_t packed_size(std::size_t unknowns) { return unknowns * (unk
 /// The series' functions at a direction: 1, cos, sin, cos 2, sin 2, ... `basis` has series_size(order) entries.
 void series_basis(const Vec2& direction, std::span<float> basis);
 
-/// Lower triangle by rows: (0,0) (1,0) (1,1) ... Replaced by its Cholesky factor. False if a pivot is lost to rounding.
-bool factorise(std::span<float> matrix, std::size_t unknowns);
+/// Lower triangle by rows: (0,0) (1,0) (1,1) ... Row i is replaced by that of its Cholesky factor; those before it have
+/// been. False if a pivot is lost to rounding.
+bool factorise_row(std::span<float> matrix, std::size_t i);
 /// L x = b, in place.
 void solve_lower(std::span<const float> factor, std::span<float> b);
 /// L' x = b, in place.
@@ -39,9 +40,14 @@ class LowOrderFit {
   void begin_pass(float widening);
   /// Adds cluster `index`. `trusted`: no tangent is doubted.
   void add(ConstClusters clusters, std::size_t index, bool trusted);
-  /// Solves the pass. False: ill-conditioned; nothing changes.
-  [[nodiscard]] bool finish_pass(bool learn_spread);
+  /// All tangents are in: the priors.
+  void begin_solution() { add_priors(); }
+  /// Row i = 0 .. unknowns() - 1, in this order. False: ill-conditioned; nothing changes.
+  [[nodiscard]] bool factorise(std::size_t i) { return factorise_row(matrix_, i); }
+  /// Solves the pass, after the last row.
+  void finish_pass(bool learn_spread);
 
+  [[nodiscard]] std::size_t unknowns() const { return series_size(order_); }
   /// h at a direction, and its standard deviation as the last pass knows it.
   [[nodiscard]] float offset_at(const Vec2& direction) const;
   [[nodiscard]] float sigma_at(const Vec2& direction) const;
@@ -50,7 +56,6 @@ class LowOrderFit {
   [[nodiscard]] float spread() const { return spread_; }  ///< square of how much larger residuals are than sigmas say
 
  private:
-  [[nodiscard]] std::size_t unknowns() const { return series_size(order_); }
   void add_priors();
 
   std::array<float, packed_size(kUnknowns)> matrix_{};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "firmware/recon/geometry.hpp"
 
@@ -32,6 +33,34 @@ inline Vec2 direction_at(std::size_t k) {
 
 /// Unit vector of node k of `nodes`, 64 or 32.
 inline Vec2 node_direction(std::size_t k, std::size_t nodes) { return direction_at(k * (kDirections / nodes)); }
+
+/// Directions as whole numbers of 1/16384.
+inline constexpr std::int32_t kWholeUnit = 16'384;
+struct WholeVector {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+inline constexpr auto kWholeCosines = [] {
+  std::array<std::int16_t, kQuarterCosines.size()> whole{};
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    whole[i] = static_cast<std::int16_t>(kQuarterCosines[i] * static_cast<float>(kWholeUnit) + 0.5F);
+  }
+  return whole;
+}();
+
+inline WholeVector whole_direction(std::size_t k, std::size_t nodes) {
+  constexpr std::size_t kQuarter = kDirections / 4;
+  const std::size_t at = k * (kDirections / nodes);
+  const std::int32_t along = kWholeCosines[at % kQuarter];
+  const std::int32_t across = kWholeCosines[kQuarter - at % kQuarter];
+  switch (at / kQuarter % 4) {
+    case 0: return {along, across};
+    case 1: return {-across, along};
+    case 2: return {-along, -across};
+    default: return {across, -along};
+  }
+}
 
 /// What follows from the angle between two nodes.
 struct NodeStep {

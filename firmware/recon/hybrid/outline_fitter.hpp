@@ -20,7 +20,7 @@ class OutlineFitter {
   }
 
   template <class Objects>
-  void fit(Objects& objects) {
+  [[gnu::noinline]] void fit(Objects& objects) {
     if constexpr (Profile::kHybridSteps == 0) {
       for (auto& object : objects) {
         if (!object.used() || !object.hybrid.news) continue;

@@ -22,37 +22,7 @@ constexpr float kOverrulingShare = 0.35F;
 constexpr float kOverrulingViews = 0.9F;
 constexpr float kOverruled = 0.3F;
 
-constexpr float kSigmaUnit = 6.25e-6F;  // m; mantissas are 16..31
-
-// Directions as whole numbers of 1/16384.
-constexpr std::int32_t kWholeUnit = 16'384;
 constexpr std::int32_t kBulge = 79;  // D^2/2 of 64 sectors, in 1/16384
-
-struct WholeVector {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-};
-
-constexpr auto kWholeCosines = [] {
-  std::array<std::int16_t, kQuarterCosines.size()> whole{};
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    whole[i] = static_cast<std::int16_t>(kQuarterCosines[i] * static_cast<float>(kWholeUnit) + 0.5F);
-  }
-  return whole;
-}();
-
-WholeVector whole_direction(std::size_t k, std::size_t sectors) {
-  constexpr std::size_t kQuarter = kDirections / 4;
-  const std::size_t at = k * (kDirections / sectors);
-  const std::int32_t along = kWholeCosines[at % kQuarter];
-  const std::int32_t across = kWholeCosines[kQuarter - at % kQuarter];
-  switch (at / kQuarter % 4) {
-    case 0: return {along, across};
-    case 1: return {-across, along};
-    case 2: return {-along, -across};
-    default: return {across, -along};
-  }
-}
 
 std::int32_t whole_offset(const PackedCluster& packed) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(packed.offset_low | (packed.offset_high << 8U)));
@@ -100,8 +70,6 @@ std::uint8_t encode_sigma(float sigma) {
   for (; mantissa >= 31.5F; ++exponent) mantissa *= 0.5F;
   return static_cast<std::uint8_t>(exponent * 16 + static_cast<unsigned>(mantissa + 0.5F) - 16);
 }
-
-float decode_sigma(std::uint8_t code) { return static_cast<float>((16 + code % 16) << (code / 16)) * kSigmaUnit; }
 
 bool whole_steps(float offset, std::int32_t& steps) {
   const float exact = offset / kOffsetStep;

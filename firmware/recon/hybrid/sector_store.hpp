@@ -38,7 +38,10 @@ struct Cluster {
 
 /// A float of 4 + 4 bits, steps of 3 to 6 %, from 0.1 mm to 6.3 m; nearest, clamped.
 std::uint8_t encode_sigma(float sigma);
-float decode_sigma(std::uint8_t code);
+/// The same in whole kSigmaUnit, exactly: 16 to 31 << 15.
+inline constexpr float kSigmaUnit = 6.25e-6F;  ///< m
+constexpr std::uint32_t whole_sigma(std::uint8_t code) { return (16U + code % 16U) << (code / 16U); }
+inline float decode_sigma(std::uint8_t code) { return static_cast<float>(whole_sigma(code)) * kSigmaUnit; }
 
 /// The largest offset, in kOffsetStep, on either side.
 inline constexpr std::int32_t kFarthestOffset = 32'767;

@@ -9,9 +9,7 @@ using soft::Bits;
 
 extern "C" {
 Bits __aeabi_fadd(Bits a, Bits b);
-Bits __aeabi_fsub(Bits a, Bits b);
 Bits __aeabi_frsub(Bits a, Bits b);
-Bits __aeabi_fmul(Bits a, Bits b);
 Bits __aeabi_fdiv(Bits a, Bits b);
 int __aeabi_fcmpeq(Bits a, Bits b);
 int __aeabi_fcmplt(Bits a, Bits b);
@@ -28,10 +26,7 @@ std::uint32_t __aeabi_f2uiz(Bits x);
 std::int64_t __aeabi_f2lz(Bits x);
 std::uint64_t __aeabi_f2ulz(Bits x);
 
-[[gnu::noinline]] Bits __aeabi_fadd(Bits a, Bits b) { return soft::add(a, b); }  // one copy for three names
-Bits __aeabi_fsub(Bits a, Bits b) { return __aeabi_fadd(a, b ^ soft::kSign); }
 Bits __aeabi_frsub(Bits a, Bits b) { return __aeabi_fadd(b, a ^ soft::kSign); }
-Bits __aeabi_fmul(Bits a, Bits b) { return soft::multiply(a, b); }
 Bits __aeabi_fdiv(Bits a, Bits b) { return soft::divide(a, b); }
 
 int __aeabi_fcmpeq(Bits a, Bits b) { return soft::equal(a, b) ? 1 : 0; }

@@ -205,7 +205,11 @@ constexpr Bits divide_parts(Bits sign, Parts a, Parts b) {
   rest = (rest << 13) - digit * d;
   quotient = (quotient << 13) + digit;
   for (; rest >= d; rest -= d) ++quotient;
-  return pack(sign, exponent_of, (quotient << 1) | (rest != 0 ? 1U : 0U));
+  if (static_cast<std::uint32_t>(exponent_of - 1) >= 254) {
+    return pack_anywhere(sign, exponent_of, (quotient << 1) | (rest != 0 ? 1U : 0U));
+  }
+  // Never half way between two floats: that quotient's 25 bits, times the divisor, were more than the dividend's 24.
+  return sign | ((static_cast<Bits>(exponent_of - 1) << 23) + ((quotient + 2) >> 2));
 }
 
 [[gnu::noinline]] constexpr Bits divide_special(Bits a, Bits b) {
@@ -298,24 +302,25 @@ constexpr bool equal(Bits a, Bits b) { return !unordered(a, b) && rank(a) == ran
 
 // --- integers ---
 
+template <int kPlaces>
+constexpr void skip_zeros(std::uint32_t& value, std::uint32_t& exponent_of) {
+  if ((value >> (32 - kPlaces)) != 0) return;
+  value <<= kPlaces;
+  exponent_of -= kPlaces;
+}
+
 // Not inlined: one copy for four conversions.
 [[gnu::noinline]] constexpr Bits from_unsigned(std::uint32_t value, Bits sign = 0) {
   if (value == 0) return 0;
-  std::int32_t exponent_of = 127 + 31;
-  if (value < (1U << 16)) {
-    value <<= 16;
-    exponent_of -= 16;
-  }
-  if (value < (1U << 24)) {
-    value <<= 8;
-    exponent_of -= 8;
-  }
-  if (value < (1U << 28)) {
-    value <<= 4;
-    exponent_of -= 4;
-  }
-  for (; value < kSign; --exponent_of) value <<= 1;
-  return pack(sign, exponent_of, (value >> 5) | ((value & 0x1F) != 0 ? 1U : 0U));
+  std::uint32_t exponent_of = 127 + 31;
+  skip_zeros<16>(value, exponent_of);
+  skip_zeros<8>(value, exponent_of);
+  skip_zeros<4>(value, exponent_of);
+  skip_zeros<2>(value, exponent_of);
+  skip_zeros<1>(value, exponent_of);
+  std::uint32_t significand = value >> 8;
+  if (const std::uint32_t lost = value & 0xFF; lost != 0) significand += (lost + 0x7F + (significand & 1)) >> 8;
+  return sign | (((exponent_of - 1) << 23) + significand);
 }
 constexpr Bits from_signed(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);

@@ -35,8 +35,7 @@ std::uint32_t find(const std::string& symbols, const std::string& part) {
 
 }  // namespace
 
-InstructionCounter::InstructionCounter(Handheld& machine, const std::string& elf,
-                                       const std::vector<std::pair<std::string, std::string>>& stages)
+InstructionCounter::InstructionCounter(Handheld& machine, const std::string& elf, const Stages& stages)
     : machine_(machine) {
   const std::string symbols = symbols_of(elf);
   for (const auto& [name, part] : stages) stages_.push_back({name, find(symbols, part) & ~1U, 0, 0, {}});

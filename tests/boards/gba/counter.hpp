@@ -15,8 +15,7 @@ class InstructionCounter {
  public:
   /// `stages`: a name for the table and a part of the function's demangled name, each. Throws std::runtime_error where
   /// a function is not in the image. From now on until the counter ends.
-  InstructionCounter(Handheld& machine, const std::string& elf,
-                     const std::vector<std::pair<std::string, std::string>>& stages);
+  InstructionCounter(Handheld& machine, const std::string& elf, const Stages& stages);
   ~InstructionCounter();
   InstructionCounter(const InstructionCounter&) = delete;
   InstructionCounter& operator=(const InstructionCounter&) = delete;

@@ -46,6 +46,9 @@ TEST(Gba, SaysWhoItIsAndPassesItsSelfTest) {
 TEST(Gba, ReplaysAnApproach) { expect_scene_replays(gba(), "small", recorded_scene("approach_stop")); }
 TEST(Gba, ReplaysACorridor) { expect_scene_replays(gba(), "small", recorded_scene("corridor")); }
 TEST(Gba, ReplaysAMinute) { expect_scene_replays(gba(), "small", minute_scene(60, kRate)); }
+TEST(Gba, ReplaysACorrectedPose) {
+  expect_scene_replays(gba(), "small", minute_scene(20, kRate), 0.08, PoseCorrected::kYes);
+}
 
 // toolchain/long boards
 TEST(Gba, DISABLED_ReplaysTenMinutes) { expect_scene_replays(gba(), "small", minute_scene(600, kRate)); }
@@ -90,7 +93,7 @@ TEST(Gba, TalksThroughItsLinkPortAsThroughTheMailbox) {
 }
 
 // At 50 frames a second this part would be far behind; slower, a frame is the same work.
-TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
+void count_eight_objects(PoseCorrected corrected) {
   host::Scene scene = eight_boxes(8);
   SceneStream stream = stream_of(scene);
   std::size_t frame = 0;
@@ -100,20 +103,17 @@ TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
   Handheld* machine = nullptr;
   Bench bench(gba(&machine));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
   for (const std::string& line : stream.calibration) bench.console().send(line);
   bench.run(0.5);
-  InstructionCounter counter(*machine, image_of("gba") + ".elf",
-                             {{"turn", "image::Robot::work("},
-                              {"line", "::take_line("},
-                              {"input", "::settle("},
-                              {"model", "::model("},
-                              {"digest", "::chain_digest("},
-                              {"alerts", "::watch_path("},
-                              {"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}});
+  const Stages screen = {{"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}};
+  InstructionCounter counter(*machine, image_of("gba") + ".elf", stages_of_a_loop(screen));
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
-  expect_counts_as_committed(counter.counts(), "gba", "digest", 30);
+  expect_counts_as_committed(counter.counts(), "gba", corrected, 30);
 }
+TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) { count_eight_objects(PoseCorrected::kNo); }
+TEST(Gba, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_eight_objects(PoseCorrected::kYes); }
 
 }  // namespace
 }  // namespace fencepost::test

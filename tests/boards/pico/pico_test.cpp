@@ -49,6 +49,9 @@ TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
 TEST(Pico, ReplaysAnApproach) { expect_scene_replays(pico(), "small", recorded_scene("approach_stop")); }
 TEST(Pico, ReplaysACorridor) { expect_scene_replays(pico(), "small", recorded_scene("corridor")); }
 TEST(Pico, ReplaysAMinute) { expect_scene_replays(pico(), "small", minute_scene()); }
+TEST(Pico, ReplaysACorrectedPose) {
+  expect_scene_replays(pico(), "small", minute_scene(10), 0.08, PoseCorrected::kYes);
+}
 
 // toolchain/long boards
 TEST(Pico, DISABLED_ReplaysTenMinutes) { expect_scene_replays(pico(), "small", minute_scene(600)); }
@@ -60,29 +63,26 @@ TEST(Pico, SurvivesGarbageOnAllLines) { expect_survives_garbage(pico()); }
 TEST(Pico, SurvivesOdometryThatStops) { expect_survives_odometry_loss(pico()); }
 TEST(Pico, SurvivesLinesThatAreCut) { expect_survives_cut_lines(pico()); }
 
-// A frame of eight objects, all that it sets in motion, against what firmware/image/sizes.csv says.
-TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) {
+// A frame of eight objects, all that it sets in motion, against what firmware/image/sizes.csv and stages.csv say.
+void count_eight_objects(PoseCorrected corrected) {
   const std::string out = ::testing::TempDir() + "fencepost-pico-counts";
-  const auto arguments = counting_arguments(image_of("pico") + ".elf",
-                                            {{"turn", "image::Robot::work("},
-                                             {"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("},
-                                             {"line", "::take_line("},
-                                             {"input", "::settle("},
-                                             {"objects", "::update_models("},
-                                             {"digest", "::chain_digest("},
-                                             {"alerts", "::watch_path("}},
-                                            out);
+  const auto arguments =
+      counting_arguments(image_of("pico") + ".elf",
+                         stages_of_a_loop({{"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("}}), out);
   static_cast<void>(std::remove(out.c_str()));  // of an earlier run
   const SceneStream stream = stream_of(eight_boxes(4));
   Bench bench(pico(nullptr, "fencepost", arguments.back()));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   ASSERT_TRUE(bench.await_camera()) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
   for (const std::string& line : stream.calibration) bench.console().send(line);
   bench.play(stream);
   EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
   bench.stop();
-  expect_counts_as_committed(read_counts(out), "pico", "digest", 100);
+  expect_counts_as_committed(read_counts(out), "pico", corrected, 100);
 }
+TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) { count_eight_objects(PoseCorrected::kNo); }
+TEST(Pico, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_eight_objects(PoseCorrected::kYes); }
 
 }  // namespace
 }  // namespace fencepost::test

@@ -1,0 +1,123 @@
+// A program for the emulated micro:bit: what the boards' assembly (hal/mcu/soft_float/armv6m.cpp) makes of two floats,
+// beside hal/mcu/soft_float/float32.hpp, which tests/hal/mcu compares with the desk's. Its end is the emulator's exit
+// status: 0, or 1 and a line with what differed.
+#include <array>
+#include <cstdint>
+
+#include "hal/mcu/soft_float/float32.hpp"
+
+using fencepost::mcu::soft::Bits;
+namespace soft = fencepost::mcu::soft;
+
+extern "C" {
+Bits __aeabi_fadd(Bits a, Bits b);
+Bits __aeabi_fsub(Bits a, Bits b);
+Bits __aeabi_fmul(Bits a, Bits b);
+Bits __aeabi_fdiv(Bits a, Bits b);
+void start();
+extern char image_stack_top;
+}
+
+namespace {
+
+// Semihosting (Arm's specification, 7): an operation and its argument.
+constexpr int kWriteText = 0x04;
+constexpr int kExit = 0x18;
+constexpr std::uint32_t kApplicationExit = 0x20026;
+constexpr std::uint32_t kRunTimeError = 0x20023;
+
+void ask_host(int operation, std::uint32_t argument) {
+  register int r0 asm("r0") = operation;
+  register std::uint32_t r1 asm("r1") = argument;
+  asm volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+/// As tests/hal/mcu/soft_float_test.cpp has them: near each other, of all sizes, with few bits set, at the ends of the
+/// range, infinities and NaNs.
+class Numbers {
+ public:
+  Bits next() {
+    const Bits x = random();
+    const Bits e = random();
+    switch (random() % 8) {
+      case 0: return x;
+      case 1: return with_exponent(x, 107 + e % 40);
+      case 2: return with_exponent(x & 0x8000'0007U, e % 256);
+      case 3: return with_exponent(x, e % 2);
+      case 4: return with_exponent(x, 254 - e % 3);
+      case 5: return with_exponent(x, 124 + e % 6);
+      case 6: return with_exponent(x & 0x807F'F000U, 120 + e % 16);
+      default: return last_ = last_ ^ (x & 0x8000'000FU);
+    }
+  }
+
+ private:
+  static Bits with_exponent(Bits x, Bits exponent) { return (x & 0x807F'FFFFU) | (exponent << 23); }
+  // Marsaglia's xorshift.
+  std::uint32_t random() {
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 17;
+    state_ ^= state_ << 5;
+    return state_ >> 1;
+  }
+  std::uint32_t state_ = 20'011;
+  Bits last_ = 0x3F80'0000;
+};
+
+struct Operation {
+  char sign;
+  Bits (*on_board)(Bits, Bits);
+  Bits (*expected)(Bits, Bits);
+};
+constexpr std::array<Operation, 4> kOperations = {{{'+', __aeabi_fadd, soft::add},
+                                                   {'-', __aeabi_fsub, soft::subtract},
+                                                   {'*', __aeabi_fmul, soft::multiply},
+                                                   {'/', __aeabi_fdiv, soft::divide}}};
+
+void tell(char sign, Bits a, Bits b, Bits got) {
+  std::array<char, 32> text{};
+  char* at = text.data();
+  const auto hex = [&](Bits bits) {
+    for (int shift = 28; shift >= 0; shift -= 4) *at++ = "0123456789abcdef"[(bits >> shift) & 15];
+  };
+  hex(a);
+  *at++ = sign;
+  hex(b);
+  *at++ = '=';
+  hex(got);
+  *at = '\n';
+  ask_host(kWriteText, reinterpret_cast<std::uintptr_t>(text.data()));
+}
+
+bool same(Bits a, Bits b) { return a == b || (soft::is_nan(a) && soft::is_nan(b)); }
+
+bool all_agree(int rounds) {
+  Numbers numbers;
+  for (int i = 0; i < rounds; ++i) {
+    const Bits a = numbers.next();
+    const Bits b = numbers.next();
+    for (const Operation& operation : kOperations) {
+      const Bits got = operation.on_board(a, b);
+      if (same(got, operation.expected(a, b))) continue;
+      tell(operation.sign, a, b, got);
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void start() {
+  constexpr int kRounds = 4'000'000;
+  ask_host(kExit, all_agree(kRounds) ? kApplicationExit : kRunTimeError);
+  for (;;) {
+  }
+}
+
+// What the core begins with: its stack, where to go.
+struct Vectors {
+  char* stack;
+  void (*reset)();
+};
+[[gnu::section(".vectors"), gnu::used]] const Vectors kVectors = {&image_stack_top, start};
