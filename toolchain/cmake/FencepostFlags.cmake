@@ -1,9 +1,10 @@
 # Compiler flags, in three interface targets: everything, the robot's code (hal, drivers, firmware), the desk's.
 
-# A second build of the same sources is nearly free where ccache is installed; nothing needs it.
+# A second build of the same sources is nearly free where ccache is installed, in another clone too; nothing needs it.
 find_program(FENCEPOST_CCACHE ccache)
 if(FENCEPOST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${FENCEPOST_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${FENCEPOST_CCACHE}")
 endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 
