@@ -38,6 +38,7 @@ class Matcher {
     for (std::size_t b = 0; b < blobs_; ++b) {
       intervals_[b] = interval_of(camera, frame.blobs[b].box);
       censor(intervals_[b], hidden_ends(frame.blobs.view(), b, camera.rows));
+      censor(intervals_[b], ends_near_border(frame.blobs[b].box, camera.width));
       object_of_[b] = kNoMatch;
     }
   }
@@ -109,9 +110,10 @@ class Matcher {
   [[nodiscard]] BlobRays rays_for(std::size_t o, const WaitingFrame& frame, const CameraModel& camera) const {
     BlobRays rays = rays_of(frame, camera, blob_of_[o]);
     if (!shared_[o].any) return rays;
-    (shared_[o].is_right ? rays.left : rays.right).censored = true;
-    rays.top.censored = true;
-    if (shared_[o].is_farther) rays.bottom.censored = true;
+    EdgeRay& inner = shared_[o].is_right ? rays.left : rays.right;
+    inner.censored = inner.foreign = true;
+    rays.top.censored = rays.top.foreign = true;
+    if (shared_[o].is_farther) rays.bottom.censored = rays.bottom.foreign = true;
     return rays;
   }
 

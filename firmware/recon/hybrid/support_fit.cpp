@@ -52,12 +52,13 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
   const float a = small_sine(step.angle - t) / step.sine;
   const float b = small_sine(t) / step.sine;
   const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
+  if (cluster.at_least && residual <= 0) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * inlier_share(residual, sigma);
-  const float in_sigmas = residual / cluster.sigma;
-  sums_.squares += believed * in_sigmas * in_sigmas;
-  sums_.weight += believed;
-  ++tangents_;
+  if (!cluster.at_least) {
+    sums_.add(residual / cluster.sigma, believed);
+    ++tangents_;
+  }
   const float weight = believed / (sigma * sigma);
   band_.diagonal[k] += weight * a * a;
   band_.first[k] += weight * a * b;

@@ -21,6 +21,7 @@ class SupportFit {
   void begin();
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
+  /// What says `at least` counts where it is not met.
   void add(ConstClusters clusters, std::size_t index);
   /// What is known of side k before anything is seen. In the first passes all sides are alike; `polygonal`: few are
   /// long.
