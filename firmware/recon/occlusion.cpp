@@ -25,10 +25,11 @@ HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, st
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (i == index) continue;
     const Box& other = blobs[i].box;
+    const int reach = blobs[i].signature == blobs[index].signature ? kTouchPixels : kBesidePixels;
     const bool beside = other.y1 <= box.y1 + kTouchPixels && other.y2 >= box.y1;
     if (beside && !clearly_farther(other, box, image_rows)) {
-      if (other.x1 < box.x1 && other.x2 >= box.x1 - kBesidePixels) hidden.left = true;
-      if (other.x2 > box.x2 && other.x1 <= box.x2 + kBesidePixels) hidden.right = true;
+      if (other.x1 < box.x1 && other.x2 >= box.x1 - reach) hidden.left = true;
+      if (other.x2 > box.x2 && other.x1 <= box.x2 + reach) hidden.right = true;
     }
     const int covered = std::min(other.x2, box.x2) - std::max(other.x1, box.x1) + 1;
     const bool below = 2 * covered > box.x2 - box.x1 + 1 && other.y1 <= box.y2 + kTouchPixels;

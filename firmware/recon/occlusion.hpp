@@ -16,7 +16,8 @@ struct HiddenEnds {
   bool bottom = false;
 };
 
-/// A side counts as hidden when another blob reaches to within kBesidePixels of it, is as high in the image as this
+/// A side counts as hidden when another blob reaches to within kBesidePixels of it (kTouchPixels if of its own
+/// signature: what of one colour has a gap between was not merged), is as high in the image as this
 /// one, and is not clearly farther. Order: the lower bottom row is the nearer object; a bottom on the image border is
 /// nearer than any that is not; equal rows do not tell, and what may be hidden is not used. The bottom counts as hidden
 /// when a nearer blob overlaps it from below in most of its columns: the foot of a part that is seen is a foot.

@@ -18,6 +18,7 @@ struct Tangent {
 /// At most three: the two ends of a blob, and its foot where the camera's height and pitch are known.
 struct ViewTangents {
   enum Which : std::uint8_t { kLeft = 1, kRight = 2, kFront = 4 };
+  static constexpr unsigned kBits = 3;
   Tangent left;
   Tangent right;
   Tangent front;
