@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kSizeSigma = 0.05F;    // m, of kTypicalSize
 constexpr float kCenterSigma = 2.0F;   // m, of the local origin as the centre
+constexpr float kShapeShare = 0.7F;    // of r / (m^2 - 1): the prior of order m (measured on circles and on paths)
 constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of the higher orders
 
 // A pivot below this share of its own diagonal is rounding.
@@ -118,7 +119,7 @@ void LowOrderFit<kOrder>::add_priors() {
   add_prior(2, 0, kCenterSigma);
   const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);
   for (std::size_t m = 2; m <= order_; ++m) {
-    const float sigma = radius / static_cast<float>(m * m - 1);
+    const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
     add_prior(2 * m - 1, 0, sigma);
     add_prior(2 * m, 0, sigma);
   }

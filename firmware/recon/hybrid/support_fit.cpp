@@ -11,8 +11,11 @@ namespace {
 
 constexpr float kLargestRadius = 0.35F;  // m, that scales sides
 
-// A side is known to 1.8 r sqrt(D) before anything is seen.
+// A side is known to 1.8 r sqrt(D) before anything is seen, where tangents come from all around. Seen from one side
+// only the outline is rather what objects are like: with fewer tangents sides are known better, down to this share.
 constexpr float kSideSigma = 1.8F;
+constexpr float kSharePerTangent = 1.0F / 56.0F;
+constexpr float kLeastSideShare = 0.45F;
 // Weight of a side of length l relative to that of a round outline, D r: D r / (l + 0.3 D r); those above half of D r
 // are drawn to D r, the others to nothing.
 constexpr float kSoftening = 0.3F;
@@ -75,7 +78,8 @@ void SupportFit::add_side(std::size_t k, bool polygonal) {
   const float middle = -2.0F * step.cosine / step.sine;
   const float length = outer * (offsets_[before] + offsets_[after]) + middle * offsets_[k];
   const float round_side = step.angle * radius_;
-  const float sigma = kSideSigma * radius_;
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
+  const float sigma = kSideSigma * share * radius_;
   float weight = 1.0F / (sigma * sigma * step.angle);
   float target = round_side;
   if (polygonal) {
