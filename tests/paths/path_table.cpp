@@ -25,12 +25,12 @@ struct Request {
 struct FeedText {
   Feed feed;
   const char* name;
-  bool judged;  ///< the prototype's flags were given, so without them there is no claim; a corrected pose makes up for
-                ///< it
 };
-constexpr std::array<FeedText, 3> kFeeds = {{{Feed::kGiven, "flags given", true},
-                                             {Feed::kLog, "from the log", false},
-                                             {Feed::kCorrected, "from the log, pose corrected", true}}};
+constexpr std::array<FeedText, 3> kFeeds = {
+    {{Feed::kGiven, "flags given"}, {Feed::kLog, "from the log"}, {Feed::kCorrected, "from the log, pose corrected"}}};
+
+/// The prototype's flags were given, and it was told how far its odometry drifts: ours is told so when it corrects it.
+bool is_judged(const FeedText& feed, bool drift) { return feed.feed == (drift ? Feed::kCorrected : Feed::kGiven); }
 
 struct Tally {
   int claims = 0;
@@ -49,14 +49,15 @@ std::vector<SceneScores> run_scenes(const Request& request, PathOptions options)
 std::string hybrid_cell(const PathMean& mean, const PathReference& reference, const FeedText& feed,
                         const std::string& where, Tally& tally) {
   const bool holds = reaches(mean, reference);
-  if (feed.judged) ++tally.claims;
+  const bool judged = is_judged(feed, reference.drift);
+  if (judged) ++tally.claims;
   const std::string text = fmt::format("{:.1f} ± {:.1f} of {:.1f} ± {:.1f}", mean.sum(), mean.standard_error,
                                        reference.hybrid_with_rows, reference.standard_error);
-  if (feed.judged && !holds) tally.broken.push_back(where + ": " + text);
+  if (judged && !holds) tally.broken.push_back(where + ": " + text);
   return fmt::format(" {:.1f} / {:.1f} | {}{} |", mean.recklessness, mean.paranoia, text,
-                     holds         ? ""
-                     : feed.judged ? " **"
-                                   : " *");
+                     holds    ? ""
+                     : judged ? " **"
+                              : " *");
 }
 
 void print_row(const Request& request, const PathText& path, const PathReference& reference, const FeedText& feed,
