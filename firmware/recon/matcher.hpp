@@ -38,7 +38,6 @@ class Matcher {
     for (std::size_t b = 0; b < blobs_; ++b) {
       intervals_[b] = interval_of(camera, frame.blobs[b].box);
       censor(intervals_[b], hidden_ends(frame.blobs.view(), b, camera.rows));
-      censor(intervals_[b], ends_near_border(frame.blobs[b].box, camera.width));
       object_of_[b] = kNoMatch;
     }
   }
@@ -117,12 +116,17 @@ class Matcher {
     return rays;
   }
 
-  /// The rays again, with what see() found out about their ends: kept apart to save 700 bytes of scratch.
+  /// The rays again, with what see() found out about their ends: kept apart to save 700 bytes of scratch. Ends that are
+  /// near another's are doubtful besides.
   [[nodiscard]] BlobRays rays_of(const WaitingFrame& frame, const CameraModel& camera, std::size_t b) const {
     BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
     rays.left.censored = intervals_[b].left_censored;
     rays.right.censored = intervals_[b].right_censored;
     rays.bottom.censored = intervals_[b].bottom_censored;
+    const HiddenEnds near = hidden_ends(frame.blobs.view(), b, camera.rows, kBesidePixels);
+    const HiddenEnds border = ends_near_border(frame.blobs[b].box, camera.width);
+    rays.left.doubtful = near.left || border.left;
+    rays.right.doubtful = near.right || border.right;
     return rays;
   }
 

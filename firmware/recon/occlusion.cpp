@@ -19,13 +19,13 @@ bool clearly_nearer(const Box& other, const Box& box, std::int16_t image_rows) {
 
 }  // namespace
 
-HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows) {
+HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows, int beside_px) {
   const Box& box = blobs[index].box;
   HiddenEnds hidden;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (i == index) continue;
     const Box& other = blobs[i].box;
-    const int reach = blobs[i].signature == blobs[index].signature ? kTouchPixels : kBesidePixels;
+    const int reach = blobs[i].signature == blobs[index].signature ? kTouchPixels : beside_px;
     const bool beside = other.y1 <= box.y1 + kTouchPixels && other.y2 >= box.y1;
     if (beside && !clearly_farther(other, box, image_rows)) {
       if (other.x1 < box.x1 && other.x2 >= box.x1 - reach) hidden.left = true;

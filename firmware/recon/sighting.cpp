@@ -18,8 +18,9 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Bl
   sighting.lens = pose.lens;
   sighting.axis = pose.axis;
   sighting.center = rotated(pose.axis, rays.center);
-  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored, rays.left.foreign};
-  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored, rays.right.foreign};
+  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored, rays.left.foreign, rays.left.doubtful};
+  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored, rays.right.foreign,
+                    rays.right.doubtful};
   sighting.top = rays.top;
   sighting.bottom = rays.bottom;
   sighting.focal = camera.fx;

@@ -25,6 +25,7 @@ struct MapRay {
   Vec2 direction{1, 0};  ///< unit
   bool censored = true;
   bool foreign = false;
+  bool doubtful = false;  ///< the hybrid, which can do without, takes no edge there
 };
 
 /// The ends of an object that a blob does not show: there it goes on behind a neighbour or the border.

@@ -136,7 +136,7 @@ bool pack(const Cluster& cluster, PackedCluster& packed) {
 }
 
 Cluster unpack(const PackedCluster& packed) {
-  const auto part = static_cast<float>(packed.phase / 2);
+  const auto part = static_cast<float>(packed.phase >> 1U);
   return {static_cast<float>(whole_offset(packed)) * kOffsetStep, (part + 0.5F) / kPhases, decode_sigma(packed.sigma),
           static_cast<float>(packed.views) * kViewsStep, is_at_least(packed)};
 }

@@ -35,10 +35,12 @@ ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distan
   const MapRay& left = sighting.left;
   const MapRay& right = sighting.right;
   if (!left.foreign) {
-    put(view, ViewTangents::kLeft, view.left, {left_tangent(sighting, origin), sigma(left), left.censored});
+    put(view, ViewTangents::kLeft, view.left,
+        {left_tangent(sighting, origin), sigma(left), left.censored || left.doubtful});
   }
   if (!right.foreign) {
-    put(view, ViewTangents::kRight, view.right, {right_tangent(sighting, origin), sigma(right), right.censored});
+    put(view, ViewTangents::kRight, view.right,
+        {right_tangent(sighting, origin), sigma(right), right.censored || right.doubtful});
   }
   const bool hidden = sighting.bottom.censored;
   const RowDepth row = hidden ? farthest_row_depth(sighting, noise) : row_depth(sighting, noise);

@@ -12,9 +12,9 @@ using recon::WaitingBlob;
 
 constexpr std::int16_t kRows = 208;
 
-HiddenEnds ends_of_first(const WaitingBlob& first, const WaitingBlob& second) {
+HiddenEnds ends_of_first(const WaitingBlob& first, const WaitingBlob& second, int beside = recon::kTouchPixels) {
   const std::array<WaitingBlob, 2> blobs{first, second};
-  return recon::hidden_ends(blobs, 0, kRows);
+  return recon::hidden_ends(blobs, 0, kRows, beside);
 }
 
 const WaitingBlob kFar{{100, 80, 140, 120}, 1};
@@ -45,13 +45,15 @@ TEST(Occlusion, ABottomBelowTheImageIsNearer) {
 }
 
 TEST(Occlusion, ANeighbourThatDoesNotTouchHidesNothing) {
-  EXPECT_FALSE(ends_of_first(kFar, {{149, 70, 180, 150}, 2}).right);
-  EXPECT_TRUE(ends_of_first(kFar, {{148, 70, 180, 150}, 2}).right);
+  EXPECT_FALSE(ends_of_first(kFar, {{146, 70, 180, 150}, 2}).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{145, 70, 180, 150}, 2}).right);
+  EXPECT_FALSE(ends_of_first(kFar, {{149, 70, 180, 150}, 2}, recon::kBesidePixels).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{148, 70, 180, 150}, 2}, recon::kBesidePixels).right);
 }
 
 TEST(Occlusion, TwoOfOneColourWithAGapBetweenWereNotMerged) {
-  EXPECT_FALSE(ends_of_first(kFar, {{146, 70, 180, 150}, 1}).right);
-  EXPECT_TRUE(ends_of_first(kFar, {{145, 70, 180, 150}, 1}).right);
+  EXPECT_FALSE(ends_of_first(kFar, {{146, 70, 180, 150}, 1}, recon::kBesidePixels).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{145, 70, 180, 150}, 1}, recon::kBesidePixels).right);
 }
 
 TEST(Occlusion, ALowerNeighbourHidesTheBottomButNoSide) {
