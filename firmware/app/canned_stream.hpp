@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x8ed015cc0435399a;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x5722a9e041b83745;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xad9178cef7115f37;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x5b8e528b9457869e;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xa2b8fb3be4062cd8;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xc44cdf55b3b74119;
 
 template <class Profile>
 CannedStream canned_stream() {

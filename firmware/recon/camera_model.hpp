@@ -32,14 +32,17 @@ CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics);
 
 /// One edge of an interval: a direction in the level camera frame, or no bound at all.
 struct EdgeRay {
-  Vec2 direction{1, 0};  ///< unit, level camera frame
-  bool censored = true;  ///< on the image border or hidden: it bounds nothing
+  Vec2 direction{1, 0};   ///< unit, level camera frame
+  bool censored = true;   ///< on the image border or hidden: the object goes on beyond it
+  bool foreign = false;   ///< another object's: it does not even reach there
+  bool doubtful = false;  ///< may be cut there
 };
 
 /// How far a ray falls below the horizontal for each metre of forward depth.
 struct RowSlope {
   float drop = 0;
   bool censored = true;
+  bool foreign = false;
 };
 
 /// One blob, reduced to what the plane needs. Level camera frame.

@@ -110,18 +110,24 @@ class Matcher {
   [[nodiscard]] BlobRays rays_for(std::size_t o, const WaitingFrame& frame, const CameraModel& camera) const {
     BlobRays rays = rays_of(frame, camera, blob_of_[o]);
     if (!shared_[o].any) return rays;
-    (shared_[o].is_right ? rays.left : rays.right).censored = true;
-    rays.top.censored = true;
-    if (shared_[o].is_farther) rays.bottom.censored = true;
+    EdgeRay& inner = shared_[o].is_right ? rays.left : rays.right;
+    inner.censored = inner.foreign = true;
+    rays.top.censored = rays.top.foreign = true;
+    if (shared_[o].is_farther) rays.bottom.censored = rays.bottom.foreign = true;
     return rays;
   }
 
-  /// The rays again, with what see() found out about their ends: kept apart to save 700 bytes of scratch.
+  /// The rays again, with what see() found out about their ends: kept apart to save 700 bytes of scratch. Ends that are
+  /// near another's are doubtful besides.
   [[nodiscard]] BlobRays rays_of(const WaitingFrame& frame, const CameraModel& camera, std::size_t b) const {
     BlobRays rays = rays_of_box(camera, frame.blobs[b].box);
     rays.left.censored = intervals_[b].left_censored;
     rays.right.censored = intervals_[b].right_censored;
     rays.bottom.censored = intervals_[b].bottom_censored;
+    const HiddenEnds near = hidden_ends(frame.blobs.view(), b, camera.rows, kBesidePixels);
+    const HiddenEnds border = ends_near_border(frame.blobs[b].box, camera.width);
+    rays.left.doubtful = near.left || border.left;
+    rays.right.doubtful = near.right || border.right;
     return rays;
   }
 

@@ -18,8 +18,9 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Bl
   sighting.lens = pose.lens;
   sighting.axis = pose.axis;
   sighting.center = rotated(pose.axis, rays.center);
-  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored};
-  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored};
+  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored, rays.left.foreign, rays.left.doubtful};
+  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored, rays.right.foreign,
+                    rays.right.doubtful};
   sighting.top = rays.top;
   sighting.bottom = rays.bottom;
   sighting.focal = camera.fx;
@@ -48,8 +49,10 @@ float edge_variance(const Sighting& sighting, const MapRay& ray, float distance,
   return distance * distance * direction_variance(sighting, ray, noise) + noise.position * noise.position;
 }
 
-RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
-  if (!sighting.rows_known || sighting.bottom.censored) return {};
+namespace {
+
+RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise) {
+  if (!sighting.rows_known) return {};
   if (sighting.left.censored && sighting.right.censored) return {};
   if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
   const float depth = sighting.lens_height / sighting.bottom.drop;
@@ -59,6 +62,17 @@ RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
   const float variance =
       per_radian * per_radian * (row * row + noise.pitch * noise.pitch) + noise.position * noise.position;
   return {true, depth, variance};
+}
+
+}  // namespace
+
+RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
+  return sighting.bottom.censored ? RowDepth{} : depth_of_bottom(sighting, noise);
+}
+
+RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
+  const bool hidden = sighting.bottom.censored && !sighting.bottom.foreign;
+  return hidden ? depth_of_bottom(sighting, noise) : RowDepth{};
 }
 
 RowDepth hidden_row_depth(const Sighting& sighting) {

@@ -24,6 +24,8 @@ struct MeasurementNoise {
 struct MapRay {
   Vec2 direction{1, 0};  ///< unit
   bool censored = true;
+  bool foreign = false;
+  bool doubtful = false;  ///< the hybrid, which can do without, takes no edge there
 };
 
 /// The ends of an object that a blob does not show: there it goes on behind a neighbour or the border.
@@ -84,12 +86,16 @@ struct RowDepth {
 /// disappears. The middle of what that leaves, with a sigma that covers it. Known only if the bottom is censored.
 RowDepth hidden_row_depth(const Sighting& sighting);
 
+/// Of a bottom that is not seen where it disappears: the foot is no farther than that. Not known if it is seen, or if
+/// the row is another object's.
+RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise);
+
 /// Not known when the camera's height or pitch is not, when the row is censored or above the horizon, when both edges
 /// are censored, or beyond kRowMaxDepth.
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise);
 
 /// Rows farther than this say more about the pitch than about the object. It is also the bound that keeps a wrong
 /// depth (an object that does not stand on the floor) inside the 4 m square in which models live.
-inline constexpr float kRowMaxDepth = 2.0F;
+inline constexpr float kRowMaxDepth = 2.5F;
 
 }  // namespace fencepost::recon

@@ -64,7 +64,7 @@ Bytes NxtCam5::image(const std::vector<sensor::Blob>& blobs, base::Time now) {
 
 Bytes NxtCam5::framed(std::uint8_t type, const Bytes& body) {
   Bytes bytes = {0x55, 0xAA, static_cast<std::uint8_t>(body.size()), type};
-  bytes.insert(bytes.end(), body.begin(), body.end());
+  for (const std::uint8_t byte : body) bytes.push_back(byte);
   unsigned sum = 0;
   for (const std::uint8_t byte : bytes) sum += byte;
   bytes.push_back(low(static_cast<int>(sum & 0xFFU)));

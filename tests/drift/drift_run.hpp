@@ -3,18 +3,11 @@
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace fencepost::test {
+#include "tests/drift/drifting_odometry.hpp"
 
-/// Odometry as the reference drew it: a scale and a turn a metre, both one draw a run, and a step by step part of each.
-struct Drift {
-  std::string_view key;
-  double scale = 0;      ///< sigma, share of the distance
-  double turn = 0;       ///< sigma, degrees a metre
-  double turn_walk = 0;  ///< degrees a sqrt(m)
-};
+namespace fencepost::test {
 
 /// 1 %, 1 deg/m; 3 %, 2 deg/m; 5 %, 3 deg/m; none.
 const std::vector<Drift>& drifts();

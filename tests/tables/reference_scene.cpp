@@ -124,12 +124,17 @@ void set_path(Dice& dice, double radius, int stride, host::Scene& scene) {
   scene.path = path;
 }
 
-host::Scene three_objects(unsigned seed, int stride) {
-  Dice dice(seed);
+host::Scene three_objects(unsigned seed, Dice& dice) {
   host::Scene scene;
   scene.seed = seed;
   scene.camera = host::table_camera("test");
   add_objects(dice, 3, 0.26, 0.35, scene);
+  return scene;
+}
+
+host::Scene circled(unsigned seed, int stride) {
+  Dice dice(seed);
+  host::Scene scene = three_objects(seed, dice);
   set_path(dice, dice.between(0.8, 1.1), stride, scene);
   return scene;
 }
@@ -162,11 +167,16 @@ host::Scene loop_scene(unsigned seed, int loops) {
   return scene;
 }
 
-host::Scene reference_scene(unsigned seed) { return three_objects(seed, 1); }
+host::Scene reference_scene(unsigned seed) { return circled(seed, 1); }
 
 host::Scene spread_scene(unsigned seed) {
   constexpr int kStride = 29;
-  return three_objects(seed, kStride);
+  return circled(seed, kStride);
+}
+
+host::Scene objects_of_reference(unsigned seed) {
+  Dice dice(seed);
+  return three_objects(seed, dice);
 }
 
 host::Scene two_objects_scene(unsigned seed) {

@@ -21,6 +21,9 @@ host::Scene spread_scene(unsigned seed);
 /// around them, 75 views each, 0.8 to 1.3 m from the centre.
 host::Scene loop_scene(unsigned seed, int loops);
 
+/// The objects and the camera of reference_scene(), and no path.
+host::Scene objects_of_reference(unsigned seed);
+
 /// Figure 7: two convex objects (rectangle and round one, or two rectangles; 0.12 to 0.2 m) in a disc of 0.25 m radius,
 /// seen from a circle of 0.95 m. The second one is the one to look at.
 host::Scene two_objects_scene(unsigned seed);

@@ -22,29 +22,34 @@ struct Poses {
   void accept(const Other&) {}
 };
 
-std::string line_of(const sensor::BlobFrame& frame) {
+template <class Record>
+std::string line_of(const Record& record) {
   std::array<char, record::kMaxLine> line{};
-  const std::size_t length = record::encode(frame, line);
-  if (length == 0) throw std::runtime_error("a frame is outside the range of its record");
+  const std::size_t length = record::encode(record, line);
+  if (length == 0) throw std::runtime_error("a record is outside the range of the stream");
   return {line.data(), length};
 }
 
-}  // namespace
+std::string_view content_of(std::string_view line) { return line.substr(0, line.find_first_of("\r\n")); }
 
-Tour drive_tour(host::Scene scene, const NoiseLevel& level) {
+Tour drive(host::Scene scene, const BlobNoise& noise, const OdometryNoise& odometry) {
   Tour tour;
   tour.scene = std::move(scene);
-  tour.scene.noise.pose_xy = level.pose_xy;
-  tour.scene.noise.pose_heading = level.pose_heading * std::numbers::pi / 180;
   Poses poses;
   const auto keep_line = [&](std::string_view line) {
     if (line.starts_with("$FPFRM")) return;  // comes noisy, below
-    tour.log += line;
-    static_cast<void>(record::decode(line.substr(0, line.find_first_of("\r\n")), {}, poses));
+    std::string kept(line);
+    if (odometry && line.starts_with("$FPODO")) {
+      Poses one;
+      static_cast<void>(record::decode(content_of(line), {}, one));
+      kept = line_of(odometry(one.samples.begin()->second));
+    }
+    tour.log += kept;
+    static_cast<void>(record::decode(content_of(kept), {}, poses));
   };
   std::vector<base::Time> exposures;
   const auto add_noise = [&](const host::FrameTruth& perfect) {
-    tour.views.push_back({{}, noisy_view(tour.scene, perfect, level.blob)});
+    tour.views.push_back({{}, noisy_view(tour.scene, perfect, noise)});
     tour.frames.push_back(frame_of(perfect, tour.views.back().blobs));
     tour.log += line_of(tour.frames.back().frame);
     exposures.push_back(perfect.exposure);
@@ -53,6 +58,23 @@ Tour drive_tour(host::Scene scene, const NoiseLevel& level) {
   if (!summary.ok()) throw std::runtime_error(summary.error());
   for (std::size_t i = 0; i < tour.views.size(); ++i) tour.views[i].pose = poses.samples.at(exposures[i]);
   return tour;
+}
+
+}  // namespace
+
+Tour drive_tour(host::Scene scene, const NoiseLevel& level) {
+  scene.noise.pose_xy = level.pose_xy;
+  scene.noise.pose_heading = level.pose_heading * std::numbers::pi / 180;
+  return drive(std::move(scene), level.blob, {});
+}
+
+Tour drive_tour(host::Scene scene, const BlobNoise& noise, const OdometryNoise& odometry) {
+  return drive(std::move(scene), noise, odometry);
+}
+
+std::string with_setting(std::string log, std::string_view key, std::string_view value) {
+  if (!log.starts_with("$FPHDR")) throw std::runtime_error("a log has to begin with its header");
+  return log.insert(log.find('\n') + 1, line_of(record::Setting{key, value}));
 }
 
 }  // namespace fencepost::test

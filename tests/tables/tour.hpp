@@ -1,7 +1,9 @@
 // One random scene at one noise level, driven once: the log that a robot gets, and what only a test knows.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/sensor/odometry.hpp"
@@ -24,5 +26,14 @@ struct Tour {
 /// `scene` without noise, seen with that of `level`. Poses and boxes of `views` are those of `log`. Throws
 /// std::runtime_error if the scene cannot be simulated.
 Tour drive_tour(host::Scene scene, const NoiseLevel& level);
+
+/// What the robot's odometry makes of the true samples, which come in order of time.
+using OdometryNoise = std::function<sensor::OdometrySample(const sensor::OdometrySample&)>;
+
+/// The same with the poses of `odometry`.
+Tour drive_tour(host::Scene scene, const BlobNoise& noise, const OdometryNoise& odometry);
+
+/// The log of a robot that was told so before it started: a setting after the header.
+std::string with_setting(std::string log, std::string_view key, std::string_view value);
 
 }  // namespace fencepost::test

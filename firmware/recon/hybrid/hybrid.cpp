@@ -144,12 +144,14 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kFirstViews, noise);
-  const auto fresh = static_cast<std::uint8_t>(view.present & ~known);
-  if (fresh == 0) return;
+  if ((view.present & ~known) == 0) return;  // what is only known to be larger than so much is no news by itself
+  const unsigned edges = view.present & ~unsigned{known};
+  const unsigned limits = view.at_least & ~(known | unsigned{known} >> ViewTangents::kBits);
+  const unsigned fresh = edges | limits;
   if ((fresh & ViewTangents::kLeft) != 0) add_one(core, clusters, outline, view.left, novelty);
   if ((fresh & ViewTangents::kRight) != 0) add_one(core, clusters, outline, view.right, novelty);
   if ((fresh & ViewTangents::kFront) != 0) add_one(core, clusters, outline, view.front, novelty);
-  core.used = static_cast<std::uint8_t>(known | fresh);
+  core.used = static_cast<std::uint8_t>(known | edges | limits << ViewTangents::kBits);
   core.news = true;
   if (!elsewhere) return;
   core.last_lens = lens;

@@ -36,7 +36,7 @@ struct HybridCore {
   MapPoint origin;          ///< of the local frame: within kRecentre of the outline's middle when it was fitted last
   Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
   std::uint8_t views = 0;   ///< that brought news, counted to 255
-  std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there
+  std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
   std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m a m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
   bool news = false;     ///< there are tangents that no fit has begun with

@@ -38,6 +38,10 @@ struct Spread {
   float squares = 0;  ///< of residuals in sigmas, weighted
   float weight = 0;
 
+  void add(float in_sigmas, float share) {
+    squares += share * in_sigmas * in_sigmas;
+    weight += share;
+  }
   /// The square of that ratio.
   [[nodiscard]] float learnt(const SpreadPrior& prior) const {
     const float spread =

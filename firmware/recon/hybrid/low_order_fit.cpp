@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kSizeSigma = 0.05F;    // m, of kTypicalSize
 constexpr float kCenterSigma = 2.0F;   // m, of the local origin as the centre
+constexpr float kShapeShare = 0.7F;    // of r / (m^2 - 1): the prior of order m (measured on circles and on paths)
 constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of the higher orders
 
 // A pivot below this share of its own diagonal is rounding.
@@ -88,12 +89,13 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
   series_basis(direction_of({index / kClustersPerSector, cluster.phase}, sectors), used);
   float residual = cluster.offset;
   for (std::size_t i = 0; i < used.size(); ++i) residual -= used[i] * x_[i];
+  if (cluster.at_least && (trusted || residual <= 0)) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * (trusted ? 1.0F : inlier_share(residual, sigma));
-  const float in_sigmas = residual / cluster.sigma;
-  sums_.squares += believed * in_sigmas * in_sigmas;
-  sums_.weight += believed;
-  ++tangents_;
+  if (!cluster.at_least) {
+    sums_.add(residual / cluster.sigma, believed);
+    ++tangents_;
+  }
   const float weight = believed / (sigma * sigma);
   float* entry = matrix_.data();
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -115,7 +117,7 @@ void LowOrderFit<kOrder>::add_priors() {
   add_prior(2, 0, kCenterSigma);
   const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);
   for (std::size_t m = 2; m <= order_; ++m) {
-    const float sigma = radius / static_cast<float>(m * m - 1);
+    const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
     add_prior(2 * m - 1, 0, sigma);
     add_prior(2 * m, 0, sigma);
   }

@@ -38,7 +38,8 @@ class LowOrderFit {
   void begin(std::size_t order, float radius);
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
-  /// Adds cluster `index`. `trusted`: no tangent is doubted.
+  /// Adds cluster `index`. `trusted`: no tangent is doubted. What says `at least` counts where it is not met, and not
+  /// as long as nothing is doubted.
   void add(ConstClusters clusters, std::size_t index, bool trusted);
   /// All tangents are in: the priors.
   void begin_solution() { add_priors(); }

@@ -24,6 +24,8 @@ constexpr float kOverruled = 0.3F;
 
 constexpr std::int32_t kBulge = 79;  // D^2/2 of 64 sectors, in 1/16384
 
+constexpr float kPhases = 128;  // directions told apart in a sector
+
 std::int32_t whole_offset(const PackedCluster& packed) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(packed.offset_low | (packed.offset_high << 8U)));
 }
@@ -39,11 +41,23 @@ std::uint8_t to_eighths(float views) {
   return static_cast<std::uint8_t>(eighths);
 }
 
+bool is_at_least(const PackedCluster& packed) { return (packed.phase & 1U) != 0; }
+
+std::uint8_t packed_phase(const Cluster& cluster) {
+  const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kPhases, 0.0F, kPhases - 1));
+  return static_cast<std::uint8_t>(2 * part + (cluster.at_least ? 1 : 0));
+}
+
 // Squared deviation from the cluster in units of its gate.
 float gate_share(const Cluster& cluster, float phase_angle, const Tangent& tangent, const StoreContext& context) {
   const float off = tangent.line.bound - cluster.offset - context.slope * phase_angle;
   const float sigma = kJoinSigmas * tangent.sigma * std::max(kLeastScale, context.scale);
   return off * off / (sigma * sigma * (1.0F + 1.0F / std::max(1.0F, cluster.views)));
+}
+
+// An edge that is as far out as the tangent, give or take a sigma: that the object reaches so far is no news.
+bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, const StoreContext& context) {
+  return edge.offset + context.slope * phase_angle > tangent.line.bound - tangent.sigma;
 }
 
 // The mean of both, weighted by information. Offsets are compared at one direction.
@@ -83,15 +97,16 @@ bool pack(const Cluster& cluster, PackedCluster& packed) {
   std::int32_t offset = 0;
   if (!whole_steps(cluster.offset, offset)) return false;
   set_offset(packed, offset);
-  packed.phase = static_cast<std::uint8_t>(std::clamp(cluster.phase * 256.0F, 0.0F, 255.0F));
+  packed.phase = packed_phase(cluster);
   packed.sigma = encode_sigma(cluster.sigma);
   packed.views = to_eighths(cluster.views);
   return true;
 }
 
 Cluster unpack(const PackedCluster& packed) {
-  return {static_cast<float>(whole_offset(packed)) * kOffsetStep, (static_cast<float>(packed.phase) + 0.5F) / 256.0F,
-          decode_sigma(packed.sigma), static_cast<float>(packed.views) * kViewsStep};
+  const auto part = static_cast<float>(packed.phase >> 1U);
+  return {static_cast<float>(whole_offset(packed)) * kOffsetStep, (part + 0.5F) / kPhases, decode_sigma(packed.sigma),
+          static_cast<float>(packed.views) * kViewsStep, is_at_least(packed)};
 }
 
 SectorPlace place_of(const Vec2& normal, std::size_t sectors) {
@@ -119,7 +134,12 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
     if (packed.views < weakest->views) weakest = &packed;
     if (packed.views == 0) continue;
     const Cluster cluster = unpack(packed);
-    const float share = gate_share(cluster, (place.phase - cluster.phase) * angle, tangent, context);
+    const float turned = (place.phase - cluster.phase) * angle;
+    if (cluster.at_least != tangent.at_least) {
+      if (tangent.at_least && reaches(cluster, turned, tangent, context)) return;
+      continue;
+    }
+    const float share = gate_share(cluster, turned, tangent, context);
     if (share >= closest) continue;
     closest = share;
     best = &packed;
@@ -129,11 +149,12 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
     return;
   }
   const float views = static_cast<float>(weakest->views) * kViewsStep;
+  if (tangent.at_least && views > 0 && !is_at_least(*weakest)) return;
   if (views > novelty) {
     weakest->views = to_eighths(views - kWeakening * novelty);
     return;
   }
-  static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty}, *weakest));
+  static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty, tangent.at_least}, *weakest));
 }
 
 std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::int32_t part, std::size_t sectors) {
@@ -155,7 +176,7 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
     PackedCluster& packed = clusters[i];
     if (packed.views == 0) continue;
     const std::int32_t offset =
-        whole_offset(packed) - change_of_offset(shift, i / kClustersPerSector, 2 * packed.phase + 1, sectors);
+        whole_offset(packed) - change_of_offset(shift, i / kClustersPerSector, 2 * (packed.phase | 1), sectors);
     if (offset > kFarthestOffset || offset < -kFarthestOffset) {
       packed = {};
     } else {
@@ -167,6 +188,7 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
 float standing(ConstClusters clusters, std::size_t index) {
   const std::size_t first = index - index % kClustersPerSector;
   const Cluster own = unpack(clusters[index]);
+  if (own.at_least) return 1.0F;
   const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
   for (std::size_t i = first; i < first + kClustersPerSector; ++i) {
     if (i == index || clusters[i].views == 0) continue;

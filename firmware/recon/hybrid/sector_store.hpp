@@ -18,11 +18,11 @@ inline constexpr float kViewsStep = 0.125F;     ///< weights are counted in eigh
 inline constexpr float kMostViews = 30.0F;      ///< older views fade when a cluster has more
 inline constexpr float kSmallestSigma = 1e-4F;  ///< m, of a stored sigma
 
-/// Five bytes: offset in kOffsetStep, little endian; where in the sector; sigma as encode_sigma(); views.
+/// Five bytes: offset in kOffsetStep, little endian; where in the sector, and its kind; sigma as encode_sigma(); views.
 struct PackedCluster {
   std::uint8_t offset_low = 0;
   std::uint8_t offset_high = 0;
-  std::uint8_t phase = 0;  ///< 1/256 of the sector
+  std::uint8_t phase = 0;  ///< 1/128 of the sector, doubled; plus 1 if the cluster says `at least`
   std::uint8_t sigma = 0;
   std::uint8_t views = 0;  ///< in kViewsStep; 0: empty
 };
@@ -34,6 +34,7 @@ struct Cluster {
   float phase = 0;   ///< share of the sector, in (0, 1)
   float sigma = 0;   ///< m, of one view in it
   float views = 0;
+  bool at_least = false;  ///< of tangents beyond which the object goes on
 };
 
 /// A float of 4 + 4 bits, steps of 3 to 6 %, from 0.1 mm to 6.3 m; nearest, clamped.
@@ -71,7 +72,8 @@ struct StoreContext {
 };
 
 /// Takes a tangent with weight `novelty` in (0, 1]. It joins the cluster that it agrees with, else opens one, else
-/// takes the place of the weaker one if that is no stronger, else weakens it.
+/// takes the place of the weaker one if that is no stronger, else weakens it. One that says `at least` joins its like
+/// only; it is dropped where an edge is known that far out, and never takes anything from an edge.
 void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent, float novelty,
             const StoreContext& context);
 
@@ -90,7 +92,8 @@ std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std:
 void move_origin(Clusters clusters, const OriginShift& shift);
 
 /// Share of its views that cluster `index` counts for: less if its neighbour in the sector has a larger offset and is
-/// not much weaker, for lost pieces and occluders bias offsets down far more often than up.
+/// not much weaker, for lost pieces and occluders bias offsets down far more often than up. What says `at least` does
+/// not contradict it.
 float standing(ConstClusters clusters, std::size_t index);
 
 }  // namespace fencepost::recon

@@ -11,8 +11,11 @@ namespace {
 
 constexpr float kLargestRadius = 0.35F;  // m, that scales sides
 
-// A side is known to 1.8 r sqrt(D) before anything is seen.
+// A side is known to 1.8 r sqrt(D) before anything is seen, where tangents come from all around. Seen from one side
+// only the outline is rather what objects are like: with fewer tangents sides are known better, down to this share.
 constexpr float kSideSigma = 1.8F;
+constexpr float kSharePerTangent = 1.0F / 56.0F;
+constexpr float kLeastSideShare = 0.45F;
 // Weight of a side of length l relative to that of a round outline, D r: D r / (l + 0.3 D r); those above half of D r
 // are drawn to D r, the others to nothing.
 constexpr float kSoftening = 0.3F;
@@ -52,12 +55,13 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
   const float a = small_sine(step.angle - t) / step.sine;
   const float b = small_sine(t) / step.sine;
   const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
+  if (cluster.at_least && residual <= 0) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * inlier_share(residual, sigma);
-  const float in_sigmas = residual / cluster.sigma;
-  sums_.squares += believed * in_sigmas * in_sigmas;
-  sums_.weight += believed;
-  ++tangents_;
+  if (!cluster.at_least) {
+    sums_.add(residual / cluster.sigma, believed);
+    ++tangents_;
+  }
   const float weight = believed / (sigma * sigma);
   band_.diagonal[k] += weight * a * a;
   band_.first[k] += weight * a * b;
@@ -74,7 +78,8 @@ void SupportFit::add_side(std::size_t k, bool polygonal) {
   const float middle = -2.0F * step.cosine / step.sine;
   const float length = outer * (offsets_[before] + offsets_[after]) + middle * offsets_[k];
   const float round_side = step.angle * radius_;
-  const float sigma = kSideSigma * radius_;
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
+  const float sigma = kSideSigma * share * radius_;
   float weight = 1.0F / (sigma * sigma * step.angle);
   float target = round_side;
   if (polygonal) {

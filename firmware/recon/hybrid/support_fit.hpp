@@ -21,9 +21,10 @@ class SupportFit {
   void begin();
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
+  /// What says `at least` counts where it is not met.
   void add(ConstClusters clusters, std::size_t index);
-  /// What is known of side k before anything is seen. In the first passes all sides are alike; `polygonal`: few are
-  /// long.
+  /// After all tangents of a pass. What is known of side k before anything is seen. In the first passes all sides are
+  /// alike; `polygonal`: few are long.
   void add_side(std::size_t k, bool polygonal);
   void begin_elimination() { band_.begin_elimination(); }
   [[nodiscard]] bool eliminate(std::size_t k) { return band_.eliminate(k); }

@@ -17,6 +17,12 @@ float loss_variance(const Sighting& sighting, float distance) {
   return kLossProbability * kLostShare * kLostShare * width * width;
 }
 
+void put(ViewTangents& view, ViewTangents::Which which, Tangent& place, const Tangent& tangent) {
+  place = tangent;
+  std::uint8_t& bits = tangent.at_least ? view.at_least : view.present;
+  bits = static_cast<std::uint8_t>(bits | which);
+}
+
 }  // namespace
 
 ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
@@ -26,19 +32,22 @@ ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distan
   const auto sigma = [&](const MapRay& ray) {
     return std::sqrt(edge_variance(sighting, ray, distance, noise) + extra);
   };
-  if (!sighting.left.censored) {
-    view.left = {left_tangent(sighting, origin), sigma(sighting.left)};
-    view.present |= ViewTangents::kLeft;
+  const MapRay& left = sighting.left;
+  const MapRay& right = sighting.right;
+  if (!left.foreign) {
+    put(view, ViewTangents::kLeft, view.left,
+        {left_tangent(sighting, origin), sigma(left), left.censored || left.doubtful});
   }
-  if (!sighting.right.censored) {
-    view.right = {right_tangent(sighting, origin), sigma(sighting.right)};
-    view.present |= ViewTangents::kRight;
+  if (!right.foreign) {
+    put(view, ViewTangents::kRight, view.right,
+        {right_tangent(sighting, origin), sigma(right), right.censored || right.doubtful});
   }
-  const RowDepth row = row_depth(sighting, noise);
+  const bool hidden = sighting.bottom.censored;
+  const RowDepth row = hidden ? farthest_row_depth(sighting, noise) : row_depth(sighting, noise);
   if (row.known) {
     const Vec2 normal = -sighting.axis;
-    view.front = {{normal, normal.dot(sighting.lens_from(origin)) - row.depth}, std::sqrt(row.variance)};
-    view.present |= ViewTangents::kFront;
+    const float reach = normal.dot(sighting.lens_from(origin)) - row.depth;
+    put(view, ViewTangents::kFront, view.front, {{normal, reach}, std::sqrt(row.variance), hidden});
   }
   return view;
 }

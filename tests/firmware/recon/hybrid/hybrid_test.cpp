@@ -245,10 +245,43 @@ TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   half.left.censored = true;
   WideFilter filter;
   filter.see(half);
-  EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight);
+  EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight | ViewTangents::kLeft << ViewTangents::kBits);
+  filter.see(half);
+  EXPECT_FALSE(filter.hybrid.news);
   filter.see(view_of(footprint, {1, 0}).sighting);
-  EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight | ViewTangents::kLeft);
+  EXPECT_EQ(filter.hybrid.used & (ViewTangents::kRight | ViewTangents::kLeft),
+            ViewTangents::kRight | ViewTangents::kLeft);
   EXPECT_EQ(filter.hybrid.views, 1);
+}
+
+enum class End { kEdge, kHidden, kForeign };
+
+/// A box of 0.2 m by 0.12 m, approached 60 times; of its right end, at y = 0.06, only what is below y = 0.04 is seen.
+/// `mistaken`: in one view only what is below y = 0, and that end is taken for an edge.
+Wide approached(End end, bool mistaken) {
+  WideFilter filter;
+  for (int i = 0; i < 60; ++i) {
+    const bool wrong = mistaken && i == 5;
+    host::LinearRing seen = box(0.20, 0.12);
+    for (host::Point& p : seen) p.y = std::min(p.y, wrong ? 0.0 : 0.04);
+    Sighting sighting = view_of(seen, {1.5 - 0.01 * i, 0.3 - 0.01 * i}).sighting;
+    sighting.right.censored = !wrong && end != End::kEdge;
+    sighting.right.foreign = !wrong && end == End::kForeign;
+    filter.see(sighting);
+  }
+  return filter.hybrid;
+}
+constexpr std::size_t kUp = 16;  // of 64 directions: +y
+
+// Where the object goes on behind something it is no smaller than what is seen of it; another object's end says nothing
+// of this one.
+TEST(HybridProperties, AHiddenEndSaysHowFarItReachesAtLeast) {
+  EXPECT_NEAR(support(approached(End::kEdge, false), kUp), 0.04, 0.006);
+  EXPECT_GT(support(approached(End::kHidden, false), kUp), 0.036);
+}
+TEST(HybridProperties, AHiddenEndContradictsASmallerEdge) {
+  EXPECT_LT(support(approached(End::kForeign, true), kUp), 0.025);
+  EXPECT_GT(support(approached(End::kHidden, true), kUp), 0.035);
 }
 
 TEST(HybridProperties, CensoredEndsAddNothing) {

@@ -69,13 +69,14 @@ TEST(SectorStore, SigmasKeepFourPerCent) {
 
 TEST(SectorStore, ClustersLoseHalfAStepAtMost) {
   for (int i = -300; i <= 300; ++i) {
-    const Cluster cluster{0.0107F * static_cast<float>(i), 0.37F, 0.0123F, 2.2F};
+    const Cluster cluster{0.0107F * static_cast<float>(i), 0.37F, 0.0123F, 2.2F, i % 2 == 0};
     PackedCluster packed;
     ASSERT_TRUE(pack(cluster, packed));
     const Cluster back = unpack(packed);
     EXPECT_NEAR(back.offset, cluster.offset, 0.51F * kOffsetStep);
-    EXPECT_NEAR(back.phase, cluster.phase, 0.51F / 256);
+    EXPECT_NEAR(back.phase, cluster.phase, 0.51F / 128);
     EXPECT_NEAR(back.views, cluster.views, 0.51F * kViewsStep);
+    EXPECT_EQ(back.at_least, cluster.at_least);
   }
   PackedCluster packed;
   EXPECT_FALSE(pack({3.28F, 0.5F, 0.01F, 1}, packed));
@@ -124,6 +125,49 @@ TEST(SectorStore, AWrongTangentIsAClusterOfItsOwnAndIsOutlived) {
   EXPECT_FLOAT_EQ(stored(store, 0).views, 4);
 }
 
+Tangent at_least(float offset) {
+  Tangent limit = tangent(offset);
+  limit.at_least = true;
+  return limit;
+}
+
+TEST(SectorStore, WhatSaysAtLeastStaysApartFromEdges) {
+  Store store{};
+  insert(store, kPlace, at_least(0.10F), 1, {});
+  insert(store, kPlace, at_least(0.10F), 1, {});
+  insert(store, kPlace, tangent(0.10F), 1, {});
+  EXPECT_TRUE(stored(store, 0).at_least);
+  EXPECT_FLOAT_EQ(stored(store, 0).views, 2);
+  EXPECT_FALSE(stored(store, 1).at_least);
+  EXPECT_FLOAT_EQ(stored(store, 1).views, 1);
+  EXPECT_EQ(standing(store, 2 * 10), 1.0F);
+}
+
+TEST(SectorStore, WhatSaysAtLeastIsNoNewsWhereAnEdgeIsThatFarOut) {
+  Store store{};
+  insert(store, kPlace, tangent(0.10F), 1, {});
+  insert(store, kPlace, at_least(0.105F), 1, {});  // sigma is 10 mm
+  EXPECT_EQ(stored(store, 1).views, 0);
+  insert(store, kPlace, at_least(0.115F), 1, {});
+  EXPECT_FLOAT_EQ(stored(store, 1).views, 1);
+}
+
+TEST(SectorStore, WhatSaysAtLeastOverrulesAnEdgeAndTakesNothingFromIt) {
+  Store store{};
+  insert(store, kPlace, tangent(0.02F), 1, {});
+  for (int i = 0; i < 2; ++i) insert(store, kPlace, at_least(0.10F), 1, {});
+  EXPECT_LT(standing(store, 2 * 10), 0.5F);
+  EXPECT_EQ(standing(store, 2 * 10 + 1), 1.0F);
+  Store edges{};
+  insert(edges, kPlace, tangent(0.02F), 1, {});
+  insert(edges, kPlace, tangent(-0.05F), 0.5F, {});
+  insert(edges, kPlace, at_least(0.10F), 1, {});
+  EXPECT_NEAR(stored(edges, 0).offset, 0.02F, 1e-4F);
+  EXPECT_FLOAT_EQ(stored(edges, 0).views, 1);
+  EXPECT_NEAR(stored(edges, 1).offset, -0.05F, 1e-4F);
+  EXPECT_FLOAT_EQ(stored(edges, 1).views, 0.5F);
+}
+
 TEST(SectorStore, OldViewsFade) {
   Store store{};
   for (int i = 0; i < 200; ++i) insert(store, kPlace, tangent(0.10F), 1, {});
@@ -139,7 +183,7 @@ TEST(SectorStore, MovingTheOriginIsWhatItIsInFloats) {
     std::vector<PackedCluster> store(sectors * kClustersPerSector);
     std::vector<float> expected;
     for (std::size_t i = 0; i < store.size(); ++i) {
-      const Cluster cluster{0.1F, static_cast<float>(i * 37 % 256) / 256, 0.01F, 1};
+      const Cluster cluster{0.1F, static_cast<float>(i * 37 % 256) / 256, 0.01F, 1, i % 3 == 0};
       ASSERT_TRUE(pack(cluster, store[i]));
       const Vec2 direction = direction_of({i / kClustersPerSector, unpack(store[i]).phase}, sectors);
       expected.push_back(0.1F - direction.dot(metres));
