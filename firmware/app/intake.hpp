@@ -35,13 +35,13 @@ struct Intake {
 
   template <class Record>
   static constexpr bool wants() {
-    return is_any_of<Record, record::Header, sensor::CameraIntrinsics, record::Signature, sensor::OdometrySample,
-                     sensor::BlobFrame>;
+    return kIsAnyOf<Record, record::Header, sensor::CameraIntrinsics, record::Signature, sensor::OdometrySample,
+                    sensor::BlobFrame>;
   }
 
  private:
   template <class Record, class... Kinds>
-  static constexpr bool is_any_of = (std::is_same_v<Record, Kinds> || ...);
+  static constexpr bool kIsAnyOf = (std::is_same_v<Record, Kinds> || ...);
 
   template <class Input>
   void take(const Input& item) {

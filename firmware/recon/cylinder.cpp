@@ -79,7 +79,7 @@ struct Factors {
 // Nothing unless the matrix is positive definite.
 std::optional<Factors> factorise(const Symmetric3& m) {
   if (!(m.xx > 0)) return std::nullopt;
-  Factors f;
+  Factors f{};
   f.x = 1.0F / m.xx;
   f.xy = m.xy * f.x;
   f.xr = m.xr * f.x;

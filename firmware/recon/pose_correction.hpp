@@ -129,7 +129,7 @@ class PoseCorrection {
       if ((view.present & which) == 0) return;
       const float shape = noise.roundness * landmark.radius;
       const float variance = (tangent.sigma * tangent.sigma + shape * shape) / novelty;
-      std::array<float, LandmarkFilter<kLandmarks>::kStates> step;
+      std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
       if (correct_by(filter_.view(), slot, tangent.line, variance, step) == TangentFate::kUsed)
         move(objects, slot, step);
     };
