@@ -84,10 +84,9 @@ PredictedLine predict_row(const CameraModel& camera, float drop, float relative_
 }
 
 // Foot and top of an object that stands on the floor.
-void predict_rows(const CameraModel& camera, const ObjectCore& object, const Vec2& axis, const MeasurementNoise& noise,
-                  Prediction& prediction) {
+void predict_rows(const CameraModel& camera, const ObjectCore& object, const CylinderEstimate& estimate,
+                  const Vec2& axis, const MeasurementNoise& noise, Prediction& prediction) {
   if (!camera.pitch_known || !(camera.height > 0)) return;
-  const CylinderEstimate& estimate = object.cylinder.estimate();
   const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
   prediction.bottom = predict_row(camera, camera.height / prediction.depth, relative, noise);
   if (object.cylinder.first_views() < kViewsForTop) return;
@@ -98,8 +97,7 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Vec
 }
 
 Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                            const MeasurementNoise& noise) {
-  const CylinderEstimate& estimate = object.cylinder.estimate();
+                            const CylinderEstimate& estimate, const MeasurementNoise& noise) {
   const Vec2 lens = offset_from(object.origin, pose.anchor) + pose.lens;
   const Vec2 away = estimate.center - lens;
   const float distance = std::sqrt(away.squaredNorm());
@@ -127,7 +125,7 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   prediction.right = {whole_pixels(u_right), whole_pixels(std::max(1.0F, right_sigma))};
   prediction.left_tolerance = whole_pixels(std::max(1.0F, left_tolerance));
   prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
-  predict_rows(camera, object, pose.axis, noise, prediction);
+  predict_rows(camera, object, estimate, pose.axis, noise, prediction);
   const auto columns = static_cast<float>(camera.width);
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
@@ -210,9 +208,9 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 }  // namespace
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                   const MeasurementNoise& noise) {
-  Prediction prediction = object.cylinder.estimate().ok() ? predict_cylinder(camera, pose, object, noise)
-                                                          : predict_bearing(camera, pose, object, noise);
+                   const CylinderEstimate& estimate, const MeasurementNoise& noise) {
+  Prediction prediction = estimate.ok() ? predict_cylinder(camera, pose, object, estimate, noise)
+                                        : predict_bearing(camera, pose, object, noise);
   prediction.signature = object.signature;
   prediction.confirmed = object.confirmed;
   return prediction;

@@ -35,8 +35,9 @@ struct Prediction {
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
+/// `estimate`: where the object is, in its own local frame; its cylinder's unless something knows better.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                   const MeasurementNoise& noise);
+                   const CylinderEstimate& estimate, const MeasurementNoise& noise);
 
 /// A blob as an interval that is comparable with predictions.
 struct Interval {

@@ -52,16 +52,16 @@ Vec2 direction_of(std::int64_t microradians) {
   return {direction.cos, direction.sin};
 }
 
-/// d(residual's prediction) / d(state): only these six and the radius, which counts 1, are not zero.
+/// d(residual's prediction) / d(state): only these six are not zero.
 struct Jacobian {
   Vec2 center{0, 0};  ///< the position's is its negative
   float heading = 0;
+  float radius = 1;
 };
 
-// The map's `normal` touches the landmark at `slot`.
-Jacobian jacobian_of(const FilterView& filter, std::size_t slot, const Vec2& normal) {
-  const Vec2 away = offset_from(filter.at.pose.position, filter.landmarks[slot].center);
-  return {normal, left_of(normal).dot(away)};
+// Of an equation whose normal is this one in map axes.
+Jacobian jacobian_of(const Vec2& normal, const Vec2& away, float radii) {
+  return {normal, left_of(normal).dot(away), radii};
 }
 
 // Covariance of what is measured with the state that has this row; the radius left out.
@@ -77,18 +77,19 @@ void project(const FilterView& filter, std::size_t slot, const Jacobian& jacobia
   const std::span<const float> own = covariance.radius(slot);
   const std::size_t places = covariance.places();
   for (std::size_t i = 0; i < places; ++i) {
-    out[i] = along(jacobian, slot, [&](std::size_t j) { return covariance.at(i, j); }) + own[i];
+    out[i] = along(jacobian, slot, [&](std::size_t j) { return covariance.at(i, j); }) + jacobian.radius * own[i];
   }
   for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
     const std::span<const float> radius = covariance.radius(l);
     out[places + l] = along(jacobian, slot, [&](std::size_t j) { return radius[j]; });
   }
-  out[places + slot] += own[places];
+  out[places + slot] += jacobian.radius * own[places];
 }
 
 // J P J' of what project() gave.
 float variance_along(const Jacobian& jacobian, std::size_t slot, std::size_t places, std::span<const float> projected) {
-  return along(jacobian, slot, [&](std::size_t j) { return projected[j]; }) + projected[places + slot];
+  return along(jacobian, slot, [&](std::size_t j) { return projected[j]; }) +
+         jacobian.radius * projected[places + slot];
 }
 
 bool stays_positive(const FilterView& filter, std::span<const float> projected, float innovation) {
@@ -253,14 +254,16 @@ void forget_landmark(const FilterView& filter, std::size_t slot) {
   std::fill(radius.begin(), radius.end(), 0.0F);
 }
 
-TangentFate correct_by(const FilterView& filter, std::size_t slot, const HalfPlane& tangent, float variance,
+TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
                        std::span<float> step) {
   const MapPose& pose = filter.at.pose;
   const Landmark& landmark = filter.landmarks[slot];
   const std::size_t places = places_of(filter.landmarks.size());
-  const Vec2 normal = rotated(direction_of(pose.heading), tangent.normal);
-  const Jacobian jacobian = jacobian_of(filter, slot, normal);
-  const float residual = tangent.bound - normal.dot(offset_from(pose.position, landmark.center)) - landmark.radius;
+  const Vec2 map_R_robot = direction_of(pose.heading);
+  const Vec2 normal = rotated(map_R_robot, seen.normal);
+  const Vec2 away = offset_from(pose.position, landmark.center);
+  const Jacobian jacobian = jacobian_of(rotated(map_R_robot, seen.slope), away, seen.radii);
+  const float residual = seen.bound - normal.dot(away) - seen.radii * landmark.radius;
   project(filter, slot, jacobian, step);
   float innovation = variance_along(jacobian, slot, places, step) + variance;
   if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
@@ -276,18 +279,26 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const HalfPla
   return TangentFate::kUsed;
 }
 
-float variance_from_robot(const FilterView& filter, std::size_t slot) {
+CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   const Covariance p(filter);
-  const Vec2 away = offset_from(filter.at.pose.position, filter.landmarks[slot].center);
-  const float distance = std::sqrt(away.squaredNorm());
-  if (!(distance > 0)) return 0;
-  const auto variance = [&](const Vec2& direction) {
-    const Jacobian jacobian = jacobian_of(filter, slot, direction);
-    return along(jacobian, slot,
-                 [&](std::size_t i) { return along(jacobian, slot, [&](std::size_t j) { return p.at(i, j); }); });
+  const Landmark& landmark = filter.landmarks[slot];
+  CylinderEstimate seen;
+  seen.center = offset_from(filter.at.pose.position, landmark.center);
+  seen.radius = landmark.radius;
+  const Jacobian along_x = jacobian_of({1, 0}, seen.center, 0);
+  const Jacobian along_y = jacobian_of({0, 1}, seen.center, 0);
+  const auto covariance = [&](const Jacobian& one, const Jacobian& other) {
+    return along(one, slot,
+                 [&](std::size_t i) { return along(other, slot, [&](std::size_t j) { return p.at(i, j); }); });
   };
-  const Vec2 sight = away / distance;
-  return std::max(0.0F, std::max(variance(sight), variance(left_of(sight))));
+  const std::span<const float> radius = p.radius(slot);
+  const auto with_radius = [&](const Jacobian& one) {
+    return along(one, slot, [&](std::size_t i) { return radius[i]; });
+  };
+  seen.covariance = {covariance(along_x, along_x), covariance(along_x, along_y), covariance(along_y, along_y),
+                     with_radius(along_x),         with_radius(along_y),         radius[p.places()]};
+  seen.refusal = CylinderRefusal::kNone;
+  return seen;
 }
 
 PoseSigma pose_sigma(std::span<const float> covariance) {

@@ -2,8 +2,9 @@
 // stand still. It knows no camera and no object: odometry and tangents in the robot frame come in, poses go out.
 //
 // A tangent n.q = b of a circle (c, r), robot frame, says n.R'(c - P) + r = b: linear in (c, r), one number a time, so
-// nothing is ever inverted. Covariances are kept as one triangle, which cannot be asymmetric. Those between the radii
-// of two landmarks are not kept: each is put on both variances instead, the safe side (for any d the matrix
+// nothing is ever inverted. Half the sum and half the difference of two such equations are of the same kind.
+// Covariances are kept as one triangle, which cannot be asymmetric. Those between the radii of two landmarks are not
+// kept: each is put on both variances instead, the safe side (for any d the matrix
 // [|d| -d; -d |d|] is not negative), which saves N (N - 1) / 2 floats and costs about 1 % of the correction.
 #pragma once
 
@@ -42,6 +43,17 @@ struct LandmarkGuess {
   Vec2 away{0, 0};  ///< from the robot to its centre, map axes, m
   float radius = 0;
   Symmetric3 covariance;  ///< map axes
+};
+
+/// What a sighting says of a circle (c, r), robot frame: normal.c + radii * r = bound. Of a tangent the normal is a
+/// unit vector and `radii` 1.
+struct CircleEquation {
+  Vec2 normal{0, 0};
+  float bound = 0;  ///< m
+  float radii = 1;
+  /// The normal as the estimate expects it; without noise it is the same. What is seen from farther away has the larger
+  /// error: with its own normals for derivatives, noise would look like parallax and draw everything to the lens.
+  Vec2 slope{0, 0};
 };
 
 struct PoseSigma {
@@ -86,15 +98,15 @@ void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNois
 void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess);
 void forget_landmark(const FilterView& filter, std::size_t slot);
 
-/// Takes one tangent of the landmark in `slot`: robot frame, `variance` (m^2) of its bound, non-roundness included.
-/// Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if the tangent was used it then
+/// Takes one equation of the landmark in `slot`: `variance` (m^2) of its bound, non-roundness included.
+/// Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if it was used it then
 /// holds by how much each state was moved (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
-TangentFate correct_by(const FilterView& filter, std::size_t slot, const HalfPlane& tangent, float variance,
+TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
                        std::span<float> step);
 
-/// Variance (m^2) of where the landmark is as seen from the robot, in the less certain of two directions: along the
-/// line of sight and across.
-float variance_from_robot(const FilterView& filter, std::size_t slot);
+/// The landmark as seen from the robot: its centre from the pose's position, map axes, and the covariance of what is
+/// between the two, the heading's part included.
+CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
 /// Of the packed covariances of the pose.
 PoseSigma pose_sigma(std::span<const float> covariance);
 

@@ -52,7 +52,8 @@ class Map {
     exposure_ = frame.t - camera.latency;
     MapPose pose = correction_.drive(odometry, drift);
     LensPose lens = lens_pose(pose, camera);
-    matcher_.predict(objects_, camera, lens, [&](std::size_t o) { return correction_.matching_noise(o, noise); });
+    matcher_.predict(objects_, camera, lens, noise,
+                     [&](std::size_t o) { return correction_.place_of(objects_[o], o); });
     matcher_.see(frame, camera);
     matcher_.join_pieces(frame, camera, objects_);
     retire_divided();

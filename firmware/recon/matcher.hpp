@@ -24,12 +24,13 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// `noise_of(o)`: of the pose and the camera, as far as they matter for the object in slot o.
-  template <class NoiseOf>
+  /// `place_of(o)`: where the object in slot o is, in its local frame.
+  template <class PlaceOf>
   [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
-                                 NoiseOf&& noise_of) {
+                                 const MeasurementNoise& noise, PlaceOf&& place_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      predictions_[o] = objects[o].used() ? recon::predict(camera, lens, objects[o], noise_of(o)) : Prediction{};
+      predictions_[o] = Prediction{};
+      if (objects[o].used()) predictions_[o] = recon::predict(camera, lens, objects[o], place_of(o), noise);
       blob_of_[o] = kNoMatch;
     }
   }

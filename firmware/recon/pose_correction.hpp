@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "firmware/recon/frame_queue.hpp"
-#include "firmware/recon/hybrid/tangent.hpp"
 #include "firmware/recon/landmark_filter.hpp"
 #include "firmware/recon/object.hpp"
 
@@ -20,9 +19,24 @@ inline constexpr float kCorrectedHeading = 0.0105F;  ///< rad
 inline constexpr float kCorrectedPosition = 0.006F;  ///< m
 
 /// What the filter is told of an object that becomes a landmark.
-/// Its cylinder, where there is one; else the row's depth or a typical size
+/// Its cylinder, where rows have told how far it is; else the row's depth or a typical size
 /// tell how far it may be on the bearing of `seen`, from the corrected pose. Radius 0: nothing does.
 LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const MeasurementNoise& noise);
+
+/// What a sighting tells the filter of a landmark, at most three equations in the robot frame.
+struct SightedCircle {
+  struct Line {
+    CircleEquation equation;
+    float variance = 0;  ///< m^2; 0: there is none
+  };
+  std::array<Line, 3> lines;
+};
+
+/// Both ends give the width, which no wrong heading changes, and the middle, which the radius does not change; a single
+/// end gives its tangent, the foot one more. `seen` from the robot; by the estimate the circle of this `radius` (m) is
+/// `away` from the lens, robot frame; `novelty` of the view.
+SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
+                             const MeasurementNoise& noise);
 
 /// Of an object that is no noise.
 inline constexpr std::uint32_t kViewsForLandmark = 3;
@@ -61,11 +75,13 @@ class PoseCorrection {
   [[nodiscard]] const MapPose& pose() const { return filter_.at().pose; }
   [[nodiscard]] PoseSigma sigma() const { return pose_sigma(filter_.pose_covariances()); }
 
-  /// For matching: an object that was out of sight may be where the pose has drifted to. That closes the loop.
-  [[nodiscard]] MeasurementNoise matching_noise(std::size_t slot, MeasurementNoise noise) {
-    if (!running_ || !filter_.landmark(slot).used()) return noise;
-    noise.position = std::sqrt(noise.position * noise.position + variance_from_robot(filter_.view(), slot));
-    return noise;
+  /// For matching: where the object in `slot` is, in its local frame. Of a landmark the filter knows how far the pose
+  /// has drifted away from it since it was seen: that closes the loop.
+  [[nodiscard]] CylinderEstimate place_of(const ObjectCore& object, std::size_t slot) {
+    if (!running_ || !filter_.landmark(slot).used()) return object.cylinder.estimate();
+    CylinderEstimate place = seen_from_robot(filter_.view(), slot);
+    place.center += offset_from(object.origin, pose().position);
+    return place;
   }
   [[nodiscard]] MeasurementNoise model_noise(MeasurementNoise noise) const {
     if (!running_) return noise;
@@ -121,21 +137,17 @@ class PoseCorrection {
   void take(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
             const MeasurementNoise& noise) {
     const Landmark& landmark = filter_.landmark(slot);
-    const float distance = std::sqrt(offset_from(lens.anchor, landmark.center).squaredNorm());
-    const ViewTangents view = tangents_of(seen, {}, distance, false, noise);
+    const Vec2 from_lens = offset_from(lens.anchor, landmark.center) - lens.lens;
+    const Vec2 away = rotated(seen.axis, {lens.axis.dot(from_lens), cross(lens.axis, from_lens)});
     // What is not round about it is not news either as long as the robot stands.
     const float novelty = objects[slot].novelty(offset_from(objects[slot].origin, lens.anchor) + lens.lens);
-    const auto correct_one = [&](ViewTangents::Which which, const Tangent& tangent) {
-      if ((view.present & which) == 0) return;
-      const float shape = noise.roundness * landmark.radius;
-      const float variance = (tangent.sigma * tangent.sigma + shape * shape) / novelty;
+    const SightedCircle circle = sighted_circle(seen, away, landmark.radius, novelty, noise);
+    for (const SightedCircle::Line& line : circle.lines) {
+      if (!(line.variance > 0)) continue;
       std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      if (correct_by(filter_.view(), slot, tangent.line, variance, step) == TangentFate::kUsed)
+      if (correct_by(filter_.view(), slot, line.equation, line.variance, step) == TangentFate::kUsed)
         move(objects, slot, step);
-    };
-    correct_one(ViewTangents::kLeft, view.left);
-    correct_one(ViewTangents::kRight, view.right);
-    correct_one(ViewTangents::kFront, view.front);
+    }
   }
 
   // How the landmark that was seen moves against the pose, its object's models find out for themselves.

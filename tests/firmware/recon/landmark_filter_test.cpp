@@ -135,6 +135,8 @@ Eigen::Matrix3d dense_covariance() {
   return c;
 }
 
+constexpr float kVariance = 2e-4F;  // m^2, of a tangent
+
 // Loops around four discs. Odometry that turns by itself; edges with noise.
 template <std::size_t N>
 struct Loop {
@@ -180,7 +182,7 @@ struct Loop {
     return tangent;
   }
   TangentFate correct(std::size_t l, const HalfPlane& tangent) {
-    return recon::correct_by(filter.view(), l, tangent, 2e-4F, step);
+    return recon::correct_by(filter.view(), l, {tangent.normal, tangent.bound, 1, tangent.normal}, kVariance, step);
   }
   [[nodiscard]] double position_error(const MapPose& pose) const {
     return std::hypot(pose.position.x * 1e-5 - truth[0], pose.position.y * 1e-5 - truth[1]);
@@ -229,6 +231,66 @@ TEST(LandmarkFilter, AgreesWithADenseFilterInDouble) {
       ASSERT_GT(std::sqrt(P(k, k)), 0.98 * std::sqrt(dense.P(k, k))) << i << " " << k;
       ASSERT_LT(std::sqrt(P(k, k)), 1.10 * std::sqrt(dense.P(k, k))) << i << " " << k;
     }
+  }
+}
+
+// Left and right end of equal variance, or half their sum and half their difference of half of it: the same news.
+TEST(LandmarkFilter, LearnsTheSameFromHalfTheSumAndHalfTheDifference) {
+  Loop<4> ends;
+  Loop<4> halves;
+  const auto take = [&](std::size_t l, const Vec2& normal, float bound, float radii) {
+    const auto fate =
+        recon::correct_by(halves.filter.view(), l, {normal, bound, radii, normal}, 0.5F * kVariance, halves.step);
+    ASSERT_EQ(fate, TangentFate::kUsed);
+  };
+  for (int i = 1; i < 40; ++i) {
+    ends.advance(i);
+    halves.advance(i);
+    for (std::size_t l = 0; l < 4; ++l) {
+      const HalfPlane left = ends.look(l, 1);
+      const HalfPlane right = ends.look(l, -1);
+      ASSERT_EQ(ends.correct(l, left), TangentFate::kUsed);
+      ASSERT_EQ(ends.correct(l, right), TangentFate::kUsed);
+      take(l, 0.5F * (left.normal + right.normal), 0.5F * (left.bound + right.bound), 1);
+      take(l, 0.5F * (left.normal - right.normal), 0.5F * (left.bound - right.bound), 0);
+    }
+  }
+  EXPECT_NEAR(ends.filter.at().pose.heading * 1e-6, halves.filter.at().pose.heading * 1e-6, 0.004);
+  for (std::size_t l = 0; l < 4; ++l) {
+    const recon::Landmark& one = ends.filter.landmark(l);
+    const recon::Landmark& other = halves.filter.landmark(l);
+    EXPECT_LT(std::sqrt(recon::offset_from(one.center, other.center).squaredNorm()), 0.004F);
+    EXPECT_NEAR(one.radius, other.radius, 0.003F);
+  }
+  const DenseMatrix P = unpacked(ends.filter);
+  const DenseMatrix Q = unpacked(halves.filter);
+  for (Eigen::Index k = 0; k < P.rows(); ++k) EXPECT_NEAR(std::sqrt(P(k, k)), std::sqrt(Q(k, k)), 0.002) << k;
+}
+
+TEST(LandmarkFilter, SeesFromTheRobotWhatThePackedCovariancesSay) {
+  Loop<4> loop;
+  for (int i = 1; i < 12; ++i) {
+    loop.advance(i);
+    for (std::size_t l = 0; l < 4; ++l) loop.correct(l, loop.look(l, 1));
+  }
+  for (int i = 12; i < 30; ++i) loop.advance(i);
+  const DenseMatrix P = unpacked(loop.filter);
+  for (int l = 0; l < 4; ++l) {
+    const recon::CylinderEstimate seen = recon::seen_from_robot(loop.filter.view(), static_cast<std::size_t>(l));
+    // centre - position, turned back by what the heading is off: d = dc - dP - dtheta * left(away).
+    DenseMatrix A = DenseMatrix::Zero(3, P.rows());
+    A(0, 3 + 2 * l) = A(1, 4 + 2 * l) = A(2, 11 + l) = 1;
+    A(0, 0) = A(1, 1) = -1;
+    A(0, 2) = static_cast<double>(seen.center.y());
+    A(1, 2) = -static_cast<double>(seen.center.x());
+    const DenseMatrix C = A * P * A.transpose();
+    EXPECT_NEAR(seen.covariance.xx, C(0, 0), 1e-5);
+    EXPECT_NEAR(seen.covariance.xy, C(0, 1), 1e-5);
+    EXPECT_NEAR(seen.covariance.yy, C(1, 1), 1e-5);
+    EXPECT_NEAR(seen.covariance.xr, C(0, 2), 1e-5);
+    EXPECT_NEAR(seen.covariance.yr, C(1, 2), 1e-5);
+    EXPECT_NEAR(seen.covariance.rr, C(2, 2), 1e-5);
+    EXPECT_GT(C(0, 0), 1e-3);  // it has been out of sight for 1.6 m
   }
 }
 
@@ -290,7 +352,11 @@ TEST(LandmarkFilter, MovesWhatWasSeenLastWithThePose) {
     for (const int side : {1, -1}) loop.correct(0, loop.look(0, side));
   }
   for (int i = 8; i < 40; ++i) loop.advance(i);
-  const float away_before = recon::variance_from_robot(loop.filter.view(), 0);
+  const auto away = [&] {
+    const recon::Symmetric3 covariance = recon::seen_from_robot(loop.filter.view(), 0).covariance;
+    return covariance.xx + covariance.yy;
+  };
+  const float away_before = away();
   recon::add_landmark(loop.filter.view(), 3, guess({-0.5F, 0.4F}, 0.08F));
   const recon::MapPoint old_place = loop.filter.landmark(3).center;
   const MapPose old_pose = loop.filter.at().pose;
@@ -304,7 +370,7 @@ TEST(LandmarkFilter, MovesWhatWasSeenLastWithThePose) {
   const float turned = static_cast<float>(loop.filter.at().pose.heading - old_pose.heading) * 1e-6F;
   const Vec2 expected = pose_moved + turned * Vec2{-0.4F, -0.5F};
   EXPECT_LT(std::sqrt((place_moved - expected).squaredNorm()), 0.003F);
-  EXPECT_LT(recon::variance_from_robot(loop.filter.view(), 0), away_before);
+  EXPECT_LT(away(), away_before);
 }
 
 TEST(LandmarkFilter, GatesWhatIsSomethingElse) {
