@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <vector>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
@@ -17,6 +18,7 @@ struct Request {
   std::string log;
   std::string camera;
   std::string write_log;
+  std::vector<double> pose_noise;  ///< mm, mrad
   std::string output = "-";
   bool json = false;
   ReplayOptions options;
@@ -60,6 +62,9 @@ Exit judge(const CheckOutcome& check) {
 Exit run(Request request) {
   check_usage(request);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
+  if (!request.pose_noise.empty()) {
+    request.options.pose_noise = PoseNoise{1e-3 * request.pose_noise[0], 1e-3 * request.pose_noise[1]};
+  }
   std::string own_log;
   if (!request.write_log.empty()) request.options.log = [&](std::string_view line) { own_log += line; };
 
@@ -84,6 +89,12 @@ Action configure(CLI::App& app) {
       ->check(positive());
   app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
       ->type_name("FILE");
+  app.add_option("--pose-noise", request->pose_noise,
+                 "sigmas of each pose; default 4,7: a robot that drives. Calibrated cameras: less")
+      ->type_name("MM,MRAD")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(positive());
   app.add_option("--write-log", request->write_log, "the log that a robot would have written for these inputs")
       ->type_name("FILE");
   app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");

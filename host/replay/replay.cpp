@@ -103,6 +103,7 @@ class Replay {
     signatures_.clear();
     outcome_.result.alerts.clear();
     runner_->observe(options_.observer);
+    if (options_.pose_noise) runner_->assume(*options_.pose_noise);
     runner_->start_run({record::kStreamFormat, "fencepost", FENCEPOST_VERSION, "host", std::string_view(profile_)});
     if (options_.camera) runner_->take(*options_.camera);
   }

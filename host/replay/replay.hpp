@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/sensor/camera.hpp"
+#include "host/replay/pose_noise.hpp"
 #include "host/replay/run_observer.hpp"
 #include "host/result/result.hpp"
 
@@ -20,6 +21,7 @@ struct ReplayOptions {
   std::optional<double> from;                      ///< s, stream time; earlier records are not used
   std::optional<double> to;
   std::optional<std::uint64_t> frames;         ///< stop after the N-th accepted frame record
+  std::optional<PoseNoise> pose_noise;         ///< default: of a robot that drives, 4 mm and 7 mrad
   bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end

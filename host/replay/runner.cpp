@@ -41,6 +41,10 @@ class ProfileRunner final : public Runner {
     camera_.offer(frame);
     loop_.step(frame.t);
   }
+  void assume(const PoseNoise& noise) override {
+    memory_->noise.position = static_cast<float>(noise.position);
+    memory_->noise.heading = static_cast<float>(noise.heading);
+  }
   void finish() override { loop_.pipeline().finish(); }
   void observe(RunObserver* observer) override { observer_ = observer; }
 

@@ -8,6 +8,7 @@
 
 #include "firmware/app/memory.hpp"
 #include "firmware/record/records.hpp"
+#include "host/replay/pose_noise.hpp"
 #include "host/replay/run_observer.hpp"
 #include "host/result/result.hpp"
 
@@ -24,6 +25,8 @@ class Runner {
   virtual void take(const sensor::OdometrySample& sample) = 0;
   virtual void take(const sensor::BlobFrame& frame) = 0;
   virtual void finish() = 0;
+  /// From now on the poses are known so well.
+  virtual void assume(const PoseNoise& noise) = 0;
   /// From now on `observer` is told of each frame; nullptr: of none.
   virtual void observe(RunObserver* observer) = 0;
 

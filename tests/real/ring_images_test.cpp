@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct Box {
   double x_low = 1e9, x_high = -1e9, y_low = 1e9, y_high = -1e9;
 };
 constexpr Box kPublished{-0.061897, 0.010897, -0.015495, 0.057845};
+
+// The rig was calibrated, and the ends lie within some mrad of those of the exact silhouettes.
+constexpr host::PoseNoise kCalibrated{0.001, 0.001};
+// At 0.63 m a robot's pose, 7 mrad and 4 mm, moves an end by 6 mm. With 26 of them the hybrid then keeps to a rounder
+// figure than this one is: 4 mm inside the box on two sides, two of its sigmas there.
+constexpr double kDriven = 4.8e-3;  // m
 
 /// A view of bearings.csv, in our map.
 struct RingView {
@@ -127,8 +134,11 @@ void expect_bearings(const host::Recorded& log) {
   EXPECT_LT(inwards.back(), 2.5e-3);
 }
 
-void expect_published_box(const std::string& log) {
-  const host::ReplayOutcome outcome = host::replay(log, "ring", {});
+// `noise`: of the poses. `hybrid`: how near its box is, m.
+void expect_published_box(const std::string& log, const std::optional<host::PoseNoise>& noise, double hybrid) {
+  host::ReplayOptions options;
+  options.pose_noise = noise;
+  const host::ReplayOutcome outcome = host::replay(log, "ring", options);
   ASSERT_FALSE(outcome.unreadable.has_value());
   ASSERT_EQ(outcome.result.objects.size(), 1U);
   EXPECT_EQ(outcome.result.objects[0].views, 15U);
@@ -140,8 +150,7 @@ void expect_published_box(const std::string& log) {
     std::printf("  %-7s outside the published box, mm: x %+.2f %+.2f  y %+.2f %+.2f\n", model.name.c_str(),
                 1e3 * (kPublished.x_low - box.x_low), 1e3 * (box.x_high - kPublished.x_high),
                 1e3 * (kPublished.y_low - box.y_low), 1e3 * (box.y_high - kPublished.y_high));
-    // Wanted: 3 mm. The hybrid misses that on one side: 3.4 mm inside the box.
-    const double tolerance = model.name == "hybrid" ? 3.5e-3 : 3e-3;
+    const double tolerance = model.name == "hybrid" ? hybrid : 3e-3;
     EXPECT_NEAR(box.x_low, kPublished.x_low, tolerance) << model.name;
     EXPECT_NEAR(box.x_high, kPublished.x_high, tolerance) << model.name;
     EXPECT_NEAR(box.y_low, kPublished.y_low, tolerance) << model.name;
@@ -154,7 +163,10 @@ TEST(RingImages, GiveTheBearingsOfTheSilhouettesAndThePublishedBox) {
   if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "NOT TESTED: " << kFolder << " is not on this machine";
   const host::Segmented segmented = segmented_ring();
   expect_bearings(host::read_back(segmented.log));
-  expect_published_box(segmented.log);
+  std::puts("  poses as of a robot that drives");
+  expect_published_box(segmented.log, std::nullopt, kDriven);
+  std::puts("  poses as of a calibrated rig");
+  expect_published_box(segmented.log, kCalibrated, 3e-3);
 }
 
 }  // namespace

@@ -199,6 +199,23 @@ TEST(Replay, FromAndToLimitTheStreamTime) {
   EXPECT_LT(outcome.result.objects[0].views, 40U);
 }
 
+// What the robot assumes when nobody says otherwise, said: the same run. Better poses: other weights, surer outlines.
+TEST(Replay, PoseNoiseIsWhatItIsToldToBe) {
+  const std::string log = recording("blocks_arc");
+  ReplayOptions options = with("full");
+  const ReplayOutcome untold = replay(log, "x", options);
+  options.pose_noise = host::PoseNoise{0.004, 0.007};
+  EXPECT_EQ(replay(log, "x", options).result.digest, untold.result.digest);
+  options.pose_noise = host::PoseNoise{0.001, 0.001};
+  const ReplayOutcome better = replay(log, "x", options);
+  EXPECT_NE(better.result.digest, untold.result.digest);
+  ASSERT_EQ(better.result.objects.size(), untold.result.objects.size());
+  ASSERT_FALSE(better.result.objects.empty());
+  for (std::size_t i = 0; i < better.result.objects.size(); ++i) {
+    EXPECT_GT(better.result.objects[i].confidence, untold.result.objects[i].confidence) << i;
+  }
+}
+
 TEST(Replay, AHeaderStartsARunAfresh) {
   const std::string log = recording("approach_stop");
   const ReplayOutcome once = replay(log, "once", {});
