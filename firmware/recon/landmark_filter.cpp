@@ -285,18 +285,15 @@ CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   CylinderEstimate seen;
   seen.center = offset_from(filter.at.pose.position, landmark.center);
   seen.radius = landmark.radius;
-  const Jacobian along_x = jacobian_of({1, 0}, seen.center, 0);
-  const Jacobian along_y = jacobian_of({0, 1}, seen.center, 0);
-  const auto covariance = [&](const Jacobian& one, const Jacobian& other) {
-    return along(one, slot,
-                 [&](std::size_t i) { return along(other, slot, [&](std::size_t j) { return p.at(i, j); }); });
-  };
+  // What turns the heading moves the centre backwards.
+  const Vec2 lever = -left_of(seen.center);
+  const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX) + lever.x() * row(kHeading); };
+  const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY) + lever.y() * row(kHeading); };
+  const auto of_x = [&](std::size_t i) { return x([&](std::size_t j) { return p.at(i, j); }); };
+  const auto of_y = [&](std::size_t i) { return y([&](std::size_t j) { return p.at(i, j); }); };
   const std::span<const float> radius = p.radius(slot);
-  const auto with_radius = [&](const Jacobian& one) {
-    return along(one, slot, [&](std::size_t i) { return radius[i]; });
-  };
-  seen.covariance = {covariance(along_x, along_x), covariance(along_x, along_y), covariance(along_y, along_y),
-                     with_radius(along_x),         with_radius(along_y),         radius[p.places()]};
+  const auto of_radius = [&](std::size_t i) { return radius[i]; };
+  seen.covariance = {x(of_x), x(of_y), y(of_y), x(of_radius), y(of_radius), radius[p.places()]};
   seen.refusal = CylinderRefusal::kNone;
   return seen;
 }

@@ -42,7 +42,7 @@ constexpr double kX = 2, kY = 1.5;
 constexpr float kRadius = 0.5F;
 const Vec2 kCenter{2, 1.5F};
 
-TEST(SightedCircleTest, BothEndsSayWidthAndMiddle) {
+TEST(SightedCircle, BothEndsSayWidthAndMiddle) {
   const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5), kCenter, kRadius, 1, {});
   const auto& width = circle.lines[kWidth].equation;
   const auto& middle = circle.lines[kMiddle].equation;
@@ -60,7 +60,7 @@ TEST(SightedCircleTest, BothEndsSayWidthAndMiddle) {
   EXPECT_EQ(circle.lines[kFoot].variance, 0);
 }
 
-TEST(SightedCircleTest, AWrongHeadingMovesTheMiddleAndNotTheWidth) {
+TEST(SightedCircle, AWrongHeadingMovesTheMiddleAndNotTheWidth) {
   constexpr double kOff = 0.01;
   const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5, kOff), kCenter, kRadius, 1, {});
   // cos(asin 0.2) * 2.5 m * 10 mrad, and of the second order 0.2 * 2.5 m * (10 mrad)^2 / 2.
@@ -68,7 +68,7 @@ TEST(SightedCircleTest, AWrongHeadingMovesTheMiddleAndNotTheWidth) {
   EXPECT_LT(std::fabs(residual(circle.lines[kWidth].equation, kCenter, kRadius)), 5e-5F);
 }
 
-TEST(SightedCircleTest, OneEndIsATangent) {
+TEST(SightedCircle, OneEndIsATangent) {
   for (const bool left : {true, false}) {
     Sighting seen = sighting_of(kX, kY, 0.5);
     (left ? seen.right : seen.left).censored = true;
@@ -82,7 +82,7 @@ TEST(SightedCircleTest, OneEndIsATangent) {
 }
 
 // Straight ahead, so that a pixel is 1 / f rad; 3 m away.
-TEST(SightedCircleTest, VariancesAreThoseOfTheEndsAndThePose) {
+TEST(SightedCircle, VariancesAreThoseOfTheEndsAndThePose) {
   MeasurementNoise noise;
   noise.edge_px = 2;
   noise.heading = 0.008F;
@@ -101,7 +101,7 @@ TEST(SightedCircleTest, VariancesAreThoseOfTheEndsAndThePose) {
   EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 0.25F, noise).lines[0].variance, 4 * alone, 4e-3 * alone);
 }
 
-TEST(SightedCircleTest, NothingIsSaidOfWhatIsAtTheLens) {
+TEST(SightedCircle, NothingIsSaidOfWhatIsAtTheLens) {
   const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5), {0, 0}, kRadius, 1, {});
   for (const auto& line : circle.lines) EXPECT_EQ(line.variance, 0);
 }
@@ -140,7 +140,7 @@ float found_distance(unsigned seed, int views) {
 
 // Noisy directions have parallax to themselves. As derivatives they draw the landmark to the lens, ever nearer the more
 // of them there are; the directions that are expected do not.
-TEST(SightedCircleTest, NoiseDrawsNothingToTheLens) {
+TEST(SightedCircle, NoiseDrawsNothingToTheLens) {
   float mean = 0;
   constexpr unsigned kRuns = 20;
   for (unsigned seed = 1; seed <= kRuns; ++seed) mean += found_distance(seed, 600) / kRuns;
