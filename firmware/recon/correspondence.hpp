@@ -35,9 +35,13 @@ struct Prediction {
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
-/// `estimate`: where the object is, in its own local frame; its cylinder's unless something knows better.
+/// By the circle `estimate`, in the object's local frame: its cylinder's, unless something knows better; else by the
+/// last bearing.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const CylinderEstimate& estimate, const MeasurementNoise& noise);
+/// By the outline where it is known well, else by the cylinder, else by the last bearing.
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const PlacedOutline& outline, const MeasurementNoise& noise);
 
 /// A blob as an interval that is comparable with predictions.
 struct Interval {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "firmware/recon/assignment.hpp"
@@ -24,13 +25,13 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// `place_of(o)`: where the object in slot o is, in its local frame.
+  /// `place_of(o)`: where the object in slot o is, in its local frame, if something knows that better than its models.
   template <class PlaceOf>
   [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
                                  const MeasurementNoise& noise, PlaceOf&& place_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
-      if (objects[o].used()) predictions_[o] = recon::predict(camera, lens, objects[o], place_of(o), noise);
+      if (objects[o].used()) predictions_[o] = predict_one(objects[o], camera, lens, place_of(o), noise);
       blob_of_[o] = kNoMatch;
     }
   }
@@ -190,6 +191,16 @@ class Matcher {
     bool is_farther : 1 = false;
   };
   static_assert(kObjects < kNoMatch && sensor::kMaxBlobs < kNoMatch);
+
+  static Prediction predict_one(const ObjectType& object, const CameraModel& camera, const LensPose& lens,
+                                const std::optional<CylinderEstimate>& place, const MeasurementNoise& noise) {
+    if (place) return recon::predict(camera, lens, object, *place, noise);
+    if constexpr (ObjectType::kPredictsByOutline) {
+      return recon::predict(camera, lens, object, object.placed_outline(), noise);
+    } else {
+      return recon::predict(camera, lens, object, object.cylinder.estimate(), noise);
+    }
+  }
 
   // Two objects that were taken for one, and never stood apart in the image before: nothing matches it any more.
   static void divide(Prediction& prediction) {

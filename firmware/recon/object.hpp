@@ -96,6 +96,8 @@ inline constexpr std::uint8_t kMaxArenas = 4;
 
 template <class Profile>
 struct Object : ObjectCore {
+  static constexpr bool kPredictsByOutline = Profile::kPredictsByOutline;
+
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
   [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;
@@ -144,6 +146,12 @@ struct Object : ObjectCore {
   void note_outline() {
     constexpr float kPerUnit = 200.0F;
     if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kPerUnit + 0.5F);
+  }
+
+  [[nodiscard]] PlacedOutline placed_outline() const {
+    // 1 - sqrt(kWellKnown): kept as the confidence, which is not reckoned again in each frame.
+    constexpr std::uint8_t kLeastSureness = 74;
+    return {hybrid.outline(), hybrid.origin, sureness != kNoOutline && sureness >= kLeastSureness};
   }
 
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight

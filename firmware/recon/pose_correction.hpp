@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "firmware/recon/frame_queue.hpp"
 #include "firmware/recon/landmark_filter.hpp"
@@ -75,10 +76,10 @@ class PoseCorrection {
   [[nodiscard]] const MapPose& pose() const { return filter_.at().pose; }
   [[nodiscard]] PoseSigma sigma() const { return pose_sigma(filter_.pose_covariances()); }
 
-  /// For matching: where the object in `slot` is, in its local frame. Of a landmark the filter knows how far the pose
-  /// has drifted away from it since it was seen: that closes the loop.
-  [[nodiscard]] CylinderEstimate place_of(const ObjectCore& object, std::size_t slot) {
-    if (!running_ || !filter_.landmark(slot).used()) return object.cylinder.estimate();
+  /// For matching: where the object in `slot` is, in its local frame, if it is a landmark. Of that the filter knows how
+  /// far the pose has drifted away since it was seen, which closes the loop.
+  [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot) {
+    if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
     place.center += offset_from(object.origin, pose().position);
     return place;
