@@ -32,7 +32,7 @@ inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x5722a9e041b83745
 template <>
 inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x5b8e528b9457869e;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xc44cdf55b3b74119;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x8112dfed9e8ba5fb;
 
 template <class Profile>
 CannedStream canned_stream() {
