@@ -58,13 +58,23 @@ TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
   Obstacle seen = cylinder;
   app::measure_by_outline({box.offsets, box.sigmas}, {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
-  EXPECT_NEAR(seen.sigma, 0.004F, 2e-4F);
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
   EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
   const BoxOutline unsure(0.06F);  // its mean support value is 0.13 m
   seen = cylinder;
   app::measure_by_outline({unsure.offsets, unsure.sigmas}, {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_EQ(seen.distance, cylinder.distance);
   EXPECT_EQ(seen.ttc, cylinder.ttc);
+}
+
+TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
+  const app::RobotPlace robot({{0, 0}, 0});
+  const BoxOutline box(0.004F);
+  Obstacle seen = app::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
+  app::measure_by_outline({box.offsets, box.sigmas}, {100'000, 50'000}, robot, driving(0.2F), seen);
+  EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
+  EXPECT_FALSE(seen.in_path);
 }
 
 TEST(Obstacle, InsideTheObjectTheDistanceIsZero) {
@@ -104,8 +114,9 @@ TEST(Obstacle, SaysHowWellItKnows) {
   const Obstacle seen = see_obstacle(object, {{0, 0}, 0}, driving(0.2F));
   // The nearest point is the centre less the radius along x: var = xx - 2 xr + rr.
   const float variance = cylinder.covariance.xx - 2 * cylinder.covariance.xr + cylinder.covariance.rr;
-  EXPECT_NEAR(seen.sigma, std::sqrt(variance), 1e-4F);
-  EXPECT_GT(seen.sigma, 0);
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, std::sqrt(variance), 1e-4F);
+  EXPECT_GT(seen.in_path->sigma, 0);
   EXPECT_NEAR(seen.closing_speed, 0.2F, 1e-4F);
   EXPECT_FALSE(seen.cut_off);
   object.right_open = true;
