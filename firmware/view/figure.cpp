@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/app/map_listing.hpp"
+#include "firmware/recon/hybrid/node_directions.hpp"
 #include "firmware/view/palette.hpp"
 #include "hal/base/trig.hpp"
 
@@ -11,33 +11,55 @@ namespace {
 
 constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
-app::MapMillimetres place_of(const recon::ObjectCore& object, const recon::Vec2& local) {
-  return app::millimetres(recon::moved(object.origin, local));
+// Where side k of an outline meets the next one, from its middle. Whole numbers, for cores that have nothing else.
+app::MapMillimetres corner(const recon::OutlineView& outline, std::size_t k) {
+  constexpr auto kStepsPerMillimetre = static_cast<std::int32_t>(0.001F / recon::kOffsetStep + 0.5F);
+  const std::size_t sides = outline.offsets.size();
+  const recon::WholeVector angle = recon::whole_direction(1, sides);
+  const recon::WholeVector out = recon::whole_direction(k, sides);
+  const std::int32_t next = outline.offsets[k + 1 < sides ? k + 1 : 0];
+  const std::int32_t here = outline.offsets[k];
+  const std::int32_t along =
+      std::clamp<std::int32_t>((next * recon::kWholeUnit - here * angle.x) / angle.y, INT16_MIN, INT16_MAX);
+  constexpr std::int32_t kPerMillimetre = kStepsPerMillimetre * recon::kWholeUnit;
+  return {(here * out.x - along * out.y) / kPerMillimetre, (here * out.y + along * out.x) / kPerMillimetre};
 }
 
-// Of more corners than fit, every n-th.
-Polygon make_outline(const recon::ObjectCore& object, std::span<const recon::Vec2> corners, const Window& window) {
+// All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
+Polygon make_outline(const app::MapShape& shape, const Window& window) {
+  const std::size_t sides = shape.outline.offsets.size();
   Polygon polygon;
-  const std::size_t every = (corners.size() + Polygon::kMost - 1) / Polygon::kMost;
-  for (std::size_t i = 0; i < corners.size(); i += every) {
-    polygon.add(window.pixel_of(place_of(object, corners[i])));
+  for (std::size_t i = 0; i < Polygon::kMost; ++i) {
+    const app::MapMillimetres at = corner(shape.outline, i * sides / Polygon::kMost);
+    polygon.add(window.pixel_of({shape.middle.x + at.x, shape.middle.y + at.y}));
   }
   return polygon;
 }
 
 }  // namespace
 
-Figure make_figure(const recon::ObjectCore& object, std::span<const recon::Vec2> outline, std::size_t slot,
-                   const Window& window) {
+void Figure::paint(Row& row) const {
+  if (outline.empty()) {
+    disc.paint(row);
+    return;
+  }
+  outline.paint_inside(row, disc.colour);
+  outline.paint_edges(row, static_cast<std::uint8_t>(disc.colour - kObjects + kOutlines));
+}
+
+Figure make_figure(const app::MapShape& shape, std::size_t slot, const Window& window) {
+  app::MapExtent extent;
+  shape.include_in(extent);
+  const std::int32_t radius = std::max(std::max(extent.width(), extent.height()) / 2 / window.mm(), kSmallest);
+  const Point center = window.pixel_of(shape.middle);
   Figure figure;
-  const Point center = window.pixel_of(app::center_of(object));
-  const std::int32_t radius = std::max(app::radius_of(object) / window.mm(), kSmallest);
-  figure.disc.center = center;
-  figure.disc.radius = point_at(radius, 0).x;
-  figure.disc.colour = static_cast<std::uint8_t>(kObjects + slot);
-  if (object.placed()) figure.outline = make_outline(object, outline, window);
+  figure.disc = {center, point_at(radius, 0).x, static_cast<std::uint8_t>(kObjects + slot)};
+  if (shape.outlined() && radius > kSmallest) figure.outline = make_outline(shape, window);
+  const Point corner = window.pixel_of({extent.high().x, extent.low().y});
+  const std::int32_t right = std::max<std::int32_t>(corner.x - center.x, kSmallest);
+  const std::int32_t up = std::max<std::int32_t>(center.y - corner.y, kSmallest);
   const char letter = app::letter_of(slot);
-  figure.letter = {point_at(center.x + radius + 3, center.y - radius - 3), 1, kText, std::string_view(&letter, 1)};
+  figure.letter = {point_at(center.x + right + 3, center.y - up - 3), 1, kText, std::string_view(&letter, 1)};
   return figure;
 }
 
