@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/boards/bench.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -143,6 +145,32 @@ std::uint64_t committed(const std::string& image, const std::string& column) {
     if (row.at("image") == image) return std::stoull(row.at(column));
   }
   throw std::runtime_error("no row of " + image);
+}
+
+void expect_ready_to_count(Bench& bench, const SceneStream& stream, PoseCorrected corrected) {
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
+  for (const std::string& line : stream.calibration) bench.console().send(line);
+}
+
+void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t objects) {
+  const std::string number = std::to_string(objects);
+  bench.play(stream);
+  EXPECT_TRUE(bench.obey("status", "objects " + number + " of " + number)) << bench.said();
+}
+
+void expect_full_table_as_committed(const FullTable& table, PoseCorrected corrected,
+                                    const std::function<BoardUnderTest(const std::vector<std::string>&)>& board) {
+  const std::string out = ::testing::TempDir() + "fencepost-" + table.image +
+                          (corrected == PoseCorrected::kYes ? "-corrected-counts" : "-counts");
+  static_cast<void>(std::remove(out.c_str()));  // of an earlier run
+  const SceneStream stream = stream_of(table.scene);
+  Bench bench(board(counting_arguments(image_of(table.image) + ".elf", stages_of_a_loop(table.more), out)));
+  ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
+  expect_full_table(bench, stream, table.objects);
+  bench.stop();
+  expect_counts_as_committed(read_counts(out), table.image, corrected, table.least);
 }
 
 void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least) {
