@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "firmware/recon/silhouette.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -28,8 +30,6 @@ constexpr float kBorderShare = 0.05F;
 
 // An object without a distance lies somewhere beyond this on its last bearing (m).
 constexpr float kNearestUnknown = 0.15F;
-// Directions with less than this forward share are not in any image.
-constexpr float kSideways = 0.05F;
 
 // Cost of an object whose distance is unknown: any well-placed one goes first.
 constexpr std::uint8_t kUnknownCost = 150;
@@ -46,32 +46,6 @@ std::int16_t whole_pixels(float value) {
   if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
   return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
 }
-
-Vec2 to_camera(const LensPose& pose, const Vec2& map_direction) {
-  return {pose.axis.dot(map_direction), cross(pose.axis, map_direction)};
-}
-Vec2 to_map(const LensPose& pose, const Vec2& camera_direction) { return rotated(pose.axis, camera_direction); }
-
-// Sigma of one tangent, rad.
-class EndSigma {
- public:
-  /// `reach`: the distance at which the tangents touch.
-  EndSigma(const CylinderEstimate& estimate, float reach, const MeasurementNoise& noise)
-      : covariance_(estimate.covariance), heading_(noise.heading * noise.heading), per_square_(1 / (reach * reach)) {
-    const float shape = noise.roundness * estimate.radius;
-    others_ = shape * shape + noise.position * noise.position;
-  }
-  /// `normal` is the tangent's, map axes.
-  [[nodiscard]] float along(const Vec2& normal) const {
-    return std::sqrt((covariance_.along(normal) + others_) * per_square_ + heading_);
-  }
-
- private:
-  const Symmetric3& covariance_;
-  float heading_;
-  float per_square_;
-  float others_;
-};
 
 // The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.
 PredictedLine predict_row(const CameraModel& camera, float drop, float relative_depth_sigma,
@@ -97,29 +71,21 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Vec
   }
 }
 
-Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                            const MeasurementNoise& noise) {
-  const CylinderEstimate& estimate = object.cylinder.estimate();
-  const Vec2 lens = offset_from(object.origin, pose.anchor) + pose.lens;
-  const Vec2 away = estimate.center - lens;
-  const float distance = std::sqrt(away.squaredNorm());
+// Sigma of a tangent, rad.
+float sigma_of(const TouchPoint& touch, float heading) {
+  return std::sqrt(touch.variance / touch.at.squaredNorm() + heading * heading);
+}
+
+Prediction predict_place(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                         const Silhouette& seen, const MeasurementNoise& noise) {
   Prediction prediction;
-  if (!(distance > estimate.radius * 1.01F) || !(distance > 1e-3F)) return prediction;  // the lens is inside it
-  const Vec2 bearing = to_camera(pose, away / distance);
-  if (!(bearing.x() > kSideways)) return prediction;
-  const float sine = estimate.radius / distance;
-  const float cosine = std::sqrt(1.0F - sine * sine);
-  const Vec2 left = rotated({cosine, sine}, bearing);
-  const Vec2 right = rotated({cosine, -sine}, bearing);
-  const float u_left = column_of(camera, left);
-  const float u_right = column_of(camera, right);
-  prediction.depth = std::max(1e-3F, bearing.x() * distance - estimate.radius);
-  // Each end by its own uncertainty: an object seen from one side only has one good end.
-  const float reach = distance * cosine;
-  const float px_per_radian = camera.fx / (bearing.x() * bearing.x());
-  const EndSigma sigma(estimate, reach, noise);
-  const float left_sigma = px_per_radian * sigma.along(left_of(to_map(pose, left)));
-  const float right_sigma = px_per_radian * sigma.along(-left_of(to_map(pose, right)));
+  prediction.depth = seen.depth;
+  const float u_left = column_of(camera, seen.left.at);
+  const float u_right = column_of(camera, seen.right.at);
+  const Vec2 middle = 0.5F * (seen.left.at + seen.right.at);
+  const float px_per_radian = camera.fx * middle.squaredNorm() / (middle.x() * middle.x());
+  const float left_sigma = px_per_radian * sigma_of(seen.left, noise.heading);
+  const float right_sigma = px_per_radian * sigma_of(seen.right, noise.heading);
   const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
   const float left_tolerance = slack + kGateSigmas * left_sigma;
   const float right_tolerance = slack + kGateSigmas * right_sigma;
@@ -131,9 +97,26 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   const auto columns = static_cast<float>(camera.width);
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
-  prediction.expected =
-      u_left > border && u_right < columns - border && distance > kNearestExpected && distance < kFarthestExpected;
+  const float near_square = middle.squaredNorm();
+  prediction.expected = u_left > border && u_right < columns - border &&
+                        near_square > kNearestExpected * kNearestExpected &&
+                        near_square < kFarthestExpected * kFarthestExpected;
   return prediction;
+}
+
+// The outline where it is known well, else the cylinder, as the camera would see it.
+Prediction predict_model(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                         const PlacedOutline& outline, const MeasurementNoise& noise) {
+  const CylinderEstimate& cylinder = object.cylinder.estimate();
+  const float shape = noise.roundness * cylinder.radius;
+  const float others = shape * shape + noise.position * noise.position;
+  const auto lens_from = [&](MapPoint origin) -> Vec2 { return offset_from(origin, pose.anchor) + pose.lens; };
+  Silhouette seen;
+  if (outline.known && render(outline.view, lens_from(outline.origin), pose, others, seen)) {
+    return predict_place(camera, pose, object, seen, noise);
+  }
+  if (!render(cylinder, lens_from(object.origin), pose, others, seen)) return {};
+  return predict_place(camera, pose, object, seen, noise);
 }
 
 // No distance yet: the object is somewhere on its last bearing.
@@ -210,8 +193,8 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 }  // namespace
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                   const MeasurementNoise& noise) {
-  Prediction prediction = object.cylinder.estimate().ok() ? predict_cylinder(camera, pose, object, noise)
+                   const PlacedOutline& outline, const MeasurementNoise& noise) {
+  Prediction prediction = object.cylinder.estimate().ok() ? predict_model(camera, pose, object, outline, noise)
                                                           : predict_bearing(camera, pose, object, noise);
   prediction.signature = object.signature;
   prediction.confirmed = object.confirmed;

@@ -35,8 +35,9 @@ struct Prediction {
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
+/// By the outline where it is known well, else by the cylinder, else by the last bearing.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                   const MeasurementNoise& noise);
+                   const PlacedOutline& outline, const MeasurementNoise& noise);
 
 /// A blob as an interval that is comparable with predictions.
 struct Interval {

@@ -29,7 +29,9 @@ class Matcher {
   [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
                                  NoiseOf&& noise_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      predictions_[o] = objects[o].used() ? recon::predict(camera, lens, objects[o], noise_of(o)) : Prediction{};
+      const ObjectType& object = objects[o];
+      predictions_[o] =
+          object.used() ? recon::predict(camera, lens, object, object.placed_outline(), noise_of(o)) : Prediction{};
       blob_of_[o] = kNoMatch;
     }
   }

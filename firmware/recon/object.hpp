@@ -146,6 +146,12 @@ struct Object : ObjectCore {
     if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kPerUnit + 0.5F);
   }
 
+  [[nodiscard]] PlacedOutline placed_outline() const {
+    // 1 - sqrt(kWellKnown): kept as the confidence, which is not reckoned again in each frame.
+    constexpr std::uint8_t kLeastSureness = 74;
+    return {hybrid.outline(), hybrid.origin, sureness != kNoOutline && sureness >= kLeastSureness};
+  }
+
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight
   /// is how far the lens has moved since the last one that was taken.
   [[gnu::noinline]] void model(const Sighting& sighting, const MeasurementNoise& noise) {

@@ -62,6 +62,27 @@ inline WholeVector whole_direction(std::size_t k, std::size_t nodes) {
   }
 }
 
+/// The node whose direction is nearest to `unit`.
+inline std::size_t nearest_node(const Vec2& unit, std::size_t nodes) {
+  const auto whole = [](float share) { return static_cast<std::int32_t>(share * static_cast<float>(kWholeUnit)); };
+  const WholeVector wanted{whole(unit.x()), whole(unit.y())};
+  const auto likeness = [&](std::size_t k) {
+    const WholeVector direction = whole_direction(k, nodes);
+    return direction.x * wanted.x + direction.y * wanted.y;
+  };
+  // Halving steps climb to the only summit.
+  std::size_t best = 0;
+  for (std::size_t step = nodes / 2; step > 0; step /= 2) {
+    const std::size_t left = (best + step) % nodes;
+    const std::size_t right = (best + nodes - step) % nodes;
+    if (likeness(left) > likeness(best))
+      best = left;
+    else if (likeness(right) > likeness(best))
+      best = right;
+  }
+  return best;
+}
+
 /// What follows from the angle between two nodes.
 struct NodeStep {
   float angle = 0;   ///< rad

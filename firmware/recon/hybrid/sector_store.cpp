@@ -20,7 +20,7 @@ constexpr float kWeakening = 0.5F;
 // then it counts for so much.
 constexpr float kOverrulingShare = 0.35F;
 constexpr float kOverrulingViews = 0.9F;
-constexpr float kOverruled = 0.3F;
+constexpr float kOverruled = 0.5F;
 
 constexpr std::int32_t kBulge = 79;  // D^2/2 of 64 sectors, in 1/16384
 
