@@ -19,6 +19,10 @@ MapShape disc_of(const recon::ObjectCore& object) {
   return {center, static_cast<std::int32_t>(1000 * std::min(cylinder.radius, kFarthestDrawn)), {}};
 }
 
+MapMillimetres MapShape::place_of(const recon::Vec2& local) const {
+  return {middle.x + whole_millimetres(local.x()), middle.y + whole_millimetres(local.y())};
+}
+
 void MapShape::include_in(MapExtent& extent) const {
   if (!outlined()) {
     extent.include(middle, radius);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "firmware/recon/hybrid/node_directions.hpp"
 #include "firmware/view/palette.hpp"
 #include "hal/base/trig.hpp"
 
@@ -11,27 +10,12 @@ namespace {
 
 constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
-// Where side k of an outline meets the next one, from its middle. Whole numbers, for cores that have nothing else.
-app::MapMillimetres corner(const recon::OutlineView& outline, std::size_t k) {
-  constexpr auto kStepsPerMillimetre = static_cast<std::int32_t>(0.001F / recon::kOffsetStep + 0.5F);
-  const std::size_t sides = outline.offsets.size();
-  const recon::WholeVector angle = recon::whole_direction(1, sides);
-  const recon::WholeVector out = recon::whole_direction(k, sides);
-  const std::int32_t next = outline.offsets[k + 1 < sides ? k + 1 : 0];
-  const std::int32_t here = outline.offsets[k];
-  const std::int32_t along =
-      std::clamp<std::int32_t>((next * recon::kWholeUnit - here * angle.x) / angle.y, INT16_MIN, INT16_MAX);
-  constexpr std::int32_t kPerMillimetre = kStepsPerMillimetre * recon::kWholeUnit;
-  return {(here * out.x - along * out.y) / kPerMillimetre, (here * out.y + along * out.x) / kPerMillimetre};
-}
-
 // All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
 Polygon make_outline(const app::MapShape& shape, const Window& window) {
   const std::size_t sides = shape.outline.offsets.size();
   Polygon polygon;
   for (std::size_t i = 0; i < Polygon::kMost; ++i) {
-    const app::MapMillimetres at = corner(shape.outline, i * sides / Polygon::kMost);
-    polygon.add(window.pixel_of({shape.middle.x + at.x, shape.middle.y + at.y}));
+    polygon.add(window.pixel_of(shape.place_of(shape.outline.corner(i * sides / Polygon::kMost))));
   }
   return polygon;
 }
