@@ -6,24 +6,15 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <memory>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
 
 #include "tests/boards/bench.hpp"
+#include "tests/process/child.hpp"
 
 namespace fencepost::test {
 namespace {
-
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-  if (!pipe) throw std::runtime_error("cannot run " + command);
-  std::string text;
-  std::array<char, 65536> part{};
-  for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe.get())) > 0;) text.append(part.data(), n);
-  return text;
-}
 
 std::string symbol_address(const std::string& symbols, const std::string& name) {
   std::smatch match;
