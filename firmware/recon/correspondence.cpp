@@ -104,18 +104,19 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   return prediction;
 }
 
-// The outline where it is known well, else the cylinder, as the camera would see it.
-Prediction predict_model(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                         const PlacedOutline& outline, const MeasurementNoise& noise) {
-  const CylinderEstimate& cylinder = object.cylinder.estimate();
-  const float shape = noise.roundness * cylinder.radius;
-  const float others = shape * shape + noise.position * noise.position;
-  const auto lens_from = [&](MapPoint origin) -> Vec2 { return offset_from(origin, pose.anchor) + pose.lens; };
+// Variance of what an estimate's own leaves out, m^2.
+float others_of(const ObjectCore& object, const MeasurementNoise& noise) {
+  const float shape = noise.roundness * object.cylinder.estimate().radius;
+  return shape * shape + noise.position * noise.position;
+}
+
+Vec2 lens_from(MapPoint origin, const LensPose& pose) { return offset_from(origin, pose.anchor) + pose.lens; }
+
+Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                            const MeasurementNoise& noise) {
   Silhouette seen;
-  if (outline.known && render(outline.view, lens_from(outline.origin), pose, others, seen)) {
-    return predict_place(camera, pose, object, seen, noise);
-  }
-  if (!render(cylinder, lens_from(object.origin), pose, others, seen)) return {};
+  const Vec2 lens = lens_from(object.origin, pose);
+  if (!render(object.cylinder.estimate(), lens, pose, others_of(object, noise), seen)) return {};
   return predict_place(camera, pose, object, seen, noise);
 }
 
@@ -193,9 +194,23 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 }  // namespace
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
-                   const PlacedOutline& outline, const MeasurementNoise& noise) {
-  Prediction prediction = object.cylinder.estimate().ok() ? predict_model(camera, pose, object, outline, noise)
+                   const MeasurementNoise& noise) {
+  Prediction prediction = object.cylinder.estimate().ok() ? predict_cylinder(camera, pose, object, noise)
                                                           : predict_bearing(camera, pose, object, noise);
+  prediction.signature = object.signature;
+  prediction.confirmed = object.confirmed;
+  return prediction;
+}
+
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const PlacedOutline& outline, const MeasurementNoise& noise) {
+  Silhouette seen;
+  const Vec2 lens = lens_from(outline.origin, pose);
+  if (!outline.known || !object.cylinder.estimate().ok() ||
+      !render(outline.view, lens, pose, others_of(object, noise), seen)) {
+    return predict(camera, pose, object, noise);
+  }
+  Prediction prediction = predict_place(camera, pose, object, seen, noise);
   prediction.signature = object.signature;
   prediction.confirmed = object.confirmed;
   return prediction;

@@ -35,7 +35,10 @@ struct Prediction {
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
-/// By the outline where it is known well, else by the cylinder, else by the last bearing.
+/// By the cylinder, else by the last bearing.
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const MeasurementNoise& noise);
+/// By the outline where it is known well, else as above.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const PlacedOutline& outline, const MeasurementNoise& noise);
 

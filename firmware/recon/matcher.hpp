@@ -29,9 +29,7 @@ class Matcher {
   [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
                                  NoiseOf&& noise_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      const ObjectType& object = objects[o];
-      predictions_[o] =
-          object.used() ? recon::predict(camera, lens, object, object.placed_outline(), noise_of(o)) : Prediction{};
+      predictions_[o] = objects[o].used() ? predict_one(objects[o], camera, lens, noise_of(o)) : Prediction{};
       blob_of_[o] = kNoMatch;
     }
   }
@@ -191,6 +189,15 @@ class Matcher {
     bool is_farther : 1 = false;
   };
   static_assert(kObjects < kNoMatch && sensor::kMaxBlobs < kNoMatch);
+
+  static Prediction predict_one(const ObjectType& object, const CameraModel& camera, const LensPose& lens,
+                                const MeasurementNoise& noise) {
+    if constexpr (ObjectType::kPredictsByOutline) {
+      return recon::predict(camera, lens, object, object.placed_outline(), noise);
+    } else {
+      return recon::predict(camera, lens, object, noise);
+    }
+  }
 
   // Two objects that were taken for one, and never stood apart in the image before: nothing matches it any more.
   static void divide(Prediction& prediction) {

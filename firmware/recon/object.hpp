@@ -96,6 +96,8 @@ inline constexpr std::uint8_t kMaxArenas = 4;
 
 template <class Profile>
 struct Object : ObjectCore {
+  static constexpr bool kPredictsByOutline = Profile::kPredictsByOutline;
+
   base::FixedVector<HalfPlane, Profile::kPending> pending;  ///< tangents seen while the place was a guess
   ConvexClip<Profile::kClipVertices> clip;
   [[no_unique_address]] CarveGrid<Profile::kGridCells> grid;

@@ -91,8 +91,7 @@ float OutlineView::distance_from(const Vec2& point, std::size_t& nearest) const 
 
 float inflation(float share) {
   // Corners are rounded outwards, and what lies between tangents is: known well, an outline is a little large.
-  if (share < 0.35F) return -0.35F * std::min(1.0F, (0.35F - share) / 0.2F);
-  if (share < 0.4F) return 0;
+  if (share < 0.4F) return -0.35F * std::min(1.0F, (0.4F - share) / 0.2F);
   if (share < 0.9F) return (share - 0.4F) / 0.5F;
   if (share < 3.0F) return 1.0F + (share - 0.9F) / 2.1F;
   return std::min(3.0F, 2.0F + (share - 3.0F) / 3.0F);

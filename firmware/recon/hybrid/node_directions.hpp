@@ -75,10 +75,11 @@ inline std::size_t nearest_node(const Vec2& unit, std::size_t nodes) {
   for (std::size_t step = nodes / 2; step > 0; step /= 2) {
     const std::size_t left = (best + step) % nodes;
     const std::size_t right = (best + nodes - step) % nodes;
-    if (likeness(left) > likeness(best))
+    if (likeness(left) > likeness(best)) {
       best = left;
-    else if (likeness(right) > likeness(best))
+    } else if (likeness(right) > likeness(best)) {
       best = right;
+    }
   }
   return best;
 }
