@@ -2,14 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "drivers/nxtcam/serial.hpp"
 #include "drivers/wire/flush.hpp"
+#include "drivers/wire/receive.hpp"
 #include "hal/base/fixed.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/link_state.hpp"
@@ -47,18 +48,12 @@ class SerialCamera {
   static constexpr int kReads = 8;
 
   void receive(base::Time now) {
-    std::array<std::uint8_t, 32> bytes{};
-    for (int i = 0; i < kReads; ++i) {
-      const base::Result<std::size_t> got = link_.read(bytes);
-      if (!got) {
-        if (got.error() == base::Error::kGone) lose(sensor::LinkState::kAbsent, now);
-        return;
+    const bool found = wire::receive(link_, kReads, [&](std::span<const std::uint8_t> bytes) {
+      for (const std::uint8_t byte : bytes) {
+        scanner_.feed(byte, now, [&](std::span<const std::uint8_t> message, base::Time t) { take(message, t, now); });
       }
-      for (std::size_t k = 0; k < *got; ++k) {
-        scanner_.feed(bytes[k], now,
-                      [&](std::span<const std::uint8_t> message, base::Time t) { take(message, t, now); });
-      }
-    }
+    });
+    if (!found) lose(sensor::LinkState::kAbsent, now);
   }
 
   void take(std::span<const std::uint8_t> message, base::Time t, base::Time now) {

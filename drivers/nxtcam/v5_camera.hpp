@@ -1,13 +1,14 @@
 // An NXTCam v5 on the serial line of its camera (115200 baud).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "drivers/nxtcam/v5_session.hpp"
 #include "drivers/wire/flush.hpp"
+#include "drivers/wire/receive.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/camera.hpp"
 #include "hal/sensor/sources.hpp"
@@ -40,14 +41,10 @@ class V5Camera {
   static constexpr int kReads = 16;  ///< 512 bytes: 44 ms of the line
 
   void receive(base::Time now) {
-    std::array<std::uint8_t, 32> bytes{};
-    for (int i = 0; i < kReads; ++i) {
-      const base::Result<std::size_t> got = link_.read(bytes);
-      if (!got && got.error() == base::Error::kGone) return session_.lose_link();
-      session_.find_link();
-      if (!got) return;
-      for (std::size_t k = 0; k < *got; ++k) session_.take(bytes[k], now);
-    }
+    const bool found = wire::receive(link_, kReads, [&](std::span<const std::uint8_t> bytes) {
+      for (const std::uint8_t byte : bytes) session_.take(byte, now);
+    });
+    found ? session_.find_link() : session_.lose_link();
   }
 
   Link& link_;

@@ -1,13 +1,14 @@
 // A Pixy2 on a byte link: UART, SPI, I2C through wire::I2cStream, USB through ChirpLink.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "drivers/pixy2/protocol.hpp"
 #include "drivers/pixy2/session.hpp"
 #include "drivers/wire/flush.hpp"
+#include "drivers/wire/receive.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/camera.hpp"
@@ -45,14 +46,11 @@ class Camera {
   static constexpr int kReads = 8;
 
   void receive(base::Time now) {
-    std::array<std::uint8_t, 32> bytes{};
-    for (int i = 0; i < kReads; ++i) {
-      const base::Result<std::size_t> got = link_.read(bytes);
-      if (!got && got.error() == base::Error::kGone) lose_link(now);
-      if (!got) return;
+    const bool found = wire::receive(link_, kReads, [&](std::span<const std::uint8_t> bytes) {
       session_.find_link();
-      for (std::size_t k = 0; k < *got; ++k) feed(bytes[k], now);
-    }
+      for (const std::uint8_t byte : bytes) feed(byte, now);
+    });
+    if (!found) lose_link(now);
   }
 
   void feed(std::uint8_t byte, base::Time now) {

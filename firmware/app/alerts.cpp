@@ -22,17 +22,17 @@ constexpr Doubt kSeenWhole{3.0F, 0.2F};
 // Where an end was never seen the object may reach far nearer than its cylinder does.
 constexpr Doubt kCutOff{4.0F, 0.4F};
 
-float doubt(const Obstacle& obstacle, float stop) {
+float doubt(const Obstacle& obstacle, const InPath& way, float stop) {
   const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
-  const float sigma = std::sqrt(obstacle.sigma * obstacle.sigma + kPoseSigma * kPoseSigma);
+  const float sigma = std::sqrt(way.sigma * way.sigma + kPoseSigma * kPoseSigma);
   return std::min(doubt.sigmas * sigma, doubt.most * stop);
 }
 
 // Within the stop distance now, as far as one can be sure, or before the next look.
-bool must_stop(const Obstacle& obstacle, float stop, float slack) {
+bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
   constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
   const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
-  return obstacle.distance - doubt(obstacle, stop) - until_next_look <= slack * stop;
+  return obstacle.distance - doubt(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
   const auto near = [&](float distance) { return obstacle.distance <= slack * distance; };
   const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
   if (!obstacle.in_path) return near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
-  if (must_stop(obstacle, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
+  if (must_stop(obstacle, *obstacle.in_path, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
   if (near(rules.warn) || soon(rules.ttc_warn)) return AlertLevel::kWarn;
   if (near(rules.notice)) return AlertLevel::kNotice;
   return AlertLevel::kClear;

@@ -39,6 +39,11 @@ bool swept(const Vec2& center, float radius, const RobotPath& path) {
   return std::fabs(from_pivot - std::fabs(arc_radius)) - radius <= path.half_width;
 }
 
+// Of the distance to the point that is nearest to who is at -away from the middle, m.
+float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float range) {
+  return range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
+}
+
 }  // namespace
 
 RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
@@ -59,10 +64,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.cut_off = object.left_open || object.right_open;
-  obstacle.in_path = swept(center, cylinder.radius, path);
-  if (obstacle.in_path && range > 0) {
-    obstacle.sigma = std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range)));
-  }
+  if (swept(center, cylinder.radius, path)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
   obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
   obstacle.closing = obstacle.closing_speed > kNotClosing;
   set_time_to_contact(path, obstacle);
@@ -75,7 +77,7 @@ void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origi
   std::size_t nearest = 0;
   const float distance = outline.distance_from(recon::offset_from(origin, robot.position), nearest);
   obstacle.distance = std::max(0.0F, distance);
-  obstacle.sigma = outline.sigma(nearest);
+  if (obstacle.in_path) obstacle.in_path->sigma = outline.sigma(nearest);
   set_time_to_contact(path, obstacle);
 }
 

@@ -1,6 +1,8 @@
 // One object as the moving robot sees it: how near, how soon, in the way or not.
 #pragma once
 
+#include <optional>
+
 #include "firmware/recon/object.hpp"
 #include "firmware/recon/pose_history.hpp"
 
@@ -13,17 +15,21 @@ struct RobotPath {
   float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
 };
 
+/// What is asked for only of an obstacle that is in the robot's path.
+struct InPath {
+  float sigma = 0;  ///< m, of the distance
+};
+
 /// Robot frame: origin midway between the wheels, x forward, y left.
 struct Obstacle {
   bool known = false;        ///< the object has an alert model
   recon::Vec2 toward{0, 0};  ///< m, the middle of the alert model: the nearest point is on the way to it
   float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
-  float sigma = 0;           ///< m, of the distance, if it is in the path: it is not asked for otherwise
   bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing
-  bool in_path = false;
+  std::optional<InPath> in_path;
 
   /// rad, of the nearest point
   [[nodiscard]] float bearing() const;

@@ -36,15 +36,13 @@ void MapExtent::include(MapMillimetres place, std::int32_t radius) {
 TopView TopView::of(const MapExtent& extent, MapMillimetres robot, std::int32_t heading_urad) {
   constexpr auto kRowsInside = static_cast<std::int32_t>(kRows) - 1 - 2 * kRim;
   constexpr auto kColumnsInside = static_cast<std::int32_t>(kColumns) - 1 - 2 * kRim;
-  const std::int32_t height = extent.high_.x - extent.low_.x;
-  const std::int32_t width = extent.high_.y - extent.low_.y;
   TopView view;
   while (view.scale + 1U < kScales.size() &&
-         (height > kRowsInside * view.row_mm() || width > kColumnsInside * view.column_mm())) {
+         (extent.height() > kRowsInside * view.row_mm() || extent.width() > kColumnsInside * view.column_mm())) {
     ++view.scale;
   }
-  const std::int32_t middle_row = nearest_multiple(extent.low_.x + height / 2, view.row_mm());
-  const std::int32_t middle_column = nearest_multiple(extent.low_.y + width / 2, view.column_mm());
+  const std::int32_t middle_row = nearest_multiple(extent.low().x + extent.height() / 2, view.row_mm());
+  const std::int32_t middle_column = nearest_multiple(extent.low().y + extent.width() / 2, view.column_mm());
   view.top = middle_row + static_cast<std::int32_t>(kRows) / 2;
   view.left = middle_column + static_cast<std::int32_t>(kColumns) / 2;
   view.robot_row = static_cast<std::uint8_t>(view.row_of(robot.x));

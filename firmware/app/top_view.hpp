@@ -18,9 +18,12 @@ struct MapMillimetres {
 class MapExtent {
  public:
   void include(MapMillimetres place, std::int32_t radius);
+  [[nodiscard]] MapMillimetres low() const { return low_; }
+  [[nodiscard]] MapMillimetres high() const { return high_; }
+  [[nodiscard]] std::int32_t height() const { return high_.x - low_.x; }  ///< along x
+  [[nodiscard]] std::int32_t width() const { return high_.y - low_.y; }
 
  private:
-  friend struct TopView;
   MapMillimetres low_{INT32_MAX, INT32_MAX};
   MapMillimetres high_{INT32_MIN, INT32_MIN};
 };

@@ -58,15 +58,6 @@ Run facing_run(const Facing& facing) {
   return run;
 }
 
-// Where the sides of two neighbours meet.
-Vec2 corner_after(const OutlineView& outline, std::size_t k) {
-  const NodeStep step = node_step(outline.offsets.size());
-  const float after = outline.offset((k + 1) % outline.offsets.size());
-  const Vec2 normal = node_direction(k, outline.offsets.size());
-  const float along = (after - step.cosine * outline.offset(k)) / step.sine;
-  return outline.offset(k) * normal + along * left_of(normal);
-}
-
 float variance_after(const OutlineView& outline, std::size_t k) {
   const float sigma = std::max(outline.sigma(k), outline.sigma((k + 1) % outline.offsets.size()));
   return sigma * sigma;
@@ -96,8 +87,8 @@ bool render(const OutlineView& outline, const Vec2& lens, const LensPose& pose, 
   if (!(std::max(std::fabs(lens.x()), std::fabs(lens.y())) < Facing::kReach)) return false;
   const Run run = facing_run(Facing(outline, lens));
   if (!run.found()) return false;
-  const Vec2 left = to_camera(pose, corner_after(outline, run.before_first) - lens);
-  const Vec2 right = to_camera(pose, corner_after(outline, run.last) - lens);
+  const Vec2 left = to_camera(pose, outline.corner(run.before_first) - lens);
+  const Vec2 right = to_camera(pose, outline.corner(run.last) - lens);
   if (!in_front(left) || !in_front(right)) return false;
   seen.left = {left, variance_after(outline, run.before_first) + others};
   seen.right = {right, variance_after(outline, run.last) + others};

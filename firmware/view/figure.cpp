@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "firmware/app/map_listing.hpp"
 #include "firmware/view/palette.hpp"
 #include "hal/base/trig.hpp"
 
@@ -11,33 +10,40 @@ namespace {
 
 constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
-app::MapMillimetres place_of(const recon::ObjectCore& object, const recon::Vec2& local) {
-  return app::millimetres(recon::moved(object.origin, local));
-}
-
-// Of more corners than fit, every n-th.
-Polygon make_outline(const recon::ObjectCore& object, std::span<const recon::Vec2> corners, const Window& window) {
+// All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
+Polygon make_outline(const app::MapShape& shape, const Window& window) {
+  const std::size_t sides = shape.outline.offsets.size();
   Polygon polygon;
-  const std::size_t every = (corners.size() + Polygon::kMost - 1) / Polygon::kMost;
-  for (std::size_t i = 0; i < corners.size(); i += every) {
-    polygon.add(window.pixel_of(place_of(object, corners[i])));
+  for (std::size_t i = 0; i < Polygon::kMost; ++i) {
+    polygon.add(window.pixel_of(shape.place_of(shape.outline.corner(i * sides / Polygon::kMost))));
   }
   return polygon;
 }
 
 }  // namespace
 
-Figure make_figure(const recon::ObjectCore& object, std::span<const recon::Vec2> outline, std::size_t slot,
-                   const Window& window) {
+void Figure::paint(Row& row) const {
+  if (outline.empty()) {
+    disc.paint(row);
+    return;
+  }
+  outline.paint_inside(row, disc.colour);
+  outline.paint_edges(row, static_cast<std::uint8_t>(disc.colour - kObjects + kOutlines));
+}
+
+Figure make_figure(const app::MapShape& shape, std::size_t slot, const Window& window) {
+  app::MapExtent extent;
+  shape.include_in(extent);
+  const std::int32_t radius = std::max(std::max(extent.width(), extent.height()) / 2 / window.mm(), kSmallest);
+  const Point center = window.pixel_of(shape.middle);
   Figure figure;
-  const Point center = window.pixel_of(app::center_of(object));
-  const std::int32_t radius = std::max(app::radius_of(object) / window.mm(), kSmallest);
-  figure.disc.center = center;
-  figure.disc.radius = point_at(radius, 0).x;
-  figure.disc.colour = static_cast<std::uint8_t>(kObjects + slot);
-  if (object.placed()) figure.outline = make_outline(object, outline, window);
+  figure.disc = {center, point_at(radius, 0).x, static_cast<std::uint8_t>(kObjects + slot)};
+  if (shape.outlined() && radius > kSmallest) figure.outline = make_outline(shape, window);
+  const Point corner = window.pixel_of({extent.high().x, extent.low().y});
+  const std::int32_t right = std::max<std::int32_t>(corner.x - center.x, kSmallest);
+  const std::int32_t up = std::max<std::int32_t>(center.y - corner.y, kSmallest);
   const char letter = app::letter_of(slot);
-  figure.letter = {point_at(center.x + radius + 3, center.y - radius - 3), 1, kText, std::string_view(&letter, 1)};
+  figure.letter = {point_at(center.x + right + 3, center.y - up - 3), 1, kText, std::string_view(&letter, 1)};
   return figure;
 }
 

@@ -1,26 +1,27 @@
 // Objects and the robot as shapes on the screen.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "firmware/recon/object.hpp"
+#include "firmware/app/map_shape.hpp"
 #include "firmware/recon/pose_history.hpp"
 #include "firmware/view/shapes.hpp"
 #include "firmware/view/window.hpp"
 
 namespace fencepost::view {
 
-/// An object on the map: its cylinder as a disc, its outline where the views have cut one.
+/// An object on the map, in the colour of its slot.
 struct Figure {
-  Disc disc;
-  Polygon outline;
+  Disc disc;        ///< painted if there is no outline
+  Polygon outline;  ///< with a lighter edge
   Label letter;
+
+  void paint(Row& row) const;
 };
 
-/// `object`: one that app::drawn() holds for; `outline`: of its clip, local frame, metres.
-Figure make_figure(const recon::ObjectCore& object, std::span<const recon::Vec2> outline, std::size_t slot,
-                   const Window& window);
+/// What is too small to be seen becomes a small disc.
+Figure make_figure(const app::MapShape& shape, std::size_t slot, const Window& window);
 
 /// An arrow head of fixed size: a robot in scale would often be a dot.
 Polygon make_robot(const recon::MapPose& pose, const Window& window);

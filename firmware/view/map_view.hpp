@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "firmware/app/map_shape.hpp"
 #include "firmware/app/pipeline.hpp"
 #include "firmware/view/picture.hpp"
 #include "firmware/view/side.hpp"
@@ -75,22 +76,23 @@ class MapView {
 
   // All of it, until somebody zooms; then the robot is in the middle.
   [[nodiscard]] Window window() const {
-    Sight sight;
     app::MapMillimetres robot;
     if (!memory().poses.empty()) robot = app::millimetres(app::robot_pose(memory()).position);
-    sight.include(robot, 0);
     if (zoom_) return {robot, static_cast<std::uint8_t>(*zoom_)};
+    app::MapExtent extent;
+    extent.include(robot, 0);
     for (const auto& object : memory().map.slots()) {
-      if (app::drawn(object)) sight.include(app::center_of(object), app::radius_of(object));
+      if (const auto shape = app::shape_of(object)) shape->include_in(extent);
     }
-    return sight.window();
+    return window_of(extent);
   }
 
   void look_at(std::size_t slot) {
     const auto& object = memory().map.slots()[slot];
-    if (!app::drawn(object) || memory().poses.empty()) return;
+    const auto shape = app::shape_of(object);
+    if (!shape || memory().poses.empty()) return;
     colour(slot, object.signature);
-    picture_.add(make_figure(object, object.clip.vertices(), slot, picture_.window()));
+    picture_.add(make_figure(*shape, slot, picture_.window()));
     const app::Obstacle obstacle = app::see_obstacle(object, app::RobotPlace(app::robot_pose(memory())), {});
     const auto distance = base::Metres::nearest(obstacle.distance);
     if (app::credible(object) && (!nearest_ || distance < nearest_->distance)) {

@@ -35,8 +35,7 @@ class Picture {
 
   void paint(Row& row) const {
     paint_ground(window_, row);
-    for (const Figure& figure : figures_) figure.outline.paint_edges(row, outline_colour(figure));
-    for (const Figure& figure : figures_) figure.disc.paint(row);
+    for (const Figure& figure : figures_) figure.paint(row);
     robot_.paint_inside(row, kRobot);
     for (const Figure& figure : figures_) figure.letter.paint(row);
     row.fill(Window::kSide, INT32_MAX, kSide);
@@ -47,10 +46,6 @@ class Picture {
  private:
   static constexpr std::size_t kLabels = N + 8;
   static constexpr std::size_t kBoxes = N + 2;
-
-  static std::uint8_t outline_colour(const Figure& figure) {
-    return static_cast<std::uint8_t>(figure.disc.colour - kObjects + kOutlines);
-  }
 
   Window window_;
   Polygon robot_;

@@ -57,6 +57,7 @@ class Polygon {
   static constexpr std::size_t kMost = 24;
 
   void add(Point corner);
+  [[nodiscard]] bool empty() const { return corners_.empty(); }
   /// Its edges, a pixel wide.
   void paint_edges(Row& row, std::uint8_t colour) const;
   void paint_inside(Row& row, std::uint8_t colour) const;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "firmware/app/map_listing.hpp"
+#include "firmware/app/top_view.hpp"
 #include "firmware/view/shapes.hpp"
 
 namespace fencepost::view {
@@ -31,28 +31,16 @@ struct Window {
   }
 };
 
-/// Grows around all that is to be seen.
-class Sight {
- public:
-  void include(app::MapMillimetres place, std::int32_t radius) {
-    low_ = {std::min(low_.x, place.x - radius), std::min(low_.y, place.y - radius)};
-    high_ = {std::max(high_.x, place.x + radius), std::max(high_.y, place.y + radius)};
+/// What shows all of `extent` at the finest scale; a whole number of pixels from the origin, so that nothing trembles.
+inline Window window_of(const app::MapExtent& extent) {
+  Window window;
+  const std::int32_t larger = std::max(extent.width(), extent.height());
+  while (window.scale + 1U < kScales.size() && larger > (Window::kSide - 2 * Window::kRim) * window.mm()) {
+    ++window.scale;
   }
-  /// At the finest scale that shows it all; a whole number of pixels from the origin, so that nothing trembles.
-  [[nodiscard]] Window window() const {
-    Window window;
-    const std::int32_t larger = std::max(high_.x - low_.x, high_.y - low_.y);
-    while (window.scale + 1U < kScales.size() && larger > (Window::kSide - 2 * Window::kRim) * window.mm()) {
-      ++window.scale;
-    }
-    const auto rounded = [&](std::int32_t value) { return value / (10 * window.mm()) * (10 * window.mm()); };
-    window.middle = {rounded(low_.x + (high_.x - low_.x) / 2), rounded(low_.y + (high_.y - low_.y) / 2)};
-    return window;
-  }
-
- private:
-  app::MapMillimetres low_{INT32_MAX, INT32_MAX};
-  app::MapMillimetres high_{INT32_MIN, INT32_MIN};
-};
+  const auto rounded = [&](std::int32_t value) { return value / (10 * window.mm()) * (10 * window.mm()); };
+  window.middle = {rounded(extent.low().x + extent.height() / 2), rounded(extent.low().y + extent.width() / 2)};
+  return window;
+}
 
 }  // namespace fencepost::view

@@ -1,7 +1,6 @@
 // Prints how good the alerts are on random approaches, a row a noise level. Fails when the level of --judge misses its
 // targets.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,8 +12,7 @@ namespace fencepost::test {
 namespace {
 
 struct Request {
-  unsigned approaches = 1000;
-  unsigned first_seed = 1;
+  Seeds approaches{1000, 1};
   std::vector<std::string> levels;
   std::string judged = "2";
   std::vector<std::string> settings;
@@ -145,20 +143,33 @@ bool good(const Figures& f, const Request& request) {
          f.in_ten_minutes(f.false_stops - f.grazes) <= request.at_most;
 }
 
-Figures run_level(const NoiseLevel& level, const Request& request) {
+// Borrows the texts of the request.
+AlertRequest alerts_of(const Request& request) {
+  AlertRequest alerts = request.alerts;
+  for (const std::string_view setting : request.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string_view::npos) throw std::runtime_error("--set takes KEY=VALUE");
+    alerts.settings.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  return alerts;
+}
+
+Figures run_level(const NoiseLevel& level, const Request& request, const AlertRequest& alerts) {
   Figures figures;
-  for (unsigned i = 0; i < request.approaches; ++i) {
-    const Approach approach = random_approach(request.first_seed + i, level, request.nearest);
+  for (unsigned i = 0; i < request.approaches.scenes; ++i) {
+    const unsigned seed = request.approaches.first + i;
+    const Approach approach = random_approach(seed, level, request.nearest);
     if (approach.scene.objects.empty()) continue;
     const AlertLimits limits;
-    const Verdict verdict = judge_approach(approach, limits, request.alerts);
+    const Verdict verdict = judge_approach(approach, limits, alerts);
     add(verdict, figures);
-    if (request.show) show(request.first_seed + i, approach, GroundTruth(approach, limits), verdict);
+    if (request.show) show(seed, approach, GroundTruth(approach, limits), verdict);
   }
   return figures;
 }
 
 bool run(const Request& request) {
+  const AlertRequest alerts = alerts_of(request);
   fmt::print(
       "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
       "placed, % | "
@@ -166,39 +177,29 @@ bool run(const Request& request) {
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool all_good = false;  // the level that is judged has to be among those that are run
   for (const NoiseLevel& level : noise_levels(request.levels)) {
-    const Figures figures = run_level(level, request);
+    const Figures figures = run_level(level, request, alerts);
     print_row(level, figures);
     if (level.key == request.judged) all_good = good(figures, request);
   }
   return all_good;
 }
 
-int run_program(int argc, char** argv) {
-  Request request;
-  CLI::App app("How good the alerts are on random approaches, a row a noise level");
-  app.add_option("--approaches", request.approaches, "a level")->capture_default_str();
-  app.add_option("--first-seed", request.first_seed, "seed of the first approach")->capture_default_str();
+void options(CLI::App& app, Request& request) {
+  add_seed_options(app, request.approaches, "a level", "--approaches");
   add_levels_option(app, request.levels);
   app.add_option("--judge", request.judged, "the level that has to meet the targets")->capture_default_str();
   app.add_option("--at-least", request.at_least, "% of the obstacles in time")->capture_default_str();
   app.add_option("--at-most", request.at_most, "false stops in 10 minutes, grazes left out")->capture_default_str();
-  app.add_option("--profile", request.alerts.profile, "capacities of the robot")->capture_default_str();
+  add_profile_option(app, request.alerts.profile);
   app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
   app.add_option("--nearest", request.nearest, "m, no block is nearer when the robot starts")->capture_default_str();
   app.add_flag("--show", request.show, "tell of each failure");
-  CLI11_PARSE(app, argc, argv);
-  for (const std::string& setting : request.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) throw std::runtime_error("--set takes KEY=VALUE");
-    const std::string_view text(setting);
-    request.alerts.settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return run(request) ? 0 : 1;
 }
+
+constexpr Study<Request> kStudy = {"alert_study", "How good the alerts are on random approaches, a row a noise level",
+                                   options, run};
 
 }  // namespace
 }  // namespace fencepost::test
 
-int main(int argc, char** argv) {
-  return fencepost::test::run_study("alert_study", fencepost::test::run_program, argc, argv);
-}
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }

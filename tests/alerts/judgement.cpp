@@ -1,19 +1,18 @@
 #include "tests/alerts/judgement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "firmware/record/encode.hpp"
 #include "host/evaluate/evaluate.hpp"
 #include "host/evaluate/following.hpp"
 #include "host/evaluate/matching.hpp"
 #include "host/replay/replay.hpp"
 #include "host/simulate/truth.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -59,15 +58,7 @@ Recording record_run(const Approach& approach, const AlertRequest& request) {
   Recording recording;
   recording.shown.resize(approach.scene.objects.size());
   recording.placed.resize(approach.scene.objects.size());
-  bool settled = false;
-  const auto line = [&](std::string_view text) {
-    recording.log += text;
-    if (std::exchange(settled, true)) return;
-    for (const record::Setting& setting : request.settings) {  // after the header
-      std::array<char, record::kMaxLine> buffer{};
-      recording.log.append(buffer.data(), record::encode(setting, buffer));
-    }
-  };
+  const auto line = [&](std::string_view text) { recording.log += text; };
   const auto truth = [&](const host::FrameTruth& frame) {
     recording.frames.push_back(frame.frame.t.to_double());
     for (std::size_t o = 0; o < recording.shown.size(); ++o) {
@@ -84,6 +75,7 @@ Recording record_run(const Approach& approach, const AlertRequest& request) {
   };
   const auto summary = host::simulate_with_truth(approach.scene, line, truth);
   if (!summary.ok()) throw std::runtime_error(summary.error());
+  for (const record::Setting& setting : request.settings) recording.log = with_setting(recording.log, setting);
   return recording;
 }
 

@@ -6,22 +6,15 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <memory>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/boards/bench.hpp"
+#include "tests/process/child.hpp"
+
 namespace fencepost::test {
 namespace {
-
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-  if (!pipe) throw std::runtime_error("cannot run " + command);
-  std::string text;
-  std::array<char, 65536> part{};
-  for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe.get())) > 0;) text.append(part.data(), n);
-  return text;
-}
 
 std::string symbol_address(const std::string& symbols, const std::string& name) {
   std::smatch match;
@@ -143,6 +136,32 @@ std::uint64_t committed(const std::string& image, const std::string& column) {
     if (row.at("image") == image) return std::stoull(row.at(column));
   }
   throw std::runtime_error("no row of " + image);
+}
+
+void expect_ready_to_count(Bench& bench, const SceneStream& stream, PoseCorrected corrected) {
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
+  for (const std::string& line : stream.calibration) bench.console().send(line);
+}
+
+void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t objects) {
+  const std::string number = std::to_string(objects);
+  bench.play(stream);
+  EXPECT_TRUE(bench.obey("status", "objects " + number + " of " + number)) << bench.said();
+}
+
+void expect_full_table_as_committed(const FullTable& table, PoseCorrected corrected,
+                                    const std::function<BoardUnderTest(const std::vector<std::string>&)>& board) {
+  const std::string out = ::testing::TempDir() + "fencepost-" + table.image +
+                          (corrected == PoseCorrected::kYes ? "-corrected-counts" : "-counts");
+  static_cast<void>(std::remove(out.c_str()));  // of an earlier run
+  const SceneStream stream = stream_of(table.scene);
+  Bench bench(board(counting_arguments(image_of(table.image) + ".elf", stages_of_a_loop(table.more), out)));
+  ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
+  expect_full_table(bench, stream, table.objects);
+  bench.stop();
+  expect_counts_as_committed(read_counts(out), table.image, corrected, table.least);
 }
 
 void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least) {

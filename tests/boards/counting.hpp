@@ -1,13 +1,21 @@
 // Instructions and stack of an image, counted by a plugin of the emulator.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/scene/scene.hpp"
+#include "tests/boards/emulator.hpp"
+#include "tests/boards/scene_stream.hpp"
+
 namespace fencepost::test {
+
+class Bench;
 
 struct StageCount {
   std::uint64_t calls = 0;
@@ -33,6 +41,24 @@ Counts read_counts(const std::string& file);
 std::uint64_t committed(const std::string& image, const std::string& column);
 /// Is correct.pose on while it is counted?
 enum class PoseCorrected : bool { kNo, kYes };
+
+/// A table full of objects, counted.
+struct FullTable {
+  std::string image;  ///< its preset
+  Stages more;        ///< of this board alone
+  host::Scene scene;
+  std::size_t objects;
+  double least;  ///< frames; fewer than are shown where the wall's clock paces a busy machine
+};
+
+// GoogleTest expectations.
+/// The board stands ready, its pose is corrected or not, and it is being told its camera and colours.
+void expect_ready_to_count(Bench& bench, const SceneStream& stream, PoseCorrected corrected);
+/// Plays the scene; all objects are in the table at its end.
+void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t objects);
+/// All of it where the emulator counts: `board` is started with counting_arguments().
+void expect_full_table_as_committed(const FullTable& table, PoseCorrected corrected,
+                                    const std::function<BoardUnderTest(const std::vector<std::string>&)>& board);
 
 /// Prints the stages; expects more than `least` frames - calls of the stage "digest" - and of each stage no more
 /// instructions a frame, and a call, than its row in firmware/image/stages.csv has; the stack and, with correct.pose

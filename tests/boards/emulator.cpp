@@ -1,15 +1,10 @@
 #include "tests/boards/emulator.hpp"
 
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
-
-extern char** environ;
 
 namespace fencepost::test {
 namespace {
@@ -42,36 +37,23 @@ Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
 }
 
 Emulator::~Emulator() {
-  if (child_ > 0) {
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-  }
+  child_.reset();
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
 }
 
 void Emulator::start(const std::vector<std::string>& command) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  if (::posix_spawnp(&child_, words[0], nullptr, nullptr, words.data(), environ) != 0) {
-    child_ = -1;
-    throw std::runtime_error("cannot start " + command[0] + "; toolchain/setup firmware installs it");
+  try {
+    child_.emplace(command[0], command);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(error.what()) + "; toolchain/setup firmware installs it");
   }
 }
 
-bool Emulator::alive() {
-  if (child_ <= 0) return false;
-  if (::waitpid(child_, nullptr, WNOHANG) == 0) return true;
-  child_ = -1;
-  return false;
-}
+bool Emulator::alive() { return child_ && !child_->ended(); }
 
 void Emulator::stop() {
-  if (child_ <= 0) return;
-  ::kill(child_, SIGTERM);
-  ::waitpid(child_, nullptr, 0);
-  child_ = -1;
+  if (child_ && child_->signal(SIGTERM)) child_->wait();
 }
 
 void Emulator::pump() {

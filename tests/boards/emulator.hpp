@@ -1,16 +1,16 @@
 // A machine that runs an image: an emulator as a child process with a socket for each serial line, or another.
 #pragma once
 
-#include <sys/types.h>
-
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host/emulate/serve/peer.hpp"
 #include "tests/boards/line.hpp"
+#include "tests/process/child.hpp"
 
 namespace fencepost::test {
 
@@ -70,7 +70,7 @@ class Emulator : public Machine {
   std::string folder_;
   std::deque<SocketLine> lines_;
   WallClock::time_point started_ = WallClock::now();
-  pid_t child_ = -1;
+  std::optional<Child> child_;
 };
 
 }  // namespace fencepost::test

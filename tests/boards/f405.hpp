@@ -24,19 +24,4 @@ inline BoardUnderTest f405(std::vector<std::string> more = {}, const std::string
   return board;
 }
 
-/// Its last line is a debugger's.
-inline BoardUnderTest f405_with_debugger() {
-  BoardUnderTest board = f405();
-  const auto plain = board.command;
-  board.command = [plain](std::vector<std::string> sockets) {
-    const std::string last = sockets.back();
-    sockets.pop_back();
-    std::vector<std::string> words = plain(sockets);
-    words.insert(words.end(), {"-chardev", "socket,id=debugger,path=" + last, "-gdb", "chardev:debugger"});
-    return words;
-  };
-  board.lines = 4;
-  return board;
-}
-
 }  // namespace fencepost::test

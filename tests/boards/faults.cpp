@@ -189,4 +189,13 @@ void expect_survives_cut_lines(const BoardUnderTest& board) {
   robot.expect_recovery();
 }
 
+void expect_survives_hung_camera_bus(const BoardUnderTest& board) {
+  Bench bench(board);
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.await("camera is silent: ")) << bench.said();
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+  EXPECT_TRUE(bench.obey("status", "camera link silent")) << bench.said();
+  EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+
 }  // namespace fencepost::test

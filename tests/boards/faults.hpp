@@ -27,4 +27,8 @@ void expect_survives_odometry_loss(const BoardUnderTest& board);
 void expect_survives_blocked_console(const BoardUnderTest& board);
 void expect_survives_cut_lines(const BoardUnderTest& board);
 
+/// The image has its camera on a two-wire bus, and the emulator's takes every start and ends no transfer: the master
+/// has to give up each of them, and the loop must not notice.
+void expect_survives_hung_camera_bus(const BoardUnderTest& board);
+
 }  // namespace fencepost::test

@@ -22,18 +22,4 @@ inline BoardUnderTest microbit(const std::string& image = "microbit-console", st
   return board;
 }
 
-/// Its last line is a debugger's.
-inline BoardUnderTest microbit_with_debugger() {
-  BoardUnderTest board = microbit();
-  const auto plain = board.command;
-  board.command = [plain](std::vector<std::string> sockets) {
-    const std::string last = sockets.back();
-    std::vector<std::string> words = plain(sockets);
-    words.insert(words.end(), {"-chardev", "socket,id=debugger,path=" + last, "-gdb", "chardev:debugger"});
-    return words;
-  };
-  board.lines = 3;
-  return board;
-}
-
 }  // namespace fencepost::test

@@ -66,11 +66,6 @@ std::size_t confirmed_in(const std::string& log, const std::string& profile) {
   return n;
 }
 
-// Behind the header.
-std::string with_setting(std::string log, const record::Setting& setting) {
-  return log.insert(log.find('\n') + 1, line_of(setting));
-}
-
 // A wheel base and some cameras never rest: what came in after the digest was told is not in it.
 std::string log_until_digest(const std::string& said) {
   const std::size_t begin = said.find("$FPHDR");

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "hal/mcu/soft_float/float32.hpp"
+#include "tests/hal/mcu/soft_float_numbers.hpp"
 
 using fencepost::mcu::soft::Bits;
 namespace soft = fencepost::mcu::soft;
@@ -32,36 +33,18 @@ void ask_host(int operation, std::uint32_t argument) {
   asm volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
 }
 
-/// As tests/hal/mcu/soft_float_test.cpp has them: near each other, of all sizes, with few bits set, at the ends of the
-/// range, infinities and NaNs.
-class Numbers {
+// Marsaglia's.
+class Xorshift {
  public:
-  Bits next() {
-    const Bits x = random();
-    const Bits e = random();
-    switch (random() % 8) {
-      case 0: return x;
-      case 1: return with_exponent(x, 107 + e % 40);
-      case 2: return with_exponent(x & 0x8000'0007U, e % 256);
-      case 3: return with_exponent(x, e % 2);
-      case 4: return with_exponent(x, 254 - e % 3);
-      case 5: return with_exponent(x, 124 + e % 6);
-      case 6: return with_exponent(x & 0x807F'F000U, 120 + e % 16);
-      default: return last_ = last_ ^ (x & 0x8000'000FU);
-    }
-  }
-
- private:
-  static Bits with_exponent(Bits x, Bits exponent) { return (x & 0x807F'FFFFU) | (exponent << 23); }
-  // Marsaglia's xorshift.
-  std::uint32_t random() {
+  std::uint32_t operator()() {
     state_ ^= state_ << 13;
     state_ ^= state_ >> 17;
     state_ ^= state_ << 5;
-    return state_ >> 1;
+    return state_;
   }
+
+ private:
   std::uint32_t state_ = 20'011;
-  Bits last_ = 0x3F80'0000;
 };
 
 struct Operation {
@@ -92,7 +75,7 @@ void tell(char sign, Bits a, Bits b, Bits got) {
 bool same(Bits a, Bits b) { return a == b || (soft::is_nan(a) && soft::is_nan(b)); }
 
 bool all_agree(int rounds) {
-  Numbers numbers;
+  fencepost::test::Numbers numbers(Xorshift{});
   for (int i = 0; i < rounds; ++i) {
     const Bits a = numbers.next();
     const Bits b = numbers.next();

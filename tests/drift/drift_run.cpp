@@ -7,6 +7,7 @@
 #include "host/evaluate/metrics.hpp"
 #include "host/geometry/rings.hpp"
 #include "host/replay/replay.hpp"
+#include "tests/firmware/record/lines.hpp"
 #include "tests/tables/reference_scene.hpp"
 #include "tests/tables/tour.hpp"
 
@@ -22,7 +23,7 @@ DrivenLog drive(const host::Scene& scene, const DriftOptions& options) {
   DriftingOdometry odometry(options.seed, options.drift);
   const Tour tour = drive_tour(scene, noise_levels({options.level}).front().blob,
                                [&](const sensor::OdometrySample& sample) { return odometry.next(sample); });
-  return {options.correct ? with_setting(tour.log, "correct.pose", "on") : tour.log, odometry.truth()};
+  return {options.correct ? with_setting(tour.log, {"correct.pose", "on"}) : tour.log, odometry.truth()};
 }
 
 /// As seen by a robot that is at `truth` and believes to be at `estimate`.

@@ -4,6 +4,7 @@
 
 #include "host/evaluate/evaluate.hpp"
 #include "tests/drift/drifting_odometry.hpp"
+#include "tests/firmware/record/lines.hpp"
 #include "tests/tables/given_run.hpp"
 #include "tests/tables/noise_levels.hpp"
 #include "tests/tables/tour.hpp"
@@ -23,7 +24,7 @@ Tour drive_path(const PathOptions& options) {
 host::Evaluation run_log(const Tour& tour, const PathOptions& options) {
   host::EvaluateOptions evaluate_options;
   evaluate_options.profile = options.profile;
-  const std::string log = options.feed == Feed::kCorrected ? with_setting(tour.log, "correct.pose", "on") : tour.log;
+  const std::string log = options.feed == Feed::kCorrected ? with_setting(tour.log, {"correct.pose", "on"}) : tour.log;
   const std::string name = "seed " + std::to_string(options.seed);
   host::EvaluateOutcome outcome =
       host::evaluate(log, name, tour.scene, host::FrameTruths(tour.frames), evaluate_options);

@@ -1,6 +1,5 @@
 // Drives for simulated hours and prints what came of it. Fails if anything that must never be has been.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 
@@ -17,7 +16,7 @@ void print_lap(const char* where, const LapQuality& lap) {
              1000 * lap.center_error, 100 * lap.recklessness, 100 * lap.paranoia);
 }
 
-bool run(const std::string& profile, double hours, unsigned seed) {
+bool drive(const std::string& profile, double hours, unsigned seed) {
   const SoakFigures figures = run_soak(profile, static_cast<unsigned>(hours * kRoundsAnHour) + 3, seed);
   fmt::print("profile {}: {:.2f} h, {} frames came, {} used, {} refused, {} commands typed\n", profile,
              figures.minutes / 60, figures.frames_offered, figures.frames_used, figures.frames_refused,
@@ -35,21 +34,27 @@ bool run(const std::string& profile, double hours, unsigned seed) {
   return figures.faults.empty();
 }
 
-int run_program(int argc, char** argv) {
+struct Request {
   double hours = 24;
   unsigned seed = 1;
   std::vector<std::string> profiles{"micro", "small", "full"};
-  CLI::App app("A robot drives for simulated hours");
-  app.add_option("--hours", hours, "of the robot's clock, about")->capture_default_str();
-  app.add_option("--seed", seed, "of blocks and commands")->capture_default_str();
-  app.add_option("--profiles", profiles, "of micro,small,full")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
+};
+
+bool run(const Request& request) {
   bool good = true;
-  for (const std::string& profile : profiles) good = run(profile, hours, seed) && good;
-  return good ? 0 : 1;
+  for (const std::string& profile : request.profiles) good = drive(profile, request.hours, request.seed) && good;
+  return good;
 }
+
+void options(CLI::App& app, Request& request) {
+  app.add_option("--hours", request.hours, "of the robot's clock, about")->capture_default_str();
+  app.add_option("--seed", request.seed, "of blocks and commands")->capture_default_str();
+  app.add_option("--profiles", request.profiles, "of micro,small,full")->delimiter(',');
+}
+
+constexpr Study<Request> kStudy = {"soak", "A robot drives for simulated hours", options, run};
 
 }  // namespace
 }  // namespace fencepost::test
 
-int main(int argc, char** argv) { return fencepost::test::run_study("soak", fencepost::test::run_program, argc, argv); }
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }

@@ -1,9 +1,7 @@
 // Judges the hybrid on random scenes: against the best of the paper's algorithms in every cell, and against the figures
 // it was meant to reach. Prints Markdown; fails if a claim does not hold. The seeds from 5001 on were used for tuning.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <functional>
 #include <map>
 
@@ -16,23 +14,10 @@ namespace fencepost::test {
 namespace {
 
 struct Request {
-  unsigned scenes = 100;
-  unsigned first_seed = 1;
+  Seeds seeds;
   std::vector<std::string> levels;
   std::vector<std::string> kinds{"sequential", "spread"};
   std::string profile = "full";
-};
-
-/// Claims that were looked at, and those that do not hold.
-struct Tally {
-  std::size_t claims = 0;
-  std::vector<std::string> broken;
-
-  std::string_view look(bool holds, const std::string& claim) {
-    ++claims;
-    if (!holds) broken.push_back(claim);
-    return holds ? "" : " **";
-  }
 };
 
 using Columns = std::vector<std::optional<std::uint32_t>>;
@@ -43,25 +28,18 @@ Columns columns() {
   return views;
 }
 
-void print(const std::string& text) {
-  fmt::print("{}", text);
-  std::fflush(stdout);
-}
-
 std::vector<ScenePair> run_pairs(const Request& request, const NoiseLevel& level, SceneKind kind,
                                  OcclusionFlags flags) {
   QualityOptions options;
   options.kind = kind;
   options.profile = request.profile;
-  std::vector<ScenePair> pairs;
-  for (unsigned i = 0; i < request.scenes; ++i) {
+  return request.seeds.each([&](unsigned seed) {
     options.flags = OcclusionFlags::kTrue;
-    ScenePair pair{run_scene(request.first_seed + i, level, options), {}};
+    ScenePair pair{run_scene(seed, level, options), {}};
     options.flags = flags;
-    pair.hybrid = flags == OcclusionFlags::kTrue ? pair.paper : run_scene(request.first_seed + i, level, options);
-    pairs.push_back(std::move(pair));
-  }
-  return pairs;
+    pair.hybrid = flags == OcclusionFlags::kTrue ? pair.paper : run_scene(seed, level, options);
+    return pair;
+  });
 }
 
 std::string cell_text(const CellJudgement& cell, std::string_view mark) {
@@ -178,11 +156,11 @@ void judge_two_convex(const Request& request, Tally& tally) {
   options.kind = SceneKind::kTwoConvex;
   options.flags = OcclusionFlags::kTrue;
   options.profile = request.profile;
-  std::vector<host::Evaluation> scenes;
-  for (unsigned i = 0; i < request.scenes; ++i) {
-    scenes.push_back(run_scene(request.first_seed + i, noise_levels({"2"}).front(), options));
-    scenes.back().objects.erase(scenes.back().objects.begin());  // the other one is looked at
-  }
+  const auto scenes = request.seeds.each([&](unsigned seed) {
+    host::Evaluation scene = run_scene(seed, noise_levels({"2"}).front(), options);
+    scene.objects.erase(scene.objects.begin());  // the other one is looked at
+    return scene;
+  });
   const ModelMeans end = means_of_model(scenes, "hybrid", {});
   print("**Two convex objects, level 2, true flags, end**\n\n");
   print(figure(tally, "two convex objects, R %", end.recklessness, kConvexRecklessness));
@@ -201,30 +179,23 @@ bool run(const Request& request) {
     }
   }
   judge_two_convex(request, tally);
-  for (const std::string& claim : tally.broken) print("broken: " + claim + "\n");
-  print(fmt::format("{} claims, {} broken; {} scenes from seed {}\n", tally.claims, tally.broken.size(), request.scenes,
-                    request.first_seed));
-  return tally.broken.empty();
+  return tally.report(request.seeds);
 }
 
-int run_program(int argc, char** argv) {
-  Request request;
-  CLI::App app("The hybrid beside the paper's algorithms and beside its targets");
-  app.add_option("--scenes", request.scenes, "scenes a table, three objects each")->capture_default_str();
-  app.add_option("--first-seed", request.first_seed, "seed of the first scene")->capture_default_str();
+void options(CLI::App& app, Request& request) {
+  add_seed_options(app, request.seeds, "scenes a table, three objects each");
   add_levels_option(app, request.levels);
   app.add_option("--views", request.kinds, "order of the views: sequential, spread")
       ->delimiter(',')
       ->capture_default_str()
       ->check(CLI::IsMember({"sequential", "spread"}));
-  app.add_option("--profile", request.profile, "capacities of the robot")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  return run(request) ? 0 : 1;
+  add_profile_option(app, request.profile);
 }
+
+constexpr Study<Request> kStudy = {"hybrid_table", "The hybrid beside the paper's algorithms and beside its targets",
+                                   options, run};
 
 }  // namespace
 }  // namespace fencepost::test
 
-int main(int argc, char** argv) {
-  return fencepost::test::run_study("hybrid_table", fencepost::test::run_program, argc, argv);
-}
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }

@@ -1,11 +1,7 @@
 // Prints R / P / IoU of every model at 2, 4, 8, 18 and 75 views on random scenes, a table a noise level and kind of
 // flags, and beside the reference if there is one. The last column is the end of the circle, whether or not all of its
 // 75 views showed the object. Fails if a cell with true flags fails against the reference.
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "tests/tables/quality_run.hpp"
@@ -16,27 +12,17 @@ namespace fencepost::test {
 namespace {
 
 struct Request {
-  unsigned scenes = 100;
-  unsigned first_seed = 1;
+  Seeds seeds;
   std::vector<std::string> levels;
   std::vector<std::string> flags{"true", "inferred"};
   std::string reference;
   QualityOptions options;
 };
 
-void print(const std::string& text) {
-  fmt::print("{}", text);
-  std::fflush(stdout);
-}
-
 std::vector<host::Evaluation> run_level(const Request& request, const NoiseLevel& level, const std::string& flags) {
   QualityOptions options = request.options;
   options.flags = flags == "true" ? OcclusionFlags::kTrue : OcclusionFlags::kInferred;
-  std::vector<host::Evaluation> evaluations;
-  for (unsigned i = 0; i < request.scenes; ++i) {
-    evaluations.push_back(run_scene(request.first_seed + i, level, options));
-  }
-  return evaluations;
+  return request.seeds.each([&](unsigned seed) { return run_scene(seed, level, options); });
 }
 
 /// Of all levels, one entry a kind of flags.
@@ -75,11 +61,8 @@ bool run(const Request& request) {
   return reached;
 }
 
-int run_program(int argc, char** argv) {
-  Request request;
-  CLI::App app("R / P / IoU of every model on random scenes, a table a noise level and kind of flags");
-  app.add_option("--scenes", request.scenes, "scenes a table, three objects each")->capture_default_str();
-  app.add_option("--first-seed", request.first_seed, "seed of the first scene")->capture_default_str();
+void options(CLI::App& app, Request& request) {
+  add_seed_options(app, request.seeds, "scenes a table, three objects each");
   add_levels_option(app, request.levels);
   app.add_option("--flags", request.flags,
                  "whose each blob is and which ends are hidden: true, inferred as on the robot")
@@ -90,15 +73,15 @@ int run_program(int argc, char** argv) {
   app.add_option("--scene", request.options.kind, "sequential views, the same spread, or two convex objects")
       ->transform(CLI::CheckedTransformer(std::map<std::string, SceneKind>{
           {"sequential", SceneKind::kSequential}, {"spread", SceneKind::kSpread}, {"convex", SceneKind::kTwoConvex}}));
-  app.add_option("--profile", request.options.profile, "capacities of the robot")->capture_default_str();
+  add_profile_option(app, request.options.profile);
   app.add_option("--dump", request.options.dump, "a folder for the scenes and logs, for fencepost evaluate");
-  CLI11_PARSE(app, argc, argv);
-  return run(request) ? 0 : 1;
 }
+
+constexpr Study<Request> kStudy = {
+    "quality_table", "R / P / IoU of every model on random scenes, a table a noise level and kind of flags", options,
+    run};
 
 }  // namespace
 }  // namespace fencepost::test
 
-int main(int argc, char** argv) {
-  return fencepost::test::run_study("quality_table", fencepost::test::run_program, argc, argv);
-}
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }

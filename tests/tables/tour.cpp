@@ -1,6 +1,5 @@
 #include "tests/tables/tour.hpp"
 
-#include <array>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -8,7 +7,7 @@
 #include <utility>
 
 #include "firmware/record/decode.hpp"
-#include "firmware/record/encode.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -21,14 +20,6 @@ struct Poses {
   template <class Other>
   void accept(const Other&) {}
 };
-
-template <class Record>
-std::string line_of(const Record& record) {
-  std::array<char, record::kMaxLine> line{};
-  const std::size_t length = record::encode(record, line);
-  if (length == 0) throw std::runtime_error("a record is outside the range of the stream");
-  return {line.data(), length};
-}
 
 std::string_view content_of(std::string_view line) { return line.substr(0, line.find_first_of("\r\n")); }
 
@@ -70,11 +61,6 @@ Tour drive_tour(host::Scene scene, const NoiseLevel& level) {
 
 Tour drive_tour(host::Scene scene, const BlobNoise& noise, const OdometryNoise& odometry) {
   return drive(std::move(scene), noise, odometry);
-}
-
-std::string with_setting(std::string log, std::string_view key, std::string_view value) {
-  if (!log.starts_with("$FPHDR")) throw std::runtime_error("a log has to begin with its header");
-  return log.insert(log.find('\n') + 1, line_of(record::Setting{key, value}));
 }
 
 }  // namespace fencepost::test

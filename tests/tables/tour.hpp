@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hal/sensor/odometry.hpp"
@@ -32,8 +31,5 @@ using OdometryNoise = std::function<sensor::OdometrySample(const sensor::Odometr
 
 /// The same with the poses of `odometry`.
 Tour drive_tour(host::Scene scene, const BlobNoise& noise, const OdometryNoise& odometry);
-
-/// The log of a robot that was told so before it started: a setting after the header.
-std::string with_setting(std::string log, std::string_view key, std::string_view value);
 
 }  // namespace fencepost::test

@@ -97,6 +97,14 @@ float inflation(float share) {
   return std::min(3.0F, 2.0F + (share - 3.0F) / 3.0F);
 }
 
+Vec2 OutlineView::corner(std::size_t k) const {
+  const NodeStep step = node_step(offsets.size());
+  const float after = offset((k + 1) % offsets.size());
+  const Vec2 normal = node_direction(k, offsets.size());
+  const float along = (after - step.cosine * offset(k)) / step.sine;
+  return offset(k) * normal + along * left_of(normal);
+}
+
 Chord OutlineView::chord_at(float x) const {
   Chord chord{-kSquare, kSquare};
   for (std::size_t k = 0; k < offsets.size(); ++k) {

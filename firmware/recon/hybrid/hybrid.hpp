@@ -68,6 +68,8 @@ struct OutlineView {
   [[nodiscard]] float confidence() const;
   /// Is it one to draw and to measure by? Where it is not, inflation() moves it out.
   [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnown * radius(); }
+  /// Where side k and the next one meet.
+  [[nodiscard]] Vec2 corner(std::size_t k) const;
   /// The y of its points with this x, m; uncertainty left out.
   [[nodiscard]] Chord chord_at(float x) const;
   /// Distance (m) from a point to the outline, uncertainty left out; negative inside. Low by at most 0.2 % of the

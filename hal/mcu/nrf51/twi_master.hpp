@@ -2,15 +2,13 @@
 // is a type, so that the desk can play the part.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "hal/base/result.hpp"
 #include "hal/bus/i2c_bus.hpp"
+#include "hal/mcu/i2c_transfer.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
 
 namespace fencepost::mcu::nrf51 {
@@ -24,86 +22,65 @@ class TwiMaster {
  public:
   explicit TwiMaster(Registers registers = {}) : registers_(registers) {}
 
-  /// A transfer of no bytes at all is none: kFull.
+  /// As bus::I2cBus has it; a transfer of no bytes at all is none: kFull.
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
-    if (out.size() > out_.size() || expected > in_.size() || (out.empty() && expected == 0)) return base::Error::kFull;
-    if (state_.load(std::memory_order_relaxed) != State::kIdle) return base::Error::kFull;
-    std::copy(out.begin(), out.end(), out_.begin());
-    to_send_ = out.size();
-    expected_ = expected;
-    sent_ = received_ = 0;
-    refused_ = false;
-    left_ = kPatience;
-    std::atomic_signal_fence(std::memory_order_release);
-    state_.store(State::kBusy, std::memory_order_relaxed);
+    const base::Result<std::size_t> prepared = transfer_.prepare(out, expected);
+    if (!prepared) return prepared;
+    transfer_.begin();
     registers_.write(kTwiAddress, address);
     registers_.write(kTwiInterruptsOn, kTwiAllInterrupts);
-    if (to_send_ == 0) {
+    if (transfer_.reads_only()) {
       start_reading();
     } else {
       registers_.write(kTwiShorts, 0);
       registers_.write(kTwiStartWriting, kTrigger);
       send_next();
     }
-    return out.size();
+    return prepared;
   }
 
   base::Result<std::size_t> finish(std::span<std::uint8_t> in) {
-    switch (state_.load(std::memory_order_relaxed)) {
-      case State::kIdle: return base::Error::kNotReady;
-      case State::kBusy:
-        if (left_ != 0) return base::Error::kNotReady;
-        registers_.write(kTwiInterruptsOff, kTwiAllInterrupts);
-        registers_.restart();
-        refused_ = true;
-        break;
-      case State::kDone: break;
+    const I2cTransfer::State state = transfer_.state();
+    if (state == I2cTransfer::State::kIdle) return base::Error::kNotReady;
+    if (state == I2cTransfer::State::kBusy) {
+      if (!transfer_.late()) return base::Error::kNotReady;
+      registers_.write(kTwiInterruptsOff, kTwiAllInterrupts);
+      registers_.restart();
+      transfer_.refuse();
     }
-    std::atomic_signal_fence(std::memory_order_acquire);
-    state_.store(State::kIdle, std::memory_order_relaxed);
-    if (refused_) return base::Error::kRefused;
-    const std::size_t count = std::min(in.size(), received_);
-    std::copy_n(in_.begin(), count, in.begin());
-    return count;
+    return transfer_.end(in);
   }
 
   /// The master's interrupt.
   void on_interrupt() {
     if (take(kTwiError)) {
       registers_.write(kTwiErrorSource, kTwiErrors);
-      refused_ = true;
+      transfer_.refuse();
       registers_.write(kTwiStop, kTrigger);
     }
-    if (take(kTwiSent) && !refused_) on_sent();
-    if (take(kTwiReceived) && !refused_) on_received();
+    if (take(kTwiSent) && !transfer_.refused()) on_sent();
+    if (take(kTwiReceived) && !transfer_.refused()) on_received();
     if (take(kTwiStopped)) {
       registers_.write(kTwiInterruptsOff, kTwiAllInterrupts);
-      refused_ = refused_ || received_ < expected_;
-      std::atomic_signal_fence(std::memory_order_release);
-      state_.store(State::kDone, std::memory_order_relaxed);
+      if (transfer_.missing() > 0) transfer_.refuse();
+      transfer_.done();
     }
   }
   /// Once a millisecond, from an interrupt.
-  void on_millisecond() {
-    if (left_ != 0) left_ = left_ - 1;
-  }
+  void on_millisecond() { transfer_.on_millisecond(); }
 
  private:
-  /// ms: 64 bytes take 6 at 100 kHz; the rest is for devices that hold the clock to think.
-  static constexpr std::uint32_t kPatience = 30;
-  enum class State : std::uint8_t { kIdle, kBusy, kDone };
-
   // An event, once.
   bool take(std::uint32_t event) {
     if (registers_.read(event) == 0) return false;
     registers_.write(event, 0);
     return true;
   }
-  void send_next() { registers_.write(kTwiTxd, out_[sent_++]); }
+  void send_next() { registers_.write(kTwiTxd, transfer_.next()); }
   void on_sent() {
-    if (sent_ < to_send_) {
+    if (!transfer_.all_sent()) {
       send_next();
-    } else if (expected_ > 0) {
+    } else if (transfer_.expected() > 0) {
       start_reading();
     } else {
       registers_.write(kTwiStop, kTrigger);
@@ -111,7 +88,7 @@ class TwiMaster {
   }
   // After the last byte the stop has to follow at once, without an acknowledge: the part does it by itself.
   void end_of_byte() {
-    registers_.write(kTwiShorts, received_ + 1 == expected_ ? kTwiStopAfterByte : kTwiSuspendAfterByte);
+    registers_.write(kTwiShorts, transfer_.missing() == 1 ? kTwiStopAfterByte : kTwiSuspendAfterByte);
   }
   void start_reading() {
     end_of_byte();
@@ -119,23 +96,15 @@ class TwiMaster {
   }
   void on_received() {
     const auto byte = static_cast<std::uint8_t>(registers_.read(kTwiRxd));
-    if (received_ == expected_) return;
-    in_[received_++] = byte;
-    if (received_ == expected_) return;
+    if (transfer_.missing() == 0) return;
+    transfer_.take(byte);
+    if (transfer_.missing() == 0) return;
     end_of_byte();
     registers_.write(kTwiResume, kTrigger);
   }
 
   Registers registers_;
-  std::array<std::uint8_t, bus::kMaxI2cTransfer> out_{};
-  std::array<std::uint8_t, bus::kMaxI2cTransfer> in_{};
-  std::size_t to_send_ = 0;
-  std::size_t expected_ = 0;
-  std::size_t sent_ = 0;
-  std::size_t received_ = 0;
-  bool refused_ = false;
-  volatile std::uint32_t left_ = 0;  ///< ms
-  std::atomic<State> state_{State::kIdle};
+  I2cTransfer transfer_;
 };
 
 }  // namespace fencepost::mcu::nrf51

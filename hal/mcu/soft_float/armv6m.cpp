@@ -17,17 +17,28 @@ soft::Bits fencepost_multiply(soft::Bits a, soft::Bits b);
 }
 
 // clang-format off
+// Both end with what they pushed: two operands that nobody needs any more, and registers.
+asm(R"(
+  .syntax unified
+  .macro leave
+  add sp, #8
+  pop {r4, r5, r6, pc}
+  .endm
+
+  .macro return_rounded head      @ exponent and sign; the first lost bit is the carry
+  adcs r0, \head
+  leave
+  .endm
+)");
+
 // Ends with r0 = the significand, its leading one at bit `places` + 23 or left out, r3 = by how much the smaller number
 // was moved down, r6 = exponent and sign. Nothing was lost then if that is no more than 8.
 asm(R"(
-  .syntax unified
   .macro return_sum places
   lsls r4, r0, #(33 - \places)    @ all bits behind the first lost one
   beq 8f
   lsrs r0, r0, #\places
-  adcs r0, r6
-  add sp, #8
-  pop {r4, r5, r6, pc}
+  return_rounded r6
 8:
   lsrs r0, r0, #\places
   bcc 9f
@@ -35,9 +46,7 @@ asm(R"(
   bhi add_slowly
   lsrs r4, r0, #1                 @ a tie, to even
 9:
-  adcs r0, r6
-  add sp, #8
-  pop {r4, r5, r6, pc}
+  return_rounded r6
   .endm
 )");
 
@@ -136,8 +145,7 @@ add_nothing:
   lsrs r2, r2, #24
   beq add_slowly
 6:
-  add sp, #8
-  pop {r4, r5, r6, pc}
+  leave
 add_slowly:
   pop {r0, r1, r4, r5, r6}
   bl fencepost_add
@@ -199,15 +207,12 @@ __aeabi_fmul:
   lsls r4, r0, #25
   beq 2f
   lsrs r0, r0, #8
-  adcs r0, r2
-  add sp, #8
-  pop {r4, r5, r6, pc}
+  return_rounded r2
 2:
   lsrs r0, r0, #8
   bcs multiply_slowly             @ a tie, or a little more
   adds r0, r2
-  add sp, #8
-  pop {r4, r5, r6, pc}
+  leave
 multiply_slowly:
   pop {r0, r1, r4, r5, r6}
   bl fencepost_multiply

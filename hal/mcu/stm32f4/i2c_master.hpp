@@ -2,15 +2,13 @@
 // is a type, so that the desk can play the part.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "hal/base/result.hpp"
 #include "hal/bus/i2c_bus.hpp"
+#include "hal/mcu/i2c_transfer.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
 
 namespace fencepost::mcu::stm32f4 {
@@ -24,45 +22,33 @@ class I2cMaster {
  public:
   explicit I2cMaster(Registers registers = {}) : registers_(registers) {}
 
-  /// A transfer of no bytes at all is none: kFull.
+  /// As bus::I2cBus has it; a transfer of no bytes at all is none: kFull.
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
-    if (out.size() > out_.size() || expected > in_.size() || (out.empty() && expected == 0)) return base::Error::kFull;
-    if (state_.load(std::memory_order_relaxed) != State::kIdle) return base::Error::kFull;
+    const base::Result<std::size_t> prepared = transfer_.prepare(out, expected);
+    if (!prepared) return prepared;
     // Nothing of ours is under way: a device holds the data wire, or the part believes so (a known fault of it).
     if ((registers_.read(kI2cStatus2) & kI2cBusy) != 0) registers_.restart();
-    std::copy(out.begin(), out.end(), out_.begin());
     address_ = address;
-    to_send_ = out.size();
-    expected_ = expected;
-    sent_ = received_ = 0;
-    refused_ = false;
-    reading_ = out.empty();
+    reading_ = transfer_.reads_only();
     addressed_ = false;
-    left_ = kPatience;
-    std::atomic_signal_fence(std::memory_order_release);
-    state_.store(State::kBusy, std::memory_order_relaxed);
+    transfer_.begin();
     set(kI2cControl2, kI2cEventInterrupt | kI2cErrorInterrupt);
     set(kI2cControl1, kI2cAcknowledge | kI2cStart);
-    return out.size();
+    return prepared;
   }
 
   base::Result<std::size_t> finish(std::span<std::uint8_t> in) {
-    const State state = state_.load(std::memory_order_relaxed);
-    if (state == State::kIdle) return base::Error::kNotReady;
+    const I2cTransfer::State state = transfer_.state();
+    if (state == I2cTransfer::State::kIdle) return base::Error::kNotReady;
     // The registers may not be written before the stop is on the wires (27.6.1).
     const bool stopping = (registers_.read(kI2cControl1) & kI2cStop) != 0;
-    if (state == State::kBusy || stopping) {
-      if (left_ != 0) return base::Error::kNotReady;
+    if (state == I2cTransfer::State::kBusy || stopping) {
+      if (!transfer_.late()) return base::Error::kNotReady;
       end_interrupts();
       registers_.restart();
-      refused_ = refused_ || state == State::kBusy;
+      if (state == I2cTransfer::State::kBusy) transfer_.refuse();
     }
-    std::atomic_signal_fence(std::memory_order_acquire);
-    state_.store(State::kIdle, std::memory_order_relaxed);
-    if (refused_) return base::Error::kRefused;
-    const std::size_t count = std::min(in.size(), received_);
-    std::copy_n(in_.begin(), count, in.begin());
-    return count;
+    return transfer_.end(in);
   }
 
   /// The event interrupt.
@@ -82,25 +68,19 @@ class I2cMaster {
   /// The error interrupt: nobody acknowledged, or the bus is disturbed.
   void on_error() {
     registers_.write(kI2cStatus1, ~kI2cErrors & 0xFFFFU);  // cleared by writing zero, the other bits do not mind
-    refused_ = true;
+    transfer_.refuse();
     end();
   }
   /// Once a millisecond, from an interrupt.
-  void on_millisecond() {
-    if (left_ != 0) left_ = left_ - 1;
-  }
+  void on_millisecond() { transfer_.on_millisecond(); }
 
  protected:
   Registers& registers() { return registers_; }
 
  private:
-  /// ms: 65 bytes take 6 at 100 kHz; the rest is for devices that hold the clock to think.
-  static constexpr std::uint32_t kPatience = 30;
-  enum class State : std::uint8_t { kIdle, kBusy, kDone };
-
   void set(std::uint32_t offset, std::uint32_t bits) { registers_.write(offset, registers_.read(offset) | bits); }
   void clear(std::uint32_t offset, std::uint32_t bits) { registers_.write(offset, registers_.read(offset) & ~bits); }
-  void take_byte() { in_[received_++] = static_cast<std::uint8_t>(registers_.read(kI2cData)); }
+  void take_byte() { transfer_.take(static_cast<std::uint8_t>(registers_.read(kI2cData))); }
   void end_interrupts() { clear(kI2cControl2, kI2cEventInterrupt | kI2cBufferInterrupt | kI2cErrorInterrupt); }
 
   // Reading the second status behind the first lets the bus go on (27.6.7).
@@ -108,12 +88,12 @@ class I2cMaster {
 
   void begin_writing() {
     go_on();
-    registers_.write(kI2cData, out_[sent_++]);
+    registers_.write(kI2cData, transfer_.next());
   }
   void write_on() {
-    if (sent_ < to_send_) {
-      registers_.write(kI2cData, out_[sent_++]);
-    } else if (expected_ > 0) {
+    if (!transfer_.all_sent()) {
+      registers_.write(kI2cData, transfer_.next());
+    } else if (transfer_.expected() > 0) {
       reading_ = true;
       set(kI2cControl1, kI2cStart);
     } else {
@@ -123,12 +103,12 @@ class I2cMaster {
 
   void begin_reading() {
     addressed_ = true;
-    if (expected_ == 1) {
+    if (transfer_.expected() == 1) {
       clear(kI2cControl1, kI2cAcknowledge);
       go_on();
       set(kI2cControl1, kI2cStop);
       set(kI2cControl2, kI2cBufferInterrupt);
-    } else if (expected_ == 2) {  // the acknowledge that is now cleared is the next byte's
+    } else if (transfer_.expected() == 2) {  // the acknowledge that is now cleared is the next byte's
       set(kI2cControl1, kI2cPosition);
       clear(kI2cControl1, kI2cAcknowledge);
       go_on();
@@ -137,14 +117,14 @@ class I2cMaster {
     }
   }
   void read_on(std::uint32_t status) {
-    if (expected_ == 1) {
+    if (transfer_.expected() == 1) {
       if ((status & kI2cReceived) == 0) return;
       take_byte();
       finish_transfer();
       return;
     }
     if ((status & kI2cByteFinished) == 0) return;
-    const std::size_t missing = expected_ - received_;
+    const std::size_t missing = transfer_.missing();
     if (missing == 3) clear(kI2cControl1, kI2cAcknowledge);
     if (missing > 2) {
       take_byte();
@@ -163,23 +143,14 @@ class I2cMaster {
   void finish_transfer() {
     end_interrupts();
     clear(kI2cControl1, kI2cPosition);
-    std::atomic_signal_fence(std::memory_order_release);
-    state_.store(State::kDone, std::memory_order_relaxed);
+    transfer_.done();
   }
 
   Registers registers_;
-  std::array<std::uint8_t, bus::kMaxI2cTransfer> out_{};
-  std::array<std::uint8_t, bus::kMaxI2cTransfer> in_{};
+  I2cTransfer transfer_;
   std::uint8_t address_ = 0;
-  std::size_t to_send_ = 0;
-  std::size_t expected_ = 0;
-  std::size_t sent_ = 0;
-  std::size_t received_ = 0;
   bool reading_ = false;
   bool addressed_ = false;  ///< for reading
-  bool refused_ = false;
-  volatile std::uint32_t left_ = 0;  ///< ms
-  std::atomic<State> state_{State::kIdle};
 };
 
 }  // namespace fencepost::mcu::stm32f4

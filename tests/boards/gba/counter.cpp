@@ -1,26 +1,15 @@
 #include "tests/boards/gba/counter.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
+
+#include "tests/process/child.hpp"
 
 namespace fencepost::test {
 namespace {
 
 constexpr std::uint32_t kFastMemory = 0x0300'0000;
-
-std::string symbols_of(const std::string& elf) {
-  const std::string command = "arm-none-eabi-nm -C " + elf;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-  if (!pipe) throw std::runtime_error("cannot run " + command);
-  std::string text;
-  std::array<char, 4096> part{};
-  for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe.get())) > 0;) text.append(part.data(), n);
-  return text;
-}
 
 std::uint32_t find(const std::string& symbols, const std::string& part) {
   std::istringstream lines(symbols);
@@ -37,7 +26,7 @@ std::uint32_t find(const std::string& symbols, const std::string& part) {
 
 InstructionCounter::InstructionCounter(Handheld& machine, const std::string& elf, const Stages& stages)
     : machine_(machine) {
-  const std::string symbols = symbols_of(elf);
+  const std::string symbols = output_of("arm-none-eabi-nm -C " + elf);
   for (const auto& [name, part] : stages) stages_.push_back({name, find(symbols, part) & ~1U, 0, 0, {}});
   stack_bottom_ = find(symbols, " image_stack_bottom");
   stack_top_ = find(symbols, " image_stack_top");

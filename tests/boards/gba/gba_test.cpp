@@ -5,16 +5,14 @@
 #include <iterator>
 
 #include "tests/boards/bench.hpp"
+#include "tests/boards/counting.hpp"
+#include "tests/boards/every_board.hpp"
 #include "tests/boards/faults.hpp"
 #include "tests/boards/gba/board.hpp"
 #include "tests/boards/gba/counter.hpp"
-#include "tests/boards/scenes.hpp"
 
 namespace fencepost::test {
 namespace {
-
-// Frames a second of the minute: with three objects and 50 odometry lines a second the part keeps up with eleven.
-constexpr double kRate = 10;
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -33,31 +31,14 @@ TEST(Gba, HasAHeaderThatAConsoleAccepts) {
   EXPECT_EQ(sum & 0xFFU, 0U);
 }
 
-TEST(Gba, SaysWhoItIsAndPassesItsSelfTest) {
+TEST(Gba, SaysWhatFeedsIt) {
   Bench bench(gba());
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  EXPECT_TRUE(bench.said().starts_with("fencepost 0.1.0 for gba, profile small\r\nreset: unknown\r\npanic: none\r\n"))
-      << bench.said();
-  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
   EXPECT_TRUE(bench.obey("version", "stream format 1; fed by its link, never connected to an XBC camera\r\n"))
       << bench.said();
 }
 
-TEST(Gba, ReplaysAnApproach) { expect_scene_replays(gba(), "small", recorded_scene("approach_stop")); }
-TEST(Gba, ReplaysACorridor) { expect_scene_replays(gba(), "small", recorded_scene("corridor")); }
-TEST(Gba, ReplaysAMinute) { expect_scene_replays(gba(), "small", minute_scene(60, kRate)); }
-TEST(Gba, ReplaysACorrectedPose) {
-  expect_scene_replays(gba(), "small", minute_scene(20, kRate), 0.08, PoseCorrected::kYes);
-}
-
-// toolchain/long boards
-TEST(Gba, DISABLED_ReplaysTenMinutes) { expect_scene_replays(gba(), "small", minute_scene(600, kRate)); }
-
-TEST(Gba, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(gba()); }
-TEST(Gba, SurvivesGarbageOnItsLine) { expect_survives_garbage(gba()); }
-TEST(Gba, SurvivesOdometryThatStops) { expect_survives_odometry_loss(gba()); }
 TEST(Gba, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(gba()); }
-TEST(Gba, SurvivesLinesThatAreCut) { expect_survives_cut_lines(gba()); }
 
 TEST(Gba, KeepsItsSettingsInTheCartridge) {
   std::vector<std::uint8_t> battery;
@@ -93,27 +74,38 @@ TEST(Gba, TalksThroughItsLinkPortAsThroughTheMailbox) {
 }
 
 // At 50 frames a second this part would be far behind; slower, a frame is the same work.
-void count_eight_objects(PoseCorrected corrected) {
-  host::Scene scene = eight_boxes(8);
-  SceneStream stream = stream_of(scene);
+SceneStream slow_frames() {
+  SceneStream stream = stream_of(eight_boxes(8));
   std::size_t frame = 0;
   std::erase_if(stream.inputs, [&](const SceneStream::Input& input) {
     return std::holds_alternative<sensor::BlobFrame>(input) && frame++ % 12 != 0;
   });
+  return stream;
+}
+
+void count_eight_objects(PoseCorrected corrected) {
+  const SceneStream stream = slow_frames();
   Handheld* machine = nullptr;
   Bench bench(gba(&machine));
-  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
-  for (const std::string& line : stream.calibration) bench.console().send(line);
-  bench.run(0.5);
+  ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
+  bench.run(0.5);  // not counted: what it takes to be told all that
   const Stages screen = {{"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}};
   InstructionCounter counter(*machine, image_of("gba") + ".elf", stages_of_a_loop(screen));
-  bench.play(stream);
-  EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
+  expect_full_table(bench, stream, 8);
   expect_counts_as_committed(counter.counts(), "gba", corrected, 30);
 }
-TEST(Gba, CountsNoMoreInstructionsForEightObjectsThanCommitted) { count_eight_objects(PoseCorrected::kNo); }
-TEST(Gba, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_eight_objects(PoseCorrected::kYes); }
+
+EveryBoardFacts facts() {
+  EveryBoardFacts facts;
+  facts.board = [] { return gba(); };
+  facts.name = "gba";
+  facts.profile = "small";
+  facts.reset = "unknown";
+  facts.rate = 10;  // with three objects and 50 odometry lines a second the part keeps up with eleven
+  facts.count = count_eight_objects;
+  return facts;
+}
+INSTANTIATE_TEST_SUITE_P(Gba, EveryBoard, ::testing::Values(facts()), profile_of);
 
 }  // namespace
 }  // namespace fencepost::test

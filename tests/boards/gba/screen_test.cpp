@@ -1,12 +1,18 @@
 // What the Game Boy Advance shows, and what its buttons do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "firmware/recon/hybrid/hybrid.hpp"
+#include "firmware/view/palette.hpp"
+#include "host/geometry/planar.hpp"
+#include "host/geometry/rings.hpp"
+#include "host/replay/replay.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/boards/gba/board.hpp"
 
@@ -45,19 +51,38 @@ class GbaScreen : public ::testing::Test {
       bench.run(0.4);
     }
   }
+  // At the end of a scene, the robot in the middle.
+  void take_picture(const host::Scene& scene) {
+    const SceneStream stream = stream_of(scene);
+    ASSERT_TRUE(bench.start_log(stream));
+    bench.play(stream);
+    press(Handheld::kA, 7);
+    press(Handheld::kB, 3);
+    bench.run(1);
+    machine->save_picture(picture);
+  }
+  // Pixels of this colour on the map, on it as points in metres.
+  std::vector<host::Point> points_of(sensor::Rgb colour) {
+    const auto robot = last(bench.said(), "$FPODO,");
+    std::vector<host::Point> points;
+    for (int y = 0; y < 2 * kRobotAt; ++y) {
+      for (int x = 0; x < 2 * kRobotAt; ++x) {
+        const auto pixel = machine->pixel(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+        if (!looks_like(pixel, colour.red, colour.green, colour.blue)) continue;
+        points.push_back({std::stod(robot.at(2)) + (kRobotAt - y) * kMetresAPixel,
+                          std::stod(robot.at(3)) + (kRobotAt - x) * kMetresAPixel});
+      }
+    }
+    return points;
+  }
+
+  const std::string picture = ::testing::TempDir() + "fencepost-gba.png";
   Handheld* machine = nullptr;
   Bench bench{gba(&machine)};
 };
 
 TEST_F(GbaScreen, ShowsObjectsWhereTheyAre) {
-  const SceneStream stream = stream_of(recorded_scene("blocks_arc"));
-  ASSERT_TRUE(bench.start_log(stream));
-  bench.play(stream);
-  press(Handheld::kA, 7);
-  press(Handheld::kB, 3);
-  bench.run(1);
-  const std::string picture = ::testing::TempDir() + "fencepost-gba.png";
-  machine->save_picture(picture);
+  ASSERT_NO_FATAL_FAILURE(take_picture(recorded_scene("blocks_arc")));
   const auto robot = last(bench.said(), "$FPODO,");
   ASSERT_EQ(robot.size(), 5U);
   int compared = 0;
@@ -82,6 +107,44 @@ TEST_F(GbaScreen, ShowsObjectsWhereTheyAre) {
   }
   EXPECT_GE(compared, 2);
   EXPECT_TRUE(looks_like(machine->pixel(kRobotAt, kRobotAt), 248, 248, 248)) << picture;
+}
+
+// m, along an axis.
+double size_of(const host::Polygon& polygon) {
+  const auto [left, right] = std::ranges::minmax(polygon.outer, {}, &host::Point::x);
+  const auto [low, high] = std::ranges::minmax(polygon.outer, {}, &host::Point::y);
+  return std::max(right.x - left.x, high.y - low.y);
+}
+
+// The desk's replay of the same run has the outlines. What is known well is drawn as one, with a lighter edge, but for
+// what has less than four pixels of radius, as the can does.
+TEST_F(GbaScreen, DrawsOutlinesThatAreKnownWell) {
+  ASSERT_NO_FATAL_FAILURE(take_picture(recorded_scene("blocks_arc")));
+  const host::ReplayOutcome run = host::replay(bench.said().substr(bench.said().find("$FPHDR")), "console", {});
+  const double known_well = 1 - std::sqrt(double{recon::OutlineView::kWellKnown});  // as a confidence
+  int outlined = 0;
+  for (const host::ObjectResult& object : run.result.objects) {
+    const auto signature = std::ranges::find(run.result.signatures, object.signature, &record::Signature::signature);
+    const auto hybrid = std::ranges::find(object.models, "hybrid", &host::ModelResult::name);
+    ASSERT_TRUE(signature != run.result.signatures.end() && hybrid != object.models.end());
+    ASSERT_EQ(hybrid->geometry.size(), 1U);
+    const host::Polygon& outline = hybrid->geometry.front();
+    const bus::Colour edge = view::lighter({signature->rgb.red, signature->rgb.green, signature->rgb.blue});
+    std::vector<host::Point> points = points_of({edge.red, edge.green, edge.blue});
+    EXPECT_EQ(!points.empty(), object.confidence > known_well && size_of(outline) >= 8 * kMetresAPixel)
+        << signature->name.view() << "; " << picture;
+    if (points.empty()) continue;
+    ++outlined;
+    const std::vector<host::Point> inside = points_of(signature->rgb);
+    points.insert(points.end(), inside.begin(), inside.end());
+    for (const host::Point& point : points) {
+      const bool near = host::distance_to_outline(point, outline.outer) < 2 * kMetresAPixel;
+      EXPECT_TRUE(near || host::contains(outline, point))
+          << signature->name.view() << " at " << point.x << ", " << point.y << "; " << picture;
+    }
+    EXPECT_GT(static_cast<double>(points.size()), host::area(outline) / (kMetresAPixel * kMetresAPixel)) << picture;
+  }
+  EXPECT_EQ(outlined, 2) << picture;
 }
 
 TEST_F(GbaScreen, ShowsTheAlertLevel) {

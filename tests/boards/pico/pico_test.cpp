@@ -1,26 +1,34 @@
 // The Raspberry Pi Pico's image in its emulator.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "tests/boards/bench.hpp"
 #include "tests/boards/counting.hpp"
-#include "tests/boards/faults.hpp"
+#include "tests/boards/every_board.hpp"
 #include "tests/boards/pico/pico.hpp"
-#include "tests/boards/scenes.hpp"
 #include "tests/firmware/app/desk.hpp"
 
 namespace fencepost::test {
 namespace {
 
-TEST(Pico, SaysWhoItIsAndPassesItsSelfTest) {
-  Bench bench(pico());
-  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  EXPECT_TRUE(bench.said().starts_with("fencepost 0.1.0 for pico, profile small\r\nreset: power on\r\npanic: none\r\n"))
-      << bench.said();
-  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
-  EXPECT_TRUE(bench.obey("version", "fencepost 0.1.0 for pico")) << bench.said();
+// A frame of eight objects, all that it sets in motion.
+void count_eight_objects(PoseCorrected corrected) {
+  const FullTable table{
+      "pico", {{"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("}}, eight_boxes(4), 8, 100};
+  expect_full_table_as_committed(table, corrected,
+                                 [](const auto& arguments) { return pico(nullptr, "fencepost", arguments.back()); });
 }
+
+EveryBoardFacts facts() {
+  EveryBoardFacts facts;
+  facts.board = [] { return pico(); };
+  facts.name = "pico";
+  facts.profile = "small";
+  facts.reset = "power on";
+  facts.corrected_seconds = 10;
+  facts.count = count_eight_objects;
+  return facts;
+}
+INSTANTIATE_TEST_SUITE_P(Pico, EveryBoard, ::testing::Values(facts()), profile_of);
 
 // firmware/FIRST_ALERT.md, steps 4 to 7: pushed by hand towards a red post, at 0.1 m/s.
 TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
@@ -45,44 +53,6 @@ TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
   }
   EXPECT_TRUE(bench.obey("status", "camera link ok, pixy2 316x208; odometry link ok")) << bench.said();
 }
-
-TEST(Pico, ReplaysAnApproach) { expect_scene_replays(pico(), "small", recorded_scene("approach_stop")); }
-TEST(Pico, ReplaysACorridor) { expect_scene_replays(pico(), "small", recorded_scene("corridor")); }
-TEST(Pico, ReplaysAMinute) { expect_scene_replays(pico(), "small", minute_scene()); }
-TEST(Pico, ReplaysACorrectedPose) {
-  expect_scene_replays(pico(), "small", minute_scene(10), 0.08, PoseCorrected::kYes);
-}
-
-// toolchain/long boards
-TEST(Pico, DISABLED_ReplaysTenMinutes) { expect_scene_replays(pico(), "small", minute_scene(600)); }
-
-TEST(Pico, DISABLED_SurvivesAMinuteOfGarbage) { expect_survives_garbage(pico(), kMinuteOfBytes); }
-
-TEST(Pico, SurvivesACameraThatIsUnplugged) { expect_survives_camera_loss(pico()); }
-TEST(Pico, SurvivesGarbageOnAllLines) { expect_survives_garbage(pico()); }
-TEST(Pico, SurvivesOdometryThatStops) { expect_survives_odometry_loss(pico()); }
-TEST(Pico, SurvivesLinesThatAreCut) { expect_survives_cut_lines(pico()); }
-
-// A frame of eight objects, all that it sets in motion, against what firmware/image/sizes.csv and stages.csv say.
-void count_eight_objects(PoseCorrected corrected) {
-  const std::string out = ::testing::TempDir() + "fencepost-pico-counts";
-  const auto arguments =
-      counting_arguments(image_of("pico") + ".elf",
-                         stages_of_a_loop({{"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("}}), out);
-  static_cast<void>(std::remove(out.c_str()));  // of an earlier run
-  const SceneStream stream = stream_of(eight_boxes(4));
-  Bench bench(pico(nullptr, "fencepost", arguments.back()));
-  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  ASSERT_TRUE(bench.await_camera()) << bench.said();
-  ASSERT_TRUE(bench.correct_pose(corrected == PoseCorrected::kYes)) << bench.said();
-  for (const std::string& line : stream.calibration) bench.console().send(line);
-  bench.play(stream);
-  EXPECT_TRUE(bench.obey("status", "objects 8 of 8")) << bench.said();
-  bench.stop();
-  expect_counts_as_committed(read_counts(out), "pico", corrected, 100);
-}
-TEST(Pico, CountsNoMoreInstructionsForEightObjectsThanCommitted) { count_eight_objects(PoseCorrected::kNo); }
-TEST(Pico, CountsNoMoreInstructionsForACorrectedPoseThanCommitted) { count_eight_objects(PoseCorrected::kYes); }
 
 }  // namespace
 }  // namespace fencepost::test

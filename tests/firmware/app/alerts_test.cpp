@@ -12,13 +12,13 @@ using record::AlertLevel;
 Obstacle in_path(float distance) {
   Obstacle obstacle;
   obstacle.known = true;
-  obstacle.in_path = true;
+  obstacle.in_path.emplace();
   obstacle.distance = distance;
   return obstacle;
 }
 Obstacle beside(float distance) {
   Obstacle obstacle = in_path(distance);
-  obstacle.in_path = false;
+  obstacle.in_path.reset();
   return obstacle;
 }
 Obstacle closing(float distance, float ttc) {
@@ -54,7 +54,7 @@ TEST(AlertLevel, AStopAllowsForDoubt) {
   const config::Settings defaults;
   const auto level = [&](float distance, float sigma, bool cut_off) {
     Obstacle obstacle = in_path(distance);
-    obstacle.sigma = sigma;
+    obstacle.in_path->sigma = sigma;
     obstacle.cut_off = cut_off;
     return app::level_for(obstacle, app::AlertRules(defaults), 1.0F);
   };

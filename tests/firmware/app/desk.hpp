@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "firmware/app/loop.hpp"
-#include "firmware/record/encode.hpp"
 #include "hal/fake/scripted_source.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 
@@ -95,12 +95,6 @@ inline Script desk_approach(int frames) {
     script.camera.push_back({base::Time::nearest(t), desk_frame(t, static_cast<std::uint32_t>(i), x)});
   }
   return script;
-}
-
-template <class Record>
-std::string line_of(const Record& record) {
-  std::array<char, record::kMaxLine> line{};
-  return {line.data(), record::encode(record, line)};
 }
 
 template <class Profile = config::Micro>

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
-#include "firmware/recon/hybrid/node_directions.hpp"
+#include "tests/firmware/app/box_outline.hpp"
 #include "tests/firmware/app/known_object.hpp"
 
 namespace fencepost::test {
@@ -36,35 +35,34 @@ TEST(Obstacle, DistanceAndBearingAreFromTheRobotsOriginToTheNearestPoint) {
   EXPECT_FALSE(seen.closing);
 }
 
-/// Of a box 0.1 m deep and 0.3 m wide, known to `sigma`.
-struct BoxOutline {
-  explicit BoxOutline(float sigma) {
-    for (std::size_t k = 0; k < 64; ++k) {
-      const recon::Vec2 n = recon::node_direction(k, 64);
-      offsets[k] =
-          static_cast<std::int16_t>((0.05F * std::fabs(n.x()) + 0.15F * std::fabs(n.y())) / recon::kOffsetStep);
-    }
-    sigmas.fill(recon::encode_sigma(sigma));
-  }
-  std::array<std::int16_t, 64> offsets{};
-  std::array<std::uint8_t, 64> sigmas{};
-};
+constexpr float kDepth = 0.1F;  // of the boxes below
+constexpr float kWidth = 0.3F;
 
 // 1 m away, so its front is at 0.95 m; the cylinder's is at 0.9 m.
 TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
   const app::RobotPlace robot({{0, 0}, 0});
   const Obstacle cylinder = app::see_obstacle(known_object(1.0, 0, 0.1), robot, driving(0.2F));
-  const BoxOutline box(0.004F);
+  const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = cylinder;
-  app::measure_by_outline({box.offsets, box.sigmas}, {100'000, 0}, robot, driving(0.2F), seen);
+  app::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
-  EXPECT_NEAR(seen.sigma, 0.004F, 2e-4F);
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
   EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
-  const BoxOutline unsure(0.06F);  // its mean support value is 0.13 m
+  const BoxOutline unsure(kDepth, kWidth, 0.06F);  // its mean support value is 0.13 m
   seen = cylinder;
-  app::measure_by_outline({unsure.offsets, unsure.sigmas}, {100'000, 0}, robot, driving(0.2F), seen);
+  app::measure_by_outline(unsure.view(), {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_EQ(seen.distance, cylinder.distance);
   EXPECT_EQ(seen.ttc, cylinder.ttc);
+}
+
+TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
+  const app::RobotPlace robot({{0, 0}, 0});
+  const BoxOutline box(kDepth, kWidth, 0.004F);
+  Obstacle seen = app::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
+  app::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
+  EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
+  EXPECT_FALSE(seen.in_path);
 }
 
 TEST(Obstacle, InsideTheObjectTheDistanceIsZero) {
@@ -104,8 +102,9 @@ TEST(Obstacle, SaysHowWellItKnows) {
   const Obstacle seen = see_obstacle(object, {{0, 0}, 0}, driving(0.2F));
   // The nearest point is the centre less the radius along x: var = xx - 2 xr + rr.
   const float variance = cylinder.covariance.xx - 2 * cylinder.covariance.xr + cylinder.covariance.rr;
-  EXPECT_NEAR(seen.sigma, std::sqrt(variance), 1e-4F);
-  EXPECT_GT(seen.sigma, 0);
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, std::sqrt(variance), 1e-4F);
+  EXPECT_GT(seen.in_path->sigma, 0);
   EXPECT_NEAR(seen.closing_speed, 0.2F, 1e-4F);
   EXPECT_FALSE(seen.cut_off);
   object.right_open = true;

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "firmware/app/map_listing.hpp"
+#include "firmware/app/map_shape.hpp"
+#include "tests/firmware/app/box_outline.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -106,44 +106,31 @@ TEST(TopView, ADiscIsRoundToTheEyeAndNeverLost) {
   EXPECT_NE(place_of(rows, 'B').first, -1);
 }
 
-// A wall 0.6 m wide and 0.1 m deep: its support values, by hand.
-struct Wall {
-  std::array<std::int16_t, 64> offsets{};
-  std::array<std::uint8_t, 64> sigmas{};
-
-  Wall() {
-    for (std::size_t k = 0; k < offsets.size(); ++k) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / 64;
-      const double reach = 0.05 * std::fabs(std::cos(angle)) + 0.3 * std::fabs(std::sin(angle));
-      offsets[k] = static_cast<std::int16_t>(std::lround(reach / double{recon::kOffsetStep}));
-    }
-  }
-  [[nodiscard]] recon::OutlineView outline() const { return {offsets, sigmas}; }
-};
+// A wall 0.6 m wide and 0.1 m deep.
+const BoxOutline kWall(0.1F, 0.6F, 0.01F);
 
 TEST(TopView, AChordIsWhatALineCutsFromAnOutline) {
-  const Wall wall;
   for (const float x : {-0.049F, 0.0F, 0.03F}) {
-    const recon::Chord chord = wall.outline().chord_at(x);
+    const recon::Chord chord = kWall.view().chord_at(x);
     ASSERT_FALSE(chord.empty()) << x;
     EXPECT_NEAR(chord.low, -0.3F, 1e-3F) << x;
     EXPECT_NEAR(chord.high, 0.3F, 1e-3F) << x;
   }
-  EXPECT_TRUE(wall.outline().chord_at(0.051F).empty());
-  EXPECT_TRUE(wall.outline().chord_at(-0.2F).empty());
+  EXPECT_TRUE(kWall.view().chord_at(0.051F).empty());
+  EXPECT_TRUE(kWall.view().chord_at(-0.2F).empty());
 }
 
 TEST(TopView, AnOutlineIsDrawnAsItIsWhereverItStands) {
-  const Wall wall;
   for (const MapMillimetres place : {MapMillimetres{600, 0}, MapMillimetres{623, 317}, MapMillimetres{-900, -40}}) {
     MapExtent extent;
     extent.include({0, 0}, 0);
-    app::include(wall.outline(), place, extent);
+    const app::MapShape shape{place, 0, kWall.view()};
+    shape.include_in(extent);
     const TopView view = TopView::of(extent, {0, 0}, 0);
     std::size_t rows = 0;
     for (std::size_t i = 0; i < TopView::kRows; ++i) {
       TopViewRow row(view, i);
-      app::draw(wall.outline(), place, 'W', row);
+      shape.draw('W', row);
       std::array<char, 128> out{};
       const std::string text(out.data(), row.write(out));
       const auto width = std::count(text.begin(), text.end(), 'W');

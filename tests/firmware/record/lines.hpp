@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -44,3 +45,21 @@ struct Recorder {
 };
 
 }  // namespace fencepost::record
+
+namespace fencepost::test {
+
+/// With its end. Throws std::runtime_error if it is outside the range of the stream.
+template <class Record>
+std::string line_of(const Record& record) {
+  std::string line = record::encoded(record);
+  if (line.empty()) throw std::runtime_error("a record is outside the range of the stream");
+  return line;
+}
+
+/// The log of a robot that was told so before it started: a setting after the header. Throws std::runtime_error.
+inline std::string with_setting(std::string log, const record::Setting& setting) {
+  if (!log.starts_with("$FPHDR")) throw std::runtime_error("a log has to begin with its header");
+  return log.insert(log.find('\n') + 1, line_of(setting));
+}
+
+}  // namespace fencepost::test

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <vector>
+
+#include "tests/hal/mcu/soft_float_numbers.hpp"
 
 namespace fencepost::mcu {
 namespace {
@@ -18,33 +19,10 @@ float value(soft::Bits x) { return std::bit_cast<float>(x); }
 // Any NaN is as good as another.
 soft::Bits plain(soft::Bits x) { return soft::is_nan(x) ? soft::kNan : x; }
 
-/// Numbers near each other, of all sizes, with few bits set, at the ends of the range, infinities and NaNs.
-class Numbers {
- public:
-  soft::Bits next() {
-    const auto x = static_cast<soft::Bits>(random_());
-    const auto e = static_cast<soft::Bits>(random_());
-    switch (random_() % 7) {
-      case 0: return x;
-      case 1: return with_exponent(x, 107 + e % 40);
-      case 2: return with_exponent(x & 0x8000'0007U, e % 256);
-      case 3: return with_exponent(x, e % 2);
-      case 4: return with_exponent(x, 254 - e % 3);
-      case 5: return with_exponent(x, 124 + e % 6);
-      default: return last_ = last_ ^ (x & 0x8000'000FU);
-    }
-  }
-
- private:
-  static soft::Bits with_exponent(soft::Bits x, soft::Bits exponent) { return (x & 0x807F'FFFFU) | (exponent << 23); }
-  std::mt19937 random_{42};
-  soft::Bits last_ = bits(1.0F);
-};
-
 constexpr int kRounds = 1'000'000;
 
 TEST(SoftFloat, AddsSubtractsMultipliesAndDividesAsTheDeskDoes) {
-  Numbers numbers;
+  test::Numbers numbers(std::mt19937(42));
   for (int i = 0; i < kRounds; ++i) {
     const soft::Bits a = numbers.next();
     const soft::Bits b = numbers.next();
@@ -56,7 +34,7 @@ TEST(SoftFloat, AddsSubtractsMultipliesAndDividesAsTheDeskDoes) {
 }
 
 TEST(SoftFloat, ComparesAsTheDeskDoes) {
-  Numbers numbers;
+  test::Numbers numbers(std::mt19937(42));
   for (int i = 0; i < kRounds; ++i) {
     const soft::Bits a = numbers.next();
     const soft::Bits b = i % 8 == 0 ? a ^ (i % 16 == 0 ? soft::kSign : 0) : numbers.next();
@@ -67,7 +45,7 @@ TEST(SoftFloat, ComparesAsTheDeskDoes) {
 }
 
 TEST(SoftFloat, TakesRootsAsTheDeskDoes) {
-  Numbers numbers;
+  test::Numbers numbers(std::mt19937(42));
   for (int i = 0; i < kRounds; ++i) {
     const soft::Bits a = numbers.next();
     ASSERT_EQ(plain(soft::root(a)), plain(bits(std::sqrt(value(a))))) << std::hex << a;
@@ -109,7 +87,7 @@ TEST(SoftFloat, ConvertsIntegersAsTheDeskDoes) {
 }
 
 TEST(SoftFloat, CutsOffFractionsAsTheDeskDoes) {
-  Numbers numbers;
+  test::Numbers numbers(std::mt19937(42));
   int compared = 0;
   for (int i = 0; i < kRounds; ++i) {
     const soft::Bits a = numbers.next();

@@ -4,12 +4,12 @@ Each fenced block that begins with "$ " is a command and what it says, on both o
 folder. Numbers, and how columns are filled up with blanks, may differ; nothing else may. --write puts what was seen into the document.
 """
 
-import os
 import re
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
+
+from shown_place import shown_place
 
 BLOCK = re.compile(r"^```\n\$ ((?:[^\n]*\\\n)*[^\n]*\n)(.*?)^```$", re.S | re.M)
 
@@ -18,8 +18,7 @@ def masked(text):
     return re.sub(r"[ -]+", " ", re.sub(r"\b[0-9a-f]{16}\b|\b[0-9a-f]{6}\b|\d+(\.\d+)?", "#", text))
 
 
-def run(command, folder):
-    environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", TERM="dumb", NO_COLOR="1")
+def run(command, folder, environment):
     done = subprocess.run(["sh", "-c", command.replace("\\\n", " ")], cwd=folder, env=environment, text=True,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
@@ -31,12 +30,10 @@ def main(program, sources, name, write=False):
     document = Path(sources) / "host/share/doc" / name
     text = document.read_text()
     different = seen = 0
-    with tempfile.TemporaryDirectory() as folder:
-        os.symlink(Path(sources).resolve() / "host", Path(folder) / "host")
-        os.symlink(Path(program).resolve(), Path(folder) / "fencepost")
+    with shown_place(program, sources) as place:
         for command, expected in BLOCK.findall(text):
             seen += 1
-            shown = run(command, folder)
+            shown = run(command, *place)
             if write:
                 text = text.replace(f"$ {command}{expected}```", f"$ {command}{shown}```", 1)
             elif masked(expected) != masked(shown):

@@ -5,13 +5,14 @@
 
 #include <vector>
 
-#include "tests/host/cli/run.hpp"
+#include "tests/host/cli/process.hpp"
 
 namespace fencepost::host {
 namespace {
 
 using testing::Folder;
 using testing::Outcome;
+using testing::Process;
 using testing::recording;
 using testing::shell;
 using testing::slurp;
@@ -88,23 +89,10 @@ TEST(Output, AClosedPipeIsQuiet) {
 
 // A shell would call death by the signal 130 as well; only the parent can tell the two apart.
 TEST(Interrupt, ExitsWith130) {
-  int input[2];
-  ASSERT_EQ(::pipe(input), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::dup2(input[0], STDIN_FILENO);
-    ::close(input[1]);
-    ::execl(FENCEPOST_EXE, "fencepost", "replay", "-", nullptr);
-    ::_exit(127);
-  }
-  ::close(input[0]);
+  const Folder folder;
+  Process replay(folder, {"replay", "-"});
   ::usleep(300'000);  // it now waits for the input that never comes
-  ::kill(child, SIGINT);
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  ::close(input[1]);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(replay.end(SIGINT), 130);
 }
 
 }  // namespace

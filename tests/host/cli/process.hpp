@@ -4,9 +4,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tests/host/cli/run.hpp"
+#include "tests/process/child.hpp"
 
 namespace fencepost::host::testing {
 
@@ -38,22 +39,17 @@ class Process {
   /// run in one folder. Standard input is a pipe, see `type`.
   Process(const Folder& folder, const std::vector<std::string>& arguments, std::string name = {})
       : folder_(folder), name_(std::move(name)) {
-    // Before the fork: what an earlier one said here must not be taken for its words.
-    for (const char* file : {"out", "err"}) spill(folder_.path() / (name_ + file), "");
-    int pipe[2] = {-1, -1};
-    EXPECT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
-    pid_ = ::fork();
-    if (pid_ == 0) execute(pipe[0], arguments);
-    ::close(pipe[0]);
+    std::array<int, 2> pipe = {-1, -1};
+    EXPECT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+    const int out = open_for("out");
+    const int err = open_for("err");
+    std::vector<std::string> words = arguments;
+    words.insert(words.begin(), "fencepost");
+    child_.emplace(FENCEPOST_EXE, std::move(words), test::Surroundings{folder_.path(), pipe[0], out, err});
+    for (const int fd : {pipe[0], out, err}) ::close(fd);
     typing_ = pipe[1];
   }
-  ~Process() {
-    hang_up();
-    if (!status_ && pid_ > 0) {
-      ::kill(pid_, SIGKILL);
-      static_cast<void>(wait());
-    }
-  }
+  ~Process() { hang_up(); }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
@@ -65,7 +61,7 @@ class Process {
     if (typing_ >= 0) ::close(typing_);
     typing_ = -1;
   }
-  void signal(int number) const { EXPECT_EQ(::kill(pid_, number), 0); }
+  void signal(int number) const { EXPECT_TRUE(child_->signal(number)); }
 
   /// Sends the signal and waits.
   int end(int number) {
@@ -74,21 +70,14 @@ class Process {
   }
   /// Its exit code; of one that a signal killed, 1000 and its number.
   int wait() {
-    const auto end = std::chrono::steady_clock::now() + kDeadline;
-    while (!ended()) {
-      if (std::chrono::steady_clock::now() > end) {
-        ADD_FAILURE() << "it does not end";
-        ::kill(pid_, SIGKILL);
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (!eventually([this] { return ended(); })) {
+      ADD_FAILURE() << "it does not end";
+      child_->signal(SIGKILL);
+      child_->wait();
     }
-    return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 1000 + WTERMSIG(*status_);
+    return child_->exit_code();
   }
-  bool ended() {
-    int status = 0;
-    if (!status_ && ::waitpid(pid_, &status, WNOHANG) == pid_) status_ = status;
-    return status_.has_value();
-  }
+  bool ended() { return child_->ended(); }
 
   [[nodiscard]] std::string out() const { return slurp(folder_.path() / (name_ + "out")); }
   [[nodiscard]] std::string err() const { return slurp(folder_.path() / (name_ + "err")); }
@@ -100,31 +89,20 @@ class Process {
   [[nodiscard]] bool shows(const std::string& text) const {
     return eventually([&] { return out().find(text) != std::string::npos; });
   }
-  [[nodiscard]] pid_t pid() const { return pid_; }
+  [[nodiscard]] pid_t pid() const { return child_->pid(); }
 
  private:
-  [[noreturn]] void execute(int input, const std::vector<std::string>& arguments) const {
-    std::vector<char*> argv;
-    std::string name = "fencepost";
-    std::vector<std::string> copies = arguments;
-    argv.push_back(name.data());
-    for (std::string& one : copies) argv.push_back(one.data());
-    argv.push_back(nullptr);
-    const bool ready = ::chdir(folder_.path().c_str()) == 0 && ::dup2(input, 0) == 0 && redirect(name_ + "out", 1) &&
-                       redirect(name_ + "err", 2);
-    if (ready) ::execv(FENCEPOST_EXE, argv.data());
-    ::_exit(127);
-  }
-  static bool redirect(const std::string& file, int fd) {
-    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    return opened >= 0 && ::dup2(opened, fd) == fd;
+  [[nodiscard]] int open_for(const char* file) const {
+    const int opened =
+        ::open((folder_.path() / (name_ + file)).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    EXPECT_GE(opened, 0) << file;
+    return opened;
   }
 
   const Folder& folder_;
   std::string name_;
-  pid_t pid_ = -1;
+  std::optional<test::Child> child_;
   int typing_ = -1;
-  std::optional<int> status_;
 };
 
 }  // namespace fencepost::host::testing

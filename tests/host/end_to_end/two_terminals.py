@@ -11,9 +11,11 @@ import select
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from shown_place import shown_place  # noqa: E402
 
 PATIENCE = 60  # s
 
@@ -103,10 +105,7 @@ def main(program, sources, wanted):
             continue
         seen += 1
         (emulate, emulate_output), (run, run_output), *rest = blocks_of(section)
-        with tempfile.TemporaryDirectory() as folder:
-            os.symlink(Path(sources) / "host", Path(folder) / "host")
-            os.symlink(program, Path(folder) / "fencepost")
-            environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", TERM="dumb", NO_COLOR="1")
+        with shown_place(program, sources) as (folder, environment):
             camera, robot = show_both(emulate, run, folder, environment)
             for command, _ in rest:
                 subprocess.run(["sh", "-c", command], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)

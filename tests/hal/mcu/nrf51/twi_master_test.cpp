@@ -3,36 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdint>
-#include <vector>
 
 #include "hal/bus/i2c_bus.hpp"
 #include "hal/mcu/nrf51/reset_reason.hpp"
 #include "hal/mcu/nrf51/uart.hpp"
+#include "tests/hal/mcu/i2c_master_suite.hpp"
 
 namespace fencepost::mcu::nrf51 {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 /// The master's registers, and one device behind them.
-struct Part {
-  std::uint8_t device = 0x54;
-  Bytes answers;                ///< what the device gives, byte by byte
-  bool holds_clock = false;     ///< nothing goes on
-  std::size_t refuses_at = 99;  ///< does not acknowledge this byte of a write
-
-  Bytes written;
-  int starts = 0;
-  int stops = 0;
-  int restarts = 0;
+struct Part : test::I2cDevice {
   std::uint32_t address = 0;
   std::uint32_t shorts = 0;
   std::uint32_t interrupts = 0;
   std::uint32_t txd = 0;
   std::uint32_t rxd = 0;
-  std::size_t given = 0;
   bool reading = false;
   bool suspended = false;
   bool txd_waits = false;
@@ -111,8 +98,7 @@ struct Part {
       return true;
     }
     EXPECT_EQ(received_event, 0U) << "anomaly 56: a byte comes while the last one is unread";
-    rxd = given < answers.size() ? answers[given] : 0xFF;
-    ++given;
+    rxd = answer();
     received_event = 1;
     if ((shorts & kTwiSuspendAfterByte) != 0) suspended = true;
     if ((shorts & kTwiStopAfterByte) != 0) stop();
@@ -120,112 +106,38 @@ struct Part {
   }
 };
 
-/// The master keeps its registers by value; the bench wants to see them.
-struct Wires {
-  Part* part;
-  [[nodiscard]] std::uint32_t read(std::uint32_t offset) const { return part->read(offset); }
-  void write(std::uint32_t offset, std::uint32_t value) const { part->write(offset, value); }
-  void restart() const { part->restart(); }
-};
+using Wires = test::Wires<Part>;
 static_assert(bus::I2cBus<TwiMaster<Wires>>);
 
-class TwiMasterTest : public ::testing::Test {
+class TwiBench : public ::testing::Test {
  protected:
   // Interrupts come as long as anything happens and they are on; late, when the part has gone as far as it can.
   void settle() {
     for (int i = 0; i < 200; ++i) {
       int steps = 0;
       while (steps < 5 && part.advance()) ++steps;
-      if (part.interrupts != 0) master.on_interrupt();
+      if (interrupts_on()) master.on_interrupt();
       if (steps == 0) return;
     }
     FAIL() << "it never ends";
   }
-  base::Result<std::size_t> transfer(const Bytes& out, std::size_t expected) {
-    const auto begun = master.begin(part.device, out, expected);
-    if (!begun) return begun.error();
-    settle();
-    return master.finish(in);
-  }
+  [[nodiscard]] bool interrupts_on() const { return part.interrupts != 0; }
 
   Part part;
   TwiMaster<Wires> master{Wires{&part}};
-  std::array<std::uint8_t, 32> in{};
 };
 
-TEST_F(TwiMasterTest, Writes) {
-  const auto done = transfer({0x42, 0x01, 0x99}, 0);
-  ASSERT_TRUE(done);
-  EXPECT_EQ(*done, 0U);
-  EXPECT_EQ(part.written, (Bytes{0x42, 0x01, 0x99}));
-  EXPECT_EQ(part.starts, 1);
-  EXPECT_EQ(part.stops, 1);
-  EXPECT_EQ(part.interrupts, 0U);
-}
+}  // namespace
+}  // namespace fencepost::mcu::nrf51
 
-TEST_F(TwiMasterTest, ReadsAsManyAsWereAskedForAndNotOneMore) {
-  part.answers = {1, 2, 3, 4};
-  for (std::size_t expected = 1; expected <= 4; ++expected) {
-    part.stops = 0;
-    const auto done = transfer({}, expected);
-    ASSERT_TRUE(done);
-    EXPECT_EQ(*done, expected);
-    EXPECT_EQ(part.given, expected);
-    EXPECT_EQ(part.stops, 1);
-    EXPECT_EQ(in[expected - 1], expected);
-  }
-}
+namespace fencepost::test {
+namespace {
+INSTANTIATE_TYPED_TEST_SUITE_P(Nrf51, EveryI2cMaster, mcu::nrf51::TwiBench);
+}  // namespace
+}  // namespace fencepost::test
 
-TEST_F(TwiMasterTest, WritesThenReadsAfterARepeatedStart) {
-  part.answers = {0xAA, 0xBB};
-  const auto done = transfer({0x42}, 2);
-  ASSERT_TRUE(done);
-  EXPECT_EQ(*done, 2U);
-  EXPECT_EQ(in[0], 0xAA);
-  EXPECT_EQ(in[1], 0xBB);
-  EXPECT_EQ(part.starts, 2);
-  EXPECT_EQ(part.stops, 1);
-}
-
-TEST_F(TwiMasterTest, SaysSoWhereNobodyAcknowledges) {
-  ASSERT_TRUE(master.begin(0x01, Bytes{1}, 0));
-  settle();
-  EXPECT_EQ(master.finish(in).error(), base::Error::kRefused);
-  ASSERT_TRUE(master.begin(0x01, {}, 4));
-  settle();
-  EXPECT_EQ(master.finish(in).error(), base::Error::kRefused);
-  part.refuses_at = 1;
-  EXPECT_EQ(transfer({1, 2, 3}, 0).error(), base::Error::kRefused);
-  part.refuses_at = 99;
-  EXPECT_TRUE(transfer({1, 2, 3}, 0)) << "the bus is free again";
-}
-
-TEST_F(TwiMasterTest, GivesUpADeviceThatHoldsTheClockAndStartsThePartAnew) {
-  part.holds_clock = true;
-  ASSERT_TRUE(master.begin(part.device, Bytes{1}, 2));
-  for (int ms = 0; ms < 29; ++ms) {
-    master.on_millisecond();
-    EXPECT_EQ(master.finish(in).error(), base::Error::kNotReady);
-  }
-  EXPECT_EQ(master.begin(part.device, Bytes{1}, 0).error(), base::Error::kFull);
-  master.on_millisecond();
-  EXPECT_EQ(master.finish(in).error(), base::Error::kRefused);
-  EXPECT_EQ(part.restarts, 1);
-  EXPECT_EQ(part.interrupts, 0U);
-  part.holds_clock = false;
-  part.answers = {7};
-  const auto done = transfer({}, 1);
-  ASSERT_TRUE(done);
-  EXPECT_EQ(in[0], 7);
-}
-
-TEST_F(TwiMasterTest, RefusesWhatIsNoTransfer) {
-  EXPECT_EQ(master.begin(0x54, {}, 0).error(), base::Error::kFull);
-  EXPECT_EQ(master.begin(0x54, Bytes(33), 0).error(), base::Error::kFull);
-  EXPECT_EQ(master.begin(0x54, {}, 33).error(), base::Error::kFull);
-  EXPECT_EQ(master.finish(in).error(), base::Error::kNotReady);
-  EXPECT_EQ(part.starts, 0);
-}
+namespace fencepost::mcu::nrf51 {
+namespace {
 
 TEST(Nrf51ResetReason, TellsTheFirstFlagThatSaysSomething) {
   EXPECT_EQ(reset_reason(0), ResetReason::kPowerOn);
