@@ -21,6 +21,7 @@ struct EveryBoardFacts {
   /// m, how far off an object may be in a corridor of six: more where the table is smaller than that.
   double corridor_placed = 0.08;
   double corrected_seconds = 20;  ///< of a minute's scene with a corrected pose
+  double corrected_rate = 20;     ///< frames a second that it keeps up with then
 
   /// Expects that a table full of objects costs what is committed (tests/boards/counting.hpp).
   std::function<void(PoseCorrected)> count;

@@ -27,7 +27,8 @@ TEST_P(EveryBoard, ReplaysAMinute) {
   expect_scene_replays(board(), GetParam().profile, minute_scene(60, GetParam().rate));
 }
 TEST_P(EveryBoard, ReplaysACorrectedPose) {
-  expect_scene_replays(board(), GetParam().profile, minute_scene(GetParam().corrected_seconds, GetParam().rate), 0.08,
+  expect_scene_replays(board(), GetParam().profile,
+                       minute_scene(GetParam().corrected_seconds, GetParam().corrected_rate), 0.08,
                        PoseCorrected::kYes);
 }
 
