@@ -115,8 +115,8 @@ TEST(SectorStore, AWrongTangentIsAClusterOfItsOwnAndIsOutlived) {
   EXPECT_FLOAT_EQ(stored(store, 0).views, 4);
   EXPECT_NEAR(stored(store, 1).offset, 0.02F, 1e-4F);
   EXPECT_EQ(standing(store, 2 * 10), 1.0F);
-  EXPECT_FLOAT_EQ(standing(store, 2 * 10 + 1), 0.5F);   // the larger one has more views
-  insert(store, kPlace, tangent(-0.05F), 1, {});  // another one takes its place
+  EXPECT_FLOAT_EQ(standing(store, 2 * 10 + 1), 0.5F);  // the larger one has more views
+  insert(store, kPlace, tangent(-0.05F), 1, {});       // another one takes its place
   EXPECT_NEAR(stored(store, 1).offset, -0.05F, 1e-4F);
   insert(store, kPlace, tangent(-0.05F), 1, {});
   insert(store, kPlace, tangent(0.30F), 1, {});  // two agree by now: they are weakened by half of one
