@@ -13,7 +13,7 @@ constexpr float kLeastNovelty = 0.05F;
 }  // namespace
 
 float ObjectCore::confidence() const {
-  constexpr float kUnit = 1.0F / 200.0F;
+  constexpr float kUnit = 1.0F / kSurenessPerUnit;
   if (sureness != kNoOutline) return static_cast<float>(sureness) * kUnit * presence;
   const CylinderEstimate& estimate = cylinder.estimate();
   if (!estimate.ok()) return 0;

@@ -61,6 +61,7 @@ struct ObjectCore {
   HeightBand band;
 
   static constexpr std::uint8_t kNoOutline = 0xFF;
+  static constexpr float kSurenessPerUnit = 200.0F;
 
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return arenas > 0; }
@@ -144,13 +145,14 @@ struct Object : ObjectCore {
 
   /// The outline has been fitted.
   void note_outline() {
-    constexpr float kPerUnit = 200.0F;
-    if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kPerUnit + 0.5F);
+    if (hybrid.ok()) sureness = static_cast<std::uint8_t>(hybrid.outline().confidence() * kSurenessPerUnit + 0.5F);
   }
 
   [[nodiscard]] PlacedOutline placed_outline() const {
-    // 1 - sqrt(kWellKnown): kept as the confidence, which is not reckoned again in each frame.
+    // OutlineView::known_well() by the confidence that is kept: sigmas are not summed again in each frame.
     constexpr std::uint8_t kLeastSureness = 74;
+    constexpr float kRoot = 1.0F - kLeastSureness / kSurenessPerUnit;
+    static_assert(kRoot * kRoot < OutlineView::kWellKnown && kRoot * kRoot > 0.99F * OutlineView::kWellKnown);
     return {hybrid.outline(), hybrid.origin, sureness != kNoOutline && sureness >= kLeastSureness};
   }
 
