@@ -109,19 +109,17 @@ float others_of(const CylinderEstimate& estimate, const MeasurementNoise& noise)
   return shape * shape + noise.position * noise.position;
 }
 
-Vec2 lens_from(MapPoint origin, const LensPose& pose) { return offset_from(origin, pose.anchor) + pose.lens; }
-
 Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                             const CylinderEstimate& estimate, const MeasurementNoise& noise) {
   Silhouette seen;
-  if (!render(estimate, lens_from(object.origin, pose), pose, others_of(estimate, noise), seen)) return {};
+  if (!render(estimate, pose.lens_from(object.origin), pose, others_of(estimate, noise), seen)) return {};
   return predict_place(camera, pose, object, estimate, seen, noise);
 }
 
 // No distance yet: the object is somewhere on its last bearing.
 Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                            const MeasurementNoise& noise) {
-  const Vec2 lens = offset_from(object.origin, pose.anchor) + pose.lens;
+  const Vec2 lens = pose.lens_from(object.origin);
   const Vec2 nearest = object.last_lens + kNearestUnknown * object.last_bearing - lens;
   const Vec2 far = to_camera(pose, object.last_bearing);
   const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, std::sqrt(nearest.squaredNorm())));
@@ -193,25 +191,19 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Interval& inter
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const CylinderEstimate& estimate, const MeasurementNoise& noise) {
-  Prediction prediction = estimate.ok() ? predict_cylinder(camera, pose, object, estimate, noise)
-                                        : predict_bearing(camera, pose, object, noise);
-  prediction.signature = object.signature;
-  prediction.confirmed = object.confirmed;
-  return prediction;
+  if (!estimate.ok()) return predict_bearing(camera, pose, object, noise);
+  return predict_cylinder(camera, pose, object, estimate, noise);
 }
 
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const PlacedOutline& outline, const MeasurementNoise& noise) {
   const CylinderEstimate& cylinder = object.cylinder.estimate();
   Silhouette seen;
-  const Vec2 lens = lens_from(outline.origin, pose);
+  const Vec2 lens = pose.lens_from(outline.origin);
   if (!outline.known || !cylinder.ok() || !render(outline.view, lens, pose, others_of(cylinder, noise), seen)) {
     return predict(camera, pose, object, cylinder, noise);
   }
-  Prediction prediction = predict_place(camera, pose, object, cylinder, seen, noise);
-  prediction.signature = object.signature;
-  prediction.confirmed = object.confirmed;
-  return prediction;
+  return predict_place(camera, pose, object, cylinder, seen, noise);
 }
 
 Interval interval_of(const CameraModel& camera, const Box& box) {

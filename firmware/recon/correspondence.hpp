@@ -35,6 +35,7 @@ struct Prediction {
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
+/// Whose prediction it is (signature, confirmed) is left to who asks.
 /// By the circle `estimate`, in the object's local frame: its cylinder's, unless something knows better; else by the
 /// last bearing.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,

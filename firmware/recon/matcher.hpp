@@ -31,8 +31,11 @@ class Matcher {
                                  const MeasurementNoise& noise, PlaceOf&& place_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
-      if (objects[o].used()) predictions_[o] = predict_one(objects[o], camera, lens, place_of(o), noise);
       blob_of_[o] = kNoMatch;
+      if (!objects[o].used()) continue;
+      predictions_[o] = predict_one(objects[o], camera, lens, place_of(o), noise);
+      predictions_[o].signature = objects[o].signature;
+      predictions_[o].confirmed = objects[o].confirmed;
     }
   }
 

@@ -138,10 +138,10 @@ class PoseCorrection {
   void take(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
             const MeasurementNoise& noise) {
     const Landmark& landmark = filter_.landmark(slot);
-    const Vec2 from_lens = offset_from(lens.anchor, landmark.center) - lens.lens;
-    const Vec2 away = rotated(seen.axis, {lens.axis.dot(from_lens), cross(lens.axis, from_lens)});
+    const Vec2 from_lens = -lens.lens_from(landmark.center);
+    const Vec2 away = rotated(seen.axis, to_camera(lens, from_lens));
     // What is not round about it is not news either as long as the robot stands.
-    const float novelty = objects[slot].novelty(offset_from(objects[slot].origin, lens.anchor) + lens.lens);
+    const float novelty = objects[slot].novelty(lens.lens_from(objects[slot].origin));
     const SightedCircle circle = sighted_circle(seen, away, landmark.radius, novelty, noise);
     for (const SightedCircle::Line& line : circle.lines) {
       if (!(line.variance > 0)) continue;

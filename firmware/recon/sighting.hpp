@@ -58,7 +58,16 @@ struct LensPose {
   MapPoint anchor;
   Vec2 lens{0, 0};
   Vec2 axis{1, 0};  ///< also the rotation (cosine, sine) from the level camera frame to map axes
+
+  /// The lens in a local frame with map axes.
+  [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
 };
+
+/// A vector of map axes in those of the level camera (x along the optical axis, y to the left), and back.
+inline Vec2 to_camera(const LensPose& pose, const Vec2& in_map) {
+  return {pose.axis.dot(in_map), cross(pose.axis, in_map)};
+}
+inline Vec2 to_map(const LensPose& pose, const Vec2& in_camera) { return rotated(pose.axis, in_camera); }
 
 LensPose lens_pose(const MapPose& robot, const CameraModel& camera);
 

@@ -70,11 +70,11 @@ bool render(const CylinderEstimate& cylinder, const Vec2& lens, const LensPose& 
   const float distance = std::sqrt(away.squaredNorm());
   if (!(distance > cylinder.radius * 1.01F) || !(distance > kNearest)) return false;
   const Vec2 bearing = to_camera(pose, away / distance);
+  if (!(bearing.x() > kSideways)) return false;
   const float sine = cylinder.radius / distance;
   const float cosine = std::sqrt(1.0F - sine * sine);
   const Vec2 left = rotated({cosine, sine}, bearing);
   const Vec2 right = rotated({cosine, -sine}, bearing);
-  if (!(bearing.x() > kSideways)) return false;
   const float reach = distance * cosine;
   // Each end by its own uncertainty: an object seen from one side only has one good end.
   seen.left = {reach * left, cylinder.covariance.along(left_of(to_map(pose, left))) + others};

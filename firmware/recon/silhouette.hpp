@@ -24,12 +24,6 @@ struct Silhouette {
 /// Directions with less than this forward share are not in any image.
 inline constexpr float kSideways = 0.05F;
 
-/// A vector of map axes in those of the camera, and back.
-inline Vec2 to_camera(const LensPose& pose, const Vec2& in_map) {
-  return {pose.axis.dot(in_map), cross(pose.axis, in_map)};
-}
-inline Vec2 to_map(const LensPose& pose, const Vec2& in_camera) { return rotated(pose.axis, in_camera); }
-
 /// The tangents of a circle. `lens` is in the frame of the estimate; `others` is the variance (m^2) of what its
 /// covariance leaves out: shape and pose. False, and `seen` is as before: the lens is inside it, or it is behind.
 bool render(const CylinderEstimate& cylinder, const Vec2& lens, const LensPose& pose, float others, Silhouette& seen);
