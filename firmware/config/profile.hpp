@@ -1,5 +1,5 @@
 // How much fits into one part. Every capacity of the loop is here, with its reason; the bytes that follow from them are
-// checked against the budget where the memory is defined (firmware/app/memory.hpp).
+// checked against the budget where the memory is defined (firmware/loop/memory.hpp).
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "firmware/app/sentence.hpp"
+#include "firmware/console/sentence.hpp"
 
 namespace fencepost::image {
 namespace {

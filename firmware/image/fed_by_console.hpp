@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "firmware/app/counters.hpp"
-#include "firmware/app/link_words.hpp"
+#include "firmware/console/link_words.hpp"
+#include "firmware/loop/counters.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/sources.hpp"
 

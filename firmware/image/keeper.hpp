@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "firmware/app/pipeline.hpp"
 #include "firmware/config/settings_store.hpp"
+#include "firmware/loop/pipeline.hpp"
 #include "firmware/record/decode.hpp"
 #include "firmware/record/encode.hpp"
 

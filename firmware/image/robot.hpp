@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "firmware/app/loop.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/image/boot.hpp"
 #include "firmware/image/keeper.hpp"
+#include "firmware/loop/loop.hpp"
 #include FENCEPOST_BOARD
 #include FENCEPOST_CAMERA
 #include FENCEPOST_ODOMETRY

@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/recon/carve.hpp"
-#include "firmware/recon/landmark_filter.hpp"
-#include "firmware/recon/object.hpp"
-#include "firmware/recon/pose_history.hpp"
+#include "firmware/recon/localize/landmark_filter.hpp"
+#include "firmware/recon/models/carve.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/recon/track/object.hpp"
 #include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {

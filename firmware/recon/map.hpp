@@ -7,11 +7,11 @@
 #include <span>
 
 #include "firmware/recon/digest.hpp"
-#include "firmware/recon/frame_queue.hpp"
-#include "firmware/recon/hybrid/outline_fitter.hpp"
-#include "firmware/recon/matcher.hpp"
-#include "firmware/recon/object.hpp"
-#include "firmware/recon/pose_correction.hpp"
+#include "firmware/recon/localize/pose_correction.hpp"
+#include "firmware/recon/models/hybrid/outline_fitter.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/recon/track/matcher.hpp"
+#include "firmware/recon/track/object.hpp"
 
 namespace fencepost::recon {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "firmware/app/map_shape.hpp"
-#include "firmware/recon/pose_history.hpp"
+#include "firmware/console/map_shape.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
 #include "firmware/view/shapes.hpp"
 #include "firmware/view/window.hpp"
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include "firmware/app/map_shape.hpp"
-#include "firmware/app/pipeline.hpp"
+#include "firmware/console/map_shape.hpp"
+#include "firmware/loop/pipeline.hpp"
 #include "firmware/view/picture.hpp"
 #include "firmware/view/side.hpp"
 #include "hal/bus/buttons.hpp"

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "firmware/app/sentence.hpp"
-#include "firmware/app/top_view.hpp"
+#include "firmware/console/sentence.hpp"
+#include "firmware/console/top_view.hpp"
 #include "firmware/view/font.hpp"
 #include "firmware/view/palette.hpp"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "firmware/app/console_state.hpp"
-#include "firmware/app/listings.hpp"
-#include "firmware/app/text.hpp"
+#include "firmware/console/console_state.hpp"
+#include "firmware/console/text.hpp"
+#include "firmware/loop/listings.hpp"
 #include "firmware/record/records.hpp"
 #include "firmware/view/shapes.hpp"
 #include "firmware/view/window.hpp"

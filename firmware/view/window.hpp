@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "firmware/app/top_view.hpp"
+#include "firmware/console/top_view.hpp"
 #include "firmware/view/shapes.hpp"
 
 namespace fencepost::view {

@@ -12,7 +12,7 @@
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/emulate/serve/server.hpp"
+#include "host/emulate/transport/server.hpp"
 #include "host/scene/load.hpp"
 
 namespace fencepost::host::cli {

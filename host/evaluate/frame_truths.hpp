@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "firmware/recon/frame_queue.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
 #include "host/scene/scene.hpp"
 #include "host/simulate/truth.hpp"
 

@@ -40,7 +40,7 @@ class Device {
   [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
     return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
   }
-  /// Asked by the loop when it has to say how the link is (firmware/app/link_words.hpp).
+  /// Asked by the loop when it has to say how the link is (firmware/console/link_words.hpp).
   [[nodiscard]] LinkWording link_words(sensor::LinkState state) const {
     LinkWording words = wording(state);
     if (!sentences_) words.name.clear();

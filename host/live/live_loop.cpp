@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/app/loop.hpp"
+#include "firmware/loop/loop.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/app/console_state.hpp"
-#include "firmware/app/counters.hpp"
+#include "firmware/console/console_state.hpp"
+#include "firmware/loop/counters.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/live/console_port.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "firmware/config/profile.hpp"
-#include "firmware/recon/hybrid/hybrid_solver.hpp"
+#include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "host/evaluate/matching.hpp"
 #include "host/render/regions.hpp"
 #include "host/replay/models.hpp"

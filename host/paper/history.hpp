@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "firmware/recon/camera_model.hpp"
+#include "firmware/recon/observe/camera_model.hpp"
 #include "host/paper/tour.hpp"
 #include "host/render/solid.hpp"
 #include "host/result/result.hpp"

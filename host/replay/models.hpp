@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/recon/object.hpp"
+#include "firmware/recon/track/object.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {

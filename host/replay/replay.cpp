@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "firmware/app/text.hpp"
+#include "firmware/console/text.hpp"
 #include "firmware/record/stream_reader.hpp"
 #include "host/replay/check.hpp"
 #include "host/replay/own_log.hpp"

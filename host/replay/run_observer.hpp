@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-#include "firmware/recon/frame_queue.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/app/loop.hpp"
+#include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/app/memory.hpp"
+#include "firmware/loop/memory.hpp"
 #include "firmware/record/records.hpp"
 #include "host/replay/pose_noise.hpp"
 #include "host/replay/run_observer.hpp"

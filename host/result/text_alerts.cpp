@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "firmware/app/text.hpp"
+#include "firmware/console/text.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/printable.hpp"
 #include "host/result/text.hpp"

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "hal/base/units.hpp"
-#include "host/emulate/serve/peer.hpp"
-#include "host/emulate/serve/travel.hpp"
+#include "host/emulate/scene/peer.hpp"
+#include "host/emulate/scene/travel.hpp"
 #include "tests/boards/line.hpp"
 
 namespace fencepost::test {

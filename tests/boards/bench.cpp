@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "hal/base/crc16.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "hal/base/units.hpp"
-#include "host/emulate/pixy2.hpp"
+#include "host/emulate/models/pixy2.hpp"
 #include "tests/boards/attached.hpp"
 #include "tests/boards/emulator.hpp"
 #include "tests/boards/scene_stream.hpp"

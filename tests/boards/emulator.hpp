@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/emulate/serve/peer.hpp"
+#include "host/emulate/scene/peer.hpp"
 #include "tests/boards/line.hpp"
 #include "tests/process/child.hpp"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "drivers/cmucam/dialect.hpp"
-#include "host/emulate/serve/camera_peers.hpp"
-#include "host/emulate/serve/wheel_peers.hpp"
+#include "host/emulate/scene/camera_peers.hpp"
+#include "host/emulate/scene/wheel_peers.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/boards/f405.hpp"
 #include "tests/boards/faults.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/boards/bench.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {

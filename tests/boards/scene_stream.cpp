@@ -8,7 +8,7 @@
 #include "firmware/record/stream_reader.hpp"
 #include "host/scene/load.hpp"
 #include "host/simulate/simulate.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "host/replay/replay.hpp"
 #include "host/result/lookup.hpp"
 #include "tests/boards/bench.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "firmware/app/loop.hpp"
+#include "firmware/loop/loop.hpp"
 #include "firmware/record/stream_reader.hpp"
 
 namespace fencepost::test {

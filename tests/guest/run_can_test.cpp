@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "host/emulate/can_wheels.hpp"
-#include "host/emulate/serve/feed.hpp"
-#include "host/emulate/serve/travel.hpp"
+#include "host/emulate/models/can_wheels.hpp"
+#include "host/emulate/scene/feed.hpp"
+#include "host/emulate/scene/travel.hpp"
 #include "host/scene/load.hpp"
 #include "tests/guest/live_run.hpp"
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "drivers/nxtcam/camera.hpp"
-#include "host/emulate/nxt.hpp"
-#include "host/emulate/nxtcam.hpp"
+#include "host/emulate/models/nxt.hpp"
+#include "host/emulate/models/nxtcam.hpp"
 #include "tests/guest/approach.hpp"
 #include "tests/guest/live_run.hpp"
 #include "tests/guest/nxt_model.hpp"

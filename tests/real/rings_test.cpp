@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "firmware/recon/clip.hpp"
+#include "firmware/recon/models/clip.hpp"
 #include "host/geometry/half_planes.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/import/import.hpp"

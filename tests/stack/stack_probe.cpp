@@ -1,7 +1,7 @@
 // The loop of each profile, instantiated so that its worst-case stack can be read off the call graph.
 #include <cstring>
 
-#include "firmware/app/loop.hpp"
+#include "firmware/loop/loop.hpp"
 
 namespace fencepost::probe {
 

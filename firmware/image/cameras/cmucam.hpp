@@ -2,8 +2,8 @@
 #pragma once
 
 #include "drivers/cmucam/cmucam.hpp"
-#include "firmware/app/counters.hpp"
 #include "firmware/config/colours.hpp"
+#include "firmware/loop/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {

@@ -3,7 +3,7 @@
 
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
-#include "firmware/app/counters.hpp"
+#include "firmware/loop/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/pixy2/camera.hpp"
-#include "firmware/app/counters.hpp"
+#include "firmware/loop/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {

@@ -3,7 +3,7 @@
 
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/wire/i2c_stream.hpp"
-#include "firmware/app/counters.hpp"
+#include "firmware/loop/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {

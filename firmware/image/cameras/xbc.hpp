@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/xbc/xbc.hpp"
-#include "firmware/app/counters.hpp"
+#include "firmware/loop/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "drivers/odometry/differential_drive.hpp"
-#include "firmware/app/counters.hpp"
 #include "firmware/config/wheels.hpp"
+#include "firmware/loop/counters.hpp"
 #include "hal/sensor/sources.hpp"
 #include FENCEPOST_BOARD
 

@@ -1,8 +1,8 @@
 // FENCEPOST_PANEL=none: the board has nothing to show things on.
 #pragma once
 
-#include "firmware/app/listings.hpp"
-#include "firmware/app/pipeline.hpp"
+#include "firmware/loop/listings.hpp"
+#include "firmware/loop/pipeline.hpp"
 
 namespace fencepost::image {
 

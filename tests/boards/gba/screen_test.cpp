@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/recon/hybrid/hybrid.hpp"
+#include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/view/palette.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"

@@ -5,7 +5,7 @@
 #include "tests/boards/counting.hpp"
 #include "tests/boards/every_board.hpp"
 #include "tests/boards/pico/pico.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "tests/boards/bench.hpp"
 #include "tests/boards/pico/pico.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "hal/bus/packet_link.hpp"
 #include "hal/fake/stepped_clock.hpp"
-#include "host/emulate/nxt.hpp"
+#include "host/emulate/models/nxt.hpp"
 #include "tests/drivers/bench/plug.hpp"
 
 namespace fencepost::test {

@@ -3,7 +3,7 @@
 
 #include "drivers/can_wheels/layouts.hpp"
 #include "drivers/can_wheels/odometry.hpp"
-#include "host/emulate/can_wheels.hpp"
+#include "host/emulate/models/can_wheels.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/can_cable.hpp"
 #include "tests/drivers/bench/create_rig.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/cmucam/cmucam.hpp"
-#include "host/emulate/cmucam.hpp"
+#include "host/emulate/models/cmucam.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "drivers/create/create.hpp"
-#include "host/emulate/create.hpp"
+#include "host/emulate/models/create.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "hal/bus/i2c_bus.hpp"
 #include "hal/fake/stepped_clock.hpp"
-#include "host/emulate/i2c_device.hpp"
+#include "host/emulate/models/i2c_device.hpp"
 #include "tests/drivers/bench/plug.hpp"
 
 namespace fencepost::test {

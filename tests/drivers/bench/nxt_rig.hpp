@@ -5,7 +5,7 @@
 #include "drivers/nxt/framed_link.hpp"
 #include "drivers/nxt/sensor_port.hpp"
 #include "drivers/nxt/tacho_odometry.hpp"
-#include "host/emulate/nxt.hpp"
+#include "host/emulate/models/nxt.hpp"
 #include "tests/drivers/bench/brick_usb.hpp"
 #include "tests/drivers/bench/cable.hpp"
 #include "tests/drivers/bench/create_rig.hpp"

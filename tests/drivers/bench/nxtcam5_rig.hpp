@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/nxtcam/v5_camera.hpp"
-#include "host/emulate/nxtcam5.hpp"
+#include "host/emulate/models/nxtcam5.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
-#include "host/emulate/nxtcam.hpp"
+#include "host/emulate/models/nxtcam.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 #include "tests/drivers/bench/i2c_cable.hpp"

@@ -3,8 +3,8 @@
 
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
-#include "host/emulate/pixy2.hpp"
-#include "host/emulate/pixy2_usb.hpp"
+#include "host/emulate/models/pixy2.hpp"
+#include "host/emulate/models/pixy2_usb.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 

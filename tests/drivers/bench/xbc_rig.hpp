@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/xbc/xbc.hpp"
-#include "host/emulate/xbc.hpp"
+#include "host/emulate/models/xbc.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 

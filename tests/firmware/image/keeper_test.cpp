@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/fake/cut_flash.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::image {
 namespace {

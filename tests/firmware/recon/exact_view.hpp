@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "firmware/recon/sighting.hpp"
+#include "firmware/recon/observe/sighting.hpp"
 #include "host/geometry/half_planes.hpp"
 #include "host/geometry/polygon.hpp"
 

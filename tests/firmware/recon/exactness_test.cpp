@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "firmware/config/profile.hpp"
-#include "firmware/recon/object.hpp"
+#include "firmware/recon/track/object.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
 #include "tests/firmware/recon/exact_view.hpp"

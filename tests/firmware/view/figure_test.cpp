@@ -10,8 +10,8 @@
 
 #include "firmware/config/profile.hpp"
 #include "firmware/view/palette.hpp"
-#include "tests/firmware/app/box_outline.hpp"
-#include "tests/firmware/app/known_object.hpp"
+#include "tests/firmware/alert/box_outline.hpp"
+#include "tests/firmware/alert/known_object.hpp"
 
 namespace fencepost::test {
 namespace {

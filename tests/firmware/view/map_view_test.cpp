@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/config/profile.hpp"
-#include "tests/firmware/app/desk.hpp"
+#include "tests/firmware/loop/desk.hpp"
 #include "tests/firmware/view/painted.hpp"
 
 namespace fencepost::test {

@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "hal/linux/clock.hpp"
-#include "host/emulate/create.hpp"
-#include "host/emulate/pixy2.hpp"
+#include "host/emulate/models/create.hpp"
+#include "host/emulate/models/pixy2.hpp"
 #include "tests/hal/linux/pty.hpp"
 
 namespace fencepost::host::testing {

@@ -1,0 +1,100 @@
+#include "firmware/alert/alerts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::app {
+
+using config::Key;
+using record::AlertLevel;
+
+namespace {
+
+// Sigma of the robot's own place at this moment, as at an exposure (m).
+constexpr float kPoseSigma = 0.004F;
+
+/// How much nearer an obstacle is taken to be than it seems.
+struct Doubt {
+  float sigmas;
+  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
+};
+constexpr Doubt kSeenWhole{3.0F, 0.2F};
+// Where an end was never seen the object may reach far nearer than its cylinder does.
+constexpr Doubt kCutOff{4.0F, 0.4F};
+
+float doubt(const Obstacle& obstacle, const InPath& way, float stop) {
+  const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
+  const float sigma = std::sqrt(way.sigma * way.sigma + kPoseSigma * kPoseSigma);
+  return std::min(doubt.sigmas * sigma, doubt.most * stop);
+}
+
+// Within the stop distance now, as far as one can be sure, or before the next look.
+bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
+  constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
+  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
+  return obstacle.distance - doubt(obstacle, way, stop) - until_next_look <= slack * stop;
+}
+
+}  // namespace
+
+AlertRules::AlertRules(const config::Settings& settings)
+    : stop(settings.number(Key::kAlertStop)),
+      warn(settings.number(Key::kAlertWarn)),
+      notice(settings.number(Key::kAlertNotice)),
+      ttc_stop(settings.number(Key::kAlertTtcStop)),
+      ttc_warn(settings.number(Key::kAlertTtcWarn)),
+      repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}
+
+bool credible(const recon::ObjectCore& object) { return object.confirmed && object.missed_in_a_row < kGoneAfterMisses; }
+
+AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack) {
+  if (!obstacle.known) return AlertLevel::kClear;
+  const auto near = [&](float distance) { return obstacle.distance <= slack * distance; };
+  const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
+  if (!obstacle.in_path) return near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
+  if (must_stop(obstacle, *obstacle.in_path, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
+  if (near(rules.warn) || soon(rules.ttc_warn)) return AlertLevel::kWarn;
+  if (near(rules.notice)) return AlertLevel::kNotice;
+  return AlertLevel::kClear;
+}
+
+std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
+                                const AlertRules& rules, base::Time now) {
+  if (state.id != object.id) {
+    state = AlertState{};
+    state.id = object.id;
+  }
+  const bool believed = credible(object);
+  const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
+  if (due > state.level) {
+    state.level = due;
+    state.easing = false;
+    state.said_at = Stamp(now);
+    return due;
+  }
+  const bool may_hold = believed && state.level > AlertLevel::kClear;
+  const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
+  if (held < state.level) {
+    if (!state.easing) {
+      state.easing = true;
+      state.easing_since = Stamp(now);
+    }
+    if (state.easing_since.since(now) >= kEaseAfter) {
+      state.level = held;
+      state.easing = false;
+      state.said_at = Stamp(now);
+      return held;
+    }
+  } else {
+    state.easing = false;
+  }
+  base::Duration interval = rules.repeat;
+  if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
+  if (state.level > AlertLevel::kClear && state.said_at.since(now) >= interval) {
+    state.said_at = Stamp(now);
+    return state.level;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fencepost::app

@@ -1,0 +1,61 @@
+// From obstacles to alerts: levels with hysteresis, one state per object, repeated at a bounded rate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/alert/obstacle.hpp"
+#include "firmware/alert/stamp.hpp"
+#include "firmware/config/settings.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/base/units.hpp"
+
+namespace fencepost::app {
+
+/// The path is watched at least so often, with frames or without.
+inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
+
+/// What was last said about one object.
+struct AlertState {
+  std::uint32_t id = 0;  ///< 0: nothing yet
+  record::AlertLevel level = record::AlertLevel::kClear;
+  bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
+  Stamp easing_since;
+  Stamp said_at;
+};
+
+/// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
+inline constexpr float kHysteresis = 1.15F;
+inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
+
+/// A notice is repeated no more often than this: it tells where things are, nothing is urgent.
+inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
+
+/// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
+inline constexpr std::uint16_t kGoneAfterMisses = 12;
+
+/// The settings as numbers to compare with, once for all objects.
+struct AlertRules {
+  explicit AlertRules(const config::Settings& settings);
+  float stop;      ///< m
+  float warn;      ///< m
+  float notice;    ///< m
+  float ttc_stop;  ///< s
+  float ttc_warn;  ///< s
+  base::Duration repeat;
+};
+
+/// Worth an alert: confirmed, and not gone from where it should be.
+[[nodiscard]] bool credible(const recon::ObjectCore& object);
+
+/// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
+/// anything else as near as alert.warn is worth a notice. A stop is early rather than late: what is known badly counts
+/// as nearer than it seems, and so does what will be there before the path is watched again.
+record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
+
+/// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of warn and
+/// stop at most alert.rate times a second (notice: once a second), an easing once it has lasted.
+std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
+                                        const AlertRules& rules, base::Time now);
+
+}  // namespace fencepost::app

@@ -1,0 +1,63 @@
+// One object as the moving robot sees it: how near, how soon, in the way or not.
+#pragma once
+
+#include <optional>
+
+#include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/recon/track/object.hpp"
+
+namespace fencepost::app {
+
+/// The strip of floor that the robot is about to sweep.
+struct RobotPath {
+  recon::Motion motion;
+  float half_width = 0.15F;  ///< half the robot's width plus the margin, m
+  float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
+};
+
+/// What is asked for only of an obstacle that is in the robot's path.
+struct InPath {
+  float sigma = 0;  ///< m, of the distance
+};
+
+/// Robot frame: origin midway between the wheels, x forward, y left.
+struct Obstacle {
+  bool known = false;        ///< the object has an alert model
+  recon::Vec2 toward{0, 0};  ///< m, the middle of the alert model: the nearest point is on the way to it
+  float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
+  bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
+  bool closing = false;
+  float closing_speed = 0;  ///< m/s, if closing
+  float ttc = 0;            ///< s, until the robot's body touches, if closing
+  std::optional<InPath> in_path;
+
+  /// rad, of the nearest point
+  [[nodiscard]] float bearing() const;
+};
+
+/// Where the robot is now: its heading as a direction, once for all obstacles.
+struct RobotPlace {
+  explicit RobotPlace(const recon::MapPose& pose);
+  recon::MapPoint position;
+  recon::Vec2 heading;  ///< unit
+};
+
+/// Alert model: the cylinder.
+Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path);
+
+/// The same obstacle with the distance to `outline` and its uncertainty there, in the local frame at `origin`, if that
+/// is known well. Where it reaches to the side, and so what is in the path, stays the cylinder's.
+void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
+                        const RobotPath& path, Obstacle& obstacle);
+
+/// Alert model: the hybrid where it is known well, else the cylinder.
+template <class Profile>
+Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const RobotPath& path) {
+  Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, path);
+  if (obstacle.known && object.hybrid.ok()) {
+    measure_by_outline(object.hybrid.outline(), object.hybrid.origin, robot, path, obstacle);
+  }
+  return obstacle;
+}
+
+}  // namespace fencepost::app

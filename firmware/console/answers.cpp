@@ -1,0 +1,118 @@
+#include "firmware/console/answers.hpp"
+
+#include "firmware/console/command.hpp"
+#include "firmware/console/help.hpp"
+#include "firmware/console/sentence.hpp"
+
+namespace fencepost::app {
+namespace {
+
+void put_setting(Sentence& s, config::Key key, const config::Settings& settings) {
+  const config::KeyInfo& entry = config::info(key);
+  s.put(entry.name).put(" = ").put(settings.text(key).view());
+  if (entry.unit.empty() || entry.unit == config::kSwitch) return;
+  s.put(" ").put(entry.unit);
+}
+
+void put_taken(Sentence& s, config::Key key, const config::Settings& settings) {
+  put_setting(s, key, settings);
+  const std::int32_t k = settings.raw(config::Key::kConfirmK);
+  const std::int32_t n = settings.raw(config::Key::kConfirmN);
+  const bool about_confirming = key == config::Key::kConfirmK || key == config::Key::kConfirmN;
+  if (about_confirming && k > n) s.put(" (").number(k).put(" of ").number(n).put(": no object can be confirmed)");
+}
+
+void put_version(Sentence& s, const record::Header* header, std::string_view note) {
+  if (!header) {
+    s.put("fencepost");
+    return;
+  }
+  s.put(header->product.view()).put(" ").put(header->version.view()).put(" for ").put(header->target.view());
+  s.put(", profile ").put(header->profile.view()).put(", stream format ").number(header->format);
+  if (!note.empty()) s.put("; ").put(note);
+}
+
+void put_selftest(Sentence& s, std::uint64_t digest, std::uint64_t expected) {
+  s.put(digest == expected ? "selftest pass: digest " : "selftest FAIL: digest ").digest(digest);
+  if (digest != expected) s.put(" instead of ").digest(expected);
+}
+
+void put_usage(Sentence& s, Verb verb) {
+  s.put(info(verb).name);
+  if (!info(verb).arguments.empty()) s.put(" ").put(info(verb).arguments);
+}
+
+void put_no_such_command(Sentence& s, const Answer& answer) {
+  s.put("error: unknown command '").put(answer.quote.view());
+  if (answer.subject != Answer::kNothingNear) {
+    s.put("', did you mean '").put(info(static_cast<Verb>(answer.subject)).name).put("'? 'help' lists all");
+    return;
+  }
+  s.put("', there are:");
+  for (const VerbInfo& verb : kVerbInfo) s.put(" ").put(verb.name);
+}
+
+void put_no_such_key(Sentence& s, const Answer& answer) {
+  s.put("error: unknown setting '").put(answer.quote.view()).put("', ");
+  if (answer.subject != Answer::kNothingNear) {
+    s.put("did you mean '").put(config::info(static_cast<config::Key>(answer.subject)).name).put("'? ");
+  }
+  s.put("'get' lists all");
+}
+
+void put_error(Sentence& s, const Answer& answer) {
+  const auto verb = static_cast<Verb>(answer.subject);
+  const auto key = static_cast<config::Key>(answer.subject);
+  switch (answer.reply) {
+    case Reply::kNoSuchCommand: return put_no_such_command(s, answer);
+    case Reply::kNoSuchKey: return put_no_such_key(s, answer);
+    case Reply::kTooFewWords: s.put("error: a word is missing: "); return put_usage(s, verb);
+    case Reply::kTooManyWords:
+      s.put("error: '").put(answer.quote.view()).put("' is too much: ");
+      return put_usage(s, verb);
+    case Reply::kNoSuchWord:
+      s.put("error: '").put(answer.quote.view()).put("' is not possible: ");
+      return put_usage(s, verb);
+    case Reply::kNoSuchValue:
+      s.put("error: '").put(answer.quote.view()).put("' is not possible: ").put(config::info(key).name).put(" takes ");
+      return put_range(s, key);
+    case Reply::kNotText: s.put("error: the line holds bytes that are not text: same baud rate on both ends?"); return;
+    case Reply::kLineTooLong:
+      s.put("error: the line was discarded, it has more than ").number(record::kMaxLine - 1).put(" characters");
+      return;
+    case Reply::kTableFull:
+      s.put("error: ").put(answer.quote.view()).put(" not taken: there is room for ").number(answer.subject);
+      return;
+    default: return;
+  }
+}
+
+}  // namespace
+
+std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::span<char> out) {
+  Sentence s(out);
+  const auto key = static_cast<config::Key>(answer.subject);
+  switch (answer.reply) {
+    case Reply::kOneSetting:
+      put_setting(s, key, facts.settings);
+      s.put(" (");
+      put_range(s, key);
+      s.put("), ").put(config::info(key).help);
+      break;
+    case Reply::kSettingIs: put_taken(s, key, facts.settings); break;
+    case Reply::kAlertsAre: s.put("alerts are ").put(facts.alerts ? "on" : "off"); break;
+    case Reply::kModeIs:
+      s.put("mode is ").put(name(facts.mode));
+      if (facts.mode == Mode::kLog && !facts.whole) {
+        s.put("; this run began unlogged, 'reset' starts one that replays exactly");
+      }
+      break;
+    case Reply::kNewRun: s.put("a new run: the map is empty"); break;
+    case Reply::kVersion: put_version(s, facts.header, facts.note); break;
+    case Reply::kSelftest: put_selftest(s, facts.digest, facts.expected_digest); break;
+    default: put_error(s, answer); break;
+  }
+  return s.end();
+}
+
+}  // namespace fencepost::app

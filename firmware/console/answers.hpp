@@ -1,0 +1,30 @@
+// Answers of one line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "firmware/config/settings.hpp"
+#include "firmware/console/console_state.hpp"
+#include "firmware/record/records.hpp"
+
+namespace fencepost::app {
+
+/// What answers speak about.
+struct AnswerFacts {
+  Mode mode = Mode::kText;
+  bool alerts = true;
+  bool whole = true;  ///< all inputs of this run were used in mode log
+  const config::Settings& settings;
+  const record::Header* header = nullptr;
+  std::uint64_t digest = 0;
+  std::uint64_t expected_digest = 0;
+  std::string_view note;  ///< of the image, said by `version`
+};
+
+/// Answers that are lists (help, status, objects, map, all settings) are not known here.
+std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::span<char> out);
+
+}  // namespace fencepost::app

@@ -1,0 +1,95 @@
+// What can be typed: the commands in one table, words of a line, and the word that was probably meant.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware/config/settings.hpp"
+#include "firmware/console/console_state.hpp"
+
+namespace fencepost::app {
+
+enum class Verb : std::uint8_t {
+  kHelp,
+  kStatus,
+  kObjects,
+  kMap,
+  kAlerts,
+  kMode,
+  kSet,
+  kGet,
+  kSelftest,
+  kReset,
+  kVersion,
+};
+inline constexpr std::size_t kVerbs = 11;
+
+struct VerbInfo {
+  std::string_view name;
+  std::string_view arguments;  ///< as `help` shows them
+  std::uint8_t least;          ///< how many there are
+  std::uint8_t most;
+  std::string_view help;
+};
+
+/// By Verb.
+inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
+    {"help", "", 0, 0, "this list"},
+    {"status", "", 0, 0, "what came in, what was refused, links, robot, digest"},
+    {"objects", "", 0, 0, "the objects, the letters are those of the map"},
+    {"map", "", 0, 0, "the map from above"},
+    {"alerts", "on|off", 1, 1, "say alerts (modes text and log)"},
+    {"mode", "text|log|plot|quiet", 1, 1, "sentences, records, numbers to plot, only answers"},
+    {"set", "KEY VALUE", 2, 3, "change a setting"},
+    {"get", "[KEY]", 0, 1, "one setting, or all"},
+    {"selftest", "", 0, 0, "a known stream through the loop: forgets the map"},
+    {"reset", "", 0, 0, "forget the map, start a new run"},
+    {"version", "", 0, 0, "program, target, profile"},
+}};
+
+constexpr const VerbInfo& info(Verb verb) { return kVerbInfo[static_cast<std::size_t>(verb)]; }
+
+/// The words of a line; spaces, tabs and '=' are between them, so that what `get` says can be typed after `set`.
+struct Words {
+  static constexpr std::size_t kMost = 5;  ///< one more than any command has
+  std::array<std::string_view, kMost> words;
+  std::size_t count = 0;
+};
+Words split(std::string_view line);
+
+/// What follows bytes that are no characters: a plug that goes in sends such.
+std::string_view without_noise(std::string_view line);
+
+/// What was typed, as it looked to the one who typed: backspaces and cursor keys taken out, in small letters. Changes
+/// the line in place. Nothing if it holds bytes that are not text. What comes before the first printable character is
+/// line noise.
+std::optional<std::string_view> typed(std::span<char> line);
+
+std::optional<Mode> mode_named(std::string_view word);
+
+/// Is this a command, with as many words as it needs, of the right kind? Answers what is wrong, or nothing (not
+/// pending) with the verb as subject. Whether a setting and its value are possible is not seen here.
+Answer check(const Words& words);
+
+/// `reply` about the setting of that name, or that there is none.
+Answer about_key(Reply reply, std::string_view key);
+
+/// The name nearest to `word` among those of `all(0) .. all(count - 1)`, if any is near: it begins with `word`, or
+/// holds it, or differs by at most two letters.
+class NearestName {
+ public:
+  explicit NearestName(std::string_view word) : word_(word) {}
+  void offer(std::size_t index, std::string_view name);
+  [[nodiscard]] std::optional<std::size_t> index() const { return best_; }
+
+ private:
+  std::string_view word_;
+  std::optional<std::size_t> best_;
+  std::size_t least_ = 3;  ///< letters of difference; only less than this is near
+};
+
+}  // namespace fencepost::app

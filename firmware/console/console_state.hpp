@@ -1,0 +1,72 @@
+// What the console remembers between two turns.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/alert/stamp.hpp"
+#include "firmware/console/input_lines.hpp"
+#include "firmware/console/quote.hpp"
+#include "firmware/console/top_view.hpp"
+
+namespace fencepost::app {
+
+/// What the console shows of itself. In `log` an input is used only if its record could be queued.
+enum class Mode : std::uint8_t { kText, kLog, kPlot, kQuiet };
+inline constexpr std::size_t kModes = 4;
+
+constexpr std::string_view name(Mode mode) {
+  constexpr std::string_view kNames[kModes] = {"text", "log", "plot", "quiet"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+
+/// What is being answered. An answer is written line by line as the link takes it, from the state of that moment.
+enum class Reply : std::uint8_t {
+  kNone,
+  kHelp,
+  kStatus,
+  kObjects,
+  kMap,
+  kAllSettings,
+  kOneSetting,  ///< subject: Key
+  kSettingIs,   ///< subject: Key
+  kAlertsAre,
+  kModeIs,
+  kNewRun,
+  kVersion,
+  kSelftest,
+  // From here on a line that says what is wrong and what is allowed.
+  kNoSuchCommand,  ///< quote; subject: Verb that was perhaps meant, or kNothingNear
+  kTooFewWords,    ///< subject: Verb
+  kTooManyWords,   ///< subject: Verb; quote: the first one too many
+  kNoSuchWord,     ///< subject: Verb; quote
+  kNoSuchKey,      ///< quote; subject: Key that was perhaps meant, or kNothingNear
+  kNoSuchValue,    ///< subject: Key; quote
+  kNotText,
+  kLineTooLong,
+  kTableFull,  ///< subject: capacity; quote: what did not fit
+};
+
+struct Answer {
+  static constexpr std::uint8_t kNothingNear = 0xFF;
+
+  Reply reply = Reply::kNone;
+  std::uint8_t subject = 0;
+  std::uint8_t line = 0;  ///< the next one
+  Quote quote{};
+
+  [[nodiscard]] bool pending() const { return reply != Reply::kNone; }
+};
+
+struct ConsoleState {
+  Mode mode = Mode::kText;
+  bool alerts = true;
+  std::uint8_t turns_without_room = 0;  ///< since the answer's last line
+  Answer answer;
+  std::uint16_t selftest_at = 0;  ///< next code of the canned stream
+  Stamp plotted_at;
+  TopView view;  ///< of the map that is being drawn
+  InputLines input;
+};
+
+}  // namespace fencepost::app

@@ -1,0 +1,76 @@
+#include "firmware/console/text.hpp"
+
+#include "firmware/console/quote.hpp"
+#include "firmware/console/sentence.hpp"
+#include "firmware/record/text.hpp"
+
+namespace fencepost::app {
+namespace {
+
+std::string_view word(record::AlertLevel level) {
+  switch (level) {
+    case record::AlertLevel::kClear: return "CLEAR";
+    case record::AlertLevel::kNotice: return "NOTICE";
+    case record::AlertLevel::kWarn: return "WARN";
+    case record::AlertLevel::kStop: return "STOP";
+  }
+  return "CLEAR";
+}
+
+std::string_view explain(record::Reject reason) {
+  switch (reason) {
+    case record::Reject::kCrc: return "the checksum is missing or wrong";
+    case record::Reject::kKind: return "there is no such record";
+    case record::Reject::kFields: return "too few or too many fields";
+    case record::Reject::kNumber: return "a field cannot be read";
+    case record::Reject::kRange: return "a field is outside its range";
+    case record::Reject::kLength: return "longer than a line may be";
+    case record::Reject::kTruncated: return "the line is not complete";
+    case record::Reject::kTime: return "its time is not after the last one's";
+    case record::Reject::kFormat: return "another stream format";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out) {
+  constexpr std::size_t kNameColumn = 8;
+  constexpr std::int64_t kTicksPerTenth = 1000;
+  Sentence sentence(out);
+  sentence.put(word(alert.level)).pad_to(kNameColumn);
+  if (name.empty()) {
+    sentence.put("signature ").number(alert.signature);
+  } else {
+    sentence.put(name);
+  }
+  sentence.put("  ").metres(alert.distance).put(" m  ").bearing(alert.bearing);
+  if (alert.ttc && alert.level >= record::AlertLevel::kWarn) {
+    sentence.put("  in ").number(divide_rounded(alert.ttc->raw, kTicksPerTenth), 1).put(" s");
+  }
+  return sentence.end();
+}
+
+std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLevel level, std::span<char> out) {
+  constexpr std::int64_t kPerCentimetre = 100;
+  Sentence sentence(out);
+  if (nearest) {
+    sentence.put("dist_cm:").number(divide_rounded(nearest->distance.raw, kPerCentimetre));
+    sentence.put(",bear_deg:").number(whole_degrees(nearest->bearing)).put(",");
+  }
+  return sentence.put("level:").number(static_cast<std::int64_t>(level)).end();
+}
+
+std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out) {
+  const Quote kind = quote(record::before(line, ','));
+  return Sentence(out)
+      .put("error: ")
+      .put(kind.view())
+      .put(" rejected (")
+      .put(name(reason))
+      .put("): ")
+      .put(explain(reason))
+      .end();
+}
+
+}  // namespace fencepost::app

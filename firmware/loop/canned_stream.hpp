@@ -1,0 +1,42 @@
+// The self-test's inputs, and what must come of them. The same records are host/share/recordings/selftest.log, so the
+// desk can be asked for the same digest: `fencepost replay selftest.log --profile micro`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "firmware/config/profile.hpp"
+#include "firmware/loop/packed_lines.hpp"
+
+namespace fencepost::app {
+
+inline constexpr std::size_t kLongestCannedLine = 112;  ///< without its end
+
+struct CannedStream {
+  std::span<const std::uint8_t> packed;  ///< lines of at most kLongestCannedLine, see pack_lines
+  std::uint64_t digest = 0;              ///< state digest after the last of them
+};
+
+/// Record lines: a camera and two dozen frames of a drive around two objects. An image has them packed alone.
+extern const std::string_view kCannedLines;
+extern const std::span<const std::uint8_t> kPackedLines;
+
+/// By profile: they keep different numbers of objects, vertices and cells. A change of the reconstruction changes
+/// these; tests/firmware/loop/selftest_test.cpp then prints the new ones.
+template <class Profile>
+inline constexpr std::uint64_t kCannedDigest = 0;
+template <>
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x5722a9e041b83745;
+template <>
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x5b8e528b9457869e;
+template <>
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x8112dfed9e8ba5fb;
+
+template <class Profile>
+CannedStream canned_stream() {
+  return {kPackedLines, kCannedDigest<Profile>};
+}
+
+}  // namespace fencepost::app

@@ -1,0 +1,57 @@
+// Records as inputs: those that came over the console, and those of the self-test.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "firmware/loop/pipeline.hpp"
+#include "firmware/record/decode.hpp"
+
+namespace fencepost::app {
+
+enum class Purpose : std::uint8_t { kRun, kSelftest };
+
+/// Takes what one line holds. The other kinds are no inputs: a log that is played into a robot has them too, and they
+/// are passed over unread, but for a header, whose format may be another.
+template <class Profile>
+struct Intake {
+  Pipeline<Profile>& pipeline;
+  Purpose purpose = Purpose::kRun;
+  bool input = false;  ///< it was odometry or a frame
+  bool table_full = false;
+  std::optional<record::Reject> reject{};
+
+  void accept(const sensor::CameraIntrinsics& camera) {
+    purpose == Purpose::kRun ? pipeline.set_camera(camera) : pipeline.rehearse(camera);
+  }
+  void accept(const record::Signature& signature) {
+    if (purpose == Purpose::kRun) table_full = !pipeline.set_signature(signature);
+  }
+  void accept(const sensor::OdometrySample& sample) { take(sample); }
+  void accept(const sensor::BlobFrame& frame) { take(frame); }
+  template <class Record>
+  void accept(const Record& /*record*/) {}
+
+  template <class Record>
+  static constexpr bool wants() {
+    return kIsAnyOf<Record, record::Header, sensor::CameraIntrinsics, record::Signature, sensor::OdometrySample,
+                    sensor::BlobFrame>;
+  }
+
+ private:
+  template <class Record, class... Kinds>
+  static constexpr bool kIsAnyOf = (std::is_same_v<Record, Kinds> || ...);
+
+  template <class Input>
+  void take(const Input& item) {
+    input = true;
+    if (purpose == Purpose::kRun) {
+      reject = pipeline.take(item);
+    } else {
+      pipeline.rehearse(item);
+    }
+  }
+};
+
+}  // namespace fencepost::app

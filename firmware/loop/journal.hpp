@@ -1,0 +1,52 @@
+// A second output: the log of the whole run, whatever the console shows. Only where there is memory and a disk for it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "firmware/loop/output_queue.hpp"
+
+namespace fencepost::app {
+
+/// Lines on their way to the log's file. While it is on, an input is used only if its record is in here: what the file
+/// holds is what was used, as with a console in mode log.
+template <std::size_t N>
+class Journal {
+ public:
+  void start() { on_ = true; }
+  /// The file cannot be written any more: the loop goes on without it.
+  void stop() {
+    on_ = false;
+    queue_.taken(queue_.waiting().size());
+  }
+  [[nodiscard]] bool on() const { return on_; }
+
+  /// False when there is no room now.
+  template <class Record>
+  [[nodiscard]] bool put(const Record& record) {
+    return queue_.put(record);
+  }
+  /// Any record fits.
+  [[nodiscard]] bool has_room() const { return N - queue_.waiting().size() >= record::kMaxLine; }
+
+  [[nodiscard]] std::span<const char> waiting() const { return queue_.waiting(); }
+  void taken(std::size_t size) { queue_.taken(size); }
+
+ private:
+  bool on_ = false;
+  OutputQueue<N> queue_;
+};
+
+/// There is none, and it costs nothing.
+template <>
+class Journal<0> {
+ public:
+  [[nodiscard]] static constexpr bool on() { return false; }
+  [[nodiscard]] static constexpr bool has_room() { return false; }
+  template <class Record>
+  [[nodiscard]] static constexpr bool put(const Record& /*record*/) {
+    return false;
+  }
+};
+
+}  // namespace fencepost::app

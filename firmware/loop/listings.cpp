@@ -1,0 +1,126 @@
+#include "firmware/loop/listings.hpp"
+
+#include "firmware/console/sentence.hpp"
+#include "firmware/loop/reports.hpp"
+
+namespace fencepost::app {
+namespace {
+
+constexpr std::int32_t kMapUnitsPerTenthMillimetre = recon::kMapUnitsPerMetre / base::Metres::kPerUnit;
+constexpr std::int32_t kMicroradiansPerUnit = 1'000'000 / base::Radians::kPerUnit;
+
+base::Metres metres(std::int32_t map_units) {
+  return {static_cast<std::int32_t>(divide_rounded(map_units, kMapUnitsPerTenthMillimetre))};
+}
+// In (-180, 180]: odometry may count whole turns.
+std::int64_t compass_degrees(std::int32_t microradians) {
+  const std::int64_t degrees =
+      whole_degrees({static_cast<std::int32_t>(divide_rounded(microradians, kMicroradiansPerUnit))}) % 360;
+  if (degrees > 180) return degrees - 360;
+  return degrees <= -180 ? degrees + 360 : degrees;
+}
+
+void put_run(Sentence& s, const StatusFacts& facts) {
+  s.put("profile ").put(facts.profile).put(", mode ").put(name(facts.mode));
+  s.put(", alerts ").put(facts.alerts ? "on" : "off").put(", time ");
+  if (!facts.run.time) {
+    s.put("not known yet");
+    return;
+  }
+  s.number(facts.run.time->raw, base::Time::kDecimals).put(" s");
+}
+
+void put_frames(Sentence& s, const Counters& counters) {
+  const auto refused = [&](Refusal reason) { return counters.refused[static_cast<std::size_t>(reason)]; };
+  s.put("frames used ").number(counters.frames).put(", refused: no_pose ").number(refused(Refusal::kNoPose));
+  s.put(", odometry_gap ").number(refused(Refusal::kOdometryGap));
+  s.put(", no_camera ").number(refused(Refusal::kNoCamera)).put(", queue ").number(refused(Refusal::kQueue));
+}
+
+void put_records(Sentence& s, const Counters& counters) {
+  s.put("blobs used ").number(counters.blobs).put(", dropped ").number(counters.blobs_dropped);
+  s.put("; odometry ").number(counters.odometry).put("; rejected ").number(counters.rejected);
+  s.put("; records dropped ").number(counters.records_dropped);
+}
+
+void put_links(Sentence& s, const StatusFacts& facts) {
+  s.put("camera link ").put(name(facts.links.camera));
+  if (facts.calibration.known) {
+    const sensor::CameraIntrinsics& camera = facts.calibration.intrinsics;
+    s.put(", ").put(camera.model.view()).put(" ").number(camera.width).put("x").number(camera.height);
+  } else {
+    s.put(", no calibration ($FPCAM)");
+  }
+  s.put("; odometry link ").put(name(facts.links.odometry));
+}
+
+void put_robot(Sentence& s, const StatusFacts& facts) {
+  if (!facts.robot) {
+    s.put("robot: no odometry yet");
+    return;
+  }
+  s.put("robot x ").metres(metres(facts.robot->position.x)).put(" m, y ").metres(metres(facts.robot->position.y));
+  s.put(" m, heading ").number(compass_degrees(facts.robot->heading)).put(" deg");
+}
+
+void put_map(Sentence& s, const StatusFacts& facts) {
+  s.put("objects ").number(facts.objects).put(" of ").number(facts.capacity);
+  s.put(", confirmed ").number(facts.confirmed).put("; digest ").digest(facts.digest);
+}
+
+}  // namespace
+
+std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<char> out) {
+  Sentence s(out);
+  switch (line) {
+    case 0: put_run(s, facts); break;
+    case 1: put_links(s, facts); break;
+    case 2: put_frames(s, facts.counters); break;
+    case 3: put_records(s, facts.counters); break;
+    case 4: put_robot(s, facts); break;
+    default: put_map(s, facts); break;
+  }
+  return s.end();
+}
+
+std::size_t write_objects_head(std::span<char> out) {
+  return Sentence(out).put("  id    name       state     views    x m     y m  radius  dist m  bearing").end();
+}
+
+std::size_t write_none(std::string_view what, const StatusFacts& facts, std::span<char> out) {
+  Sentence s(out);
+  s.put("no ").put(what).put(": ");
+  const std::uint32_t refused = facts.counters.refused_in_all();
+  if (!facts.calibration.known) {
+    s.put("the camera has no calibration ($FPCAM)");
+  } else if (!facts.robot) {
+    s.put("no odometry came in");
+  } else if (facts.counters.frames == 0 && refused == 0) {
+    s.put("no camera frame came in");
+  } else {
+    s.put("frames used ").number(facts.counters.frames).put(", refused ").number(refused);
+  }
+  return s.end();
+}
+
+std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name, const Obstacle& seen,
+                         base::Time now, std::span<char> out) {
+  constexpr std::size_t kMaxName = 10;
+  Sentence s(out);
+  s.put({&letter, 1}).put(" ").number(object.id).gap_to(8);
+  if (name.empty()) {
+    s.put("sig ").number(object.signature);
+  } else {
+    s.put({name.data(), name.size() < kMaxName ? name.size() : kMaxName});
+  }
+  s.gap_to(19).put(record::name(state_of(object, now))).number_to(34, object.views);
+  if (!object.cylinder.estimate().ok()) {
+    return s.put("  no place: ").put(recon::name(object.cylinder.estimate().refusal)).end();
+  }
+  const record::ObjectReport report = report_object(object, seen, now);
+  s.put(" ").metres_to(41, report.x).put(" ").metres_to(49, report.y).put(" ").metres_to(57, report.radius);
+  s.put(" ").metres_to(65, report.distance).put("  ").bearing(report.bearing);
+  return s.end();
+}
+
+}  // namespace fencepost::app

@@ -1,0 +1,112 @@
+// The loop of the robot: two sensors and one console. Nothing in here waits.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "firmware/loop/console.hpp"
+#include "hal/bus/byte_link.hpp"
+#include "hal/sensor/sources.hpp"
+
+namespace fencepost::app {
+
+/// A byte on the link is a char in the queue.
+inline std::span<const std::uint8_t> as_octets(std::span<const char> text) {
+  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
+}
+
+template <class Profile, sensor::BlobCamera Camera, sensor::OdometrySource Odometry, bus::ByteLink Link>
+class Loop {
+ public:
+  Loop(Memory<Profile>& memory, Camera& camera, Odometry& odometry, Link& link, Mode mode,
+       const CannedStream& canned = canned_stream<Profile>())
+      : pipeline_(memory, mode), console_(pipeline_, canned), camera_(camera), odometry_(odometry), link_(link) {}
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+  ~Loop() = default;
+
+  /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
+  /// one turn happened to find: a replay, which has one input a turn, does the same.
+  void step(base::Time now) {
+    if (take_odometry(now)) settle();
+    if (take_frame(now)) settle();
+    listen(now);
+    pipeline_.telling().calibration();
+    tell_links(now);
+    console_.talk({camera_.link(), odometry_.link()});
+    speak();
+  }
+
+  /// What `version` says of the image at its end; lives on.
+  void set_note(std::string_view note) { console_.set_note(note); }
+  [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
+
+ private:
+  /// Lines of the console that one turn takes; a longer burst waits in its buffer.
+  static constexpr int kLinesPerTurn = 4;
+
+  bool take_odometry(base::Time now) {
+    const base::Result<sensor::OdometrySample> sample = odometry_.poll(now);
+    if (sample) pipeline_.take(*sample);
+    return sample.ok();
+  }
+
+  bool take_frame(base::Time now) {
+    const base::Result<sensor::BlobFrame> frame = camera_.poll(now);
+    if (frame) pipeline_.take(*frame);
+    pipeline_.memory().counters.blobs_dropped = camera_.dropped();
+    return frame.ok();
+  }
+
+  void listen(base::Time now) {
+    if (pipeline_.testing()) {
+      if (console_.rehearse()) settle();
+      return;
+    }
+    read();
+    for (int i = 0; i < kLinesPerTurn && !pipeline_.testing(); ++i) {
+      const auto took = console_.take_line(now);
+      if (took == Console<Profile>::Took::kNothing) return;
+      if (took == Console<Profile>::Took::kInput) settle();
+    }
+  }
+
+  void tell_links(base::Time now) {
+    LinkWatches& links = pipeline_.memory().links;
+    pipeline_.telling().link(links.camera, camera_, "camera", now);
+    pipeline_.telling().link(links.odometry, odometry_, "odometry", now);
+  }
+
+  // As much as the console's buffer holds.
+  void read() {
+    const std::span<std::uint8_t> room = console_.room();
+    if (room.empty()) return;
+    const base::Result<std::size_t> count = link_.read(room);
+    if (count) console_.filled(*count);
+  }
+
+  // What one input sets in motion.
+  void settle() {
+    speak();
+    while (pipeline_.place_next_frame()) speak();
+    pipeline_.watch_without_frames();
+    pipeline_.tell_status();
+    speak();
+  }
+
+  void speak() {
+    auto& output = pipeline_.memory().output;
+    if (output.waiting().empty()) return;
+    const base::Result<std::size_t> taken = link_.write(as_octets(output.waiting()));
+    if (taken) output.taken(*taken);
+  }
+
+  Pipeline<Profile> pipeline_;
+  Console<Profile> console_;
+  Camera& camera_;
+  Odometry& odometry_;
+  Link& link_;
+};
+
+}  // namespace fencepost::app

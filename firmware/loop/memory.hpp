@@ -1,0 +1,87 @@
+// The one owner of memory: everything that the loop remembers, in one static object. Why static: a part that fails for
+// want of memory must fail at compile time, on the desk, and not after ten minutes in front of a class.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/alert/alerts.hpp"
+#include "firmware/config/profile.hpp"
+#include "firmware/config/settings.hpp"
+#include "firmware/console/console_state.hpp"
+#include "firmware/loop/counters.hpp"
+#include "firmware/loop/journal.hpp"
+#include "firmware/loop/link_watch.hpp"
+#include "firmware/loop/output_queue.hpp"
+#include "firmware/recon/map.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/sensor/camera.hpp"
+
+namespace fencepost::app {
+
+/// What was last reported of one object.
+struct ReportState {
+  std::uint32_t id = 0;
+  record::ObjectState state = record::ObjectState::kTentative;
+  Stamp at;
+};
+
+/// The calibration in force and the one before it, which frames that still wait may need.
+struct Calibration {
+  bool known = false;
+  std::uint8_t current = 0;
+  sensor::CameraIntrinsics intrinsics;
+  std::array<recon::CameraModel, 2> models{};
+};
+
+/// The clock of the run and what has been told when. Stream times.
+struct Run {
+  std::optional<base::Time> time;        ///< the latest t of any input
+  std::optional<base::Time> last_frame;  ///< t of the latest frame
+  const record::Header* header = nullptr;
+  Stamp watched_at;
+  Stamp status_at;
+  Stamp pose_told_at;
+  Stamp calibration_at;
+  std::uint8_t telling = 0;  ///< next calibration record to tell
+  bool told = false;         ///< all of them are queued
+  bool header_due = false;   ///< the header is still to be told
+  bool whole = true;         ///< every input of this run was used in mode log
+  bool testing = false;      ///< the inputs are those of the self-test
+};
+
+template <class Profile>
+struct Memory {
+  Run run;
+  recon::Map<Profile> map;
+  recon::FrameQueue waiting;
+  recon::PoseHistory<Profile::kPoses> poses;
+  Calibration calibration;
+  base::FixedVector<record::Signature, Profile::kSignatures> signatures;
+  config::Settings settings;
+  recon::MeasurementNoise noise;
+  std::array<AlertState, Profile::kObjects> alerts{};
+  std::array<ReportState, Profile::kObjects> reports{};
+  Counters counters;
+  LinkWatches links;
+  ConsoleState console;
+  OutputQueue<Profile::kOutputBytes> output;
+  [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
+};
+
+/// Where the robot is in the map, by its latest odometry and the corrections so far. Needs odometry.
+template <class Profile>
+recon::MapPose robot_pose(const Memory<Profile>& memory) {
+  return memory.map.corrected(memory.poses.latest());
+}
+
+template <class Profile>
+inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
+                              sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
+
+static_assert(kFits<config::Micro>);
+static_assert(kFits<config::Small>);
+static_assert(kFits<config::Full>);
+
+}  // namespace fencepost::app

@@ -1,0 +1,280 @@
+// What one input does: every effect of an odometry sample, a frame, a calibration. Knows no sensor and no link.
+// All times in here are stream times, so a replay takes the same decisions as the robot did.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware/loop/memory.hpp"
+#include "firmware/loop/reports.hpp"
+#include "firmware/loop/telling.hpp"
+#include "firmware/record/run_rules.hpp"
+
+namespace fencepost::app {
+
+inline constexpr base::Duration kMotionSpan = base::milliseconds(200);
+
+template <class Profile>
+class Pipeline {
+ public:
+  Pipeline(Memory<Profile>& memory, Mode mode) : m_(memory), telling_(memory) { m_.console.mode = mode; }
+
+  [[nodiscard]] Mode mode() const { return m_.console.mode; }
+  /// In `log` everything that a replay must know is told again.
+  void set_mode(Mode mode) {
+    m_.console.mode = mode;
+    if (mode != Mode::kLog) return;
+    telling_.retell_from(telling_.kHeaderRecord);
+    telling_.retell_links();
+  }
+
+  /// The first run: no calibration, no signatures. `header` is told once the queue has room and must live on.
+  void start_run(const record::Header& header) {
+    m_.calibration = {};
+    m_.signatures.clear();
+    m_.run.header = &header;
+    restart();
+  }
+
+  /// A new run: the map and the clock start again; calibration, settings and counters stay.
+  void restart() {
+    finish();
+    m_.map.clear();
+    m_.poses.clear();
+    m_.alerts.fill({});
+    m_.reports.fill({});
+    const record::Header* header = m_.run.header;
+    m_.run = {};
+    m_.run.header = header;
+    m_.run.header_due = header != nullptr;
+    telling_.retell_from(telling_.kHeaderRecord);
+    if (telling_.logs()) telling_.retell_links();
+  }
+
+  /// In force for the frames after it. Frames that wait keep the calibration that they came with; of more than two
+  /// calibrations in use at a time, those of the oldest are refused.
+  void set_camera(const sensor::CameraIntrinsics& intrinsics) {
+    Calibration& calibration = m_.calibration;
+    if (calibration.known && calibration.intrinsics == intrinsics) return;
+    if (waits_with(calibration.current)) {
+      calibration.current = spare_model();
+      while (waits_with(calibration.current)) refuse_waiting();
+    }
+    calibration.known = true;
+    calibration.intrinsics = intrinsics;
+    calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
+    telling_.retell_from(telling_.kCameraRecord);
+  }
+
+  /// A table that is full keeps what it has; false then.
+  bool set_signature(const record::Signature& signature) {
+    std::size_t index = 0;
+    while (index < m_.signatures.size() && m_.signatures[index].signature != signature.signature) ++index;
+    if (index == m_.signatures.size()) {
+      if (!m_.signatures.push_back(signature)) return false;
+    } else if (m_.signatures[index] == signature) {
+      return true;
+    }
+    m_.signatures[index] = signature;
+    telling_.retell_from(telling_.kSignatureRecords + index);
+    return true;
+  }
+
+  std::optional<config::SettingError> set(std::string_view key, std::string_view value) {
+    const config::Settings before = m_.settings;
+    const auto error = m_.settings.set(key, value);
+    for (std::size_t i = 0; i < config::kKeys; ++i) {
+      const auto changed = static_cast<config::Key>(i);
+      if (before.raw(changed) != m_.settings.raw(changed)) telling_.retell_from(telling_.setting_records() + i);
+    }
+    return error;
+  }
+
+  /// Uses an input, refuses it (and counts that), or rejects it: then its record would be rejected by a reader.
+  /// errors: time
+  std::optional<record::Reject> take(const sensor::OdometrySample& sample) {
+    const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
+    if (late && !m_.run.testing) return reject(record::Reject::kTime);
+    telling_.calibration_if_due();
+    if (!loggable(sample)) {
+      ++m_.counters.records_dropped;
+      return std::nullopt;
+    }
+    use(sample);
+    ++m_.counters.odometry;
+    return std::nullopt;
+  }
+
+  /// errors: range (a box leaves the image), time
+  std::optional<record::Reject> take(const sensor::BlobFrame& frame) {
+    const sensor::CameraIntrinsics& camera = m_.calibration.intrinsics;
+    const bool outside = m_.calibration.known && !record::inside_image(frame, camera.width, camera.height);
+    if (outside) return reject(record::Reject::kRange);
+    const bool late = m_.run.last_frame && frame.t <= *m_.run.last_frame;
+    if (late && !m_.run.testing) return reject(record::Reject::kTime);
+    telling_.calibration_if_due();
+    if (!loggable(frame)) {
+      refuse(Refusal::kQueue);
+      return std::nullopt;
+    }
+    if (m_.calibration.known) {
+      use(frame, m_.calibration.current);
+    } else {
+      advance_frame(frame.t);
+      refuse(Refusal::kNoCamera);
+    }
+    return std::nullopt;
+  }
+
+  /// Counts a record that was not used because a reader would not have read it.
+  std::optional<record::Reject> reject(record::Reject reason) {
+    ++m_.counters.rejected;
+    return reason;
+  }
+
+  /// Handles the oldest waiting frame if its pose is known or will never be. True if it left the queue.
+  bool place_next_frame() {
+    return place_next_frame([](const recon::WaitingFrame&) {});
+  }
+  /// The same; `seen(frame)` is called for a frame that the map has taken, with its pieces joined.
+  template <class Seen>
+  bool place_next_frame(Seen&& seen) {
+    if (m_.waiting.empty()) return false;
+    recon::WaitingFrame& frame = m_.waiting[0];
+    const auto pose = m_.poses.at(frame.t - m_.calibration.models[frame.camera].latency);
+    if (!pose) {
+      const bool waits = pose.error() == recon::PoseMiss::kNotYet && *m_.run.time - frame.t < recon::kMaxWait;
+      if (waits) return false;
+      refuse_waiting(pose.error() == recon::PoseMiss::kGap ? Refusal::kOdometryGap : Refusal::kNoPose);
+      return true;
+    }
+    reconstruct(frame, *pose);
+    seen(frame);
+    watch_path(frame.t);
+    telling_.digest(frame.frame);
+    telling_.pose(frame.t - m_.calibration.models[frame.camera].latency);
+    telling_.objects(frame.t);
+    m_.waiting.pop_front();
+    return true;
+  }
+
+  /// The camera is silent, the robot still drives: the map goes on warning.
+  void watch_without_frames() {
+    if (!m_.run.time || m_.poses.empty() || m_.run.watched_at.since(*m_.run.time) < kWatchInterval) return;
+    watch_path(*m_.run.time);
+  }
+
+  void tell_status() { telling_.status(); }
+
+  /// The stream has ended: frames that still wait will never have a pose.
+  void finish() {
+    while (!m_.waiting.empty()) refuse_waiting();
+  }
+
+  /// The self-test: a run of its own in this memory, of which nothing is told or counted. Inputs that come meanwhile
+  /// are refused. It ends with a new run.
+  void start_selftest() {
+    restart();
+    m_.run.testing = true;
+  }
+  [[nodiscard]] bool testing() const { return m_.run.testing; }
+  void rehearse(const sensor::CameraIntrinsics& camera) {
+    m_.calibration.models[spare_model()] = recon::make_camera_model(camera);
+  }
+  void rehearse(const sensor::OdometrySample& sample) { use(sample); }
+  void rehearse(const sensor::BlobFrame& frame) { use(frame, spare_model()); }
+
+  [[nodiscard]] const Memory<Profile>& memory() const { return m_; }
+  [[nodiscard]] Memory<Profile>& memory() { return m_; }
+  [[nodiscard]] Telling<Profile>& telling() { return telling_; }
+  [[nodiscard]] const Telling<Profile>& telling() const { return telling_; }
+  [[nodiscard]] std::optional<base::Time> stream_time() const { return m_.run.time; }
+
+ private:
+  void advance(base::Time t) {
+    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = Stamp(t);
+    if (!m_.run.time || t > *m_.run.time) m_.run.time = t;
+  }
+  void advance_frame(base::Time t) {
+    advance(t);
+    m_.run.last_frame = t;
+  }
+
+  void use(const sensor::OdometrySample& sample) {
+    advance(sample.t);
+    m_.poses.push(sample);
+  }
+  void use(const sensor::BlobFrame& frame, std::uint8_t model) {
+    advance_frame(frame.t);
+    if (m_.waiting.full()) refuse_waiting();
+    m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
+  }
+
+  // May this input be used? In mode log only if its record is on its way.
+  template <class Input>
+  [[nodiscard]] bool loggable(const Input& input) {
+    if (m_.run.testing) return false;
+    const bool shown = m_.console.mode == Mode::kLog;
+    if (!shown) m_.run.whole = false;  // a log that begins now does not hold the whole run
+    if (telling_.logs()) return m_.run.told && !(shown && telling_.stands_back()) && telling_.put_in_logs(input);
+    m_.run.header_due = false;
+    return true;
+  }
+
+  [[nodiscard]] std::uint8_t spare_model() const { return static_cast<std::uint8_t>(1 - m_.calibration.current); }
+  [[nodiscard]] bool waits_with(std::uint8_t model) const {
+    for (std::size_t i = 0; i < m_.waiting.size(); ++i) {
+      if (m_.waiting[i].camera == model) return true;
+    }
+    return false;
+  }
+
+  void refuse(Refusal reason) { ++m_.counters.refused[static_cast<std::size_t>(reason)]; }
+  void refuse_waiting(Refusal reason = Refusal::kNoPose) {
+    if (!m_.run.testing) refuse(reason);
+    m_.waiting.pop_front();
+  }
+
+  void reconstruct(recon::WaitingFrame& frame, const recon::MapPose& pose) {
+    recon::Confirmation confirmation;
+    if (!m_.run.testing) {
+      confirmation = {m_.settings.raw(config::Key::kConfirmK), m_.settings.raw(config::Key::kConfirmN)};
+    }
+    const bool correct = m_.settings.raw(config::Key::kCorrectPose) != 0 && !m_.run.testing;
+    const float drift = correct ? 0.01F * m_.settings.number(config::Key::kCorrectDrift) : 0.0F;
+    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation, drift);
+    if (m_.run.testing) return;
+    ++m_.counters.frames;
+    m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
+  }
+
+  [[gnu::noinline]] void watch_path(base::Time now) {
+    m_.run.watched_at = Stamp(now);
+    RobotPath path;
+    path.motion = m_.poses.motion(kMotionSpan);
+    path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
+    path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
+    const RobotPlace robot(robot_pose(m_));
+    const AlertRules rules(m_.settings);
+    std::optional<Obstacle> nearest;
+    record::AlertLevel highest = record::AlertLevel::kClear;
+    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+      const recon::Object<Profile>& object = m_.map.slots()[o];
+      if (!object.used()) continue;
+      const Obstacle obstacle = see_obstacle(object, robot, path);
+      const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
+      if (level) telling_.alert(report_alert(object, obstacle, *level, now));
+      highest = std::max(highest, m_.alerts[o].level);
+      const bool nearer = !nearest || obstacle.distance < nearest->distance;
+      if (obstacle.known && credible(object) && nearer) nearest = obstacle;
+    }
+    telling_.plot(nearest, highest, now);
+  }
+
+  Memory<Profile>& m_;
+  Telling<Profile> telling_;
+};
+
+}  // namespace fencepost::app

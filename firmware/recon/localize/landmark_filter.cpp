@@ -1,0 +1,308 @@
+#include "firmware/recon/localize/landmark_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+constexpr float kMicroradians = 1e6F;
+
+// The pose at the start defines the map frame; a zero would leave the first equations without a margin.
+constexpr float kStartVariance = 1e-6F;
+// Farther off than so many sigmas, a tangent is not this landmark's; beyond so many it counts less (algorithms sec. 7).
+constexpr float kGateSigmas = 3.0F;
+constexpr float kHuberSigmas = 2.0F;
+// One tangent does not move a robot farther than this (m, rad): the numbers are wrong.
+constexpr float kFarthestStep = 2.0F;
+constexpr float kWidestTurn = 0.8F;
+// An update rounds each covariance by at most 2^-23 of the variances behind it. This share of each variance on top of
+// it covers the largest sum that so many roundings make in practice: 1 % in ten thousand updates.
+constexpr float kRounding = 1e-6F;
+constexpr float kSmallestRadius = 0.005F;  // m
+
+/// The packed covariances by names of their rows.
+class Covariance {
+ public:
+  explicit Covariance(const FilterView& filter)
+      : values_(filter.covariance), places_(places_of(filter.landmarks.size())) {}
+
+  [[nodiscard]] std::size_t places() const { return places_; }
+  [[nodiscard]] float& at(std::size_t i, std::size_t j) const {
+    return i >= j ? values_[i * (i + 1) / 2 + j] : values_[j * (j + 1) / 2 + i];
+  }
+  /// Of the radius in `slot`: covariances with the places, then its variance.
+  [[nodiscard]] std::span<float> radius(std::size_t slot) const {
+    return values_.subspan(places_ * (places_ + 1) / 2 + slot * (places_ + 1), places_ + 1);
+  }
+
+ private:
+  std::span<float> values_;
+  std::size_t places_;
+};
+
+enum Place : std::size_t { kX, kY, kHeading };
+std::size_t x_of(std::size_t slot) { return 3 + 2 * slot; }
+std::size_t y_of(std::size_t slot) { return 4 + 2 * slot; }
+
+Vec2 direction_of(std::int64_t microradians) {
+  const base::SinCos direction = base::sincos_urad(microradians);
+  return {direction.cos, direction.sin};
+}
+
+/// d(residual's prediction) / d(state): only these six are not zero.
+struct Jacobian {
+  Vec2 center{0, 0};  ///< the position's is its negative
+  float heading = 0;
+  float radius = 1;
+};
+
+// Of an equation whose normal is this one in map axes.
+Jacobian jacobian_of(const Vec2& normal, const Vec2& away, float radii) {
+  return {normal, left_of(normal).dot(away), radii};
+}
+
+// Covariance of what is measured with the state that has this row; the radius left out.
+template <class Row>
+float along(const Jacobian& jacobian, std::size_t slot, Row&& row) {
+  return jacobian.center.x() * (row(x_of(slot)) - row(kX)) + jacobian.center.y() * (row(y_of(slot)) - row(kY)) +
+         jacobian.heading * row(kHeading);
+}
+
+// P J' for all states.
+void project(const FilterView& filter, std::size_t slot, const Jacobian& jacobian, std::span<float> out) {
+  const Covariance covariance(filter);
+  const std::span<const float> own = covariance.radius(slot);
+  const std::size_t places = covariance.places();
+  for (std::size_t i = 0; i < places; ++i) {
+    out[i] = along(jacobian, slot, [&](std::size_t j) { return covariance.at(i, j); }) + jacobian.radius * own[i];
+  }
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+    const std::span<const float> radius = covariance.radius(l);
+    out[places + l] = along(jacobian, slot, [&](std::size_t j) { return radius[j]; });
+  }
+  out[places + slot] += jacobian.radius * own[places];
+}
+
+// J P J' of what project() gave.
+float variance_along(const Jacobian& jacobian, std::size_t slot, std::size_t places, std::span<const float> projected) {
+  return along(jacobian, slot, [&](std::size_t j) { return projected[j]; }) +
+         jacobian.radius * projected[places + slot];
+}
+
+bool stays_positive(const FilterView& filter, std::span<const float> projected, float innovation) {
+  const Covariance covariance(filter);
+  const std::size_t places = covariance.places();
+  const float inverse = 1.0F / innovation;
+  for (std::size_t i = 0; i < places; ++i) {
+    const float variance = covariance.at(i, i);
+    if (variance > 0 && !(variance - projected[i] * projected[i] * inverse > 0)) return false;
+  }
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+    const float variance = covariance.radius(l)[places];
+    const float part = projected[places + l];
+    if (variance > 0 && !(variance - part * part * inverse > 0)) return false;
+  }
+  return true;
+}
+
+// P - p p' / S, plus what rounding may have taken from the variances. What no landmark uses is zero and stays so.
+void reduce(const FilterView& filter, std::span<const float> projected, float innovation) {
+  const Covariance covariance(filter);
+  const std::size_t places = covariance.places();
+  const float inverse = 1.0F / innovation;
+  float radii = 0;
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) radii += std::fabs(projected[places + l]);
+  float* value = filter.covariance.data();
+  for (std::size_t i = 0; i < places; ++i) {
+    const float gain = projected[i] * inverse;
+    const float rounding = kRounding * value[i];
+    if (gain != 0) {
+      for (std::size_t j = 0; j <= i; ++j) value[j] -= gain * projected[j];
+    }
+    value[i] += rounding;
+    value += i + 1;
+  }
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l, value += places + 1) {
+    const float part = projected[places + l];
+    const float gain = part * inverse;
+    if (gain == 0) continue;
+    const float rounding = kRounding * value[places];
+    for (std::size_t j = 0; j < places; ++j) value[j] -= gain * projected[j];
+    // Its own share, and the covariances with other radii that are not kept.
+    const float others = radii - std::fabs(part);
+    value[places] += std::fabs(gain) * others - gain * part + rounding;
+  }
+}
+
+// Moves all states by step[] = gain * residual.
+void move_states(const FilterView& filter, std::span<const float> step) {
+  MapPose& pose = filter.at.pose;
+  pose.position = moved(pose.position, {step[kX], step[kY]});
+  const float turn = step[kHeading] * kMicroradians;
+  pose.heading += static_cast<std::int32_t>(turn < 0 ? turn - 0.5F : turn + 0.5F);
+  const std::size_t places = places_of(filter.landmarks.size());
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+    Landmark& landmark = filter.landmarks[l];
+    if (!landmark.used()) continue;
+    landmark.center = moved(landmark.center, {step[x_of(l)], step[y_of(l)]});
+    landmark.radius = std::max(kSmallestRadius, landmark.radius + step[places + l]);
+  }
+}
+
+// A tangent that would move anything so far is not to be trusted.
+bool is_plausible(std::span<const float> projected, float gain) {
+  for (const float part : projected) {
+    if (!(std::fabs(part * gain) < kFarthestStep)) return false;
+  }
+  return std::fabs(projected[kHeading] * gain) < kWidestTurn;
+}
+
+// The heading's error moves what comes after it sideways by `moved` turned left.
+void shear(const FilterView& filter, const Vec2& driven) {
+  const Covariance p(filter);
+  const Vec2 lever = left_of(driven);
+  const float turn = p.at(kHeading, kHeading);
+  p.at(kX, kX) += lever.x() * (2 * p.at(kHeading, kX) + lever.x() * turn);
+  p.at(kY, kX) += lever.x() * p.at(kHeading, kY) + lever.y() * (p.at(kHeading, kX) + lever.x() * turn);
+  p.at(kY, kY) += lever.y() * (2 * p.at(kHeading, kY) + lever.y() * turn);
+  p.at(kHeading, kX) += lever.x() * turn;
+  p.at(kHeading, kY) += lever.y() * turn;
+  const auto follow = [&](std::span<float> row) {
+    row[kX] += lever.x() * row[kHeading];
+    row[kY] += lever.y() * row[kHeading];
+  };
+  for (std::size_t i = kHeading + 1; i < p.places(); ++i) follow({&p.at(i, 0), 3});
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) follow(p.radius(l).first(3));
+}
+
+}  // namespace
+
+MapPose corrected(const FilterPose& at, const MapPose& odometry) {
+  if (at.pose == at.odometry) return odometry;
+  const std::int32_t turn = at.pose.heading - at.odometry.heading;
+  const Vec2 driven = rotated(direction_of(turn), offset_from(at.odometry.position, odometry.position));
+  return {moved(at.pose.position, driven), odometry.heading + turn};
+}
+
+void start(const FilterView& filter) {
+  std::fill(filter.landmarks.begin(), filter.landmarks.end(), Landmark{});
+  std::fill(filter.covariance.begin(), filter.covariance.end(), 0.0F);
+  const Covariance covariance(filter);
+  for (const std::size_t i : {kX, kY, kHeading}) covariance.at(i, i) = kStartVariance;
+}
+
+void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise) {
+  FilterPose& at = filter.at;
+  if (odometry == at.odometry) return;
+  const Vec2 driven = rotated(direction_of(at.pose.heading - at.odometry.heading),
+                              offset_from(at.odometry.position, odometry.position));
+  const auto turned = static_cast<float>(
+      short_way(static_cast<std::int64_t>(odometry.heading) - static_cast<std::int64_t>(at.odometry.heading)));
+  at.pose = corrected(at, odometry);
+  at.odometry = odometry;
+  shear(filter, driven);
+  const Covariance covariance(filter);
+  const float distance = std::sqrt(driven.squaredNorm());
+  covariance.at(kX, kX) += noise.position * noise.position * distance;
+  covariance.at(kY, kY) += noise.position * noise.position * distance;
+  covariance.at(kHeading, kHeading) +=
+      noise.heading * noise.heading * distance + noise.turning * noise.turning * std::fabs(turned) / kMicroradians;
+}
+
+void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess) {
+  forget_landmark(filter, slot);
+  const Covariance p(filter);
+  filter.landmarks[slot] = {moved(filter.at.pose.position, guess.away), guess.radius};
+  // It goes where the pose goes, and turns with it.
+  const Vec2 lever = left_of(guess.away);
+  const std::size_t x = x_of(slot);
+  const std::size_t y = y_of(slot);
+  const auto inherit = [&](float along_x, float along_y, float heading, float& own_x, float& own_y) {
+    own_x = along_x + lever.x() * heading;
+    own_y = along_y + lever.y() * heading;
+  };
+  for (std::size_t i = 0; i < p.places(); ++i) {
+    if (i == x || i == y) continue;
+    inherit(p.at(kX, i), p.at(kY, i), p.at(kHeading, i), p.at(x, i), p.at(y, i));
+  }
+  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+    const std::span<float> row = p.radius(l);
+    inherit(row[kX], row[kY], row[kHeading], row[x], row[y]);
+  }
+  // And is as uncertain as it was seen.
+  const Symmetric3& c = guess.covariance;
+  p.at(x, x) = p.at(x, kX) + lever.x() * p.at(x, kHeading) + c.xx;
+  p.at(y, x) = p.at(x, kY) + lever.y() * p.at(x, kHeading) + c.xy;
+  p.at(y, y) = p.at(y, kY) + lever.y() * p.at(y, kHeading) + c.yy;
+  const std::span<float> radius = p.radius(slot);
+  radius[x] = c.xr;
+  radius[y] = c.yr;
+  radius[p.places()] = c.rr;
+}
+
+void forget_landmark(const FilterView& filter, std::size_t slot) {
+  filter.landmarks[slot] = {};  // of other states the covariances are those of the others alone: nothing to do
+  const Covariance covariance(filter);
+  for (const std::size_t gone : {x_of(slot), y_of(slot)}) {
+    for (std::size_t i = 0; i < covariance.places(); ++i) covariance.at(gone, i) = 0;
+    for (std::size_t l = 0; l < filter.landmarks.size(); ++l) covariance.radius(l)[gone] = 0;
+  }
+  const std::span<float> radius = covariance.radius(slot);
+  std::fill(radius.begin(), radius.end(), 0.0F);
+}
+
+TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
+                       std::span<float> step) {
+  const MapPose& pose = filter.at.pose;
+  const Landmark& landmark = filter.landmarks[slot];
+  const std::size_t places = places_of(filter.landmarks.size());
+  const Vec2 map_R_robot = direction_of(pose.heading);
+  const Vec2 normal = rotated(map_R_robot, seen.normal);
+  const Vec2 away = offset_from(pose.position, landmark.center);
+  const Jacobian jacobian = jacobian_of(rotated(map_R_robot, seen.slope), away, seen.radii);
+  const float residual = seen.bound - normal.dot(away) - seen.radii * landmark.radius;
+  project(filter, slot, jacobian, step);
+  float innovation = variance_along(jacobian, slot, places, step) + variance;
+  if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
+  const float squared = residual * residual / innovation;
+  if (!(squared <= kGateSigmas * kGateSigmas)) return TangentFate::kGated;
+  if (squared > kHuberSigmas * kHuberSigmas) innovation *= std::sqrt(squared) / kHuberSigmas;
+  if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
+  const float gain = residual / innovation;
+  if (!is_plausible(step, gain)) return TangentFate::kRefused;
+  reduce(filter, step, innovation);
+  for (float& part : step) part *= gain;
+  move_states(filter, step);
+  return TangentFate::kUsed;
+}
+
+CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
+  const Covariance p(filter);
+  const Landmark& landmark = filter.landmarks[slot];
+  CylinderEstimate seen;
+  seen.center = offset_from(filter.at.pose.position, landmark.center);
+  seen.radius = landmark.radius;
+  // What turns the heading moves the centre backwards.
+  const Vec2 lever = -left_of(seen.center);
+  const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX) + lever.x() * row(kHeading); };
+  const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY) + lever.y() * row(kHeading); };
+  const auto of_x = [&](std::size_t i) { return x([&](std::size_t j) { return p.at(i, j); }); };
+  const auto of_y = [&](std::size_t i) { return y([&](std::size_t j) { return p.at(i, j); }); };
+  const std::span<const float> radius = p.radius(slot);
+  const auto of_radius = [&](std::size_t i) { return radius[i]; };
+  seen.covariance = {x(of_x), x(of_y), y(of_y), x(of_radius), y(of_radius), radius[p.places()]};
+  seen.refusal = CylinderRefusal::kNone;
+  return seen;
+}
+
+PoseSigma pose_sigma(std::span<const float> covariance) {
+  constexpr std::size_t kXx = 0;
+  constexpr std::size_t kYy = 2;
+  constexpr std::size_t kHeadingHeading = 5;
+  return {std::sqrt(0.5F * (covariance[kXx] + covariance[kYy])), std::sqrt(covariance[kHeadingHeading])};
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,138 @@
+// Pose correction: an extended Kalman filter over the robot's pose and the landmarks that it has seen, circles that
+// stand still. It knows no camera and no object: odometry and tangents in the robot frame come in, poses go out.
+//
+// A tangent n.q = b of a circle (c, r), robot frame, says n.R'(c - P) + r = b: linear in (c, r), one number a time, so
+// nothing is ever inverted. Half the sum and half the difference of two such equations are of the same kind.
+// Covariances are kept as one triangle, which cannot be asymmetric. Those between the radii of two landmarks are not
+// kept: each is put on both variances instead, the safe side (for any d the matrix
+// [|d| -d; -d |d|] is not negative), which saves N (N - 1) / 2 floats and costs about 1 % of the correction.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/models/cylinder.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+
+namespace fencepost::recon {
+
+/// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre.
+struct DriftNoise {
+  float position = 0;  ///< m a sqrt(m) driven
+  float heading = 0;   ///< rad a sqrt(m) driven
+  float turning = 0;   ///< rad a sqrt(rad) turned
+};
+
+/// Of a wheel base whose distances are off by `share`: with 3 % it turns 2 degrees a metre by itself (the reference's
+/// middle drift, and what it was best corrected with).
+constexpr DriftNoise drift_noise(float share) { return {0.4F * share, 0.67F * share, share}; }
+
+/// Something round that stands still. Map frame.
+struct Landmark {
+  MapPoint center;
+  float radius = 0;  ///< m; 0: there is none
+
+  [[nodiscard]] bool used() const { return radius > 0; }
+};
+
+/// What is known of a landmark when it begins. The covariance does not contain the pose's.
+struct LandmarkGuess {
+  Vec2 away{0, 0};  ///< from the robot to its centre, map axes, m
+  float radius = 0;
+  Symmetric3 covariance;  ///< map axes
+};
+
+/// What a sighting says of a circle (c, r), robot frame: normal.c + radii * r = bound. Of a tangent the normal is a
+/// unit vector and `radii` 1.
+struct CircleEquation {
+  Vec2 normal{0, 0};
+  float bound = 0;  ///< m
+  float radii = 1;
+  /// The normal as the estimate expects it; without noise it is the same. What is seen from farther away has the larger
+  /// error: with its own normals for derivatives, noise would look like parallax and draw everything to the lens.
+  Vec2 slope{0, 0};
+};
+
+struct PoseSigma {
+  float position = 0;  ///< m, sqrt of the mean of both coordinates' variances
+  float heading = 0;   ///< rad
+};
+
+enum class TangentFate : std::uint8_t {
+  kUsed,
+  kGated,    ///< more than three sigmas off: of something else, or cut short
+  kRefused,  ///< the numbers would not be a covariance any more, or the step is absurd: nothing was changed
+};
+
+/// Packed covariances of `n` landmarks: the lower triangle over the places (x, y, heading, then x, y of each landmark),
+/// by rows; then for each radius its covariances with all places and its variance.
+constexpr std::size_t places_of(std::size_t n) { return 3 + 2 * n; }
+constexpr std::size_t covariances_of(std::size_t n) {
+  return places_of(n) * (places_of(n) + 1) / 2 + n * (places_of(n) + 1);
+}
+/// What correct_by() works with, one for each place and each radius.
+constexpr std::size_t states_of(std::size_t n) { return places_of(n) + n; }
+
+struct FilterPose {
+  MapPose pose;      ///< corrected
+  MapPose odometry;  ///< the same moment by odometry
+};
+
+/// Any filter, whatever its number of landmarks.
+struct FilterView {
+  FilterPose& at;
+  std::span<Landmark> landmarks;
+  std::span<float> covariance;
+};
+
+/// The pose now, given where odometry has come since `at`; exactly the odometry as long as nothing was corrected.
+MapPose corrected(const FilterPose& at, const MapPose& odometry);
+
+/// No landmarks, and a pose that is known: it is what the map frame is.
+void start(const FilterView& filter);
+/// The robot has moved to `odometry`.
+void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise);
+void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess);
+void forget_landmark(const FilterView& filter, std::size_t slot);
+
+/// Takes one equation of the landmark in `slot`: `variance` (m^2) of its bound, non-roundness included.
+/// Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if it was used it then
+/// holds by how much each state was moved (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
+TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
+                       std::span<float> step);
+
+/// The landmark as seen from the robot: its centre from the pose's position, map axes, and the covariance of what is
+/// between the two, the heading's part included.
+CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
+/// Of the packed covariances of the pose.
+PoseSigma pose_sigma(std::span<const float> covariance);
+
+template <std::size_t kLandmarks>
+class LandmarkFilter {
+ public:
+  static constexpr std::size_t kStates = states_of(kLandmarks);
+
+  [[nodiscard]] FilterView view() { return {at_, landmarks_, covariance_}; }
+  [[nodiscard]] const Landmark& landmark(std::size_t slot) const { return landmarks_[slot]; }
+  [[nodiscard]] const FilterPose& at() const { return at_; }
+  /// For the digest: of the pose alone; of one landmark's place with all before it; of its radius with all places.
+  [[nodiscard]] std::span<const float> pose_covariances() const { return std::span(covariance_).first(6); }
+  [[nodiscard]] std::span<const float> place_covariances(std::size_t slot) const {
+    const std::size_t row = places_of(slot);
+    return std::span(covariance_).subspan(row * (row + 1) / 2, 2 * row + 3);
+  }
+  [[nodiscard]] std::span<const float> radius_covariances(std::size_t slot) const {
+    constexpr std::size_t kRow = places_of(kLandmarks) + 1;
+    return std::span(covariance_).last(kLandmarks * kRow).subspan(slot * kRow, kRow);
+  }
+
+ private:
+  FilterPose at_;
+  std::array<Landmark, kLandmarks> landmarks_{};
+  std::array<float, covariances_of(kLandmarks)> covariance_{};
+};
+
+}  // namespace fencepost::recon

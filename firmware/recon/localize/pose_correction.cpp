@@ -1,0 +1,119 @@
+#include "firmware/recon/localize/pose_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/recon/models/hybrid/tangent.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+// The estimate took the same frames and the same poses for independent: its variances are too small by about this.
+constexpr float kTooSure = 4.0F;
+constexpr float kLargestRadius = 1.0F;  // m
+
+constexpr float kTypicalRadius = 0.08F;  // m
+constexpr float kRadiusSigma = 0.05F;
+// Of the distance by a typical size, and by the row: shares of it.
+constexpr float kSizeShare = 0.5F;
+constexpr float kRowShare = 0.25F;
+constexpr float kFarthestGuess = 10.0F;  // m
+constexpr float kAcross = 0.03F;         // m, beside the bearing
+
+// The lens is not inside the circle, whatever the estimate says.
+constexpr float kWidestSine = 0.95F;
+
+LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) {
+  const CylinderEstimate& estimate = object.cylinder.estimate();
+  LandmarkGuess guess;
+  guess.away = offset_from(seen.anchor, object.origin) + estimate.center;
+  guess.radius = std::min(estimate.radius, kLargestRadius);
+  guess.covariance = estimate.covariance;
+  guess.covariance.scale(kTooSure);
+  return guess;
+}
+
+LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
+  if (seen.left.censored || seen.right.censored) return {};
+  const float half = 0.5F * std::sqrt((seen.left.direction - seen.right.direction).squaredNorm());
+  if (!(half * kFarthestGuess > kTypicalRadius)) return {};
+  const RowDepth row = row_depth(seen, noise);
+  const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
+  const float along = (row.known ? kRowShare : kSizeShare) * distance;
+  LandmarkGuess guess;
+  guess.away = seen.lens + distance * seen.center;
+  guess.radius = kTypicalRadius;
+  const Vec2& u = seen.center;
+  constexpr float kAcross2 = kAcross * kAcross;
+  guess.covariance.xx = along * along * u.x() * u.x() + kAcross2 * u.y() * u.y();
+  guess.covariance.yy = along * along * u.y() * u.y() + kAcross2 * u.x() * u.x();
+  guess.covariance.xy = (along * along - kAcross2) * u.x() * u.y();
+  guess.covariance.rr = kRadiusSigma * kRadiusSigma;
+  return guess;
+}
+
+using Line = SightedCircle::Line;
+float squared(float value) { return value * value; }
+
+// What both ends say together. A wrong heading shifts the one outwards and the other inwards by as much: half the sum
+// of their equations does not know it, half the difference does not know the radius.
+Line width_of(const ViewTangents& view, const Vec2& slope, float variance) {
+  const HalfPlane& left = view.left.line;
+  const HalfPlane& right = view.right.line;
+  return {{0.5F * (left.normal + right.normal), 0.5F * (left.bound + right.bound), 1, slope}, variance};
+}
+Line middle_of(const ViewTangents& view, const Vec2& slope, float variance) {
+  const HalfPlane& left = view.left.line;
+  const HalfPlane& right = view.right.line;
+  return {{0.5F * (left.normal - right.normal), 0.5F * (left.bound - right.bound), 0, slope}, variance};
+}
+Line tangent_of(const Tangent& tangent, const Vec2& slope, float variance) {
+  return {{tangent.line.normal, tangent.line.bound, 1, slope}, squared(tangent.sigma) + variance};
+}
+
+}  // namespace
+
+SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
+                             const MeasurementNoise& noise) {
+  SightedCircle circle;
+  const float distance = std::sqrt(away.squaredNorm());
+  if (!(distance > 0)) return circle;
+  MeasurementNoise ends = noise;  // of each end alone; the pose's is that of both
+  ends.heading = 0;
+  ends.position = 0;
+  const ViewTangents view = tangents_of(seen, {}, distance, false, ends);
+  const float shape = squared(noise.roundness * radius);
+  const float place = squared(noise.position);
+  const float pose = squared(noise.heading * distance) + place;
+  // Half the sum and half the difference of the unit normals with which both ends should be seen.
+  const float sine = std::min(kWidestSine, radius / distance);
+  const Vec2 inwards = (-sine / distance) * away;
+  const Vec2 across = (std::sqrt(1 - sine * sine) / distance) * left_of(away);
+  constexpr unsigned kBoth = ViewTangents::kLeft | ViewTangents::kRight;
+  if ((view.present & kBoth) == kBoth) {
+    const float each = 0.25F * (squared(view.left.sigma) + squared(view.right.sigma)) + 0.5F * shape;
+    circle.lines = {width_of(view, inwards, each), middle_of(view, across, each + pose)};
+  } else if ((view.present & ViewTangents::kLeft) != 0) {
+    circle.lines[0] = tangent_of(view.left, inwards + across, shape + pose);
+  } else if ((view.present & ViewTangents::kRight) != 0) {
+    circle.lines[0] = tangent_of(view.right, inwards - across, shape + pose);
+  }
+  if ((view.present & ViewTangents::kFront) != 0) {
+    circle.lines[2] = tangent_of(view.front, view.front.line.normal, shape + place);
+  }
+  for (Line& line : circle.lines) line.variance /= novelty;
+  return circle;
+}
+
+LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const MeasurementNoise& noise) {
+  // Noisy directions have parallax to themselves, and draw towards the lens what only parallax has placed.
+  const bool by_rows = object.cylinder.estimate().ok() && object.cylinder.row_count() > 0;
+  LandmarkGuess guess = by_rows ? guess_of_cylinder(object, seen) : guess_of_sighting(seen, noise);
+  const float shape = noise.roundness * guess.radius;
+  guess.covariance.xx += shape * shape;
+  guess.covariance.yy += shape * shape;
+  guess.covariance.rr += shape * shape;
+  return guess;
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,120 @@
+// Alg. 3 as the paper has it (sec. II.D): the world is solid, cells outside the fenceposts are cut away. One grid of
+// bits per object. A cell goes only if it lies wholly outside a wedge's side, and never comes back.
+//
+// Placement: a square, first as large as the arena around the first estimated centre. Whenever the clip of the same
+// wedges has become smaller than kRefineShare of the square, the grid is placed anew around the clip, with finer cells,
+// and carved by the clip's edges: no wedge is forgotten. The side shrinks by at least 1/kRefineMargin*kRefineShare each
+// time and never below kSmallestSide, so there are at most 9 placements.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/models/clip.hpp"
+
+namespace fencepost::recon {
+
+inline constexpr float kRefineShare = 0.6F;    ///< of the side: the clip must be smaller to be worth a new grid
+inline constexpr float kRefineMargin = 1.05F;  ///< new side, as a multiple of the clip's larger extent
+inline constexpr float kSmallestSide = 0.04F;  ///< m
+
+/// A cell is kept unless it is outside by more than this (m): room for float rounding, on the safe side.
+inline constexpr float kCarveGuard = 2e-6F;
+
+/// Where a square grid lies: local frame, metres. `low` is the outer corner of cell (0, 0).
+struct GridPlacement {
+  Vec2 low{0, 0};
+  float cell = 0;
+};
+
+/// Clears bits of row-major `words` (columns 0..columns, `columns` a multiple of 32, column 0 = bit 0) in rows
+/// [row_begin, row_end): all cells wholly outside `half_plane`.
+void carve_half_plane(std::span<std::uint32_t> words, std::size_t columns, std::size_t row_begin, std::size_t row_end,
+                      const GridPlacement& placement, const HalfPlane& half_plane);
+
+/// N x N cells, N a multiple of 32.
+template <std::size_t N>
+class CarveGrid {
+  static_assert(N % 32 == 0 && N > 0);
+
+ public:
+  static constexpr std::size_t kCells = N;
+  static constexpr std::size_t kWordsPerRow = N / 32;
+
+  /// Solid square of side 2 * kArenaHalfSide around the local origin.
+  void start() {
+    placements_ = 0;
+    place({{-kArenaHalfSide, -kArenaHalfSide}, 2 * kArenaHalfSide / static_cast<float>(N)});
+  }
+
+  void carve(const HalfPlane& half_plane) {
+    carve_half_plane(words_, N, row_begin_, row_end_, placement_, half_plane);
+    shrink_rows();
+  }
+
+  /// Places the grid anew if the clip has become small enough to deserve finer cells.
+  void refine(std::span<const Vec2> clip) {
+    if (clip.size() < 3) return;
+    const Bounds box = bounds_of(clip);
+    const Vec2 extent = box.high - box.low;
+    const float side = placement_.cell * static_cast<float>(N);
+    const float wanted = std::max(kSmallestSide, kRefineMargin * std::max(extent.x(), extent.y()));
+    if (!(wanted < kRefineShare * side)) return;
+    const Vec2 center = 0.5F * (box.low + box.high);
+    place({center - Vec2{0.5F * wanted, 0.5F * wanted}, wanted / static_cast<float>(N)});
+    ++placements_;
+    for (std::size_t i = 0; i < clip.size(); ++i) {
+      const Vec2 edge = clip[i + 1 == clip.size() ? 0 : i + 1] - clip[i];
+      const float length = std::sqrt(edge.squaredNorm());
+      if (!(length > kShallowestCut)) continue;
+      const Vec2 normal = -left_of(edge) / length;
+      carve({normal, normal.dot(clip[i]) + kShallowestCut});
+    }
+  }
+
+  [[nodiscard]] bool solid(std::size_t column, std::size_t row) const {
+    return ((words_[row * kWordsPerRow + column / 32] >> (column % 32)) & 1U) != 0;
+  }
+  [[nodiscard]] const GridPlacement& placement() const { return placement_; }
+  [[nodiscard]] std::uint8_t placements() const { return placements_; }
+  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+
+ private:
+  void place(const GridPlacement& placement) {
+    placement_ = placement;
+    words_.fill(0xFFFFFFFFU);
+    row_begin_ = 0;
+    row_end_ = N;
+  }
+  // Carving is monotone: rows that are empty at either end need no more work.
+  void shrink_rows() {
+    while (row_begin_ < row_end_ && row_empty(row_begin_)) ++row_begin_;
+    while (row_begin_ < row_end_ && row_empty(row_end_ - 1U)) --row_end_;
+  }
+  [[nodiscard]] bool row_empty(std::size_t row) const {
+    std::uint32_t any = 0;
+    for (std::size_t w = 0; w < kWordsPerRow; ++w) any |= words_[row * kWordsPerRow + w];
+    return any == 0;
+  }
+
+  std::array<std::uint32_t, N * kWordsPerRow> words_{};
+  GridPlacement placement_;
+  std::uint16_t row_begin_ = 0;
+  std::uint16_t row_end_ = 0;
+  std::uint8_t placements_ = 0;
+};
+
+/// Where there is no room for the model: costs no byte, remembers nothing.
+template <>
+class CarveGrid<0> {
+ public:
+  void start() {}
+  void carve(const HalfPlane&) {}
+  void refine(std::span<const Vec2>) {}
+};
+
+}  // namespace fencepost::recon

@@ -1,0 +1,177 @@
+#include "firmware/recon/models/clip.hpp"
+
+#include <algorithm>
+
+namespace fencepost::recon {
+namespace {
+
+float outside_by(const HalfPlane& half_plane, const Vec2& point) {
+  return half_plane.normal.dot(point) - half_plane.bound;
+}
+
+std::size_t next(std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i + 1; }
+std::size_t previous(std::size_t i, std::size_t size) { return i == 0 ? size - 1 : i - 1; }
+
+Vec2 crossing(const Vec2& inside, float d_inside, const Vec2& outside, float d_outside) {
+  // d_inside <= 0 < d_outside: the share of the way from inside to outside is in [0, 1).
+  const float share = d_inside / (d_inside - d_outside);
+  return inside + share * (outside - inside);
+}
+
+// Where edge i grows to when it is given up: the meeting point of its neighbours, and the square of how far the outline
+// moves there. False if they do not meet outside.
+bool apex_over_edge(std::span<const Vec2> v, std::size_t size, std::size_t i, Vec2& apex, float& moved) {
+  const Vec2& a = v[i];
+  const Vec2& b = v[next(i, size)];
+  const float length_squared = (b - a).squaredNorm();
+  if (length_squared < kShallowestCut * kShallowestCut) {  // both ends are one point
+    apex = a;
+    moved = 0;
+    return true;
+  }
+  const Vec2 along_previous = a - v[previous(i, size)];
+  const Vec2 along_next = v[next(next(i, size), size)] - b;
+  const float turn = cross(along_previous, along_next);
+  if (!(turn > 0)) return false;  // together the neighbours turn by half a circle or more: they never meet
+  const float share = cross(b - a, along_next) / turn;
+  apex = a + share * along_previous;
+  const float height_times_base = cross(b - a, apex - a);
+  moved = height_times_base * height_times_base / length_squared;
+  return share >= 0;
+}
+
+// Gives up the edge that moves the outline least: least area would leave needles between nearly parallel sides. Returns
+// the new size; unchanged if no edge can go.
+std::size_t simplify(std::span<Vec2> v, std::size_t size) {
+  std::size_t best = size;
+  Vec2 best_apex{0, 0};
+  float best_moved = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    Vec2 apex{0, 0};
+    float moved = 0;
+    if (!apex_over_edge(v, size, i, apex, moved)) continue;
+    if (best == size || moved < best_moved) {
+      best = i;
+      best_apex = apex;
+      best_moved = moved;
+    }
+  }
+  if (best == size) return size;
+  v[best] = best_apex;
+  for (std::size_t i = next(best, size); i + 1 < size && i != 0; ++i) v[i] = v[i + 1];
+  if (best + 1 == size) {  // the edge from the last vertex to the first: the first one goes
+    for (std::size_t i = 0; i + 1 < size; ++i) v[i] = v[i + 1];
+  }
+  return size - 1;
+}
+
+// Drops vertex i if it is the same point as vertex j to within a shallowest cut.
+std::size_t merge(std::span<Vec2> v, std::size_t size, std::size_t i, std::size_t j) {
+  if (size <= 3 || (v[i] - v[j]).cwiseAbs().maxCoeff() > kShallowestCut) return size;
+  for (std::size_t k = i; k + 1 < size; ++k) v[k] = v[k + 1];
+  return size - 1;
+}
+
+// The two vertices that a cut made are at `at` and `at + 1`: a cut through a corner would double it.
+std::size_t merge_new(std::span<Vec2> v, std::size_t size, std::size_t at) {
+  const std::size_t smaller = merge(v, size, at + 1, next(at + 1, size));
+  return merge(v, smaller, at, previous(at, smaller));
+}
+
+// What a half plane leaves of the vertices: the run from first_in to last_in, around the innermost one. Float rounding
+// may put a vertex of an almost straight chain on the wrong side, so only the run around the innermost one is trusted.
+struct Cut {
+  bool any_outside = false;
+  bool any_inside = false;
+  std::size_t first_in = 0;
+  std::size_t last_in = 0;
+  std::size_t kept = 0;
+};
+
+/// A bit a vertex, for more of them than any profile has.
+class Flags {
+ public:
+  void set(std::size_t i) { words_[i / 32] |= 1U << (i % 32); }
+  [[nodiscard]] bool operator[](std::size_t i) const { return (words_[i / 32] >> (i % 32) & 1U) != 0; }
+
+ private:
+  std::array<std::uint32_t, kMostVertices / 32> words_{};
+};
+
+Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+  Flags is_outside;
+  Cut cut;
+  std::size_t innermost = 0;
+  float lowest = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const float d = outside_by(half_plane, v[i]);
+    if (d > kShallowestCut) {
+      is_outside.set(i);
+      cut.any_outside = true;
+    }
+    if (i == 0 || d < lowest) {
+      innermost = i;
+      lowest = d;
+    }
+  }
+  cut.any_inside = !is_outside[innermost];
+  if (!cut.any_outside || !cut.any_inside) return cut;
+  cut.first_in = cut.last_in = innermost;
+  cut.kept = 1;
+  for (; !is_outside[next(cut.last_in, size)]; ++cut.kept) cut.last_in = next(cut.last_in, size);
+  for (; !is_outside[previous(cut.first_in, size)]; ++cut.kept) cut.first_in = previous(cut.first_in, size);
+  return cut;
+}
+
+}  // namespace
+
+std::size_t clip_convex(std::span<Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+  if (size < 3) return 0;
+  Cut cut = find_cut(v, size, half_plane);
+  if (!cut.any_outside) return size;
+  if (!cut.any_inside) return 0;
+  if (cut.kept + 2 > v.size()) {
+    const std::size_t smaller = simplify(v, size);
+    if (smaller == size) return size;  // nothing can go: the cut is not made
+    size = smaller;
+    cut = find_cut(v, size, half_plane);
+    if (!cut.any_outside || cut.kept + 2 > v.size()) return size;
+  }
+  const std::size_t first_in = cut.first_in;
+  const std::size_t last_in = cut.last_in;
+  const std::size_t first_out = next(last_in, size);
+  const std::size_t last_out = previous(first_in, size);
+  const auto side = [&](std::size_t i) { return outside_by(half_plane, v[i]); };
+  const auto at_most_zero = [](float d) { return d < 0 ? d : 0.0F; };
+  const Vec2 leaving = crossing(v[last_in], at_most_zero(side(last_in)), v[first_out], side(first_out));
+  const Vec2 entering = crossing(v[first_in], at_most_zero(side(first_in)), v[last_out], side(last_out));
+  if (last_in < first_in) {
+    // the kept run goes over the end: inside 0..last_in, outside first_out..last_out, inside first_in..
+    const std::size_t tail = size - first_in;
+    const std::size_t to = first_out + 2;
+    if (to <= first_in) {
+      for (std::size_t i = 0; i < tail; ++i) v[to + i] = v[first_in + i];
+    } else {
+      for (std::size_t i = tail; i-- > 0;) v[to + i] = v[first_in + i];
+    }
+    v[first_out] = leaving;
+    v[first_out + 1] = entering;
+    return merge_new(v, to + tail, first_out);
+  }
+  for (std::size_t i = 0; i < cut.kept; ++i) v[i] = v[first_in + i];
+  v[cut.kept] = leaving;
+  v[cut.kept + 1] = entering;
+  return merge_new(v, cut.kept + 2, cut.kept);
+}
+
+Bounds bounds_of(std::span<const Vec2> vertices) {
+  if (vertices.empty()) return {};
+  Bounds bounds{vertices[0], vertices[0]};
+  for (const Vec2& v : vertices) {
+    bounds.low = bounds.low.cwiseMin(v);
+    bounds.high = bounds.high.cwiseMax(v);
+  }
+  return bounds;
+}
+
+}  // namespace fencepost::recon

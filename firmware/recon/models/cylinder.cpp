@@ -1,0 +1,292 @@
+#include "firmware/recon/models/cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fencepost::recon {
+namespace {
+
+// A typical obstacle, used only for the very first guess of a distance (m).
+constexpr float kTypicalRadius = 0.08F;
+constexpr float kNearestGuess = 0.2F;
+constexpr float kFarthestGuess = 2.5F;
+
+// All ground rows of an object share one pitch error, so together they count as this many independent ones.
+constexpr float kIndependentRows = 4.0F;
+
+// A row prediction that differs from the edges by more than this many sigmas belongs to an object above the floor.
+constexpr float kRowGate = 3.0F;
+
+// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
+// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the distance.
+constexpr float kTrueDepth = 50.0F;
+
+// A guessed place competes for blobs with places that are known: something of which only one end was ever seen is
+// placed so not before as many views as confirm an object by default. It may be a piece of another one.
+constexpr std::uint8_t kViewsToGuess = 3;
+
+// The distance is called unknown while its sigma exceeds this share of it.
+constexpr float kMaxDistanceSigmaShare = 0.25F;
+
+// Radii outside this range are not obstacles of a small robot but contradictions (m).
+constexpr float kLargestRadius = 1.5F;
+
+// What is known of a radius before anything is seen (m): enough for one edge and the foot to make a cylinder, too
+// little to matter once both edges are seen from here and there (algorithms: r ~ N(0.08, 0.05)).
+constexpr float kRadiusSigma = 0.05F;
+// Where even that leaves the distance open or the radius negative, the radius is taken for known: a rough place is
+// better than none for the next match and for the alert.
+constexpr float kRadiusGuess = 0.01F;
+
+// Inlier share and outlier level of the mixture that weighs each tangent (algorithms: Lin = 0.9 N(e; s),
+// Lout = 0.1 / 0.3 m).
+constexpr float kOutlierLevel = 0.1F / 0.3F;
+constexpr float kInlierShare = 0.9F;
+constexpr float kSqrtTwoPi = 2.5066283F;
+
+// Agreement is averaged over about this many tangents; below the floor the past is forgotten by this factor a view.
+constexpr float kAgreementGain = 1.0F / 16.0F;
+constexpr float kAgreementFloor = 0.35F;
+constexpr float kForgetting = 0.8F;
+
+// Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose float digits.
+constexpr float kMaxInformation = 4.0e7F;
+
+// exp(-x) for x >= 0 by (1 - x/16)^16: within 0.02 of exp, and exactly 0 beyond 16. Only + - *.
+float soft_exp_minus(float x) {
+  if (x >= 16.0F) return 0.0F;
+  float y = 1.0F - x / 16.0F;
+  y *= y;
+  y *= y;
+  y *= y;
+  return y * y;
+}
+
+// Probability that a tangent with residual e and variance s2 is a good one.
+float inlier_probability(float e, float s2) {
+  const float inlier = kInlierShare * soft_exp_minus(0.5F * e * e / s2) / (std::sqrt(s2) * kSqrtTwoPi);
+  return inlier / (inlier + kOutlierLevel);
+}
+
+// L D L' of the information: what a general solver does with it takes three times as many operations, and a square root
+// in each pivot.
+struct Factors {
+  float xy, xr, yr;  ///< of L, below its diagonal of ones
+  float x, y, r;     ///< one over D
+};
+
+// Nothing unless the matrix is positive definite.
+std::optional<Factors> factorise(const Symmetric3& m) {
+  if (!(m.xx > 0)) return std::nullopt;
+  Factors f{};
+  f.x = 1.0F / m.xx;
+  f.xy = m.xy * f.x;
+  f.xr = m.xr * f.x;
+  const float pivot_y = m.yy - f.xy * m.xy;
+  if (!(pivot_y > 0)) return std::nullopt;
+  f.y = 1.0F / pivot_y;
+  const float rest = m.yr - f.xr * m.xy;
+  f.yr = rest * f.y;
+  const float pivot_r = m.rr - f.xr * m.xr - f.yr * rest;
+  if (!(pivot_r > 0)) return std::nullopt;
+  f.r = 1.0F / pivot_r;
+  return f;
+}
+
+Symmetric3 inverse(const Factors& f) {
+  const float low = f.xy * f.yr - f.xr;  // of L's inverse, left below
+  Symmetric3 inverse;
+  inverse.rr = f.r;
+  inverse.yr = -f.yr * f.r;
+  inverse.xr = low * f.r;
+  inverse.yy = f.y - f.yr * inverse.yr;
+  inverse.xy = -f.xy * f.y - f.yr * inverse.xr;
+  inverse.xx = f.x + f.xy * f.xy * f.y + low * inverse.xr;
+  return inverse;
+}
+
+void solve_for(const Factors& f, const NormalEquations& equations, CylinderEstimate& estimate) {
+  const float x = equations.moment.x();
+  const float y = equations.moment.y() - f.xy * x;
+  const float r = equations.moment_radius - f.xr * x - f.yr * y;
+  estimate.radius = r * f.r;
+  estimate.center.y() = y * f.y - f.yr * estimate.radius;
+  estimate.center.x() = x * f.x - f.xy * estimate.center.y() - f.xr * estimate.radius;
+}
+
+CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& lens) {
+  CylinderEstimate estimate;
+  if (!(equations.information.rr > 0)) return estimate;
+  estimate.refusal = CylinderRefusal::kParallax;
+  const std::optional<Factors> factors = factorise(equations.information);
+  if (!factors) return estimate;
+  estimate.covariance = inverse(*factors);
+  solve_for(*factors, equations, estimate);
+  const Vec2 away = estimate.center - lens;
+  const float distance_squared = away.squaredNorm();
+  const float limit = kMaxDistanceSigmaShare * distance_squared;
+  // position_along(away) = distance^2 times the variance of the distance
+  if (!(estimate.covariance.position_along(away) < limit * limit)) return estimate;
+  const bool plausible = estimate.radius > 0 && estimate.radius < kLargestRadius;
+  estimate.refusal = plausible ? CylinderRefusal::kNone : CylinderRefusal::kImplausible;
+  return estimate;
+}
+
+// Without enough parallax a typical radius stands in for it.
+CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, const Vec2& lens, float sigma) {
+  NormalEquations supported = equations;
+  const float weight = 1.0F / (sigma * sigma);
+  supported.information.rr += weight;
+  supported.moment_radius += weight * kTypicalRadius;
+  return solve_equations(supported, lens);
+}
+
+}  // namespace
+
+float CylinderEstimate::outline_sigma() const {
+  return std::sqrt(covariance.rr + 0.5F * (covariance.xx + covariance.yy));
+}
+
+void Symmetric3::scale(float factor) {
+  xx *= factor;
+  xy *= factor;
+  yy *= factor;
+  xr *= factor;
+  yr *= factor;
+  rr *= factor;
+}
+
+void Symmetric3::add(const Symmetric3& other) {
+  xx += other.xx;
+  xy += other.xy;
+  yy += other.yy;
+  xr += other.xr;
+  yr += other.yr;
+  rr += other.rr;
+}
+
+void NormalEquations::add(const Vec2& normal, float bound, float weight) {
+  const Vec2 weighted = weight * normal;
+  information.add({weighted.x() * normal.x(), weighted.x() * normal.y(), weighted.y() * normal.y(), weighted.x(),
+                   weighted.y(), weight});
+  moment += bound * weighted;
+  moment_radius += bound * weight;
+}
+
+void NormalEquations::add(const NormalEquations& other) {
+  information.add(other.information);
+  moment += other.moment;
+  moment_radius += other.moment_radius;
+}
+
+void NormalEquations::move_origin(const Vec2& shift) {
+  // h' = h - n.shift in every row, so the moments change by the information's position columns.
+  const Symmetric3& m = information;
+  moment.x() -= m.xx * shift.x() + m.xy * shift.y();
+  moment.y() -= m.xy * shift.x() + m.yy * shift.y();
+  moment_radius -= m.xr * shift.x() + m.yr * shift.y();
+}
+
+void NormalEquations::scale(float factor) {
+  information.scale(factor);
+  moment *= factor;
+  moment_radius *= factor;
+}
+
+void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
+  const Vec2 lens = sighting.lens_from(origin);
+  if (views_ < kViewsToGuess) ++views_;
+  seen_whole_ = seen_whole_ || (!sighting.left.censored && !sighting.right.censored);
+  if (estimate_.ok() && agreement_ < kAgreementFloor) {
+    scale_edges(kForgetting);
+    rows_.scale(kForgetting);
+    row_count_ *= kForgetting;
+  }
+  if (!sighting.left.censored) add_edge(sighting, sighting.left, left_tangent(sighting, origin), lens, novelty, noise);
+  if (!sighting.right.censored)
+    add_edge(sighting, sighting.right, right_tangent(sighting, origin), lens, novelty, noise);
+  RowDepth row = row_depth(sighting, noise);
+  if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
+  if (row.known) {
+    const Vec2 normal = -sighting.axis;
+    const HalfPlane front{normal, normal.dot(lens) - row.depth};
+    const float weight = novelty / (row.variance + shape_variance(noise));
+    rows_.add(front.normal, front.bound, weight);
+    row_count_ += novelty;
+  }
+}
+
+float Cylinder::shape_variance(const MeasurementNoise& noise) const {
+  const float shape = noise.roundness * (estimate_.ok() ? estimate_.radius : kTypicalRadius);
+  return shape * shape;
+}
+
+void Cylinder::add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens,
+                        float novelty, const MeasurementNoise& noise) {
+  const float distance =
+      estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
+  const float variance = edge_variance(sighting, ray, distance, noise) + shape_variance(noise);
+  float weight = novelty / variance;
+  if (estimate_.ok()) {
+    const float residual = tangent.bound - tangent.normal.dot(estimate_.center) - estimate_.radius;
+    const float expected = variance + estimate_.covariance.along(tangent.normal);
+    const float inlier = inlier_probability(residual, expected);
+    agreement_ += kAgreementGain * (inlier - agreement_);
+    weight *= inlier;
+  }
+  edges_.add(tangent.normal, tangent.bound, weight);
+  false_depth_ += weight * direction_variance(sighting, ray, noise);
+  if (edges_.information.rr > kMaxInformation) scale_edges(0.5F);
+}
+
+void Cylinder::scale_edges(float factor) {
+  edges_.scale(factor);
+  false_depth_ *= factor;
+}
+
+void Cylinder::solve(const Vec2& lens) {
+  const CylinderEstimate from_edges = solve_equations(edges_, lens);
+  if (!(row_count_ > 0) || (edges_know(from_edges, lens) && !rows_agree(from_edges))) {
+    estimate_ = from_edges;
+    return;
+  }
+  NormalEquations both = rows_;
+  both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
+  both.add(edges_);
+  estimate_ = solve_equations(both, lens);
+  if (!seen_whole_ && views_ < kViewsToGuess) return;
+  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusSigma);
+  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusGuess);
+}
+
+bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const {
+  if (!from_edges.ok()) return false;
+  const Vec2 away = from_edges.center - lens;
+  const float variance = from_edges.covariance.position_along(away) / away.squaredNorm();
+  return variance * false_depth_ * kTrueDepth < 1.0F;
+}
+
+bool Cylinder::rows_agree(const CylinderEstimate& from_edges) const {
+  const float weight = rows_.information.rr;
+  const Vec2 mean_normal{rows_.information.xr / weight, rows_.information.yr / weight};
+  const float residual = rows_.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
+  const float share = row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F;
+  const float variance = 1.0F / (weight * share) + from_edges.covariance.along(mean_normal);
+  return residual * residual <= kRowGate * kRowGate * variance;
+}
+
+void Cylinder::move_origin(const Vec2& shift) {
+  edges_.move_origin(shift);
+  rows_.move_origin(shift);
+  estimate_.center -= shift;
+}
+
+float prior_distance(const Sighting& sighting) {
+  // sin of the half angle between the rays; a censored end makes the object look smaller, that is farther.
+  const float sine = cross(sighting.right.direction, sighting.left.direction);
+  const float half = std::max(0.5F * sine, 1e-3F);
+  return std::clamp(kTypicalRadius / half, kNearestGuess, kFarthestGuess);
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,115 @@
+// Alg. 1, our version: centre and radius from edge tangents (paper sec. II.B; the paper takes interval centres).
+// A tangent with outward normal n and offset h touches a circle (c, r) when n.c + r = h: linear in (c, r), exact at
+// every distance. The bottom row of a box is a third tangent, with the optical axis reversed as its normal.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+/// Why there is no cylinder.
+enum class CylinderRefusal : std::uint8_t {
+  kNone,
+  kNoEdges,      ///< nothing but censored ends so far
+  kParallax,     ///< all views from nearly one place: the distance is unknown
+  kImplausible,  ///< the tangents contradict each other: no positive radius
+};
+
+constexpr std::string_view name(CylinderRefusal refusal) {
+  switch (refusal) {
+    case CylinderRefusal::kNone: return "";
+    case CylinderRefusal::kNoEdges: return "only censored ends seen";
+    case CylinderRefusal::kParallax: return "parallax too small";
+    case CylinderRefusal::kImplausible: return "tangents contradict each other";
+  }
+  return "";
+}
+
+/// A symmetric 3 x 3 matrix over (x, y, r), six numbers.
+struct Symmetric3 {
+  float xx = 0, xy = 0, yy = 0, xr = 0, yr = 0, rr = 0;
+
+  /// (n, 1) M (n, 1)'
+  [[nodiscard]] float along(const Vec2& n) const {
+    return n.x() * (n.x() * xx + 2 * (n.y() * xy + xr)) + n.y() * (n.y() * yy + 2 * yr) + rr;
+  }
+  /// n M n' of the (x, y) part.
+  [[nodiscard]] float position_along(const Vec2& n) const {
+    return n.x() * (n.x() * xx + 2 * n.y() * xy) + n.y() * n.y() * yy;
+  }
+  void scale(float factor);
+  void add(const Symmetric3& other);
+};
+
+/// (x, y, r) with covariance, local frame, metres. Valid only if refusal is kNone.
+struct CylinderEstimate {
+  Vec2 center{0, 0};
+  float radius = 0;
+  Symmetric3 covariance;
+  CylinderRefusal refusal = CylinderRefusal::kNoEdges;
+
+  [[nodiscard]] bool ok() const { return refusal == CylinderRefusal::kNone; }
+  /// Standard deviation of the outline averaged over all directions: sqrt of the mean of (n,1) C (n,1)'.
+  [[nodiscard]] float outline_sigma() const;
+};
+
+/// Weighted normal equations of n.c + r = h.
+struct NormalEquations {
+  Symmetric3 information;
+  Vec2 moment{0, 0};  ///< of the position
+  float moment_radius = 0;
+
+  void add(const Vec2& normal, float bound, float weight);
+  void add(const NormalEquations& other);
+  /// The same equations for coordinates taken from a point `shift` away: exact, nothing is forgotten.
+  void move_origin(const Vec2& shift);
+  void scale(float factor);
+};
+
+/// Incremental robust estimator of one object. Local frame of the object; `lens` below is in it.
+class Cylinder {
+ public:
+  /// Adds the tangents of one view. `novelty` in (0, 1] is the weight of the view (a parked robot learns nothing new).
+  void add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise);
+
+  /// Solves for the current estimate. `lens` is the last lens position, for the parallax test.
+  void solve(const Vec2& lens);
+
+  void move_origin(const Vec2& shift);
+
+  [[nodiscard]] const CylinderEstimate& estimate() const { return estimate_; }
+  [[nodiscard]] const NormalEquations& edges() const { return edges_; }
+  [[nodiscard]] const NormalEquations& rows() const { return rows_; }
+  [[nodiscard]] float row_count() const { return row_count_; }
+  [[nodiscard]] float agreement() const { return agreement_; }
+  [[nodiscard]] float false_depth() const { return false_depth_; }
+  [[nodiscard]] std::uint8_t first_views() const { return views_; }
+  [[nodiscard]] bool seen_whole() const { return seen_whole_; }
+
+ private:
+  void add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
+                const MeasurementNoise& noise);
+  [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
+  void scale_edges(float factor);
+  /// The edges alone know the distance, and not only because noise looks like parallax.
+  [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
+  [[nodiscard]] bool rows_agree(const CylinderEstimate& from_edges) const;
+
+  NormalEquations edges_;
+  NormalEquations rows_;
+  float row_count_ = 0;
+  float false_depth_ = 0;    ///< what noisy directions add to edges_' information on the distance, 1/m^2
+  std::uint8_t views_ = 0;   ///< counted as far as kViewsToGuess
+  bool seen_whole_ = false;  ///< a view had both ends
+  float agreement_ = 1;      ///< running mean of the inlier weights: low when the past does not explain the present
+  CylinderEstimate estimate_;
+};
+
+/// Distance assumed for an object seen once, from the width of its interval and a typical radius. m.
+float prior_distance(const Sighting& sighting);
+
+}  // namespace fencepost::recon

@@ -1,0 +1,43 @@
+// Alg. 1 as the paper has it (sec. II.B): least-squares intersection of the bearings of interval centres; radius from
+// the mean angular half width. Every view with two true ends counts the same; nothing is refused but parallel rays.
+#pragma once
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+struct PaperCylinder {
+  bool ok = false;
+  Vec2 center{0, 0};  ///< local frame, m
+  float radius = 0;   ///< m
+};
+
+/// r = mean of d sin(half angle), d taken along each bearing, so that the sum needs no memory of the views.
+class CylinderPaper {
+ public:
+  void add(const Sighting& sighting, MapPoint origin);
+  void move_origin(const Vec2& shift);
+  [[nodiscard]] PaperCylinder solve() const;
+
+  struct Sums {
+    float nxx = 0, nxy = 0, nyy = 0;  ///< sum of n n', n normal to the bearing
+    Vec2 moment{0, 0};                ///< sum of n (n.P)
+    Vec2 reach{0, 0};                 ///< sum of d sin(half), d the bearing
+    float start = 0;                  ///< sum of (P.d) sin(half)
+    float views = 0;
+  };
+  [[nodiscard]] const Sums& sums() const { return sums_; }
+
+ private:
+  Sums sums_;
+};
+
+/// Where there is no room for the model: costs no byte, remembers nothing.
+class NoCylinderPaper {
+ public:
+  void add(const Sighting&, MapPoint) {}
+  void move_origin(const Vec2&) {}
+};
+
+}  // namespace fencepost::recon

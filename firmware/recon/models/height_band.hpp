@@ -1,0 +1,39 @@
+// From the rows of the boxes to the height band of an object, given where it stands.
+#pragma once
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+struct HeightRange {
+  bool bottom_known = false;
+  bool top_known = false;
+  float z_min = 0;  ///< m above the floor
+  float z_max = 0;
+};
+
+/// z = lens height - drop * depth, with depth = (c - P).axis - r of each view: linear in (c, r), so the sums need
+/// no memory of the views and follow the centre as it improves. A pitch that is not known counts as zero.
+class HeightBand {
+ public:
+  void add(const Sighting& sighting, MapPoint origin);
+  void move_origin(const Vec2& shift);
+  [[nodiscard]] HeightRange at(const Vec2& center, float radius) const;
+
+  struct Sums {
+    Vec2 slope{0, 0};  ///< sum of drop * axis
+    float start = 0;   ///< sum of drop * (P.axis)
+    float drop = 0;    ///< sum of drop
+    float height = 0;  ///< sum of lens heights
+    float views = 0;
+  };
+  [[nodiscard]] const Sums& bottom() const { return bottom_; }
+  [[nodiscard]] const Sums& top() const { return top_; }
+
+ private:
+  Sums bottom_;
+  Sums top_;
+};
+
+}  // namespace fencepost::recon

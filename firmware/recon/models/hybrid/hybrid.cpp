@@ -1,0 +1,170 @@
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "firmware/recon/models/cylinder.hpp"
+#include "firmware/recon/models/hybrid/low_order_fit.hpp"
+#include "firmware/recon/models/hybrid/node_directions.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+// A view is news when the lens moved by at least kLeastNews of kNovelShare of the distance; it counts in full from
+// kNovelShare on.
+constexpr float kNovelShare = 0.03F;
+constexpr float kLeastNews = 0.25F;
+constexpr float kNearest = 0.05F;  // m
+
+// While so few views have come, a lost piece of a segment has nothing against it.
+constexpr std::uint8_t kFirstViews = 4;
+
+// The nearest point of an object is this share of its typical size before its middle.
+constexpr float kFrontShare = 0.8F;
+constexpr float kNearestGuess = 0.2F;  // m
+constexpr float kFarthestGuess = 2.5F;
+
+// The outline is cut out of this square (m).
+constexpr float kSquare = 3.0F;
+
+constexpr float kSmallestRadius = 0.02F;  // m, to which sigmas are compared
+
+void add_one(const HybridCore& core, Clusters clusters, const OutlineView& outline, const Tangent& tangent,
+             float novelty) {
+  const SectorPlace place = place_of(tangent.line.normal, outline.offsets.size());
+  StoreContext context;
+  if (core.refusal == HybridRefusal::kNone) context = {outline.slope(place), decode_sigma(core.spread)};
+  insert(clusters, place, tangent, novelty, context);
+}
+
+}  // namespace
+
+float OutlineView::radius() const {
+  std::int32_t sum = 0;
+  for (const std::int16_t steps : offsets) sum += steps;
+  return std::max(kSmallestRadius, static_cast<float>(sum) * kOffsetStep / static_cast<float>(offsets.size()));
+}
+
+float OutlineView::mean_sigma() const {
+  std::uint32_t sum = 0;
+  for (const std::uint8_t code : sigmas) sum += whole_sigma(code);
+  return static_cast<float>(sum) * kSigmaUnit / static_cast<float>(sigmas.size());
+}
+
+float OutlineView::slope(const SectorPlace& place) const {
+  const NodeStep step = node_step(offsets.size());
+  const float t = place.phase * step.angle;
+  const float here = offset(place.sector);
+  const float there = offset(place.sector + 1 == offsets.size() ? 0 : place.sector + 1);
+  return (small_cosine(t) * there - small_cosine(step.angle - t) * here) / step.sine;
+}
+
+float OutlineView::confidence() const { return 1.0F - std::sqrt(std::min(1.0F, mean_sigma() / radius())); }
+
+// Whole numbers of kOffsetStep find the side, for cores that have nothing else; the distance is that side's in floats.
+float OutlineView::distance_from(const Vec2& point, std::size_t& nearest) const {
+  constexpr float kReach = 6.0F;  // m: products of a coordinate that is no larger fit
+  const float size = std::max(std::fabs(point.x()), std::fabs(point.y()));
+  const float steps = (size > kReach ? kReach / size : 1.0F) / kOffsetStep;
+  const WholeVector at{static_cast<std::int32_t>(point.x() * steps), static_cast<std::int32_t>(point.y() * steps)};
+  std::int32_t most = std::numeric_limits<std::int32_t>::min();
+  const auto consider = [&](std::size_t k, std::int32_t along) {
+    const std::int32_t outside = along - offsets[k] * kWholeUnit;
+    if (outside <= most) return;
+    most = outside;
+    nearest = k;
+  };
+  // Four directions at a time, a quarter turn apart.
+  const std::size_t quarter = offsets.size() / 4;
+  for (std::size_t k = 0; k < quarter; ++k) {
+    const WholeVector direction = whole_direction(k, offsets.size());
+    const std::int32_t along = direction.x * at.x + direction.y * at.y;
+    const std::int32_t left = direction.x * at.y - direction.y * at.x;
+    consider(k, along);
+    consider(k + quarter, left);
+    consider(k + 2 * quarter, -along);
+    consider(k + 3 * quarter, -left);
+  }
+  return node_direction(nearest, offsets.size()).dot(point) - offset(nearest);
+}
+
+float inflation(float share) {
+  // Corners are rounded outwards, and what lies between tangents is: known well, an outline is a little large.
+  if (share < 0.4F) return -0.35F * std::min(1.0F, (0.4F - share) / 0.2F);
+  if (share < 0.9F) return (share - 0.4F) / 0.5F;
+  if (share < 3.0F) return 1.0F + (share - 0.9F) / 2.1F;
+  return std::min(3.0F, 2.0F + (share - 3.0F) / 3.0F);
+}
+
+Vec2 OutlineView::corner(std::size_t k) const {
+  const NodeStep step = node_step(offsets.size());
+  const float after = offset((k + 1) % offsets.size());
+  const Vec2 normal = node_direction(k, offsets.size());
+  const float along = (after - step.cosine * offset(k)) / step.sine;
+  return offset(k) * normal + along * left_of(normal);
+}
+
+Chord OutlineView::chord_at(float x) const {
+  Chord chord{-kSquare, kSquare};
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const Vec2 out = node_direction(k, offsets.size());
+    const float left = offset(k) - out.x() * x;
+    if (out.y() > 0) {
+      chord.high = std::min(chord.high, left / out.y());
+    } else if (out.y() < 0) {
+      chord.low = std::max(chord.low, left / out.y());
+    } else if (left < 0) {
+      return {1, 0};
+    }
+  }
+  return chord;
+}
+
+std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Vec2> vertices) {
+  const float radius = outline.radius();
+  vertices[0] = {-kSquare, -kSquare};
+  vertices[1] = {kSquare, -kSquare};
+  vertices[2] = {kSquare, kSquare};
+  vertices[3] = {-kSquare, kSquare};
+  std::size_t size = 4;
+  for (std::size_t k = 0; k < outline.offsets.size() && size > 0; ++k) {
+    const float sigma = outline.sigma(k);
+    const float bound = outline.offset(k) + (inflation(sigma / radius) + more) * sigma;
+    size = clip_convex(vertices, size, {node_direction(k, outline.offsets.size()), bound});
+  }
+  return size;
+}
+
+Vec2 guessed_middle(const Sighting& first) {
+  const RowDepth row = row_depth(first, {});
+  const float along = first.axis.dot(first.center);
+  const float by_foot = row.known && along > 0 ? row.depth / along + kFrontShare * kTypicalSize : 0.0F;
+  const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kFarthestGuess) : prior_distance(first);
+  return first.lens_from(first.anchor) + distance * first.center;
+}
+
+void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, const Sighting& sighting,
+              const MeasurementNoise& noise) {
+  const Vec2 lens = sighting.lens_from(core.origin);
+  const float distance = std::max(kNearest, std::sqrt(lens.squaredNorm()));
+  const float moved_by = std::sqrt((lens - core.last_lens).squaredNorm()) / (kNovelShare * distance);
+  const bool elsewhere = core.views == 0 || moved_by >= kLeastNews;
+  const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
+  const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
+  const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kFirstViews, noise);
+  if ((view.present & ~known) == 0) return;  // what is only known to be larger than so much is no news by itself
+  const unsigned edges = view.present & ~unsigned{known};
+  const unsigned limits = view.at_least & ~(known | unsigned{known} >> ViewTangents::kBits);
+  const unsigned fresh = edges | limits;
+  if ((fresh & ViewTangents::kLeft) != 0) add_one(core, clusters, outline, view.left, novelty);
+  if ((fresh & ViewTangents::kRight) != 0) add_one(core, clusters, outline, view.right, novelty);
+  if ((fresh & ViewTangents::kFront) != 0) add_one(core, clusters, outline, view.front, novelty);
+  core.used = static_cast<std::uint8_t>(known | edges | limits << ViewTangents::kBits);
+  core.news = true;
+  if (!elsewhere) return;
+  core.last_lens = lens;
+  if (core.views < 255) ++core.views;
+}
+
+}  // namespace fencepost::recon

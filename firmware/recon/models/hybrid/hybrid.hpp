@@ -1,0 +1,134 @@
+// What an object keeps of its outline: tangents by direction, and the outline fitted last with its uncertainty.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "firmware/recon/models/clip.hpp"
+#include "firmware/recon/models/hybrid/sector_store.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+/// Why there is no outline.
+enum class HybridRefusal : std::uint8_t {
+  kNone,
+  kNoTangents,      ///< nothing but censored ends so far, or the first fit is still under way
+  kIllConditioned,  ///< the tangents leave the equations without a solution in floats
+  kEmpty,           ///< the half planes of the outline have nothing in common
+};
+
+constexpr std::string_view name(HybridRefusal refusal) {
+  switch (refusal) {
+    case HybridRefusal::kNone: return "";
+    case HybridRefusal::kNoTangents: return "no tangent has been fitted yet";
+    case HybridRefusal::kIllConditioned: return "the tangents are ill-conditioned";
+    case HybridRefusal::kEmpty: return "contradictory tangents leave nothing";
+  }
+  return "";
+}
+
+/// What does not depend on the number of sectors.
+struct HybridCore {
+  MapPoint origin;          ///< of the local frame: within kRecentre of the outline's middle when it was fitted last
+  Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
+  std::uint8_t views = 0;   ///< that brought news, counted to 255
+  std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
+  std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m a m
+  HybridRefusal refusal = HybridRefusal::kNoTangents;
+  bool news = false;     ///< there are tangents that no fit has begun with
+  bool fitting = false;  ///< a solver works on it
+};
+
+/// What a line and an outline have in common, low to high; empty if it passes by.
+struct Chord {
+  float low = 0;
+  float high = 0;
+  [[nodiscard]] bool empty() const { return !(low <= high); }
+};
+
+/// The fitted outline: support values and their sigmas at directions all around. Local frame of HybridCore::origin.
+struct OutlineView {
+  static constexpr float kWellKnown = 0.4F;  ///< sigma as a share of the radius
+
+  std::span<const std::int16_t> offsets;  ///< kOffsetStep
+  std::span<const std::uint8_t> sigmas;   ///< encode_sigma()
+
+  [[nodiscard]] float offset(std::size_t k) const { return static_cast<float>(offsets[k]) * kOffsetStep; }
+  [[nodiscard]] float sigma(std::size_t k) const { return decode_sigma(sigmas[k]); }
+  /// Mean support value, m.
+  [[nodiscard]] float radius() const;
+  [[nodiscard]] float mean_sigma() const;
+  /// h'(direction), m a rad.
+  [[nodiscard]] float slope(const SectorPlace& place) const;
+  /// In [0, 1]: the expected R + P above that of the hull is about 1.05 (1 - confidence).
+  [[nodiscard]] float confidence() const;
+  /// Is it one to draw and to measure by? Where it is not, inflation() moves it out.
+  [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnown * radius(); }
+  /// Where side k and the next one meet.
+  [[nodiscard]] Vec2 corner(std::size_t k) const;
+  /// The y of its points with this x, m; uncertainty left out.
+  [[nodiscard]] Chord chord_at(float x) const;
+  /// Distance (m) from a point to the outline, uncertainty left out; negative inside. Low by at most 0.2 % of the
+  /// distance to the nearest corner.
+  [[nodiscard]] float distance_from(const Vec2& point, std::size_t& nearest) const;
+};
+
+/// An outline and where it is.
+struct PlacedOutline {
+  OutlineView view;
+  MapPoint origin;     ///< of its local frame
+  bool known = false;  ///< well
+};
+
+/// How far the outline is moved out (negative: in), in sigmas, where a sigma is `share` of the radius: near the least
+/// expected R + P. From 0.35 in, where it is known well, to 3 out.
+float inflation(float share);
+
+/// The outline as a polygon: all its half planes, moved out by inflation() and `more` sigmas. Local frame, metres,
+/// counter-clockwise; returns the number of vertices, 0 if nothing is left. `vertices` has room for kOutlineVertices.
+std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Vec2> vertices);
+inline constexpr std::size_t kOutlineVertices = 72;
+
+/// kSectors: 64, or 32 on the smallest parts.
+template <std::size_t kSectors>
+struct Hybrid : HybridCore {
+  std::array<PackedCluster, kClustersPerSector * kSectors> clusters;
+  std::array<std::int16_t, kSectors> offsets;
+  std::array<std::uint8_t, kSectors> sigmas;
+
+  /// Empty; the first guess of the middle is where `first` sees it.
+  void begin(const Sighting& first);
+  /// Takes the tangents of one view. What a robot that stands sees again is no news and changes nothing.
+  void add(const Sighting& sighting, const MeasurementNoise& noise);
+
+  [[nodiscard]] bool ok() const { return refusal == HybridRefusal::kNone; }
+  [[nodiscard]] OutlineView outline() const { return {offsets, sigmas}; }
+};
+
+static_assert(sizeof(Hybrid<64>) <= 1200);
+static_assert(sizeof(Hybrid<32>) <= 512);
+
+/// First guess of the middle: by the foot, else by the width of a typical object. Local frame at the sighting's anchor.
+Vec2 guessed_middle(const Sighting& first);
+
+/// The three steps of Hybrid::add(), whatever the number of sectors.
+void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, const Sighting& sighting,
+              const MeasurementNoise& noise);
+
+template <std::size_t kSectors>
+void Hybrid<kSectors>::begin(const Sighting& first) {
+  static_cast<HybridCore&>(*this) = {};
+  origin = moved(first.anchor, guessed_middle(first));
+  clusters.fill({});
+}
+
+template <std::size_t kSectors>
+void Hybrid<kSectors>::add(const Sighting& sighting, const MeasurementNoise& noise) {
+  add_view(*this, clusters, outline(), sighting, noise);
+}
+
+}  // namespace fencepost::recon

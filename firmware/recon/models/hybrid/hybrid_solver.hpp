@@ -1,0 +1,106 @@
+// Fits outlines, one at a time and in steps of bounded work. The scratch is here; what comes of it is in the object.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+#include "firmware/recon/models/hybrid/low_order_fit.hpp"
+#include "firmware/recon/models/hybrid/support_fit.hpp"
+
+namespace fencepost::recon {
+
+/// A step is at least one piece of work and ends when it has done this many floating-point operations, roughly: on a
+/// core without a floating-point unit some 30,000 instructions, at most 50,000.
+inline constexpr int kWorkPerStep = 500;
+
+/// The middle of the outline may be this far from the local origin before that follows it (m).
+inline constexpr float kRecentre = 0.02F;
+
+/// How the passes of a fit narrow down: sigmas count so many times.
+inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
+inline constexpr std::array<float, 6> kSupportPasses = {4, 2, 1.4F, 1, 1, 1};
+inline constexpr std::size_t kPolygonalFrom = 2;  ///< pass of the support fit
+inline constexpr float kLearningWidening = 1.5F;  ///< the spread is learnt in passes no wider than this
+
+/// How many views it takes: to doubt any of them, to see more than a cylinder, to see a polygon.
+inline constexpr std::uint8_t kViewsToDoubt = 3;
+inline constexpr std::uint8_t kViewsForShape = 4;
+inline constexpr std::uint8_t kViewsForPolygon = 8;
+
+/// kSectors 64: low order 3, then a support polygon. kSectors 32: the low order alone, a higher one.
+template <std::size_t kSectors, std::size_t kOrder>
+class HybridSolver {
+ public:
+  static constexpr bool kPolygon = kSectors == kRing;
+  using HybridType = Hybrid<kSectors>;
+
+  /// Starts on `hybrid`, from what it holds now.
+  void begin(HybridType& hybrid);
+  /// Goes on with the object it was begun with. Its outline is replaced when the fit is done. True: done, or refused.
+  bool step(HybridType& hybrid) {
+    int work = 0;
+    do {
+      work += advance(hybrid);
+    } while (work < kWorkPerStep && stage_ != Stage::kDone);
+    return stage_ == Stage::kDone;
+  }
+  /// All steps at once: the same bits.
+  void solve(HybridType& hybrid) {
+    begin(hybrid);
+    while (!step(hybrid)) {
+    }
+  }
+  [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
+  /// Gives up the object it was begun with.
+  void abandon() { stage_ = Stage::kDone; }
+
+ private:
+  enum class Stage : std::uint8_t { kDone, kLowOrder, kFactorise, kNodes, kTangents, kSides, kEliminate, kSubstitute };
+
+  struct NoSupport {};
+
+  // The first pass of a fit believes all tangents, and so do all as long as there are few views.
+  [[nodiscard]] bool doubts() const { return views_ >= kViewsToDoubt && pass_ > 0; }
+  // One piece of work; its cost in floating-point operations.
+  int advance(HybridType& hybrid);
+  int advance_low_order(HybridType& hybrid);
+  int advance_factor(HybridType& hybrid);
+  int advance_nodes(HybridType& hybrid);
+  int advance_support(HybridType& hybrid);
+  int finish_support_pass(HybridType& hybrid);
+  void begin_low_order_pass();
+  void begin_support_pass();
+  void enter(Stage stage) {
+    stage_ = stage;
+    index_ = 0;
+  }
+  void publish(HybridType& hybrid);
+  void finish(HybridType& hybrid, const Vec2& center, float spread);
+  void refuse(HybridType& hybrid);
+  // The next cluster that is not empty, from index_ on; false at the end.
+  bool find_cluster(const HybridType& hybrid) {
+    while (index_ < hybrid.clusters.size() && hybrid.clusters[index_].views == 0) ++index_;
+    return index_ < hybrid.clusters.size();
+  }
+
+  LowOrderFit<kOrder> low_order_;
+  [[no_unique_address]] std::conditional_t<kPolygon, SupportFit, NoSupport> support_;
+  Stage stage_ = Stage::kDone;
+  std::uint8_t pass_ = 0;
+  std::uint8_t passes_ = 0;
+  std::uint8_t views_ = 0;
+  std::uint8_t index_ = 0;
+};
+
+/// Moves the local frame so that `center` becomes its origin, to the next kOffsetStep.
+void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offsets, const Vec2& center);
+
+extern template class HybridSolver<64, 3>;
+extern template class HybridSolver<32, 4>;
+extern template class HybridSolver<32, 5>;
+
+}  // namespace fencepost::recon

@@ -1,0 +1,160 @@
+#include "firmware/recon/models/hybrid/low_order_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::recon {
+namespace {
+
+constexpr float kSizeSigma = 0.05F;    // m, of kTypicalSize
+constexpr float kCenterSigma = 2.0F;   // m, of the local origin as the centre
+constexpr float kShapeShare = 0.7F;    // of r / (m^2 - 1): the prior of order m (measured on circles and on paths)
+constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of the higher orders
+
+// A pivot below this share of its own diagonal is rounding.
+constexpr float kLeastPivot = 2e-6F;
+
+// Nobody tells the robot how good its camera and its wheels are, and sigmas that are too small cost far more than those
+// that are too large: a fit begins with twice the sigmas, and learns from there.
+constexpr float kFirstSpread = 4.0F;
+constexpr SpreadPrior kSpreadPrior{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
+
+std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
+
+}  // namespace
+
+void series_basis(const Vec2& direction, std::span<float> basis) {
+  basis[0] = 1;
+  Vec2 multiple = direction;
+  for (std::size_t m = 1; 2 * m < basis.size(); ++m) {
+    basis[2 * m - 1] = multiple.x();
+    basis[2 * m] = multiple.y();
+    multiple = rotated(multiple, direction);
+  }
+}
+
+bool factorise_row(std::span<float> matrix, std::size_t i) {
+  float* row = &matrix[row_of(i)];
+  const float diagonal = row[i];
+  for (std::size_t j = 0; j < i; ++j) {
+    const float* other = &matrix[row_of(j)];
+    for (std::size_t k = 0; k < j; ++k) row[j] -= row[k] * other[k];
+    row[j] /= other[j];
+    row[i] -= row[j] * row[j];
+  }
+  if (!(row[i] > kLeastPivot * diagonal)) return false;
+  row[i] = std::sqrt(row[i]);
+  return true;
+}
+
+void solve_lower(std::span<const float> factor, std::span<float> b) {
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const float* row = &factor[row_of(i)];
+    for (std::size_t k = 0; k < i; ++k) b[i] -= row[k] * b[k];
+    b[i] /= row[i];
+  }
+}
+
+void solve_upper(std::span<const float> factor, std::span<float> b) {
+  for (std::size_t i = b.size(); i-- > 0;) {
+    const float* row = &factor[row_of(i)];
+    b[i] /= row[i];
+    for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * b[i];
+  }
+}
+
+template <std::size_t kOrder>
+void LowOrderFit<kOrder>::begin(std::size_t order, float radius) {
+  x_.fill(0);
+  x_[0] = radius;
+  spread_ = kFirstSpread;
+  order_ = static_cast<std::uint8_t>(order);
+}
+
+template <std::size_t kOrder>
+void LowOrderFit<kOrder>::begin_pass(float widening) {
+  matrix_.fill(0);
+  rhs_.fill(0);
+  scale_ = widening * std::sqrt(spread_);
+  sums_ = {};
+  tangents_ = 0;
+}
+
+template <std::size_t kOrder>
+void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool trusted) {
+  const Cluster cluster = unpack(clusters[index]);
+  std::array<float, kUnknowns> basis{};
+  const std::span<float> used(basis.data(), unknowns());
+  const std::size_t sectors = clusters.size() / kClustersPerSector;
+  series_basis(direction_of({index / kClustersPerSector, cluster.phase}, sectors), used);
+  float residual = cluster.offset;
+  for (std::size_t i = 0; i < used.size(); ++i) residual -= used[i] * x_[i];
+  if (cluster.at_least && (trusted || residual <= 0)) return;
+  const float sigma = cluster.sigma * scale_;
+  const float believed = cluster.views * standing(clusters, index) * (trusted ? 1.0F : inlier_share(residual, sigma));
+  if (!cluster.at_least) {
+    sums_.add(residual / cluster.sigma, believed);
+    ++tangents_;
+  }
+  const float weight = believed / (sigma * sigma);
+  float* entry = matrix_.data();
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const float weighted = weight * used[i];
+    rhs_[i] += weighted * residual;
+    for (std::size_t j = 0; j <= i; ++j) *entry++ += weighted * used[j];
+  }
+}
+
+template <std::size_t kOrder>
+void LowOrderFit<kOrder>::add_priors() {
+  const auto add_prior = [&](std::size_t i, float mean, float sigma) {
+    const float weight = 1.0F / (sigma * sigma);
+    matrix_[row_of(i) + i] += weight;
+    rhs_[i] += weight * (mean - x_[i]);
+  };
+  add_prior(0, kTypicalSize, kSizeSigma);
+  add_prior(1, 0, kCenterSigma);
+  add_prior(2, 0, kCenterSigma);
+  const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);
+  for (std::size_t m = 2; m <= order_; ++m) {
+    const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
+    add_prior(2 * m - 1, 0, sigma);
+    add_prior(2 * m, 0, sigma);
+  }
+}
+
+template <std::size_t kOrder>
+void LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
+  const std::span<float> correction(rhs_.data(), unknowns());
+  solve_lower(matrix_, correction);
+  solve_upper(matrix_, correction);
+  for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
+  if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kSpreadPrior);
+}
+
+template <std::size_t kOrder>
+float LowOrderFit<kOrder>::offset_at(const Vec2& direction) const {
+  std::array<float, kUnknowns> basis{};
+  const std::span<float> used(basis.data(), unknowns());
+  series_basis(direction, used);
+  float offset = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) offset += used[i] * x_[i];
+  return offset;
+}
+
+template <std::size_t kOrder>
+float LowOrderFit<kOrder>::sigma_at(const Vec2& direction) const {
+  std::array<float, kUnknowns> basis{};
+  const std::span<float> used(basis.data(), unknowns());
+  series_basis(direction, used);
+  solve_lower(matrix_, used);  // b' (L L')^-1 b = |L^-1 b|^2
+  float variance = 0;
+  for (const float entry : used) variance += entry * entry;
+  return std::sqrt(variance);
+}
+
+template class LowOrderFit<3>;
+template class LowOrderFit<4>;
+template class LowOrderFit<5>;
+
+}  // namespace fencepost::recon

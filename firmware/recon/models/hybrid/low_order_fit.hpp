@@ -1,0 +1,82 @@
+// The outline as a short Fourier series: h(phi) = r + c.n + sum over m of a_m cos(m phi) + b_m sin(m phi). Order 1 is
+// the cylinder. Robust least squares, a little at a time, with weak priors, so that one view is enough.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/models/hybrid/inlier.hpp"
+#include "firmware/recon/models/hybrid/sector_store.hpp"
+
+namespace fencepost::recon {
+
+inline constexpr std::size_t kHighestOrder = 5;
+constexpr std::size_t series_size(std::size_t order) { return 1 + 2 * order; }
+constexpr std::size_t packed_size(std::size_t unknowns) { return unknowns * (unknowns + 1) / 2; }
+
+/// The series' functions at a direction: 1, cos, sin, cos 2, sin 2, ... `basis` has series_size(order) entries.
+void series_basis(const Vec2& direction, std::span<float> basis);
+
+/// Lower triangle by rows: (0,0) (1,0) (1,1) ... Row i is replaced by that of its Cholesky factor; those before it have
+/// been. False if a pivot is lost to rounding.
+bool factorise_row(std::span<float> matrix, std::size_t i);
+/// L x = b, in place.
+void solve_lower(std::span<const float> factor, std::span<float> b);
+/// L' x = b, in place.
+void solve_upper(std::span<const float> factor, std::span<float> b);
+
+/// One fit. Unknowns are solved for as corrections of what is there, so that float rounding does not add up.
+template <std::size_t kOrder>
+class LowOrderFit {
+  static_assert(kOrder >= 1 && kOrder <= kHighestOrder);
+
+ public:
+  static constexpr std::size_t kUnknowns = series_size(kOrder);
+
+  void begin(std::size_t order, float radius);
+  /// Starts one weighing of all tangents; sigmas count `widening` times.
+  void begin_pass(float widening);
+  /// Adds cluster `index`. `trusted`: no tangent is doubted. What says `at least` counts where it is not met, and not
+  /// as long as nothing is doubted.
+  void add(ConstClusters clusters, std::size_t index, bool trusted);
+  /// All tangents are in: the priors.
+  void begin_solution() { add_priors(); }
+  /// Row i = 0 .. unknowns() - 1, in this order. False: ill-conditioned; nothing changes.
+  [[nodiscard]] bool factorise(std::size_t i) { return factorise_row(matrix_, i); }
+  /// Solves the pass, after the last row.
+  void finish_pass(bool learn_spread);
+
+  [[nodiscard]] std::size_t unknowns() const { return series_size(order_); }
+  /// h at a direction, and its standard deviation as the last pass knows it.
+  [[nodiscard]] float offset_at(const Vec2& direction) const;
+  [[nodiscard]] float sigma_at(const Vec2& direction) const;
+  [[nodiscard]] Vec2 center() const { return {x_[1], x_[2]}; }
+  [[nodiscard]] float radius() const { return x_[0]; }
+  [[nodiscard]] float spread() const { return spread_; }  ///< square of how much larger residuals are than sigmas say
+
+ private:
+  void add_priors();
+
+  std::array<float, packed_size(kUnknowns)> matrix_{};
+  std::array<float, kUnknowns> rhs_{};
+  std::array<float, kUnknowns> x_{};
+  float spread_ = 1;
+  float scale_ = 1;  ///< of sigmas in this pass
+  Spread sums_;
+  std::uint8_t order_ = 1;
+  std::uint8_t tangents_ = 0;
+};
+
+extern template class LowOrderFit<3>;
+extern template class LowOrderFit<4>;
+extern template class LowOrderFit<5>;
+
+/// Of a size in the world: r ~ N(0.08, 0.05) m.
+inline constexpr float kTypicalSize = 0.08F;
+
+/// Radii that scale priors stay in this range (m).
+inline constexpr float kLeastRadius = 0.015F;
+
+}  // namespace fencepost::recon

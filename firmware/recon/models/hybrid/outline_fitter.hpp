@@ -1,0 +1,63 @@
+// Whose outline is fitted when: objects with news take turns, and a frame has time for so many steps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/models/hybrid/hybrid_solver.hpp"
+
+namespace fencepost::recon {
+
+/// One solver for all objects of a map. Profile::kHybridSteps steps a frame; 0: every object with news is fitted at
+/// once.
+template <class Profile>
+class OutlineFitter {
+ public:
+  void clear() {
+    solver_.abandon();
+    slot_ = 0;
+  }
+
+  template <class Objects>
+  [[gnu::noinline]] void fit(Objects& objects) {
+    if constexpr (Profile::kHybridSteps == 0) {
+      for (auto& object : objects) {
+        if (!object.used() || !object.hybrid.news) continue;
+        solver_.solve(object.hybrid);
+        object.note_outline();
+      }
+    } else {
+      for (int i = 0; i < Profile::kHybridSteps; ++i) {
+        if (!go_on(objects)) return;
+      }
+    }
+  }
+
+ private:
+  // False: nobody has news.
+  template <class Objects>
+  bool go_on(Objects& objects) {
+    // An object that began anew, or went, is not the one that the fit was begun with.
+    if (!solver_.done() && (!objects[slot_].used() || !objects[slot_].hybrid.fitting)) solver_.abandon();
+    if (solver_.done() && !begin_next(objects)) return false;
+    if (solver_.step(objects[slot_].hybrid)) objects[slot_].note_outline();
+    return true;
+  }
+
+  template <class Objects>
+  bool begin_next(Objects& objects) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      slot_ = static_cast<std::uint8_t>(slot_ + 1U < objects.size() ? slot_ + 1U : 0U);
+      if (!objects[slot_].used() || !objects[slot_].hybrid.news) continue;
+      solver_.begin(objects[slot_].hybrid);
+      return true;
+    }
+    return false;
+  }
+
+  HybridSolver<Profile::kHybridSectors, Profile::kHybridOrder> solver_;
+  std::uint8_t slot_ = 0;
+};
+
+}  // namespace fencepost::recon

@@ -1,0 +1,124 @@
+#include "firmware/recon/models/hybrid/support_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/recon/models/hybrid/low_order_fit.hpp"
+#include "firmware/recon/models/hybrid/node_directions.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+constexpr float kLargestRadius = 0.35F;  // m, that scales sides
+
+// A side is known to 1.8 r sqrt(D) before anything is seen, where tangents come from all around. Seen from one side
+// only the outline is rather what objects are like: with fewer tangents sides are known better, down to this share.
+constexpr float kSideSigma = 1.8F;
+constexpr float kSharePerTangent = 1.0F / 56.0F;
+constexpr float kLeastSideShare = 0.45F;
+// Weight of a side of length l relative to that of a round outline, D r: D r / (l + 0.3 D r); those above half of D r
+// are drawn to D r, the others to nothing.
+constexpr float kSoftening = 0.3F;
+constexpr float kLongSide = 0.5F;
+// A side of negative length is no side.
+constexpr float kStiffness = 100.0F;
+
+// What neither tangents nor sides tell (where the middle is, if all tangents are parallel) stays as the low order has
+// it: each support value is held where it was with this sigma (m).
+constexpr float kHold = 0.15F;
+
+constexpr SpreadPrior kSpreadPrior{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
+
+std::size_t next(std::size_t k) { return (k + 1) % kRing; }
+std::size_t previous(std::size_t k) { return (k + kRing - 1) % kRing; }
+
+}  // namespace
+
+void SupportFit::begin() {
+  spread_ = 1;
+  measure();
+}
+
+void SupportFit::begin_pass(float widening) {
+  band_.clear();
+  for (float& entry : band_.diagonal) entry = 1.0F / (kHold * kHold);
+  scale_ = widening * std::sqrt(spread_);
+  sums_ = {};
+  tangents_ = 0;
+}
+
+void SupportFit::add(ConstClusters clusters, std::size_t index) {
+  const Cluster cluster = unpack(clusters[index]);
+  const NodeStep step = node_step(kRing);
+  const std::size_t k = index / kClustersPerSector;
+  const float t = cluster.phase * step.angle;
+  const float a = small_sine(step.angle - t) / step.sine;
+  const float b = small_sine(t) / step.sine;
+  const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
+  if (cluster.at_least && residual <= 0) return;
+  const float sigma = cluster.sigma * scale_;
+  const float believed = cluster.views * standing(clusters, index) * inlier_share(residual, sigma);
+  if (!cluster.at_least) {
+    sums_.add(residual / cluster.sigma, believed);
+    ++tangents_;
+  }
+  const float weight = believed / (sigma * sigma);
+  band_.diagonal[k] += weight * a * a;
+  band_.first[k] += weight * a * b;
+  band_.diagonal[next(k)] += weight * b * b;
+  band_.rhs[k] += weight * a * residual;
+  band_.rhs[next(k)] += weight * b * residual;
+}
+
+void SupportFit::add_side(std::size_t k, bool polygonal) {
+  const NodeStep step = node_step(kRing);
+  const std::size_t before = previous(k);
+  const std::size_t after = next(k);
+  const float outer = 1.0F / step.sine;
+  const float middle = -2.0F * step.cosine / step.sine;
+  const float length = outer * (offsets_[before] + offsets_[after]) + middle * offsets_[k];
+  const float round_side = step.angle * radius_;
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
+  const float sigma = kSideSigma * share * radius_;
+  float weight = 1.0F / (sigma * sigma * step.angle);
+  float target = round_side;
+  if (polygonal) {
+    weight *= round_side / (std::max(length, 0.0F) + kSoftening * round_side);
+    target = length > kLongSide * round_side ? round_side : 0.0F;
+  }
+  if (length < 0) {
+    weight *= kStiffness;
+    target = 0;
+  }
+  const float pull = weight * (target - length);
+  band_.diagonal[before] += weight * outer * outer;
+  band_.diagonal[k] += weight * middle * middle;
+  band_.diagonal[after] += weight * outer * outer;
+  band_.first[before] += weight * outer * middle;
+  band_.first[k] += weight * middle * outer;
+  band_.second[before] += weight * outer * outer;
+  band_.rhs[before] += pull * outer;
+  band_.rhs[k] += pull * middle;
+  band_.rhs[after] += pull * outer;
+}
+
+void SupportFit::finish_pass(bool learn_spread) {
+  for (std::size_t k = 0; k < kRing; ++k) offsets_[k] += band_.rhs[k];
+  measure();
+  if (!learn_spread || tangents_ < kTangentsForSpread) return;
+  spread_ = sums_.learnt(kSpreadPrior);
+}
+
+void SupportFit::measure() {
+  float sum = 0;
+  for (const float offset : offsets_) sum += offset;
+  radius_ = std::clamp(sum / static_cast<float>(kRing), kLeastRadius, kLargestRadius);
+}
+
+Vec2 SupportFit::center() const {
+  Vec2 sum{0, 0};
+  for (std::size_t k = 0; k < kRing; ++k) sum += offsets_[k] * node_direction(k, kRing);
+  return sum * (2.0F / static_cast<float>(kRing));
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,55 @@
+#include "firmware/recon/models/hybrid/tangent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::recon {
+namespace {
+
+// A segment loses a piece of about this share of its width with this probability: what a first view must reckon with.
+constexpr float kLostShare = 0.3F;
+constexpr float kLossProbability = 0.05F;
+
+// Variance (m^2) that a piece which may be lost adds to each edge of an object at `distance`.
+float loss_variance(const Sighting& sighting, float distance) {
+  if (sighting.left.censored || sighting.right.censored) return 0;
+  const float width = std::sqrt((sighting.left.direction - sighting.right.direction).squaredNorm()) * distance;
+  return kLossProbability * kLostShare * kLostShare * width * width;
+}
+
+void put(ViewTangents& view, ViewTangents::Which which, Tangent& place, const Tangent& tangent) {
+  place = tangent;
+  std::uint8_t& bits = tangent.at_least ? view.at_least : view.present;
+  bits = static_cast<std::uint8_t>(bits | which);
+}
+
+}  // namespace
+
+ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
+                         const MeasurementNoise& noise) {
+  ViewTangents view;
+  const float extra = first_views ? loss_variance(sighting, distance) : 0.0F;
+  const auto sigma = [&](const MapRay& ray) {
+    return std::sqrt(edge_variance(sighting, ray, distance, noise) + extra);
+  };
+  const MapRay& left = sighting.left;
+  const MapRay& right = sighting.right;
+  if (!left.foreign) {
+    put(view, ViewTangents::kLeft, view.left,
+        {left_tangent(sighting, origin), sigma(left), left.censored || left.doubtful});
+  }
+  if (!right.foreign) {
+    put(view, ViewTangents::kRight, view.right,
+        {right_tangent(sighting, origin), sigma(right), right.censored || right.doubtful});
+  }
+  const bool hidden = sighting.bottom.censored;
+  const RowDepth row = hidden ? farthest_row_depth(sighting, noise) : row_depth(sighting, noise);
+  if (row.known) {
+    const Vec2 normal = -sighting.axis;
+    const float reach = normal.dot(sighting.lens_from(origin)) - row.depth;
+    put(view, ViewTangents::kFront, view.front, {{normal, reach}, std::sqrt(row.variance), hidden});
+  }
+  return view;
+}
+
+}  // namespace fencepost::recon

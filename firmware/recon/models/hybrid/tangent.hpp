@@ -1,0 +1,35 @@
+// What one view says of an outline: tangents of its convex hull.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+/// h(normal) = bound is known to sigma: the support function of the object, sampled once. Local frame, metres.
+struct Tangent {
+  HalfPlane line;
+  float sigma = 0;
+  bool at_least = false;  ///< h(normal) >= bound: seen so far, and then it goes on where it is not seen
+};
+
+/// At most three: the two ends of a blob, and its foot where the camera's height and pitch are known.
+struct ViewTangents {
+  enum Which : std::uint8_t { kLeft = 1, kRight = 2, kFront = 4 };
+  static constexpr unsigned kBits = 3;
+  Tangent left;
+  Tangent right;
+  Tangent front;
+  std::uint8_t present = 0;   ///< bits of Which
+  std::uint8_t at_least = 0;  ///< bits of Which: not present, but the object reaches so far
+};
+
+/// `distance`: from the lens to the object's middle (m). `first_views`: nothing outvotes a lost piece of the segment
+/// yet, so its probability goes into the sigma of the edges. Errors: what is censored is not present; what another
+/// object's is neither that nor at least.
+ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
+                         const MeasurementNoise& noise);
+
+}  // namespace fencepost::recon

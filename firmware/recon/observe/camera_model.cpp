@@ -1,0 +1,105 @@
+#include "firmware/recon/observe/camera_model.hpp"
+
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+// An end this close to the border is on it (pixels; section 7 of the stream contract).
+constexpr std::int16_t kBorderPixels = 1;
+
+// Newton steps for the distortion polynomial: |k1| r^2 < 0.3 converges to float precision in four.
+constexpr int kUndistortSteps = 5;
+
+Vec2 direction_of_angle(base::Radians angle) {
+  const base::SinCos sc = base::sincos_urad(static_cast<std::int64_t>(angle.raw) * 100);
+  return {sc.cos, sc.sin};
+}
+
+// A normalised image point as a direction on the ground plane (unit, level camera frame).
+Vec2 ground_direction(const CameraModel& camera, const Vec2& normalised) {
+  const float forward = camera.pitch.x() - normalised.y() * camera.pitch.y();
+  const Vec2 direction{forward, -normalised.x()};
+  return direction / std::sqrt(direction.squaredNorm());
+}
+
+float drop_per_depth(const CameraModel& camera, float y) {
+  return (camera.pitch.y() + y * camera.pitch.x()) / (camera.pitch.x() - y * camera.pitch.y());
+}
+
+}  // namespace
+
+CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
+  CameraModel camera;
+  camera.fx = intrinsics.fx.to_float();
+  camera.fy = intrinsics.fy.to_float();
+  camera.cx = intrinsics.cx.to_float();
+  camera.cy = intrinsics.cy.to_float();
+  camera.k1 = intrinsics.k1.to_float();
+  camera.pitch_known = intrinsics.mount.pitch.has_value();
+  camera.pitch = camera.pitch_known ? direction_of_angle(*intrinsics.mount.pitch) : Vec2{1, 0};
+  camera.yaw = direction_of_angle(intrinsics.mount.yaw);
+  camera.position = {intrinsics.mount.x.to_float(), intrinsics.mount.y.to_float()};
+  camera.height = intrinsics.mount.z.to_float();
+  camera.width = static_cast<std::int16_t>(intrinsics.width);
+  camera.rows = static_cast<std::int16_t>(intrinsics.height);
+  camera.latency = intrinsics.latency;
+  return camera;
+}
+
+Vec2 undistort(const CameraModel& camera, float u, float v) {
+  const Vec2 distorted{(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy};
+  if (camera.k1 == 0) return distorted;
+  const float r_d = std::sqrt(distorted.squaredNorm());
+  if (r_d == 0) return distorted;
+  float r = r_d;
+  for (int step = 0; step < kUndistortSteps; ++step) {
+    const float slope = 1 + 3 * camera.k1 * r * r;
+    if (slope < 0.2F) break;  // beyond the fold of a strong barrel lens: keep the last good value
+    r -= (r * (1 + camera.k1 * r * r) - r_d) / slope;
+  }
+  return distorted * (r / r_d);
+}
+
+Cut cut_by_border(const CameraModel& camera, const Box& box) {
+  return {box.x1 <= kBorderPixels, box.x2 >= camera.width - 1 - kBorderPixels, box.y1 <= kBorderPixels,
+          box.y2 >= camera.rows - 1 - kBorderPixels};
+}
+
+BlobRays rays_of_box(const CameraModel& camera, const Box& box) {
+  const float u_left = static_cast<float>(box.x1) - 0.5F;
+  const float u_right = static_cast<float>(box.x2) + 0.5F;
+  const float v_top = static_cast<float>(box.y1) - 0.5F;
+  const float v_bottom = static_cast<float>(box.y2) + 0.5F;
+  const float u_middle = 0.5F * (u_left + u_right);
+  const float v_middle = 0.5F * (v_top + v_bottom);
+
+  const Cut cut = cut_by_border(camera, box);
+  BlobRays rays;
+  rays.left.direction = ground_direction(camera, undistort(camera, u_left, v_middle));
+  rays.left.censored = cut.left;
+  rays.right.direction = ground_direction(camera, undistort(camera, u_right, v_middle));
+  rays.right.censored = cut.right;
+  rays.center = ground_direction(camera, undistort(camera, u_middle, v_middle));
+  rays.top.drop = drop_per_depth(camera, undistort(camera, u_middle, v_top).y());
+  rays.top.censored = cut.top;
+  rays.bottom.drop = drop_per_depth(camera, undistort(camera, u_middle, v_bottom).y());
+  rays.bottom.censored = cut.bottom;
+  return rays;
+}
+
+float level_column(const CameraModel& camera, float u, float v) {
+  const Vec2 at = undistort(camera, u, v);
+  return column_of(camera, {camera.pitch.x() - at.y() * camera.pitch.y(), -at.x()});
+}
+
+float column_of(const CameraModel& camera, const Vec2& direction) {
+  constexpr float kFarOutside = 1e5F;
+  constexpr float kSideways = 1e-3F;  // forward share of a unit direction below which it cannot be in the image
+  if (direction.x() < kSideways) return direction.y() > 0 ? -kFarOutside : kFarOutside;
+  return camera.cx - camera.fx * direction.y() / direction.x();
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,34 @@
+#include "firmware/recon/observe/frame_queue.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+bool comes_before(const WaitingBlob& a, const WaitingBlob& b) {
+  if (a.signature != b.signature) return a.signature < b.signature;
+  if (a.box.x1 != b.box.x1) return a.box.x1 < b.box.x1;
+  if (a.box.y1 != b.box.y1) return a.box.y1 < b.box.y1;
+  if (a.box.x2 != b.box.x2) return a.box.x2 < b.box.x2;
+  return a.box.y2 < b.box.y2;
+}
+
+}  // namespace
+
+WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
+  WaitingFrame waiting;
+  waiting.t = frame.t;
+  waiting.frame = frame.frame;
+  waiting.camera = camera;
+  for (const sensor::Blob& blob : frame.blobs) {
+    static_cast<void>(waiting.blobs.push_back({{blob.x1, blob.y1, blob.x2, blob.y2}, blob.signature}));
+  }
+  // Insertion sort: at most 16, usually in few runs.
+  for (std::size_t i = 1; i < waiting.blobs.size(); ++i) {
+    const WaitingBlob blob = waiting.blobs[i];
+    std::size_t j = i;
+    for (; j > 0 && comes_before(blob, waiting.blobs[j - 1]); --j) waiting.blobs[j] = waiting.blobs[j - 1];
+    waiting.blobs[j] = blob;
+  }
+  return waiting;
+}
+
+}  // namespace fencepost::recon

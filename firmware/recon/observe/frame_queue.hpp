@@ -1,0 +1,35 @@
+// Frames that wait for the odometry at their exposure. At most four, at most 0.2 s of stream time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/recon/observe/camera_model.hpp"
+#include "hal/base/fixed.hpp"
+#include "hal/base/units.hpp"
+#include "hal/sensor/blob_frame.hpp"
+
+namespace fencepost::recon {
+
+/// What reconstruction needs of a blob, 10 bytes.
+struct WaitingBlob {
+  Box box;
+  std::uint8_t signature = 0;
+};
+
+/// Blobs are in canonical order (signature, x1, y1, x2, y2): the order in which a camera lists them never matters.
+struct WaitingFrame {
+  base::Time t;
+  std::uint32_t frame = 0;
+  std::uint8_t camera = 0;  ///< which of the two calibrations kept was in force when it arrived
+  base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
+};
+
+WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera);
+
+inline constexpr std::size_t kMaxWaitingFrames = 4;
+inline constexpr base::Duration kMaxWait = base::milliseconds(200);
+
+using FrameQueue = base::Ring<WaitingFrame, kMaxWaitingFrames>;
+
+}  // namespace fencepost::recon

@@ -1,0 +1,90 @@
+#include "firmware/recon/observe/sighting.hpp"
+
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::recon {
+
+LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
+  const base::SinCos heading = base::sincos_urad(robot.heading);
+  const Vec2 map_R_robot{heading.cos, heading.sin};
+  return {robot.position, rotated(map_R_robot, camera.position), rotated(map_R_robot, camera.yaw)};
+}
+
+Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const BlobRays& rays) {
+  Sighting sighting;
+  sighting.anchor = pose.anchor;
+  sighting.lens = pose.lens;
+  sighting.axis = pose.axis;
+  sighting.center = rotated(pose.axis, rays.center);
+  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored, rays.left.foreign, rays.left.doubtful};
+  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored, rays.right.foreign,
+                    rays.right.doubtful};
+  sighting.top = rays.top;
+  sighting.bottom = rays.bottom;
+  sighting.focal = camera.fx;
+  sighting.lens_height = camera.height;
+  sighting.rows_known = camera.pitch_known && camera.height > 0;
+  return sighting;
+}
+
+HalfPlane left_tangent(const Sighting& sighting, MapPoint origin) {
+  const Vec2 normal = left_of(sighting.left.direction);
+  return {normal, normal.dot(sighting.lens_from(origin))};
+}
+
+HalfPlane right_tangent(const Sighting& sighting, MapPoint origin) {
+  const Vec2 normal = -left_of(sighting.right.direction);
+  return {normal, normal.dot(sighting.lens_from(origin))};
+}
+
+float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise) {
+  const float cos_beta = ray.direction.dot(sighting.axis);
+  const float pixel = cos_beta * cos_beta / sighting.focal * noise.edge_px;
+  return pixel * pixel + noise.heading * noise.heading;
+}
+
+float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise) {
+  return distance * distance * direction_variance(sighting, ray, noise) + noise.position * noise.position;
+}
+
+namespace {
+
+RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise) {
+  if (!sighting.rows_known) return {};
+  if (sighting.left.censored && sighting.right.censored) return {};
+  if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
+  const float depth = sighting.lens_height / sighting.bottom.drop;
+  // dX = X^2 / (f h) dv; the pitch moves the row by f dpitch.
+  const float per_radian = depth * depth / sighting.lens_height;
+  const float row = noise.row_px / sighting.focal;
+  const float variance =
+      per_radian * per_radian * (row * row + noise.pitch * noise.pitch) + noise.position * noise.position;
+  return {true, depth, variance};
+}
+
+}  // namespace
+
+RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
+  return sighting.bottom.censored ? RowDepth{} : depth_of_bottom(sighting, noise);
+}
+
+RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
+  const bool hidden = sighting.bottom.censored && !sighting.bottom.foreign;
+  return hidden ? depth_of_bottom(sighting, noise) : RowDepth{};
+}
+
+RowDepth hidden_row_depth(const Sighting& sighting) {
+  // The object is somewhere between the lens and the row's depth. Very near ones fill the image and have both edges
+  // censored, so the far half is likelier: 0.75 +- 0.18 of it.
+  constexpr float kMean = 0.75F;
+  constexpr float kSigma = 0.18F;
+  if (!sighting.rows_known || !sighting.bottom.censored) return {};
+  if (sighting.left.censored && sighting.right.censored) return {};
+  if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
+  const float farthest = sighting.lens_height / sighting.bottom.drop;
+  return {true, kMean * farthest, kSigma * kSigma * farthest * farthest};
+}
+
+}  // namespace fencepost::recon

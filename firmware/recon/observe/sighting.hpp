@@ -1,0 +1,110 @@
+// One blob seen from one known pose: the only input that the models take.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+
+namespace fencepost::recon {
+
+/// How well edges and poses are known. Over-estimate rather than under-estimate (measured: twice too large costs
+/// nothing, twice too small does).
+struct MeasurementNoise {
+  float edge_px = 1.2F;     ///< px, sigma of one box edge
+  float heading = 0.0070F;  ///< rad, sigma of the pose's heading at one exposure
+  float position = 0.004F;  ///< m, sigma of the pose's position at one exposure
+  float row_px = 1.0F;      ///< px, sigma of a box's bottom row
+  float pitch = 0.0052F;    ///< rad, uncertainty of the camera's pitch: the same in every view
+  float roundness = 0.2F;   ///< share of the radius by which real footprints differ from a circle
+};
+
+/// A ray from the lens, map axes.
+struct MapRay {
+  Vec2 direction{1, 0};  ///< unit
+  bool censored = true;
+  bool foreign = false;
+  bool doubtful = false;  ///< the hybrid, which can do without, takes no edge there
+};
+
+/// The ends of an object that a blob does not show: there it goes on behind a neighbour or the border.
+struct OpenEnds {
+  bool left = true;
+  bool right = true;
+};
+
+/// A view of one blob. Directions in map axes; the lens is at `anchor` + `lens` (m).
+struct Sighting {
+  MapPoint anchor;    ///< the robot's position at the exposure
+  Vec2 lens{0, 0};    ///< lens relative to the anchor, m, map axes
+  Vec2 axis{1, 0};    ///< optical axis on the ground, unit
+  Vec2 center{1, 0};  ///< bearing of the interval's centre, unit
+  MapRay left;
+  MapRay right;
+  RowSlope top;
+  RowSlope bottom;
+  float focal = 1;          ///< px, for the edge noise
+  float lens_height = 0;    ///< m
+  bool rows_known = false;  ///< the camera's pitch and height are known: the bottom row tells a depth
+
+  /// The lens in a local frame with map axes.
+  [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
+  [[nodiscard]] OpenEnds open_ends() const { return {left.censored, right.censored}; }
+};
+
+/// map_T_lens at one exposure.
+struct LensPose {
+  MapPoint anchor;
+  Vec2 lens{0, 0};
+  Vec2 axis{1, 0};  ///< also the rotation (cosine, sine) from the level camera frame to map axes
+
+  /// The lens in a local frame with map axes.
+  [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
+};
+
+/// A vector of map axes in those of the level camera (x along the optical axis, y to the left), and back.
+inline Vec2 to_camera(const LensPose& pose, const Vec2& in_map) {
+  return {pose.axis.dot(in_map), cross(pose.axis, in_map)};
+}
+inline Vec2 to_map(const LensPose& pose, const Vec2& in_camera) { return rotated(pose.axis, in_camera); }
+
+LensPose lens_pose(const MapPose& robot, const CameraModel& camera);
+
+Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const BlobRays& rays);
+
+/// The tangent half planes of the two edges: the object lies inside both. Left edge: normal = direction turned left,
+/// right edge: turned right. Local frame at `origin`.
+HalfPlane left_tangent(const Sighting& sighting, MapPoint origin);
+HalfPlane right_tangent(const Sighting& sighting, MapPoint origin);
+
+/// Variance (rad^2) of the direction of the ray to an edge.
+float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise);
+
+/// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out.
+float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise);
+
+/// Depth along the axis (m) of the nearest point of an object that stands on the floor, from its bottom row.
+struct RowDepth {
+  bool known = false;
+  float depth = 0;     ///< m
+  float variance = 0;  ///< m^2, noise of this row alone and pitch together
+};
+
+/// What a bottom row that is *not* seen still tells: the foot is lower, so the object is nearer than the row where it
+/// disappears. The middle of what that leaves, with a sigma that covers it. Known only if the bottom is censored.
+RowDepth hidden_row_depth(const Sighting& sighting);
+
+/// Of a bottom that is not seen where it disappears: the foot is no farther than that. Not known if it is seen, or if
+/// the row is another object's.
+RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise);
+
+/// Not known when the camera's height or pitch is not, when the row is censored or above the horizon, when both edges
+/// are censored, or beyond kRowMaxDepth.
+RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise);
+
+/// Rows farther than this say more about the pitch than about the object. It is also the bound that keeps a wrong
+/// depth (an object that does not stand on the floor) inside the 4 m square in which models live.
+inline constexpr float kRowMaxDepth = 2.5F;
+
+}  // namespace fencepost::recon

@@ -1,0 +1,41 @@
+#include "firmware/recon/track/object.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fencepost::recon {
+namespace {
+
+// A view counts in full when the lens moved by this share of the distance since the last one.
+constexpr float kNovelShare = 0.03F;
+constexpr float kLeastNovelty = 0.05F;
+
+}  // namespace
+
+float ObjectCore::confidence() const {
+  constexpr float kUnit = 1.0F / kSurenessPerUnit;
+  if (sureness != kNoOutline) return static_cast<float>(sureness) * kUnit * presence;
+  const CylinderEstimate& estimate = cylinder.estimate();
+  if (!estimate.ok()) return 0;
+  const float uncertainty = std::sqrt(std::min(1.0F, estimate.outline_sigma() / estimate.radius));
+  return (1.0F - uncertainty) * presence;
+}
+
+float ObjectCore::novelty(const Vec2& lens) const {
+  const Vec2 center = cylinder.estimate().ok() ? cylinder.estimate().center : Vec2{0, 0};
+  const float distance = std::max(0.05F, std::sqrt((center - lens).squaredNorm()));
+  const float moved_by = std::sqrt((lens - last_lens).squaredNorm());
+  return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
+}
+
+bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b) {
+  const CylinderEstimate& one = a.cylinder.estimate();
+  const CylinderEstimate& other = b.cylinder.estimate();
+  if (!one.ok() || !other.ok()) return false;
+  const float larger = std::max(one.radius, other.radius);
+  const float reach = larger + std::min(larger, one.outline_sigma() + other.outline_sigma());
+  const Vec2 apart = offset_from(a.origin, b.origin) + other.center - one.center;
+  return apart.squaredNorm() < reach * reach;
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,38 @@
+// The inverse of odometry: from poses to what the wheels have turned.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/emulate/scene/peer.hpp"
+
+namespace fencepost::emulate {
+
+/// Between two poses the robot drives an arc: with a turn of a over a chord of c it drives c (a/2) / sin(a/2) along the
+/// middle heading. Ways and headings are sums from the first pose on, so rounding them to counts never adds up.
+class TravelLog {
+ public:
+  /// Poses in order of time; headings wrapped or not. Without any, the robot stands.
+  explicit TravelLog(std::span<const sensor::OdometrySample> poses);
+
+  /// Interpolated; before the first pose and after the last the robot stands.
+  [[nodiscard]] Travel at(base::Time t) const;
+
+  /// Way across the wheels, m, which no wheel can tell; beyond what rounding to 0.1 mm explains.
+  [[nodiscard]] double sideways() const { return sideways_; }
+
+ private:
+  struct Knot {
+    base::Time t;
+    double distance = 0;
+    double heading = 0;
+  };
+  std::vector<Knot> knots_;
+  double sideways_ = 0;
+};
+
+/// Counts of a wheel that has come `way` metres, nearest.
+std::int64_t counts_of(double way, double metres_per_count);
+
+}  // namespace fencepost::emulate

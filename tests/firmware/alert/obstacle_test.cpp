@@ -1,0 +1,129 @@
+#include "firmware/alert/obstacle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/firmware/alert/box_outline.hpp"
+#include "tests/firmware/alert/known_object.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using app::Obstacle;
+using app::RobotPath;
+
+app::Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
+  return app::see_obstacle(object, app::RobotPlace(pose), path);
+}
+
+RobotPath driving(float forward, float turn = 0) {
+  RobotPath path;
+  path.motion = {forward, turn};
+  path.half_width = 0.15F;
+  path.body_radius = 0.10F;
+  return path;
+}
+
+TEST(Obstacle, DistanceAndBearingAreFromTheRobotsOriginToTheNearestPoint) {
+  // Robot at (1, 2) facing +y; object of radius 0.1 at (0.7, 2.4): 0.4 ahead, 0.3 left, 0.5 away.
+  const auto object = known_object(0.7, 2.4, 0.1);
+  const Obstacle seen = see_obstacle(object, {{100'000, 200'000}, 1'570'796}, driving(0));
+  ASSERT_TRUE(seen.known);
+  EXPECT_NEAR(seen.distance, 0.4F, 2e-3F);
+  EXPECT_NEAR(seen.bearing(), 0.6435F, 5e-3F);  // atan2(0.3, 0.4)
+  EXPECT_FALSE(seen.closing);
+}
+
+constexpr float kDepth = 0.1F;  // of the boxes below
+constexpr float kWidth = 0.3F;
+
+// 1 m away, so its front is at 0.95 m; the cylinder's is at 0.9 m.
+TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
+  const app::RobotPlace robot({{0, 0}, 0});
+  const Obstacle cylinder = app::see_obstacle(known_object(1.0, 0, 0.1), robot, driving(0.2F));
+  const BoxOutline box(kDepth, kWidth, 0.004F);
+  Obstacle seen = cylinder;
+  app::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
+  EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
+  const BoxOutline unsure(kDepth, kWidth, 0.06F);  // its mean support value is 0.13 m
+  seen = cylinder;
+  app::measure_by_outline(unsure.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  EXPECT_EQ(seen.distance, cylinder.distance);
+  EXPECT_EQ(seen.ttc, cylinder.ttc);
+}
+
+TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
+  const app::RobotPlace robot({{0, 0}, 0});
+  const BoxOutline box(kDepth, kWidth, 0.004F);
+  Obstacle seen = app::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
+  app::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
+  EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
+  EXPECT_FALSE(seen.in_path);
+}
+
+TEST(Obstacle, InsideTheObjectTheDistanceIsZero) {
+  EXPECT_EQ(see_obstacle(known_object(1.0, 0, 0.1), {{97'000, 0}, 0}, driving(0)).distance, 0);
+}
+
+TEST(Obstacle, TimeToContactIsUntilTheBodyTouches) {
+  const Obstacle ahead = see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0.2F));
+  ASSERT_TRUE(ahead.closing);
+  EXPECT_NEAR(ahead.ttc, (0.9F - 0.1F) / 0.2F, 0.02F);
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(-0.2F)).closing);
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 1'570'796}, driving(0.2F)).closing);  // beside
+}
+
+TEST(Obstacle, TheStraightPathIsAsWideAsTheRobotAndItsMargin) {
+  for (const double y : {0.0, 0.24, -0.24}) {
+    EXPECT_TRUE(see_obstacle(known_object(1.0, y, 0.1), {{0, 0}, 0}, driving(0.2F)).in_path) << y;
+  }
+  for (const double y : {0.26, -0.26}) {
+    EXPECT_FALSE(see_obstacle(known_object(1.0, y, 0.1), {{0, 0}, 0}, driving(0.2F)).in_path) << y;
+  }
+  EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0)).in_path);  // standing: straight ahead
+  EXPECT_FALSE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(0.2F)).in_path);  // behind
+  EXPECT_TRUE(see_obstacle(known_object(1.0, 0, 0.1), {{200'000, 0}, 0}, driving(-0.2F)).in_path);  // reversing
+}
+
+TEST(Obstacle, WhatIsPassedIsNoLongerInThePath) {
+  // Beside the robot, its far half still ahead of the axle: the gap is 0.1 m, but nothing comes nearer any more.
+  const auto object = known_object(1.0, 0.2, 0.1);
+  EXPECT_TRUE(see_obstacle(object, {{95'000, 0}, 0}, driving(0.2F)).in_path);
+  EXPECT_FALSE(see_obstacle(object, {{105'000, 0}, 0}, driving(0.2F)).in_path);
+}
+
+TEST(Obstacle, SaysHowWellItKnows) {
+  auto object = known_object(1.0, 0, 0.1);
+  const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+  const Obstacle seen = see_obstacle(object, {{0, 0}, 0}, driving(0.2F));
+  // The nearest point is the centre less the radius along x: var = xx - 2 xr + rr.
+  const float variance = cylinder.covariance.xx - 2 * cylinder.covariance.xr + cylinder.covariance.rr;
+  ASSERT_TRUE(seen.in_path);
+  EXPECT_NEAR(seen.in_path->sigma, std::sqrt(variance), 1e-4F);
+  EXPECT_GT(seen.in_path->sigma, 0);
+  EXPECT_NEAR(seen.closing_speed, 0.2F, 1e-4F);
+  EXPECT_FALSE(seen.cut_off);
+  object.right_open = true;
+  EXPECT_TRUE(see_obstacle(object, {{0, 0}, 0}, driving(0.2F)).cut_off);
+}
+
+TEST(Obstacle, ACurvedPathFollowsTheArc) {
+  // Turning left on a circle of 1 m around (0, 1): it passes (0.707, 0.293) and misses (1.2, 0).
+  EXPECT_TRUE(see_obstacle(known_object(0.707, 0.293, 0.05), {{0, 0}, 0}, driving(0.2F, 0.2F)).in_path);
+  EXPECT_FALSE(see_obstacle(known_object(1.2, 0.0, 0.05), {{0, 0}, 0}, driving(0.2F, 0.2F)).in_path);
+  EXPECT_TRUE(see_obstacle(known_object(1.2, 0.0, 0.05), {{0, 0}, 0}, driving(0.2F, 0)).in_path);
+  // Mirror image: turning right.
+  EXPECT_TRUE(see_obstacle(known_object(0.707, -0.293, 0.05), {{0, 0}, 0}, driving(0.2F, -0.2F)).in_path);
+}
+
+TEST(Obstacle, WithoutAnEstimateNothingIsKnown) {
+  recon::ObjectCore object;
+  EXPECT_FALSE(see_obstacle(object, {{0, 0}, 0}, driving(0.2F)).known);
+}
+
+}  // namespace
+}  // namespace fencepost::test

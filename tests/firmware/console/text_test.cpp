@@ -1,0 +1,77 @@
+#include "firmware/console/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace fencepost::test {
+namespace {
+
+using base::Metres;
+using base::Radians;
+
+record::AlertReport alert(record::AlertLevel level, double distance, double degrees) {
+  record::AlertReport report;
+  report.level = level;
+  report.signature = 3;
+  report.distance = Metres::nearest(distance);
+  report.bearing = Radians::nearest(degrees * 3.14159265 / 180);
+  return report;
+}
+
+std::string sentence(const record::AlertReport& report, std::string_view name) {
+  std::array<char, app::kMaxSentence> out{};
+  return {out.data(), app::describe(report, name, out)};
+}
+
+TEST(Text, IsASentenceThatAPersonUnderstands) {
+  record::AlertReport stop = alert(record::AlertLevel::kStop, 0.24, 12);
+  EXPECT_EQ(sentence(stop, "red"), "STOP    red  0.24 m  12 deg left\r\n");
+  stop.ttc = base::Duration::nearest(1.13);
+  EXPECT_EQ(sentence(stop, "red"), "STOP    red  0.24 m  12 deg left  in 1.1 s\r\n");
+  EXPECT_EQ(sentence(alert(record::AlertLevel::kWarn, 0.456, -90), "blue"), "WARN    blue  0.46 m  90 deg right\r\n");
+  EXPECT_EQ(sentence(alert(record::AlertLevel::kNotice, 1, 0), ""), "NOTICE  signature 3  1.00 m  ahead\r\n");
+  EXPECT_EQ(sentence(alert(record::AlertLevel::kClear, 12.3449, 180), "red"), "CLEAR   red  12.34 m  behind\r\n");
+}
+
+TEST(Text, RoundsTheBearingToDegrees) {
+  EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.49), "x").find("ahead"), std::string::npos);
+  EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.51), "x").find("3 deg left"), std::string::npos);
+}
+
+std::string plot(const std::optional<app::Nearest>& nearest, record::AlertLevel level) {
+  std::array<char, app::kMaxSentence> out{};
+  return {out.data(), app::describe_plot(nearest, level, out)};
+}
+
+TEST(Text, PlotLinesAreNamesAndNumbers) {
+  const app::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
+  EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2\r\n");
+  EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0\r\n");
+}
+
+TEST(Text, ARejectedRecordIsNamedWithTheReason) {
+  std::array<char, app::kMaxSentence> out{};
+  const auto said = [&](std::string_view line, record::Reject reason) {
+    return std::string(out.data(), app::describe_reject(line, reason, out));
+  };
+  EXPECT_EQ(said("$FPODO,1,2,3", record::Reject::kCrc),
+            "error: $FPODO rejected (crc): the checksum is missing or wrong\r\n");
+  EXPECT_EQ(said("$FP\x01this is no record at all", record::Reject::kKind),
+            "error: $FP?this is no.. rejected (kind): there is no such record\r\n");
+}
+
+TEST(Text, TheLongestSentenceFits) {
+  record::AlertReport stop = alert(record::AlertLevel::kStop, 999.99, -179);
+  stop.bearing = Radians::nearest(-3.0);
+  stop.ttc = base::Duration::nearest(999.9);
+  const std::string name(sensor::kMaxText, 'x');
+  EXPECT_GT(sentence(stop, name).size(), 60U);
+  std::array<char, 20> little{};
+  EXPECT_EQ(app::describe(stop, name, little), 0U);
+}
+
+}  // namespace
+}  // namespace fencepost::test

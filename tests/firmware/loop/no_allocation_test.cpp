@@ -1,0 +1,165 @@
+// After start-up the loop never asks for memory: every way to the heap is trapped while it runs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <variant>
+#include <vector>
+
+#include "firmware/loop/loop.hpp"
+#include "firmware/record/stream_reader.hpp"
+
+namespace {
+
+bool g_armed = false;
+std::size_t g_requests = 0;
+
+void note() {
+  if (g_armed) ++g_requests;
+}
+
+}  // namespace
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* old, std::size_t size);
+void* __wrap_malloc(std::size_t size) {
+  note();
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  note();
+  return __real_calloc(count, size);
+}
+void* __wrap_realloc(void* old, std::size_t size) {
+  note();
+  return __real_realloc(old, size);
+}
+}
+
+void* operator new(std::size_t size) {
+  note();
+  if (void* memory = __real_malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+// Not inlined, or the compiler thinks that free() meets memory of another allocator.
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace fencepost::test {
+namespace {
+
+template <class Item>
+class Once {
+ public:
+  void offer(const Item& item) {
+    item_ = item;
+    full_ = true;
+  }
+  base::Result<Item> poll(base::Time) {
+    if (!full_) return base::Error::kNotReady;
+    full_ = false;
+    return item_;
+  }
+  [[nodiscard]] sensor::LinkState link() const { return sensor::LinkState::kOk; }
+  [[nodiscard]] std::uint32_t dropped() const { return 0; }
+
+ private:
+  Item item_;
+  bool full_ = false;
+};
+
+struct Counting {
+  std::size_t bytes = 0;
+  std::string_view typed;  ///< a line is read every hundredth time
+  std::size_t reads = 0;
+  base::Result<std::size_t> read(std::span<std::uint8_t> in) {
+    if (++reads % 100 != 0 || typed.empty()) return base::Error::kNotReady;
+    const std::size_t count = typed.find('\n') + 1;
+    std::copy_n(typed.begin(), count, in.begin());
+    typed.remove_prefix(count);
+    return count;
+  }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
+    bytes += out.size();
+    return out.size();
+  }
+};
+
+struct Inputs {
+  std::vector<std::variant<sensor::OdometrySample, sensor::BlobFrame>> items;
+  sensor::CameraIntrinsics camera;
+  void accept(const sensor::CameraIntrinsics& intrinsics) { camera = intrinsics; }
+  void accept(const sensor::OdometrySample& sample) { items.emplace_back(sample); }
+  void accept(const sensor::BlobFrame& frame) { items.emplace_back(frame); }
+  template <class Record>
+  void accept(const Record&) {}
+};
+
+Inputs recorded() {
+  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/noisy_arc.log", std::ios::binary);
+  std::stringstream bytes;
+  bytes << file.rdbuf();
+  std::array<char, record::StreamReader::kBuffer> buffer{};
+  record::StreamReader reader(buffer);
+  Inputs inputs;
+  reader.push(bytes.str(), inputs);
+  return inputs;
+}
+
+template <class Profile>
+void expect_no_allocation() {
+  const Inputs inputs = recorded();
+  ASSERT_GT(inputs.items.size(), 100U);
+  auto memory = std::make_unique<app::Memory<Profile>>();
+  Once<sensor::BlobFrame> camera;
+  Once<sensor::OdometrySample> odometry;
+  Counting console;
+  app::Loop loop(*memory, camera, odometry, console, app::Mode::kLog);
+  const record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
+  console.typed =
+      "help\nstatus\nobjects\nmap\nget\nget alert.stop\nset alert.stop 0.3\nset alert.stop x\nfrob\nalerts off\n"
+      "mode text\nmode plot\nmode log\nversion\n$FPODO,,0,0,0*0000\nselftest\nreset\n";
+  g_requests = 0;
+  g_armed = true;
+  loop.pipeline().start_run(header);
+  loop.pipeline().set_camera(inputs.camera);
+  for (const auto& item : inputs.items) {
+    if (const auto* sample = std::get_if<sensor::OdometrySample>(&item)) odometry.offer(*sample);
+    if (const auto* frame = std::get_if<sensor::BlobFrame>(&item)) camera.offer(*frame);
+    loop.step({});
+  }
+  for (int i = 0; i < 5000; ++i) loop.step({});
+  g_armed = false;
+  EXPECT_EQ(g_requests, 0U);
+  EXPECT_TRUE(console.typed.empty());
+  EXPECT_GT(memory->counters.frames, 50U);
+  EXPECT_GT(console.bytes, 10'000U);
+  std::printf("  profile %-5s sizeof(Memory) %6zu of %6zu bytes, of these pose correction %5zu of %5zu\n",
+              std::string(Profile::kName).c_str(), sizeof(app::Memory<Profile>), Profile::kBudget,
+              sizeof(recon::PoseCorrection<Profile>), Profile::kPoseBytes);
+  EXPECT_LE(sizeof(app::Memory<Profile>), Profile::kBudget);
+}
+
+TEST(NoAllocation, MicroLoop) { expect_no_allocation<config::Micro>(); }
+TEST(NoAllocation, SmallLoop) { expect_no_allocation<config::Small>(); }
+TEST(NoAllocation, FullLoop) { expect_no_allocation<config::Full>(); }
+
+// The trap itself works.
+TEST(NoAllocation, TheTrapCatchesNewAndMalloc) {
+  g_requests = 0;
+  g_armed = true;
+  auto* one = new std::vector<int>(10);
+  void* volatile two = std::malloc(10);
+  g_armed = false;
+  EXPECT_EQ(g_requests, 3U);
+  std::free(two);
+  delete one;
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,151 @@
+#include "firmware/recon/localize/pose_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace fencepost::test {
+namespace {
+
+using recon::LandmarkFilter;
+using recon::MeasurementNoise;
+using recon::SightedCircle;
+using recon::Sighting;
+using recon::Vec2;
+
+constexpr std::size_t kWidth = 0, kMiddle = 1, kFoot = 2;
+constexpr float kFocal = 200;  // px
+
+Vec2 unit(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
+
+/// A circle at (x, y) of radius r in the robot frame as a lens at the robot's origin sees it, turned by `off` rad.
+Sighting sighting_of(double x, double y, double r, double off = 0) {
+  const double bearing = std::atan2(y, x) + off;
+  const double half = std::asin(r / std::hypot(x, y));
+  Sighting seen;
+  seen.focal = kFocal;
+  seen.center = unit(bearing);
+  seen.left = {unit(bearing + half), false, false, false};
+  seen.right = {unit(bearing - half), false, false, false};
+  seen.bottom.censored = true;
+  return seen;
+}
+
+float residual(const recon::CircleEquation& equation, const Vec2& center, float radius) {
+  return equation.bound - equation.normal.dot(center) - equation.radii * radius;
+}
+
+// 2 m ahead and 1.5 m to the left: 2.5 m away; the bearing's direction is (0.8, 0.6), left of it (-0.6, 0.8).
+constexpr double kX = 2, kY = 1.5;
+constexpr float kRadius = 0.5F;
+const Vec2 kCenter{2, 1.5F};
+
+TEST(SightedCircle, BothEndsSayWidthAndMiddle) {
+  const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5), kCenter, kRadius, 1, {});
+  const auto& width = circle.lines[kWidth].equation;
+  const auto& middle = circle.lines[kMiddle].equation;
+  // sine 0.2, cosine sqrt(0.96): half the sum points at the lens, half the difference to the left.
+  EXPECT_NEAR(width.normal.x(), -0.2 * 0.8, 1e-6);
+  EXPECT_NEAR(width.normal.y(), -0.2 * 0.6, 1e-6);
+  EXPECT_EQ(width.radii, 1);
+  EXPECT_NEAR(middle.normal.x(), -0.6 * std::sqrt(0.96), 1e-6);
+  EXPECT_NEAR(middle.normal.y(), 0.8 * std::sqrt(0.96), 1e-6);
+  EXPECT_EQ(middle.radii, 0);
+  for (const auto& equation : {width, middle}) {
+    EXPECT_NEAR(residual(equation, kCenter, kRadius), 0, 1e-6);
+    EXPECT_LT((equation.slope - equation.normal).norm(), 1e-6F);
+  }
+  EXPECT_EQ(circle.lines[kFoot].variance, 0);
+}
+
+TEST(SightedCircle, AWrongHeadingMovesTheMiddleAndNotTheWidth) {
+  constexpr double kOff = 0.01;
+  const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5, kOff), kCenter, kRadius, 1, {});
+  // cos(asin 0.2) * 2.5 m * 10 mrad, and of the second order 0.2 * 2.5 m * (10 mrad)^2 / 2.
+  EXPECT_NEAR(residual(circle.lines[kMiddle].equation, kCenter, kRadius), std::sqrt(0.96) * 0.025, 1e-4);
+  EXPECT_LT(std::fabs(residual(circle.lines[kWidth].equation, kCenter, kRadius)), 5e-5F);
+}
+
+TEST(SightedCircle, OneEndIsATangent) {
+  for (const bool left : {true, false}) {
+    Sighting seen = sighting_of(kX, kY, 0.5);
+    (left ? seen.right : seen.left).censored = true;
+    const SightedCircle circle = sighted_circle(seen, kCenter, kRadius, 1, {});
+    const auto& tangent = circle.lines[0].equation;
+    EXPECT_NEAR(tangent.normal.norm(), 1, 1e-6);
+    EXPECT_NEAR(residual(tangent, kCenter, kRadius), 0, 1e-6);
+    EXPECT_LT((tangent.slope - tangent.normal).norm(), 1e-6F);
+    EXPECT_EQ(circle.lines[1].variance, 0);
+  }
+}
+
+// Straight ahead, so that a pixel is 1 / f rad; 3 m away.
+TEST(SightedCircle, VariancesAreThoseOfTheEndsAndThePose) {
+  MeasurementNoise noise;
+  noise.edge_px = 2;
+  noise.heading = 0.008F;
+  noise.position = 0.005F;
+  noise.roundness = 0.1F;
+  constexpr double kEnd = 3 * 2 / 200.0, kTurned = 3 * 0.008, kPlace = 0.005, kShape = 0.1 * 0.06;
+  const Sighting seen = sighting_of(3, 0, 0.06);
+  const SightedCircle both = sighted_circle(seen, {3, 0}, 0.06F, 1, noise);
+  const double each = 0.5 * (kEnd * kEnd + kShape * kShape);
+  EXPECT_NEAR(both.lines[kWidth].variance, each, 1e-3 * each);
+  EXPECT_NEAR(both.lines[kMiddle].variance, each + kTurned * kTurned + kPlace * kPlace, 1e-3 * each);
+  Sighting half = seen;
+  half.right.censored = true;
+  const double alone = kEnd * kEnd + kShape * kShape + kTurned * kTurned + kPlace * kPlace;
+  EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 1, noise).lines[0].variance, alone, 1e-3 * alone);
+  EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 0.25F, noise).lines[0].variance, 4 * alone, 4e-3 * alone);
+}
+
+TEST(SightedCircle, NothingIsSaidOfWhatIsAtTheLens) {
+  const SightedCircle circle = sighted_circle(sighting_of(kX, kY, 0.5), {0, 0}, kRadius, 1, {});
+  for (const auto& line : circle.lines) EXPECT_EQ(line.variance, 0);
+}
+
+/// How far away a landmark 4 m ahead seems to be after `views` from a robot that sways sideways, by the filter.
+float found_distance(unsigned seed, int views) {
+  constexpr double kDistance = 4, kRadiusThere = 0.06, kSway = 0.12;
+  constexpr float kBearing = 0.01F;  // rad, sigma
+  std::mt19937 random(seed);
+  std::normal_distribution<double> wrong(0, static_cast<double>(kBearing));
+  const auto filter = std::make_unique<LandmarkFilter<1>>();
+  recon::start(filter->view());
+  recon::LandmarkGuess guess;
+  guess.away = {3, 0};
+  guess.radius = 0.08F;
+  guess.covariance = {2.25F, 0, 0.01F, 0, 0, 0.0025F};
+  recon::add_landmark(filter->view(), 0, guess);
+  MeasurementNoise noise;
+  noise.heading = kBearing;
+  std::array<float, LandmarkFilter<1>::kStates> step{};
+  for (int i = 0; i < views; ++i) {
+    const double y = kSway * std::sin(0.1 * i);
+    recon::MapPose pose;
+    pose.position = recon::moved({}, {0, static_cast<float>(y)});
+    recon::drive_to(filter->view(), pose, {});
+    filter->view().at.pose = pose;
+    const Vec2 away = recon::offset_from(pose.position, filter->landmark(0).center);
+    const Sighting seen = sighting_of(kDistance, -y, kRadiusThere, wrong(random));
+    const SightedCircle circle = sighted_circle(seen, away, filter->landmark(0).radius, 1, noise);
+    for (const auto& line : circle.lines) {
+      if (line.variance > 0) recon::correct_by(filter->view(), 0, line.equation, line.variance, step);
+    }
+  }
+  return recon::offset_from({}, filter->landmark(0).center).x();
+}
+
+// Noisy directions have parallax to themselves. As derivatives they draw the landmark to the lens, ever nearer the more
+// of them there are; the directions that are expected do not.
+TEST(SightedCircle, NoiseDrawsNothingToTheLens) {
+  float mean = 0;
+  constexpr unsigned kRuns = 20;
+  for (unsigned seed = 1; seed <= kRuns; ++seed) mean += found_distance(seed, 600) / kRuns;
+  EXPECT_NEAR(mean, 4, 0.2);
+}
+
+}  // namespace
+}  // namespace fencepost::test

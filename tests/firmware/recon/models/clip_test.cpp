@@ -1,0 +1,178 @@
+#include "firmware/recon/models/clip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "firmware/recon/models/carve.hpp"
+#include "host/geometry/half_planes.hpp"
+#include "host/geometry/planar.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::HalfPlane;
+using recon::Vec2;
+
+template <std::size_t N>
+host::MultiPolygon polygon_of(const recon::ConvexClip<N>& clip) {
+  host::Polygon polygon;
+  for (const Vec2& v : clip.vertices()) {
+    polygon.outer.push_back({static_cast<double>(v.x()), static_cast<double>(v.y())});
+  }
+  return {polygon};
+}
+
+HalfPlane half_plane(double angle, double bound) {
+  return {{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}, static_cast<float>(bound)};
+}
+
+TEST(ConvexClip, CutsACornerOffTheSquare) {
+  recon::ConvexClip<16> clip;
+  clip.start();
+  ASSERT_EQ(clip.vertices().size(), 4U);
+  // x + y <= 3 (normal at 45 deg, bound 3 / sqrt 2) takes the triangle (1,2)-(2,1)-(2,2) off.
+  clip.cut(half_plane(M_PI / 4, 3 / std::sqrt(2)));
+  ASSERT_EQ(clip.vertices().size(), 5U);
+  EXPECT_NEAR(host::area(polygon_of(clip)), 16 - 0.5, 1e-5);
+}
+
+TEST(ConvexClip, KeepsEverythingOrNothing) {
+  recon::ConvexClip<16> clip;
+  clip.start();
+  clip.cut(half_plane(0.3, 10));
+  EXPECT_EQ(clip.vertices().size(), 4U);
+  clip.cut(half_plane(0.3, -10));
+  EXPECT_TRUE(clip.vertices().empty());
+  clip.cut(half_plane(0.3, 10));
+  EXPECT_TRUE(clip.vertices().empty());  // what is gone stays gone
+}
+
+// Random cuts against the same cuts in double. Every polygon stays convex, and encloses the exact one.
+template <std::size_t N>
+void fuzz(unsigned seed, double largest_area_excess) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double a, double b) { return a + (b - a) * (static_cast<double>(random()) / 4294967295.0); };
+  int compared = 0;
+  for (int round = 0; round < 300; ++round) {
+    recon::ConvexClip<N> clip;
+    clip.start();
+    host::LinearRing exact = host::square({0, 0}, 4);
+    const double size = uniform(0.01, 0.5);
+    for (int cut = 0; cut < 150; ++cut) {
+      // Tangents of a disc, in runs of nearly equal and exactly repeated ones.
+      const double angle = cut % 3 == 0 ? 0.1 * std::floor(uniform(0, 63)) : uniform(0, 2 * M_PI);
+      const double bound = size * (1 + (cut % 5 == 0 ? 0 : uniform(0, 0.2)));
+      const HalfPlane plane = half_plane(angle, bound);
+      clip.cut(plane);
+      exact = host::clipped(exact, {{static_cast<double>(plane.normal.x()), static_cast<double>(plane.normal.y())},
+                                    static_cast<double>(plane.bound)});
+    }
+    const auto v = clip.vertices();
+    ASSERT_GE(v.size(), 3U);
+    ASSERT_LE(v.size(), N);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const Vec2 a = v[(i + 1) % v.size()] - v[i];
+      const Vec2 b = v[(i + 2) % v.size()] - v[(i + 1) % v.size()];
+      ASSERT_GT(recon::cross(a, b), -1e-6F) << "not convex at " << i;
+    }
+    const double whole = host::area({exact, {}});
+    EXPECT_LT(host::difference_area({{exact, {}}}, polygon_of(clip)), 2e-5 * whole + 1e-9);
+    EXPECT_LT(host::area(polygon_of(clip)) / whole, 1 + largest_area_excess);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 300);
+}
+TEST(ConvexClip, RandomCutsMatchDoubleWithRoomEnough) { fuzz<192>(1, 2e-4); }
+TEST(ConvexClip, RandomCutsWithLittleRoomOnlyGrow) { fuzz<24>(2, 0.05); }
+TEST(ConvexClip, RandomCutsWithVeryLittleRoomOnlyGrow) { fuzz<8>(3, 0.6); }
+
+// Every cell against the definition: carved if and only if all four corners are outside by more than the guard.
+TEST(CarveGrid, CarvesExactlyTheCellsThatLieWhollyOutside) {
+  std::mt19937 random(4);
+  const auto uniform = [&](double a, double b) { return a + (b - a) * (static_cast<double>(random()) / 4294967295.0); };
+  std::size_t carved_in_all = 0;
+  for (int round = 0; round < 400; ++round) {
+    std::array<std::uint32_t, 64 * 2> words;
+    words.fill(0xFFFFFFFFU);
+    const recon::GridPlacement placement{{static_cast<float>(uniform(-1, 0)), static_cast<float>(uniform(-1, 0))},
+                                         static_cast<float>(uniform(0.002, 0.05))};
+    const double angle = round % 4 == 0 ? M_PI / 2 * (round % 16 / 4) : uniform(0, 2 * M_PI);
+    const HalfPlane plane = half_plane(angle, uniform(-1, 1));
+    recon::carve_half_plane(words, 64, 0, 64, placement, plane);
+    for (std::size_t j = 0; j < 64; ++j) {
+      for (std::size_t i = 0; i < 64; ++i) {
+        double inside = 1e9;  // of the innermost corner: distance beyond the line
+        for (const std::size_t di : {0U, 1U}) {
+          for (const std::size_t dj : {0U, 1U}) {
+            const double x =
+                static_cast<double>(placement.low.x()) + static_cast<double>(placement.cell) * double(i + di);
+            const double y =
+                static_cast<double>(placement.low.y()) + static_cast<double>(placement.cell) * double(j + dj);
+            inside = std::min(inside, static_cast<double>(plane.normal.x()) * x +
+                                          static_cast<double>(plane.normal.y()) * y - static_cast<double>(plane.bound));
+          }
+        }
+        const bool carved = ((words[j * 2 + i / 32] >> (i % 32)) & 1U) == 0;
+        if (carved) ++carved_in_all;
+        if (inside <= 0) {
+          ASSERT_FALSE(carved) << "a cell that is not wholly outside, round " << round;
+        }
+        if (inside > 1e-5) {
+          ASSERT_TRUE(carved) << "a cell that is wholly outside, round " << round;
+        }
+      }
+    }
+  }
+  EXPECT_GT(carved_in_all, 100'000U);
+}
+
+TEST(CarveGrid, NeverGrowsBackAndKeepsItsWedgesWhenPlacedAnew) {
+  recon::CarveGrid<64> grid;
+  recon::ConvexClip<96> clip;
+  grid.start();
+  clip.start();
+  double last_area = 16;
+  int placements = 0;
+  for (int i = 0; i < 40; ++i) {
+    const HalfPlane plane = half_plane(2.4 * i, 0.05 + 0.5 / (1 + i));
+    clip.cut(plane);
+    grid.carve(plane);
+    grid.refine(clip.vertices());
+    std::size_t solid = 0;
+    for (std::size_t row = 0; row < 64; ++row) {
+      for (std::size_t column = 0; column < 64; ++column) solid += grid.solid(column, row) ? 1U : 0U;
+    }
+    const auto cell = static_cast<double>(grid.placement().cell);
+    const double area = static_cast<double>(solid) * cell * cell;
+    const double exact = host::area(polygon_of(clip));
+    EXPECT_GE(area, exact * 0.9999) << i;
+    EXPECT_LE(area, last_area * 1.0001) << i;  // finer cells: never more than before
+    EXPECT_LE(area, exact + 4 * 64 * cell * cell) << i;
+    last_area = area;
+    placements = grid.placements();
+  }
+  EXPECT_GE(placements, 3);
+  EXPECT_LE(placements, 9);
+}
+
+TEST(CarveGrid, ManyRefinementsAreBounded) {
+  recon::CarveGrid<32> grid;
+  recon::ConvexClip<24> clip;
+  grid.start();
+  clip.start();
+  for (double size = 1.9; size > 0.001; size *= 0.97) {
+    for (int side = 0; side < 4; ++side) {
+      clip.cut(half_plane(side * M_PI / 2, size));
+      grid.carve(half_plane(side * M_PI / 2, size));
+    }
+    grid.refine(clip.vertices());
+  }
+  EXPECT_LE(grid.placements(), 9);
+  EXPECT_NEAR(grid.placement().cell * 32, 0.04F, 0.03F);
+}
+
+}  // namespace
+}  // namespace fencepost::test

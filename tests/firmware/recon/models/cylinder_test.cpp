@@ -1,0 +1,205 @@
+#include "firmware/recon/models/cylinder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/firmware/recon/exact_view.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::Cylinder;
+using recon::CylinderRefusal;
+using recon::Vec2;
+
+constexpr host::Point kCenter{1.0, 0.0};
+constexpr double kRadius = 0.06;
+
+void add(Cylinder& cylinder, const recon::Sighting& sighting, float novelty = 1) {
+  cylinder.add(sighting, {0, 0}, novelty, {});
+  cylinder.solve(sighting.lens_from({0, 0}));
+}
+
+// The bottom row of an object that stands on the floor, as its nearest point shows it.
+void stand_on_floor(recon::Sighting& sighting, double nearest_depth) {
+  sighting.rows_known = true;
+  sighting.bottom = {static_cast<float>(static_cast<double>(sighting.lens_height) / nearest_depth), false};
+}
+
+TEST(Cylinder, RefusesUntilThereIsParallax) {
+  Cylinder cylinder;
+  EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kNoEdges);
+  // Ten views from nearly one place: the distance stays unknown.
+  for (int i = 0; i < 10; ++i) {
+    add(cylinder, view_of_circle(kCenter, kRadius, {0, 0.001 * i}).sighting);
+    EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kParallax) << i;
+  }
+  for (int i = 0; i < 10; ++i) add(cylinder, view_of_circle(kCenter, kRadius, {0, 0.05 * i}).sighting);
+  EXPECT_TRUE(cylinder.estimate().ok());
+}
+
+TEST(Cylinder, CensoredEndsAddNothing) {
+  Cylinder cylinder;
+  for (int i = 0; i < 10; ++i) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, {0, 0.1 * i}).sighting;
+    s.left.censored = s.right.censored = true;
+    add(cylinder, s);
+  }
+  EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kNoEdges);
+}
+
+TEST(Cylinder, ApproachingStraightIsEnoughWhenTheIntervalGrows) {
+  Cylinder cylinder;
+  for (int i = 0; i < 20; ++i) add(cylinder, view_of_circle(kCenter, kRadius, {0.04 * i, 0}).sighting);
+  ASSERT_TRUE(cylinder.estimate().ok()) << name(cylinder.estimate().refusal);
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 1e-3F);
+}
+
+TEST(Cylinder, OneViewIsEnoughWithTheGroundRow) {
+  recon::Sighting s = view_of_circle(kCenter, kRadius, {0, 0}).sighting;
+  stand_on_floor(s, 1.0 - kRadius);
+  Cylinder cylinder;
+  add(cylinder, s);
+  ASSERT_TRUE(cylinder.estimate().ok()) << name(cylinder.estimate().refusal);
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
+}
+
+// One end is outside the image all the time: an object of the usual size stands there.
+TEST(Cylinder, OneEdgeAndTheGroundRowMakeOneOfTheUsualSize) {
+  Cylinder cylinder;
+  for (int i = 0; i < 3; ++i) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, {0.02 * i, 0}).sighting;
+    s.right.censored = true;
+    stand_on_floor(s, 1.0 - kRadius - 0.02 * i);
+    add(cylinder, s);
+  }
+  ASSERT_TRUE(cylinder.estimate().ok()) << name(cylinder.estimate().refusal);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.08F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.02F, 5e-3F);   // its front is where the row is
+  EXPECT_NEAR(cylinder.estimate().center.y(), -0.02F, 5e-3F);  // its left edge is where the edge is
+}
+
+// Headings that are off by half a degree look like parallax on a straight approach, and draw the edges' distance in.
+// The rows know better.
+TEST(Cylinder, ANoisyApproachDoesNotOverruleTheRows) {
+  std::mt19937 random(1);
+  Cylinder cylinder;
+  for (int i = 0; i < 60; ++i) {
+    const host::Point lens{-0.9 + 0.025 * i, 0.1};
+    recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    double sum = 0;  // of twelve uniform numbers: nearly normal, variance 1
+    for (int n = 0; n < 12; ++n) sum += static_cast<double>(random()) / 4294967296.0;
+    const Vec2 off = unit(0.009 * (sum - 6));
+    for (Vec2* direction : {&s.left.direction, &s.right.direction, &s.axis, &s.center}) {
+      *direction = recon::rotated(off, *direction);
+    }
+    stand_on_floor(s, 1.0 - lens.x - kRadius);
+    add(cylinder, s);
+    if (i < 5) continue;
+    ASSERT_TRUE(cylinder.estimate().ok()) << i << name(cylinder.estimate().refusal);
+    const float front = cylinder.estimate().center.x() - cylinder.estimate().radius;
+    EXPECT_NEAR(front, 0.94F, 0.1F * (0.94F - static_cast<float>(lens.x))) << i;
+  }
+}
+
+// A box on a shelf: its bottom row lies. Once the edges know better, the row is dropped.
+TEST(Cylinder, RowsOfAnObjectAboveTheFloorAreDropped) {
+  Cylinder cylinder;
+  for (const host::Point& lens : arc(kCenter, 1.0, 40)) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    stand_on_floor(s, 1.7 * (1.0 - kRadius));  // 5 cm up, seen from 12 cm
+    add(cylinder, s);
+  }
+  ASSERT_TRUE(cylinder.estimate().ok());
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 2e-3F);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
+}
+
+TEST(Cylinder, OneWrongViewInTenIsOutvoted) {
+  Cylinder cylinder;
+  int i = 0;
+  for (const host::Point& lens : arc(kCenter, 1.0, 60)) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    if (++i % 10 == 0) {  // half the segment is lost on the left
+      s.left.direction = s.axis;
+    }
+    add(cylinder, s);
+  }
+  ASSERT_TRUE(cylinder.estimate().ok());
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 4e-3F);
+  EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 4e-3F);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 4e-3F);
+}
+
+TEST(Cylinder, RecoversAfterTheObjectWasMoved) {
+  Cylinder cylinder;
+  for (const host::Point& lens : arc(kCenter, 1.0, 60)) {
+    add(cylinder, view_of_circle(kCenter, kRadius, lens).sighting);
+  }
+  const host::Point there{1.3, 0.2};
+  for (int round = 0; round < 3; ++round) {
+    for (const host::Point& lens : arc(kCenter, 1.0, 60)) {
+      add(cylinder, view_of_circle(there, kRadius, lens).sighting);
+    }
+  }
+  ASSERT_TRUE(cylinder.estimate().ok());
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.3F, 2e-2F);
+  EXPECT_NEAR(cylinder.estimate().center.y(), 0.2F, 2e-2F);
+}
+
+TEST(Cylinder, CovarianceShrinksWithViewsAndPointsAlongTheRay) {
+  Cylinder few;
+  Cylinder many;
+  int i = 0;
+  for (const host::Point& lens : arc({1.0, 0.0}, 1.0, 80)) {
+    const recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    if (i < 6) add(few, s);
+    if (i < 60) add(many, s);
+    ++i;
+  }
+  ASSERT_TRUE(few.estimate().ok());
+  EXPECT_GT(few.estimate().outline_sigma(), 3 * many.estimate().outline_sigma());
+  const Vec2 lens = unit(0.3);  // the first views all look from there to the centre
+  EXPECT_GT(few.estimate().covariance.position_along(lens),
+            10 * few.estimate().covariance.position_along(recon::left_of(lens)));
+}
+
+TEST(Cylinder, MovingTheOriginChangesNothing) {
+  Cylinder here;
+  Cylinder moved_origin;
+  const Vec2 shift{0.7F, -0.4F};
+  int i = 0;
+  for (const host::Point& lens : arc(kCenter, 1.0, 20)) {
+    const recon::Sighting s = view_of_circle(kCenter, kRadius, lens).sighting;
+    add(here, s);
+    add(moved_origin, s);
+    if (++i == 10) break;
+  }
+  moved_origin.move_origin(shift);
+  moved_origin.solve(Vec2{0, 0} - shift);
+  here.solve({0, 0});
+  ASSERT_TRUE(here.estimate().ok());
+  EXPECT_NEAR(moved_origin.estimate().center.x() + shift.x(), here.estimate().center.x(), 1e-5F);
+  EXPECT_NEAR(moved_origin.estimate().center.y() + shift.y(), here.estimate().center.y(), 1e-5F);
+  EXPECT_NEAR(moved_origin.estimate().radius, here.estimate().radius, 1e-5F);
+}
+
+// Ten thousand views: the information is bounded, the estimate still follows.
+TEST(Cylinder, StaysExactOverThousandsOfViews) {
+  Cylinder cylinder;
+  const auto lenses = arc(kCenter, 1.0, 100);
+  for (int round = 0; round < 100; ++round) {
+    for (const host::Point& lens : lenses) add(cylinder, view_of_circle(kCenter, kRadius, lens).sighting);
+  }
+  ASSERT_TRUE(cylinder.estimate().ok());
+  EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 1e-3F);
+  EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 1e-3F);
+}
+
+}  // namespace
+}  // namespace fencepost::test

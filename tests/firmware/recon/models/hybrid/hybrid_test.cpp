@@ -1,0 +1,363 @@
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "firmware/recon/models/hybrid/hybrid_solver.hpp"
+#include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "tests/firmware/recon/exact_view.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using namespace recon;
+
+using Wide = Hybrid<64>;
+using WideSolver = HybridSolver<64, 3>;
+using Narrow = Hybrid<32>;
+using NarrowSolver = HybridSolver<32, 4>;
+
+constexpr double kPi = std::numbers::pi;
+
+host::LinearRing box(double width, double depth, host::Point center = {0, 0}, double turn = 0) {
+  host::LinearRing ring;
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const double a = x * width / 2, b = y * depth / 2;
+    ring.push_back(
+        {center.x + a * std::cos(turn) - b * std::sin(turn), center.y + a * std::sin(turn) + b * std::cos(turn)});
+  }
+  return ring;
+}
+
+std::vector<host::Point> circle(host::Point center, double radius, int views, double start = 0.3) {
+  std::vector<host::Point> lenses;
+  for (int i = 0; i < views; ++i) {
+    const double angle = start + 2 * kPi * i / views;
+    lenses.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
+  }
+  return lenses;
+}
+
+template <class HybridType, class Solver>
+struct Filter {
+  HybridType hybrid;
+  Solver solver;
+  bool begun = false;
+
+  void see(const Sighting& sighting) {
+    if (!begun) hybrid.begin(sighting);
+    begun = true;
+    hybrid.add(sighting, {});
+    if (hybrid.news) solver.solve(hybrid);
+  }
+  void see(const host::LinearRing& footprint, const std::vector<host::Point>& lenses) {
+    for (const host::Point& lens : lenses) see(view_of(footprint, lens).sighting);
+  }
+};
+using WideFilter = Filter<Wide, WideSolver>;
+using NarrowFilter = Filter<Narrow, NarrowSolver>;
+
+/// Support value of the fitted outline in the map frame.
+template <class HybridType>
+double support(const HybridType& hybrid, std::size_t k) {
+  const Vec2 direction = node_direction(k, hybrid.offsets.size());
+  const double x = hybrid.origin.x / 1e5, y = hybrid.origin.y / 1e5;
+  return static_cast<double>(hybrid.outline().offset(k)) + static_cast<double>(direction.x()) * x +
+         static_cast<double>(direction.y()) * y;
+}
+double support(const host::LinearRing& footprint, std::size_t k, std::size_t nodes) {
+  const double angle = 2 * kPi * static_cast<double>(k) / static_cast<double>(nodes);
+  double most = -1e9;
+  for (const host::Point& p : footprint) most = std::max(most, p.x * std::cos(angle) + p.y * std::sin(angle));
+  return most;
+}
+template <class HybridType>
+double worst_offset(const HybridType& hybrid, const host::LinearRing& footprint) {
+  double worst = 0;
+  const std::size_t nodes = hybrid.offsets.size();
+  for (std::size_t k = 0; k < nodes; ++k) {
+    worst = std::max(worst, std::abs(support(hybrid, k) - support(footprint, k, nodes)));
+  }
+  return worst;
+}
+
+template <class HybridType>
+void expect_same(const HybridType& a, const HybridType& b) {
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.last_lens, b.last_lens);
+  EXPECT_EQ(a.views, b.views);
+  EXPECT_EQ(a.used, b.used);
+  EXPECT_EQ(a.spread, b.spread);
+  EXPECT_EQ(a.refusal, b.refusal);
+  EXPECT_EQ(a.news, b.news);
+  EXPECT_EQ(a.fitting, b.fitting);
+  EXPECT_EQ(a.offsets, b.offsets);
+  EXPECT_EQ(a.sigmas, b.sigmas);
+  for (std::size_t i = 0; i < a.clusters.size(); ++i) {
+    const PackedCluster& one = a.clusters[i];
+    const PackedCluster& other = b.clusters[i];
+    ASSERT_EQ(one.views, other.views) << i;
+    if (one.views == 0) continue;
+    EXPECT_EQ(one.offset_low, other.offset_low) << i;
+    EXPECT_EQ(one.offset_high, other.offset_high) << i;
+    EXPECT_EQ(one.phase, other.phase) << i;
+    EXPECT_EQ(one.sigma, other.sigma) << i;
+  }
+}
+
+TEST(Hybrid, HasNothingToSayBeforeItIsFitted) {
+  Wide hybrid;
+  hybrid.begin(view_of(box(0.2, 0.1), {1, 0}).sighting);
+  EXPECT_EQ(hybrid.refusal, HybridRefusal::kNoTangents);
+  EXPECT_FALSE(name(hybrid.refusal).empty());
+}
+
+TEST(Hybrid, FindsABoxFromExactEdges) {
+  const host::LinearRing footprint = box(0.20, 0.12, {0.4, -0.3}, 0.35);
+  WideFilter filter;
+  filter.see(footprint, circle({0.4, -0.3}, 0.9, 48));
+  ASSERT_TRUE(filter.hybrid.ok());
+  EXPECT_LT(worst_offset(filter.hybrid, footprint), 4e-3);
+  EXPECT_GT(filter.hybrid.outline().confidence(), 0.75F);
+  NarrowFilter narrow;  // corners are beyond a series of order 4
+  narrow.see(footprint, circle({0.4, -0.3}, 0.9, 48));
+  ASSERT_TRUE(narrow.hybrid.ok());
+  EXPECT_LT(worst_offset(narrow.hybrid, footprint), 9e-3);
+}
+
+TEST(Hybrid, FindsACylinderToAMillimetre) {
+  WideFilter filter;
+  for (const host::Point& lens : circle({0, 0}, 0.8, 24)) filter.see(view_of_circle({0, 0}, 0.07, lens).sighting);
+  for (std::size_t k = 0; k < 64; ++k) EXPECT_NEAR(support(filter.hybrid, k), 0.07, 1e-3) << k;
+}
+
+// The outline as a polygon: of an exact box it is the box, a corner rounded by half a node's step at most.
+TEST(Hybrid, PolygonIsTheOutline) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  WideFilter filter;
+  filter.see(footprint, circle({0, 0}, 0.9, 48));
+  std::array<Vec2, kOutlineVertices> vertices;
+  const std::size_t size = outline_polygon(filter.hybrid.outline(), 0, vertices);
+  ASSERT_GE(size, 4U);
+  double twice = 0;
+  for (std::size_t i = 0; i < size; ++i) twice += static_cast<double>(cross(vertices[i], vertices[(i + 1) % size]));
+  EXPECT_NEAR(twice / 2, 0.20 * 0.12, 0.0012);
+  const std::size_t wider = outline_polygon(filter.hybrid.outline(), 2, vertices);
+  double wider_twice = 0;
+  for (std::size_t i = 0; i < wider; ++i) {
+    wider_twice += static_cast<double>(cross(vertices[i], vertices[(i + 1) % wider]));
+  }
+  EXPECT_GT(wider_twice, twice);
+}
+
+TEST(Hybrid, DistanceIsThatToTheOutline) {
+  WideFilter filter;
+  filter.see(box(0.20, 0.12), circle({0, 0}, 0.9, 48));
+  const Vec2 middle{static_cast<float>(filter.hybrid.origin.x) * 1e-5F,
+                    static_cast<float>(filter.hybrid.origin.y) * 1e-5F};
+  std::size_t nearest = 99;
+  EXPECT_NEAR(filter.hybrid.outline().distance_from(Vec2{1, 0} - middle, nearest), 0.9F, 3e-3F);
+  EXPECT_EQ(nearest, 0U);
+  EXPECT_NEAR(filter.hybrid.outline().distance_from(Vec2{0, -0.5F} - middle, nearest), 0.44F, 3e-3F);
+  EXPECT_EQ(nearest, 48U);
+  const float corner = std::hypot(0.9F, 0.94F);
+  EXPECT_NEAR(filter.hybrid.outline().distance_from(Vec2{1, 1} - middle, nearest), corner, 5e-3F);
+  EXPECT_LT(filter.hybrid.outline().distance_from(-middle, nearest), -0.05F);
+}
+
+// Moved by whole steps of the map, everything is the same but the origin: bit for bit.
+TEST(HybridProperties, MovesWithTheScene) {
+  const host::LinearRing footprint = box(0.20, 0.12, {0, 0}, 0.2);
+  WideFilter here, there;
+  constexpr MapPoint kShift{1'234'560, -987'650};
+  for (const host::Point& lens : circle({0, 0}, 0.9, 20)) {
+    Sighting sighting = view_of(footprint, lens).sighting;
+    here.see(sighting);
+    sighting.anchor = kShift;
+    there.see(sighting);
+  }
+  here.hybrid.origin = {here.hybrid.origin.x + kShift.x, here.hybrid.origin.y + kShift.y};
+  expect_same(here.hybrid, there.hybrid);
+}
+
+// Turned by any angle the tangents fall into other sectors; the outline stays the same to a few millimetres.
+TEST(HybridProperties, TurnsWithTheScene) {
+  for (const double turn : {0.1, 0.8, kPi / 2, 2.9}) {
+    const host::LinearRing footprint = box(0.20, 0.12, {0, 0}, turn);
+    WideFilter filter;
+    filter.see(footprint, circle({0, 0}, 0.9, 48, 0.3 + turn));
+    EXPECT_LT(worst_offset(filter.hybrid, footprint), 4.5e-3) << turn;
+  }
+}
+
+TEST(HybridProperties, IsMirroredWithTheScene) {
+  const host::LinearRing footprint = box(0.20, 0.12, {0.02, 0.05}, 0.4);
+  host::LinearRing mirrored;
+  for (const host::Point& p : footprint) mirrored.insert(mirrored.begin(), {p.x, -p.y});
+  WideFilter filter, mirror;
+  for (const host::Point& lens : circle({0, 0}, 0.9, 30)) {
+    filter.see(view_of(footprint, lens).sighting);
+    mirror.see(view_of(mirrored, {lens.x, -lens.y}).sighting);
+  }
+  for (std::size_t k = 0; k < 64; ++k) {
+    EXPECT_NEAR(support(filter.hybrid, k), support(mirror.hybrid, (64 - k) % 64), 2e-3) << k;
+  }
+}
+
+// The paper's carving can never give back what a bad segment cut away. This does.
+TEST(HybridProperties, AWrongViewIsForgivenAfterGoodOnes) {
+  const host::LinearRing footprint = box(0.20, 0.16);
+  const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 40);
+  WideFilter filter;
+  filter.see(footprint, {lenses.begin(), lenses.begin() + 8});
+  host::LinearRing half = footprint;  // the left half of the segment is lost
+  for (host::Point& p : half) p.y = std::min(p.y, 0.0);
+  filter.see(half, {lenses.begin() + 8, lenses.begin() + 10});
+  filter.see(footprint, {lenses.begin() + 10, lenses.end()});
+  EXPECT_LT(worst_offset(filter.hybrid, footprint), 6e-3);
+  WideFilter fooled;  // if all of them say so, it is so
+  fooled.see(half, lenses);
+  EXPECT_GT(worst_offset(fooled.hybrid, footprint), 0.05);
+}
+
+TEST(HybridProperties, AParkedRobotAddsNothing) {
+  WideFilter filter;
+  const host::LinearRing footprint = box(0.20, 0.12);
+  filter.see(footprint, circle({0, 0}, 0.9, 10));
+  const Wide before = filter.hybrid;
+  const host::Point last = circle({0, 0}, 0.9, 10).back();
+  std::mt19937 random(5);
+  std::normal_distribution<double> jitter(0, 0.001);
+  for (int i = 0; i < 100; ++i) {  // a millimetre is no news at 0.9 m
+    filter.see(view_of(footprint, {last.x + jitter(random), last.y + jitter(random)}).sighting);
+  }
+  expect_same(filter.hybrid, before);
+}
+
+TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  Sighting half = view_of(footprint, {1, 0}).sighting;
+  half.left.censored = true;
+  WideFilter filter;
+  filter.see(half);
+  EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight | ViewTangents::kLeft << ViewTangents::kBits);
+  filter.see(half);
+  EXPECT_FALSE(filter.hybrid.news);
+  filter.see(view_of(footprint, {1, 0}).sighting);
+  EXPECT_EQ(filter.hybrid.used & (ViewTangents::kRight | ViewTangents::kLeft),
+            ViewTangents::kRight | ViewTangents::kLeft);
+  EXPECT_EQ(filter.hybrid.views, 1);
+}
+
+enum class End { kEdge, kHidden, kForeign };
+
+/// A box of 0.2 m by 0.12 m, approached 60 times; of its right end, at y = 0.06, only what is below y = 0.04 is seen.
+/// `mistaken`: in one view only what is below y = 0, and that end is taken for an edge.
+Wide approached(End end, bool mistaken) {
+  WideFilter filter;
+  for (int i = 0; i < 60; ++i) {
+    const bool wrong = mistaken && i == 5;
+    host::LinearRing seen = box(0.20, 0.12);
+    for (host::Point& p : seen) p.y = std::min(p.y, wrong ? 0.0 : 0.04);
+    Sighting sighting = view_of(seen, {1.5 - 0.01 * i, 0.3 - 0.01 * i}).sighting;
+    sighting.right.censored = !wrong && end != End::kEdge;
+    sighting.right.foreign = !wrong && end == End::kForeign;
+    filter.see(sighting);
+  }
+  return filter.hybrid;
+}
+constexpr std::size_t kUp = 16;  // of 64 directions: +y
+
+// Where the object goes on behind something it is no smaller than what is seen of it; another object's end says nothing
+// of this one.
+TEST(HybridProperties, AHiddenEndSaysHowFarItReachesAtLeast) {
+  EXPECT_NEAR(support(approached(End::kEdge, false), kUp), 0.04, 0.006);
+  EXPECT_GT(support(approached(End::kHidden, false), kUp), 0.036);
+}
+TEST(HybridProperties, AHiddenEndContradictsASmallerEdge) {
+  EXPECT_LT(support(approached(End::kForeign, true), kUp), 0.025);
+  EXPECT_GT(support(approached(End::kHidden, true), kUp), 0.035);
+}
+
+TEST(HybridProperties, CensoredEndsAddNothing) {
+  Sighting blind = view_of(box(0.20, 0.12), {1, 0}).sighting;
+  blind.left.censored = blind.right.censored = true;
+  WideFilter filter;
+  filter.see(blind);
+  EXPECT_FALSE(filter.hybrid.ok());
+  for (const PackedCluster& cluster : filter.hybrid.clusters) EXPECT_EQ(cluster.views, 0);
+}
+
+// Steps or all at once, 64 sectors or 32: the same bits, and no step is much longer than it may be.
+TEST(HybridSolver, SlicingGivesTheSameBits) {
+  const host::LinearRing footprint = box(0.20, 0.12, {0, 0}, 0.3);
+  WideFilter at_once;
+  Wide sliced;
+  WideSolver solver;
+  std::size_t steps = 0;
+  bool first = true;
+  for (const host::Point& lens : circle({0, 0}, 0.9, 30)) {
+    const Sighting sighting = view_of(footprint, lens).sighting;
+    at_once.see(sighting);
+    if (first) sliced.begin(sighting);
+    first = false;
+    sliced.add(sighting, {});
+    solver.begin(sliced);
+    for (steps = 1; !solver.step(sliced); ++steps) {
+    }
+  }
+  expect_same(at_once.hybrid, sliced);
+  EXPECT_GT(steps, 50U);
+}
+
+TEST(HybridSolver, PutsNothingInPlaceBeforeItIsDone) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 30);
+  WideFilter filter;
+  filter.see(footprint, {lenses.begin(), lenses.begin() + 12});
+  const Wide before = filter.hybrid;
+  filter.hybrid.add(view_of(footprint, lenses[20]).sighting, {});
+  filter.solver.begin(filter.hybrid);
+  while (!filter.solver.step(filter.hybrid)) {
+    EXPECT_TRUE(filter.hybrid.fitting);
+    EXPECT_EQ(filter.hybrid.offsets, before.offsets);
+  }
+  EXPECT_FALSE(filter.hybrid.fitting);
+  EXPECT_NE(filter.hybrid.offsets, before.offsets);
+}
+
+// Wild tangents, thousands of them: every number stays finite and in range.
+TEST(HybridSolver, SurvivesNonsense) {
+  std::mt19937 random(99);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int run = 0; run < 20; ++run) {
+    WideFilter wide;
+    NarrowFilter narrow;
+    for (int i = 0; i < 60; ++i) {
+      const double bearing = 7 * any(random);
+      Sighting s =
+          view_between({2 * any(random), 2 * any(random)}, bearing, bearing + 0.7 * (1 + any(random))).sighting;
+      s.left.censored = any(random) > 0.7;
+      s.right.censored = any(random) > 0.7;
+      s.rows_known = any(random) > 0;
+      s.bottom = {static_cast<float>(0.1 + 0.3 * (1 + any(random))), any(random) > 0.5};
+      wide.see(s);
+      narrow.see(s);
+    }
+    for (const std::int16_t offset : wide.hybrid.offsets) EXPECT_LE(std::abs(offset), kFarthestOffset);
+    const float confidence = wide.hybrid.outline().confidence();
+    EXPECT_TRUE(confidence >= 0 && confidence <= 1) << confidence;
+    std::array<Vec2, kOutlineVertices> vertices;
+    const std::size_t size = outline_polygon(wide.hybrid.outline(), 0, vertices);
+    for (std::size_t i = 0; i < size; ++i) EXPECT_TRUE(vertices[i].allFinite());
+    EXPECT_TRUE(narrow.hybrid.outline().confidence() >= 0);
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,79 @@
+#include "firmware/recon/observe/occlusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace fencepost::test {
+namespace {
+
+using recon::HiddenEnds;
+using recon::WaitingBlob;
+
+constexpr std::int16_t kRows = 208;
+
+HiddenEnds ends_of_first(const WaitingBlob& first, const WaitingBlob& second, int beside = recon::kTouchPixels) {
+  const std::array<WaitingBlob, 2> blobs{first, second};
+  return recon::hidden_ends(blobs, 0, kRows, beside);
+}
+
+const WaitingBlob kFar{{100, 80, 140, 120}, 1};
+
+TEST(Occlusion, ANearerNeighbourHidesTheTouchingEnd) {
+  const HiddenEnds right = ends_of_first(kFar, {{141, 70, 180, 150}, 2});
+  EXPECT_FALSE(right.left);
+  EXPECT_TRUE(right.right);
+  const HiddenEnds left = ends_of_first(kFar, {{60, 70, 99, 150}, 2});
+  EXPECT_TRUE(left.left);
+  EXPECT_FALSE(left.right);
+}
+
+TEST(Occlusion, AFartherNeighbourHidesNothing) {
+  const HiddenEnds ends = ends_of_first(kFar, {{141, 70, 180, 110}, 2});
+  EXPECT_FALSE(ends.left);
+  EXPECT_FALSE(ends.right);
+}
+
+TEST(Occlusion, EqualRowsDoNotTellSoTheEndIsNotUsed) {
+  EXPECT_TRUE(ends_of_first(kFar, {{141, 70, 180, 121}, 2}).right);
+}
+
+TEST(Occlusion, ABottomBelowTheImageIsNearer) {
+  const WaitingBlob box{{100, 80, 140, 205}, 1};
+  EXPECT_TRUE(ends_of_first(box, {{141, 70, 180, 207}, 2}).right);
+  EXPECT_FALSE(ends_of_first({{141, 70, 180, 207}, 2}, box).left);
+}
+
+TEST(Occlusion, ANeighbourThatDoesNotTouchHidesNothing) {
+  EXPECT_FALSE(ends_of_first(kFar, {{146, 70, 180, 150}, 2}).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{145, 70, 180, 150}, 2}).right);
+  EXPECT_FALSE(ends_of_first(kFar, {{149, 70, 180, 150}, 2}, recon::kBesidePixels).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{148, 70, 180, 150}, 2}, recon::kBesidePixels).right);
+}
+
+TEST(Occlusion, TwoOfOneColourWithAGapBetweenWereNotMerged) {
+  EXPECT_FALSE(ends_of_first(kFar, {{146, 70, 180, 150}, 1}, recon::kBesidePixels).right);
+  EXPECT_TRUE(ends_of_first(kFar, {{145, 70, 180, 150}, 1}, recon::kBesidePixels).right);
+}
+
+TEST(Occlusion, ALowerNeighbourHidesTheBottomButNoSide) {
+  const HiddenEnds ends = ends_of_first(kFar, {{115, 110, 180, 150}, 2});
+  EXPECT_FALSE(ends.right);
+  EXPECT_TRUE(ends.bottom);
+}
+
+// 20 of 41 columns are covered, or 21.
+TEST(Occlusion, TheFootOfWhatIsSeenIsAFoot) {
+  EXPECT_FALSE(ends_of_first(kFar, {{121, 110, 180, 150}, 2}).bottom);
+  EXPECT_TRUE(ends_of_first(kFar, {{120, 110, 180, 150}, 2}).bottom);
+}
+
+TEST(Occlusion, AnEndNearTheBorderMayBeTheBorders) {
+  EXPECT_TRUE(recon::ends_near_border({4, 0, 90, 9}, 176).left);
+  EXPECT_FALSE(recon::ends_near_border({5, 0, 90, 9}, 176).left);
+  EXPECT_TRUE(recon::ends_near_border({50, 0, 171, 9}, 176).right);
+  EXPECT_FALSE(recon::ends_near_border({50, 0, 170, 9}, 176).right);
+}
+
+}  // namespace
+}  // namespace fencepost::test

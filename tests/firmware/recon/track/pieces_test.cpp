@@ -1,0 +1,191 @@
+#include "firmware/recon/track/pieces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "firmware/recon/observe/occlusion.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::Interval;
+using recon::PiecePair;
+using recon::Prediction;
+using recon::WaitingBlob;
+
+constexpr std::int16_t kRows = 208;
+
+// Blobs with their intervals; ends are censored as the frame's own occlusion says.
+struct Frame {
+  explicit Frame(std::initializer_list<WaitingBlob> list) {
+    for (const WaitingBlob& blob : list) EXPECT_TRUE(blobs.push_back(blob));
+    see();
+  }
+  void see() {
+    for (std::size_t b = 0; b < blobs.size(); ++b) {
+      const recon::HiddenEnds hidden = recon::hidden_ends(blobs.view(), b, kRows);
+      const recon::Box& box = blobs[b].box;
+      intervals[b] = {box.x1, box.x2, hidden.left, hidden.right, false, hidden.bottom};
+    }
+  }
+  [[nodiscard]] PiecePair find(std::span<const Prediction> predictions) const {
+    return recon::find_pieces(blobs.view(), {intervals.data(), blobs.size()}, predictions);
+  }
+
+  base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
+  std::array<Interval, sensor::kMaxBlobs> intervals{};
+};
+
+// An object of signature 1 that is expected between these columns, 1 m away.
+Prediction expected(std::int16_t left, std::int16_t right) {
+  Prediction prediction;
+  prediction.signature = 1;
+  prediction.left = {left, 3};
+  prediction.right = {right, 3};
+  prediction.left_tolerance = prediction.right_tolerance = 25;
+  prediction.depth = 1;
+  prediction.possible = true;
+  return prediction;
+}
+
+TEST(Pieces, BehindAPostAreJoined) {
+  Frame frame{{{100, 80, 120, 120}, 1}, {{136, 81, 150, 119}, 1}, {{121, 60, 135, 170}, 2}};
+  const PiecePair pair = frame.find({});
+  ASSERT_TRUE(pair.found);
+  EXPECT_EQ(pair.whole, recon::kNoMatch);
+  recon::join(frame.blobs, pair);
+  ASSERT_EQ(frame.blobs.size(), 2U);
+  EXPECT_EQ(frame.blobs[0].box.x1, 100);
+  EXPECT_EQ(frame.blobs[0].box.x2, 150);
+  EXPECT_EQ(frame.blobs[0].box.y1, 80);
+  EXPECT_EQ(frame.blobs[0].box.y2, 120);
+  EXPECT_FALSE(recon::hidden_ends(frame.blobs.view(), 0, kRows).left);
+  EXPECT_FALSE(recon::hidden_ends(frame.blobs.view(), 0, kRows).right);
+}
+
+TEST(Pieces, WithNothingBetweenStayTwo) {
+  for (const WaitingBlob& other : {WaitingBlob{{121, 60, 128, 170}, 2},      // does not fill the gap
+                                   WaitingBlob{{121, 60, 135, 100}, 2},      // ends above them: it stands farther away
+                                   WaitingBlob{{121, 100, 135, 170}, 2}}) {  // lower: both would show above it
+    const Frame frame{{{100, 80, 120, 120}, 1}, {{140, 81, 160, 119}, 1}, other};
+    EXPECT_FALSE(frame.find({}).found);
+  }
+}
+
+TEST(Pieces, ALostMiddleIsKnownByTheObjectThatWasExpected) {
+  const Frame frame{{{100, 80, 115, 120}, 1}, {{136, 81, 150, 119}, 1}};
+  EXPECT_FALSE(frame.find({}).found);
+  const std::array<Prediction, 2> predictions{Prediction{}, expected(101, 149)};
+  const PiecePair pair = frame.find(predictions);
+  ASSERT_TRUE(pair.found);
+  EXPECT_EQ(pair.whole, 1);
+  EXPECT_TRUE(pair.rows_match);
+}
+
+TEST(Pieces, RowsThatDifferAreReported) {
+  const Frame frame{{{100, 80, 115, 120}, 1}, {{136, 81, 150, 128}, 1}};
+  const std::array<Prediction, 1> predictions{expected(101, 149)};
+  const PiecePair pair = frame.find(predictions);
+  ASSERT_TRUE(pair.found);
+  EXPECT_FALSE(pair.rows_match);
+}
+
+TEST(Pieces, AnObjectBesideTheExpectedOneIsNoPieceOfIt) {
+  const Frame frame{{{100, 80, 115, 120}, 1}, {{136, 81, 150, 119}, 1}};
+  const std::array<Prediction, 1> left_only{expected(99, 116)};
+  EXPECT_FALSE(frame.find(left_only).found);
+  const std::array<Prediction, 2> one_each{expected(99, 149), expected(135, 151)};
+  EXPECT_FALSE(frame.find(one_each).found);
+}
+
+TEST(Pieces, OfAnotherSignatureAreAnotherObjects) {
+  const Frame frame{{{100, 80, 115, 120}, 1}, {{136, 81, 150, 119}, 3}};
+  const std::array<Prediction, 1> predictions{expected(101, 149)};
+  EXPECT_FALSE(frame.find(predictions).found);
+}
+
+// --- one blob of two objects ---
+
+Interval blob(std::int16_t left, std::int16_t right) { return {left, right, false, false, false, false}; }
+constexpr recon::Box kBox{100, 80, 150, 120};
+
+TEST(ShowsBoth, TwoThatTouchInTheImage) {
+  EXPECT_TRUE(recon::shows_both(expected(101, 125), expected(126, 149), blob(100, 150), kBox));
+}
+
+TEST(ShowsBoth, NotInTheOtherOrder) {
+  EXPECT_FALSE(recon::shows_both(expected(126, 149), expected(101, 125), blob(100, 150), kBox));
+}
+
+TEST(ShowsBoth, NotWhereOneAloneIsSoWide) {
+  EXPECT_FALSE(recon::shows_both(expected(101, 145), expected(126, 149), blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(101, 125), expected(105, 149), blob(100, 150), kBox));
+}
+
+TEST(ShowsBoth, NotWhereAnOuterEndIsElsewhere) {
+  EXPECT_FALSE(recon::shows_both(expected(115, 130), expected(131, 149), blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(101, 120), expected(121, 135), blob(100, 150), kBox));
+}
+
+TEST(ShowsBoth, NotAcrossAGap) {
+  EXPECT_FALSE(recon::shows_both(expected(90, 101), expected(149, 160), blob(91, 159), kBox));
+}
+
+TEST(ShowsBoth, TheFootIsThatOfTheNearerOne) {
+  Prediction near = expected(101, 125);
+  near.bottom = {120, 3};
+  Prediction far = expected(126, 149);
+  far.depth = 2;
+  far.bottom = {95, 3};
+  EXPECT_TRUE(recon::shows_both(near, far, blob(100, 150), kBox));
+  near.bottom = {140, 3};
+  EXPECT_FALSE(recon::shows_both(near, far, blob(100, 150), kBox));
+}
+
+// --- ends that a model hides ---
+
+Prediction confirmed(std::int16_t left, std::int16_t right, float depth) {
+  Prediction prediction = expected(left, right);
+  prediction.confirmed = true;
+  prediction.depth = depth;
+  return prediction;
+}
+
+TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
+  const Prediction behind = expected(80, 140);
+  const Prediction post = confirmed(60, 101, 0.5F);
+  EXPECT_TRUE(recon::hides_end(post, behind, 100, -1));
+  EXPECT_FALSE(recon::hides_end(post, behind, 140, 1));
+  EXPECT_FALSE(recon::hides_end(post, behind, 110, -1));
+  EXPECT_FALSE(recon::hides_end(confirmed(60, 101, 0.99F), behind, 100, -1));
+  Prediction doubtful = post;
+  doubtful.confirmed = false;
+  EXPECT_FALSE(recon::hides_end(doubtful, behind, 100, -1));
+}
+
+// --- ends that contradict the model ---
+
+TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
+  recon::ObjectCore object;
+  constexpr recon::OpenEnds kNone{false, false};
+  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), kNone);
+  EXPECT_EQ(object.left_off, 0);
+  EXPECT_EQ(object.right_off, 3);
+  recon::compare_ends(object, expected(100, 150), blob(101, 130), kNone);
+  EXPECT_EQ(object.right_off, -1);
+  recon::compare_ends(object, expected(100, 150), blob(101, 151), kNone);
+  EXPECT_EQ(object.right_off, 0);
+}
+
+TEST(CompareEnds, AWrongPoseContradictsNothing) {
+  recon::ObjectCore object;
+  constexpr recon::OpenEnds kNone{false, false};
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), kNone);
+  EXPECT_FALSE(object.contradicted());
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), kNone);
+  EXPECT_TRUE(object.contradicted());
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,98 @@
+// Byte for byte what the protocols' documents print, traps included.
+#include "host/emulate/models/cmucam.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/drivers/hex.hpp"
+
+namespace fencepost::emulate {
+namespace {
+
+// The worked examples: 11 x 21 pixels in 1-based coordinates 40..50, 60..80; 10 x 20 in 0-based 20..29, 40..59.
+const std::vector<ColouredSpot> kOneBased = {{100, 30, 30, 39, 59, 49, 79, 116}};
+const std::vector<ColouredSpot> kZeroBased = {{100, 30, 30, 20, 40, 29, 59, 150}};
+const std::vector<ColouredSpot> kNothing;
+
+TEST(EmulatedCmuCam, Versions) {
+  CmuCamDevice one(CmuCamModel::kOne);
+  EXPECT_EQ(one.power_up(), "CMUcam v1.12\r:");
+  EXPECT_EQ(one.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 20 76 31 2E 31 32 0D 3A"));
+  EXPECT_EQ(one.feed("rs\r"), "ACK\r\rCMUcam v1.12\r:");
+  EXPECT_EQ(one.feed("\r"), ":");
+  CmuCamDevice three(CmuCamModel::kThree);
+  EXPECT_EQ(three.power_up(), "CMUcam2 v1.00 c6\r:");
+  EXPECT_EQ(three.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A"))
+      << "no CR";
+  EXPECT_EQ(three.feed("\r"), "ACK\r:");
+  CmuCamDevice four(CmuCamModel::kFour);
+  EXPECT_EQ(four.feed("GV\r"), "ACK\rCMUcam4 v1.02\r:");
+}
+
+TEST(EmulatedCmuCam, PacketsInBothForms) {
+  CmuCamDevice one(CmuCamModel::kOne);
+  EXPECT_EQ(one.feed("TC 90 130 16 40 16 40\r"), "ACK\r");
+  // (116 + 4) / 8 = 15; 116 * 256 / 231 = 128.
+  EXPECT_EQ(one.frame(kOneBased), "M 45 70 40 60 50 80 15 128\r");
+  EXPECT_EQ(one.frame(kNothing), "M 0 0 0 0 0 0 0 0\r") << "it streams on";
+  EXPECT_EQ(one.feed("\r"), ":");
+  EXPECT_EQ(one.frame(kOneBased), "");
+  EXPECT_EQ(one.feed("PM 1\rRM 3\r"),
+            "ACK\r:"
+            ":")
+      << "RM 3 leaves its own ACK out";
+  EXPECT_EQ(one.feed("TC\r"), "");
+  EXPECT_EQ(one.frame(kOneBased), test::hex_text("FF 4D 2D 46 28 3C 32 50 0F 80 3A"));
+  EXPECT_EQ(one.frame(kOneBased), "") << "one packet a question";
+
+  CmuCamDevice three(CmuCamModel::kThree);
+  EXPECT_EQ(three.feed("PM 1\rTC 90 130 16 40 16 40\r"), "ACK\r:ACK\r");
+  EXPECT_EQ(three.frame(kZeroBased), "T 24 49 20 40 29 59 150 255\r:");
+  EXPECT_EQ(three.feed("RM 1\rTC\r"), "ACK\r:ACK\r");
+  EXPECT_EQ(three.frame(kZeroBased), test::hex_text("FF 54 18 31 14 28 1D 3B 96 FE 3A"));
+  EXPECT_EQ(three.feed("TC\r"), "ACK\r");
+  EXPECT_EQ(three.frame(kNothing), test::hex_text("FF 54 00 00 00 00 00 00 00 00 3A"));
+
+  CmuCamDevice four(CmuCamModel::kFour);
+  EXPECT_EQ(four.feed("PM 1\rTC 90 130 16 40 16 40\r"), "ACK\r:ACK\r");
+  const std::vector<ColouredSpot> spot = {{100, 30, 30, 70, 45, 89, 74, 600}};
+  EXPECT_EQ(four.frame(spot), "T 79 59 70 45 89 74 7 255\r:");
+}
+
+TEST(EmulatedCmuCam, OneBoxOverAllThatMatches) {
+  CmuCamDevice three(CmuCamModel::kThree);
+  (void)three.feed("TC 90 130 16 40 16 40\r");
+  const std::vector<ColouredSpot> spots = {
+      {100, 30, 30, 10, 10, 19, 19, 100}, {100, 30, 30, 40, 40, 49, 49, 100}, {200, 30, 30, 70, 0, 79, 9, 100}};
+  EXPECT_EQ(three.frame(spots), "T 29 29 10 10 49 49 200 131\r");
+}
+
+TEST(EmulatedCmuCam, RefusesWhatItDoesNotKnow) {
+  CmuCamDevice three(CmuCamModel::kThree);
+  for (const char* line : {"XX\r", "GV 1\r", "PM\r", "PM 1 2\r", "TC 1 2 3\r", "PM -1\r", "PM 0x1\r", "AG 0\r"}) {
+    EXPECT_EQ(three.feed(line), "NCK\r:") << line;
+  }
+  EXPECT_EQ(three.feed(std::string(127, 'x')), "NCK\r:");
+  EXPECT_EQ(three.feed("GV\n\r").substr(0, 4), "ACK\r") << "LF is garbage";
+  EXPECT_EQ(three.feed("TC 90 80 16 40 16 40\r"), "ACK\r:");
+  EXPECT_EQ(three.frame(kZeroBased), "") << "mute on swapped bounds";
+}
+
+TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
+  CmuCamDevice one(CmuCamModel::kOne);
+  (void)one.feed("RM 4\r");
+  EXPECT_EQ(one.feed(test::hex_text("54 43 06 5A 82 10 28 10 28")), "ACK\r");
+  EXPECT_EQ(one.feed("RS\r"), "") << "CR is a count: 13 arguments follow";
+  EXPECT_EQ(one.feed("GV\rGV\rGV\r"), "") << "9 of them";
+  EXPECT_EQ(one.feed("\r\r\r\r"), "NCK\r:");
+  EXPECT_EQ(one.feed(std::string("RS\0", 3)), "ACK\r\rCMUcam v1.12\r:");
+  EXPECT_EQ(one.feed("GV\r"), "ACK\rCMUcam v1.12\r:") << "ASCII again";
+  CmuCamDevice three(CmuCamModel::kThree);
+  (void)three.feed("RM 4\r");
+  EXPECT_EQ(three.feed("RS\r"), "NCK\r:") << "more than 10";
+  // 100..110 arrive as 68..78: the spot of red 100 is not among them.
+  EXPECT_EQ(three.feed(test::hex_text("54 43 06 64 6E 10 28 10 28")), "ACK\r");
+  EXPECT_EQ(three.frame(kZeroBased), "T 0 0 0 0 0 0 0 0\r");
+}
+
+}  // namespace
+}  // namespace fencepost::emulate

@@ -1,0 +1,73 @@
+// Golden bytes of the protocol's description, from the device's side.
+#include "host/emulate/models/pixy2.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/emulate/models/pixy2_usb.hpp"
+#include "tests/drivers/hex.hpp"
+
+namespace fencepost::emulate {
+namespace {
+
+using test::hex;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr base::Time kReady{100'000};
+
+template <class Device>
+Bytes ask(Device& device, const Bytes& request, base::Time now = kReady) {
+  Bytes answer;
+  for (const std::uint8_t byte : request) {
+    for (const std::uint8_t out : device.take(byte, now)) answer.push_back(out);
+  }
+  return answer;
+}
+
+const sensor::Blob kFirst{1, 138, 89, 177, 119, {}, {}, 0, {}};
+const sensor::Blob kSecond{2, 44, 55, 55, 65, {}, {}, 0, {}};
+
+TEST(EmulatedPixy2, AnswersAsDocumented) {
+  Pixy2 device(base::Time{});
+  EXPECT_EQ(ask(device, hex("AE C1 0E 00")), hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00"));
+  EXPECT_EQ(ask(device, hex("AE C1 0C 01 00")), hex("AF C1 0D 04 0D 01 3C 01 D0 00"));
+  device.show({});
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF")), hex("AF C1 21 00 00 00"));
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF")), hex("AF C1 03 01 FE 00 FE"));
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 00 FF")), hex("AF C1 03 01 FD 00 FD"));
+  EXPECT_EQ(ask(device, hex("AE C1 55 00")), hex("AF C1 03 01 FC 00 FC"));
+  EXPECT_EQ(ask(device, hex("AE C1 14 03 01 02 03")), hex("AF C1 01 04 00 00 00 00 00 00"));
+}
+
+// Index and age are not modelled: 0 and 255.
+TEST(EmulatedPixy2, SendsBlocksAsDocumented) {
+  Pixy2 device(base::Time{});
+  device.show({kSecond, kFirst});
+  EXPECT_EQ(ask(device, hex("AF C1 20 02 FE 01 FF FF")),
+            hex("AF C1 21 1C D1 03 01 00 9E 00 68 00 28 00 1E 00 00 00 00 FF "
+                "02 00 32 00 3C 00 0C 00 0A 00 00 00 00 FF"));
+  device.show({kSecond, kFirst});
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 02 08")).at(3), 14);  // signature 2 only
+  device.show({kSecond, kFirst});
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF 01")).at(6), 1);  // the largest only
+}
+
+TEST(EmulatedPixy2, DropsDamagedRequestsAndStartsSlowly) {
+  Pixy2 device(base::Time{});
+  EXPECT_TRUE(ask(device, hex("AF C1 20 02 FE 02 FF FF")).empty());
+  EXPECT_EQ(ask(device, hex("AF C1 0E 00 00 00"), base::Time{10'000}), hex("AF C1 03 01 FE 00 FE"));
+  EXPECT_TRUE(ask(device, hex("AF C1 0E 00 00 00"), base::Time{4'000}).empty());
+}
+
+TEST(EmulatedPixy2, SpeaksChirpAsDocumented) {
+  Pixy2 device(base::Time{});
+  Pixy2Usb usb(device);
+  Bytes init = hex("55 55 AA AA A1 00 00 00 06 00 00 00 02 02 40 00 01 01");
+  init.resize(64, 0);
+  Bytes answer = ask(usb, init);
+  ASSERT_EQ(answer.size(), 64U);
+  answer.resize(18);
+  EXPECT_EQ(answer, hex("55 55 AA AA 61 00 00 00 06 00 00 00 00 00 00 00 01 01"));
+}
+
+}  // namespace
+}  // namespace fencepost::emulate
