@@ -29,6 +29,8 @@ class CylinderPaper {
   void hash(base::Fnv1a64& hash, std::size_t part) const;
   void move_origin(const Vec2& shift);
   [[nodiscard]] PaperCylinder solve() const;
+  /// Views with two true ends so far, as a float.
+  [[nodiscard]] float views() const { return sums_.views; }
 
  private:
   struct Sums {

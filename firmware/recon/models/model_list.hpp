@@ -48,6 +48,11 @@ class ModelList<Cylinder, Others...> {
   static constexpr bool has() {
     return (std::same_as<M, Others> || ...);
   }
+  /// By its place in the list; the cylinder, place 0, is in the object's core.
+  template <std::size_t kPlace>
+  [[nodiscard]] const auto& get() const {
+    return std::get<kPlace - 1>(others_);
+  }
   template <class M>
   [[nodiscard]] M& get() {
     return std::get<M>(others_);
