@@ -16,7 +16,7 @@ using test::fake_libusb;
 
 UsbSettings impatient() {
   UsbSettings settings = kNxtUsb;
-  settings.patience = base::milliseconds(100);
+  settings.timeout = base::milliseconds(100);
   return settings;
 }
 
