@@ -33,8 +33,8 @@ struct History {
   std::vector<TakenBlob> blobs;
 };
 
-/// Whose each blob is and which ends are hidden is given: each view of `object` goes straight to the robot's object
-/// (profile full). `after`: ascending frame counts. Blobs of several objects are left out.
+/// With given data association and occlusion: each view of `object` goes directly to the robot's object (profile full).
+/// `after`: ascending frame counts. Blobs of several objects are left out.
 History follow_given(const Tour& tour, std::size_t object, const std::vector<std::size_t>& after);
 
 /// The log through the whole pipeline; for each of the scene's objects what the map's object that means it at the end

@@ -12,7 +12,7 @@
 
 namespace fencepost::host {
 
-/// Gives what was offered, once.
+/// Returns the offered item, once.
 template <class Item>
 class OfferedOnce {
  public:
@@ -36,7 +36,7 @@ using LogOdometry = OfferedOnce<sensor::OdometrySample>;
 static_assert(sensor::BlobCamera<LogCamera>);
 static_assert(sensor::OdometrySource<LogOdometry>);
 
-/// Takes everything at once; never reads.
+/// Accepts everything at once; never reads.
 class ListeningLink {
  public:
   explicit ListeningLink(std::function<void(std::string_view)> hear) : hear_(std::move(hear)) {}

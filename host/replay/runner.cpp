@@ -72,7 +72,7 @@ class ProfileRunner final : public Runner {
   }
 
  private:
-  // What the loop does with one input, but with a pause after each frame. A step without input only speaks.
+  // As the loop handles one input, but with a pause after each frame. A step without input only emits output.
   template <class Input>
   void take_observed(const Input& input) {
     app::Pipeline<Profile>& pipeline = loop_.pipeline();

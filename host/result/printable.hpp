@@ -1,4 +1,4 @@
-// Text from logs and scenes is shown on terminals: nothing in it may move the cursor or change a colour.
+// Makes text from logs and scenes safe for terminals: it must not move the cursor or change colours.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@ namespace fencepost::host {
 
 namespace {
 
-/// A run of more frames than this is a slip of the pen.
+/// A run of more frames than this is taken for a typing error.
 constexpr double kMostFrames = 1e6;
 constexpr double kLongestRun = 900'000;  // s; the stream's clock ends at 999999
 
