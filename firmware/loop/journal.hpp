@@ -6,7 +6,7 @@
 
 #include "firmware/loop/output_queue.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 /// Lines on their way to the log's file. While it is on, an input is used only if its record is in here: what the file
 /// holds is what was used, as with a console in mode log.
@@ -49,4 +49,4 @@ class Journal<0> {
   }
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

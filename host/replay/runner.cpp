@@ -13,7 +13,7 @@ template <class Profile>
 class ProfileRunner final : public Runner {
  public:
   explicit ProfileRunner(std::function<void(std::string_view)> log)
-      : link_(std::move(log)), loop_(*memory_, camera_, odometry_, link_, app::Mode::kLog) {}
+      : link_(std::move(log)), loop_(*memory_, camera_, odometry_, link_, console::Mode::kLog) {}
 
   void start_run(const record::Header& header) override {
     header_ = header;
@@ -48,7 +48,7 @@ class ProfileRunner final : public Runner {
   void finish() override { loop_.pipeline().finish(); }
   void observe(RunObserver* observer) override { observer_ = observer; }
 
-  [[nodiscard]] const app::Counters& counters() const override { return memory_->counters; }
+  [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
 
@@ -75,12 +75,12 @@ class ProfileRunner final : public Runner {
   // What the loop does with one input, but with a pause after each frame. A step without input only speaks.
   template <class Input>
   void take_observed(const Input& input) {
-    app::Pipeline<Profile>& pipeline = loop_.pipeline();
-    pipeline.take(input);
+    loop::Pipeline<Profile>& pipeline = loop_.pipeline();
+    pipeline.accept(input);
     loop_.step(input.t);
     while (place_observed()) loop_.step(input.t);
     pipeline.watch_without_frames();
-    pipeline.tell_status();
+    pipeline.send_status();
     loop_.step(input.t);
   }
 
@@ -105,7 +105,7 @@ class ProfileRunner final : public Runner {
     ObjectResult result;
     result.id = object.id;
     result.signature = object.signature;
-    result.state = app::state_of(object, memory_->run.time.value_or(base::Time{}));
+    result.state = console::state_of(object, memory_->run.time.value_or(base::Time{}));
     result.views = object.views;
     result.confidence = static_cast<double>(object.confidence());
     const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
@@ -118,12 +118,12 @@ class ProfileRunner final : public Runner {
     return result;
   }
 
-  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   record::Header header_;
   LogCamera camera_;
   LogOdometry odometry_;
   ListeningLink link_;
-  app::Loop<Profile, LogCamera, LogOdometry, ListeningLink> loop_;
+  loop::Loop<Profile, LogCamera, LogOdometry, ListeningLink> loop_;
   std::vector<std::string> complaints_;
   RunObserver* observer_ = nullptr;
 };
