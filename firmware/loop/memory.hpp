@@ -80,6 +80,15 @@ template <class Profile>
 inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
+/// Lines that one input may put into the logs, at most: the calibration, the input, then for each frame that waited for
+/// it digest, pose and what is said of each object, at last alerts without a frame, status and links.
+template <class Profile>
+inline constexpr std::size_t kLinesOfOneInput = [] {
+  constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys;
+  constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects;  // clears of the ended, an alert and a report of each
+  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 3;
+}();
+
 static_assert(kFits<config::Micro>);
 static_assert(kFits<config::Small>);
 static_assert(kFits<config::Full>);

@@ -7,11 +7,8 @@
 namespace fencepost::host {
 namespace {
 
-/// The profile of a robot, with a journal: some hundred turns' worth of lines, and each turn empties it.
-template <class Base>
-struct Journaled : Base {
-  static constexpr std::size_t kJournalBytes = 256 * 1024;
-};
+/// Some hundred turns' worth of lines, and each turn empties it.
+constexpr std::size_t kJournalBytes = 256 * 1024;
 
 /// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
 constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
@@ -57,7 +54,7 @@ class ShiftedOdometry {
 template <class Base>
 class ProfileLoop final : public LiveLoop {
  public:
-  using Profile = Journaled<Base>;
+  using Profile = loop::Journaled<Base, kJournalBytes>;
 
   ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, console::Mode mode)
       : camera_device_(camera),

@@ -12,9 +12,7 @@ namespace {
 
 using console::Mode;
 
-struct Journaled : config::Micro {
-  static constexpr std::size_t kJournalBytes = 4096;
-};
+using Journaled = loop::Journaled<config::Micro, 4096>;
 
 static_assert(sizeof(loop::Memory<Journaled>) > sizeof(loop::Memory<config::Micro>) + Journaled::kJournalBytes - 1);
 
