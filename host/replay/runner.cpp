@@ -5,6 +5,7 @@
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
+#include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -30,7 +31,11 @@ class ProfileRunner final : public Runner {
     loop_.pipeline().start_run(header_);
     if (observer_ != nullptr) observer_->run_begins();
   }
-  void take(const sensor::CameraIntrinsics& camera) override { loop_.pipeline().set_camera(camera); }
+  void take(const sensor::CameraIntrinsics& camera) override {
+    loop_.pipeline().set_camera(camera);
+    const std::optional<std::string> note = pitch_note(camera.mount);
+    if (note && std::ranges::find(complaints_, *note) == complaints_.end()) complaints_.push_back(*note);
+  }
   void take(const record::Signature& signature) override {
     if (loop_.pipeline().set_signature(signature)) return;
     complaints_.push_back("signature " + std::to_string(signature.signature) + ": profile " +
