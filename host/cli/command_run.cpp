@@ -34,12 +34,12 @@ ConsoleSpec console_of(const Request& request) {
   return *spec;
 }
 
-app::Mode mode_of(const Request& request, const ConsoleSpec& console) {
-  for (std::size_t i = 0; i < app::kModes; ++i) {
-    if (request.mode == app::name(static_cast<app::Mode>(i))) return static_cast<app::Mode>(i);
+console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
+  for (std::size_t i = 0; i < console::kModes; ++i) {
+    if (request.mode == console::name(static_cast<console::Mode>(i))) return static_cast<console::Mode>(i);
   }
   const bool people = console.kind != ConsoleSpec::Kind::kTerminal || is_terminal(STDOUT_FILENO);
-  return people ? app::Mode::kText : app::Mode::kLog;
+  return people ? console::Mode::kText : console::Mode::kLog;
 }
 
 RunPlan plan_of(const Request& request, const ConsoleSpec& console) {

@@ -34,7 +34,7 @@ RunPlan plan_of(const DeviceRecording& recording) {
   plan.camera = device(recording.camera, DeviceRole::kCamera);
   plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(recording.robot);
-  plan.mode = app::Mode::kQuiet;
+  plan.mode = console::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
   if (recording.seconds) plan.duration = base::Duration::nearest(*recording.seconds);
   plan.console_is_people = true;

@@ -43,7 +43,7 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
   Deaf port;
   PatientConsole console(port, true);
-  const auto loop = make_live_loop("full", camera, wheels, console, app::Mode::kQuiet);
+  const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
   record::Header header;
   header.product = "fencepost";
   EXPECT_TRUE(loop->start(header, std::nullopt, {}).empty());
