@@ -53,7 +53,7 @@ ROOMS = {
     "host/segment": "host/import",
     "host/metrics": "host/simulate",
     "host/render": "host/metrics",
-    "host/result": "firmware/console host/geometry",
+    "host/result": "firmware/console host/geometry host/text",
     "host/replay": "firmware/loop host/result host/scene",
     "host/evaluate": "host/replay host/simulate",
     "host/report": "host/evaluate",
