@@ -7,7 +7,7 @@
 namespace fencepost::linux {
 namespace {
 
-/// Of one telegram: a device that lives takes it within milliseconds.
+/// Of one telegram: a working device takes it within milliseconds.
 constexpr unsigned kWriteTimeoutMs = 1000;
 
 }  // namespace
@@ -178,7 +178,7 @@ void UsbWorker::submit_write() {
   if (write_->submit(device_.handle.get(), settings_.out_endpoint, std::move(next), kWriteTimeoutMs) != 0) gone_ = true;
 }
 
-// A halt is cleared on an idle pipe, so that host and device start anew with the same packet.
+// A halt is cleared on an idle pipe, so that host and device restart with the same packet.
 void UsbWorker::restart_halted() {
   if (read_halted_) {
     for (auto& read : reads_) read->cancel();
