@@ -58,7 +58,7 @@ TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
   EXPECT_EQ(losses.reported().records_dropped, 6U);  // 5 since the boot, and 1
 }
 
-// `reset` starts the clock anew, the counters go on.
+// `reset` restarts the clock, the counters continue.
 TEST(Losses, ANewRunIsNoBoot) {
   Losses losses;
   record::StatusReport first = status(100, 7);
