@@ -1,4 +1,4 @@
-// A CAN bus that plays a script against the clock of the test.
+// A CAN bus that plays a script by the test's clock.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 
 namespace fencepost::fake {
 
-/// One thing that happens on the line: bytes, or one failed read.
+/// One event on the line: bytes, or one failed read.
 struct LinkStep {
   std::span<const std::uint8_t> bytes;
   std::optional<base::Error> error;

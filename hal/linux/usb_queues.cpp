@@ -11,7 +11,7 @@ using base::Result;
 
 bool UsbWorker::first_try() {
   std::unique_lock lock(mutex_);
-  if (tried_.wait_for(lock, patience(), [this] { return first_try_over_; })) return connected_;
+  if (tried_.wait_for(lock, timeout(), [this] { return first_try_over_; })) return connected_;
   problem_ = "cannot open the USB device " + name_of(settings_) +
              ": the system did not come back from it; unplug it, plug it in again and look at the end of 'dmesg'";
   return false;

@@ -28,7 +28,7 @@ bool UsbWorker::stop() {
   std::unique_lock lock(mutex_);
   stop_ = true;
   wake();
-  if (tried_.wait_for(lock, patience(), [this] { return over_; })) return true;
+  if (tried_.wait_for(lock, timeout(), [this] { return over_; })) return true;
   left_ = true;
   thread_.detach();
   return false;
@@ -246,7 +246,7 @@ bool UsbWorker::take_transfers_back() {
   for (auto& read : reads_) read->cancel();
   write_->cancel();
   timeval slice{0, 10'000};
-  const auto deadline = std::chrono::steady_clock::now() + patience();
+  const auto deadline = std::chrono::steady_clock::now() + timeout();
   while (busy() && std::chrono::steady_clock::now() < deadline) {
     libusb_handle_events_timeout_completed(context_.get(), &slice, nullptr);
   }

@@ -36,7 +36,7 @@ class UsbWorker {
   UsbWorker& operator=(const UsbWorker&) = delete;
 
   // The loop's side; none of these waits but the first two.
-  /// Asks for a try and waits for its end, no longer than the patience; whether the device is there.
+  /// Asks for a try and waits for its end, no longer than the timeout; whether the device is there.
   bool first_try();
   /// Asks the thread to end and waits likewise. False: it hangs, and destroys this worker when it comes back.
   [[nodiscard]] bool stop();
@@ -80,8 +80,8 @@ class UsbWorker {
   void wake();
   [[nodiscard]] base::Error nothing_to_read();
   void drop_front();
-  [[nodiscard]] std::chrono::microseconds patience() const {
-    return std::chrono::microseconds(settings_.patience.raw * 100);
+  [[nodiscard]] std::chrono::microseconds timeout() const {
+    return std::chrono::microseconds(settings_.timeout.raw * 100);
   }
 
   static constexpr std::size_t kReads = 4;    ///< in flight: the device never waits for the thread to ask again
@@ -103,7 +103,7 @@ class UsbWorker {
   bool requested_ = true;
   bool first_try_over_ = false;
   bool stop_ = false;
-  bool over_ = false;     ///< the thread is at its end
+  bool over_ = false;     ///< the thread has ended
   bool left_ = false;     ///< to the thread, which hung
   bool starved_ = false;  ///< reads wait for room in the inbox
   libusb_context* to_wake_ = nullptr;

@@ -1,4 +1,4 @@
-// A two-wire bus of a board.
+// An I2C bus of a board.
 #pragma once
 
 #include <cstddef>

@@ -69,7 +69,7 @@ Exit record_devices(const DeviceRecording& recording) {
   const RunSummary summary = run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); },
                                              StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
-  say(summary.sentence());
+  say_lines(summary.sentence());
   if (summary.log_failed) return Exit::kDevice;
   const int signal = StopSignals::caught();
   return signal == 0 || signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;

@@ -34,8 +34,7 @@ bool same_frame(const sensor::BlobFrame& told, const recon::WaitingFrame& placed
          });
 }
 
-/// That of the blob itself or, where the robot joined several, of the widest of them. A blob of several objects is
-/// nobody's.
+/// The blob's owner or, where the robot joined several, that of the widest of them. A blob of several objects has none.
 std::optional<std::size_t> owner(const FrameTruth& truth, const recon::WaitingBlob& blob) {
   std::optional<std::size_t> object;
   int widest = 0;

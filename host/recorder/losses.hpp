@@ -1,4 +1,4 @@
-// What a recording shows of what is not in it.
+// Losses that a recording reveals.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fencepost::host {
 
-/// Losses that a robot tells by FPSTA, since its boot.
+/// Losses that a robot reports in FPSTA, since its boot.
 struct ToldLosses {
   std::uint64_t records_dropped = 0;
   std::uint64_t blobs_dropped = 0;
@@ -33,7 +33,7 @@ class Losses {
   [[nodiscard]] std::uint64_t frames_missing() const { return frames_missing_; }
   /// Since the first FPSTA; a robot that boots again counts from zero.
   [[nodiscard]] const ToldLosses& told() const { return told_; }
-  /// By device: the state last told.
+  /// By device: the state last reported.
   [[nodiscard]] const std::map<std::string, record::LinkReport>& links() const { return links_; }
 
  private:

@@ -42,7 +42,7 @@ struct Unreadable {
 struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
-  std::vector<std::string> complaints;   ///< signatures or settings that were not taken, one sentence each
+  std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful pitch: one sentence each
   std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame
 };
 

@@ -6,8 +6,8 @@
 
 #include "firmware/console/text.hpp"
 #include "host/result/lookup.hpp"
-#include "host/result/printable.hpp"
 #include "host/result/text.hpp"
+#include "host/text/printable.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -42,7 +42,7 @@ void Uart::receive() {
   }
 }
 
-// Whatever is left in the ring then: the part's queue is full, and will be half empty.
+// If bytes are left in the ring the part's queue is full, so the half-empty interrupt will come.
 void Uart::send() {
   std::uint8_t byte = 0;
   while ((reg(base_ + kUartFlags) & kUartSendFull) == 0) {

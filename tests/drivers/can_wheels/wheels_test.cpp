@@ -106,13 +106,13 @@ TEST(CanWheels, OneWheelAloneIsUnready) {
 
 TEST(CanWheels, ForeignAndShortFramesAreCounted) {
   Wheels wheels(both_in_one());
-  bus::CanFrame foreign = pair(1, 1);
-  foreign.id = 0x7FF;
-  EXPECT_FALSE(wheels.take(foreign, at(1)));
+  bus::CanFrame unrelated = pair(1, 1);
+  unrelated.id = 0x7FF;
+  EXPECT_FALSE(wheels.take(unrelated, at(1)));
   bus::CanFrame cut = pair(1, 1);
   cut.length = 3;
   EXPECT_FALSE(wheels.take(cut, at(2)));
-  EXPECT_EQ(wheels.counters().foreign, 1U);
+  EXPECT_EQ(wheels.counters().unrelated, 1U);
   EXPECT_EQ(wheels.counters().malformed, 1U);
   EXPECT_EQ(wheels.counters().frames, 1U);
 }

@@ -1,4 +1,4 @@
-// libusb without USB: one device that is there, takes transfers and answers none; and what may hang in the real one.
+// libusb without USB: one present device that accepts transfers and completes none; and the hangs of the real library.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// What the RP2040's port decides, as far as a desk can tell; the rest runs in the emulator (tests/boards/pico).
+// The RP2040 port's decisions that can be tested on the desk; the rest runs in the emulator (tests/boards/pico).
 #include <gtest/gtest.h>
 
 #include "hal/mcu/rp2040/reset_reason.hpp"
