@@ -38,7 +38,7 @@ struct Transfer {
   friend constexpr bool operator==(const Transfer&, const Transfer&) = default;
 };
 
-/// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects for ever, at most
+/// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects indefinitely, at most
 /// sixteen bytes a transfer. While nothing is seen, tracking is switched on again now and then: a camera that was
 /// switched off and on between two reads answers as if it saw nothing.
 class Session {

@@ -115,7 +115,8 @@ void V5Session::ask(base::Time now) {
   asked_once_ = true;
   // Bytes that a dead line did not take are of no use later.
   outbox_.clear();
-  // A camera that was switched off and on between two answers does not track: it is told again while it sees nothing.
+  // A camera that was switched off and on between two answers does not track: the command is repeated while it sees
+  // nothing.
   if (sees_nothing) (void)outbox_.put(kTrackingOn);
   (void)outbox_.put(kAskVersion);
 }

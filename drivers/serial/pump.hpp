@@ -16,7 +16,7 @@ namespace fencepost::serial {
 
 /// The protocol state machine of one device, without a link: bytes in, samples and bytes out. Nothing blocks.
 /// `take` eats one byte that arrived at `now`; true: a sample is complete, `sample()` is it until the next byte.
-/// `step` lets time pass, before bytes are sent. `link_lost`: the plug was pulled; the next step starts anew.
+/// `step` lets time pass, before bytes are sent. `link_lost`: the plug was pulled; the next step restarts the session.
 template <class T>
 concept Session = requires(T session, const T& same, std::uint8_t byte, base::Time now) {
   typename T::Sample;

@@ -5,7 +5,7 @@
 
 namespace fencepost::base {
 
-/// Why a bus or a sensor gave nothing. `kNotReady` is normal; the others are counted by whoever sees them.
+/// Why a bus or a sensor gave nothing. `kNotReady` is normal; the caller counts the others.
 enum class Error : unsigned char {
   kNotReady,  ///< nothing yet: ask again
   kBadInput,  ///< bytes arrived that cannot be decoded: dropped

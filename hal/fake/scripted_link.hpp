@@ -18,7 +18,7 @@ struct LinkStep {
   std::optional<base::Error> error;
 };
 
-/// Reads never join two steps, as a real port's reads do not wait for more. After the script: kNotReady for ever.
+/// Reads never join two steps, as a real port's reads do not wait for more. After the script: kNotReady.
 /// What is written is kept, at most `Capacity` bytes in all.
 template <std::size_t Capacity>
 class ScriptedLink {

@@ -69,7 +69,7 @@ int set_options(int fd, const std::vector<CanFilter>& filters) {
   return set_option(fd, SOL_SOCKET, SO_TIMESTAMP, 1);
 }
 
-// bind() takes an interface that is down, and would then hear nothing for ever.
+// bind() takes an interface that is down, and would then receive nothing.
 int bind_if_up(int fd, const std::string& interface) {
   ifreq request{};
   if (interface.empty() || interface.size() >= sizeof request.ifr_name) return EINVAL;

@@ -23,10 +23,10 @@ void Losses::accept(const sensor::BlobFrame& frame) {
 void Losses::accept(const record::StatusReport& status) {
   if (last_status_) {
     const record::StatusReport before = booted_again(status, *last_status_) ? record::StatusReport() : *last_status_;
-    told_.records_dropped += status.records_dropped - before.records_dropped;
-    told_.blobs_dropped += status.blobs_dropped - before.blobs_dropped;
-    told_.refused += status.refused - before.refused;
-    told_.rejected += status.rejected - before.rejected;
+    reported_.records_dropped += status.records_dropped - before.records_dropped;
+    reported_.blobs_dropped += status.blobs_dropped - before.blobs_dropped;
+    reported_.refused += status.refused - before.refused;
+    reported_.rejected += status.rejected - before.rejected;
   }
   last_status_ = status;
 }

@@ -25,7 +25,7 @@ struct ReplayOptions {
   bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
-  RunObserver* observer = nullptr;             ///< told of each frame that the map takes
+  RunObserver* observer = nullptr;             ///< called for each frame that the map accepts
 };
 
 struct CheckOutcome {

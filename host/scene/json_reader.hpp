@@ -12,7 +12,7 @@
 
 namespace fencepost::host {
 
-/// Thrown by the readers below; whoever reads a whole file turns it into a message.
+/// Thrown by the readers below; the reader of the whole file turns it into a message.
 struct SceneProblem {
   std::string where;
   std::string what;

@@ -48,7 +48,7 @@ TEST(CanWheels, ARestartIsNoWayASilenceIs) {
   (void)wheels.take(pair(300, 300), at(0));
   EXPECT_EQ(wheels.take(pair(310, 310), at(20))->x.raw, 100);
   EXPECT_EQ(wheels.take(pair(500, 500), at(520))->x.raw, 2'000);  // half a second of silence: 190 counts on
-  EXPECT_EQ(wheels.take(pair(3, 3), at(1'020))->x.raw, 2'000);    // started anew
+  EXPECT_EQ(wheels.take(pair(3, 3), at(1'020))->x.raw, 2'000);    // restarted
   EXPECT_EQ(wheels.take(pair(13, 13), at(1'040))->x.raw, 2'100);
   EXPECT_EQ(wheels.take(pair(3, 3), at(1'060))->x.raw, 2'000);  // back, too soon for a restart
 }

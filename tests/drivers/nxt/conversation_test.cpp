@@ -135,7 +135,7 @@ TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
   EXPECT_EQ(bench.next(), hex("01 88"));
   EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
   EXPECT_EQ(bench.exchange.state, State::kFailed);
-  // Asked in silence: fails at the next miss, and does not wait for ever.
+  // Asked in silence: fails at the next miss, and does not wait indefinitely.
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("01 88"));
   EXPECT_EQ(bench.exchange.state, State::kFailed);

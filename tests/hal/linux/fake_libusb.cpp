@@ -41,7 +41,7 @@ namespace {
 
 libusb_device the_device;
 
-// Not yet known to the handle: libusb tells contexts by their device lists.
+// Not yet known to the handle: libusb distinguishes contexts by their device lists.
 libusb_context* current = nullptr;
 
 void finish(libusb_transfer* transfer, libusb_transfer_status status) {

@@ -5,7 +5,7 @@
 
 namespace fencepost::test {
 
-/// Each may be set and cleared at any time; whoever waits in there goes on when it is cleared.
+/// Each may be set and cleared at any time; a call that waits in there continues when it is cleared.
 struct FakeLibusb {
   std::atomic<bool> hang_in_open = false;
   std::atomic<bool> hang_in_exit = false;

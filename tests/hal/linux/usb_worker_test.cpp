@@ -78,7 +78,7 @@ TEST_F(StubbornUsb, TransfersThatDoNotComeBackAreAbandoned) {
   ASSERT_TRUE(link) << link.problem();
   ASSERT_TRUE(soon([] { return fake_libusb().in_flight == 4; }));
   const int handles = fake_libusb().handles;
-  // One comes back and tells of the unplug, then the kernel keeps what is submitted.
+  // One comes back and reports the unplug, then the kernel keeps what is submitted.
   fake_libusb().unplugged = true;
   ASSERT_TRUE(soon([&] { return !link->connected(); }));
   fake_libusb().unplugged = false;

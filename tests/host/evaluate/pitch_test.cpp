@@ -31,7 +31,7 @@ struct Reached {
   std::uint64_t found = 0;
 };
 
-/// The bundled arc, with a camera whose true pitch is `degrees`; `given`: as the robot is told, else empty.
+/// The bundled arc, with a camera whose true pitch is `degrees`; `given`: what the robot is given.
 Reached reached(double degrees, const std::string& given) {
   const LoadedScene loaded = load_scene(FENCEPOST_SOURCE_DIR "/host/share/recordings/blocks_arc.json");
   EXPECT_TRUE(loaded.ok());

@@ -242,7 +242,7 @@ TEST_F(I2cMasterTest, WaitsForTheRepeatedStart) {
   EXPECT_EQ(in[2], 3);
 }
 
-// What was read is good; but the next start has to wait for this stop, and not for ever.
+// What was read is good; but the next start has to wait for this stop, and not indefinitely.
 TEST_F(I2cMasterTest, WaitsForTheStopAndNotForEver) {
   part.answers = {9};
   part.stop_hangs = true;
