@@ -40,7 +40,7 @@ void check_signatures(const JsonNode& root, const Scene& scene) {
   }
 }
 
-/// Solid things cannot be in one place: they would hide parts of each other that no camera could ever see.
+/// Solids must not overlap: parts of them would be invisible to every camera.
 void check_overlaps(const JsonNode& root, const Scene& scene) {
   constexpr double kSliver = 1e-8;  // m^2; touching faces are fine
   constexpr double kTouch = 1e-9;   // m
@@ -48,7 +48,7 @@ void check_overlaps(const JsonNode& root, const Scene& scene) {
     for (std::size_t k = 0; k < i; ++k) {
       const SceneObject& a = scene.objects[k];
       const SceneObject& b = scene.objects[i];
-      if (a.base + a.height <= b.base + kTouch || b.base + b.height <= a.base + kTouch) continue;
+      if (a.base + a.height_m <= b.base + kTouch || b.base + b.height_m <= a.base + kTouch) continue;
       if (intersection_area({a.footprint}, {b.footprint}) <= kSliver) continue;
       root.at("objects")
           .at(i)

@@ -130,7 +130,7 @@ TEST(Replay, TheBlocksWorldIsFound) {
     EXPECT_EQ(found->state, record::ObjectState::kConfirmed);
     EXPECT_EQ(found->views, 75U);
     EXPECT_NEAR(found->z_min, 0, 0.01);
-    EXPECT_NEAR(found->z_max, truth.height, 0.01);
+    EXPECT_NEAR(found->z_max, truth.height_m, 0.01);
     const host::MultiPolygon footprint{truth.footprint};
     const host::MultiPolygon hull{host::convex_hull(footprint)};
     for (const char* name : {"clip", "carve"}) {
@@ -364,6 +364,23 @@ TEST(BadInput, AnUnknownProfileInTheHeaderIsSaid) {
   ASSERT_EQ(outcome.complaints.size(), 1U);
   EXPECT_NE(outcome.complaints[0].find("giant"), std::string::npos);
   EXPECT_EQ(outcome.result.profile, "full");
+}
+
+TEST(BadInput, AnUnknownPitchIsSaidOnceHoweverOftenTheCalibrationComes) {
+  sensor::CameraIntrinsics camera = host::load_scene(kRecordings + "corridor.json")->camera;
+  camera.mount.pitch.reset();
+  std::vector<std::string> lines = lines_of(recording("corridor"));
+  std::size_t calibrations = 0;
+  for (std::string& line : lines) {
+    if (!line.starts_with("$FPCAM")) continue;
+    line = line_of(camera);
+    ++calibrations;
+  }
+  ASSERT_GT(calibrations, 1U);
+  const ReplayOutcome outcome = replay(joined(lines), "unknown", {});
+  ASSERT_EQ(outcome.complaints.size(), 1U);
+  EXPECT_NE(outcome.complaints[0].find("pitch unknown"), std::string::npos) << outcome.complaints[0];
+  EXPECT_TRUE(replay(recording("corridor"), "known", {}).complaints.empty());
 }
 
 }  // namespace
