@@ -3,25 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/localize/tuning.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
 namespace {
 
 constexpr float kMicroradians = 1e6F;
-
-// The pose at the start defines the map frame; a zero would leave the first equations without a margin.
-constexpr float kStartVariance = 1e-6F;
-// Farther off than so many sigmas, a tangent is not this landmark's; beyond so many it counts less (algorithms sec. 7).
-constexpr float kGateSigmas = 3.0F;
-constexpr float kHuberSigmas = 2.0F;
-// One tangent does not move a robot farther than this (m, rad): the numbers are wrong.
-constexpr float kFarthestStep = 2.0F;
-constexpr float kWidestTurn = 0.8F;
-// An update rounds each covariance by at most 2^-23 of the variances behind it. This share of each variance on top of
-// it covers the largest sum that so many roundings make in practice: 1 % in ten thousand updates.
-constexpr float kRounding = 1e-6F;
-constexpr float kSmallestRadius = 0.005F;  // m
 
 /// The packed covariances by names of their rows.
 class Covariance {
@@ -148,7 +136,7 @@ void move_states(const FilterView& filter, std::span<const float> step) {
     Landmark& landmark = filter.landmarks[l];
     if (!landmark.used()) continue;
     landmark.center = moved(landmark.center, {step[x_of(l)], step[y_of(l)]});
-    landmark.radius = std::max(kSmallestRadius, landmark.radius + step[places + l]);
+    landmark.radius = std::max(kSmallestLandmark, landmark.radius + step[places + l]);
   }
 }
 
@@ -268,7 +256,7 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
   float innovation = variance_along(jacobian, slot, places, step) + variance;
   if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
   const float squared = residual * residual / innovation;
-  if (!(squared <= kGateSigmas * kGateSigmas)) return TangentFate::kGated;
+  if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
   if (squared > kHuberSigmas * kHuberSigmas) innovation *= std::sqrt(squared) / kHuberSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
   const float gain = residual / innovation;

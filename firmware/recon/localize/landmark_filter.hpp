@@ -14,6 +14,7 @@
 #include <span>
 
 #include "firmware/recon/geometry.hpp"
+#include "firmware/recon/localize/tuning.hpp"
 #include "firmware/recon/models/cylinder.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
 
@@ -21,14 +22,15 @@ namespace fencepost::recon {
 
 /// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre.
 struct DriftNoise {
-  float position = 0;  ///< m a sqrt(m) driven
-  float heading = 0;   ///< rad a sqrt(m) driven
-  float turning = 0;   ///< rad a sqrt(rad) turned
+  float position = 0;  ///< m/sqrt(m) driven
+  float heading = 0;   ///< rad/sqrt(m) driven
+  float turning = 0;   ///< rad/sqrt(rad) turned
 };
 
-/// Of a wheel base whose distances are off by `share`: with 3 % it turns 2 degrees a metre by itself (the reference's
-/// middle drift, and what it was best corrected with).
-constexpr DriftNoise drift_noise(float share) { return {0.4F * share, 0.67F * share, share}; }
+/// Of a wheel base whose distances are off by `share`.
+constexpr DriftNoise drift_noise(float share) {
+  return {kDriftPosition * share, kDriftHeading * share, kDriftTurning * share};
+}
 
 /// Something round that stands still. Map frame.
 struct Landmark {

@@ -4,39 +4,25 @@
 #include <cmath>
 
 #include "firmware/recon/models/hybrid/tangent.hpp"
+#include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-// The estimate took the same frames and the same poses for independent: its variances are too small by about this.
-constexpr float kTooSure = 4.0F;
-constexpr float kLargestRadius = 1.0F;  // m
-
-constexpr float kTypicalRadius = 0.08F;  // m
-constexpr float kRadiusSigma = 0.05F;
-// Of the distance by a typical size, and by the row: shares of it.
-constexpr float kSizeShare = 0.5F;
-constexpr float kRowShare = 0.25F;
-constexpr float kFarthestGuess = 10.0F;  // m
-constexpr float kAcross = 0.03F;         // m, beside the bearing
-
-// The lens is not inside the circle, whatever the estimate says.
-constexpr float kWidestSine = 0.95F;
 
 LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) {
   const CylinderEstimate& estimate = object.cylinder.estimate();
   LandmarkGuess guess;
   guess.away = offset_from(seen.anchor, object.origin) + estimate.center;
-  guess.radius = std::min(estimate.radius, kLargestRadius);
+  guess.radius = std::min(estimate.radius, kLargestLandmark);
   guess.covariance = estimate.covariance;
-  guess.covariance.scale(kTooSure);
+  guess.covariance.scale(kOverconfidence);
   return guess;
 }
 
 LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
   if (!seen.both_edges()) return {};
   const float half = 0.5F * std::sqrt((seen.left.direction - seen.right.direction).squaredNorm());
-  if (!(half * kFarthestGuess > kTypicalRadius)) return {};
+  if (!(half * kFarthestLandmark > kTypicalRadius)) return {};
   const RowDepth row = row_depth(seen, noise);
   const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
   const float along = (row.known ? kRowShare : kSizeShare) * distance;

@@ -9,15 +9,11 @@
 #include <optional>
 
 #include "firmware/recon/localize/landmark_filter.hpp"
+#include "firmware/recon/localize/tuning.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "firmware/recon/track/object_events.hpp"
 
 namespace fencepost::recon {
-
-/// Of models that take their sightings from corrected poses: what is left of the pose's error (measured, algorithms
-/// sec. 7).
-inline constexpr float kCorrectedHeading = 0.0105F;  ///< rad
-inline constexpr float kCorrectedPosition = 0.006F;  ///< m
 
 /// What the filter is told of an object that becomes a landmark.
 /// Its cylinder, where rows have told how far it is; else the row's depth or a typical size
@@ -38,9 +34,6 @@ struct SightedCircle {
 /// `away` from the lens, robot frame; `novelty` of the view.
 SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
                              const MeasurementNoise& noise);
-
-/// Of an object that is no noise.
-inline constexpr std::uint32_t kViewsForLandmark = 3;
 
 /// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
 /// distance can at least be guessed, is a landmark until it ends or its models begin again.

@@ -5,71 +5,11 @@
 #include <optional>
 
 #include "firmware/recon/models/hash.hpp"
+#include "firmware/recon/models/inlier.hpp"
+#include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-// A typical obstacle, used only for the very first guess of a distance (m).
-constexpr float kTypicalRadius = 0.08F;
-constexpr float kNearestGuess = 0.2F;
-constexpr float kFarthestGuess = 2.5F;
-
-// All ground rows of an object share one pitch error, so together they count as this many independent ones.
-constexpr float kIndependentRows = 4.0F;
-
-// A row prediction that differs from the edges by more than this many sigmas belongs to an object above the floor.
-constexpr float kRowGate = 3.0F;
-
-// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
-// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the distance.
-constexpr float kTrueDepth = 50.0F;
-
-// A guessed place competes for blobs with places that are known: something of which only one end was ever seen is
-// placed so not before as many views as confirm an object by default. It may be a piece of another one.
-constexpr std::uint8_t kViewsToGuess = 3;
-
-// The distance is called unknown while its sigma exceeds this share of it.
-constexpr float kMaxDistanceSigmaShare = 0.25F;
-
-// Radii outside this range are not obstacles of a small robot but contradictions (m).
-constexpr float kLargestRadius = 1.5F;
-
-// What is known of a radius before anything is seen (m): enough for one edge and the foot to make a cylinder, too
-// little to matter once both edges are seen from here and there (algorithms: r ~ N(0.08, 0.05)).
-constexpr float kRadiusSigma = 0.05F;
-// Where even that leaves the distance open or the radius negative, the radius is taken for known: a rough place is
-// better than none for the next match and for the alert.
-constexpr float kRadiusGuess = 0.01F;
-
-// Inlier share and outlier level of the mixture that weighs each tangent (algorithms: Lin = 0.9 N(e; s),
-// Lout = 0.1 / 0.3 m).
-constexpr float kOutlierLevel = 0.1F / 0.3F;
-constexpr float kInlierShare = 0.9F;
-constexpr float kSqrtTwoPi = 2.5066283F;
-
-// Agreement is averaged over about this many tangents; below the floor the past is forgotten by this factor a view.
-constexpr float kAgreementGain = 1.0F / 16.0F;
-constexpr float kAgreementFloor = 0.35F;
-constexpr float kForgetting = 0.8F;
-
-// Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose float digits.
-constexpr float kMaxInformation = 4.0e7F;
-
-// exp(-x) for x >= 0 by (1 - x/16)^16: within 0.02 of exp, and exactly 0 beyond 16. Only + - *.
-float soft_exp_minus(float x) {
-  if (x >= 16.0F) return 0.0F;
-  float y = 1.0F - x / 16.0F;
-  y *= y;
-  y *= y;
-  y *= y;
-  return y * y;
-}
-
-// Probability that a tangent with residual e and variance s2 is a good one.
-float inlier_probability(float e, float s2) {
-  const float inlier = kInlierShare * soft_exp_minus(0.5F * e * e / s2) / (std::sqrt(s2) * kSqrtTwoPi);
-  return inlier / (inlier + kOutlierLevel);
-}
 
 // L D L' of the information: what a general solver does with it takes three times as many operations, and a square root
 // in each pivot.
@@ -237,14 +177,14 @@ float Cylinder::shape_variance(const MeasurementNoise& noise) const {
 
 void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens,
                         float novelty, const MeasurementNoise& noise) {
-  const float distance =
-      estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
+  const float distance = estimate_.ok() ? std::max(kNearestLens, std::sqrt((estimate_.center - lens).squaredNorm()))
+                                        : prior_distance(sighting);
   const float variance = edge_variance(sighting, ray, distance, noise) + shape_variance(noise);
   float weight = novelty / variance;
   if (estimate_.ok()) {
     const float residual = tangent.bound - tangent.normal.dot(estimate_.center) - estimate_.radius;
     const float expected = variance + estimate_.covariance.along(tangent.normal);
-    const float inlier = inlier_probability(residual, expected);
+    const float inlier = inlier_share(residual, std::sqrt(expected), 1.0F);
     agreement_ += kAgreementGain * (inlier - agreement_);
     weight *= inlier;
   }

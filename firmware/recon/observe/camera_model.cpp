@@ -2,16 +2,11 @@
 
 #include <cmath>
 
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-// An end this close to the border is on it (pixels; section 7 of the stream contract).
-constexpr std::int16_t kBorderPixels = 1;
-
-// Newton steps for the distortion polynomial: |k1| r^2 < 0.3 converges to float precision in four.
-constexpr int kUndistortSteps = 5;
 
 Vec2 direction_of_angle(base::Radians angle) {
   const base::SinCos sc = base::sincos_urad(static_cast<std::int64_t>(angle.raw) * 100);
@@ -76,8 +71,8 @@ float level_column(const CameraModel& camera, float u, float v) {
 
 float column_of(const CameraModel& camera, const Vec2& direction) {
   constexpr float kFarOutside = 1e5F;
-  constexpr float kSideways = 1e-3F;  // forward share of a unit direction below which it cannot be in the image
-  if (direction.x() < kSideways) return direction.y() > 0 ? -kFarOutside : kFarOutside;
+  constexpr float kLeastForward = 1e-3F;  // of a unit direction: with less it cannot be in the image
+  if (direction.x() < kLeastForward) return direction.y() > 0 ? -kFarOutside : kFarOutside;
   return camera.cx - camera.fx * direction.y() / direction.x();
 }
 

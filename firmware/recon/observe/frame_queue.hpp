@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/fixed.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/blob_frame.hpp"
@@ -26,9 +27,6 @@ struct WaitingFrame {
 };
 
 WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera);
-
-inline constexpr std::size_t kMaxWaitingFrames = 4;
-inline constexpr base::Duration kMaxWait = base::milliseconds(200);
 
 using FrameQueue = base::Ring<WaitingFrame, kMaxWaitingFrames>;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/fixed.hpp"
 #include "hal/base/result.hpp"
 #include "hal/base/units.hpp"
@@ -24,8 +25,6 @@ enum class PoseMiss : std::uint8_t {
   kTooOld,  ///< before the first sample, or before the oldest one that the ring still holds
   kGap,     ///< between two samples more than kMaxOdometryGap apart
 };
-
-inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 
 /// One remembered sample, 20 bytes. The low word of the time is enough: differences inside the ring are short.
 struct PoseSample {

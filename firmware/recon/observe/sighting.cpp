@@ -1,10 +1,15 @@
 #include "firmware/recon/observe/sighting.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
+
+float nominal_edge_noise(std::int16_t columns) {
+  return std::clamp(kEdgeNoise * static_cast<float>(columns) / kNoiseColumns, kLeastEdgeNoise, kEdgeNoise);
+}
 
 LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
   const base::SinCos heading = base::sincos_urad(robot.heading);
@@ -78,15 +83,11 @@ RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& no
 }
 
 RowDepth hidden_row_depth(const Sighting& sighting) {
-  // The object is somewhere between the lens and the row's depth. Very near ones fill the image and have both edges
-  // censored, so the far half is likelier: 0.75 +- 0.18 of it.
-  constexpr float kMean = 0.75F;
-  constexpr float kSigma = 0.18F;
   if (!sighting.rows_known || is_edge(sighting.bottom.end)) return {};
   if (sighting.no_edge()) return {};
   if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
   const float farthest = sighting.lens_height / sighting.bottom.drop;
-  return {true, kMean * farthest, kSigma * kSigma * farthest * farthest};
+  return {true, kHiddenFootMean * farthest, kHiddenFootSigma * kHiddenFootSigma * farthest * farthest};
 }
 
 }  // namespace fencepost::recon

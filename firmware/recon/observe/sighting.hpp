@@ -7,19 +7,23 @@
 #include "firmware/recon/observe/camera_model.hpp"
 #include "firmware/recon/observe/observation.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 
 namespace fencepost::recon {
 
 /// How well edges and poses are known. Over-estimate rather than under-estimate (measured: twice too large costs
 /// nothing, twice too small does).
 struct MeasurementNoise {
-  float edge_px = 1.2F;     ///< px, sigma of one box edge
-  float heading = 0.0070F;  ///< rad, sigma of the pose's heading at one exposure
-  float position = 0.004F;  ///< m, sigma of the pose's position at one exposure
-  float row_px = 1.0F;      ///< px, sigma of a box's bottom row
-  float pitch = 0.0052F;    ///< rad, uncertainty of the camera's pitch: the same in every view
-  float roundness = 0.2F;   ///< share of the radius by which real footprints differ from a circle
+  float edge_px = kEdgeNoise;       ///< px, sigma of one box edge
+  float heading = kHeadingNoise;    ///< rad, sigma of the pose's heading at one exposure
+  float position = kPositionNoise;  ///< m, sigma of the pose's position at one exposure
+  float row_px = kRowNoise;         ///< px, sigma of a box's bottom row
+  float pitch = kPitchNoise;        ///< rad, uncertainty of the camera's pitch: the same in every view
+  float roundness = kRoundness;     ///< share of the radius by which real footprints differ from a circle
 };
+
+/// px, sigma of a box edge of a camera with so many columns.
+float nominal_edge_noise(std::int16_t columns);
 
 /// A ray from the lens to one end.
 struct Ray {
@@ -105,9 +109,5 @@ RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& no
 /// Not known when the camera's height or pitch is not, when the row is censored or above the horizon, when both edges
 /// are censored, or beyond kRowMaxDepth.
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise);
-
-/// Rows farther than this say more about the pitch than about the object. It is also the bound that keeps a wrong
-/// depth (an object that does not stand on the floor) inside the 4 m square in which models live.
-inline constexpr float kRowMaxDepth = 2.5F;
 
 }  // namespace fencepost::recon

@@ -4,15 +4,9 @@
 #include <cmath>
 
 #include "firmware/recon/models/hash.hpp"
+#include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
-namespace {
-
-// A view counts in full when the lens moved by this share of the distance since the last one.
-constexpr float kNovelShare = 0.03F;
-constexpr float kLeastNovelty = 0.05F;
-
-}  // namespace
 
 float ObjectCore::confidence() const {
   constexpr float kUnit = 1.0F / kConfidenceSteps;
@@ -25,7 +19,7 @@ float ObjectCore::confidence() const {
 
 float ObjectCore::novelty(const Vec2& lens) const {
   const Vec2 center = cylinder.estimate().ok() ? cylinder.estimate().center : Vec2{0, 0};
-  const float distance = std::max(0.05F, std::sqrt((center - lens).squaredNorm()));
+  const float distance = std::max(kNearestLens, std::sqrt((center - lens).squaredNorm()));
   const float moved_by = std::sqrt((lens - last_lens).squaredNorm());
   return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
 }

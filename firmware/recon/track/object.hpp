@@ -143,7 +143,7 @@ struct Object : ObjectCore {
     // OutlineView::known_well() by the confidence that is kept: sigmas are not summed again in each frame.
     constexpr std::uint8_t kLeastConfidence = 74;
     constexpr float kRoot = 1.0F - kLeastConfidence / kConfidenceSteps;
-    static_assert(kRoot * kRoot < OutlineView::kWellKnown && kRoot * kRoot > 0.99F * OutlineView::kWellKnown);
+    static_assert(kRoot * kRoot < kWellKnownShare && kRoot * kRoot > 0.99F * kWellKnownShare);
     return {hybrid().outline(), hybrid().origin,
             outline_confidence != kNoOutline && outline_confidence >= kLeastConfidence};
   }

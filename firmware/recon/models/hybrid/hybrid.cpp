@@ -6,30 +6,12 @@
 
 #include "firmware/recon/models/cylinder.hpp"
 #include "firmware/recon/models/hash.hpp"
-#include "firmware/recon/models/hybrid/low_order_fit.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
+#include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-// A view is news when the lens moved by at least kLeastNews of kNovelShare of the distance; it counts in full from
-// kNovelShare on.
-constexpr float kNovelShare = 0.03F;
-constexpr float kLeastNews = 0.25F;
-constexpr float kNearest = 0.05F;  // m
-
-// While so few views have come, a lost piece of a segment has nothing against it.
-constexpr std::uint8_t kFirstViews = 4;
-
-// The nearest point of an object is this share of its typical size before its middle.
-constexpr float kFrontShare = 0.8F;
-constexpr float kNearestGuess = 0.2F;  // m
-constexpr float kFarthestGuess = 2.5F;
-
-// The outline is cut out of this square (m).
-constexpr float kSquare = 3.0F;
-
-constexpr float kSmallestRadius = 0.02F;  // m, to which sigmas are compared
 
 void add_one(const HybridCore& core, Clusters clusters, const OutlineView& outline, const Tangent& tangent,
              float novelty) {
@@ -107,7 +89,7 @@ Vec2 OutlineView::corner(std::size_t k) const {
 }
 
 Chord OutlineView::chord_at(float x) const {
-  Chord chord{-kSquare, kSquare};
+  Chord chord{-kOutlineSquare, kOutlineSquare};
   for (std::size_t k = 0; k < offsets.size(); ++k) {
     const Vec2 out = node_direction(k, offsets.size());
     const float left = offset(k) - out.x() * x;
@@ -124,10 +106,10 @@ Chord OutlineView::chord_at(float x) const {
 
 std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Vec2> vertices) {
   const float radius = outline.radius();
-  vertices[0] = {-kSquare, -kSquare};
-  vertices[1] = {kSquare, -kSquare};
-  vertices[2] = {kSquare, kSquare};
-  vertices[3] = {-kSquare, kSquare};
+  vertices[0] = {-kOutlineSquare, -kOutlineSquare};
+  vertices[1] = {kOutlineSquare, -kOutlineSquare};
+  vertices[2] = {kOutlineSquare, kOutlineSquare};
+  vertices[3] = {-kOutlineSquare, kOutlineSquare};
   std::size_t size = 4;
   for (std::size_t k = 0; k < outline.offsets.size() && size > 0; ++k) {
     const float sigma = outline.sigma(k);
@@ -140,7 +122,7 @@ std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Ve
 Vec2 guessed_middle(const Sighting& first) {
   const RowDepth row = row_depth(first, {});
   const float along = first.axis.dot(first.center);
-  const float by_foot = row.known && along > 0 ? row.depth / along + kFrontShare * kTypicalSize : 0.0F;
+  const float by_foot = row.known && along > 0 ? row.depth / along + kFrontShare * kTypicalRadius : 0.0F;
   const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kFarthestGuess) : prior_distance(first);
   return first.lens_from(first.anchor) + distance * first.center;
 }
@@ -148,7 +130,7 @@ Vec2 guessed_middle(const Sighting& first) {
 void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, const Sighting& sighting,
               const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(core.origin);
-  const float distance = std::max(kNearest, std::sqrt(lens.squaredNorm()));
+  const float distance = std::max(kNearestLens, std::sqrt(lens.squaredNorm()));
   const float moved_by = std::sqrt((lens - core.last_lens).squaredNorm()) / (kNovelShare * distance);
   const bool elsewhere = core.views == 0 || moved_by >= kLeastNews;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;

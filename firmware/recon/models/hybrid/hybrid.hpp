@@ -9,6 +9,7 @@
 
 #include "firmware/recon/models/clip.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
 #include "firmware/recon/models/model_view.hpp"
 #include "hal/base/fnv1a.hpp"
 
@@ -38,7 +39,7 @@ struct HybridCore {
   Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
   std::uint8_t views = 0;   ///< that brought news, counted to 255
   std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
-  std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m a m
+  std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
   bool news = false;     ///< there are tangents that no fit has begun with
   bool fitting = false;  ///< a solver works on it
@@ -53,8 +54,6 @@ struct Chord {
 
 /// The fitted outline: support values and their sigmas at directions all around. Local frame of HybridCore::origin.
 struct OutlineView {
-  static constexpr float kWellKnown = 0.4F;  ///< sigma as a share of the radius
-
   std::span<const std::int16_t> offsets;  ///< kOffsetStep
   std::span<const std::uint8_t> sigmas;   ///< encode_sigma()
 
@@ -63,12 +62,12 @@ struct OutlineView {
   /// Mean support value, m.
   [[nodiscard]] float radius() const;
   [[nodiscard]] float mean_sigma() const;
-  /// h'(direction), m a rad.
+  /// h'(direction), m/rad.
   [[nodiscard]] float slope(const SectorPlace& place) const;
   /// In [0, 1]: the expected R + P above that of the hull is about 1.05 (1 - confidence).
   [[nodiscard]] float confidence() const;
   /// Is it one to draw and to measure by? Where it is not, inflation() moves it out.
-  [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnown * radius(); }
+  [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnownShare * radius(); }
   /// Where side k and the next one meet.
   [[nodiscard]] Vec2 corner(std::size_t k) const;
   /// The y of its points with this x, m; uncertainty left out.

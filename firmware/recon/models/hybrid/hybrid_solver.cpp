@@ -47,7 +47,7 @@ void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid) {
   hybrid.news = false;
   hybrid.fitting = true;
   views_ = hybrid.views;
-  low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, kTypicalSize);
+  low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, kTypicalRadius);
   passes_ = kLowOrderPasses.size();
   pass_ = views_ < kViewsToDoubt ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
   begin_low_order_pass();

@@ -10,26 +10,9 @@
 #include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"
 #include "firmware/recon/models/hybrid/support_fit.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
 
 namespace fencepost::recon {
-
-/// A step is at least one piece of work and ends when it has done this many floating-point operations, roughly: on a
-/// core without a floating-point unit some 30,000 instructions, at most 50,000.
-inline constexpr int kWorkPerStep = 500;
-
-/// The middle of the outline may be this far from the local origin before that follows it (m).
-inline constexpr float kRecentre = 0.02F;
-
-/// How the passes of a fit narrow down: sigmas count so many times.
-inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
-inline constexpr std::array<float, 6> kSupportPasses = {4, 2, 1.4F, 1, 1, 1};
-inline constexpr std::size_t kPolygonalFrom = 2;  ///< pass of the support fit
-inline constexpr float kLearningWidening = 1.5F;  ///< the spread is learnt in passes no wider than this
-
-/// How many views it takes: to doubt any of them, to see more than a cylinder, to see a polygon.
-inline constexpr std::uint8_t kViewsToDoubt = 3;
-inline constexpr std::uint8_t kViewsForShape = 4;
-inline constexpr std::uint8_t kViewsForPolygon = 8;
 
 /// kSectors 64: low order 3, then a support polygon. kSectors 32: the low order alone, a higher one.
 template <std::size_t kSectors, std::size_t kOrder>
@@ -40,7 +23,8 @@ class HybridSolver {
 
   /// Starts on `hybrid`, from what it holds now.
   void begin(HybridType& hybrid);
-  /// Goes on with the object it was begun with. Its outline is replaced when the fit is done. True: done, or refused.
+  /// Goes on with the object it was begun with: at least one piece of work, and no more than about kWorkPerStep. Its
+  /// outline is replaced when the fit is done. True: done, or refused.
   bool step(HybridType& hybrid) {
     int work = 0;
     do {

@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hybrid/tuning.hpp"
+#include "firmware/recon/models/tuning.hpp"
+
 namespace fencepost::recon {
 namespace {
-
-constexpr float kSizeSigma = 0.05F;    // m, of kTypicalSize
-constexpr float kCenterSigma = 2.0F;   // m, of the local origin as the centre
-constexpr float kShapeShare = 0.7F;    // of r / (m^2 - 1): the prior of order m (measured on circles and on paths)
-constexpr float kLargestPrior = 0.4F;  // m, radius that scales the priors of the higher orders
 
 // A pivot below this share of its own diagonal is rounding.
 constexpr float kLeastPivot = 2e-6F;
 
-// Nobody tells the robot how good its camera and its wheels are, and sigmas that are too small cost far more than those
-// that are too large: a fit begins with twice the sigmas, and learns from there.
-constexpr float kFirstSpread = 4.0F;
 constexpr SpreadPrior kSpreadPrior{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
 
 std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
@@ -112,7 +107,7 @@ void LowOrderFit<kOrder>::add_priors() {
     matrix_[row_of(i) + i] += weight;
     rhs_[i] += weight * (mean - x_[i]);
   };
-  add_prior(0, kTypicalSize, kSizeSigma);
+  add_prior(0, kTypicalRadius, kRadiusSigma);
   add_prior(1, 0, kCenterSigma);
   add_prior(2, 0, kCenterSigma);
   const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);

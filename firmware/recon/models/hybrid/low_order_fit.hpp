@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/recon/models/hybrid/inlier.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
+#include "firmware/recon/models/inlier.hpp"
 
 namespace fencepost::recon {
 
@@ -72,11 +72,5 @@ class LowOrderFit {
 extern template class LowOrderFit<3>;
 extern template class LowOrderFit<4>;
 extern template class LowOrderFit<5>;
-
-/// Of a size in the world: r ~ N(0.08, 0.05) m.
-inline constexpr float kTypicalSize = 0.08F;
-
-/// Radii that scale priors stay in this range (m).
-inline constexpr float kLeastRadius = 0.015F;
 
 }  // namespace fencepost::recon

@@ -4,23 +4,11 @@
 #include <cmath>
 
 #include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-// A tangent joins a cluster within this many sigmas.
-constexpr float kJoinSigmas = 2.5F;
-// Residuals are smaller than sigmas say only down to this share.
-constexpr float kLeastScale = 0.35F;
-// A newcomer that agrees with nothing takes this share of its own weight from the weaker cluster.
-constexpr float kWeakening = 0.5F;
-
-// A cluster is overruled by one that is larger by two sigmas and has this share of its views, and a view at least;
-// then it counts for so much.
-constexpr float kOverrulingShare = 0.35F;
-constexpr float kOverrulingViews = 0.9F;
-constexpr float kOverruled = 0.5F;
 
 constexpr std::int32_t kBulge = 79;  // D^2/2 of 64 sectors, in 1/16384
 

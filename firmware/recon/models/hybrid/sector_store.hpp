@@ -15,7 +15,6 @@ namespace fencepost::recon {
 inline constexpr std::size_t kClustersPerSector = 2;
 inline constexpr float kOffsetStep = 1e-4F;     ///< m; offsets reach to 3.27 m from the origin
 inline constexpr float kViewsStep = 0.125F;     ///< weights are counted in eighths of a view
-inline constexpr float kMostViews = 30.0F;      ///< older views fade when a cluster has more
 inline constexpr float kSmallestSigma = 1e-4F;  ///< m, of a stored sigma
 
 /// Five bytes: offset in kOffsetStep, little endian; where in the sector, and its kind; sigma as encode_sigma(); views.

@@ -5,27 +5,10 @@
 
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
 
 namespace fencepost::recon {
 namespace {
-
-constexpr float kLargestRadius = 0.35F;  // m, that scales sides
-
-// A side is known to 1.8 r sqrt(D) before anything is seen, where tangents come from all around. Seen from one side
-// only the outline is rather what objects are like: with fewer tangents sides are known better, down to this share.
-constexpr float kSideSigma = 1.8F;
-constexpr float kSharePerTangent = 1.0F / 56.0F;
-constexpr float kLeastSideShare = 0.45F;
-// Weight of a side of length l relative to that of a round outline, D r: D r / (l + 0.3 D r); those above half of D r
-// are drawn to D r, the others to nothing.
-constexpr float kSoftening = 0.3F;
-constexpr float kLongSide = 0.5F;
-// A side of negative length is no side.
-constexpr float kStiffness = 100.0F;
-
-// What neither tangents nor sides tell (where the middle is, if all tangents are parallel) stays as the low order has
-// it: each support value is held where it was with this sigma (m).
-constexpr float kHold = 0.15F;
 
 constexpr SpreadPrior kSpreadPrior{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
 
@@ -112,7 +95,7 @@ void SupportFit::finish_pass(bool learn_spread) {
 void SupportFit::measure() {
   float sum = 0;
   for (const float offset : offsets_) sum += offset;
-  radius_ = std::clamp(sum / static_cast<float>(kRing), kLeastRadius, kLargestRadius);
+  radius_ = std::clamp(sum / static_cast<float>(kRing), kLeastRadius, kLargestSideRadius);
 }
 
 Vec2 SupportFit::center() const {

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "firmware/recon/models/hybrid/cyclic_band.hpp"
-#include "firmware/recon/models/hybrid/inlier.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
+#include "firmware/recon/models/inlier.hpp"
 
 namespace fencepost::recon {
 

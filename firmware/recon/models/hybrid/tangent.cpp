@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hybrid/tuning.hpp"
+
 namespace fencepost::recon {
 namespace {
-
-// A segment loses a piece of about this share of its width with this probability: what a first view must reckon with.
-constexpr float kLostShare = 0.3F;
-constexpr float kLossProbability = 0.05F;
 
 // Variance (m^2) that a piece which may be lost adds to each edge of an object at `distance`.
 float loss_variance(const Sighting& sighting, float distance) {

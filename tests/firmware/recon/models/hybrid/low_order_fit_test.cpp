@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "firmware/recon/models/hybrid/inlier.hpp"
+#include "firmware/recon/models/inlier.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -4,23 +4,26 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "firmware/recon/models/tuning.hpp"
 #include "hal/base/exp.hpp"
 
 namespace fencepost::recon {
 
-/// 9 of 10 tangents are good: Lin = 0.9 N(residual; 0, sigma). Of the others nothing is known but that they lie within
-/// about 0.3 m, or 7.5 sigmas; farther out than the model they are a quarter as likely, for pieces get lost far more
-/// often than segments grow: Lout = 0.1 [0.25 if residual > 0] / max(0.3 m, 7.5 sigma). Returns Lin / (Lin + Lout).
-inline float inlier_share(float residual, float sigma) {
-  constexpr float kInlier = 0.9F / 2.5066283F;
+/// Most tangents are good: Lin = kInlierShare N(residual; 0, sigma). Of the others nothing is known but that they lie
+/// within kOutlierReach, or kOutlierSigmas: Lout = (1 - kInlierShare) [farther_out if residual > 0] / max(reach,
+/// sigmas). Returns Lin / (Lin + Lout). `residual`, `sigma` in m; `farther_out`: how likely an outlier farther out than
+/// the model is against one inside it.
+inline float inlier_share(float residual, float sigma, float farther_out = kFartherOutliers) {
+  constexpr float kSqrtTwoPi = 2.5066283F;
+  constexpr float kInlier = kInlierShare / kSqrtTwoPi;
   constexpr float kOutlier = 0.1F;
-  constexpr float kFartherOut = 0.25F;
-  constexpr float kPerReach = 1.0F / 0.3F;
-  constexpr float kPerSigmas = 1.0F / 7.52F;
+  static_assert(kInlierShare + kOutlier == 1.0F);
+  constexpr float kPerReach = 1.0F / kOutlierReach;
+  constexpr float kPerSigmas = 1.0F / kOutlierSigmas;
   const float z = residual / sigma;
   const float good = kInlier * base::exp_minus(0.5F * z * z);
   const float reach = sigma * kPerReach < kPerSigmas ? sigma * kPerReach : kPerSigmas;
-  const float bad = kOutlier * (residual > 0 ? kFartherOut : 1.0F) * reach;
+  const float bad = kOutlier * (residual > 0 ? farther_out : 1.0F) * reach;
   return good / (good + bad);
 }
 
@@ -49,8 +52,5 @@ struct Spread {
     return std::clamp(spread, prior.least, prior.most);
   }
 };
-
-/// From so many tangents on a fit learns its spread.
-inline constexpr std::uint8_t kTangentsForSpread = 7;
 
 }  // namespace fencepost::recon

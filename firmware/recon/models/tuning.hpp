@@ -1,0 +1,70 @@
+// Numbers of the models that were chosen and not derived; the hybrid's own are in hybrid/tuning.hpp, those of the sheaf
+// and of carving, which are the paper's, in sheaf.hpp and carve.hpp. "algorithms.md": the project's equations and
+// measured tables. "By design": no study was made for the value.
+#pragma once
+
+#include <cstdint>
+
+namespace fencepost::recon {
+
+// --- what is known before anything is seen ---
+
+/// m, radius of a typical obstacle and its sigma: the first guess of a distance, and the prior that lets one edge and
+/// the foot make a circle. Too little to matter once both edges are seen from two places. algorithms.md: N(0.08, 0.05).
+inline constexpr float kTypicalRadius = 0.08F;
+inline constexpr float kRadiusSigma = 0.05F;
+/// m. Where that leaves the distance open or the radius negative, the radius is taken for known to this: a rough place
+/// is better than none for the next match and for the alert. By design.
+inline constexpr float kRadiusGuess = 0.01F;
+/// m. Guessed distances are kept between these. By design.
+inline constexpr float kNearestGuess = 0.2F;
+inline constexpr float kFarthestGuess = 2.5F;
+/// views before an object of which only one end was ever seen is given a guessed place: it may be a piece of another
+/// one, and would compete for its blobs. As many as confirm an object by default.
+inline constexpr std::uint8_t kViewsToGuess = 3;
+
+// --- novelty ---
+
+/// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view
+/// counts. More: slow learning; less: a parked robot becomes certain. Alert study.
+inline constexpr float kNovelShare = 0.03F;
+inline constexpr float kLeastNovelty = 0.05F;
+/// m. Nearer distances count as this one. By design.
+inline constexpr float kNearestLens = 0.05F;
+
+// --- inliers ---
+
+/// share of tangents that are good, N(0, sigma). algorithms.md sec. 5.
+inline constexpr float kInlierShare = 0.9F;
+/// m, and sigmas if that is more, within which the others lie, evenly. algorithms.md sec. 5; sigmas: hybrid table,
+/// seeds 5001 to 5060.
+inline constexpr float kOutlierReach = 0.3F;
+inline constexpr float kOutlierSigmas = 7.52F;
+/// likelihood of an outlier farther out than the model, against one inside it: pieces get lost far more often than
+/// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. Hybrid table, seeds
+/// 5001 to 5060.
+inline constexpr float kFartherOutliers = 0.25F;
+
+// --- the cylinder ---
+
+/// All ground rows of an object share one pitch error, so together they count as this many independent ones. By design.
+inline constexpr float kIndependentRows = 4.0F;
+/// sigmas by which rows may differ from the edges before the object is taken to stand above the floor. By design.
+inline constexpr float kRowGate = 3.0F;
+/// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
+/// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the
+/// distance. Alert study.
+inline constexpr float kTrueDepth = 50.0F;
+/// share of the distance: the distance is unknown while its sigma exceeds it. By design.
+inline constexpr float kMaxDistanceSigmaShare = 0.25F;
+/// m. A larger radius is a contradiction, not an obstacle of a small robot. By design.
+inline constexpr float kLargestRadius = 1.5F;
+/// tangents over which agreement is averaged, as its inverse; below the floor the past is forgotten by this factor a
+/// view. By design.
+inline constexpr float kAgreementGain = 1.0F / 16.0F;
+inline constexpr float kAgreementFloor = 0.35F;
+inline constexpr float kForgetting = 0.8F;
+/// 1/m^2. Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose digits.
+inline constexpr float kMaxInformation = 4.0e7F;
+
+}  // namespace fencepost::recon

@@ -1,0 +1,65 @@
+// Numbers of observation that were chosen and not derived. "Contract": section 7 of the stream's contract
+// (host/share/doc/stream.md). "By design": no study was made for the value.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/base/units.hpp"
+
+namespace fencepost::recon {
+
+// --- the image ---
+
+/// px. An end so close to the border is on it. Contract.
+inline constexpr std::int16_t kBorderPixels = 1;
+/// Newton steps that invert the distortion: |k1| r^2 < 0.3 converges to float precision in four. Derived, one to spare.
+inline constexpr int kUndistortSteps = 5;
+/// px. Two blobs this close touch: 2 px plus three sigmas of an edge. More: true edges are given up; less: a
+/// neighbour's edge is taken for one's own. Identity study (4 % of the edges given up, 0 % taken wrongly, without
+/// noise).
+inline constexpr int kTouchPixels = 5;
+/// px. Within this of a neighbour an end is ambiguous: 2 px plus three sigmas of the gap between two edges. Too large
+/// costs little, since a lower bound is left. Hybrid table, seeds 5001 to 5060.
+inline constexpr int kBesidePixels = 8;
+/// columns. Within this of the border an end of any blob is ambiguous. Hybrid table, seeds 5001 to 5060.
+inline constexpr int kBorderColumns = 5;
+/// px. Bottom rows that differ by no more do not tell which object is nearer. By design.
+inline constexpr int kSameRowPixels = 1;
+
+// --- time ---
+
+/// Frames wait for the odometry at their exposure for so long, and so many of them. Contract.
+inline constexpr base::Duration kMaxWait = base::milliseconds(200);
+inline constexpr std::size_t kMaxWaitingFrames = 4;
+/// Between two samples farther apart odometry is not interpolated. Contract.
+inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
+
+// --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
+
+/// px of a camera with kNoiseColumns columns or more. With fewer, a pixel is wider than the ragged edge of a segment,
+/// so the sigma falls with the columns, but not below kLeastEdgeNoise. algorithms.md sec. 5 for 1.2 px; the rest by
+/// design. A setting overrides it (`camera.noise`).
+inline constexpr float kEdgeNoise = 1.2F;
+inline constexpr float kNoiseColumns = 160;
+inline constexpr float kLeastEdgeNoise = 0.75F;
+/// px, of a box's bottom row. By design.
+inline constexpr float kRowNoise = 1.0F;
+/// rad and m, of the pose at one exposure of a driving robot. algorithms.md sec. 5.
+inline constexpr float kHeadingNoise = 0.0070F;
+inline constexpr float kPositionNoise = 0.004F;
+/// rad, of the camera's pitch, the same in every view: 0.3 degrees. By design.
+inline constexpr float kPitchNoise = 0.0052F;
+/// share of the radius by which real footprints differ from a circle. algorithms.md sec. 5.
+inline constexpr float kRoundness = 0.2F;
+
+// --- ground rows ---
+
+/// m. Rows farther than this say more about the pitch than about the object. It also keeps a wrong depth (an object
+/// that does not stand on the floor) inside the square in which models live. By design.
+inline constexpr float kRowMaxDepth = 2.5F;
+/// shares of the depth at which an unseen foot leaves the image: the mean and sigma of where the foot is. Very near
+/// objects fill the image and have no edge at all, so the far half is likelier. By design.
+inline constexpr float kHiddenFootMean = 0.75F;
+inline constexpr float kHiddenFootSigma = 0.18F;
+
+}  // namespace fencepost::recon
