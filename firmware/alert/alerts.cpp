@@ -10,21 +10,9 @@ using record::AlertLevel;
 
 namespace {
 
-// Sigma of the robot's own place at this moment, as at an exposure (m).
-constexpr float kPoseSigma = 0.004F;
-
-/// How much nearer an obstacle is taken to be than it seems.
-struct Doubt {
-  float sigmas;
-  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
-};
-constexpr Doubt kSeenWhole{3.0F, 0.2F};
-// Where an end was never seen the object may reach far nearer than its cylinder does.
-constexpr Doubt kCutOff{4.0F, 0.4F};
-
 float doubt(const Obstacle& obstacle, const InPath& way, float stop) {
   const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
-  const float sigma = std::sqrt(way.sigma * way.sigma + kPoseSigma * kPoseSigma);
+  const float sigma = std::sqrt(way.sigma * way.sigma + recon::kPositionNoise * recon::kPositionNoise);
   return std::min(doubt.sigmas * sigma, doubt.most * stop);
 }
 
@@ -45,7 +33,9 @@ AlertRules::AlertRules(const config::Settings& settings)
       ttc_warn(settings.number(Key::kAlertTtcWarn)),
       repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}
 
-bool credible(const recon::ObjectCore& object) { return object.confirmed && object.missed_in_a_row < kGoneAfterMisses; }
+bool credible(const recon::ObjectCore& object) {
+  return object.confirmed && object.missed_in_a_row < recon::kRefutingMisses;
+}
 
 AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack) {
   if (!obstacle.known) return AlertLevel::kClear;

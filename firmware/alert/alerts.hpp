@@ -5,15 +5,13 @@
 #include <optional>
 
 #include "firmware/alert/obstacle.hpp"
+#include "firmware/alert/tuning.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/base/stamp.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::alert {
-
-/// The path is watched at least so often, with frames or without.
-inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
 
 /// The alert in force for one object, and what was last reported of it. It is reset when the object ends, so that
 /// nothing of it is left for the next one in its slot.
@@ -28,16 +26,6 @@ struct AlertState {
 
   [[nodiscard]] bool in_force() const { return level > record::AlertLevel::kClear; }
 };
-
-/// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
-inline constexpr float kHysteresis = 1.15F;
-inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
-
-/// A notice is repeated no more often than this: it says where things are, nothing is urgent.
-inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
-
-/// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
-inline constexpr std::uint16_t kGoneAfterMisses = 12;
 
 /// The settings as numbers to compare with, once for all objects.
 struct AlertRules {

@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/alert/tuning.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::alert {
 namespace {
 
 using recon::Vec2;
-
-// Below this the robot counts as standing (m/s): its path is then straight ahead.
-constexpr float kStanding = 0.01F;
-// A range rate below this is not closing (m/s).
-constexpr float kNotClosing = 0.005F;
-// Arcs tighter than this are turns on the spot: the strip ahead is then straight (m).
-constexpr float kTightestArc = 0.15F;
-// Flatter arcs than this are straight to the eye (m).
-constexpr float kFlattestArc = 50.0F;
 
 void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   if (!obstacle.closing) return;

@@ -22,10 +22,11 @@ enum class Key : std::uint8_t {
   kConfirmK,
   kConfirmN,
   kAlertRate,
+  kCameraNoise,
   kCorrectDrift,
   kCorrectPose,
 };
-inline constexpr std::size_t kKeys = 12;
+inline constexpr std::size_t kKeys = 13;
 
 /// The unit of settings that are on or off.
 inline constexpr std::string_view kSwitch = "on|off";
@@ -52,6 +53,7 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"confirm.k", "", 0, 3, 1, 16, "sightings that confirm an object"},
     {"confirm.n", "", 0, 5, 1, 16, "among this many frames"},
     {"alert.rate", "/s", 0, 5, 1, 50, "repeated alerts of one object"},
+    {"camera.noise", "px", 2, 0, 0, 1000, "sigma of a box edge; 0: by its columns"},
     {"correct.drift", "%", 1, 30, 1, 500, "of the distance: how far off odometry is"},
     {"correct.pose", kSwitch, 0, 0, 0, 1, "correct the pose by landmarks seen again"},
 }};

@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x6b0afa1b7bda1c2f;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x6d4d729c82e5106f;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc265c2916834a12f;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xaeafc0977fb59e73;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x8112dfed9e8ba5fb;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x369e8e2d595abf0a;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -259,10 +259,19 @@ class Pipeline {
     }
     const bool correct = m_.settings.raw(config::Key::kCorrectPose) != 0 && !m_.run.testing;
     const float drift = correct ? 0.01F * m_.settings.number(config::Key::kCorrectDrift) : 0.0F;
-    m_.map.add_frame(frame, m_.calibration.models[frame.camera], pose, m_.noise, confirmation, drift);
+    const recon::CameraModel& camera = m_.calibration.models[frame.camera];
+    m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, drift);
     if (m_.run.testing) return;
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
+  }
+
+  // The camera's edges are as sharp as the setting says, else as cameras of so many columns are.
+  [[nodiscard]] recon::MeasurementNoise noise_of(const recon::CameraModel& camera) const {
+    recon::MeasurementNoise noise = m_.noise;
+    const bool told = m_.settings.raw(config::Key::kCameraNoise) > 0 && !m_.run.testing;
+    noise.edge_px = told ? m_.settings.number(config::Key::kCameraNoise) : camera.edge_px;
+    return noise;
   }
 
   // An alert ends with its object, and what begins in a slot takes over nothing of what was there before.

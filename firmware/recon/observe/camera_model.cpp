@@ -1,5 +1,6 @@
 #include "firmware/recon/observe/camera_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "firmware/recon/observe/tuning.hpp"
@@ -14,6 +15,10 @@ Vec2 direction_of_angle(base::Radians angle) {
 }
 
 }  // namespace
+
+float nominal_edge_noise(std::int16_t columns) {
+  return std::clamp(kEdgeNoise * static_cast<float>(columns) / kNoiseColumns, kLeastEdgeNoise, kEdgeNoise);
+}
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
   CameraModel camera;
@@ -30,6 +35,7 @@ CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
   camera.width = static_cast<std::int16_t>(intrinsics.width);
   camera.rows = static_cast<std::int16_t>(intrinsics.height);
   camera.latency = intrinsics.latency;
+  camera.edge_px = nominal_edge_noise(camera.width);
   return camera;
 }
 
@@ -64,9 +70,15 @@ float drop_per_depth(const CameraModel& camera, float u, float v) {
   return (camera.pitch.y() + y * camera.pitch.x()) / (camera.pitch.x() - y * camera.pitch.y());
 }
 
-float level_column(const CameraModel& camera, float u, float v) {
+std::int16_t whole_pixels(float value) {
+  constexpr float kFarOutside = 30'000.0F;
+  if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
+  return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
+}
+
+std::int16_t level_column(const CameraModel& camera, float u, float v) {
   const Vec2 at = undistort(camera, u, v);
-  return column_of(camera, {camera.pitch.x() - at.y() * camera.pitch.y(), -at.x()});
+  return whole_pixels(column_of(camera, {camera.pitch.x() - at.y() * camera.pitch.y(), -at.x()}));
 }
 
 float column_of(const CameraModel& camera, const Vec2& direction) {

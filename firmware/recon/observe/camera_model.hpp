@@ -21,12 +21,16 @@ struct CameraModel {
   Vec2 pitch{1, 0};          ///< cosine, sine; looking down is positive
   Vec2 yaw{1, 0};            ///< cosine, sine of the mount's yaw
   Vec2 position{0, 0};       ///< robot frame, m
+  float edge_px = 1;         ///< px, sigma of a box edge
   float height = 0;          ///< of the lens above the floor, m
   bool pitch_known = false;  ///< false: ground rows say nothing
   std::int16_t width = 2;
   std::int16_t rows = 2;
   base::Duration latency;
 };
+
+/// px, sigma of a box edge of a camera with so many columns, where nothing better is known.
+float nominal_edge_noise(std::int16_t columns);
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics);
 
@@ -66,8 +70,11 @@ float drop_per_depth(const CameraModel& camera, float u, float v);
 /// Inverts x_d = x_u (1 + k1 r_u^2) with a fixed number of Newton steps.
 Vec2 undistort(const CameraModel& camera, float u, float v);
 
-/// Where a pixel position of the real camera is in the level, undistorted one; rows aside.
-float level_column(const CameraModel& camera, float u, float v);
+/// Nearest whole pixel; far outside the image it stays inside 16 bits.
+std::int16_t whole_pixels(float value);
+
+/// Where a pixel position of the real camera is in the level, undistorted one: its column, whole pixels.
+std::int16_t level_column(const CameraModel& camera, float u, float v);
 
 /// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
 /// image when it points sideways or backwards. For prediction; distortion is left out.

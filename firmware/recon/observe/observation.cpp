@@ -1,7 +1,5 @@
 #include "firmware/recon/observe/observation.hpp"
 
-#include <cmath>
-
 #include "firmware/recon/observe/occlusion.hpp"
 
 namespace fencepost::recon {
@@ -14,12 +12,6 @@ End end_of(bool hidden, bool near) {
 
 }  // namespace
 
-std::int16_t whole_pixels(float value) {
-  constexpr float kFarOutside = 30'000.0F;
-  if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
-  return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
-}
-
 Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_t signature) {
   const float v_middle = 0.5F * static_cast<float>(box.y1 + box.y2);
   const Sides cut = cut_by_border(camera, box);
@@ -30,8 +22,8 @@ Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_
   observation.right = end_of(cut.right, false);
   observation.top = end_of(cut.top, false);
   observation.bottom = end_of(cut.bottom, false);
-  observation.left_column = whole_pixels(level_column(camera, left_edge(box), v_middle));
-  observation.right_column = whole_pixels(level_column(camera, right_edge(box), v_middle));
+  observation.left_column = level_column(camera, left_edge(box), v_middle);
+  observation.right_column = level_column(camera, right_edge(box), v_middle);
   return observation;
 }
 

@@ -45,7 +45,4 @@ Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_
 /// ambiguous (occlusion.hpp).
 void observe(std::span<const WaitingBlob> blobs, const CameraModel& camera, Observations& observations);
 
-/// Nearest whole pixel; far outside the image it stays inside 16 bits.
-std::int16_t whole_pixels(float value);
-
 }  // namespace fencepost::recon

@@ -1,15 +1,10 @@
 #include "firmware/recon/observe/sighting.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
-
-float nominal_edge_noise(std::int16_t columns) {
-  return std::clamp(kEdgeNoise * static_cast<float>(columns) / kNoiseColumns, kLeastEdgeNoise, kEdgeNoise);
-}
 
 LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
   const base::SinCos heading = base::sincos_urad(robot.heading);

@@ -22,9 +22,6 @@ struct MeasurementNoise {
   float roundness = kRoundness;     ///< share of the radius by which real footprints differ from a circle
 };
 
-/// px, sigma of a box edge of a camera with so many columns.
-float nominal_edge_noise(std::int16_t columns);
-
 /// A ray from the lens to one end.
 struct Ray {
   Vec2 direction{1, 0};  ///< unit, map axes

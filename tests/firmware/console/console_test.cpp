@@ -38,6 +38,7 @@ TEST(Console, Help) {
             "  confirm.k          3  1..16         sightings that confirm an object\r\n"
             "  confirm.n          5  1..16         among this many frames\r\n"
             "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
+            "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
             "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
             "  correct.pose     off  on|off        correct the pose by landmarks seen again\r\n");
 }
@@ -89,7 +90,7 @@ TEST(Console, SettingsAreSetAndGot) {
   EXPECT_EQ(desk.type_line("set confirm.k 7"), "confirm.k = 7 (7 of 5: no object can be confirmed)\r\n");
   EXPECT_EQ(desk.type_line("set confirm.n 8"), "confirm.n = 8\r\n");
   const std::string all = desk.type_line("get");
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 12);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), static_cast<int>(config::kKeys));
   EXPECT_NE(all.find("  alert.stop      0.35  0.00..10.00 m in the path and this near: stop\r\n"), std::string::npos);
 }
 
@@ -177,7 +178,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 26 + 6 + 12 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 27 + 6 + 13 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }

@@ -361,7 +361,7 @@ TEST(Log, TellsHeaderCalibrationAlertsDigestsAndObjects) {
   EXPECT_EQ(count("$FPHDR"), 1);
   EXPECT_EQ(count("$FPCAM"), 2);  // at the start and after 10 s
   EXPECT_EQ(count("$FPSIG"), 2);
-  EXPECT_EQ(count("$FPCFG"), 24);
+  EXPECT_EQ(count("$FPCFG"), 2 * static_cast<int>(config::kKeys));
   EXPECT_EQ(count("$FPODO"), 600);
   EXPECT_EQ(count("$FPFRM"), 600);
   EXPECT_EQ(count("$FPDIG"), 11);  // every 50 frames

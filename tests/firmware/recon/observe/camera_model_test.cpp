@@ -69,6 +69,17 @@ TEST(CameraModel, EndsOnTheBorderAreLowerBounds) {
   }
 }
 
+// Half a pixel of 316 columns is not half a pixel of 80.
+TEST(CameraModel, CoarserPixelsHaveSharperEdges) {
+  EXPECT_FLOAT_EQ(recon::nominal_edge_noise(316), 1.2F);
+  EXPECT_FLOAT_EQ(recon::nominal_edge_noise(160), 1.2F);
+  EXPECT_FLOAT_EQ(recon::nominal_edge_noise(128), 0.96F);
+  EXPECT_FLOAT_EQ(recon::nominal_edge_noise(80), 0.75F);
+  sensor::CameraIntrinsics coarse = simple_camera();
+  coarse.width = 128;
+  EXPECT_FLOAT_EQ(recon::make_camera_model(coarse).edge_px, 0.96F);
+}
+
 TEST(CameraModel, DistortionIsInverted) {
   for (const double k1 : {-0.2, -0.05, 0.1, 0.3}) {
     sensor::CameraIntrinsics intrinsics = simple_camera();
