@@ -58,7 +58,7 @@ class Robot {
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
       pipeline().reporter().say([](std::span<char> room) { return not_kept(room); });
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
-    panel_.turn({camera_.link(), odometry_.link()});
+    panel_.turn(loop_.links());
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;

@@ -95,8 +95,9 @@ class Pipeline {
   }
 
   /// Applies an input, refuses it (and counts that), or rejects it: then a reader would reject its record.
-  /// errors: time
+  /// errors: range (position or heading, see record::inside_range), time
   std::optional<record::Reject> accept(const sensor::OdometrySample& sample) {
+    if (!record::inside_range(sample)) return reject(record::Reject::kRange);
     const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
     if (late && !m_.run.testing) return reject(record::Reject::kTime);
     reporter_.calibration_if_due();
