@@ -64,8 +64,8 @@ class Robot {
     longest = took > longest ? took : longest;
   }
 
-  /// Turns between two looks for changed settings, each some hundred bytes compared; the loop turns thousands of times
-  /// a second where a camera talks, and at least a thousand.
+  /// Turns between two checks for changed settings, which compare some hundred bytes; the loop turns at least a
+  /// thousand times a second.
   static constexpr std::uint8_t kKeepEvery = 16;
 
   static std::size_t not_kept(std::span<char> room) {

@@ -39,7 +39,7 @@ class Loop {
     flush();
   }
 
-  /// What `version` says of the image at its end; must outlive this.
+  /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { console_.set_note(note); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
   [[nodiscard]] const RangedOdometry<Odometry>& odometry() const { return odometry_; }
@@ -98,7 +98,7 @@ class Loop {
     flush();
   }
 
-  // As much as the link takes now.
+  // As much as the link has room for now.
   void flush() {
     auto& output = pipeline_.memory().output;
     if (output.waiting().empty()) return;

@@ -1,5 +1,5 @@
 // What one input does: every effect of an odometry sample, a frame, a calibration. Knows no sensor and no link.
-// All times in here are stream times, so a replay takes the same decisions as the robot did.
+// All times in here are stream times, so a replay decides as the robot did.
 #pragma once
 
 #include <algorithm>
@@ -266,7 +266,7 @@ class Pipeline {
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
   }
 
-  // An alert ends with its object, and what begins in a slot takes over nothing of what was there before.
+  // An alert ends with its object, and a new object in its slot inherits no alert or report state.
   [[gnu::noinline]] void follow_objects(base::Time now) {
     for (const recon::ObjectEvent& event : m_.map.events()) {
       if (event.kind == recon::EventKind::kMoved) continue;

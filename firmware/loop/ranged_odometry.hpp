@@ -1,5 +1,5 @@
 // Odometry within the range of the record stream. Beyond it nothing could be logged and replayed, so nothing is used,
-// in any mode; the link then says so.
+// in any mode, and the link is reported as unready.
 #pragma once
 
 #include "firmware/console/link_words.hpp"
