@@ -11,7 +11,7 @@
 #include "hal/base/result.hpp"
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/wait.hpp"
-#include "host/live/device_spec.hpp"
+#include "host/live/place.hpp"
 #include "host/live/port.hpp"
 
 namespace fencepost::host {
