@@ -12,6 +12,7 @@
 #include "firmware/recon/observe/frame_queue.hpp"
 #include "firmware/recon/track/matcher.hpp"
 #include "firmware/recon/track/object.hpp"
+#include "firmware/recon/track/object_events.hpp"
 
 namespace fencepost::recon {
 
@@ -36,6 +37,7 @@ class Map {
 
   void clear() {
     for (ObjectType& object : objects_) object.id = 0;
+    events_.clear();
     fitter_.clear();
     correction_.clear();
     next_id_ = 1;
@@ -49,6 +51,7 @@ class Map {
   /// that are pieces of one object are joined in place.
   FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
                          const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
+    events_.clear();
     exposure_ = frame.t - camera.latency;
     MapPose pose = correction_.drive(odometry, drift);
     LensPose lens = lens_pose(pose, camera);
@@ -92,6 +95,8 @@ class Map {
     for (const ObjectType& object : objects_) count += object.used() ? 1U : 0U;
     return count;
   }
+  /// What became of objects in the last frame, in order.
+  [[nodiscard]] std::span<const ObjectEvent> events() const { return events_.view(); }
   /// True if the object in this slot was seen in the last frame.
   [[nodiscard]] bool seen_now(std::size_t slot) const { return matcher_.seen(slot); }
   /// The blob that the object in this slot took in the last frame (its order in the WaitingFrame), or kNoMatch.
@@ -103,7 +108,7 @@ class Map {
   // Two objects that were taken for one: both begin anew.
   void retire_divided() {
     for (std::size_t o = 0; o < kObjects; ++o) {
-      if (matcher_.prediction(o).divided) objects_[o].id = 0;
+      if (matcher_.prediction(o).divided) end(o, EventKind::kDivided);
     }
   }
 
@@ -121,6 +126,7 @@ class Map {
       if (object.contradicted()) {
         object.restart(sighting_of(o, frame, camera, lens), exposure_);
         correction_.forget(o);
+        report(EventKind::kMoved, o);
       }
       object.track(ends, exposure_);
       object.history.push(true);
@@ -159,6 +165,7 @@ class Map {
       matcher_.begin(slot, b);
       objects_[slot].begin(next_id_++, frame.blobs[b].signature, sighting_of(slot, frame, camera, lens), exposure_);
       if (next_id_ == 0) next_id_ = 1;
+      report(EventKind::kBorn, slot);
       objects_[slot].confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
       objects_[slot].track(matcher_.open_ends(slot), exposure_);
       objects_[slot].history.push(true);
@@ -232,7 +239,10 @@ class Map {
       }
     }
     const std::size_t best = tentative != kObjects ? tentative : old;
-    if (best != kObjects) ++evicted_;
+    if (best != kObjects) {
+      ++evicted_;
+      end(best, EventKind::kEvicted);
+    }
     return best;
   }
   static bool less_useful(const ObjectCore& a, const ObjectCore& b) {
@@ -249,7 +259,8 @@ class Map {
         if (!objects_[b].used() || objects_[a].signature != objects_[b].signature) continue;
         if (matcher_.seen(a) && matcher_.seen(b)) continue;
         if (!stand_in_one_place(objects_[a], objects_[b])) continue;
-        drop(weight(objects_[a]) >= weight(objects_[b]) ? b : a);
+        const std::size_t kept = weight(objects_[a]) >= weight(objects_[b]) ? a : b;
+        end(kept == a ? b : a, EventKind::kMerged, objects_[kept].id);
       }
     }
   }
@@ -262,7 +273,7 @@ class Map {
       const ObjectType& object = objects_[o];
       if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
       const bool once = object.views == 1 && has_better_namesake(o);
-      if (once || (object.missed_in_a_row >= kRefutingMisses && object.views < kFewViews)) drop(o);
+      if (once || (object.missed_in_a_row >= kRefutingMisses && object.views < kFewViews)) end(o, EventKind::kDeleted);
     }
   }
 
@@ -272,9 +283,14 @@ class Map {
     });
   }
 
-  void drop(std::size_t o) {
+  // The only way in which an object ends.
+  void end(std::size_t o, EventKind kind, std::uint32_t other = 0) {
+    report(kind, o, other);
     objects_[o].id = 0;
     matcher_.drop(o);
+  }
+  void report(EventKind kind, std::size_t o, std::uint32_t other = 0) {
+    static_cast<void>(events_.push_back({kind, static_cast<std::uint8_t>(o), objects_[o].id, other}));
   }
 
   void confirm(Confirmation confirmation) {
@@ -315,6 +331,7 @@ class Map {
   std::uint32_t evicted_ = 0;
   std::uint64_t digest_ = base::Fnv1a64::kOffsetBasis;
 
+  ObjectEvents<kObjects> events_;
   base::Time exposure_;  ///< of the current frame
   Matcher<ObjectType, kObjects> matcher_;
   OutlineFitter<Profile> fitter_;

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "host/text/printable.hpp"
+
 namespace fencepost::host {
 namespace {
 
@@ -33,9 +35,11 @@ void write_error(std::string_view text) {
 /// Escape sequences out of noise would reprogram the terminal.
 void make_harmless(std::string& line) {
   std::erase(line, '\r');
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || c == 0x7f; }, '.');
+  const std::string as_it_came = line;
+  line = printable(line);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (as_it_came[i] == '\n' || as_it_came[i] == '\t') line[i] = as_it_came[i];
+  }
 }
 
 }  // namespace
@@ -102,11 +106,12 @@ void Display::finish(int patience_ms) {
 
 void Display::say(std::string_view message) {
   erase_status();
-  write_error(std::string(message) + "\n");
+  write_error(printable(message) + "\n");
   draw_status();
 }
 
-void Display::set_status(std::string text) {
+void Display::set_status(const std::string& status) {
+  std::string text = printable(status);
   if (!settings_.status || text == status_) return;
   erase_status();
   status_ = std::move(text);

@@ -9,7 +9,7 @@ namespace fencepost::host {
 
 struct DisplaySettings {
   bool lines = true;             ///< show them at all
-  bool out_is_terminal = false;  ///< then control characters are shown as dots
+  bool out_is_terminal = false;  ///< then control characters are shown as question marks
   bool status = false;           ///< standard error is a terminal: it has a status line
 };
 
@@ -28,10 +28,10 @@ class Display {
   /// For WaitSet, to be written; -1 while nothing waits.
   [[nodiscard]] int descriptor() const;
 
-  /// A message line.
+  /// A message line; like the status line it shows no control character, whoever's words it quotes.
   void say(std::string_view message);
   /// Replaces the status line; empty: none. Nothing happens where there is no status line.
-  void set_status(std::string text);
+  void set_status(const std::string& status);
   /// Characters that a status line may have.
   [[nodiscard]] static std::size_t status_width();
 

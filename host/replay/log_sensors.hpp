@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/sources.hpp"
@@ -36,20 +34,12 @@ using LogOdometry = OfferedOnce<sensor::OdometrySample>;
 static_assert(sensor::BlobCamera<LogCamera>);
 static_assert(sensor::OdometrySource<LogOdometry>);
 
-/// Takes everything at once; never reads.
-class ListeningLink {
+/// Nobody types and nobody reads: the log of a replay is its journal.
+class NoConsole {
  public:
-  explicit ListeningLink(std::function<void(std::string_view)> hear) : hear_(std::move(hear)) {}
-
-  base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
-  base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) {
-    hear_({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    return bytes.size();
-  }
-
- private:
-  std::function<void(std::string_view)> hear_;
+  static base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
+  static base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) { return bytes.size(); }
 };
-static_assert(bus::ByteLink<ListeningLink>);
+static_assert(bus::ByteLink<NoConsole>);
 
 }  // namespace fencepost::host

@@ -30,7 +30,7 @@ class Runner {
   /// From now on `observer` is told of each frame; nullptr: of none.
   virtual void observe(RunObserver* observer) = 0;
 
-  [[nodiscard]] virtual const app::Counters& counters() const = 0;
+  [[nodiscard]] virtual const console::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
   /// Where the robot was in the map at a sample of odometry, by the corrections up to now.
   [[nodiscard]] virtual PoseResult pose_of(const sensor::OdometrySample& sample) const = 0;

@@ -44,7 +44,7 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
       {"odometry create2 at /dev/ttyUSB0", "create2", "/dev/ttyUSB0", "check its power", "check the baud"});
   Deaf port;
   PatientConsole console(port, true);
-  const auto loop = make_live_loop("full", camera, wheels, console, app::Mode::kQuiet);
+  const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
   record::Header header;
   header.product = "fencepost";
   EXPECT_TRUE(loop->start(header, std::nullopt, {}).empty());
