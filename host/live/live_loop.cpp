@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/loop/loop.hpp"
+#include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -73,8 +74,11 @@ class ProfileLoop final : public LiveLoop {
     header_.profile = Profile::kName;
     loop::Pipeline<Profile>& pipeline = loop_.pipeline();
     pipeline.start_run(header_);
-    if (intrinsics) pipeline.set_camera(*intrinsics);
     std::vector<std::string> complaints;
+    if (intrinsics) {
+      pipeline.set_camera(*intrinsics);
+      if (const std::optional<std::string> note = pitch_note(intrinsics->mount)) complaints.push_back(*note);
+    }
     for (const record::Signature& signature : robot.signatures) {
       if (pipeline.set_signature(signature)) continue;
       complaints.push_back("signature " + std::to_string(signature.signature) + ": profile " +

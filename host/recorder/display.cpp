@@ -18,9 +18,9 @@ namespace {
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 constexpr std::size_t kUsualWidth = 80;
 
-bool can_write(int patience_ms) {
+bool can_write(int timeout_ms) {
   pollfd wait{STDOUT_FILENO, POLLOUT, 0};
-  return ::poll(&wait, 1, patience_ms) > 0;
+  return ::poll(&wait, 1, timeout_ms) > 0;
 }
 
 void write_error(std::string_view text) {
@@ -32,7 +32,7 @@ void write_error(std::string_view text) {
   }
 }
 
-/// Escape sequences out of noise would reprogram the terminal.
+/// Escape sequences in line noise would reconfigure the terminal.
 void make_harmless(std::string& line) {
   std::erase(line, '\r');
   const std::string as_it_came = line;
@@ -93,13 +93,13 @@ void Display::stop_showing(int error) {
   say("standard output is closed (" + reason + "); the recording goes on");
 }
 
-void Display::finish(int patience_ms) {
+void Display::finish(int timeout_ms) {
   set_status({});
   if (!line_.empty()) {
     if (settings_.out_is_terminal) line_ += '\n';
     queue_line();
   }
-  while (!waiting_.empty() && can_write(patience_ms)) write_some();
+  while (!waiting_.empty() && can_write(timeout_ms)) write_some();
   lines_not_shown_ += static_cast<std::uint64_t>(std::count(waiting_.begin(), waiting_.end(), '\n'));
   waiting_.clear();
 }

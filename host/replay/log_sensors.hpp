@@ -10,7 +10,7 @@
 
 namespace fencepost::host {
 
-/// Gives what was offered, once.
+/// Returns the offered item, once.
 template <class Item>
 class OfferedOnce {
  public:
@@ -34,7 +34,7 @@ using LogOdometry = OfferedOnce<sensor::OdometrySample>;
 static_assert(sensor::BlobCamera<LogCamera>);
 static_assert(sensor::OdometrySource<LogOdometry>);
 
-/// Nobody types and nobody reads: the log of a replay is its journal.
+/// A console without input or reader: the log of a replay is its journal.
 class NoConsole {
  public:
   static base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }

@@ -5,6 +5,7 @@
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
+#include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -30,7 +31,11 @@ class ProfileRunner final : public Runner {
     loop_.pipeline().start_run(header_);
     if (observer_ != nullptr) observer_->run_begins();
   }
-  void take(const sensor::CameraIntrinsics& camera) override { loop_.pipeline().set_camera(camera); }
+  void take(const sensor::CameraIntrinsics& camera) override {
+    loop_.pipeline().set_camera(camera);
+    const std::optional<std::string> note = pitch_note(camera.mount);
+    if (note && std::ranges::find(complaints_, *note) == complaints_.end()) complaints_.push_back(*note);
+  }
   void take(const record::Signature& signature) override {
     if (loop_.pipeline().set_signature(signature)) return;
     complaints_.push_back("signature " + std::to_string(signature.signature) + ": profile " +
@@ -89,8 +94,7 @@ class ProfileRunner final : public Runner {
     memory_->journal.taken(lines.size());
   }
 
-  // What the loop does with one input, but with a pause after each frame. A step without input only empties the
-  // journal.
+  // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.
   template <class Input>
   void take_observed(const Input& input) {
     loop::Pipeline<Profile>& pipeline = loop_.pipeline();

@@ -54,7 +54,7 @@ ROOMS = {
     "host/metrics": "host/simulate",
     "host/render": "host/metrics",
     "host/result": "firmware/console host/geometry host/text",
-    "host/replay": "firmware/loop host/result",
+    "host/replay": "firmware/loop host/result host/scene",
     "host/evaluate": "host/replay host/simulate",
     "host/report": "host/evaluate",
     "host/paper": "host/render host/report",

@@ -66,5 +66,22 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   EXPECT_EQ(count(log, "$FPODO,99900"), 0U) << "the new run began in time";
 }
 
+TEST(LiveLoop, SaysAtTheStartThatTheCamerasPitchIsUnknown) {
+  ConsoleCamera camera;
+  Wheels wheels;
+  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
+  Deaf port;
+  PatientConsole console(port, true);
+  const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
+  sensor::CameraIntrinsics unknown;
+  unknown.width = unknown.height = 100;
+  sensor::CameraIntrinsics level = unknown;
+  level.mount.pitch = base::Radians{};
+  EXPECT_TRUE(loop->start({}, level, {}).empty());
+  const std::vector<std::string> said = loop->start({}, unknown, {});
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("pitch unknown"), std::string::npos) << said[0];
+}
+
 }  // namespace
 }  // namespace fencepost::host
