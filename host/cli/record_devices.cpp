@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "host/cli/live_devices.hpp"
+#include "host/cli/open_run_log.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/live/run.hpp"
@@ -41,15 +42,13 @@ RunPlan plan_of(const DeviceRecording& recording) {
   return plan;
 }
 
-RunLog open_log(const DeviceRecording& recording, base::Time now) {
+std::unique_ptr<WriteBehind> open_log(const DeviceRecording& recording, base::Time now) {
   RunLogSettings settings;
   settings.path = recording.log;
   settings.part_bytes = recording.part_bytes;
   settings.part_age = recording.part_age;
   settings.profile = RunPlan().profile;
-  auto opened = RunLog::open(settings, now);
-  if (!opened) throw Failure(Exit::kDevice, opened.problem());
-  return std::move(*opened);
+  return open_run_log(settings, now);
 }
 
 }  // namespace
@@ -61,15 +60,16 @@ Exit record_devices(const DeviceRecording& recording) {
   const StopSignals signals;
   const linux::MonotonicClock clock;
   Devices devices = open_devices_of(named, plan.robot, clock, recording.wait);
-  RunLog log = open_log(recording, clock.now());
+  const std::unique_ptr<WriteBehind> log = open_log(recording, clock.now());
   say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", named.camera.where(), named.odometry.where(),
-                  log.name()));
+                  log->name()));
   if (!devices.intrinsics) {
     say("the camera's calibration is not known: the log has no FPCAM, so replay needs --camera; or give --robot FILE");
   }
   NoConsole console;
-  const RunSummary summary = run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); },
-                                             StopSignals::caught(), signals.descriptor()});
+  const RunSummary summary =
+      run_live(plan, {clock, devices, console, log.get(), [](std::string_view text) { say(text); },
+                      StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
   if (summary.log_failed) return Exit::kDevice;

@@ -130,7 +130,7 @@ TEST(Replay, TheBlocksWorldIsFound) {
     EXPECT_EQ(found->state, record::ObjectState::kConfirmed);
     EXPECT_EQ(found->views, 75U);
     EXPECT_NEAR(found->z_min, 0, 0.01);
-    EXPECT_NEAR(found->z_max, truth.height, 0.01);
+    EXPECT_NEAR(found->z_max, truth.height_m, 0.01);
     const host::MultiPolygon footprint{truth.footprint};
     const host::MultiPolygon hull{host::convex_hull(footprint)};
     for (const char* name : {"clip", "carve"}) {
