@@ -101,7 +101,7 @@ std::unique_ptr<BytePort> open_port(const Request& request) {
   }
 }
 
-/// The empty line ends what somebody else may have begun to type.
+/// The empty line terminates a partly typed one.
 std::string greeting(const Request& request) {
   if (request.no_command || request.port == "-") return {};
   return "\rmode " + request.mode + "\r" + (request.reset ? "reset\r" : "");
@@ -136,7 +136,7 @@ void say_end(const Recorder& recorder, const std::string& saved, const Display& 
   say("saved in " + saved);
 }
 
-/// A service that is told to stop has done its work.
+/// For a service, being stopped is success.
 Exit exit_code(const RecordingEnd& end) {
   return end.signal == 0 || end.signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }
