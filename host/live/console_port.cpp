@@ -287,7 +287,7 @@ std::unique_ptr<ConsolePort> open_console(const ConsoleSpec& spec, bool wait) {
     case ConsoleSpec::Kind::kPty: return PtyConsole::open();
     case ConsoleSpec::Kind::kLine: break;
   }
-  return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, "console", wait));
+  return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, {"console", wait}));
 }
 
 }  // namespace fencepost::host

@@ -14,7 +14,7 @@
 #include "hal/base/result.hpp"
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/wait.hpp"
-#include "host/live/device_spec.hpp"
+#include "host/live/place.hpp"
 #include "host/live/port.hpp"
 #include "host/live/write_behind.hpp"
 #include "host/text/printable.hpp"

@@ -10,16 +10,14 @@
 
 #include "hal/linux/clock.hpp"
 #include "host/live/console_port.hpp"
-#include "host/live/device_spec.hpp"
+#include "host/live/device.hpp"
 #include "host/live/live_loop.hpp"
-#include "host/live/open_device.hpp"
+#include "host/live/robot_file.hpp"
 #include "host/live/write_behind.hpp"
 
 namespace fencepost::host {
 
 struct RunPlan {
-  DeviceSpec camera;
-  DeviceSpec odometry;
   RobotFile robot;
   std::string profile = "full";  ///< one of kLiveProfiles
   console::Mode mode = console::Mode::kText;
