@@ -113,6 +113,9 @@ TEST(Replay, ALogWithoutCalibrationNeedsACamera) {
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera cam").out, whole);
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera " + kScene).out, whole);
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera - <cam").out, whole);
+  const json scene = json::parse(slurp(FENCEPOST_SOURCE_DIR "/host/share/recordings/approach_stop.json"));
+  spill(folder.path() / "camera.json", json{{"camera", scene["camera"]}}.dump());
+  EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera camera.json").out, whole) << "as `segment` reads it";
 }
 
 TEST(Simulate, GivesTheBundledRecordingAndFeedsReplay) {
