@@ -44,7 +44,7 @@ Rows huskylens() {
                         .options = {baud(kBaud), address(huskylens::kAddress)},
                         .unready = "it has learned no colour, is busy, or shows a menu",
                         .driver = CameraDriver{open, profile}},
-           .emulated = Emulated{.tells = "",
+           .emulated = Emulated{.tells = "blocks of learned colours; no arrows",
                                 .options = {line_baud(kBaud)},
                                 .describe = emulate::describe_huskylens,
                                 .make = [](const DeviceSpec&,
