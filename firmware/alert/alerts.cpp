@@ -10,17 +10,17 @@ using record::AlertLevel;
 
 namespace {
 
-float doubt(const Obstacle& obstacle, const InPath& way, float stop) {
-  const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
+float margin_of(const Obstacle& obstacle, const InPath& way, float stop) {
+  const Margin& margin = obstacle.cut_off ? kCutOff : kSeenWhole;
   const float sigma = std::sqrt(way.sigma * way.sigma + recon::kPositionNoise * recon::kPositionNoise);
-  return std::min(doubt.sigmas * sigma, doubt.most * stop);
+  return std::min(margin.sigmas * sigma, margin.most * stop);
 }
 
-// Within the stop distance now, as far as one can be sure, or before the next look.
+// Within the stop distance now, with the margin, or before the path is judged again.
 bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
   constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
   const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
-  return obstacle.distance - doubt(obstacle, way, stop) - until_next_look <= slack * stop;
+  return obstacle.distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
 }  // namespace

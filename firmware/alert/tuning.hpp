@@ -16,15 +16,15 @@ inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
 /// A notice is repeated no more often than this: it says where things are, nothing is urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 
-/// How much nearer an obstacle is taken to be than it seems.
-struct Doubt {
+/// Safety margin for the uncertainty of a distance: it is subtracted before the comparison with the stop distance.
+struct Margin {
   float sigmas;
-  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
+  float most;  ///< as a share of the stop distance: uncertainty must not stop a robot far from anything
 };
-/// Seen whole; and where an end was never seen, the object may reach far nearer than its cylinder does. More: false
-/// stops; less: late ones. Alert study.
-inline constexpr Doubt kSeenWhole{3.0F, 0.2F};
-inline constexpr Doubt kCutOff{4.0F, 0.4F};
+/// Seen whole; and where an end was not seen, the object may extend much nearer than its cylinder. More: false stops;
+/// less: late ones. Alert study.
+inline constexpr Margin kSeenWhole{3.0F, 0.2F};
+inline constexpr Margin kCutOff{4.0F, 0.4F};
 
 /// m/s. A slower robot stands; what comes nearer more slowly does not come nearer. By design.
 inline constexpr float kStanding = 0.01F;

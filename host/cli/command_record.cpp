@@ -95,7 +95,7 @@ std::unique_ptr<BytePort> open_port(const Request& request) {
     place = *tcp;
   }
   try {
-    return open_line(place, request.baud, "PORT", request.wait);
+    return open_line(place, request.baud, {"PORT", request.wait});
   } catch (const DeviceFailure& failure) {
     throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
   }

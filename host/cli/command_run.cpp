@@ -10,6 +10,8 @@
 #include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/devices/tables.hpp"
+#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -46,8 +48,6 @@ console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
 
 RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
   RunPlan plan;
-  plan.camera = device_of(request.camera, DeviceRole::kCamera);
-  plan.odometry = device_of(request.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(request.robot);
   plan.profile = request.profile;
   plan.mode = mode_of(request, console);
@@ -106,11 +106,13 @@ Exit exit_of(const RunSummary& summary) {
 
 Exit run(const Request& request) {
   const ConsoleSpec console_spec = console_of(request);
+  const DevicePair named = {device_of(request.camera, devices::Use::kCamera),
+                            device_of(request.odometry, devices::Use::kOdometry)};
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open_devices_of(plan, clock, request.wait);
+  Devices devices = open_devices_of(named, plan.robot, clock, request.wait);
   const auto console = open(console_spec, request.wait);
   const std::unique_ptr<WriteBehind> log = request.log.empty() ? nullptr : open_run_log(log_settings, clock.now());
   say_what_is_assumed(plan, devices);
@@ -160,7 +162,7 @@ Command run_command() {
       "64M\n"
       "  fencepost run --camera console --odometry console < run.log\n\n"
       "Cameras (KIND, then where it is, then options):\n" +
-          describe_devices(DeviceRole::kCamera) + "Odometry:\n" + describe_devices(DeviceRole::kOdometry),
+          devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),
       configure,
       {}};
 }

@@ -8,6 +8,7 @@
 #include "host/cli/open_run_log.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -24,16 +25,14 @@ class NoConsole final : public ConsolePort {
   [[nodiscard]] bool ended() const override { return true; }
 };
 
-DeviceSpec device(const std::string& text, DeviceRole role) {
-  const DeviceSpec spec = device_of(text, role);
-  if (spec.kind != DeviceKind::kConsole) return spec;
+devices::DeviceSpec device(const std::string& text, devices::Use use) {
+  devices::DeviceSpec spec = device_of(text, use);
+  if (spec.place.kind != PlaceKind::kNone) return spec;
   throw Failure(Exit::kUsage, "record has no console of its own; name the port whose lines are to be recorded");
 }
 
 RunPlan plan_of(const DeviceRecording& recording) {
   RunPlan plan;
-  plan.camera = device(recording.camera, DeviceRole::kCamera);
-  plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(recording.robot);
   plan.mode = console::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
@@ -55,12 +54,14 @@ std::unique_ptr<WriteBehind> open_log(const DeviceRecording& recording, base::Ti
 }  // namespace
 
 Exit record_devices(const DeviceRecording& recording) {
+  const DevicePair named = {device(recording.camera, devices::Use::kCamera),
+                            device(recording.odometry, devices::Use::kOdometry)};
   const RunPlan plan = plan_of(recording);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open_devices_of(plan, clock, recording.wait);
+  Devices devices = open_devices_of(named, plan.robot, clock, recording.wait);
   const std::unique_ptr<WriteBehind> log = open_log(recording, clock.now());
-  say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", plan.camera.where(), plan.odometry.where(),
+  say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", named.camera.where(), named.odometry.where(),
                   log->name()));
   if (!devices.intrinsics) {
     say("the camera's calibration is not known: the log has no FPCAM, so replay needs --camera; or give --robot FILE");

@@ -60,9 +60,11 @@ ROOMS = {
     "host/paper": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",
     "host/recorder": "host/live",
-    "host/emulate/models": "hal/bus hal/sensor",
-    "host/emulate": "drivers/odometry hal/linux host/emulate/models host/simulate",
-    "host/cli": "host/emulate host/paper host/recorder host/segment",
+    "host/emulate/models": "firmware/record hal/bus",
+    "host/emulate/transport": "hal/linux host/emulate/models",
+    "host/emulate/scene": "host/emulate/transport host/simulate",
+    "host/devices": "drivers/* host/emulate/scene host/live",
+    "host/cli": "host/devices host/paper host/recorder host/segment",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}
