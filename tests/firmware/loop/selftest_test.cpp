@@ -41,7 +41,7 @@ TYPED_TEST(Selftest, FailsIfTheExpectedDigestIsAnother) {
 TYPED_TEST(Selftest, FailsIfTheReconstructionIsAnother) {
   Desk<TypeParam> desk;
   desk.memory().noise = {};
-  desk.memory().noise.edge_px *= 1.0001F;
+  desk.memory().noise.heading *= 1.0001F;
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest FAIL: digest ", 0), 0U);
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/tuning.hpp"
 
 namespace fencepost::test {
 namespace {
