@@ -26,6 +26,10 @@ std::string symbol_address(const std::string& symbols, const std::string& name) 
 
 }  // namespace
 
+std::string address_of(const std::string& elf, const std::string& symbol) {
+  return symbol_address(output_of("arm-none-eabi-nm " + elf), symbol);
+}
+
 Stages stages_of_a_loop(const Stages& more) {
   Stages stages = {{"turn", "image::Robot::work("},
                    {"line", "::take_line("},

@@ -31,7 +31,7 @@ EveryBoardFacts facts() {
 INSTANTIATE_TEST_SUITE_P(F405, EveryBoard, ::testing::Values(facts()), profile_of);
 
 TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405()); }
-TEST(F405, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(f405(), "called from 08"); }
+TEST(F405, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(f405(), 0x08001235); }
 
 }  // namespace
 }  // namespace fencepost::test
