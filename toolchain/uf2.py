@@ -2,7 +2,7 @@
 """usage: uf2.py IMAGE.bin IMAGE.uf2
 
 Makes a UF2 file, which the RP2040's USB disk takes, of an image that begins with its second boot stage at the start of
-the flash. An image whose boot stage has a wrong CRC would never start: it is refused, and the right CRC told.
+the flash. An image whose boot stage has a wrong CRC would never start: it is refused, and the right CRC printed.
 """
 
 import pathlib

@@ -12,7 +12,7 @@ class Odometry {
  public:
   Odometry(Bus& bus, const Mapping& mapping) : bus_(bus), wheels_(mapping) {}
 
-  /// A frame's time is the bus's if it has one, else `now`.
+  /// A frame's time is the bus's time stamp if it has one, else `now`.
   base::Result<sensor::OdometrySample> poll(base::Time now) {
     now_ = now;
     for (int i = 0; i < kFrames; ++i) {
@@ -37,10 +37,10 @@ class Odometry {
   [[nodiscard]] std::uint32_t bus_errors() const { return bus_errors_; }
 
  private:
-  // A bus of 1 Mbit/s brings eight in a millisecond; what is left waits for the next turn.
+  // A bus of 1 Mbit/s delivers eight a millisecond; the rest waits for the next iteration.
   static constexpr int kFrames = 32;
 
-  // Two samples of one time, where the bus has none of its own: the later one comes again with the next frame.
+  // Two samples with equal times, on a bus without time stamps: the next frame repeats the later one.
   base::Result<sensor::OdometrySample> in_order(const sensor::OdometrySample& sample) {
     if (last_ && sample.t <= *last_) return base::Error::kNotReady;
     last_ = sample.t;

@@ -19,7 +19,7 @@ struct Signal {
   bool is_signed = true;
 };
 
-/// errors: empty if the frame is another's, a remote request, or too short
+/// errors: empty if the frame has another id, is a remote request, or too short
 std::optional<std::int64_t> value_in(const bus::CanFrame& frame, const Signal& signal);
 
 /// Whether the frame is the signal's, long enough or not.

@@ -4,11 +4,11 @@ namespace fencepost::can_wheels {
 namespace {
 
 constexpr std::int64_t kPicometresPerMicrometre = 1'000'000;
-// No controller is back sooner.
+// No controller restarts faster.
 constexpr base::Duration kRestartTakes = base::milliseconds(200);
 constexpr base::Duration kLongestStep = base::milliseconds(500);
 
-// Of the counts that the pairs see: those of the device, or micrometres.
+// Unit of the counts given to the pairs: the device's, or micrometres.
 odometry::WheelBase counted(const Mapping& mapping) {
   odometry::WheelBase wheels = mapping.wheels;
   if (mapping.quantity == Quantity::kVelocities) {
@@ -30,7 +30,7 @@ std::optional<sensor::OdometrySample> Wheels::take(const bus::CanFrame& frame, b
   const bool is_left = carries(frame, mapping_.left);
   const bool is_right = carries(frame, mapping_.right);
   if (!is_left && !is_right) {
-    ++counters_.foreign;
+    ++counters_.unrelated;
     return std::nullopt;
   }
   ++counters_.frames;

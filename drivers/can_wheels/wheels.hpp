@@ -1,4 +1,4 @@
-// Two wheels' numbers in CAN frames to poses. Knows no bus.
+// Turns two wheels' values in CAN frames into poses. Independent of the bus.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ struct Mapping {
   /// Scale and sign. Counts: pm a count, and the bits at which they wrap, which is the signal's size unless the device
   /// says otherwise. Velocities: pm a second a unit, 1 mm/s is 10^9; the bits are not used. Negative: mounted reversed.
   odometry::WheelBase wheels;
-  base::Duration silence = base::milliseconds(300);  ///< without a frame of either wheel for so long it is silent
+  base::Duration silence = base::milliseconds(300);  ///< longest time between frames before the link counts as silent
 };
 
 struct Counters {
   std::uint32_t frames = 0;     ///< of our wheels
-  std::uint32_t foreign = 0;    ///< of others
+  std::uint32_t unrelated = 0;  ///< with other ids
   std::uint32_t malformed = 0;  ///< ours, but too short, or faster than the wheel can turn
 };
 
 /// Counts are absolute: a lost frame costs nothing. After a silence long enough for a controller to have restarted, a
-/// count nearer to zero than to the last one is taken for a new start, the way of the silence as lost. Velocities are
-/// integrated by trapezoids between their times; over more than half a second of silence nothing is assumed.
+/// count nearer to zero than to the last one is taken as a restart, and the distance driven meanwhile is lost.
+/// Velocities are integrated by the trapezoidal rule; over more than half a second of silence no motion is assumed.
 class Wheels {
  public:
   explicit Wheels(const Mapping& mapping);

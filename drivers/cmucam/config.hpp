@@ -1,4 +1,4 @@
-// What one robot wants of its CMUcam.
+// Configuration of one robot's CMUcam.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct ColourWindow {
   std::uint8_t blue_max = 0;
 };
 
-/// The camera knows one window at a time: with several they take turns, and a frame holds one blob of each. Its images
-/// are then one camera frame apart, which a turning robot sees; one window alone gets the full rate.
+/// The camera has one window at a time: several alternate, and a frame holds one blob of each. Those blobs are then one
+/// camera frame apart, which shows while the robot turns; a single window gets the full rate.
 inline constexpr std::size_t kMaxWindows = 8;
 
 struct Config {

@@ -14,7 +14,7 @@ enum class Event : std::uint8_t {
   kAck,
   kNck,
   kPrompt,  ///< ':'; text() is what came before it on the line (a CMUcam3 ends its version text so)
-  kText,    ///< a line that is nothing else: a version text, or a damaged line
+  kText,    ///< any other line: a version text, or a damaged line
   kPacket,
 };
 
@@ -29,8 +29,8 @@ struct Packet {
   std::array<std::uint8_t, kMaxFields> fields{};
 };
 
-/// Takes both forms at any time: a raw packet is 0xFF, a letter and bytes below 0xFF, so 0xFF always starts anew; all
-/// else is text, which ends in CR. Neither has a checksum: a packet may be damaged and still look like one.
+/// Accepts both forms at any time: a raw packet is 0xFF, a letter and bytes below 0xFF, so 0xFF always starts a packet;
+/// everything else is text, which ends in CR. Neither has a checksum: a damaged packet may still look like one.
 /// Source: manuals of the CMUcam1 (1.12) and CMUcam2, source of the CMUcam3's emulation.
 class Decoder {
  public:

@@ -12,12 +12,12 @@ constexpr double kTanDown = 0.302881;
 constexpr base::Pixels2 focal(double pixels, double tangent) { return base::Pixels2::nearest(pixels / 2 / tangent); }
 constexpr base::Pixels2 middle(double pixels) { return base::Pixels2::nearest((pixels - 1) / 2); }
 
-// Registers of the OV6620: 18 = 44 white balance on, 40 off (RGB); 19 = 33 gain on, 32 off. A colour window means
-// something only while both stand still.
+// Registers of the OV6620: 18 = 44 white balance on, 40 off (RGB); 19 = 33 gain on, 32 off. A colour window is
+// meaningful only while both are frozen.
 constexpr std::array<std::string_view, 1> kWarmUpOv6620 = {"CR 18 44 19 33"};
 constexpr std::array<std::string_view, 2> kSetUpOv6620 = {"CR 18 40 19 32", "PM 1"};
 constexpr std::array<std::string_view, 3> kSetUpHigh = {"CR 18 40 19 32", "HR 1", "PM 1"};
-// The OV7620's registers are not in our sources: it keeps what its power-up gave it.
+// The OV7620's registers are not in our sources: it keeps its power-up values.
 constexpr std::array<std::string_view, 1> kSetUpOv7620 = {"PM 1"};
 constexpr std::array<std::string_view, 2> kWarmUp4 = {"AG 1", "AW 1"};
 constexpr std::array<std::string_view, 3> kSetUp4 = {"AG 0", "AW 0", "PM 1"};
@@ -34,7 +34,7 @@ constexpr Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows
           .fx = focal(width, kTanAcross),
           .fy = focal(rows, kTanDown),
           .cy = middle(rows),
-          .pixels = PixelCount::kNotTold,
+          .pixels = PixelCount::kUnknown,
           .min_confidence = 2,
           .reply_timeout = kThreeFramesAt17,
           .warm_up = warm_up,

@@ -1,4 +1,4 @@
-// The CMUcam family as data: what differs between its members.
+// The CMUcam family as data: how its members differ.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace fencepost::cmucam {
 
-/// What the packet's field `pixels` says of the area.
+/// Meaning of the packet's field `pixels`.
 enum class PixelCount : std::uint8_t {
-  kNotTold,       ///< its formula is not documented
+  kUnknown,       ///< its formula is not documented
   kCount,         ///< pixels, 255 and more are 255 (CMUcam3's emulation)
   kEighths,       ///< (pixels + 4) / 8, at most 255 (CMUcam1; recalled, not confirmed)
   kByConfidence,  ///< the confidence is the share of the box that matches, in 255ths (CMUcam4)
@@ -27,11 +27,11 @@ struct Dialect {
   bool has_raw = true;           ///< knows raw packets
   base::Pixels2 fx;              ///< px; pixels of the older imagers are wider than tall
   base::Pixels2 fy;
-  base::Pixels2 cy;  ///< the lens's row: not the middle where rows past 255 cannot be told
-  PixelCount pixels = PixelCount::kNotTold;
+  base::Pixels2 cy;  ///< row of the optical axis: not the middle where rows past 255 cannot be reported
+  PixelCount pixels = PixelCount::kUnknown;
   std::uint8_t min_confidence = 0;  ///< below, a box is noise
   base::Duration reply_timeout;     ///< of a packet that was asked for; at least three frames
-  /// Commands after a reset, before and after the image has settled; short, since each is a chance of damage.
+  /// Commands after a reset, before and after the image has settled; few, since each may be damaged on the line.
   std::span<const std::string_view> warm_up;
   std::span<const std::string_view> set_up;
 };
@@ -44,8 +44,8 @@ extern const Dialect kCmuCam2;
 extern const Dialect kCmuCam2High;
 /// CMUcam2 with the OV7620 of the FRC kits of 2005 and 2006. Coordinates 1..159, 1..239.
 extern const Dialect kCmuCam2Ov7620;
-/// CMUcam3 running the CMUcam2 emulation: 0-based, 88 x 144. Its version text is a CMUcam2's, so nothing tells them
-/// apart but the user: taken for the other, boxes are off by one pixel.
+/// CMUcam3 running the CMUcam2 emulation: 0-based, 88 x 144. Its version text is a CMUcam2's, so only the user can tell
+/// them apart: taken for the other, boxes are off by one pixel.
 extern const Dialect kCmuCam3;
 /// The same in high resolution: 176 columns, the first 255 of 288 rows.
 extern const Dialect kCmuCam3High;

@@ -24,7 +24,7 @@ std::uint32_t area(const Fields& fields, PixelCount rule) {
   const bool saturated = fields.pixels >= 254;
   const auto box = static_cast<std::uint32_t>((fields.x2 - fields.x1 + 1) * (fields.y2 - fields.y1 + 1));
   switch (rule) {
-    case PixelCount::kNotTold: return 0;
+    case PixelCount::kUnknown: return 0;
     case PixelCount::kCount: return saturated ? 0 : fields.pixels;
     case PixelCount::kEighths: return saturated ? 0 : std::min<std::uint32_t>(8U * fields.pixels, box);
     case PixelCount::kByConfidence: return (fields.confidence * box + 127) / 255;

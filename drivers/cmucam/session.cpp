@@ -11,14 +11,14 @@ namespace {
 /// A CMUcam3 boots for 2 s; the other models answer at once.
 constexpr base::Duration kResetPatience = base::milliseconds(1'000);
 constexpr base::Duration kCommandPatience = base::milliseconds(500);
-/// No good answer for so long: the camera has lost its set-up.
+/// Without a valid reply for this long the camera has lost its set-up.
 constexpr base::Duration kTrackPatience = base::milliseconds(2'000);
 constexpr base::Duration kLongestSettle = base::milliseconds(60'000);
 constexpr std::uint8_t kTries = 4;
 constexpr std::uint8_t kUnheardIsSilent = 3;
 
-/// Ends any input mode. A camera in raw input mode, left so by another program, may wait for up to 13 bytes more; CRs
-/// feed it, and RS with no arguments in raw form makes it leave.
+/// Ends any input mode. A camera left in raw input mode by another program may expect up to 13 more bytes; CRs supply
+/// them, and RS without arguments in raw form leaves the mode.
 constexpr std::string_view kAsciiReset = "\rRS\r";
 constexpr std::string_view kRawReset("\r\r\r\r\r\r\r\r\r\r\r\r\r\r\rRS\0", 18);
 
@@ -102,7 +102,7 @@ bool Session::take(std::uint8_t byte, base::Time now) {
 }
 
 void Session::note_event(Event event) {
-  // A damaged line is no sign of a camera: the baud rate may be wrong.
+  // A damaged line does not prove a camera: the baud rate may be wrong.
   if (event != Event::kText) {
     unheard_ = 0;
     silent_ = false;
@@ -137,14 +137,14 @@ void Session::end_exchange(base::Time now) {
       }
       break;
     case Phase::kCommand:
-      if (!acked_ && !nacked_) break;  // the prompt of something earlier
+      if (!acked_ && !nacked_) break;  // the prompt of an earlier command
       counts_.refused += acked_ ? 0U : 1U;
       if (acked_) {
         ++step_;
         tries_ = 0;
         last_good_ = now;
       } else if (++tries_ == kTries) {
-        deadline_ = now + kTrackPatience;  // it will not do: rest, then from the start
+        deadline_ = now + kTrackPatience;  // the command is refused: wait, then restart
         break;
       }
       next_step(now);
@@ -222,7 +222,7 @@ void Session::begin_reset(base::Time now) {
 void Session::send_reset(base::Time now) {
   outbox_.clear();
   bool stored = true;
-  // Every other time: a camera that listens properly is spared the noise.
+  // Every other time only: a camera in the right mode is spared the extra bytes.
   if (tries_++ % 2 == 1) stored = outbox_.put(kRawReset);
   stored = outbox_.put(kAsciiReset) && stored;
   FENCEPOST_CHECK(stored);
@@ -230,12 +230,12 @@ void Session::send_reset(base::Time now) {
   deadline_ = now + kResetPatience;
 }
 
-// Asks for the version, and goes on where the script is once it has come.
+// Asks for the version; the script continues after the reply.
 void Session::flush(base::Time now) {
   if (phase_ == Phase::kReset) tries_ = 0;
   phase_ = Phase::kFlush;
   window_ = 0;
-  // The first CR stops a stream and ends what was left of a command.
+  // The first CR stops a stream and terminates a partial command.
   send("\rGV", now, kCommandPatience);
 }
 
@@ -256,7 +256,7 @@ void Session::next_step(base::Time now) {
 
 void Session::ask(base::Time now) {
   if (!usable_) {
-    phase_ = Phase::kSettle;  // nothing to ask for: look again whether it is still there
+    phase_ = Phase::kSettle;  // no window to ask for: check again later whether it is present
     step_ = 0;
     deadline_ = now + kTrackPatience;
     return;
@@ -270,12 +270,12 @@ void Session::ask(base::Time now) {
   send(command.view(), now, config_.dialect->reply_timeout);
 }
 
-void Session::send(std::string_view command, base::Time now, base::Duration patience) {
+void Session::send(std::string_view command, base::Time now, base::Duration timeout) {
   outbox_.clear();
   const bool stored = outbox_.put(command) && outbox_.put("\r");
   FENCEPOST_CHECK(stored);
   acked_ = nacked_ = banner_ = packet_ = false;
-  deadline_ = now + patience;
+  deadline_ = now + timeout;
 }
 
 }  // namespace fencepost::cmucam

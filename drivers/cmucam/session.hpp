@@ -1,4 +1,4 @@
-// The conversation with a CMUcam: reset, version, set-up, then one packet a question.
+// The protocol state machine of a CMUcam: reset, version, set-up, then one packet per request.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@
 
 namespace fencepost::cmucam {
 
-/// Since start-up; nothing here stops the session.
+/// Counts since start-up; none of these stops the session.
 struct Counts {
   std::uint32_t frames = 0;
-  std::uint32_t implausible = 0;  ///< packets that cannot be a box of this camera: dropped, asked again
-  std::uint32_t unanswered = 0;   ///< questions without a packet: damaged on the way, or lost
-  std::uint32_t refused = 0;      ///< NCK: a command damaged on the way, or unknown to the camera
+  std::uint32_t implausible = 0;  ///< packets that cannot be a box of this camera: dropped, requested again
+  std::uint32_t unanswered = 0;   ///< requests without a packet: damaged on the line, or lost
+  std::uint32_t refused = 0;      ///< NCK: a command damaged on the line, or unknown to the camera
   std::uint32_t resets = 0;       ///< times the set-up was begun, the first included
 };
 
 /// Polls (PM 1): an answer is a packet *and* the prompt after it, which catches most damage on a line without
 /// checksums. ACK stays on (RM 1, not 3), a NCK then costs no time-out. Commands go out in ASCII only: in raw input
 /// mode a CMUcam1 takes a text's CR for a count of bytes, and a CMUcam3 turns arguments 97..122 into 65..90.
-/// After a time-out the version is asked for: answers come in order, so nothing late can pass for the next answer.
-/// Every wait ends by itself; whatever happens, the session comes back to the reset.
+/// After a time-out the version is requested: replies come in order, so a late one cannot be taken for the next reply.
+/// Every wait is bounded; after any failure the session returns to the reset.
 /// Uncertain in our sources, and accepted either way: the order of CR, ACK and version text after RS; a CR after the
 /// text of GV; packets C, M, T or N.
 class Session {
@@ -43,7 +43,7 @@ class Session {
   void link_lost();
   auto& outbox() { return outbox_; }
 
-  /// kUnready until the first frame, and for ever without a colour window or with one whose bounds are swapped.
+  /// kUnready until the first frame, and always without a colour window or with one whose bounds are swapped.
   [[nodiscard]] sensor::LinkState link() const;
   /// The camera finds one box a colour: nothing is ever dropped.
   [[nodiscard]] static std::uint32_t dropped() { return 0; }
@@ -72,7 +72,7 @@ class Session {
   void flush(base::Time now);
   void next_step(base::Time now);
   void ask(base::Time now);
-  void send(std::string_view command, base::Time now, base::Duration patience);
+  void send(std::string_view command, base::Time now, base::Duration timeout);
 
   const Config config_;
   bool usable_;
@@ -94,7 +94,7 @@ class Session {
   std::uint8_t window_ = 0;
   sensor::BlobFrame building_;
   sensor::BlobFrame frame_;
-  std::uint8_t unheard_ = 0;  ///< time-outs since anything made sense
+  std::uint8_t unheard_ = 0;  ///< time-outs since the last valid reply
   bool silent_ = true;
   bool seen_ = false;
   sensor::Text version_;

@@ -5,13 +5,13 @@
 namespace fencepost::create {
 namespace {
 
-// Of a list of packets whose count was damaged up to 255 bytes are swallowed; this many a try.
+// A packet list with a damaged count swallows up to 255 bytes; this many are sent per attempt.
 constexpr std::size_t kPadding = 32;
 constexpr std::uint8_t kTriesToPadding = 2;
 
 /// 33 frames.
 constexpr base::Duration kPatience = base::milliseconds(500);
-/// A robot does not start faster.
+/// No robot restarts faster.
 constexpr base::Duration kShortestStart = base::milliseconds(1'000);
 
 // Opcodes of the Open Interface.
@@ -42,7 +42,7 @@ bool Session::take(std::uint8_t byte, base::Time now) {
   heard_at_ = now;
   if (!decoder_.feed(byte, now)) return false;
   const base::Time t = decoder_.t();
-  // Several frames in one heap: the first one's time stands for all, and a Create 1's motions still add up.
+  // Several frames bunched together: the first one's time is used for all, and a Create 1's motions still add up.
   if (any_ && t < last_t_) return false;
   config_.model == Model::kCreate1 ? take_distance() : take_counts();
   last_t_ = t;
@@ -58,7 +58,7 @@ void Session::take_counts() {
   const std::uint16_t left = decoder_.value(0);
   const std::uint16_t right = decoder_.value(1);
   const base::Time t = decoder_.t();
-  if (any_ && t == last_t_) return;  // the next frame's counts tell it all
+  if (any_ && t == last_t_) return;  // the next frame's counts include this motion
   if (any_ && may_have_restarted(t - last_t_)) wheels_.forget_counts();
   sample_ = wheels_.take(left, right, t);
   counts_.impossible = wheels_.resets();
@@ -75,7 +75,7 @@ bool Session::may_have_restarted(base::Duration silence) const {
          near_zero(decoder_.value(1), config_.wheels.right_pm_per_count);
 }
 
-// At least one more millimetre and a tenth of a second: the robot's rounding, and frames that come late.
+// One more millimetre and a tenth of a second allow for the robot's rounding and for late frames.
 std::int64_t Session::furthest_mm(base::Duration time) const {
   constexpr base::Duration kLateness = base::milliseconds(100);
   return config_.wheels.max_speed_mm_s * (time + kLateness).raw / base::Duration::kPerUnit + 1;
@@ -85,7 +85,7 @@ void Session::take_distance() {
   const std::int64_t mm = static_cast<std::int16_t>(decoder_.value(0));
   const std::int64_t degrees = static_cast<std::int16_t>(decoder_.value(1));
   const base::Time t = decoder_.t();
-  if (any_) {  // the first reading is since who knows when
+  if (any_) {  // the first reading covers an unknown time
     const std::int64_t furthest = furthest_mm(t - last_t_);
     if (mm > furthest || mm < -furthest) {
       ++counts_.impossible;
@@ -106,8 +106,8 @@ void Session::step(base::Time now) {
   ask_for_stream(now);
 }
 
-// A stream that stopped is first asked for again and nothing else: Start would take a robot out of the mode in which
-// somebody drives it.
+// A stopped stream is first only requested again: Start would take the robot out of the mode in which it is being
+// driven.
 void Session::ask_for_stream(base::Time now) {
   const bool whole = !begun_ || tries_ % 2 == 1;
   ++tries_;
@@ -117,7 +117,7 @@ void Session::ask_for_stream(base::Time now) {
   base::FixedVector<std::uint8_t, 8 + kPadding> bytes;
   bool stored = true;
   const auto put = [&](std::uint8_t byte) { stored = bytes.push_back(byte) && stored; };
-  // A robot that took damaged bytes for the start of a long command waits for its rest, and swallows what we ask.
+  // A robot that took damaged bytes for the start of a long command waits for the remainder and swallows our request.
   for (std::size_t i = 0; whole && tries_ > kTriesToPadding && i < kPadding; ++i) put(kStart);
   if (whole) put(kStart);
   if (whole && config_.mode != Mode::kPassive) put(config_.mode == Mode::kSafe ? kSafe : kFull);
@@ -126,7 +126,7 @@ void Session::ask_for_stream(base::Time now) {
   put(config_.model == Model::kCreate1 ? 19 : 43);
   put(config_.model == Model::kCreate1 ? 20 : 44);
   FENCEPOST_CHECK(stored);
-  (void)outbox_.put(bytes.view());  // no room: the line takes nothing, and we try again
+  (void)outbox_.put(bytes.view());  // no room: the line is blocked; the next step retries
 }
 
 void Session::link_lost() {

@@ -1,4 +1,4 @@
-// The conversation with an iRobot Create 1, Create 2 or Roomba 600: start, stream, and a pose of it.
+// The protocol state machine of an iRobot Create 1, Create 2 or Roomba 600: start, stream, pose.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 namespace fencepost::create {
 
 enum class Model : std::uint8_t {
-  kCreate1,  ///< packets 19, 20: whole mm and degrees since the last reading, fractions cut off by the robot
+  kCreate1,  ///< packets 19, 20: whole mm and degrees since the last reading, truncated by the robot
   kCreate2,  ///< packets 43, 44: encoder counts; Roomba 600 too
 };
 
-/// What the robot lets its host do. Passive is enough to read; whoever drives needs one of the others.
+/// The robot's operating mode. Passive is enough to read; driving needs one of the others.
 enum class Mode : std::uint8_t { kPassive, kSafe, kFull };
 
 struct Config {
   Model model = Model::kCreate2;
   Mode mode = Mode::kPassive;
-  odometry::WheelBase wheels = odometry::kCreate2Wheels;  ///< of a Create 1, only the top speed is used
+  odometry::WheelBase wheels = odometry::kCreate2Wheels;  ///< for a Create 1 only the top speed is used
 };
 
 struct Counts {
   std::uint32_t frames = 0;
-  std::uint32_t starts = 0;      ///< times the stream was asked for
-  std::uint32_t impossible = 0;  ///< readings that no wheel can have done: not taken as motion
+  std::uint32_t starts = 0;      ///< requests for the stream
+  std::uint32_t impossible = 0;  ///< readings faster than the wheels can turn: not taken as motion
 };
 
-/// A frame comes every 15 ms. A Create 1's frame that is lost on the way takes its motion with it; a Create 2's does
-/// not. A robot that was switched off counts from zero again: after a second of silence, counts that lie as near to
-/// zero as the robot can have come since are taken as a new start, and the pose goes on from where it was.
+/// A frame comes every 15 ms. The motion in a Create 1's frame is lost with the frame; a Create 2's is not. A robot
+/// that was switched off counts from zero again: after a second of silence, counts as near to zero as the robot can
+/// have driven since are taken as a restart, and the pose continues from where it was.
 class Session {
  public:
   using Sample = sensor::OdometrySample;
@@ -47,7 +47,7 @@ class Session {
   void link_lost();
   auto& outbox() { return outbox_; }
 
-  /// For whoever drives the robot over the same line: a whole command of the Open Interface, at most 8 bytes.
+  /// Sends a whole command of the Open Interface, at most 8 bytes, for driving the robot over the same line.
   /// False when there is no room now.
   [[nodiscard]] bool command(std::span<const std::uint8_t> bytes) { return bytes.size() <= 8 && outbox_.put(bytes); }
 

@@ -18,15 +18,15 @@ struct StreamField {
 inline constexpr std::size_t kMaxFields = 4;
 using StreamLayout = base::FixedVector<StreamField, kMaxFields>;
 
-/// Which bytes add up to 0 modulo 256, the checksum included.
+/// Which bytes sum to 0 modulo 256, the checksum included.
 enum class ChecksumRule : std::uint8_t {
   kUnknown,
   kWithoutHeader,  ///< Create 1's manual
   kWithHeader,     ///< the specification of Roomba 500/600 and Create 2
 };
 
-/// A frame is 0x13, a length, then id and value (big-endian) of each packet, and a checksum. The decoder knows what was
-/// asked for and looks at every run of that many bytes: damage in one frame never costs another one.
+/// A frame is 0x13, a length, then id and value (big-endian) of each packet, and a checksum. The decoder knows which
+/// packets were requested and checks every window of that many bytes: damage in one frame never costs another one.
 /// The manuals disagree about the checksum and real Create 1s are uncertain: either rule is accepted until one has
 /// matched twice in a row, from then on only that one.
 class StreamDecoder {
@@ -41,9 +41,9 @@ class StreamDecoder {
   /// When its first byte arrived.
   [[nodiscard]] base::Time t() const { return t_; }
   [[nodiscard]] ChecksumRule rule() const { return agreed_ >= kAgreement ? rule_ : ChecksumRule::kUnknown; }
-  /// Forgets the rule: it may be another robot.
+  /// Forgets the checksum rule: it may be another robot.
   void forget_rule() { agreed_ = 0; }
-  /// Frames whole but for a checksum that neither rule, or the known one, explains.
+  /// Complete frames whose checksum matches neither rule, or not the known one.
   [[nodiscard]] std::uint32_t bad_checksums() const { return bad_checksums_; }
 
  private:

@@ -15,7 +15,7 @@ class Brick {
  public:
   explicit Brick(Link& link) : link_(link) {}
 
-  /// Once a turn, before whatever uses the conversation.
+  /// Once per loop iteration, before the conversation's clients.
   void poll(base::Time now) {
     receive(now);
     const std::optional<Telegram> request = conversation_.due(now);
@@ -30,7 +30,7 @@ class Brick {
   [[nodiscard]] sensor::LinkState link() const { return conversation_.link(); }
 
  private:
-  // One request outstanding: more than a few replies a turn are late ones.
+  // One request is outstanding: more than a few replies per poll are late ones.
   static constexpr int kReplies = 4;
 
   void receive(base::Time now) {

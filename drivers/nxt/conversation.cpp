@@ -3,7 +3,7 @@
 namespace fencepost::nxt {
 namespace {
 
-// Bluetooth turns round in some 30 ms, more while the brick is busy with its display.
+// Bluetooth replies within some 30 ms, later while the brick is busy with its display.
 constexpr base::Duration kReplyTime = base::milliseconds(200);
 constexpr base::Duration kProbePause = base::milliseconds(500);
 // The shortest idle time that the brick can be set to is two minutes.
@@ -19,8 +19,8 @@ bool Conversation::submit(Exchange& exchange) {
 }
 
 void Conversation::keep_house(base::Time now) {
-  if (phase_ == Phase::kSilent || (house_ && now < *house_)) return;
-  house_ = now + kHousePause;
+  if (phase_ == Phase::kSilent || (housekeeping_ && now < *housekeeping_)) return;
+  housekeeping_ = now + kHousePause;
   keep_alive_exchange_.request = keep_alive();
   battery_exchange_.request = get_battery();
   (void)submit(keep_alive_exchange_);
@@ -85,7 +85,7 @@ void Conversation::take(std::span<const std::uint8_t> telegram, base::Time now) 
   } else if (reply->opcode == Opcode::kGetVersion && (phase_ == Phase::kFenced || phase_ == Phase::kSilent)) {
     pass_fence(*reply);
   } else {
-    ++counters_.foreign;
+    ++counters_.unmatched;
   }
 }
 

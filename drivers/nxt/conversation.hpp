@@ -1,4 +1,4 @@
-// Who of several asks the brick next, and whose reply it is. Knows no bus.
+// Schedules the requests of several clients and matches replies to them. Independent of the bus.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace fencepost::nxt {
 
-/// One request and what became of it; lives at the asker's, and stays where it is while it is under way.
+/// One request and its outcome; owned by the client, which must not move it while it is pending.
 struct Exchange {
   enum class State : std::uint8_t { kIdle, kWaiting, kDone, kFailed };
   State state = State::kIdle;
@@ -28,17 +28,17 @@ struct Exchange {
 
 struct Counters {
   std::uint32_t telegrams = 0;  ///< replies taken
-  std::uint32_t foreign = 0;    ///< replies that nobody waited for, late ones of an earlier try included
-  std::uint32_t malformed = 0;  ///< no replies at all
+  std::uint32_t unmatched = 0;  ///< replies to no pending request, late ones of an earlier try included
+  std::uint32_t malformed = 0;  ///< messages that are no replies
   std::uint32_t timeouts = 0;
   std::uint32_t failed = 0;  ///< exchanges given up
 };
 
-/// One request is outstanding at a time; the brick replies in order. When a reply is missing it may be late or lost,
-/// and replies do not say which request they answer: so before a request is repeated, or another sent, the version is
-/// asked for, and once that is there nothing older can come. Three tries a request, three of the version, then silence:
-/// all that waits fails, and the version is asked for twice a second. Keeps the brick awake and reads its battery on
-/// the side.
+/// One request is outstanding at a time; the brick replies in order. A missing reply may be late or lost, and replies
+/// do not say which request they answer: so before a request is repeated, or another sent, the version is requested as
+/// a fence; after its reply nothing older can arrive. After three tries of a request and three of the version the link
+/// is silent: all pending requests fail, and the version is requested twice a second. Also keeps the brick awake and
+/// reads its battery.
 class Conversation {
  public:
   static constexpr std::size_t kAskers = 6;
@@ -59,7 +59,7 @@ class Conversation {
   [[nodiscard]] const Counters& counters() const { return counters_; }
   [[nodiscard]] const std::optional<Version>& version() const { return version_; }
   [[nodiscard]] std::optional<std::uint16_t> battery_millivolts() const { return battery_; }
-  /// Grows each time the brick answers again after silence: it may have started anew.
+  /// Incremented each time the brick answers again after silence: it may have restarted.
   [[nodiscard]] std::uint32_t sessions() const { return sessions_; }
 
  private:
@@ -83,7 +83,7 @@ class Conversation {
   std::uint8_t fences_ = 0;
   base::Time now_;
   std::optional<base::Time> deadline_;
-  std::optional<base::Time> house_;  ///< when the keep-alive and the battery are next
+  std::optional<base::Time> housekeeping_;  ///< when the keep-alive and the battery are next
   std::optional<Version> version_;
   std::optional<std::uint16_t> battery_;
   std::uint32_t sessions_ = 0;

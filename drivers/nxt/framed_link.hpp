@@ -28,8 +28,8 @@ inline wire::Verdict examine_framed(std::span<const std::uint8_t> bytes) {
   return {wire::Front::kMessage, kLengthPrefix + length};
 }
 
-/// One telegram each way at a time, as the NXT is asked. Sending gives up what had begun to arrive: whoever asks again
-/// no longer waits for it, and a damaged length must not swallow the answer.
+/// One telegram each way at a time. Sending discards a partly received telegram: a repeated request no longer waits for
+/// it, and a damaged length must not swallow the reply.
 template <bus::ByteLink Link>
 class FramedLink {
  public:

@@ -5,7 +5,7 @@
 namespace fencepost::nxt {
 namespace {
 
-// Host libraries' practice.
+// As other host libraries do.
 constexpr base::Duration kSettleTime = base::milliseconds(100);
 constexpr base::Duration kPollPause = base::milliseconds(10);
 constexpr std::uint8_t kPolls = 30;
@@ -16,7 +16,7 @@ base::Result<std::size_t> SensorPort::begin(std::uint8_t address, std::span<cons
                                             std::size_t expected) {
   if (conversation_.link() == sensor::LinkState::kAbsent && step_ == Step::kIdle) return base::Error::kGone;
   const bool fits = out.size() < kMaxSensorBytes && expected <= kMaxSensorBytes;
-  // An exchange that an unfinished transfer left behind is waited for.
+  // An exchange left over by an unfinished transfer has to end first.
   if (step_ != Step::kIdle || exchange_.under_way() || !fits) return base::Error::kFull;
   write_ = sensor_write(port_, address, out, expected);
   expected_ = static_cast<std::uint8_t>(expected);

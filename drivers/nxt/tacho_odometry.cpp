@@ -29,7 +29,7 @@ base::Result<sensor::OdometrySample> TachoOdometry::poll(base::Time now) {
 }
 
 void TachoOdometry::ask(base::Time now) {
-  // Silence may have been a new start of the brick, and its counts begin at zero then.
+  // The brick may have restarted during a silence; its counts then begin at zero.
   if (session_ != conversation_.sessions()) start_anew();
   session_ = conversation_.sessions();
   if (conversation_.link() != sensor::LinkState::kOk || (next_ && now < *next_)) return;

@@ -34,7 +34,7 @@ class Camera {
   [[nodiscard]] const Session& session() const { return session_; }
 
  private:
-  // Through a brick a transfer takes some 30 ms; no bus may keep us waiting for ever.
+  // Through a brick a transfer takes some 30 ms; the wait for a bus is bounded.
   static constexpr base::Duration kLongestTransfer = base::milliseconds(1'000);
 
   void begin(base::Time now) {
@@ -64,7 +64,7 @@ class Camera {
     session_.take(std::span<const std::uint8_t>(in).first(*got), now);
   }
 
-  // The bus stays busy until somebody asks for the answer.
+  // The bus stays busy until the result is collected.
   void collect_abandoned() {
     std::array<std::uint8_t, kMaxRead> in{};
     const base::Result<std::size_t> got = bus_.finish(in);

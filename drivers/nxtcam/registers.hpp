@@ -37,7 +37,7 @@ enum class Command : std::uint8_t {
 /// `bytes`: vendor and product, sixteen characters. Any NXTCam is meant, whatever follows in the product's name.
 bool is_nxtcam(std::span<const std::uint8_t> bytes);
 
-/// Bit c is set if colour c was taught: some red, some green and some blue values belong to it. `map`: 48 bytes,
+/// Bit c is set if colour c was trained: some red, some green and some blue values belong to it. `map`: 48 bytes,
 /// sixteen for each channel, a bit a colour in each (AVRcam's map). The order of the channels does not matter for this.
 std::uint8_t taught_colours(std::span<const std::uint8_t> map);
 

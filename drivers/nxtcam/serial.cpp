@@ -38,7 +38,7 @@ wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 2) return {};
   if (bytes[1] > kMaxObjects) return {wire::Front::kDamaged, 1};
   const std::size_t size = 3 + bytes[1] * kObjectSize;
-  // An object that cannot be ends the wait for the rest.
+  // An impossible object ends the wait for the rest.
   for (std::size_t at = 2; at + kObjectSize <= bytes.size() && at + 1 < size; at += kObjectSize) {
     if (!object_in(bytes.subspan(at, kObjectSize))) return {wire::Front::kDamaged, 1};
   }

@@ -13,8 +13,8 @@
 namespace fencepost::nxtcam {
 
 /// AVRcam: `0A n, n times (colour, x1, y1, x2, y2), FF` while tracking, lines `ACK\r` and `NCK\r` and the version's as
-/// answers to commands. No checksum and no escaping: n tells the length, the end mark and the objects themselves are
-/// all that tells damage.
+/// answers to commands. No checksum and no escaping: n gives the length; only the end mark and the
+/// objects' plausibility reveal damage.
 inline constexpr std::size_t kLongestTracking = 3 + kMaxObjects * kObjectSize;
 
 /// Commands, ended by a carriage return.
@@ -27,7 +27,7 @@ inline constexpr std::string_view kDisableLine = "DT\r";
 wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes);
 
 /// A frame with the objects of a tracking packet and nothing else, the largest first, coordinates as in object_in.
-/// errors: empty for a line of text, or if an object cannot be
+/// errors: empty for a line of text, or if an object is impossible
 std::optional<sensor::BlobFrame> tracking_in(std::span<const std::uint8_t> message);
 /// A line without its end; empty for a tracking packet.
 std::string_view line_in(std::span<const std::uint8_t> message);

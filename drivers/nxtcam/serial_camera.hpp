@@ -18,9 +18,9 @@
 
 namespace fencepost::nxtcam {
 
-/// Ping, version, tracking on; each is asked again until it is acknowledged. While tracking, a second without a packet
-/// means that the camera was switched off: all over again. Whether colours were taught cannot be asked here: without,
-/// it is empty.
+/// Ping, version, tracking on; each is repeated until it is acknowledged. While tracking, a second without a packet
+/// means that the camera was switched off: the sequence restarts. Whether colours were trained cannot be queried on
+/// this link: an untrained camera is `empty`.
 template <bus::ByteLink Link>
 class SerialCamera {
  public:
@@ -34,9 +34,9 @@ class SerialCamera {
   }
   [[nodiscard]] sensor::LinkState link() const { return state_; }
   [[nodiscard]] std::uint32_t dropped() const { return 0; }  // eight objects fit
-  /// Packets with a wrong end or an object that cannot be.
+  /// Packets with a wrong end or an impossible object.
   [[nodiscard]] std::uint32_t damaged() const { return scanner_.damaged(); }
-  /// Frames dropped because they came in one heap with an earlier one: held up on the way.
+  /// Frames dropped because they arrived bunched with an earlier one: they were delayed on the way.
   [[nodiscard]] std::uint32_t stale() const { return stale_; }
   /// The line that follows the acknowledged version request.
   [[nodiscard]] std::string_view version() const { return version_.view(); }

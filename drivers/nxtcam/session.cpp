@@ -13,7 +13,7 @@ using sensor::LinkState;
 constexpr base::Duration kRetry = base::milliseconds(20);
 constexpr base::Duration kSilentPause = base::milliseconds(500);
 constexpr base::Duration kUntaughtPause = base::milliseconds(2'000);
-// Nothing seen for so long: say again that it shall look.
+// After this long without objects tracking is switched on again.
 constexpr base::Duration kReassure = base::milliseconds(5'000);
 constexpr std::uint8_t kFailuresToSilence = 3;
 // With the count in front, and without.
@@ -82,7 +82,7 @@ void Session::fail(base::Error error, base::Time now) {
   next_ = now + kRetry;
   const LinkState bad = error == base::Error::kGone ? LinkState::kAbsent : LinkState::kSilent;
   if (failures_ < kFailuresToSilence && bad == LinkState::kSilent) {
-    // The rest of a frame read later would be of another.
+    // The remainder of a frame, read later, would belong to another one.
     if (step_ > Step::kCount) next_frame(now);
     return;
   }
@@ -98,7 +98,7 @@ void Session::take(std::span<const std::uint8_t> bytes, base::Time t) {
   switch (step_) {
     case Step::kVersion: take_version(bytes); return advance(Step::kProduct, {}, t);
     case Step::kProduct:
-      // Another sensor: it may be changed for the camera.
+      // Another sensor: it may be exchanged for the camera.
       return is_nxtcam(bytes) ? advance(Step::kDisable, {}, t) : restart(kSilentPause, t);
     case Step::kDisable:
       return advance(options_.check_colour_map ? Step::kFetchMap : Step::kSort, options_.command_wait, t);

@@ -1,4 +1,4 @@
-// Which I2C transfer an NXTCam gets next, and what its answer means. Knows no bus.
+// The protocol state machine of an NXTCam on I2C: the next transfer, and what its result means. Independent of the bus.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Options {
 struct Counters {
   std::uint32_t frames = 0;
   std::uint32_t blobs_dropped = 0;  ///< always 0: eight objects fit
-  std::uint32_t refused = 0;        ///< transfers that nobody acknowledged or that failed
-  std::uint32_t rejected = 0;       ///< frames with a count or an object that cannot be
+  std::uint32_t refused = 0;        ///< transfers not acknowledged or failed
+  std::uint32_t rejected = 0;       ///< frames with an impossible count or object
   std::uint32_t restarts = 0;
 };
 
@@ -38,7 +38,7 @@ struct Transfer {
   friend constexpr bool operator==(const Transfer&, const Transfer&) = default;
 };
 
-/// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects for ever, at most
+/// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects indefinitely, at most
 /// sixteen bytes a transfer. While nothing is seen, tracking is switched on again now and then: a camera that was
 /// switched off and on between two reads answers as if it saw nothing.
 class Session {

@@ -11,7 +11,7 @@ namespace {
 using sensor::LinkState;
 
 constexpr base::Duration kAskPeriod = base::milliseconds(1'000);
-// Shorter than any frame rate of the camera: a blob of the same count so soon is the same image's.
+// Shorter than the camera's frame period: a blob with the same count so soon belongs to the same image.
 constexpr base::Duration kSameImage = base::milliseconds(20);
 constexpr std::size_t kHeader = 4;
 constexpr std::uint8_t kVersionType = 1;
@@ -28,7 +28,7 @@ void V5Session::take(std::uint8_t byte, base::Time now) {
     unexplained_ -= static_cast<std::uint32_t>(message.size());
     take_message(message, first_byte, now);
   });
-  // Damage may have been a blob: nothing is said of what the camera sees.
+  // The damaged frame may have been a blob: nothing is concluded about what the camera sees.
   if (unexplained_ == scanner_.pending().size()) return;
   unexplained_ = static_cast<std::uint32_t>(scanner_.pending().size());
   quiet_since_.reset();
@@ -50,7 +50,7 @@ void V5Session::take_message(std::span<const std::uint8_t> message, base::Time f
   } else if (message[3] == kVersionType) {
     take_version(message);
   } else {
-    ++counts_.foreign;
+    ++counts_.unrelated;
   }
 }
 
@@ -78,7 +78,7 @@ void V5Session::take_version(std::span<const std::uint8_t> message) {
   }
 }
 
-// A frame that came in one heap with the one before has been held up on the way.
+// A frame that arrived bunched with the one before was delayed on the way.
 void V5Session::finish(base::Time now) {
   building_ = false;
   if (last_t_ && frame_.t <= *last_t_) {
@@ -95,10 +95,10 @@ void V5Session::finish(base::Time now) {
 }
 
 void V5Session::step(base::Time now) {
-  // The rest of a frame that was cut short does not come; waiting for it would swallow the next.
+  // The remainder of a truncated frame never arrives; waiting for it would swallow the next one.
   if (now - byte_at_ > kSameImage) forget_bytes();
   if (building_ && now - byte_at_ >= options_.frame_pause) finish(now);
-  if (found_ && !options_.silence_is_empty && now - heard_ > options_.patience) {
+  if (found_ && !options_.silence_is_empty && now - heard_ > options_.timeout) {
     found_.reset();
     given_ = building_ = false;
     forget_bytes();
@@ -113,9 +113,10 @@ void V5Session::ask(base::Time now) {
   if (absent_ || (asked_once_ && now - asked_ < period)) return;
   asked_ = now;
   asked_once_ = true;
-  // What a dead line did not take is of no use later.
+  // Bytes that a dead line did not take are of no use later.
   outbox_.clear();
-  // A camera that was switched off and on between two answers does not track: it is told again while it sees nothing.
+  // A camera that was switched off and on between two answers does not track: the command is repeated while it sees
+  // nothing.
   if (sees_nothing) (void)outbox_.put(kTrackingOn);
   (void)outbox_.put(kAskVersion);
 }
@@ -124,7 +125,7 @@ void V5Session::give_empty(base::Time now) {
   if (options_.silence_is_empty && !quiet_since_) quiet_since_ = now;
   const bool quiet = quiet_since_ && now - *quiet_since_ >= options_.empty_period;
   if (!quiet || now - *found_ < options_.start_up || now - blob_at_ < options_.empty_period) return;
-  // A line that stands still says nothing of what the camera sees.
+  // A stalled line gives no information about what the camera sees.
   if (!options_.silence_is_empty && heard_ <= blob_at_) return;
   frame_ = {};
   frame_.t = now;

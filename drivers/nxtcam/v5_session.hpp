@@ -1,4 +1,5 @@
-// The conversation with an NXTCam v5 on the serial line between its camera and its bridge. Knows no link.
+// The protocol state machine of an NXTCam v5 on the serial line between its camera and its bridge. Independent of the
+// link.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@
 
 namespace fencepost::nxtcam {
 
-/// Only the frames that the v5 sends are described; which it takes, and what it sends while it sees nothing, is not.
-/// These are the points where cameras may differ.
+/// Our sources describe only the frames that the v5 sends, not which it accepts or what it sends while it sees nothing.
+/// Cameras may differ in these points.
 struct V5Options {
   /// Nothing marks a frame's last blob: it is complete with the first blob of another count, or once no byte came
   /// for so long.
@@ -26,10 +27,10 @@ struct V5Options {
   /// commands 'E', tracking on (type 3). Uncertain whether the camera takes either: one that takes neither is heard by
   /// its blobs alone, and never `empty`.
   bool ask = true;
-  /// Whether silence of a camera that was heard once means that it sees nothing. False: after `patience` it is silent.
+  /// Whether silence of a camera that was heard once means that it sees nothing. False: after `timeout` it is silent.
   /// True where it is known to be mute without blobs and not to answer; an unplugged one then seems to see nothing.
   bool silence_is_empty = false;
-  base::Duration patience = base::milliseconds(2'500);  ///< without a whole frame of any type
+  base::Duration timeout = base::milliseconds(2'500);  ///< without a whole frame of any type
   /// Without a blob for so long, but with an answer to a question: a frame without blobs.
   base::Duration empty_period = base::milliseconds(100);
   base::Duration start_up = base::milliseconds(500);  ///< after it was first heard, before a frame without blobs
@@ -39,9 +40,9 @@ struct V5Counts {
   std::uint32_t frames = 0;
   std::uint32_t blobs_dropped = 0;  ///< of more than sixteen, the smallest
   std::uint32_t late = 0;           ///< blobs of a frame already given: the line had stopped within it
-  std::uint32_t stale = 0;          ///< frames dropped because they came in one heap with an earlier one
-  std::uint32_t foreign = 0;        ///< whole frames that are neither blob nor version
-  std::uint32_t rejected = 0;       ///< blobs that cannot be, in spite of the checksum
+  std::uint32_t stale = 0;          ///< frames dropped because they arrived bunched with an earlier one
+  std::uint32_t unrelated = 0;      ///< whole frames that are neither blob nor version
+  std::uint32_t rejected = 0;       ///< impossible blobs in spite of the checksum
 };
 
 /// Source: the v5 section of our protocol notes (mindsensors NXTCamView5). Frames carry a checksum of one byte: one

@@ -27,7 +27,7 @@ DifferentialDrive::DifferentialDrive(const WheelBase& wheels)
 sensor::OdometrySample DifferentialDrive::take(std::uint32_t left, std::uint32_t right, base::Time t) {
   const std::optional<std::int32_t> left_counts = left_.step(left, t);
   const std::optional<std::int32_t> right_counts = right_.step(right, t);
-  // One wheel alone would be a turn that never was.
+  // One wheel alone would be a turn that never took place.
   if (left_counts && right_counts) {
     move(*left_counts, *right_counts);
   } else if (started_) {

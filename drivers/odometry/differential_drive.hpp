@@ -1,4 +1,4 @@
-// Two wheels and their counters to a pose.
+// Turns the counters of two wheels into a pose.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fencepost::odometry {
 
-/// Fed with raw counts as they arrive. A short silence costs nothing: the counts of both wheels over it are one arc.
+/// Fed with raw counts as they arrive. A short gap costs nothing: the counts of both wheels over it are one arc.
 class DifferentialDrive {
  public:
   explicit DifferentialDrive(const WheelBase& wheels);
@@ -18,10 +18,10 @@ class DifferentialDrive {
   /// The pose at `t`, when these counts were true; t increases. Counts as the device sends them, sign or none.
   sensor::OdometrySample take(std::uint32_t left, std::uint32_t right, base::Time t);
 
-  /// The device has started anew, its counts too: the pose stays, the next counts are where they go on from.
+  /// The device has restarted and so have its counts: the pose stays, the next counts are the new reference.
   void forget_counts();
 
-  /// How often counts made no sense as a motion and were taken as a new start, the first reading not counted.
+  /// How often counts were impossible as a motion and were taken as a restart, the first reading not counted.
   [[nodiscard]] std::uint32_t resets() const { return resets_; }
 
  private:

@@ -5,7 +5,7 @@
 namespace fencepost::odometry {
 namespace {
 
-// A reading may be as late as this on its way: two readings then lie closer together than their counts.
+// Latest delay of a reading: two readings may then lie closer in time than their counts.
 constexpr base::Duration kLateness = base::milliseconds(100);
 
 }  // namespace

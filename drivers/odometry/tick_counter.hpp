@@ -1,4 +1,4 @@
-// A raw encoder count that wraps, or starts anew, as way since the last reading.
+// Counts since the last reading from a raw encoder count that wraps or restarts.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ class TickCounter {
   TickCounter(int bits, std::int64_t max_rate);
 
   /// Counts since the last reading, wrap taken out; t increases.
-  /// errors: empty if there is no telling: the first reading, more counts than the wheel can have done (the encoder was
+  /// errors: empty if unknown: the first reading, more counts than the wheel can have done (the encoder was
   /// reset), or so long a silence that the count may have wrapped unseen. The next reading then counts from this one.
   std::optional<std::int32_t> step(std::uint32_t raw, base::Time t);
 
-  /// The device has started anew: the next reading is a first one.
+  /// The device has restarted: the next reading is a first one.
   void forget() { known_ = false; }
 
  private:

@@ -8,7 +8,7 @@ namespace fencepost::odometry {
 /// Picometres keep a step of any encoder exact to 1e-6 and 9000 km of driving inside 64 bits.
 inline constexpr std::int64_t kPicometresPerMillimetre = 1'000'000'000;
 
-/// How a wheel and its encoder are sold.
+/// A wheel and its encoder as their data sheets describe them.
 struct WheelDrawing {
   double wheel_diameter_mm = 0;
   double counts_per_revolution =
@@ -20,20 +20,20 @@ constexpr std::int64_t to_picometres(double millimetres) {
   return static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
 }
 
-/// Way of the wheel's rim per count, pm.
+/// Distance along the wheel's rim per count, pm.
 constexpr std::int64_t per_count(const WheelDrawing& wheel) {
   constexpr double kPiExact = 3.14159265358979323846;
   return to_picometres(kPiExact * wheel.wheel_diameter_mm / wheel.counts_per_revolution);
 }
 
-/// Left and right apart, since wheels are never quite equal (UMBmark, Borenstein and Feng 1996, gives the figures).
-/// The zeros here are no wheel base: a real one has per-count ways that are not zero and a positive track.
+/// Left and right separately, since wheels are never exactly equal (UMBmark, Borenstein and Feng 1996, gives the
+/// figures). The zeros here are invalid: a wheel base has non-zero distances per count and a positive track.
 struct WheelBase {
   std::int64_t left_pm_per_count = 0;
   std::int64_t right_pm_per_count = 0;
   std::int64_t track_pm = 0;            ///< distance of the wheels' contact points, at most 9 m
   int counter_bits = 32;                ///< at which the raw counts wrap, 2..32
-  std::int32_t max_speed_mm_s = 2'000;  ///< of a wheel; counts that say more are a counter that was reset
+  std::int32_t max_speed_mm_s = 2'000;  ///< of a wheel; faster counts mean that a counter was reset
 };
 
 constexpr WheelBase make_wheel_base(const WheelDrawing& wheel, double track_mm, int counter_bits,

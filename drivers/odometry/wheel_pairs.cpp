@@ -3,7 +3,7 @@
 namespace fencepost::odometry {
 namespace {
 
-// Two readings of one wheel further apart than this say too little about the time between.
+// Two readings of one wheel further apart than this are not interpolated.
 constexpr base::Duration kLongestPair = base::milliseconds(500);
 
 }  // namespace

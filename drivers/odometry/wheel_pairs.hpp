@@ -8,10 +8,10 @@
 
 namespace fencepost::odometry {
 
-/// Left and right readings take turns, each with its own time. Taken for simultaneous, a robot that drives straight
-/// would seem to wind: so the left count at the time of the right one is interpolated between its neighbours, and the
-/// sample comes with the left reading after it, bearing the right one's time. Of several right readings in a row the
-/// last counts.
+/// Left and right readings alternate, each with its own time. If they were treated as simultaneous, straight driving
+/// would appear as an oscillating heading: so the left count at the time of the right one is interpolated between its
+/// neighbours, and the sample is emitted with the next left reading, at the right one's time. Of several right readings
+/// in a row the last counts.
 class WheelPairs {
  public:
   explicit WheelPairs(const WheelBase& wheels) : bits_(wheels.counter_bits), drive_(wheels) {}
@@ -21,7 +21,7 @@ class WheelPairs {
   /// Both in one message.
   sensor::OdometrySample take_both(std::uint32_t left, std::uint32_t right, base::Time t);
 
-  /// The device has started anew, or was silent: the pose stays.
+  /// The device has restarted, or was silent: the pose stays.
   void forget();
 
  private:

@@ -16,7 +16,7 @@
 
 namespace fencepost::pixy2 {
 
-/// What the vendor says of the lens: 60 x 40 degrees; calibrate for more. The mount and the latency are the robot's.
+/// The vendor's lens data: 60 x 40 degrees; calibrate for more accuracy. Mount and latency are the robot's.
 /// fx = 158 / tan 30 deg.
 inline constexpr sensor::CameraIntrinsics kPixy2Profile = {"pixy2",  316,      208, {27'366}, {27'366},
                                                            {15'750}, {10'350}, {0}, {},       base::milliseconds(33)};
@@ -42,7 +42,7 @@ class Camera {
   [[nodiscard]] std::uint32_t damaged() const { return scanner_.damaged(); }
 
  private:
-  // Bounded: an SPI link always has bytes. 256 a turn is a whole packet.
+  // Bounded: an SPI link always has bytes. 256 per poll is a whole packet.
   static constexpr int kReads = 8;
 
   void receive(base::Time now) {
@@ -64,7 +64,7 @@ class Camera {
 
   void send(base::Time now) {
     if (const std::optional<Request> request = session_.due(now)) {
-      // What has begun to arrive belongs to no answer that is still awaited.
+      // A partly received packet belongs to no reply that is still awaited.
       scanner_.reset();
       wire::replace(outbox_, request->view());
     }

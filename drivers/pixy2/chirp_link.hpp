@@ -17,9 +17,9 @@
 namespace fencepost::pixy2 {
 
 /// `Usb`: the bulk pipe, whose writes are transfers. Packets written here become calls of `ser_packet`, and what those
-/// return becomes packets with checksum, so the camera's driver is the same on all links. Whoever uses it repeats what
-/// is not answered: a request that comes too early opens the connection instead, and one after three unanswered ones
-/// opens it anew.
+/// return becomes packets with checksum, so the camera's driver is the same on all links. The user repeats
+/// unanswered requests: one that comes too early opens the connection instead, and one after three unanswered ones
+/// opens it again.
 template <bus::ByteLink Usb>
 class ChirpLink {
  public:
@@ -68,7 +68,7 @@ class ChirpLink {
   void take_request(std::span<const std::uint8_t> message) {
     // One request at a time: a message that is not whole yet answers none any more, and would swallow the next.
     messages_.reset();
-    // In each phase: a camera switched off and on has forgotten how far we were.
+    // In each phase: a camera that was switched off and on has lost its state.
     if (phase_ != Phase::kClosed && unanswered_++ >= kUnansweredToClose) phase_ = Phase::kClosed;
     switch (phase_) {
       case Phase::kClosed: return send(chirp::initialise());

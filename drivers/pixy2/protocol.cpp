@@ -22,7 +22,7 @@ std::uint16_t sum(std::span<const std::uint8_t> data) {
   return static_cast<std::uint16_t>(total & 0xFFFFU);
 }
 
-// Of the answers that we can get: a damaged header is seen at once, not after the bytes that it promises.
+// Of the possible replies only: a damaged header is detected at once, not after the announced bytes.
 bool plausible(Type type, std::size_t length) {
   switch (type) {
     case Type::kResult:
@@ -55,7 +55,7 @@ bool inside(const Edges& edges, std::int32_t size) {
   return edges.first >= 0 && edges.first <= edges.last && edges.last < size;
 }
 
-// Nothing if the box cannot be; the signature is left to the caller.
+// Empty if the box is impossible; the caller sets the signature.
 std::optional<sensor::Blob> box(std::span<const std::uint8_t> block) {
   const Edges x = columns(wire::little_u16(block, 2), wire::little_u16(block, 6));
   const Edges y = rows(wire::little_u16(block, 4), wire::little_u16(block, 8));

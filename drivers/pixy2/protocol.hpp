@@ -42,7 +42,7 @@ enum class DeviceError : std::int8_t {
   kBusy = -2,  ///< no new frame yet; of a version request: still starting
   kInvalidRequest = -3,
   kUnsupported = -4,     ///< of blocks: another program runs
-  kButton = -5,          ///< somebody teaches by the button
+  kButton = -5,          ///< a signature is being trained by the button
   kProgramChanging = -6  ///< soon
 };
 
@@ -60,8 +60,8 @@ Request request_resolution();
 /// `signatures`: bit n-1 for signature n, bit 7 for colour codes; 0 is refused by the camera. Asks for all blocks.
 Request request_blocks(std::uint8_t signatures);
 
-/// Behind filler bytes. A request whose length was damaged on its way makes the camera wait for data, for ever: these
-/// end it, and its checksum is wrong then.
+/// Preceded by filler bytes. A request with a damaged length makes the camera wait for data indefinitely: these
+/// complete it, with a wrong checksum.
 Request behind_padding(const Request& request);
 
 /// For wire::Scanner; knows the types of answers only, and their lengths. Over SPI the first sync byte may come twice,

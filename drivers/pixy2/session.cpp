@@ -13,16 +13,16 @@ using sensor::LinkState;
 constexpr base::Duration kAnswerBegins = base::milliseconds(30);
 // A request with a name, or padding, takes longer.
 constexpr base::Duration kSetupAnswerBegins = base::milliseconds(150);
-// Between two bytes that make progress.
+// Longest gap between bytes of a reply.
 constexpr base::Duration kAnswerGoesOn = base::milliseconds(20);
 // The longest packet at 9600 baud takes 272 ms.
 constexpr base::Duration kAnswerEnds = base::milliseconds(400);
-// A frame lasts 16 ms: rest for half of it, then ask four times as often.
+// A frame lasts 16 ms: pause for half of it, then poll four times as often.
 constexpr base::Duration kFramePause = base::milliseconds(8);
 constexpr base::Duration kBusyPause = base::milliseconds(4);
 constexpr base::Duration kSetupPause = base::milliseconds(100);
 constexpr base::Duration kSilentPause = base::milliseconds(250);
-// Without a new frame for so long it is not working, whatever it says.
+// Without a new frame for this long it is not working, whatever it reports.
 constexpr base::Duration kFrameOverdue = base::milliseconds(1'000);
 constexpr std::uint8_t kMissesToSilence = 3;
 

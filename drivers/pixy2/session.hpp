@@ -1,4 +1,4 @@
-// The conversation with a Pixy2: what to ask next, what the answers mean, how the link is. Knows no bus.
+// The protocol state machine of a Pixy2: the next request, what replies mean, the link's state. Independent of the bus.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@
 namespace fencepost::pixy2 {
 
 struct Options {
-  std::uint8_t signatures = 0x7F;  ///< that are asked for; bit 7 adds colour codes. 0: unready for ever
-  bool select_program = true;      ///< false leaves the program that runs, and a button's choice, alone
+  std::uint8_t signatures = 0x7F;  ///< requested; bit 7 adds colour codes. 0: always unready
+  bool select_program = true;      ///< false keeps the running program and a button's choice
 };
 
 struct Counters {
   std::uint32_t frames = 0;
   std::uint32_t blobs_dropped = 0;
-  std::uint32_t timeouts = 0;   ///< answers that did not come
-  std::uint32_t malformed = 0;  ///< whole packets with impossible content, or that nobody asked for
-  std::uint32_t restarts = 0;   ///< conversations begun anew
+  std::uint32_t timeouts = 0;   ///< missing replies
+  std::uint32_t malformed = 0;  ///< whole packets with impossible content, or not requested
+  std::uint32_t restarts = 0;   ///< of the start sequence
 };
 
-/// One request is outstanding at a time. Version (a starting camera says busy), program, resolution, then blocks for
-/// ever. Three answers missing, or an answer that another program gives: all over again.
+/// One request is outstanding at a time. Version (a starting camera replies busy), program, resolution, then blocks
+/// indefinitely. After three missing replies, or a reply of another program, the sequence restarts.
 class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}
@@ -35,9 +35,9 @@ class Session {
 
   /// `first_byte`: when the packet's first byte arrived.
   void take(const Packet& packet, base::Time first_byte, base::Time now);
-  /// A packet has begun to arrive: the answer is late, not lost.
+  /// A packet has begun to arrive: the reply is late, not lost.
   void extend(base::Time now);
-  /// A damaged packet came: it was the answer, most likely; there is no point in waiting on.
+  /// A damaged packet arrived: most likely the reply, so waiting on is pointless.
   void take_damage(base::Time now);
   /// The link is unplugged, or takes or gives bytes (again).
   void lose_link(base::Time now);

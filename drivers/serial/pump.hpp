@@ -1,4 +1,4 @@
-// Moves bytes between a link and a device's session. Everything that knows the device is in the session.
+// Moves bytes between a link and a device's session. All knowledge of the device is in the session.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 
 namespace fencepost::serial {
 
-/// The conversation with one device, without a link: bytes in, samples and bytes out. Nothing waits.
+/// The protocol state machine of one device, without a link: bytes in, samples and bytes out. Nothing blocks.
 /// `take` eats one byte that arrived at `now`; true: a sample is complete, `sample()` is it until the next byte.
-/// `step` lets time pass, before bytes are sent. `link_lost`: the plug was pulled; the next step starts anew.
+/// `step` lets time pass, before bytes are sent. `link_lost`: the plug was pulled; the next step restarts the session.
 template <class T>
 concept Session = requires(T session, const T& same, std::uint8_t byte, base::Time now) {
   typename T::Sample;
@@ -45,7 +45,7 @@ class Pump {
   Pump(Link& link, const Config& config) : link_(link), session_(config) {}
 
   /// The next sample, in order of time, or kNotReady. At most kBytesAPoll bytes are looked at, none is waited for.
-  /// A sample that shares its arrival time with the one before has been held up on the way, and is dropped.
+  /// A sample with the same arrival time as the one before was delayed on the way, and is dropped.
   base::Result<Sample> poll(base::Time now) {
     const bool complete = read(now);
     session_.step(now);
@@ -57,7 +57,7 @@ class Pump {
   [[nodiscard]] sensor::LinkState link() const { return absent_ ? sensor::LinkState::kAbsent : session_.link(); }
   [[nodiscard]] std::uint32_t dropped() const requires requires(const Conversation& session) { session.dropped(); }
   { return session_.dropped(); }
-  /// Samples dropped because they came in one heap with an earlier one.
+  /// Samples dropped because they arrived bunched with an earlier one.
   [[nodiscard]] std::uint32_t stale() const { return stale_; }
   /// Reads that failed for another reason than an unplugged link: parity, framing, overrun.
   [[nodiscard]] std::uint32_t faults() const { return faults_; }

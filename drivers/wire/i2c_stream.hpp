@@ -15,8 +15,8 @@ namespace fencepost::wire {
 
 /// Each call does at most one step of a transfer: a read that finds the bus free begins one and says kNotReady, a later
 /// read gives its bytes. Nobody acknowledging is kNotReady too: a device that is starting, or not there, is silent.
-/// A write that found the bus busy has it next, if it is tried again before the second read after that: who reads until
-/// there is nothing would else have begun the next read each time.
+/// A write that found the bus busy gets it next, if it is retried before the second read after that: a caller that
+/// reads until nothing is left would otherwise always have started the next read.
 template <bus::I2cBus Bus>
 class I2cStream {
  public:
@@ -70,7 +70,7 @@ class I2cStream {
     return base::Error::kNotReady;
   }
 
-  // What the reader has not taken yet is never written over: a write may come between two of its reads.
+  // Bytes not yet taken by the reader are never overwritten: a write may come between two of its reads.
   void keep(std::span<const std::uint8_t> bytes) {
     std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(next_), bytes_.begin() + static_cast<std::ptrdiff_t>(end_),
               bytes_.begin());

@@ -1,4 +1,4 @@
-// What has come over a byte link.
+// Takes the bytes that have arrived on a byte link.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Finds messages in a stream of bytes, and the next one after damage.
+// Finds messages in a stream of bytes and resynchronises after damage.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace fencepost::wire {
 
-/// What the front of some bytes is.
+/// Classification of the first bytes.
 enum class Front : std::uint8_t {
   kIncomplete,  ///< may become a message
   kNoise,       ///< no message starts here
@@ -56,7 +56,7 @@ class Scanner {
     }
   }
 
-  /// Forgets a message begun.
+  /// Discards a partial message.
   void reset() { size_ = 0; }
 
   [[nodiscard]] std::span<const std::uint8_t> pending() const { return {bytes_.data(), size_}; }

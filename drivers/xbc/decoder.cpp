@@ -97,12 +97,12 @@ Event Decoder::obey(std::string_view body) {
     case 'B': return add_blob(without_first(body, 1));
     case 'E': return end_frame(without_first(body, 1));
     case 'V': break;
-    default: return nonsense();
+    default: return impossible();
   }
   constexpr std::string_view kVersionText = "V XBCL";
   std::array<std::int32_t, 1> number{};
-  if (!body.starts_with(kVersionText)) return nonsense();
-  if (!read_numbers(without_first(body, kVersionText.size()), number)) return nonsense();
+  if (!body.starts_with(kVersionText)) return impossible();
+  if (!read_numbers(without_first(body, kVersionText.size()), number)) return impossible();
   version_ = number[0];
   return Event::kVersion;
 }
@@ -111,7 +111,7 @@ Event Decoder::begin_frame(std::string_view fields) {
   abandon();
   std::array<std::int32_t, 2> number{};
   constexpr auto kMost = static_cast<std::int32_t>(kChannels) * kBlobsAChannel;
-  if (!read_numbers(fields, number) || number[0] < 0 || !between(0, number[1], kMost)) return nonsense();
+  if (!read_numbers(fields, number) || number[0] < 0 || !between(0, number[1], kMost)) return impossible();
   building_ = true;
   announced_ = number[1];
   received_ = 0;
@@ -123,14 +123,14 @@ Event Decoder::begin_frame(std::string_view fields) {
 Event Decoder::add_blob(std::string_view fields) {
   if (!building_) return Event::kNone;  // of a frame that was given up
   std::array<std::int32_t, 11> n{};
-  if (!read_numbers(fields, n)) return nonsense();
+  if (!read_numbers(fields, n)) return impossible();
   const auto& [channel, index, x, y, size, confidence, left, top, right, bottom, angle] = n;
   constexpr std::int32_t kPiMilliradians = 3'142;
   const bool possible = between(0, channel, kChannels - 1) && between(0, index, kBlobsAChannel - 1) &&
                         between(0, left, x) && between(x, right, kWidth - 1) && between(0, top, y) &&
                         between(y, bottom, kHeight - 1) && between(1, size, 32'767) && between(0, confidence, 100) &&
                         between(-kPiMilliradians, angle, kPiMilliradians);
-  if (!possible) return nonsense();
+  if (!possible) return impossible();
   sensor::Blob blob;
   blob.signature = signatures_[static_cast<std::size_t>(channel)];
   blob.x1 = static_cast<std::int16_t>(left);
@@ -149,7 +149,7 @@ Event Decoder::add_blob(std::string_view fields) {
 Event Decoder::end_frame(std::string_view fields) {
   if (!building_) return Event::kNone;
   std::array<std::int32_t, 1> number{};
-  if (!read_numbers(fields, number)) return nonsense();
+  if (!read_numbers(fields, number)) return impossible();
   if (static_cast<std::uint32_t>(number[0]) != next_.frame || received_ != announced_) {
     abandon();
     return Event::kNone;
@@ -160,8 +160,8 @@ Event Decoder::end_frame(std::string_view fields) {
   return Event::kFrame;
 }
 
-Event Decoder::nonsense() {
-  ++counts_.nonsense;
+Event Decoder::impossible() {
+  ++counts_.impossible;
   abandon();
   return Event::kNone;
 }

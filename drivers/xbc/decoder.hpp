@@ -23,7 +23,7 @@ enum class Event : std::uint8_t {
 
 struct Counts {
   std::uint32_t damaged = 0;     ///< lines with a bad checksum or without one, too long, or cut off
-  std::uint32_t nonsense = 0;    ///< whole lines that say what cannot be
+  std::uint32_t impossible = 0;  ///< whole lines with impossible values
   std::uint32_t incomplete = 0;  ///< frames dropped because a line of theirs was
   std::uint32_t dropped = 0;     ///< blobs of good frames beyond the capacity
 };
@@ -35,7 +35,7 @@ struct Counts {
 /// The XBC counts pixels from 0, to the right and down, ends inclusive: as we do.
 class Decoder {
  public:
-  /// What signature each of the XBC's channels stands for.
+  /// The signature of each of the XBC's channels.
   explicit Decoder(std::array<std::uint8_t, kChannels> signatures) : signatures_(signatures) {}
 
   /// One byte that arrived at `now`.
@@ -51,7 +51,7 @@ class Decoder {
   Event begin_frame(std::string_view fields);
   Event add_blob(std::string_view fields);
   Event end_frame(std::string_view fields);
-  Event nonsense();
+  Event impossible();
   void abandon();
 
   // The longest line B has 52 characters.

@@ -25,7 +25,7 @@ bool Session::take(std::uint8_t byte, base::Time now) {
 void Session::step(base::Time now) {
   if (now - heard_at_ > kPatience) heard_ = false;
   if (now - framed_at_ > kPatience) framed_ = false;
-  // Also while it is silent: a program that was started late is greeted, and one of another version found out.
+  // Also while it is silent: detects a program started late, and one of another version.
   if (begun_ && (now < next_question_ || (heard_ && version_ != 0))) return;
   if (!heard_) version_ = 0;
   begun_ = true;

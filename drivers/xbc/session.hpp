@@ -1,4 +1,4 @@
-// The conversation with a KIPR XBC that runs fencepost_xbc.ic: it talks, we ask for its version.
+// The protocol state machine of a KIPR XBC that runs fencepost_xbc.ic: it sends, we request its version.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct Config {
   std::array<std::uint8_t, kChannels> signatures = {1, 2, 3};
 };
 
-/// Frames are taken whether or not the version has been told, unless it is another than 1.
+/// Frames are accepted before the version is known, and rejected if it is not 1.
 class Session {
  public:
   using Sample = sensor::BlobFrame;
@@ -34,7 +34,7 @@ class Session {
   [[nodiscard]] sensor::LinkState link() const;
   [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().dropped; }
   [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
-  /// 0 until told.
+  /// 0 until received.
   [[nodiscard]] std::int32_t version() const { return version_; }
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fencepost::app {
+namespace fencepost::alert {
 
 using config::Key;
 using record::AlertLevel;
@@ -69,7 +69,7 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   if (due > state.level) {
     state.level = due;
     state.easing = false;
-    state.said_at = Stamp(now);
+    state.said_at = base::Stamp(now);
     return due;
   }
   const bool may_hold = believed && state.level > AlertLevel::kClear;
@@ -77,12 +77,12 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;
-      state.easing_since = Stamp(now);
+      state.easing_since = base::Stamp(now);
     }
     if (state.easing_since.since(now) >= kEaseAfter) {
       state.level = held;
       state.easing = false;
-      state.said_at = Stamp(now);
+      state.said_at = base::Stamp(now);
       return held;
     }
   } else {
@@ -91,10 +91,10 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   base::Duration interval = rules.repeat;
   if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
   if (state.level > AlertLevel::kClear && state.said_at.since(now) >= interval) {
-    state.said_at = Stamp(now);
+    state.said_at = base::Stamp(now);
     return state.level;
   }
   return std::nullopt;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::alert

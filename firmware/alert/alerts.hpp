@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "firmware/alert/obstacle.hpp"
-#include "firmware/alert/stamp.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/record/records.hpp"
+#include "hal/base/stamp.hpp"
 #include "hal/base/units.hpp"
 
-namespace fencepost::app {
+namespace fencepost::alert {
 
 /// The path is watched at least so often, with frames or without.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
@@ -20,8 +20,8 @@ struct AlertState {
   std::uint32_t id = 0;  ///< 0: nothing yet
   record::AlertLevel level = record::AlertLevel::kClear;
   bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
-  Stamp easing_since;
-  Stamp said_at;
+  base::Stamp easing_since;
+  base::Stamp said_at;
 };
 
 /// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
@@ -58,4 +58,4 @@ record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, 
 std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                         const AlertRules& rules, base::Time now);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::alert

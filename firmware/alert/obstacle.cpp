@@ -5,7 +5,7 @@
 
 #include "hal/base/trig.hpp"
 
-namespace fencepost::app {
+namespace fencepost::alert {
 namespace {
 
 using recon::Vec2;
@@ -81,4 +81,4 @@ void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origi
   set_time_to_contact(path, obstacle);
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::alert

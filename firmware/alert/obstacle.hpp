@@ -6,7 +6,7 @@
 #include "firmware/recon/observe/pose_history.hpp"
 #include "firmware/recon/track/object.hpp"
 
-namespace fencepost::app {
+namespace fencepost::alert {
 
 /// The strip of floor that the robot is about to sweep.
 struct RobotPath {
@@ -60,4 +60,4 @@ Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& ro
   return obstacle;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::alert

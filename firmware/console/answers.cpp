@@ -4,7 +4,7 @@
 #include "firmware/console/help.hpp"
 #include "firmware/console/sentence.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 void put_setting(Sentence& s, config::Key key, const config::Settings& settings) {
@@ -115,4 +115,4 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
   return s.end();
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -10,7 +10,7 @@
 #include "firmware/console/console_state.hpp"
 #include "firmware/record/records.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// What answers speak about.
 struct AnswerFacts {
@@ -27,4 +27,4 @@ struct AnswerFacts {
 /// Answers that are lists (help, status, objects, map, all settings) are not known here.
 std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::span<char> out);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -4,7 +4,7 @@
 
 #include "firmware/record/text.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 constexpr char kBackspace = '\b';
@@ -138,4 +138,4 @@ void NearestName::offer(std::size_t index, std::string_view name) {
   best_ = index;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

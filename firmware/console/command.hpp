@@ -11,7 +11,7 @@
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 enum class Verb : std::uint8_t {
   kHelp,
@@ -92,4 +92,4 @@ class NearestName {
   std::size_t least_ = 3;  ///< letters of difference; only less than this is near
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "firmware/alert/stamp.hpp"
 #include "firmware/console/input_lines.hpp"
 #include "firmware/console/quote.hpp"
 #include "firmware/console/top_view.hpp"
+#include "hal/base/stamp.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// What the console shows of itself. In `log` an input is used only if its record could be queued.
 enum class Mode : std::uint8_t { kText, kLog, kPlot, kQuiet };
@@ -64,9 +64,9 @@ struct ConsoleState {
   std::uint8_t turns_without_room = 0;  ///< since the answer's last line
   Answer answer;
   std::uint16_t selftest_at = 0;  ///< next code of the canned stream
-  Stamp plotted_at;
+  base::Stamp plotted_at;
   TopView view;  ///< of the map that is being drawn
   InputLines input;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -1,6 +1,6 @@
 #include "firmware/console/help.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::size_t write_help(std::size_t line, const config::Settings& settings, std::
   return write_setting(static_cast<config::Key>(line - 2), settings, out);
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

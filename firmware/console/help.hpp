@@ -8,7 +8,7 @@
 #include "firmware/console/command.hpp"
 #include "firmware/console/sentence.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 inline constexpr std::size_t kHelpLines = 1 + kVerbs + 2 + config::kKeys;
 
@@ -21,4 +21,4 @@ std::size_t write_setting(config::Key key, const config::Settings& settings, std
 /// "0.00..10.00 m" or "on|off".
 void put_range(Sentence& sentence, config::Key key);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -4,7 +4,7 @@
 
 #include "hal/base/check.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 std::span<std::uint8_t> InputLines::room() {
   if (begin_ > 0) {
@@ -51,4 +51,4 @@ void InputLines::shorten() {
   scanned_ = end_;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

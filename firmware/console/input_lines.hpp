@@ -9,7 +9,7 @@
 
 #include "firmware/record/records.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 class InputLines {
  public:
@@ -43,4 +43,4 @@ class InputLines {
   bool too_long_ = false;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -2,7 +2,7 @@
 
 #include "firmware/console/sentence.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 using sensor::LinkState;
 
@@ -38,4 +38,4 @@ std::size_t describe_link(LinkState state, std::string_view name, std::string_vi
   return s.end();
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -7,7 +7,7 @@
 
 #include "hal/sensor/link_state.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// What is said of one device in one state.
 struct LinkWords {
@@ -33,4 +33,4 @@ auto link_words(const Source& source, std::string_view name, sensor::LinkState s
 /// "camera is silent: check its power, ...\r\n". Returns the length, 0 if `out` is too small.
 std::size_t describe_link(sensor::LinkState state, std::string_view name, std::string_view remedy, std::span<char> out);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

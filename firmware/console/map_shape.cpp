@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 constexpr float kFarthestDrawn = 100.0F;  // m
@@ -45,4 +45,4 @@ void MapShape::draw(char letter, TopViewRow& row) const {
   row.bar(middle.y + whole_millimetres(chord.low), middle.y + whole_millimetres(chord.high), letter);
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

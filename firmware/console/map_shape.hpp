@@ -7,7 +7,7 @@
 #include "firmware/console/top_view.hpp"
 #include "firmware/recon/track/object.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 inline MapMillimetres millimetres(recon::MapPoint place) {
   constexpr std::int32_t kPerMillimetre = recon::kMapUnitsPerMetre / 1000;
@@ -43,4 +43,4 @@ std::optional<MapShape> shape_of(const recon::Object<Profile>& object) {
   return MapShape{millimetres(object.hybrid.origin), 0, object.hybrid.outline()};
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

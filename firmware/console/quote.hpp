@@ -5,7 +5,7 @@
 
 #include "hal/base/fixed.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 inline constexpr std::size_t kMaxQuote = 16;
 using Quote = base::FixedString<kMaxQuote>;
@@ -23,4 +23,4 @@ constexpr Quote quote(std::string_view word) {
   return result;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

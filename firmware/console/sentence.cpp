@@ -5,7 +5,7 @@
 #include "firmware/record/decimal.hpp"
 #include "firmware/record/text.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 // Directions within this of straight ahead or behind have no side (degrees).
@@ -66,4 +66,4 @@ std::size_t Sentence::end() {
   return size_ <= out_.size() ? size_ : 0;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -8,7 +8,7 @@
 
 #include "hal/base/units.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// Half away from zero. by > 0.
 constexpr std::int64_t divide_rounded(std::int64_t value, std::int64_t by) {
@@ -49,4 +49,4 @@ constexpr std::int64_t whole_degrees(base::Radians angle) {
   return divide_rounded(static_cast<std::int64_t>(angle.raw) * 180, 31416);
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -4,7 +4,7 @@
 #include "firmware/console/sentence.hpp"
 #include "firmware/record/text.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 std::string_view word(record::AlertLevel level) {
@@ -73,4 +73,4 @@ std::size_t describe_reject(std::string_view line, record::Reject reason, std::s
       .end();
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

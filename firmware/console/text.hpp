@@ -9,7 +9,7 @@
 
 #include "firmware/record/records.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// Any sentence fits into this many characters, line end included.
 inline constexpr std::size_t kMaxSentence = 128;
@@ -31,4 +31,4 @@ std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLe
 /// "error: $FPODO rejected: ...": why a line that starts with $FP was not used.
 std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -6,7 +6,7 @@
 #include "firmware/console/sentence.hpp"
 #include "hal/base/trig.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 // Millimetres a column; the coarsest shows the whole range of positions, +-1000 m.
@@ -138,4 +138,4 @@ std::size_t write_tick_numbers(const TopView& view, std::span<char> out) {
   return s.end();
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// Map frame, whole millimetres.
 struct MapMillimetres {
@@ -89,4 +89,4 @@ constexpr char letter_of(std::size_t slot) {
   return slot < sizeof kLetters - 1 ? kLetters[slot] : '+';
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -9,14 +9,14 @@
 namespace fencepost::image {
 namespace {
 
-app::Sentence& put_hex(app::Sentence& s, std::uint32_t value) {
+console::Sentence& put_hex(console::Sentence& s, std::uint32_t value) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::array<char, 8> digits{};
   for (std::size_t i = 0; i < digits.size(); ++i) digits[i] = kDigits[(value >> (28 - 4 * i)) & 0xFU];
   return s.put({digits.data(), digits.size()});
 }
 
-void put_panic(app::Sentence& s, const std::optional<mcu::Panic>& panic) {
+void put_panic(console::Sentence& s, const std::optional<mcu::Panic>& panic) {
   if (!panic) {
     s.put("panic: none");
     return;
@@ -29,7 +29,7 @@ void put_panic(app::Sentence& s, const std::optional<mcu::Panic>& panic) {
 }  // namespace
 
 std::size_t write_boot_line(std::size_t n, const BootFacts& facts, std::span<char> out) {
-  app::Sentence s(out);
+  console::Sentence s(out);
   const record::Header& header = facts.header;
   switch (n) {
     case 0:

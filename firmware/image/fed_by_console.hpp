@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/console/counters.hpp"
 #include "firmware/console/link_words.hpp"
-#include "firmware/loop/counters.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/sources.hpp"
 
@@ -36,14 +36,14 @@ class CountWatch {
 };
 
 /// Power and wires are those of the console, which works: what is missing is whoever sends. `remedy` says what.
-inline app::LinkWords sent_link_words(std::string_view name, sensor::LinkState state, std::string_view remedy) {
-  if (state != sensor::LinkState::kSilent) return app::plain_link_words(name, state);
+inline console::LinkWords sent_link_words(std::string_view name, sensor::LinkState state, std::string_view remedy) {
+  if (state != sensor::LinkState::kSilent) return console::plain_link_words(name, state);
   return {name, name, "no records", remedy};
 }
 
 class CameraOnConsole {
  public:
-  explicit CameraOnConsole(const app::Counters& counters) : counters_(counters) {}
+  explicit CameraOnConsole(const console::Counters& counters) : counters_(counters) {}
 
   base::Result<sensor::BlobFrame> poll(base::Time now) {
     watch_.watch(counters_.frames + counters_.refused_in_all(), now);
@@ -51,31 +51,31 @@ class CameraOnConsole {
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
   [[nodiscard]] static std::uint32_t dropped() { return 0; }
-  [[nodiscard]] static app::LinkWords link_words(sensor::LinkState state) {
+  [[nodiscard]] static console::LinkWords link_words(sensor::LinkState state) {
     return sent_link_words("camera", state, "no $FPFRM records come over the console; send them");
   }
 
  private:
-  const app::Counters& counters_;
+  const console::Counters& counters_;
   CountWatch watch_;
 };
 static_assert(sensor::BlobCamera<CameraOnConsole>);
 
 class OdometryOnConsole {
  public:
-  explicit OdometryOnConsole(const app::Counters& counters) : counters_(counters) {}
+  explicit OdometryOnConsole(const console::Counters& counters) : counters_(counters) {}
 
   base::Result<sensor::OdometrySample> poll(base::Time now) {
     watch_.watch(counters_.odometry, now);
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
-  [[nodiscard]] static app::LinkWords link_words(sensor::LinkState state) {
+  [[nodiscard]] static console::LinkWords link_words(sensor::LinkState state) {
     return sent_link_words("odometry", state, "no $FPODO records come over the console; send them");
   }
 
  private:
-  const app::Counters& counters_;
+  const console::Counters& counters_;
   CountWatch watch_;
 };
 static_assert(sensor::OdometrySource<OdometryOnConsole>);

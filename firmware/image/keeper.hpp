@@ -16,7 +16,7 @@ namespace fencepost::image {
 template <class Profile, bus::FlashPages Flash>
 class Keeper {
  public:
-  Keeper(app::Pipeline<Profile>& pipeline, Flash& flash) : pipeline_(pipeline), store_(flash) {}
+  Keeper(loop::Pipeline<Profile>& pipeline, Flash& flash) : pipeline_(pipeline), store_(flash) {}
 
   /// At start-up, after the built-in calibration is set: what was kept comes into force. The calibration of another
   /// camera - the image was built anew for one of another size - is passed over.
@@ -30,7 +30,7 @@ class Keeper {
 
   /// What has changed is written. False if the part did not take it; that change is then not tried again.
   bool keep() {
-    const app::Memory<Profile>& memory = pipeline_.memory();
+    const loop::Memory<Profile>& memory = pipeline_.memory();
     if (memory.settings == settings_ && memory.calibration.intrinsics == camera_ && memory.signatures == signatures_) {
       return true;
     }
@@ -43,14 +43,14 @@ class Keeper {
   using Line = std::array<char, config::SettingsStore<Flash>::kMaxLine>;
 
   struct Restored {
-    app::Pipeline<Profile>& pipeline;
+    loop::Pipeline<Profile>& pipeline;
 
     void accept(const record::Setting& setting) {
       static_cast<void>(pipeline.set(setting.key.view(), setting.value.view()));
     }
     void accept(const record::Signature& signature) { static_cast<void>(pipeline.set_signature(signature)); }
     void accept(const sensor::CameraIntrinsics& camera) {
-      const app::Calibration& built_in = pipeline.memory().calibration;
+      const loop::Calibration& built_in = pipeline.memory().calibration;
       const bool other =
           built_in.known && (camera.width != built_in.intrinsics.width || camera.height != built_in.intrinsics.height);
       if (!other) pipeline.set_camera(camera);
@@ -72,7 +72,7 @@ class Keeper {
 
   template <class Append>
   bool append_changes(Line& line, Append append) const {
-    const app::Memory<Profile>& memory = pipeline_.memory();
+    const loop::Memory<Profile>& memory = pipeline_.memory();
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
       const bool changed = memory.settings.raw(key) != settings_.raw(key);
@@ -95,7 +95,7 @@ class Keeper {
 
   template <class Put>
   void tell(Line& line, Put& put) const {
-    const app::Memory<Profile>& memory = pipeline_.memory();
+    const loop::Memory<Profile>& memory = pipeline_.memory();
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
       if (memory.settings.raw(key) != config::info(key).initial) put(text_of(setting(key), line));
@@ -105,13 +105,13 @@ class Keeper {
   }
 
   void remember() {
-    const app::Memory<Profile>& memory = pipeline_.memory();
+    const loop::Memory<Profile>& memory = pipeline_.memory();
     settings_ = memory.settings;
     camera_ = memory.calibration.intrinsics;
     signatures_ = memory.signatures;
   }
 
-  app::Pipeline<Profile>& pipeline_;
+  loop::Pipeline<Profile>& pipeline_;
   config::SettingsStore<Flash> store_;
   // As they were when they were last written.
   config::Settings settings_;

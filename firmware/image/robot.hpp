@@ -24,7 +24,7 @@ inline const record::Header kHeader = {record::kStreamFormat, "fencepost", FENCE
 class Robot {
  public:
   Robot()
-      : loop_(memory_, camera_, odometry_, board::console(), app::Mode::kText),
+      : loop_(memory_, camera_, odometry_, board::console(), console::Mode::kText),
         keeper_(pipeline(), board::flash()),
         panel_(pipeline()) {}
 
@@ -40,7 +40,7 @@ class Robot {
     panel_.start();
     const BootFacts facts{kHeader, board::take_reset_reason(), board::take_panic()};
     for (std::size_t n = 0; n < kBootLines; ++n) {
-      pipeline().telling().say([&](std::span<char> room) { return write_boot_line(n, facts, room); });
+      pipeline().reporter().say([&](std::span<char> room) { return write_boot_line(n, facts, room); });
     }
   }
 
@@ -56,7 +56,7 @@ class Robot {
     board::feed_watchdog();
     loop_.step(board::clock().now());
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
-      pipeline().telling().say([](std::span<char> room) { return not_kept(room); });
+      pipeline().reporter().say([](std::span<char> room) { return not_kept(room); });
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.turn({camera_.link(), odometry_.link()});
     const std::uint32_t took = board::clock().microseconds() - began;
@@ -69,14 +69,14 @@ class Robot {
   static constexpr std::uint8_t kKeepEvery = 16;
 
   static std::size_t not_kept(std::span<char> room) {
-    return app::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
+    return console::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
   }
-  app::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
+  loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
 
-  app::Memory<Profile> memory_;
+  loop::Memory<Profile> memory_;
   Camera camera_{memory_.counters};
   Odometry odometry_{memory_.counters};
-  app::Loop<Profile, Camera, Odometry, Console> loop_;
+  loop::Loop<Profile, Camera, Odometry, Console> loop_;
   Keeper<Profile, board::Flash> keeper_;
   Panel<Profile> panel_;
   std::uint8_t turns_ = 0;

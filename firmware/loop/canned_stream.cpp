@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace fencepost::app {
+namespace fencepost::loop {
 namespace {
 
 // clang-format off
@@ -99,4 +99,4 @@ static_assert(longest_line(kLines) <= kLongestCannedLine);
 const std::string_view kCannedLines = kLines;
 const std::span<const std::uint8_t> kPackedLines = kPacked;
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

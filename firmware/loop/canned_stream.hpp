@@ -10,7 +10,7 @@
 #include "firmware/config/profile.hpp"
 #include "firmware/loop/packed_lines.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 inline constexpr std::size_t kLongestCannedLine = 112;  ///< without its end
 
@@ -39,4 +39,4 @@ CannedStream canned_stream() {
   return {kPackedLines, kCannedDigest<Profile>};
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

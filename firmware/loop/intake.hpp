@@ -8,12 +8,12 @@
 #include "firmware/loop/pipeline.hpp"
 #include "firmware/record/decode.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 enum class Purpose : std::uint8_t { kRun, kSelftest };
 
-/// Takes what one line holds. The other kinds are no inputs: a log that is played into a robot has them too, and they
-/// are passed over unread, but for a header, whose format may be another.
+/// Hands what one line holds to the pipeline. The other kinds are no inputs: a log that is played into a robot has them
+/// too, and they are passed over unread, but for a header, whose format may be another.
 template <class Profile>
 struct Intake {
   Pipeline<Profile>& pipeline;
@@ -23,13 +23,13 @@ struct Intake {
   std::optional<record::Reject> reject{};
 
   void accept(const sensor::CameraIntrinsics& camera) {
-    purpose == Purpose::kRun ? pipeline.set_camera(camera) : pipeline.rehearse(camera);
+    purpose == Purpose::kRun ? pipeline.set_camera(camera) : pipeline.accept_selftest(camera);
   }
   void accept(const record::Signature& signature) {
     if (purpose == Purpose::kRun) table_full = !pipeline.set_signature(signature);
   }
-  void accept(const sensor::OdometrySample& sample) { take(sample); }
-  void accept(const sensor::BlobFrame& frame) { take(frame); }
+  void accept(const sensor::OdometrySample& sample) { accept_input(sample); }
+  void accept(const sensor::BlobFrame& frame) { accept_input(frame); }
   template <class Record>
   void accept(const Record& /*record*/) {}
 
@@ -44,14 +44,14 @@ struct Intake {
   static constexpr bool kIsAnyOf = (std::is_same_v<Record, Kinds> || ...);
 
   template <class Input>
-  void take(const Input& item) {
+  void accept_input(const Input& item) {
     input = true;
     if (purpose == Purpose::kRun) {
-      reject = pipeline.take(item);
+      reject = pipeline.accept(item);
     } else {
-      pipeline.rehearse(item);
+      pipeline.accept_selftest(item);
     }
   }
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

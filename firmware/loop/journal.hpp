@@ -6,7 +6,13 @@
 
 #include "firmware/loop/output_queue.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
+
+/// A profile with a journal of so many bytes.
+template <class Base, std::size_t kBytes>
+struct Journaled : Base {
+  static constexpr std::size_t kJournalBytes = kBytes;
+};
 
 /// Lines on their way to the log's file. While it is on, an input is used only if its record is in here: what the file
 /// holds is what was used, as with a console in mode log.
@@ -49,4 +55,4 @@ class Journal<0> {
   }
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

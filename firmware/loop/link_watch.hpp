@@ -1,4 +1,4 @@
-// When the state of a cable is worth a word. Times are the robot's clock, not the stream's: a replay has no cables.
+// When a change of a cable's state is reported. Times are the robot's clock, not the stream's: a replay has no cables.
 #pragma once
 
 #include <cstdint>
@@ -7,32 +7,32 @@
 #include "hal/base/units.hpp"
 #include "hal/sensor/link_state.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
-/// Gone and back are told at once; other states when they have lasted a second, since a device that starts, or a blob
-/// that flickers, goes through several. Three bytes, for there is one a sensor in the smallest memory.
+/// Absent and ok are reported at once; other states when they have lasted a second, since a device that starts, or a
+/// blob that flickers, goes through several. Three bytes, because the smallest memory holds one for each sensor.
 class LinkWatch {
  public:
-  /// The state that is to be told now, until told() says that it was.
+  /// The state to report now. It stays due until sent().
   std::optional<sensor::LinkState> observe(sensor::LinkState state, base::Time now) {
     if (seen_ != byte(state)) {
       seen_ = byte(state);
       since_ = tenths(now);
     }
-    if (told_ == seen_) return std::nullopt;
+    if (sent_ == seen_) return std::nullopt;
     const bool at_once = state == sensor::LinkState::kAbsent || state == sensor::LinkState::kOk;
-    // Rounds of the counter, 25.6 s, delay a line that found no room for so long once more.
+    // The counter wraps after 25.6 s: a line that found no room for so long waits once more.
     const auto lasted = static_cast<std::uint8_t>(tenths(now) - since_);
     if (!at_once && lasted <= kLasting) return std::nullopt;
     return state;
   }
-  void told() { told_ = seen_; }
-  /// The state in force is told again, to somebody who has not heard it yet.
-  void retell() { told_ = kNothing; }
+  void sent() { sent_ = seen_; }
+  /// The state in force is due again: somebody new listens.
+  void resend() { sent_ = kNothing; }
 
-  [[nodiscard]] std::optional<sensor::LinkState> last_told() const {
-    if (told_ == kNothing) return std::nullopt;
-    return static_cast<sensor::LinkState>(told_);
+  [[nodiscard]] std::optional<sensor::LinkState> last_sent() const {
+    if (sent_ == kNothing) return std::nullopt;
+    return static_cast<sensor::LinkState>(sent_);
   }
 
  private:
@@ -42,7 +42,7 @@ class LinkWatch {
   static constexpr std::uint8_t byte(sensor::LinkState state) { return static_cast<std::uint8_t>(state); }
   static constexpr std::uint8_t tenths(base::Time now) { return static_cast<std::uint8_t>(now.raw / 1000); }
 
-  std::uint8_t told_ = kNothing;
+  std::uint8_t sent_ = kNothing;
   std::uint8_t seen_ = kNothing;
   std::uint8_t since_ = 0;  ///< tenths of a second, modulo 256
 };
@@ -53,4 +53,4 @@ struct LinkWatches {
   LinkWatch odometry;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

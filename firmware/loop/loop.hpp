@@ -9,7 +9,7 @@
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/sources.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 /// A byte on the link is a char in the queue.
 inline std::span<const std::uint8_t> as_octets(std::span<const char> text) {
@@ -19,7 +19,7 @@ inline std::span<const std::uint8_t> as_octets(std::span<const char> text) {
 template <class Profile, sensor::BlobCamera Camera, sensor::OdometrySource Odometry, bus::ByteLink Link>
 class Loop {
  public:
-  Loop(Memory<Profile>& memory, Camera& camera, Odometry& odometry, Link& link, Mode mode,
+  Loop(Memory<Profile>& memory, Camera& camera, Odometry& odometry, Link& link, console::Mode mode,
        const CannedStream& canned = canned_stream<Profile>())
       : pipeline_(memory, mode), console_(pipeline_, canned), camera_(camera), odometry_(odometry), link_(link) {}
   Loop(const Loop&) = delete;
@@ -29,53 +29,53 @@ class Loop {
   /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
   /// one turn happened to find: a replay, which has one input a turn, does the same.
   void step(base::Time now) {
-    if (take_odometry(now)) settle();
-    if (take_frame(now)) settle();
+    if (poll_odometry(now)) process();
+    if (poll_camera(now)) process();
     listen(now);
-    pipeline_.telling().calibration();
-    tell_links(now);
-    console_.talk({camera_.link(), odometry_.link()});
-    speak();
+    pipeline_.reporter().calibration();
+    send_link_states(now);
+    console_.send_answer({camera_.link(), odometry_.link()});
+    flush();
   }
 
-  /// What `version` says of the image at its end; lives on.
+  /// What `version` says of the image at its end; must outlive this.
   void set_note(std::string_view note) { console_.set_note(note); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
 
  private:
-  /// Lines of the console that one turn takes; a longer burst waits in its buffer.
+  /// Lines of the console that one turn handles; a longer burst waits in its buffer.
   static constexpr int kLinesPerTurn = 4;
 
-  bool take_odometry(base::Time now) {
+  bool poll_odometry(base::Time now) {
     const base::Result<sensor::OdometrySample> sample = odometry_.poll(now);
-    if (sample) pipeline_.take(*sample);
+    if (sample) pipeline_.accept(*sample);
     return sample.ok();
   }
 
-  bool take_frame(base::Time now) {
+  bool poll_camera(base::Time now) {
     const base::Result<sensor::BlobFrame> frame = camera_.poll(now);
-    if (frame) pipeline_.take(*frame);
+    if (frame) pipeline_.accept(*frame);
     pipeline_.memory().counters.blobs_dropped = camera_.dropped();
     return frame.ok();
   }
 
   void listen(base::Time now) {
     if (pipeline_.testing()) {
-      if (console_.rehearse()) settle();
+      if (console_.feed_selftest()) process();
       return;
     }
     read();
     for (int i = 0; i < kLinesPerTurn && !pipeline_.testing(); ++i) {
-      const auto took = console_.take_line(now);
-      if (took == Console<Profile>::Took::kNothing) return;
-      if (took == Console<Profile>::Took::kInput) settle();
+      const auto handled = console_.handle_line(now);
+      if (handled == Console<Profile>::Handled::kNothing) return;
+      if (handled == Console<Profile>::Handled::kInput) process();
     }
   }
 
-  void tell_links(base::Time now) {
+  void send_link_states(base::Time now) {
     LinkWatches& links = pipeline_.memory().links;
-    pipeline_.telling().link(links.camera, camera_, "camera", now);
-    pipeline_.telling().link(links.odometry, odometry_, "odometry", now);
+    pipeline_.reporter().link(links.camera, camera_, "camera", now);
+    pipeline_.reporter().link(links.odometry, odometry_, "odometry", now);
   }
 
   // As much as the console's buffer holds.
@@ -86,16 +86,17 @@ class Loop {
     if (count) console_.filled(*count);
   }
 
-  // What one input sets in motion.
-  void settle() {
-    speak();
-    while (pipeline_.place_next_frame()) speak();
+  // The effects of one input. The queue is flushed between them, so that it need not hold all that they emit.
+  void process() {
+    flush();
+    while (pipeline_.place_next_frame()) flush();
     pipeline_.watch_without_frames();
-    pipeline_.tell_status();
-    speak();
+    pipeline_.send_status();
+    flush();
   }
 
-  void speak() {
+  // As much as the link takes now.
+  void flush() {
     auto& output = pipeline_.memory().output;
     if (output.waiting().empty()) return;
     const base::Result<std::size_t> taken = link_.write(as_octets(output.waiting()));
@@ -109,4 +110,4 @@ class Loop {
   Link& link_;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

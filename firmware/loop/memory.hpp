@@ -10,7 +10,7 @@
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include "firmware/loop/journal.hpp"
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
@@ -18,13 +18,13 @@
 #include "firmware/record/records.hpp"
 #include "hal/sensor/camera.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 /// What was last reported of one object.
 struct ReportState {
   std::uint32_t id = 0;
   record::ObjectState state = record::ObjectState::kTentative;
-  Stamp at;
+  base::Stamp at;
 };
 
 /// The calibration in force and the one before it, which frames that still wait may need.
@@ -35,20 +35,20 @@ struct Calibration {
   std::array<recon::CameraModel, 2> models{};
 };
 
-/// The clock of the run and what has been told when. Stream times.
+/// The clock of the run and what was sent when. Stream times.
 struct Run {
   std::optional<base::Time> time;        ///< the latest t of any input
   std::optional<base::Time> last_frame;  ///< t of the latest frame
   const record::Header* header = nullptr;
-  Stamp watched_at;
-  Stamp status_at;
-  Stamp pose_told_at;
-  Stamp calibration_at;
-  std::uint8_t telling = 0;  ///< next calibration record to tell
-  bool told = false;         ///< all of them are queued
-  bool header_due = false;   ///< the header is still to be told
-  bool whole = true;         ///< every input of this run was used in mode log
-  bool testing = false;      ///< the inputs are those of the self-test
+  base::Stamp watched_at;
+  base::Stamp status_at;
+  base::Stamp pose_sent_at;
+  base::Stamp calibration_at;
+  std::uint8_t next_record = 0;   ///< of the calibration: the next one to send
+  bool calibration_sent = false;  ///< all its records are queued
+  bool header_due = false;        ///< the header is still to be sent
+  bool whole = true;              ///< every input of this run was used in mode log
+  bool testing = false;           ///< the inputs are those of the self-test
 };
 
 template <class Profile>
@@ -61,11 +61,11 @@ struct Memory {
   base::FixedVector<record::Signature, Profile::kSignatures> signatures;
   config::Settings settings;
   recon::MeasurementNoise noise;
-  std::array<AlertState, Profile::kObjects> alerts{};
+  std::array<alert::AlertState, Profile::kObjects> alerts{};
   std::array<ReportState, Profile::kObjects> reports{};
-  Counters counters;
+  console::Counters counters;
   LinkWatches links;
-  ConsoleState console;
+  console::ConsoleState console;
   OutputQueue<Profile::kOutputBytes> output;
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
 };
@@ -80,8 +80,17 @@ template <class Profile>
 inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
+/// Lines that one input may put into the logs, at most: the calibration, the input, then for each frame that waited for
+/// it digest, pose and what is said of each object, at last alerts without a frame, status and links.
+template <class Profile>
+inline constexpr std::size_t kLinesOfOneInput = [] {
+  constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys;
+  constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects;  // clears of the ended, an alert and a report of each
+  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 3;
+}();
+
 static_assert(kFits<config::Micro>);
 static_assert(kFits<config::Small>);
 static_assert(kFits<config::Full>);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

@@ -10,7 +10,7 @@
 #include "firmware/record/encode.hpp"
 #include "hal/base/fixed.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 template <std::size_t N>
 class OutputQueue {
@@ -56,4 +56,4 @@ class OutputQueue {
   Index end_ = 0;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 std::string_view unpack_line(std::span<const std::uint8_t> packed, std::uint16_t& at, std::span<char> room) {
   std::size_t size = 0;
@@ -25,4 +25,4 @@ std::string_view unpack_line(std::span<const std::uint8_t> packed, std::uint16_t
   return {};
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

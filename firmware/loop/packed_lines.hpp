@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 /// Codes 0 to 14 are a character each; 15 and one more code, a piece.
 inline constexpr std::string_view kPackedCharacters = "0123456789,.-*\n";
@@ -87,4 +87,4 @@ constexpr std::size_t pack_lines(std::string_view text, std::span<std::uint8_t> 
 /// all, or where there is no room for the line.
 std::string_view unpack_line(std::span<const std::uint8_t> packed, std::uint16_t& at, std::span<char> room);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

@@ -5,32 +5,34 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
+#include "firmware/console/reports.hpp"
 #include "firmware/loop/memory.hpp"
-#include "firmware/loop/reports.hpp"
-#include "firmware/loop/telling.hpp"
+#include "firmware/loop/reporter.hpp"
 #include "firmware/record/run_rules.hpp"
 
-namespace fencepost::app {
+namespace fencepost::loop {
 
 inline constexpr base::Duration kMotionSpan = base::milliseconds(200);
 
 template <class Profile>
 class Pipeline {
  public:
-  Pipeline(Memory<Profile>& memory, Mode mode) : m_(memory), telling_(memory) { m_.console.mode = mode; }
+  Pipeline(Memory<Profile>& memory, console::Mode mode) : m_(memory), reporter_(memory) { m_.console.mode = mode; }
 
-  [[nodiscard]] Mode mode() const { return m_.console.mode; }
-  /// In `log` everything that a replay must know is told again.
-  void set_mode(Mode mode) {
+  [[nodiscard]] console::Mode mode() const { return m_.console.mode; }
+  /// In `log` everything that a replay must know is sent again.
+  void set_mode(console::Mode mode) {
     m_.console.mode = mode;
-    if (mode != Mode::kLog) return;
-    telling_.retell_from(telling_.kHeaderRecord);
-    telling_.retell_links();
+    if (mode != console::Mode::kLog) return;
+    reporter_.resend_from(reporter_.kHeaderRecord);
+    reporter_.resend_links();
   }
 
-  /// The first run: no calibration, no signatures. `header` is told once the queue has room and must live on.
+  /// The first run: no calibration, no signatures. `header` is sent once the queue has room and must
+  /// outlive this.
   void start_run(const record::Header& header) {
     m_.calibration = {};
     m_.signatures.clear();
@@ -49,8 +51,8 @@ class Pipeline {
     m_.run = {};
     m_.run.header = header;
     m_.run.header_due = header != nullptr;
-    telling_.retell_from(telling_.kHeaderRecord);
-    if (telling_.logs()) telling_.retell_links();
+    reporter_.resend_from(reporter_.kHeaderRecord);
+    if (reporter_.logs()) reporter_.resend_links();
   }
 
   /// In force for the frames after it. Frames that wait keep the calibration that they came with; of more than two
@@ -65,7 +67,7 @@ class Pipeline {
     calibration.known = true;
     calibration.intrinsics = intrinsics;
     calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
-    telling_.retell_from(telling_.kCameraRecord);
+    reporter_.resend_from(reporter_.kCameraRecord);
   }
 
   /// A table that is full keeps what it has; false then.
@@ -78,7 +80,7 @@ class Pipeline {
       return true;
     }
     m_.signatures[index] = signature;
-    telling_.retell_from(telling_.kSignatureRecords + index);
+    reporter_.resend_from(reporter_.kSignatureRecords + index);
     return true;
   }
 
@@ -87,43 +89,43 @@ class Pipeline {
     const auto error = m_.settings.set(key, value);
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto changed = static_cast<config::Key>(i);
-      if (before.raw(changed) != m_.settings.raw(changed)) telling_.retell_from(telling_.setting_records() + i);
+      if (before.raw(changed) != m_.settings.raw(changed)) reporter_.resend_from(reporter_.setting_records() + i);
     }
     return error;
   }
 
-  /// Uses an input, refuses it (and counts that), or rejects it: then its record would be rejected by a reader.
+  /// Applies an input, refuses it (and counts that), or rejects it: then a reader would reject its record.
   /// errors: time
-  std::optional<record::Reject> take(const sensor::OdometrySample& sample) {
+  std::optional<record::Reject> accept(const sensor::OdometrySample& sample) {
     const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
     if (late && !m_.run.testing) return reject(record::Reject::kTime);
-    telling_.calibration_if_due();
+    reporter_.calibration_if_due();
     if (!loggable(sample)) {
       ++m_.counters.records_dropped;
       return std::nullopt;
     }
-    use(sample);
+    apply(sample);
     ++m_.counters.odometry;
     return std::nullopt;
   }
 
   /// errors: range (a box leaves the image), time
-  std::optional<record::Reject> take(const sensor::BlobFrame& frame) {
+  std::optional<record::Reject> accept(const sensor::BlobFrame& frame) {
     const sensor::CameraIntrinsics& camera = m_.calibration.intrinsics;
     const bool outside = m_.calibration.known && !record::inside_image(frame, camera.width, camera.height);
     if (outside) return reject(record::Reject::kRange);
     const bool late = m_.run.last_frame && frame.t <= *m_.run.last_frame;
     if (late && !m_.run.testing) return reject(record::Reject::kTime);
-    telling_.calibration_if_due();
+    reporter_.calibration_if_due();
     if (!loggable(frame)) {
-      refuse(Refusal::kQueue);
+      refuse(console::Refusal::kQueue);
       return std::nullopt;
     }
     if (m_.calibration.known) {
-      use(frame, m_.calibration.current);
+      apply(frame, m_.calibration.current);
     } else {
       advance_frame(frame.t);
-      refuse(Refusal::kNoCamera);
+      refuse(console::Refusal::kNoCamera);
     }
     return std::nullopt;
   }
@@ -138,63 +140,77 @@ class Pipeline {
   bool place_next_frame() {
     return place_next_frame([](const recon::WaitingFrame&) {});
   }
-  /// The same; `seen(frame)` is called for a frame that the map has taken, with its pieces joined.
-  template <class Seen>
-  bool place_next_frame(Seen&& seen) {
+  /// The same; `placed(frame)` is called for a frame that the map was updated with, its pieces joined.
+  template <class Placed>
+  bool place_next_frame(Placed&& placed) {
     if (m_.waiting.empty()) return false;
     recon::WaitingFrame& frame = m_.waiting[0];
     const auto pose = m_.poses.at(frame.t - m_.calibration.models[frame.camera].latency);
     if (!pose) {
       const bool waits = pose.error() == recon::PoseMiss::kNotYet && *m_.run.time - frame.t < recon::kMaxWait;
       if (waits) return false;
-      refuse_waiting(pose.error() == recon::PoseMiss::kGap ? Refusal::kOdometryGap : Refusal::kNoPose);
+      refuse_waiting(pose.error() == recon::PoseMiss::kGap ? console::Refusal::kOdometryGap
+                                                           : console::Refusal::kNoPose);
       return true;
     }
     reconstruct(frame, *pose);
-    seen(frame);
+    placed(frame);
     watch_path(frame.t);
-    telling_.digest(frame.frame);
-    telling_.pose(frame.t - m_.calibration.models[frame.camera].latency);
-    telling_.objects(frame.t);
+    reporter_.digest(frame.frame);
+    reporter_.pose(frame.t - m_.calibration.models[frame.camera].latency);
+    reporter_.objects(frame.t);
     m_.waiting.pop_front();
     return true;
   }
 
-  /// The camera is silent, the robot still drives: the map goes on warning.
+  /// While the camera is silent and the robot still drives, the map goes on warning.
   void watch_without_frames() {
-    if (!m_.run.time || m_.poses.empty() || m_.run.watched_at.since(*m_.run.time) < kWatchInterval) return;
+    if (!m_.run.time || m_.poses.empty() || m_.run.watched_at.since(*m_.run.time) < alert::kWatchInterval) return;
     watch_path(*m_.run.time);
   }
 
-  void tell_status() { telling_.status(); }
+  void send_status() { reporter_.status(); }
 
   /// The stream has ended: frames that still wait will never have a pose.
   void finish() {
     while (!m_.waiting.empty()) refuse_waiting();
   }
 
-  /// The self-test: a run of its own in this memory, of which nothing is told or counted. Inputs that come meanwhile
-  /// are refused. It ends with a new run.
+  /// The self-test: a run of its own in this memory, of which nothing is reported or counted. Inputs that come
+  /// meanwhile are refused. It ends with a new run.
   void start_selftest() {
     restart();
     m_.run.testing = true;
   }
   [[nodiscard]] bool testing() const { return m_.run.testing; }
-  void rehearse(const sensor::CameraIntrinsics& camera) {
+  void accept_selftest(const sensor::CameraIntrinsics& camera) {
     m_.calibration.models[spare_model()] = recon::make_camera_model(camera);
   }
-  void rehearse(const sensor::OdometrySample& sample) { use(sample); }
-  void rehearse(const sensor::BlobFrame& frame) { use(frame, spare_model()); }
+  void accept_selftest(const sensor::OdometrySample& sample) { apply(sample); }
+  void accept_selftest(const sensor::BlobFrame& frame) { apply(frame, spare_model()); }
 
   [[nodiscard]] const Memory<Profile>& memory() const { return m_; }
   [[nodiscard]] Memory<Profile>& memory() { return m_; }
-  [[nodiscard]] Telling<Profile>& telling() { return telling_; }
-  [[nodiscard]] const Telling<Profile>& telling() const { return telling_; }
+  [[nodiscard]] Reporter<Profile>& reporter() { return reporter_; }
+  [[nodiscard]] const Reporter<Profile>& reporter() const { return reporter_; }
   [[nodiscard]] std::optional<base::Time> stream_time() const { return m_.run.time; }
+
+  // What a screen shows, see view::MapSource.
+  static constexpr std::size_t kObjects = Profile::kObjects;
+  [[nodiscard]] std::span<const recon::Object<Profile>> objects() const { return m_.map.slots(); }
+  [[nodiscard]] std::optional<recon::MapPose> robot() const {
+    if (m_.poses.empty()) return std::nullopt;
+    return robot_pose(m_);
+  }
+  [[nodiscard]] std::span<const record::Signature> signatures() const { return m_.signatures.view(); }
+  [[nodiscard]] record::AlertLevel alert_level(std::size_t slot) const {
+    const alert::AlertState& state = m_.alerts[slot];
+    return state.id == m_.map.slots()[slot].id ? state.level : record::AlertLevel::kClear;
+  }
 
  private:
   void advance(base::Time t) {
-    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = Stamp(t);
+    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = base::Stamp(t);
     if (!m_.run.time || t > *m_.run.time) m_.run.time = t;
   }
   void advance_frame(base::Time t) {
@@ -202,11 +218,11 @@ class Pipeline {
     m_.run.last_frame = t;
   }
 
-  void use(const sensor::OdometrySample& sample) {
+  void apply(const sensor::OdometrySample& sample) {
     advance(sample.t);
     m_.poses.push(sample);
   }
-  void use(const sensor::BlobFrame& frame, std::uint8_t model) {
+  void apply(const sensor::BlobFrame& frame, std::uint8_t model) {
     advance_frame(frame.t);
     if (m_.waiting.full()) refuse_waiting();
     m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
@@ -216,9 +232,10 @@ class Pipeline {
   template <class Input>
   [[nodiscard]] bool loggable(const Input& input) {
     if (m_.run.testing) return false;
-    const bool shown = m_.console.mode == Mode::kLog;
+    const bool shown = m_.console.mode == console::Mode::kLog;
     if (!shown) m_.run.whole = false;  // a log that begins now does not hold the whole run
-    if (telling_.logs()) return m_.run.told && !(shown && telling_.stands_back()) && telling_.put_in_logs(input);
+    if (reporter_.logs())
+      return m_.run.calibration_sent && !(shown && reporter_.yields()) && reporter_.put_in_logs(input);
     m_.run.header_due = false;
     return true;
   }
@@ -231,8 +248,8 @@ class Pipeline {
     return false;
   }
 
-  void refuse(Refusal reason) { ++m_.counters.refused[static_cast<std::size_t>(reason)]; }
-  void refuse_waiting(Refusal reason = Refusal::kNoPose) {
+  void refuse(console::Refusal reason) { ++m_.counters.refused[static_cast<std::size_t>(reason)]; }
+  void refuse_waiting(console::Refusal reason = console::Refusal::kNoPose) {
     if (!m_.run.testing) refuse(reason);
     m_.waiting.pop_front();
   }
@@ -251,30 +268,30 @@ class Pipeline {
   }
 
   [[gnu::noinline]] void watch_path(base::Time now) {
-    m_.run.watched_at = Stamp(now);
-    RobotPath path;
+    m_.run.watched_at = base::Stamp(now);
+    alert::RobotPath path;
     path.motion = m_.poses.motion(kMotionSpan);
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
-    const RobotPlace robot(robot_pose(m_));
-    const AlertRules rules(m_.settings);
-    std::optional<Obstacle> nearest;
+    const alert::RobotPlace robot(robot_pose(m_));
+    const alert::AlertRules rules(m_.settings);
+    std::optional<alert::Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
-      const Obstacle obstacle = see_obstacle(object, robot, path);
-      const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
-      if (level) telling_.alert(report_alert(object, obstacle, *level, now));
+      const alert::Obstacle obstacle = alert::see_obstacle(object, robot, path);
+      const auto level = alert::judge(m_.alerts[o], object, obstacle, rules, now);
+      if (level) reporter_.alert(console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
       const bool nearer = !nearest || obstacle.distance < nearest->distance;
-      if (obstacle.known && credible(object) && nearer) nearest = obstacle;
+      if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
     }
-    telling_.plot(nearest, highest, now);
+    reporter_.plot(nearest, highest, now);
   }
 
   Memory<Profile>& m_;
-  Telling<Profile> telling_;
+  Reporter<Profile> reporter_;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::loop

@@ -21,7 +21,7 @@ struct Figure {
 };
 
 /// What is too small to be seen becomes a small disc.
-Figure make_figure(const app::MapShape& shape, std::size_t slot, const Window& window);
+Figure make_figure(const console::MapShape& shape, std::size_t slot, const Window& window);
 
 /// An arrow head of fixed size: a robot in scale would often be a dot.
 Polygon make_robot(const recon::MapPose& pose, const Window& window);

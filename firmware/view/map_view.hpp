@@ -1,14 +1,18 @@
 // The map on a small screen, a bit a turn of the loop: an object, or a few rows. Buttons change what is shown.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "firmware/alert/alerts.hpp"
+#include "firmware/console/links.hpp"
 #include "firmware/console/map_shape.hpp"
-#include "firmware/loop/pipeline.hpp"
+#include "firmware/console/signatures.hpp"
+#include "firmware/view/map_source.hpp"
 #include "firmware/view/picture.hpp"
 #include "firmware/view/side.hpp"
 #include "hal/bus/buttons.hpp"
@@ -16,10 +20,10 @@
 
 namespace fencepost::view {
 
-template <class Profile, bus::Screen Screen>
+template <MapSource Source, bus::Screen Screen>
 class MapView {
  public:
-  MapView(app::Pipeline<Profile>& pipeline, Screen& screen) : pipeline_(pipeline), screen_(screen) {}
+  MapView(Source& source, Screen& screen) : source_(source), screen_(screen) {}
 
   void start() {
     for (std::size_t i = 0; i < std::size(kFixedColours); ++i) screen_.set_colour(i, kFixedColours[i]);
@@ -30,21 +34,21 @@ class MapView {
   void press(const bus::Buttons& held) {
     const bus::Buttons before = held_;
     held_ = held;
-    if (pipeline_.testing()) return;
-    if (held.start && !before.start) pipeline_.set_mode(next(pipeline_.mode()));
+    if (source_.testing()) return;
+    if (held.start && !before.start) source_.set_mode(next(source_.mode()));
     if (held.select && !before.select) start_again();
     if (held.a && !before.a && picture_.window().scale > 0) zoom_ = picture_.window().scale - 1U;
     if (held.b && !before.b && picture_.window().scale + 1U < kScales.size()) zoom_ = picture_.window().scale + 1U;
   }
 
   /// One step of the picture.
-  [[gnu::noinline]] void turn(const app::Links& links) {
+  [[gnu::noinline]] void turn(const console::Links& links) {
     if (step_ == 0) {
       begin();
-    } else if (step_ <= Profile::kObjects) {
+    } else if (step_ <= Source::kObjects) {
       look_at(step_ - 1);
-    } else if (step_ == Profile::kObjects + 1) {
-      tell(links);
+    } else if (step_ == Source::kObjects + 1) {
+      describe(links);
     } else {
       paint();
       return;
@@ -56,19 +60,17 @@ class MapView {
   static constexpr std::size_t kRowsPerTurn = 2;
   static constexpr std::size_t kMostNamed = 8;  ///< objects that the text has lines for
 
-  static app::Mode next(app::Mode mode) {
-    return static_cast<app::Mode>((static_cast<std::size_t>(mode) + 1) % app::kModes);
+  static console::Mode next(console::Mode mode) {
+    return static_cast<console::Mode>((static_cast<std::size_t>(mode) + 1) % console::kModes);
   }
   void start_again() {
     zoom_.reset();
-    pipeline_.restart();
+    source_.restart();
   }
-
-  [[nodiscard]] const app::Memory<Profile>& memory() const { return pipeline_.memory(); }
 
   void begin() {
     picture_.begin(window());
-    if (!memory().poses.empty()) picture_.put_robot(make_robot(app::robot_pose(memory()), picture_.window()));
+    if (const auto robot = source_.robot()) picture_.put_robot(make_robot(*robot, picture_.window()));
     level_ = record::AlertLevel::kClear;
     nearest_.reset();
     named_ = row_ = 0;
@@ -76,54 +78,55 @@ class MapView {
 
   // All of it, until somebody zooms; then the robot is in the middle.
   [[nodiscard]] Window window() const {
-    app::MapMillimetres robot;
-    if (!memory().poses.empty()) robot = app::millimetres(app::robot_pose(memory()).position);
+    console::MapMillimetres robot;
+    if (const auto pose = source_.robot()) robot = console::millimetres(pose->position);
     if (zoom_) return {robot, static_cast<std::uint8_t>(*zoom_)};
-    app::MapExtent extent;
+    console::MapExtent extent;
     extent.include(robot, 0);
-    for (const auto& object : memory().map.slots()) {
-      if (const auto shape = app::shape_of(object)) shape->include_in(extent);
+    for (const auto& object : source_.objects()) {
+      if (const auto shape = console::shape_of(object)) shape->include_in(extent);
     }
     return window_of(extent);
   }
 
   void look_at(std::size_t slot) {
-    const auto& object = memory().map.slots()[slot];
-    const auto shape = app::shape_of(object);
-    if (!shape || memory().poses.empty()) return;
+    const auto& object = source_.objects()[slot];
+    const auto shape = console::shape_of(object);
+    const auto robot = source_.robot();
+    if (!shape || !robot) return;
     colour(slot, object.signature);
     picture_.add(make_figure(*shape, slot, picture_.window()));
-    const app::Obstacle obstacle = app::see_obstacle(object, app::RobotPlace(app::robot_pose(memory())), {});
+    const alert::Obstacle obstacle = alert::see_obstacle(object, alert::RobotPlace(*robot), {});
     const auto distance = base::Metres::nearest(obstacle.distance);
-    if (app::credible(object) && (!nearest_ || distance < nearest_->distance)) {
-      nearest_ = app::Nearest{distance, base::Radians::nearest(obstacle.bearing())};
+    if (alert::credible(object) && (!nearest_ || distance < nearest_->distance)) {
+      nearest_ = console::Nearest{distance, base::Radians::nearest(obstacle.bearing())};
     }
-    const app::AlertState& alert = memory().alerts[slot];
-    if (alert.id == object.id && alert.level > level_) level_ = alert.level;
+    level_ = std::max(level_, source_.alert_level(slot));
     if (named_ == kMostNamed) return;
-    const ObjectLine line = object_line(named_++, slot, pipeline_.telling().name_of(object.signature), distance);
+    const ObjectLine line =
+        object_line(named_++, slot, console::name_of(object.signature, source_.signatures()), distance);
     picture_.add(line.colour);
     picture_.add(line.text);
   }
 
-  // As the camera was taught it, where that was told.
+  // As the camera was taught it, where that is known.
   void colour(std::size_t slot, std::uint8_t signature) {
     bus::Colour colour{160, 160, 160};
-    for (const record::Signature& known : memory().signatures) {
-      if (known.signature == signature) colour = {known.rgb.red, known.rgb.green, known.rgb.blue};
+    if (const record::Signature* known = console::find_signature(signature, source_.signatures())) {
+      colour = {known->rgb.red, known->rgb.green, known->rgb.blue};
     }
     screen_.set_colour(kObjects + slot, colour);
     screen_.set_colour(kOutlines + slot, lighter(colour));
   }
 
-  void tell(const app::Links& links) {
+  void describe(const console::Links& links) {
     const LevelSign sign = level_sign(level_);
     picture_.add(sign.ground);
     picture_.add(sign.word);
     picture_.add(distance_label(nearest_));
     picture_.add(bearing_label(nearest_));
     picture_.add(links_label(links));
-    picture_.add(mode_label(pipeline_.mode()));
+    picture_.add(mode_label(source_.mode()));
     const ScaleBar bar = scale_bar(picture_.window());
     picture_.add(bar.bar);
     picture_.add(bar.length);
@@ -142,17 +145,17 @@ class MapView {
     step_ = 0;
   }
 
-  app::Pipeline<Profile>& pipeline_;
+  Source& source_;
   Screen& screen_;
-  Picture<Profile::kObjects> picture_;
+  Picture<Source::kObjects> picture_;
   bus::Buttons held_;
   std::optional<std::size_t> zoom_;
   std::size_t step_ = 0;
   std::size_t row_ = 0;
-  // Of the picture that is being taken.
+  // Of the picture that is being composed.
   std::size_t named_ = 0;
   record::AlertLevel level_ = record::AlertLevel::kClear;
-  std::optional<app::Nearest> nearest_;
+  std::optional<console::Nearest> nearest_;
 };
 
 }  // namespace fencepost::view

@@ -22,7 +22,7 @@ constexpr std::size_t kNameRoom = 4;
 // A line without its end.
 class Line {
  public:
-  app::Sentence& sentence() { return sentence_; }
+  console::Sentence& sentence() { return sentence_; }
   Label at(std::int32_t x, std::int32_t y, std::uint8_t colour, std::uint8_t size = 1) {
     const std::size_t end = sentence_.end();
     return {point_at(x, y), size, colour, std::string_view(characters_.data(), end > 2 ? end - 2 : 0)};
@@ -30,7 +30,7 @@ class Line {
 
  private:
   std::array<char, 64> characters_{};
-  app::Sentence sentence_{characters_};
+  console::Sentence sentence_{characters_};
 };
 
 std::string_view short_name(sensor::LinkState state) {
@@ -49,7 +49,7 @@ LevelSign level_sign(record::AlertLevel level) {
   return sign;
 }
 
-Label distance_label(const std::optional<app::Nearest>& nearest) {
+Label distance_label(const std::optional<console::Nearest>& nearest) {
   Line line;
   if (nearest) {
     line.sentence().metres(nearest->distance).put("m");
@@ -59,7 +59,7 @@ Label distance_label(const std::optional<app::Nearest>& nearest) {
   return line.at(kSideLeft, kDistanceTop, kText, 2);
 }
 
-Label bearing_label(const std::optional<app::Nearest>& nearest) {
+Label bearing_label(const std::optional<console::Nearest>& nearest) {
   Line line;
   if (nearest) line.sentence().bearing(nearest->bearing);
   return line.at(kSideLeft, kBearingTop, kText);
@@ -68,7 +68,7 @@ Label bearing_label(const std::optional<app::Nearest>& nearest) {
 ObjectLine object_line(std::size_t row, std::size_t slot, std::string_view name,
                        const std::optional<base::Metres>& distance) {
   const std::int32_t top = kObjectsTop + static_cast<std::int32_t>(row) * kObjectPitch;
-  const char letter = app::letter_of(slot);
+  const char letter = console::letter_of(slot);
   Line line;
   line.sentence().put({&letter, 1}).put(" ").put(name.substr(0, kNameRoom)).pad_to(kNameRoom + 2);
   if (distance) line.sentence().metres_to(kNameRoom + 7, *distance);
@@ -77,15 +77,15 @@ ObjectLine object_line(std::size_t row, std::size_t slot, std::string_view name,
           line.at(kSideLeft + 10, top, kText)};
 }
 
-Label links_label(const app::Links& links) {
+Label links_label(const console::Links& links) {
   Line line;
   line.sentence().put("cam ").put(short_name(links.camera)).put(" odo ").put(short_name(links.odometry));
   return line.at(kSideLeft, kLinksTop, kFaint);
 }
 
-Label mode_label(app::Mode mode) {
+Label mode_label(console::Mode mode) {
   Line line;
-  line.sentence().put("mode ").put(app::name(mode));
+  line.sentence().put("mode ").put(console::name(mode));
   return line.at(kSideLeft, kModeTop, kFaint);
 }
 

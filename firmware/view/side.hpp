@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "firmware/console/console_state.hpp"
+#include "firmware/console/links.hpp"
 #include "firmware/console/text.hpp"
-#include "firmware/loop/listings.hpp"
 #include "firmware/record/records.hpp"
 #include "firmware/view/shapes.hpp"
 #include "firmware/view/window.hpp"
@@ -22,8 +22,8 @@ struct LevelSign {
 };
 LevelSign level_sign(record::AlertLevel level);
 /// Of the nearest object that is worth an alert; dashes without one.
-Label distance_label(const std::optional<app::Nearest>& nearest);
-Label bearing_label(const std::optional<app::Nearest>& nearest);
+Label distance_label(const std::optional<console::Nearest>& nearest);
+Label bearing_label(const std::optional<console::Nearest>& nearest);
 
 struct ObjectLine {
   Box colour;
@@ -34,8 +34,8 @@ ObjectLine object_line(std::size_t row, std::size_t slot, std::string_view name,
                        const std::optional<base::Metres>& distance);
 
 /// Whether camera and odometry deliver.
-Label links_label(const app::Links& links);
-Label mode_label(app::Mode mode);
+Label links_label(const console::Links& links);
+Label mode_label(console::Mode mode);
 
 struct ScaleBar {
   Box bar;  ///< as long as a square of the grid

@@ -21,18 +21,18 @@ struct Window {
   static constexpr std::int32_t kSide = 160;  ///< pixels, both ways; its left upper corner is the screen's
   static constexpr std::int32_t kRim = 12;    ///< kept free around what is to be seen
 
-  app::MapMillimetres middle;
+  console::MapMillimetres middle;
   std::uint8_t scale = 1;
 
   [[nodiscard]] std::int32_t mm() const { return kScales[scale].mm; }
   [[nodiscard]] std::int32_t grid_mm() const { return kScales[scale].grid_mm; }
-  [[nodiscard]] Point pixel_of(app::MapMillimetres place) const {
+  [[nodiscard]] Point pixel_of(console::MapMillimetres place) const {
     return point_at(kSide / 2 - (place.y - middle.y) / mm(), kSide / 2 - (place.x - middle.x) / mm());
   }
 };
 
 /// What shows all of `extent` at the finest scale; a whole number of pixels from the origin, so that nothing trembles.
-inline Window window_of(const app::MapExtent& extent) {
+inline Window window_of(const console::MapExtent& extent) {
   Window window;
   const std::int32_t larger = std::max(extent.width(), extent.height());
   while (window.scale + 1U < kScales.size() && larger > (Window::kSide - 2 * Window::kRim) * window.mm()) {

@@ -6,8 +6,8 @@
 
 namespace fencepost::base {
 
-/// Feeds one more byte. All eight steps at once: the polynomial has three terms below the leading one, so what leaves
-/// at the top comes back in three places, once more four bits on.
+/// Feeds one more byte, all eight bit steps at once: the polynomial has three terms below the leading one, so the bits
+/// shifted out at the top are added back in three places, and once more four bits further on.
 constexpr std::uint16_t crc16_step(std::uint16_t crc, std::uint8_t byte) {
   unsigned top = (static_cast<unsigned>(crc) >> 8U) ^ byte;
   top ^= top >> 4U;

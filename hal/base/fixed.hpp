@@ -12,7 +12,7 @@
 
 namespace fencepost::base {
 
-/// The smallest counter for 0..N: on a part with 16 KB, eight bytes of count for four items are a waste.
+/// The smallest unsigned type that holds 0..N: with 16 KB of RAM, an eight-byte count of four items is a waste.
 template <std::size_t N>
 using CountFor =
     std::conditional_t<(N <= 0xFF), std::uint8_t, std::conditional_t<(N <= 0xFFFF), std::uint16_t, std::uint32_t>>;
@@ -117,7 +117,7 @@ class Ring {
   [[nodiscard]] constexpr const T& back() const { return (*this)[size_ - 1U]; }
 
  private:
-  /// No remainder: i is at most N, and division is a loop on small parts.
+  /// No remainder operation: i is at most N, and division is a loop on small cores.
   [[nodiscard]] constexpr std::size_t slot(std::size_t i) const {
     const std::size_t at = head_ + i;
     return at < N ? at : at - N;

@@ -43,8 +43,8 @@ class Fnv1a64 {
   static constexpr bool kLongMultiplication = true;
 #endif
 
-  // The prime is 2^40 + 0x1B3. A core without long multiplication does the second part in halves of words; four times
-  // as fast as a multiplication of 64 bits is there, and a hash is a tenth of a frame's work.
+  // The prime is 2^40 + 0x1B3. A core without long multiplication does the second part in half words, four
+  // times as fast as a 64-bit multiplication there; the hash is a tenth of a frame's work.
   static constexpr std::uint64_t times_prime(std::uint64_t v) {
     if constexpr (kLongMultiplication) return v * kPrime;
     constexpr std::uint32_t kLow = 0x1B3;

@@ -5,10 +5,10 @@
 
 namespace fencepost::base {
 
-/// Why a bus or a sensor gave nothing. `kNotReady` is normal; the others are counted by whoever sees them.
+/// Why a bus or a sensor gave nothing. `kNotReady` is normal; the caller counts the others.
 enum class Error : unsigned char {
   kNotReady,  ///< nothing yet: ask again
-  kBadInput,  ///< bytes arrived that make no sense: dropped
+  kBadInput,  ///< bytes arrived that cannot be decoded: dropped
   kFull,      ///< no room: the caller keeps the item or counts its loss
   kGone,      ///< the device is not there any more
   kRefused,   ///< the device or the system said no

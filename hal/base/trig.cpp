@@ -6,7 +6,7 @@ namespace {
 constexpr std::int64_t kHalfPiPicoradians = 1'570'796'326'795;
 
 // Taylor series on [-pi/4, pi/4], sine to x^9, cosine to x^10: truncation below 2e-9, so float rounding dominates.
-// Each answers its function minus the leading term, which the caller adds last and exactly once.
+// Each returns its function minus the leading term, which the caller adds last, rounding once.
 float sine_tail(float x, float q) {
   return x * (q * (-1.66666667e-1F + q * (8.33333333e-3F + q * (-1.98412698e-4F + q * 2.75573192e-6F))));
 }
@@ -14,8 +14,8 @@ float cosine_tail(float q) {
   return q * (-0.5F + q * (4.16666667e-2F + q * (-1.38888889e-3F + q * (2.48015873e-5F - q * 2.75573192e-7F))));
 }
 
-// Direction of an angle within +-pi/4. The angle is cut into a part that a float holds exactly and a rest below
-// 2^-24 rad, which goes in by the first derivative: rounding the angle itself would cost as much as all the rest.
+// Direction of an angle within +-pi/4. The angle is split into a part that a float holds exactly and a remainder below
+// 2^-24 rad, which enters by the first derivative: rounding the angle itself would cost as much as everything else.
 SinCos sincos_of_octant(std::int64_t picoradians) {
   // Units of 2^-32 rad: 2^62 / 1e9 = 4611686018.4, and |nanoradians| < 2^30 keeps the product inside 63 bits.
   const std::int64_t units = (picoradians / 1000 * 4'611'686'018) >> 30;
@@ -52,13 +52,13 @@ float atan_unit(float x) {
 }  // namespace
 
 SinCos sincos_urad(std::int64_t microradians) {
-  // Whole turns go first, in integers of 1 prad: 159 turns at 1000 rad cost less than 0.1 nrad.
+  // Whole turns are subtracted first, in integers of 1 prad: 159 turns at 1000 rad cost less than 0.1 nrad.
   constexpr std::int64_t kNoOverflow = 9'000'000'000'000;
   if (microradians > kNoOverflow || microradians < -kNoOverflow) microradians %= 6'283'185;
   std::int64_t pico = microradians * 1'000'000;
   if (pico >= kTwoPiPicoradians || pico <= -kTwoPiPicoradians) pico %= kTwoPiPicoradians;
   if (pico < 0) pico += kTwoPiPicoradians;
-  // Nearest quarter turn, and the rest within +-pi/4: four comparisons are less than a division of 64 bits.
+  // Nearest quarter turn, and the remainder within +-pi/4: four comparisons are cheaper than a 64-bit division.
   unsigned quarter = 0;
   for (; pico >= kHalfPiPicoradians / 2; pico -= kHalfPiPicoradians) ++quarter;
   const SinCos rest = sincos_of_octant(pico);

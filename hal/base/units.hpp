@@ -27,7 +27,7 @@ struct Scaled {
   static constexpr Scaled nearest(double value) {
     const double scaled = value * static_cast<double>(kPerUnit);
     const auto whole = static_cast<Rep>(scaled);
-    // The rest is exact; adding 0.5 before cutting would not be, just below a half.
+    // The remainder is exact; adding 0.5 before truncating would not be, just below a half.
     const double rest = scaled - static_cast<double>(whole);
     return {static_cast<Rep>(whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0))};
   }

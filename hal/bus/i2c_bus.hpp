@@ -1,4 +1,4 @@
-// A master on a two-wire bus, for sensors that are read register by register.
+// A master on an I2C bus, for sensors that are read register by register.
 #pragma once
 
 #include <concepts>

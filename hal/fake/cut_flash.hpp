@@ -1,4 +1,4 @@
-// Two pages of flash in memory, whose power can be cut in the middle of anything.
+// Two pages of simulated flash whose power can be cut in the middle of any write.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class CutFlash {
     dead_ = true;
     return Step::kHalf;
   }
-  // Numerical Recipes' generator: which bits made it.
+  // Numerical Recipes' generator chooses which bits were written.
   std::uint8_t noise() {
     random_ = random_ * 1'664'525U + 1'013'904'223U;
     return static_cast<std::uint8_t>(random_ >> 24U);

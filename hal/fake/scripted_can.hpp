@@ -1,4 +1,4 @@
-// A CAN bus that plays a script against the clock of the test.
+// A CAN bus that plays a script by the test's clock.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct CanStep {
   std::optional<base::Error> error;
 };
 
-/// After the script: kNotReady for ever.
+/// After the script: kNotReady.
 class ScriptedCan {
  public:
   /// The script, its times not decreasing, and the clock are borrowed.

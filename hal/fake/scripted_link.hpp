@@ -12,13 +12,13 @@
 
 namespace fencepost::fake {
 
-/// One thing that happens on the line: bytes, or one failed read.
+/// One event on the line: bytes, or one failed read.
 struct LinkStep {
   std::span<const std::uint8_t> bytes;
   std::optional<base::Error> error;
 };
 
-/// Reads never join two steps, as a real port's reads do not wait for more. After the script: kNotReady for ever.
+/// Reads never join two steps, as a real port's reads do not wait for more. After the script: kNotReady.
 /// What is written is kept, at most `Capacity` bytes in all.
 template <std::size_t Capacity>
 class ScriptedLink {

@@ -19,7 +19,7 @@ struct PacketStep {
   std::size_t after = 0;
 };
 
-/// After the script: kNotReady for ever. At most `Capacity` telegrams of 64 bytes are kept.
+/// After the script: kNotReady. At most `Capacity` telegrams of 64 bytes are kept.
 template <std::size_t Capacity>
 class ScriptedPackets {
  public:

@@ -1,4 +1,4 @@
-// A camera and an odometry source that play a script against the clock of the test.
+// A camera and an odometry source that play a script by the test's clock.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ using base::Error;
 
 constexpr std::string_view kWhat = "listen on the CAN interface";
 
-// Losing arbitration is the daily life of a sender, not an error of the bus.
+// A lost arbitration is normal for a sender, not a bus error.
 constexpr can_err_mask_t kErrors = CAN_ERR_MASK & ~static_cast<can_err_mask_t>(CAN_ERR_LOSTARB);
 
 /// Two megabytes hold seconds of a full bus, where the kernel allows them.
@@ -69,7 +69,7 @@ int set_options(int fd, const std::vector<CanFilter>& filters) {
   return set_option(fd, SOL_SOCKET, SO_TIMESTAMP, 1);
 }
 
-// bind() takes an interface that is down, and would then hear nothing for ever.
+// bind() takes an interface that is down, and would then receive nothing.
 int bind_if_up(int fd, const std::string& interface) {
   ifreq request{};
   if (interface.empty() || interface.size() >= sizeof request.ifr_name) return EINVAL;
@@ -129,7 +129,7 @@ int read_message(int fd, can_frame& raw, Notes& notes) {
   return count == static_cast<ssize_t>(sizeof raw) ? 0 : EBADMSG;
 }
 
-// The kernel stamps by the wall clock; the age of a frame is the same by every clock, unless one was set meanwhile.
+// The kernel stamps by the wall clock; a frame's age is the same by every clock, unless one was set in the meantime.
 std::optional<base::Time> by_clock(const timeval& stamp, const MonotonicClock& clock) {
   timespec wall{};
   clock_gettime(CLOCK_REALTIME, &wall);
@@ -165,7 +165,8 @@ base::Result<bus::CanFrame> Can::receive() {
   Notes notes;
   int error = read_message(socket_.get(), raw, notes);
   if (error != 0 && error != EAGAIN) {
-    // The error of an interface that went down overtakes the frames that came before; it is told once, they are kept.
+    // The error of an interface that went down is delivered before frames received earlier; it is reported once and the
+    // frames are kept.
     down_ = error != EBADMSG;
     if (down_) error = read_message(socket_.get(), raw, notes);
   }

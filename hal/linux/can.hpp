@@ -37,7 +37,7 @@ class Can {
 
   base::Result<bus::CanFrame> receive();
 
-  /// Once a turn of the loop; looks for a missing interface, at most every kRetryInterval.
+  /// Once per loop iteration; looks for a missing interface, at most every kRetryInterval.
   void tend(base::Time now);
   /// False while the interface is down or away, or its controller is bus-off.
   [[nodiscard]] bool connected() const { return socket_.open() && !bus_off_; }
@@ -60,7 +60,7 @@ class Can {
   bool bus_off_ = false;
   bool down_ = false;                  ///< the interface; frames from before are still to be read
   std::uint32_t lost_ = 0;             ///< frames that the socket had no room for, since it was opened
-  std::optional<bus::CanFrame> held_;  ///< came with the news of a loss, which is told first
+  std::optional<bus::CanFrame> held_;  ///< arrived with a reported loss; the loss is returned first
 };
 
 static_assert(bus::CanBus<Can>);

@@ -92,7 +92,7 @@ class I2c::Worker {
   }
 
   I2cSettings settings_;
-  Descriptor adapter_;  ///< the thread reads it only while a transfer is under way, the loop changes it only then not
+  Descriptor adapter_;  ///< used by the thread only during a transfer, changed by the loop only between transfers
   SignalFlag done_;
   Retry retry_;
   std::string problem_;

@@ -38,7 +38,7 @@ class I2c {
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected);
   base::Result<std::size_t> finish(std::span<std::uint8_t> in);
 
-  /// Once a turn of the loop; looks for a missing adapter, at most every kRetryInterval.
+  /// Once per loop iteration; looks for a missing adapter, at most every kRetryInterval.
   void tend(base::Time now);
   [[nodiscard]] bool connected() const;
   /// Why the last try to open it again failed; empty when none did.

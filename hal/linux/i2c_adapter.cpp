@@ -28,7 +28,7 @@ std::string_view remedy(int error) {
 
 Problem problem_with(const std::string& path, int error) { return failure(kWhat, path, error, remedy(error)); }
 
-// The kernel may tell of an unplug as of any other failure (EIO); its node is gone by then.
+// The kernel may report an unplug like any other failure (EIO); the device node is gone by then.
 bool still_there(int fd, const std::string& path) {
   struct stat opened {};
   struct stat named {};

@@ -1,4 +1,4 @@
-// What opening a device answers: the device, or a sentence for whoever plugged it in.
+// What opening a device answers: the device, or a sentence for its user.
 #pragma once
 
 #include <string>

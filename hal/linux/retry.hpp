@@ -7,7 +7,7 @@
 
 namespace fencepost::linux {
 
-/// A person who plugs something in does not notice it, and a failing open costs nothing at this rate.
+/// Too short to be noticed by a person who plugs something in; a failing open costs nothing at this rate.
 inline constexpr base::Duration kRetryInterval = base::milliseconds(250);
 
 class Retry {

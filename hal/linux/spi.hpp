@@ -34,7 +34,7 @@ class Spi {
   base::Result<std::size_t> read(std::span<std::uint8_t> in);
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
 
-  /// Once a turn of the loop.
+  /// Once per loop iteration.
   void tend(base::Time now);
   [[nodiscard]] bool connected() const { return fd_.open(); }
   /// Why the last try to open it again failed; empty when none did.

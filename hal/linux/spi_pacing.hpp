@@ -12,8 +12,8 @@
 
 namespace fencepost::linux {
 
-/// One grant a millisecond of at most kGrant bytes: 64 kB/s, several times what a Pixy2 has to say, and a loop that
-/// reads until there is nothing left comes to an end.
+/// One grant a millisecond of at most kGrant bytes: 64 kB/s, several times what a Pixy2 sends, and a loop that reads
+/// until nothing is left terminates.
 class SpiPacing {
  public:
   static constexpr std::size_t kGrant = 64;

@@ -44,7 +44,7 @@ class Tcp {
   base::Result<std::size_t> read(std::span<std::uint8_t> in);
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
 
-  /// Once a turn of the loop; tries to connect again, at most every kRetryInterval, each address in turn.
+  /// Once per loop iteration; tries to connect again, at most every kRetryInterval, each address in turn.
   void tend(base::Time now);
   [[nodiscard]] bool connected() const { return fd_.open() && !connecting_since_; }
   /// Why the last try to connect again failed; empty when none did.

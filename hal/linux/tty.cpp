@@ -64,7 +64,7 @@ Opened<Tty> Tty::open(TtySettings settings) {
 
 Tty::~Tty() { release(); }
 
-// A pty outlives its opening, and would stay closed to others.
+// The lock on a pty outlives the descriptor and would keep others out.
 void Tty::release() {
   if (fd_.open()) ::ioctl(fd_.get(), TIOCNXCL);
   fd_.close();

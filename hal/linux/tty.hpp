@@ -16,7 +16,7 @@
 namespace fencepost::linux {
 
 struct TtySettings {
-  std::string path;  ///< best one under /dev/serial/by-id, which names the device and not the order of plugging in
+  std::string path;  ///< preferably under /dev/serial/by-id, which does not depend on the order of plugging in
   std::uint32_t baud = 115'200;
 };
 
@@ -34,7 +34,7 @@ class Tty {
   base::Result<std::size_t> read(std::span<std::uint8_t> in);
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
 
-  /// Once a turn of the loop; looks for a missing device, at most every kRetryInterval.
+  /// Once per loop iteration; looks for a missing device, at most every kRetryInterval.
   void tend(base::Time now);
   [[nodiscard]] bool connected() const { return fd_.open(); }
   /// Why the last try to open it again failed; empty when none did.

@@ -36,7 +36,7 @@ Problem problem_with(const UsbSettings& settings, int error) {
           remedy(error, settings)};
 }
 
-/// Contexts that nobody uses now. What they hear of plugging meanwhile waits in them, some bytes each time.
+/// Contexts kept for reuse. Hotplug events queue in them meanwhile, some bytes each.
 class Shelf {
  public:
   void put(libusb_context* context) {

@@ -12,8 +12,8 @@
 
 namespace fencepost::linux {
 
-/// Where udev runs, a context is put aside for the next open_usb() and never closed: libusb_exit races with the thread
-/// that hears of plugging, and hung or crashed (libusb up to 1.0.26; its issues 1366 and 1445).
+/// Where udev runs, a context is kept for the next open_usb() and never closed: libusb_exit races with the hotplug
+/// thread and hung or crashed (libusb up to 1.0.26; its issues 1366 and 1445).
 struct CloseUsbContext {
   void operator()(libusb_context* context) const;
 };
@@ -24,7 +24,7 @@ struct CloseUsbHandle {
 };
 using UsbHandle = std::unique_ptr<libusb_device_handle, CloseUsbHandle>;
 
-/// Closing releases the interface. It has to go before its context.
+/// Closing releases the interface. Its context must outlive it.
 struct UsbDevice {
   UsbHandle handle;
   std::size_t packet = 0;  ///< bytes, the smaller of both endpoints' largest
@@ -33,7 +33,7 @@ struct UsbDevice {
 /// "0694:0002 with serial number 0016530A1B2C".
 std::string name_of(const UsbSettings& settings);
 
-/// Whether libusb hears from udev what is plugged and unplugged.
+/// Whether libusb receives hotplug events from udev.
 bool udev_runs();
 
 /// A fresh context sees the devices of this moment; an old one sees later ones only where udev runs.

@@ -18,8 +18,8 @@ namespace fencepost::linux {
 
 class UsbWorker;
 
-/// Ends its thread, and waits for that no longer than the settings' patience: a thread that hangs in libusb or in the
-/// kernel keeps the worker, and destroys it when it comes back.
+/// Ends its thread, and waits for that no longer than the settings' timeout: a thread that hangs in libusb or in the
+/// kernel keeps the worker and destroys it when it returns.
 struct EndUsbWorker {
   void operator()(UsbWorker* worker) const;
 };
@@ -40,14 +40,14 @@ class UsbPipes {
   UsbPipes(const UsbPipes&) = delete;
   UsbPipes& operator=(const UsbPipes&) = delete;
 
-  /// Once a turn of the loop; looks for a missing device, at most every kRetryInterval. One that is plugged in while
+  /// Once per loop iteration; looks for a missing device, at most every kRetryInterval. One that is plugged in while
   /// udev runs is found without.
   void tend(base::Time now);
   [[nodiscard]] bool connected() const;
   /// Why the last try to open it again failed; empty when none did.
   [[nodiscard]] std::string problem() const;
   [[nodiscard]] UsbCounters counters() const;
-  /// For WaitSet: readable when there is something to read, or news of an unplug.
+  /// For WaitSet: readable when there is something to read, or after an unplug.
   [[nodiscard]] int descriptor() const;
 
  protected:
@@ -62,7 +62,7 @@ class UsbPipes {
 /// One transfer a telegram; one of at most an endpoint's packet (64 bytes at full speed, 512 at high speed).
 class UsbPacketLink final : public UsbPipes {
  public:
-  /// Waits for the first try to end, a few milliseconds where the device answers, at most the settings' patience.
+  /// Waits for the first try to end, a few milliseconds where the device answers, at most the settings' timeout.
   /// errors: a sentence: no such device, not allowed, in use by another program, no answer.
   static Opened<UsbPacketLink> open(const UsbSettings& settings);
 

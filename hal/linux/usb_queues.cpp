@@ -11,7 +11,7 @@ using base::Result;
 
 bool UsbWorker::first_try() {
   std::unique_lock lock(mutex_);
-  if (tried_.wait_for(lock, patience(), [this] { return first_try_over_; })) return connected_;
+  if (tried_.wait_for(lock, timeout(), [this] { return first_try_done_; })) return connected_;
   problem_ = "cannot open the USB device " + name_of(settings_) +
              ": the system did not come back from it; unplug it, plug it in again and look at the end of 'dmesg'";
   return false;
@@ -64,14 +64,14 @@ Result<std::size_t> UsbWorker::read(std::span<std::uint8_t> in) {
 }
 
 Error UsbWorker::nothing_to_read() {
-  news_.clear();
+  readable_.clear();
   return connected_ ? Error::kNotReady : Error::kGone;
 }
 
 void UsbWorker::drop_front() {
   inbox_.pop_front();
   front_used_ = 0;
-  if (inbox_.empty() && connected_) news_.clear();  // the news of an unplug is told by nothing_to_read()
+  if (inbox_.empty() && connected_) readable_.clear();  // an unplug is reported by nothing_to_read()
   if (std::exchange(starved_, false)) wake();
 }
 

@@ -17,9 +17,9 @@ struct UsbSettings {
   std::uint8_t in_endpoint = 0x81;   ///< bulk, with the direction bit
   /// A reset of the device on opening, for firmware that otherwise goes on where the last program left it.
   bool reset = false;
-  /// How long libusb or the kernel may take over anything before it is left alone: opening, giving transfers back,
-  /// closing. They take milliseconds; the kernel itself gives a device that does not answer up to five seconds.
-  base::Duration patience = base::milliseconds(8'000);
+  /// How long libusb or the kernel may take for opening, returning transfers or closing before the thread is abandoned.
+  /// They take milliseconds; the kernel itself allows a device that does not answer up to five seconds.
+  base::Duration timeout = base::milliseconds(8'000);
 };
 
 /// LEGO NXT brick (LEGO Mindstorms NXT Communication Protocol, USB): one telegram a transfer, at most 64 bytes.

@@ -7,12 +7,13 @@
 namespace fencepost::linux {
 namespace {
 
-/// Of one telegram: a device that lives takes it within milliseconds.
+/// Of one telegram: a working device takes it within milliseconds.
 constexpr unsigned kWriteTimeoutMs = 1000;
 
 }  // namespace
 
-UsbWorker::UsbWorker(UsbSettings settings, SignalFlag news) : settings_(std::move(settings)), news_(std::move(news)) {
+UsbWorker::UsbWorker(UsbSettings settings, SignalFlag readable)
+    : settings_(std::move(settings)), readable_(std::move(readable)) {
   make_transfers();
   thread_ = std::thread([this] {
     run();
@@ -28,8 +29,8 @@ bool UsbWorker::stop() {
   std::unique_lock lock(mutex_);
   stop_ = true;
   wake();
-  if (tried_.wait_for(lock, patience(), [this] { return over_; })) return true;
-  left_ = true;
+  if (tried_.wait_for(lock, timeout(), [this] { return finished_; })) return true;
+  abandoned_ = true;
   thread_.detach();
   return false;
 }
@@ -60,8 +61,8 @@ void UsbWorker::end() {
   bool mine = false;
   {
     const std::lock_guard lock(mutex_);
-    over_ = true;
-    mine = left_;
+    finished_ = true;
+    mine = abandoned_;
     tried_.notify_all();
   }
   if (mine) delete this;
@@ -89,9 +90,9 @@ void UsbWorker::look_for_device() {
     packet_ = device_.packet;
     connected_ = true;
     failures_ = 0;
-    news_.raise();
+    readable_.raise();
   }
-  first_try_over_ = true;
+  first_try_done_ = true;
   tried_.notify_all();
 }
 
@@ -177,7 +178,7 @@ void UsbWorker::submit_write() {
   if (write_->submit(device_.handle.get(), settings_.out_endpoint, std::move(next), kWriteTimeoutMs) != 0) gone_ = true;
 }
 
-// A halt is cleared on an idle pipe, so that host and device start anew with the same packet.
+// A halt is cleared on an idle pipe, so that host and device restart with the same packet.
 void UsbWorker::restart_halted() {
   if (read_halted_) {
     for (auto& read : reads_) read->cancel();
@@ -196,7 +197,7 @@ void UsbWorker::take_read(const UsbTransfer& transfer) {
   if (!transfer.bytes().empty()) {
     const std::lock_guard lock(mutex_);
     inbox_.emplace_back(transfer.bytes().begin(), transfer.bytes().end());
-    news_.raise();
+    readable_.raise();
   }
   if (transfer.status() == LIBUSB_TRANSFER_STALL) read_halted_ = true;
   after_transfer(transfer);
@@ -235,7 +236,7 @@ void UsbWorker::let_go() {
   const std::lock_guard lock(mutex_);
   connected_ = false;
   outbox_.clear();
-  news_.raise();
+  readable_.raise();
 }
 
 bool UsbWorker::take_transfers_back() {
@@ -246,7 +247,7 @@ bool UsbWorker::take_transfers_back() {
   for (auto& read : reads_) read->cancel();
   write_->cancel();
   timeval slice{0, 10'000};
-  const auto deadline = std::chrono::steady_clock::now() + patience();
+  const auto deadline = std::chrono::steady_clock::now() + timeout();
   while (busy() && std::chrono::steady_clock::now() < deadline) {
     libusb_handle_events_timeout_completed(context_.get(), &slice, nullptr);
   }

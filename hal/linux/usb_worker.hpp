@@ -29,14 +29,14 @@ class UsbWorker {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  UsbWorker(UsbSettings settings, SignalFlag news);
+  UsbWorker(UsbSettings settings, SignalFlag readable);
   /// After stop().
   ~UsbWorker();
   UsbWorker(const UsbWorker&) = delete;
   UsbWorker& operator=(const UsbWorker&) = delete;
 
   // The loop's side; none of these waits but the first two.
-  /// Asks for a try and waits for its end, no longer than the patience; whether the device is there.
+  /// Asks for a try and waits for its end, no longer than the timeout; whether the device is there.
   bool first_try();
   /// Asks the thread to end and waits likewise. False: it hangs, and destroys this worker when it comes back.
   [[nodiscard]] bool stop();
@@ -47,7 +47,7 @@ class UsbWorker {
   [[nodiscard]] bool connected() const;
   [[nodiscard]] std::string problem() const;
   [[nodiscard]] UsbCounters counters() const;
-  [[nodiscard]] int descriptor() const { return news_.descriptor(); }
+  [[nodiscard]] int descriptor() const { return readable_.descriptor(); }
 
  private:
   // The thread's side.
@@ -80,8 +80,8 @@ class UsbWorker {
   void wake();
   [[nodiscard]] base::Error nothing_to_read();
   void drop_front();
-  [[nodiscard]] std::chrono::microseconds patience() const {
-    return std::chrono::microseconds(settings_.patience.raw * 100);
+  [[nodiscard]] std::chrono::microseconds timeout() const {
+    return std::chrono::microseconds(settings_.timeout.raw * 100);
   }
 
   static constexpr std::size_t kReads = 4;    ///< in flight: the device never waits for the thread to ask again
@@ -91,7 +91,7 @@ class UsbWorker {
 
   const UsbSettings settings_;
 
-  mutable std::mutex mutex_;  ///< of what follows, up to `news_`
+  mutable std::mutex mutex_;  ///< of what follows, up to `readable_`
   std::condition_variable tried_;
   std::deque<Bytes> inbox_;
   std::size_t front_used_ = 0;  ///< bytes of the front telegram that read() has taken
@@ -101,13 +101,13 @@ class UsbWorker {
   std::size_t packet_ = 0;
   bool connected_ = false;
   bool requested_ = true;
-  bool first_try_over_ = false;
+  bool first_try_done_ = false;
   bool stop_ = false;
-  bool over_ = false;     ///< the thread is at its end
-  bool left_ = false;     ///< to the thread, which hung
-  bool starved_ = false;  ///< reads wait for room in the inbox
+  bool finished_ = false;   ///< the thread has ended
+  bool abandoned_ = false;  ///< the thread hung and owns the worker now
+  bool starved_ = false;    ///< reads wait for room in the inbox
   libusb_context* to_wake_ = nullptr;
-  SignalFlag news_;
+  SignalFlag readable_;
 
   Retry retry_;  ///< the loop's
 

@@ -10,13 +10,13 @@
 
 namespace fencepost::linux {
 
-/// Filled anew for each wait, since descriptors come and go with their devices.
+/// Refilled for each wait, since descriptors come and go with their devices.
 class WaitSet {
  public:
   void clear() { watched_.clear(); }
   /// Wakes when there is something to read, or the other end has gone. Below 0: passed over.
   void add_readable(int fd) { watched_.push_back({fd, POLLIN, 0}); }
-  /// Wakes when something can be written; only for whoever has something to write.
+  /// Wakes when something can be written; only add it if something is to be written.
   void add_writable(int fd) { watched_.push_back({fd, POLLOUT, 0}); }
 
   /// Sleeps until something wakes (true), the deadline has passed, or a signal came (false).

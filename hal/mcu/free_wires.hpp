@@ -1,11 +1,11 @@
-// What a master does on a two-wire bus whose data wire is held.
+// Releases an I2C bus whose data wire is held low.
 #pragma once
 
 namespace fencepost::mcu {
 
-/// A device that was cut off in a byte holds the data wire until it has got its clocks: nine at most; then a stop.
-/// `Wire`: one of the two by hand, as others have it, too: `pull_down(bool)`, `high()`. `pause()`: half a period of the
-/// bus.
+/// A device interrupted within a byte holds the data wire until it has received the remaining clocks, at most nine;
+/// then a stop condition. `Wire`: one of the two, driven by hand: `pull_down(bool)`, `high()`. `pause()`: half a period
+/// of the bus.
 template <class Wire, class Pause>
 void free_wires(const Wire& clock, const Wire& data, Pause pause) {
   clock.pull_down(false);

@@ -1,4 +1,4 @@
-// One transfer of a two-wire master: its bytes, its state and its time limit, between the program and an interrupt.
+// One transfer of an I2C master: its bytes, state and time limit, shared by the program and an interrupt.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class I2cTransfer {
     refused_ = false;
     return out.size();
   }
-  /// It is under way: all that the interrupt needs is in memory.
+  /// Started: everything that the interrupt needs is in memory.
   void begin() {
     left_ = kPatience;
     std::atomic_signal_fence(std::memory_order_release);
@@ -37,7 +37,7 @@ class I2cTransfer {
   }
   [[nodiscard]] State state() const { return state_.load(std::memory_order_relaxed); }
   [[nodiscard]] bool late() const { return left_ == 0; }
-  /// What came of it; the next one may begin.
+  /// Its outcome; the next transfer may begin.
   base::Result<std::size_t> end(std::span<std::uint8_t> in) {
     std::atomic_signal_fence(std::memory_order_acquire);
     state_.store(State::kIdle, std::memory_order_relaxed);
@@ -47,7 +47,7 @@ class I2cTransfer {
     return count;
   }
 
-  // The interrupts' side; of the program, too, where nothing is under way or their master's are off.
+  // The interrupts' side; for the program only while no transfer is active or the master's interrupts are off.
   [[nodiscard]] bool reads_only() const { return to_send_ == 0; }
   [[nodiscard]] bool all_sent() const { return sent_ == to_send_; }
   [[nodiscard]] std::uint8_t next() { return out_[sent_++]; }
@@ -67,7 +67,7 @@ class I2cTransfer {
   }
 
  private:
-  /// ms: 65 bytes take 6 at 100 kHz; the rest is for devices that hold the clock to think.
+  /// ms: 65 bytes take 6 at 100 kHz; the rest is for clock stretching.
   static constexpr std::uint32_t kPatience = 30;
 
   std::array<std::uint8_t, bus::kMaxI2cTransfer> out_{};

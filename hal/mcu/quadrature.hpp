@@ -10,7 +10,7 @@ namespace fencepost::mcu {
 /// edge was missed both have changed: two counts, in the direction of the last one.
 class Quadrature {
  public:
-  /// The levels as they stand; no count comes of it.
+  /// Sets the present levels without counting.
   constexpr void start(bool a, bool b) { state_ = state(a, b); }
 
   constexpr void feed(bool a, bool b) {

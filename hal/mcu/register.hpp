@@ -26,8 +26,8 @@ inline void change_bits(std::uint32_t address, std::uint32_t mask, std::uint32_t
   reg(address) = (reg(address) & ~mask) | value;
 }
 
-/// Waits until `bits` are set, at most so many looks; false if they never were. No wait is unbounded: emulators leave
-/// registers out, crystals break.
+/// Polls until `bits` are set, at most so many times; false if they never were. No wait is unbounded: emulators leave
+/// registers out, crystals fail.
 inline bool await_bits(std::uint32_t address, std::uint32_t bits, std::uint32_t looks) {
   for (; looks > 0; --looks) {
     if ((reg(address) & bits) == bits) return true;

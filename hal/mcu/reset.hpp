@@ -1,4 +1,4 @@
-// Why the part started, and what the last run said when it died.
+// Why the part started, and what ended the last run.
 #pragma once
 
 #include <cstdint>

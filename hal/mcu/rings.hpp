@@ -27,7 +27,7 @@ class Rings {
     if (count == 0 && !in.empty()) return base::Error::kNotReady;
     return count;
   }
-  /// Takes what fits; whoever owns the line then has to start sending.
+  /// Takes what fits; the owner of the line then has to start sending.
   base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
     std::size_t count = 0;
     while (count < out.size() && sending_.put(out[count])) ++count;

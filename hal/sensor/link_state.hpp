@@ -1,4 +1,4 @@
-// What is known about a device on a cable. Four failures that need four different remedies, and "ok".
+// State of a device on a cable: four failures that need four different remedies, and "ok".
 #pragma once
 
 #include <string_view>

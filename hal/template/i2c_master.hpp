@@ -1,4 +1,4 @@
-// A two-wire bus of a board.
+// An I2C bus of a board.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ class I2cMaster {
  public:
   /// Fill in: copy `out` (at most bus::kMaxI2cTransfer bytes), send the start and the address; the interrupt does the
   /// rest: bytes, repeated start, reading, stop. kFull while one is under way, or where it is too long.
-  /// Bound it: a device may hold the clock for ever. Clock nine pulses by hand, reset the part, answer kRefused.
+  /// Bound it: a device may stretch the clock indefinitely. Clock nine pulses by hand, reset the part, answer kRefused.
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
     static_cast<void>(address);
     static_cast<void>(out);

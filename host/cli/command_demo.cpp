@@ -34,14 +34,14 @@ Exit run(const std::string& output) {
   const std::string html =
       write_report(outcome.result, truth, {"Fencepost demo: approach and stop", "fencepost " FENCEPOST_VERSION});
   write_output(output, html);
-  if (output != "-") {  // else the page itself is the data
+  if (!is_standard_output(output)) {  // else the page itself is the data
     const TextOptions text{colour_on_stdout(), true};
     write_output("-", alert_list(outcome.result, text) + "\n" + object_table(outcome.result, text) + "\n" +
                           summary_line(outcome.result));
-    say(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
+    say_lines(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
   }
   say_what_was_left_out(outcome);
-  say(next_steps(log, scene_path));
+  say_lines(next_steps(log, scene_path));
   return Exit::kDone;
 }
 

@@ -33,7 +33,11 @@ struct Request {
 std::string scene_beside(const std::string& log) {
   if (log == "-") throw Failure(Exit::kUsage, "a log from standard input needs --scene SCENE");
   const std::string scene = std::filesystem::path(log).replace_extension(".json").string();
-  if (std::filesystem::exists(scene)) return scene;
+  std::error_code error;
+  if (std::filesystem::exists(scene, error)) return scene;
+  if (error)
+    throw Failure(Exit::kUnreadable,
+                  "cannot look for the scene " + scene + ": " + error.message() + "; name it with --scene SCENE");
   throw Failure(Exit::kUnreadable, log + ": no scene " + scene + " beside it; name it with --scene SCENE");
 }
 

@@ -41,7 +41,7 @@ void add_outputs(CLI::App& app, Request& request) {
 }
 
 Exit run_mrclam(const Request& request) {
-  if (request.output == "-" && request.truth == "-") {
+  if (is_standard_output(request.output) && is_standard_output(request.truth)) {
     throw Failure(Exit::kUsage, "the log and --truth cannot both be standard output; name a file with -o");
   }
   if (request.mrclam.from && request.mrclam.to && *request.mrclam.from > *request.mrclam.to) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/record_devices.hpp"
@@ -61,7 +62,7 @@ void check_usage(const Request& request) {
   } else if (!request.robot.empty()) {
     throw Failure(Exit::kUsage, "--robot goes with --camera and --odometry; a robot at a PORT knows its own numbers");
   }
-  if (request.output == "-") {
+  if (is_standard_output(request.output)) {
     throw Failure(Exit::kUsage,
                   "a recording needs a file; standard output shows its lines anyway: name a file with -o");
   }
@@ -78,7 +79,8 @@ std::string default_name() {
   const std::string stem = fmt::format("fencepost-{:04}{:02}{:02}-{:02}{:02}{:02}", local.tm_year + 1900,
                                        local.tm_mon + 1, local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
   std::string name = stem + ".log";
-  for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}.log", stem, i);
+  std::error_code unknown;  // opening the log says what is wrong with this folder
+  for (int i = 2; std::filesystem::exists(name, unknown); ++i) name = fmt::format("{}-{}.log", stem, i);
   return name;
 }
 
@@ -163,6 +165,7 @@ Exit record_console(const Request& request) {
   keyboard.reset();
   say_end(recorder, parts_name(name, log), display, clock.now());
   if (end.fault) throw Failure(Exit::kDevice, end.fault->sentence);
+  if (request.port == "-" && !port->problem().empty()) throw Failure(Exit::kUnreadable, port->problem());
   return exit_code(end);
 }
 

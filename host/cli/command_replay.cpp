@@ -28,7 +28,7 @@ void check_usage(const Request& request) {
   if (request.log == "-" && request.camera == "-") {
     throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
   }
-  if (request.output == "-" && request.write_log == "-") {
+  if (is_standard_output(request.output) && is_standard_output(request.write_log)) {
     throw Failure(Exit::kUsage, "the result and --write-log cannot both be standard output; name a file with -o");
   }
   if (request.options.from && request.options.to && *request.options.from > *request.options.to) {
@@ -39,7 +39,7 @@ void check_usage(const Request& request) {
 /// Colours only where the text goes to a terminal, not into a file.
 std::string text_result(const ResultDocument& result, const std::string& output) {
   TextOptions text;
-  text.colour = output == "-" && colour_on_stdout();
+  text.colour = is_standard_output(output) && colour_on_stdout();
   const std::string alerts = alert_list(result, text);
   return alerts + (alerts.empty() ? "" : "\n") + object_table(result, text) + "\n" + summary_line(result);
 }

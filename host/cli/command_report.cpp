@@ -38,7 +38,7 @@ Exit run(Request request) {
       request.log == "-" ? input_name("-") : std::filesystem::path(request.log).filename().string();
   write_output(output, write_report(outcome.result, truth, {title, "fencepost " FENCEPOST_VERSION}));
   say_what_was_left_out(outcome);
-  if (output != "-") say("wrote " + output + "; open it in a browser");
+  if (!is_standard_output(output)) say("wrote " + output + "; open it in a browser");
   return Exit::kDone;
 }
 

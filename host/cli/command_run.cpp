@@ -1,10 +1,10 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <memory>
 
 #include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
@@ -34,12 +34,12 @@ ConsoleSpec console_of(const Request& request) {
   return *spec;
 }
 
-app::Mode mode_of(const Request& request, const ConsoleSpec& console) {
-  for (std::size_t i = 0; i < app::kModes; ++i) {
-    if (request.mode == app::name(static_cast<app::Mode>(i))) return static_cast<app::Mode>(i);
+console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
+  for (std::size_t i = 0; i < console::kModes; ++i) {
+    if (request.mode == console::name(static_cast<console::Mode>(i))) return static_cast<console::Mode>(i);
   }
   const bool people = console.kind != ConsoleSpec::Kind::kTerminal || is_terminal(STDOUT_FILENO);
-  return people ? app::Mode::kText : app::Mode::kLog;
+  return people ? console::Mode::kText : console::Mode::kLog;
 }
 
 RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
@@ -66,7 +66,7 @@ RunLogSettings log_of(const Request& request) {
   if (request.log.empty() && (request.parts.given() || request.force)) {
     throw Failure(Exit::kUsage, "--log-size, --log-minutes and --force say something of --log; name a file with it");
   }
-  if (request.log == "-") {
+  if (is_standard_output(request.log)) {
     throw Failure(Exit::kUsage, "--log takes a file; for the log on standard output use --mode log");
   }
   return settings;
@@ -102,15 +102,7 @@ Exit exit_of(const RunSummary& summary) {
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
-/// A closed one would be handed out again, to a device; then people's words would go there.
-void hold_standard_streams() {
-  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(fd, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
-  }
-}
-
 Exit run(const Request& request) {
-  hold_standard_streams();
   const ConsoleSpec console_spec = console_of(request);
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
@@ -130,7 +122,7 @@ Exit run(const Request& request) {
       run_live(plan, {clock, devices, *console, log ? &*log : nullptr, [](std::string_view text) { say(text); },
                       StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
-  say(summary.sentence());
+  say_lines(summary.sentence());
   return exit_of(summary);
 }
 

@@ -249,7 +249,8 @@ Exit emulate(const EmulateRequest& request) {
   const bool finished = server.run([] { return interrupted != 0; });
   if (interrupted == SIGINT) leave_interrupted_line();
   for (std::size_t i = 0; i < stage.size(); ++i) say_counts(stage.station(i));
-  return finished ? Exit::kDone : Exit::kInterrupted;
+  // As for `run`: a service that is told to stop has done its work.
+  return finished || interrupted == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }
 
 }  // namespace fencepost::host::cli

@@ -20,10 +20,26 @@ extern "C" void on_interrupt(int) {
   ::_exit(static_cast<int>(Exit::kInterrupted));
 }
 
+// Ends as if there had been no handler: whoever sent it sees its own signal.
+extern "C" void on_termination(int number) {
+  if (armed != 0) ::unlink(path_to_remove.data());
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+// One that is ignored (nohup) stays so.
+void clean_up_at(int number) {
+  struct sigaction before {};
+  if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
+  std::signal(number, on_termination);
+}
+
 }  // namespace
 
 void handle_interrupts() {
   std::signal(SIGINT, on_interrupt);
+  clean_up_at(SIGTERM);
+  clean_up_at(SIGHUP);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -7,9 +7,10 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/guarded.hpp"
 #include "host/cli/help.hpp"
 #include "host/cli/interrupt.hpp"
-#include "host/cli/terminal.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/text/suggest.hpp"
 
 namespace fencepost::host::cli {
@@ -43,7 +44,7 @@ class Program {
 
   int run(int argc, const char* const* argv) {
     if (const auto unknown = unknown_command(commands(), "fencepost", argc - 1, argv + 1)) {
-      return fail(Exit::kUsage, *unknown);
+      throw Failure(Exit::kUsage, *unknown);
     }
     try {
       app_.parse(argc, argv);
@@ -51,14 +52,9 @@ class Program {
       write_output("-", help_text(success));
       return static_cast<int>(Exit::kDone);
     } catch (const CLI::ParseError& error) {
-      return fail(Exit::kUsage, fmt::format("{}; see {} --help", error.what(), parsed_name()));
+      throw Failure(Exit::kUsage, fmt::format("{}; see {} --help", error.what(), parsed_name()));
     }
     return static_cast<int>(action_());
-  }
-
-  static int fail(Exit code, const std::string& message) {
-    say("fencepost: " + message);
-    return static_cast<int>(code);
   }
 
  private:
@@ -98,14 +94,9 @@ class Program {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  hold_standard_streams();
   handle_interrupts();
-  try {
-    return Program().run(argc, argv);
-  } catch (const Failure& failure) {
-    return Program::fail(failure.code(), failure.what());
-  } catch (const std::bad_alloc&) {
-    return Program::fail(Exit::kUnreadable, "out of memory; try --from and --to on a part of the input");
-  }
+  return guarded([&] { return Program().run(argc, argv); });
 }
 
 }  // namespace fencepost::host::cli

@@ -34,7 +34,7 @@ RunPlan plan_of(const DeviceRecording& recording) {
   plan.camera = device(recording.camera, DeviceRole::kCamera);
   plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(recording.robot);
-  plan.mode = app::Mode::kQuiet;
+  plan.mode = console::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
   if (recording.seconds) plan.duration = base::Duration::nearest(*recording.seconds);
   plan.console_is_people = true;
@@ -69,7 +69,7 @@ Exit record_devices(const DeviceRecording& recording) {
   const RunSummary summary = run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); },
                                              StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
-  say(summary.sentence());
+  say_lines(summary.sentence());
   if (summary.log_failed) return Exit::kDevice;
   const int signal = StopSignals::caught();
   return signal == 0 || signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;

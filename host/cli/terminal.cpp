@@ -4,6 +4,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+
+#include "host/text/printable.hpp"
 
 namespace fencepost::host::cli {
 
@@ -25,8 +28,17 @@ void leave_interrupted_line() {
 }
 
 void say(std::string_view message) {
-  std::fwrite(message.data(), 1, message.size(), stderr);
-  std::fputc('\n', stderr);
+  const std::string line = printable(message) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void say_lines(std::string_view message) {
+  while (true) {
+    const std::size_t end = message.find('\n');
+    say(message.substr(0, end));
+    if (end == std::string_view::npos) return;
+    message.remove_prefix(end + 1);
+  }
 }
 
 }  // namespace fencepost::host::cli

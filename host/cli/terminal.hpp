@@ -16,7 +16,10 @@ bool can_redraw();
 /// Where standard error is a terminal: a line end, because it has shown ^C just now.
 void leave_interrupted_line();
 
-/// One message line to standard error.
+/// One message line to standard error. What it quotes of a file or a robot cannot move the cursor or begin another
+/// line.
 void say(std::string_view message);
+/// The same for several lines of our own words.
+void say_lines(std::string_view message);
 
 }  // namespace fencepost::host::cli

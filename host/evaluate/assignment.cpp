@@ -5,7 +5,7 @@
 namespace fencepost::host {
 namespace {
 
-/// Each row also has a column of its own, where it stays alone: so every row is always paired.
+/// Each row also has a dummy column of its own for staying unassigned, so every row is always assigned.
 class Hungarian {
  public:
   Hungarian(const std::vector<std::vector<double>>& costs, double alone)

@@ -12,7 +12,7 @@
 namespace fencepost::host {
 namespace {
 
-/// Sees the run go by: keeps each object as it was when it reached so many views, and who followed whom.
+/// Observes the run: keeps a snapshot of each object at each number of views, and which true object it follows.
 class Watch final : public RunObserver {
  public:
   Watch(const FrameTruths& truths, const std::vector<std::uint32_t>& views) : truths_(truths), views_(views) {}
@@ -73,7 +73,7 @@ void measure_found(const ObjectResult& object, const Polygon& footprint, const W
   result.cuts.push_back(cut_of(object, footprint, true));
 }
 
-/// What was not found counts as nothing, at each number of views that it offered.
+/// An object that was not found counts as a model without area, at each number of views that it offered.
 void measure_absent(const std::vector<std::uint32_t>& views, ObjectEvaluation& result) {
   for (const std::uint32_t count : views) {
     if (count <= result.visible) result.cuts.push_back({count, false, std::nullopt, {}});

@@ -14,7 +14,7 @@
 
 namespace fencepost::host {
 
-/// A true object seen in at least so many frames should have been found.
+/// A true object seen in at least this many frames counts as missed if it was not found.
 inline constexpr std::uint64_t kVisibleFrames = 20;
 
 struct EvaluateOptions {

@@ -21,11 +21,11 @@ struct Cut {
   std::uint32_t views = 0;
   bool end = false;
   std::optional<double> position_error;  ///< m, from the cylinder's centre to the footprint's centroid
-  std::vector<ModelScore> models;        ///< none for a true object that was not found: each counts as one without area
+  std::vector<ModelScore> models;        ///< empty for a true object that was not found: scored as without area
   double confidence = 0;                 ///< the object's
 };
 
-/// The object of the map that means a true one.
+/// The map object that is matched to a true one.
 struct FoundObject {
   std::uint32_t id = 0;
   record::ObjectState state = record::ObjectState::kTentative;
@@ -37,24 +37,24 @@ struct ObjectEvaluation {
   std::string name;
   std::uint8_t signature = 0;
   std::uint64_t visible = 0;           ///< frames in which it was seen (without frame truth: its signature)
-  bool missed = false;                 ///< visible often enough, but no confirmed object means it
+  bool missed = false;                 ///< visible often enough, but no confirmed object is matched to it
   std::optional<FoundObject> found;    ///< may be tentative
   std::optional<std::uint64_t> swaps;  ///< of the found object; nothing without frame truth
   std::vector<Cut> cuts;               ///< by views, the end last; none if neither found nor missed
 };
 
-/// A confirmed object that means no true one.
+/// A confirmed object that is matched to no true one.
 struct Phantom {
   std::uint32_t id = 0;
   std::uint8_t signature = 0;
   std::uint32_t views = 0;
-  std::optional<std::size_t> follows;  ///< the true object that most of its blobs were of: then it is a double
+  std::optional<std::size_t> follows;  ///< the true object that owns most of its blobs: then it is a duplicate
 };
 
 struct Evaluation {
   std::string log;
   std::string scene;
-  bool frame_truth = false;  ///< the scene gives this very log, so the owner of each blob is known
+  bool frame_truth = false;  ///< the scene reproduces exactly this log, so the owner of each blob is known
   std::uint64_t frames = 0;  ///< that the map took
   std::uint64_t digest = 0;
   std::string profile;

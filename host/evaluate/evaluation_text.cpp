@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/result/printable.hpp"
+#include "host/text/printable.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -21,12 +21,12 @@ class Following {
 
   /// Frames in which a blob of that true object was seen.
   [[nodiscard]] std::uint64_t visible(std::size_t truth) const;
-  /// How often an object took a blob of another true object than the one whose blob it took last. False blobs are no
-  /// one's, and change nothing.
+  /// How often an object took a blob of another true object than the one whose blob it took last. False blobs have no
+  /// owner and are ignored.
   [[nodiscard]] std::uint64_t swaps(std::uint32_t id) const;
-  /// Of all objects, also of those that the map has given up.
+  /// Over all objects, also those that the map has deleted.
   [[nodiscard]] std::uint64_t swaps() const;
-  /// The true object whose blobs it took most often (the first of several); nothing if there were false blobs only.
+  /// The true object whose blobs it took most often (the first of several); empty if it took false blobs only.
   [[nodiscard]] std::optional<std::size_t> follows(std::uint32_t id) const;
 
  private:

@@ -23,19 +23,18 @@ bool is_box_around_its_parts(const recon::WaitingBlob& whole, const sensor::Blob
          around->y2 == whole.box.y2;
 }
 
-bool same_frame(const sensor::BlobFrame& told, const recon::WaitingFrame& placed) {
+bool same_frame(const sensor::BlobFrame& logged, const recon::WaitingFrame& placed) {
   const auto& blobs = placed.blobs;
-  return told.t == placed.t &&
+  return logged.t == placed.t &&
          std::all_of(blobs.begin(), blobs.end(),
-                     [&](const recon::WaitingBlob& blob) { return is_box_around_its_parts(blob, told); }) &&
-         std::all_of(told.blobs.begin(), told.blobs.end(), [&](const sensor::Blob& part) {
+                     [&](const recon::WaitingBlob& blob) { return is_box_around_its_parts(blob, logged); }) &&
+         std::all_of(logged.blobs.begin(), logged.blobs.end(), [&](const sensor::Blob& part) {
            return std::any_of(blobs.begin(), blobs.end(),
                               [&](const recon::WaitingBlob& blob) { return lies_in(part, blob); });
          });
 }
 
-/// That of the blob itself or, where the robot joined several, of the widest of them. A blob of several objects is
-/// nobody's.
+/// The blob's owner or, where the robot joined several, that of the widest of them. A blob of several objects has none.
 std::optional<std::size_t> owner(const FrameTruth& truth, const recon::WaitingBlob& blob) {
   std::optional<std::size_t> object;
   int widest = 0;

@@ -1,4 +1,4 @@
-// Whose blobs these were: for logs that the simulator made, the scene is driven again and tells.
+// The true owner of each blob of a simulated log, found by simulating the scene again.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ using BlobOwners = std::vector<std::optional<std::size_t>>;
 
 class FrameTruths {
  public:
-  /// Simulates the scene; knows nothing if it has no path or cannot be simulated.
+  /// Simulates the scene; empty if it has no path or cannot be simulated.
   explicit FrameTruths(const Scene& scene);
-  /// Knows these frames.
+  /// From given frames.
   explicit FrameTruths(std::span<const FrameTruth> frames);
 
   /// Owners of the frame's blobs in its order; nothing for a frame that this scene does not give. Of two blobs that the

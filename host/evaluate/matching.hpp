@@ -1,4 +1,4 @@
-// Which true object is meant by each object of a result.
+// Matches the objects of a result to the true objects.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace fencepost::host {
 
-/// An object may mean a true one of its signature if its place lies within the circle around the footprint's centroid
-/// through its farthest vertex, and this much more (m).
+/// An object may be matched to a true one of its signature if its position lies within the circle around the
+/// footprint's centroid through its farthest vertex, enlarged by this much (m).
 inline constexpr double kMatchMargin = 0.25;
 
-/// Where the object is: the cylinder's centre, else the centroid of its largest area; nothing if it has neither.
+/// The object's position: the cylinder's centre, else the centroid of its largest area; empty if it has neither.
 std::optional<Point> place_of(const ObjectResult& object);
 
 /// For each object the index of its true object. One to one, so that the sum of distance / allowed distance is least,

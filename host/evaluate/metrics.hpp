@@ -1,14 +1,14 @@
-// How far one model is from one true footprint. Map frame, metres.
+// The error of one model against one true footprint. Map frame, metres.
 #pragma once
 
 #include "host/geometry/polygon.hpp"
 
 namespace fencepost::host {
 
-/// Less is no area, m^2: a square of 0.03 mm.
+/// Areas below this count as zero, m^2: a square of 0.03 mm.
 inline constexpr double kNoArea = 1e-9;
 
-/// Shares in [0, 1]. As it stands: a model that has nothing to say.
+/// Ratios in [0, 1]. The defaults are those of a model without area.
 struct Score {
   double recklessness = 1;  ///< share of the true footprint that the model does not enclose
   double paranoia = 1;      ///< share of the model that is not that footprint

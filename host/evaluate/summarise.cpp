@@ -44,7 +44,7 @@ void for_each_cut(std::span<const Evaluation> evaluations, std::optional<std::ui
   }
 }
 
-/// The model's score; the worst for an object that was not found, nothing for a model that the profile lacks.
+/// The model's score; the worst for an object that was not found, empty for a model that the profile lacks.
 std::optional<Score> score_of(const ObjectEvaluation& object, const Cut& cut, const std::string& model) {
   if (!object.found) return Score{};
   for (const ModelScore& entry : cut.models) {

@@ -22,7 +22,7 @@ LinearRing clipped(LinearRing start, std::span<const HalfPlane> keep);
 /// Counter-clockwise square of side `side`, metres.
 LinearRing square(Point center, double side);
 
-/// The region that a view allows: in front of `apex`, between the bearings `right` and `left` (rad, map frame,
+/// The region consistent with a view: in front of `apex`, between the bearings `right` and `left` (rad, map frame,
 /// left - right in (0, pi)).
 struct Wedge {
   Point apex;

@@ -1,4 +1,4 @@
-// Recordings by others, turned into our record stream (formats and choices: share/doc/import.md).
+// Converts recordings of others to our record stream (formats and choices: share/doc/import.md).
 #pragma once
 
 #include <cstdint>

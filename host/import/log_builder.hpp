@@ -9,7 +9,7 @@
 
 namespace fencepost::host {
 
-/// Changes when the same source gives other bytes. Written as the version of FPHDR.
+/// Incremented whenever the same source gives different bytes. Written as the version of FPHDR.
 inline constexpr std::string_view kImporterVersion = "0.1.0";
 
 struct LogParts {

@@ -1,4 +1,4 @@
-// Tables of numbers in text files, each row with its line number, so that a complaint can name the place.
+// Tables of numbers in text files, each row with its line number for error messages.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace fencepost::host {
 
-/// As app::LinkWords, which are views; these own what they say.
+/// As console::LinkWords, which are views; these own what they say.
 struct LinkWording {
   std::string name;    ///< "camera pixy2 at /dev/ttyUSB0"
   std::string device;  ///< "pixy2"; empty: nothing is told of it

@@ -3,15 +3,13 @@
 #include <algorithm>
 
 #include "firmware/loop/loop.hpp"
+#include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
 namespace {
 
-/// The profile of a robot, with a journal: some hundred turns' worth of lines, and each turn empties it.
-template <class Base>
-struct Journaled : Base {
-  static constexpr std::size_t kJournalBytes = 256 * 1024;
-};
+/// Some hundred turns' worth of lines, and each turn empties it.
+constexpr std::size_t kJournalBytes = 256 * 1024;
 
 /// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
 constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
@@ -57,15 +55,15 @@ class ShiftedOdometry {
 template <class Base>
 class ProfileLoop final : public LiveLoop {
  public:
-  using Profile = Journaled<Base>;
+  using Profile = loop::Journaled<Base, kJournalBytes>;
 
-  ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, app::Mode mode)
+  ProfileLoop(CameraDevice& camera, OdometryDevice& odometry, PatientConsole& console, console::Mode mode)
       : camera_device_(camera),
         odometry_device_(odometry),
         console_(console),
         camera_(camera, shift_),
         odometry_(odometry, shift_),
-        loop_(*memory_, camera_, odometry_, console, mode, app::canned_stream<Profile>()) {
+        loop_(*memory_, camera_, odometry_, console, mode, loop::canned_stream<Profile>()) {
     memory_->journal.start();
   }
 
@@ -74,10 +72,13 @@ class ProfileLoop final : public LiveLoop {
                                  const RobotFile& robot) override {
     header_ = header;
     header_.profile = Profile::kName;
-    app::Pipeline<Profile>& pipeline = loop_.pipeline();
+    loop::Pipeline<Profile>& pipeline = loop_.pipeline();
     pipeline.start_run(header_);
-    if (intrinsics) pipeline.set_camera(*intrinsics);
     std::vector<std::string> complaints;
+    if (intrinsics) {
+      pipeline.set_camera(*intrinsics);
+      if (const std::optional<std::string> note = pitch_note(intrinsics->mount)) complaints.push_back(*note);
+    }
     for (const record::Signature& signature : robot.signatures) {
       if (pipeline.set_signature(signature)) continue;
       complaints.push_back("signature " + std::to_string(signature.signature) + ": profile " +
@@ -92,12 +93,12 @@ class ProfileLoop final : public LiveLoop {
     const std::uint64_t before = inputs();
     step_and_watch(now);
     if (inputs() != before) return true;
-    app::ConsoleState& console = memory_->console;
+    console::ConsoleState& console = memory_->console;
     return !output_waits() && (console.answer.pending() || loop_.pipeline().testing() || console.input.front());
   }
   void finish() override { loop_.pipeline().finish(); }
   void flush() override {
-    const base::Result<std::size_t> taken = console_.write(app::as_octets(memory_->output.waiting()));
+    const base::Result<std::size_t> taken = console_.write(loop::as_octets(memory_->output.waiting()));
     if (taken) memory_->output.taken(*taken);
   }
 
@@ -109,13 +110,13 @@ class ProfileLoop final : public LiveLoop {
     memory_->counters.loop_us_max = std::max(memory_->counters.loop_us_max, microseconds);
   }
 
-  [[nodiscard]] const app::Counters& counters() const override { return memory_->counters; }
+  [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] std::uint64_t frames_logged() const override {
     const auto& refused = memory_->counters.refused;
-    const auto of = [&](app::Refusal reason) { return std::uint64_t{refused[static_cast<std::size_t>(reason)]}; };
-    return memory_->counters.frames + memory_->waiting.size() + of(app::Refusal::kNoPose) +
-           of(app::Refusal::kOdometryGap) + of(app::Refusal::kNoCamera);
+    const auto of = [&](console::Refusal reason) { return std::uint64_t{refused[static_cast<std::size_t>(reason)]}; };
+    return memory_->counters.frames + memory_->waiting.size() + of(console::Refusal::kNoPose) +
+           of(console::Refusal::kOdometryGap) + of(console::Refusal::kNoCamera);
   }
 
  private:
@@ -126,9 +127,9 @@ class ProfileLoop final : public LiveLoop {
 
   /// Grows with each input, used or not.
   [[nodiscard]] std::uint64_t inputs() const {
-    const app::Counters& counters = memory_->counters;
+    const console::Counters& counters = memory_->counters;
     return frames_logged() + counters.odometry + counters.rejected +
-           counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)];
+           counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)];
   }
 
   void step_and_watch(base::Time now) {
@@ -138,17 +139,17 @@ class ProfileLoop final : public LiveLoop {
     note_news(odometry_device_, memory_->links.odometry, odometry_known_);
   }
   // A new run tells its log the states in force again; those are no news.
-  void note_news(const Device& device, const app::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
-    if (!device.cabled() || !watch.last_told() || watch.last_told() == known) return;
-    known = watch.last_told();
+  void note_news(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
+    if (!device.cabled() || !watch.last_sent() || watch.last_sent() == known) return;
+    known = watch.last_sent();
     const sensor::LinkState state = *known;
     const LinkWording words = device.wording(state);
     std::array<char, record::kMaxLine> line{};
-    const std::size_t size = app::describe_link(state, words.name, words.remedy, line);
+    const std::size_t size = console::describe_link(state, words.name, words.remedy, line);
     if (size > 2) link_news_.emplace_back(line.data(), size - 2);
   }
 
-  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   record::Header header_;
   std::vector<std::string> link_news_;
   std::optional<sensor::LinkState> camera_known_;
@@ -159,7 +160,7 @@ class ProfileLoop final : public LiveLoop {
   base::Duration shift_;  ///< of the run's zero from the devices'
   ShiftedCamera camera_;
   ShiftedOdometry odometry_;
-  app::Loop<Profile, ShiftedCamera, ShiftedOdometry, PatientConsole> loop_;
+  loop::Loop<Profile, ShiftedCamera, ShiftedOdometry, PatientConsole> loop_;
 };
 
 template <class Base, class... Arguments>
@@ -170,7 +171,7 @@ std::unique_ptr<LiveLoop> make(Arguments&&... arguments) {
 }  // namespace
 
 std::unique_ptr<LiveLoop> make_live_loop(std::string_view profile, CameraDevice& camera, OdometryDevice& odometry,
-                                         PatientConsole& console, app::Mode mode) {
+                                         PatientConsole& console, console::Mode mode) {
   if (profile == config::Micro::kName) return make<config::Micro>(camera, odometry, console, mode);
   if (profile == config::Small::kName) return make<config::Small>(camera, odometry, console, mode);
   if (profile == config::Full::kName) return make<config::Full>(camera, odometry, console, mode);

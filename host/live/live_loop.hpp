@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "firmware/console/console_state.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/live/console_port.hpp"
@@ -43,7 +43,7 @@ class LiveLoop {
   /// The longest turn so far, for FPSTA.
   virtual void note_turn(std::uint32_t microseconds) = 0;
 
-  [[nodiscard]] virtual const app::Counters& counters() const = 0;
+  [[nodiscard]] virtual const console::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
   /// FPFRM records in the log so far.
   [[nodiscard]] virtual std::uint64_t frames_logged() const = 0;
@@ -51,7 +51,7 @@ class LiveLoop {
 
 /// `console` is borrowed, as are the devices. nullptr for an unknown profile name.
 std::unique_ptr<LiveLoop> make_live_loop(std::string_view profile, CameraDevice& camera, OdometryDevice& odometry,
-                                         PatientConsole& console, app::Mode mode);
+                                         PatientConsole& console, console::Mode mode);
 
 /// The names that make_live_loop knows.
 inline constexpr std::string_view kLiveProfiles = "micro, small, full";

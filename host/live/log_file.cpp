@@ -90,7 +90,8 @@ LogFile::Fault LogFile::start_part(unsigned number, base::Time now) {
 // Later names may be taken by an earlier run, whose first part was moved away: stopping there would lose this run.
 LogFile::Fault LogFile::start_next_part(base::Time now) {
   unsigned number = number_ + 1;
-  while (!settings_.overwrite && fs::exists(fs::symlink_status(part_path(settings_.path, number)))) ++number;
+  std::error_code unknown;  // opening the part says what is wrong with its name
+  while (!settings_.overwrite && fs::exists(fs::symlink_status(part_path(settings_.path, number), unknown))) ++number;
   if (Fault fault = start_part(number, now)) return fault_ = std::move(fault);
   return settings_.part_start ? put(settings_.part_start()) : std::nullopt;
 }

@@ -159,11 +159,11 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string refused_in(const app::Counters& counters) {
-  constexpr std::array<std::string_view, app::kRefusals> kNames = {"no_pose", "odometry_gap", "no_camera", "queue"};
+std::string refused_in(const console::Counters& counters) {
+  constexpr std::array<std::string_view, console::kRefusals> kNames = {"no_pose", "odometry_gap", "no_camera", "queue"};
   std::uint64_t sum = 0;
   std::string reasons;
-  for (std::size_t i = 0; i < app::kRefusals; ++i) {
+  for (std::size_t i = 0; i < console::kRefusals; ++i) {
     sum += counters.refused[i];
     if (counters.refused[i] > 0)
       reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", kNames[i], counters.refused[i]);

@@ -22,7 +22,7 @@ struct RunPlan {
   DeviceSpec odometry;
   RobotFile robot;
   std::string profile = "full";  ///< one of kLiveProfiles
-  app::Mode mode = app::Mode::kText;
+  console::Mode mode = console::Mode::kText;
   std::string version;                     ///< of the program, for FPHDR
   std::optional<std::uint64_t> frames;     ///< stop after so many frame records
   std::optional<base::Duration> duration;  ///< stop after so long
@@ -45,7 +45,7 @@ struct RunSummary {
   enum class End : std::uint8_t { kDone, kInterrupted, kConsoleClosed };
   End end = End::kDone;
   base::Duration time;
-  app::Counters counters;
+  console::Counters counters;
   std::uint64_t alerts = 0;
   std::uint64_t digest = 0;
   std::uint64_t console_lost = 0;  ///< bytes that nobody read

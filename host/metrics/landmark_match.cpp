@@ -9,7 +9,7 @@ double share_right(std::size_t wrong, std::size_t all) {
   return all == 0 ? 1 : 1 - static_cast<double>(wrong) / static_cast<double>(all);
 }
 
-MatchOutcome wrong_twin(MatchOutcome right) {
+MatchOutcome wrong_counterpart(MatchOutcome right) {
   return static_cast<MatchOutcome>(static_cast<unsigned>(right) + static_cast<unsigned>(MatchOutcome::kMismatched));
 }
 
@@ -58,7 +58,7 @@ void OutcomeCounts::add(const OutcomeCounts& other) {
 
 std::size_t OutcomeCounts::total(MatchOutcome type) const { return of(type) + incorrect(type); }
 
-std::size_t OutcomeCounts::incorrect(MatchOutcome type) const { return of(wrong_twin(type)); }
+std::size_t OutcomeCounts::incorrect(MatchOutcome type) const { return of(wrong_counterpart(type)); }
 
 std::size_t OutcomeCounts::total() const {
   std::size_t sum = 0;

@@ -1,4 +1,5 @@
-// Which region of a real image is the rendered landmark, how sure that is, and whether it was right (paper Fig. 9, 12).
+// Which region of a real image is the rendered landmark, with what confidence, and whether it is right (paper Fig. 9,
+// 12).
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ struct LandmarkMatch {
 /// Equal errors: the first region. `image_width` in px.
 LandmarkMatch match_landmark(const Region& rendered, std::span<const Region> regions, int image_width);
 
-/// The first three are right, each beside its wrong twin in the second three.
+/// The first three are right; the second three are the corresponding wrong outcomes, in the same order.
 enum class MatchOutcome : unsigned char {
   kMatched,     ///< the match is seen in both images
   kUnmatched,   ///< no match, and rightly so: it is rendered, but not in the real image

@@ -1,4 +1,5 @@
-// Parts of a footprint's perimeter, and what sets of images show of it (paper sec. III, "Not all images are equal").
+// Parts of a footprint's perimeter, and the part that a set of images shows (paper sec. III, "Not all images are
+// equal").
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ struct Stretch01 {
   double end = 0;
 };
 
-/// Part of the outer ring of one footprint. Holes have no part in it: from outside nobody sees them.
+/// Part of the outer ring of one footprint. Holes are left out: they are invisible from outside.
 class PerimeterPart {
  public:
   PerimeterPart() = default;
@@ -41,15 +42,16 @@ class PerimeterPart {
   std::vector<std::vector<Stretch01>> stretches_;
 };
 
-/// The images that were used so far, as far as one object is concerned.
+/// The images used so far, for one object.
 class ViewSet {
  public:
   explicit ViewSet(const LinearRing& outline) : seen_(outline) {}
 
-  /// Share of what this image shows of the perimeter that none of the set has shown; nothing if it shows none of it.
+  /// Novelty: of the part of the perimeter that this image shows, the share that no image of the set shows; empty if it
+  /// shows none.
   [[nodiscard]] std::optional<double> novelty(const PerimeterPart& image) const;
   void add(const PerimeterPart& image) { seen_.add(image); }
-  /// Share of the perimeter that at least one image of the set shows.
+  /// Thoroughness: share of the perimeter that at least one image of the set shows.
   [[nodiscard]] double thoroughness() const { return seen_.share(); }
   [[nodiscard]] const PerimeterPart& seen() const { return seen_; }
 

@@ -1,5 +1,5 @@
-// How far a region of a real image is from the region that a model renders (paper Fig. 6: hue, colour, width and
-// height, shape, location, in decreasing importance).
+// Reacquisition error: the dissimilarity of a region of a real image and a rendered region (paper Fig. 6: hue, colour,
+// width and height, shape, location, in decreasing importance).
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Region {
   std::uint8_t signature = 0;    ///< compared only where one of two regions has no colour
   std::optional<Colour> colour;  ///< mean of its pixels
 
-  /// At least 1 px: no logarithm below is of nothing.
+  /// At least 1 px, so that every logarithm below is defined.
   [[nodiscard]] double width() const { return right - left > 1 ? right - left : 1; }
   [[nodiscard]] double height() const { return bottom - top > 1 ? bottom - top : 1; }
   /// Share of the box; nothing if the area is not known.
@@ -59,7 +59,7 @@ struct ReacquisitionWeights {
   double location = 0.25;
 };
 
-/// A box that is this full where a rendered region does not tell its area.
+/// The fill assumed where a region's area is unknown.
 inline constexpr double kUsualFill = 0.92;
 
 /// Hue: 60 degrees are 1; the less saturated of the two is, the more the difference in saturation counts instead.

@@ -13,8 +13,8 @@ constexpr double kNear = 1e-3;
 /// Slopes closer together than this are one.
 constexpr double kSameSlope = 1e-12;
 
-/// In the camera's frame a ray of slope m is (1, -m) s, and along a wall 1/s is linear in m: so are all the comparisons
-/// below, and their borders exact.
+/// In the camera's frame a ray of slope m is (1, -m) s, and along a wall 1/s is linear in m: so are all comparisons
+/// below, and their limits are exact.
 struct Linear {
   double at_low = 0;  ///< at the ends of the slab in question
   double at_high = 0;

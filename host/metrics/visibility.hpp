@@ -1,4 +1,4 @@
-// Which part of a footprint's perimeter one image shows: exact, by the geometry alone.
+// The part of a footprint's perimeter that one image shows: exact, from geometry alone.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,9 @@ struct FieldOfView {
 /// no upright rectangle of slopes; then the middle row and the middle column count.
 FieldOfView field_of_view(const sensor::CameraIntrinsics& camera, double pitch);
 
-/// Where on the perimeter of `objects[object]` something of the wall above it is in the image: it faces the lens, lies
-/// in the field of view, and no other wall or lid hides it from top to bottom. Of several objects that hide a wall only
-/// together, none does. Cost: about 1 ms for two circles of 256 vertices.
+/// The part of the perimeter of `objects[object]` above which some of the wall is in the image: it faces the lens, lies
+/// in the field of view, and no other single wall or lid occludes it from top to bottom. Joint occlusion by several
+/// objects is not considered. Cost: about 1 ms for two circles of 256 vertices.
 PerimeterPart visible_perimeter(const std::vector<SceneObject>& objects, std::size_t object, const CameraPose& camera,
                                 const FieldOfView& view);
 

@@ -1,4 +1,4 @@
-// The reconstructions that the figures compare: which model, and where it learns what is hidden.
+// The reconstructions that the figures compare: which model, and where its occlusion flags come from.
 #pragma once
 
 #include <optional>

@@ -104,7 +104,7 @@ class Builder {
       for (const Point& p : outline) radius = std::max(radius, std::hypot(p.x, p.y));
       if (!is_free({place, radius}, apart)) continue;
       discs_.push_back({place, radius});
-      const std::string name = block < kPaints.size() ? kPaints[block].name : "twin";
+      const std::string name = block < kPaints.size() ? kPaints[block].name : "distractor";
       scene_.objects.push_back({name + " block", signature, 0, random_.uniform(0.16, 0.30),
                                 moved({outline, {}}, random_.uniform(0, 2 * kPi), place)});
       return;
@@ -191,7 +191,7 @@ std::size_t block_count(BlocksWorld kind) {
   switch (kind) {
     case BlocksWorld::kFigures: return 2;
     case BlocksWorld::kPaperLike: return 3;
-    case BlocksWorld::kTwin:
+    case BlocksWorld::kDistractor:
     case BlocksWorld::kHard: break;
   }
   return 4;

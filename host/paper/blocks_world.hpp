@@ -9,10 +9,10 @@
 namespace fencepost::host {
 
 enum class BlocksWorld : unsigned char {
-  kFigures,    ///< the two landmarks, always in view: Figures 4 to 8 and 12 to 14
-  kPaperLike,  ///< a third block, distinct colours, the camera sways: landmarks leave the image (Figure 10)
-  kTwin,       ///< and a fourth block in one landmark's colour
-  kHard,       ///< and background in the landmarks' hues, and more noise
+  kFigures,     ///< the two landmarks, always in view: Figures 4 to 8 and 12 to 14
+  kPaperLike,   ///< a third block, distinct colours, the camera sways: landmarks leave the image (Figure 10)
+  kDistractor,  ///< and a fourth block in one landmark's colour
+  kHard,        ///< and background in the landmarks' hues, and more noise
 };
 
 inline constexpr int kPaperViews = 75;

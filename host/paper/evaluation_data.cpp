@@ -7,7 +7,7 @@
 namespace fencepost::host {
 namespace {
 
-/// So many hard scenes are searched for a mismatch, where the table's have none.
+/// This many hard scenes are searched for a mismatch if the table's have none.
 constexpr std::uint64_t kHardScenes = 10;
 
 MultiPolygon geometry_of(const Snapshot& snapshot, std::string_view name) {

@@ -1,4 +1,4 @@
-// Everything that the figures show, computed once.
+// All data of the figures, computed once.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct NoveltySample {
 /// Sets of first images that Figure 13 builds its models of.
 inline const std::vector<std::size_t> kNoveltySets{8, 18, 36};
 
-/// A landmark taken for something else.
+/// A region that was wrongly taken for the landmark.
 struct Mismatch {
   BlocksWorld world = BlocksWorld::kPaperLike;
   std::uint64_t seed = 0;
@@ -72,7 +72,7 @@ struct PaperData {
 /// Images after which the means over scenes are taken, as far as there are so many.
 inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
 
-/// Told what is being computed, for people who wait.
+/// Receives progress messages.
 using Progress = std::function<void(std::string_view what)>;
 
 /// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.

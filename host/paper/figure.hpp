@@ -18,8 +18,8 @@ struct PaperFile {
 };
 
 enum class ClaimKind : unsigned char {
-  kMatches,  ///< what the paper says is true here too
-  kDiffers,  ///< it is not, and why
+  kMatches,  ///< the paper's statement holds here too
+  kDiffers,  ///< it does not, with the reason
   kBeyond,   ///< not in the paper
 };
 

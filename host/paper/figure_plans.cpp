@@ -39,7 +39,7 @@ PaperFigure figure_5(const PaperData& data) {
   constexpr std::size_t kImages = 2;
   fig.add(
       "<p>Yellow: the true footprints. The lenses are outside the drawings. R is recklessness, P "
-      "paranoia; 1 and 1: the model has nothing to say yet.</p><div class=\"plans\">");
+      "paranoia; 1 and 1: the model has no area yet.</p><div class=\"plans\">");
   for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
     fig.add_svg(fmt::format("fig05_{}.svg", landmark_name(landmark)),
                 draw_plan(model_plan(data.shown, landmark, kImages, 0.9)), "plan");

@@ -94,7 +94,7 @@ class Follower final : public RunObserver {
   }
 
  private:
-  // To describe an object costs as much as all its models.
+  // Describing an object costs as much as all its models.
   [[nodiscard]] bool snapshots_before_end() const { return !after_.empty() && after_.front() < tour_.frames.size(); }
   // Of the camera's largest region inside the box: the robot may have joined several.
   [[nodiscard]] Colour colour_in(std::size_t frame, const recon::Box& box) const {

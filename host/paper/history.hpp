@@ -33,8 +33,8 @@ struct History {
   std::vector<TakenBlob> blobs;
 };
 
-/// Whose each blob is and which ends are hidden is given: each view of `object` goes straight to the robot's object
-/// (profile full). `after`: ascending frame counts. Blobs of several objects are left out.
+/// With given data association and occlusion: each view of `object` goes directly to the robot's object (profile full).
+/// `after`: ascending frame counts. Blobs of several objects are left out.
 History follow_given(const Tour& tour, std::size_t object, const std::vector<std::size_t>& after);
 
 /// The log through the whole pipeline; for each of the scene's objects what the map's object that means it at the end
@@ -42,7 +42,7 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
 std::vector<History> follow_inferred(const Tour& tour, const std::vector<std::size_t>& after);
 
 /// The model `name` of a snapshot, raised to the height band that its own distance gives the rows of the blobs taken so
-/// far (median over the views), in their mean colour. Without area if the model has nothing to say.
+/// far (median over the views), in their mean colour. Without area if the model has none.
 Solid solid_of_model(const Tour& tour, const History& history, const Snapshot& snapshot, std::string_view name,
                      std::size_t object);
 

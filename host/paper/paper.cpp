@@ -111,7 +111,8 @@ std::string page(const std::vector<PaperFigure>& figures, const PaperData& data,
   html +=
       "<section><h2>Whose models these are</h2><p>Cylinders as printed, plane sheaves and space carving are the "
       "paper\u2019s "
-      "Algorithms 1 to 3; they are always told whose each region is and which ends are hidden. So is every other model "
+      "Algorithms 1 to 3; they are always given the owner of each region and which ends are hidden. So is every other "
+      "model "
       "but "
       "the one with the robot\u2019s own flags, which has nothing but the log.</p></section>\n";
   for (const PaperFigure& figure : figures) html += figure_section(figure);

@@ -1,4 +1,4 @@
-// One scene, driven once: what the robot gets, and what only a simulator knows.
+// One scene, simulated once: the robot's inputs, and the ground truth.
 #pragma once
 
 #include <string>

@@ -10,15 +10,17 @@
 #include <system_error>
 #include <utility>
 
+#include "host/text/printable.hpp"
+
 namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 constexpr std::size_t kUsualWidth = 80;
 
-bool can_write(int patience_ms) {
+bool can_write(int timeout_ms) {
   pollfd wait{STDOUT_FILENO, POLLOUT, 0};
-  return ::poll(&wait, 1, patience_ms) > 0;
+  return ::poll(&wait, 1, timeout_ms) > 0;
 }
 
 void write_error(std::string_view text) {
@@ -30,12 +32,14 @@ void write_error(std::string_view text) {
   }
 }
 
-/// Escape sequences out of noise would reprogram the terminal.
+/// Escape sequences in line noise would reconfigure the terminal.
 void make_harmless(std::string& line) {
   std::erase(line, '\r');
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || c == 0x7f; }, '.');
+  const std::string as_it_came = line;
+  line = printable(line);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (as_it_came[i] == '\n' || as_it_came[i] == '\t') line[i] = as_it_came[i];
+  }
 }
 
 }  // namespace
@@ -89,24 +93,25 @@ void Display::stop_showing(int error) {
   say("standard output is closed (" + reason + "); the recording goes on");
 }
 
-void Display::finish(int patience_ms) {
+void Display::finish(int timeout_ms) {
   set_status({});
   if (!line_.empty()) {
     if (settings_.out_is_terminal) line_ += '\n';
     queue_line();
   }
-  while (!waiting_.empty() && can_write(patience_ms)) write_some();
+  while (!waiting_.empty() && can_write(timeout_ms)) write_some();
   lines_not_shown_ += static_cast<std::uint64_t>(std::count(waiting_.begin(), waiting_.end(), '\n'));
   waiting_.clear();
 }
 
 void Display::say(std::string_view message) {
   erase_status();
-  write_error(std::string(message) + "\n");
+  write_error(printable(message) + "\n");
   draw_status();
 }
 
-void Display::set_status(std::string text) {
+void Display::set_status(const std::string& status) {
+  std::string text = printable(status);
   if (!settings_.status || text == status_) return;
   erase_status();
   status_ = std::move(text);

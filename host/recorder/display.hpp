@@ -9,29 +9,29 @@ namespace fencepost::host {
 
 struct DisplaySettings {
   bool lines = true;             ///< show them at all
-  bool out_is_terminal = false;  ///< then control characters are shown as dots
+  bool out_is_terminal = false;  ///< then control characters are shown as question marks
   bool status = false;           ///< standard error is a terminal: it has a status line
 };
 
-/// Never waits for the reader of standard output: what it does not take in time is not shown, and counted. The
-/// recording must not suffer from a slow screen.
+/// Never blocks on the reader of standard output: what it does not accept in time is dropped from the display and
+/// counted. A slow screen must not disturb the recording.
 class Display {
  public:
   explicit Display(DisplaySettings settings) : settings_(settings) {}
 
   /// Bytes as they come; lines are shown once they are whole.
   void take(std::string_view bytes);
-  /// Shows what is left, a line without end too; waits for the reader at most `patience_ms`.
-  void finish(int patience_ms);
-  /// Once a turn of the loop: writes what can be written now.
+  /// Shows the remainder, including a line without end; waits for the reader at most `timeout_ms`.
+  void finish(int timeout_ms);
+  /// Once per loop iteration: writes what can be written now.
   void flush();
   /// For WaitSet, to be written; -1 while nothing waits.
   [[nodiscard]] int descriptor() const;
 
-  /// A message line.
+  /// A message line; like the status line it shows no control character, whoever's words it quotes.
   void say(std::string_view message);
   /// Replaces the status line; empty: none. Nothing happens where there is no status line.
-  void set_status(std::string text);
+  void set_status(const std::string& status);
   /// Characters that a status line may have.
   [[nodiscard]] static std::size_t status_width();
 

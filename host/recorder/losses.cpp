@@ -3,7 +3,7 @@
 namespace fencepost::host {
 namespace {
 
-// Its clock starts anew with every run, its counters with every boot only.
+// Its clock restarts with every run, its counters only with every boot.
 bool booted_again(const record::StatusReport& now, const record::StatusReport& before) {
   return now.frames < before.frames || now.odometry < before.odometry || now.blobs < before.blobs ||
          now.records_dropped < before.records_dropped || now.blobs_dropped < before.blobs_dropped ||
@@ -12,7 +12,7 @@ bool booted_again(const record::StatusReport& now, const record::StatusReport& b
 
 }  // namespace
 
-// The camera may count on or start anew.
+// The camera's count may continue or restart.
 void Losses::accept(const record::Header& /*header*/) { last_frame_.reset(); }
 
 void Losses::accept(const sensor::BlobFrame& frame) {
@@ -23,10 +23,10 @@ void Losses::accept(const sensor::BlobFrame& frame) {
 void Losses::accept(const record::StatusReport& status) {
   if (last_status_) {
     const record::StatusReport before = booted_again(status, *last_status_) ? record::StatusReport() : *last_status_;
-    told_.records_dropped += status.records_dropped - before.records_dropped;
-    told_.blobs_dropped += status.blobs_dropped - before.blobs_dropped;
-    told_.refused += status.refused - before.refused;
-    told_.rejected += status.rejected - before.rejected;
+    reported_.records_dropped += status.records_dropped - before.records_dropped;
+    reported_.blobs_dropped += status.blobs_dropped - before.blobs_dropped;
+    reported_.refused += status.refused - before.refused;
+    reported_.rejected += status.rejected - before.rejected;
   }
   last_status_ = status;
 }

@@ -1,4 +1,4 @@
-// What a recording shows of what is not in it.
+// Losses that a recording reveals.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace fencepost::host {
 
-/// Losses that a robot tells by FPSTA, since its boot.
-struct ToldLosses {
+/// Losses that a robot reports in FPSTA, since its boot.
+struct ReportedLosses {
   std::uint64_t records_dropped = 0;
   std::uint64_t blobs_dropped = 0;
   std::uint64_t refused = 0;   ///< frames
   std::uint64_t rejected = 0;  ///< lines that came to the robot
-  friend constexpr bool operator==(const ToldLosses&, const ToldLosses&) = default;
+  friend constexpr bool operator==(const ReportedLosses&, const ReportedLosses&) = default;
 };
 
 /// Takes the records of a live stream (record::RecordSink).
@@ -32,15 +32,15 @@ class Losses {
   /// Frame numbers that were passed over within a run.
   [[nodiscard]] std::uint64_t frames_missing() const { return frames_missing_; }
   /// Since the first FPSTA; a robot that boots again counts from zero.
-  [[nodiscard]] const ToldLosses& told() const { return told_; }
-  /// By device: the state last told.
+  [[nodiscard]] const ReportedLosses& reported() const { return reported_; }
+  /// By device: the state last reported.
   [[nodiscard]] const std::map<std::string, record::LinkReport>& links() const { return links_; }
 
  private:
   std::optional<std::uint32_t> last_frame_;
   std::uint64_t frames_missing_ = 0;
   std::optional<record::StatusReport> last_status_;
-  ToldLosses told_;
+  ReportedLosses reported_;
   std::map<std::string, record::LinkReport> links_;
 };
 

@@ -12,9 +12,9 @@ constexpr base::Duration kStatusInterval = base::milliseconds(500);
 constexpr base::Duration kGreetingInterval = base::milliseconds(3000);  ///< a boot loader takes two seconds
 constexpr int kGreetings = 5;
 constexpr base::Duration kHintAfter = base::milliseconds(8000);
-constexpr int kPatienceMs = 1000;               ///< for the reader of standard output, at the end
+constexpr int kDrainTimeoutMs = 1000;           ///< for the reader of standard output, at the end
 constexpr std::size_t kMostOutgoing = 1 << 16;  ///< bytes; then what is typed has to wait
-constexpr int kReadsATurn = 16;                 ///< so that a flood does not keep the keyboard out
+constexpr int kReadsPerIteration = 16;          ///< so that a flood does not starve the keyboard
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void Recorder::lost() {
 }
 
 void Recorder::receive() {
-  for (int i = 0; i < kReadsATurn && !fault_; ++i) {
+  for (int i = 0; i < kReadsPerIteration && !fault_; ++i) {
     const auto count = parts_.port.read(buffer_);
     if (!count || *count == 0) break;
     keep({static_cast<const char*>(static_cast<const void*>(buffer_.data())), *count});
@@ -158,7 +158,7 @@ RecordingEnd Recorder::end() {
   if (!fault_) receive();
   tally_.finish();
   LogFile::Fault closing = parts_.log.close();
-  parts_.display.finish(kPatienceMs);
+  parts_.display.finish(kDrainTimeoutMs);
   return {parts_.interrupted, fault_ ? std::move(fault_) : std::move(closing)};
 }
 

@@ -19,7 +19,7 @@ namespace fencepost::host {
 struct RecorderSettings {
   std::string port_name;  ///< for messages
   /// Sent when the port is there, each time it is there again, and a few times more until a record comes: many boards
-  /// start anew when their port is opened, and miss what is said meanwhile. Empty: nothing is sent.
+  /// restart when their port is opened, and miss what is sent meanwhile. Empty: nothing is sent.
   std::string greeting;
   bool ends_with_port = false;  ///< a pipe's end is the end; a serial port is waited for
   std::optional<base::Duration> length{};
@@ -32,7 +32,7 @@ struct RecordingEnd {
 
 class Recorder {
  public:
-  /// What it works with outlives it. Without a keyboard nothing is sent but the greeting.
+  /// All that it borrows must outlive it. Without a keyboard only the greeting is sent.
   struct Parts {
     BytePort& port;
     LogFile& log;

@@ -32,7 +32,7 @@ std::string rejects(const record::Counts& counts) {
   return list;
 }
 
-std::string told(const ToldLosses& losses) {
+std::string list_of(const ReportedLosses& losses) {
   std::string list;
   add(list, "records_dropped", losses.records_dropped);
   add(list, "blobs_dropped", losses.blobs_dropped);
@@ -41,7 +41,7 @@ std::string told(const ToldLosses& losses) {
   return list;
 }
 
-std::string told_in_short(const ToldLosses& losses) {
+std::string reported_in_short(const ReportedLosses& losses) {
   std::string list;
   add(list, "records", losses.records_dropped);
   add(list, "blobs", losses.blobs_dropped);
@@ -85,7 +85,7 @@ std::vector<std::string> items(const Tally& tally, base::Time now, bool connecte
   add_item("", links_not_ok(tally.losses()));
   if (tally.losses().frames_missing() > 0) all.push_back(fmt::format("{} missing", tally.losses().frames_missing()));
   add_item("bad: ", rejects(tally.counts()));
-  add_item("lost: ", told_in_short(tally.losses().told()));
+  add_item("lost: ", reported_in_short(tally.losses().reported()));
   if (tally.counts().foreign > 0) all.push_back(fmt::format("{} foreign", tally.counts().foreign));
   return all;
 }
@@ -129,7 +129,7 @@ std::vector<std::string> summary(const Tally& tally, base::Time now) {
   if (tally.losses().frames_missing() > 0) {
     lines.push_back(fmt::format("missing by their numbers: {}", many(tally.losses().frames_missing(), "frame")));
   }
-  add_line("losses told by the robot: ", told(tally.losses().told()));
+  add_line("losses reported by the robot: ", list_of(tally.losses().reported()));
   add_line("links at the end: ", all_links(tally.losses()));
   return lines;
 }

@@ -1,4 +1,4 @@
-// What is said about a recording: one line while it runs, a few when it has ended.
+// Status of a recording: one line while it runs, a summary when it has ended.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace fencepost::host {
 
-/// Time, rates, frames; then only what is worth looking at: losses, rejected lines, links that are not ok, silence.
+/// Time, rates, frames; then only anomalies: losses, rejected lines, links that are not ok, silence.
 /// The first `width` characters of it, cut between two items.
 std::string status_line(const Tally& tally, base::Time now, bool connected, std::size_t width);
 

@@ -1,4 +1,4 @@
-// Counts what comes while it is recorded, with the same reader as replay.
+// Counts records while they are recorded, with the same reader as replay.
 #pragma once
 
 #include <array>

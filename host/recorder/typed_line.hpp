@@ -8,7 +8,7 @@ namespace fencepost::host {
 
 class TypedLine {
  public:
-  /// One byte of the keyboard; with Enter the line, which then starts anew. Backspace and Ctrl-U work, cursor keys and
+  /// One byte of the keyboard; with Enter the line, which is then cleared. Backspace and Ctrl-U work, cursor keys and
   /// other control characters are passed over.
   std::optional<std::string> push(char byte);
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -1,5 +1,5 @@
-// Solids as the regions of an image: what the reconstruction says that a camera would see from there (paper sec. III.A,
-// "move the camera to it in both the real and rendered worlds").
+// Solids rendered to the regions of an image: what a camera would see according to the reconstruction (paper sec.
+// III.A, "move the camera to it in both the real and rendered worlds").
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace fencepost::host {
 
-/// Less of a solid than this is not there to be recognised: px columns, and share of its whole width.
+/// A solid of which less than this is visible is not rendered: px columns, and share of its whole width.
 inline constexpr double kLeastRenderedColumns = 3;
 inline constexpr double kLeastRenderedShare = 0.15;
 

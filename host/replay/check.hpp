@@ -12,8 +12,8 @@
 
 namespace fencepost::host {
 
-/// Records are compared as lines, by kind, time (or frame) and object. What a busy robot dropped is not missed;
-/// what it wrote must be what we write.
+/// Records are compared as lines, by kind, time (or frame) and object. Records that a busy robot dropped may be
+/// missing; those it wrote must equal ours.
 class Check {
  public:
   template <class Record>
@@ -25,7 +25,7 @@ class Check {
     own_.emplace(key_of(record), line_of(record));
   }
 
-  /// Compares what this run brought, adds to `outcome`, and forgets it.
+  /// Compares the records of this run, adds to `outcome`, and clears them.
   void settle(CheckOutcome& outcome);
 
  private:

@@ -2,17 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/sources.hpp"
 
 namespace fencepost::host {
 
-/// Gives what was offered, once.
+/// Returns the offered item, once.
 template <class Item>
 class OfferedOnce {
  public:
@@ -36,20 +34,12 @@ using LogOdometry = OfferedOnce<sensor::OdometrySample>;
 static_assert(sensor::BlobCamera<LogCamera>);
 static_assert(sensor::OdometrySource<LogOdometry>);
 
-/// Takes everything at once; never reads.
-class ListeningLink {
+/// A console without input or reader: the log of a replay is its journal.
+class NoConsole {
  public:
-  explicit ListeningLink(std::function<void(std::string_view)> hear) : hear_(std::move(hear)) {}
-
-  base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
-  base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) {
-    hear_({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    return bytes.size();
-  }
-
- private:
-  std::function<void(std::string_view)> hear_;
+  static base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
+  static base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) { return bytes.size(); }
 };
-static_assert(bus::ByteLink<ListeningLink>);
+static_assert(bus::ByteLink<NoConsole>);
 
 }  // namespace fencepost::host

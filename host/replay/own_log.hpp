@@ -1,4 +1,4 @@
-// What a run wrote: its own log, heard as it is written.
+// The log that a run writes, parsed as it is written.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
-// How well the poses of a log are known.
+// The uncertainty of a log's poses.
 #pragma once
 
 namespace fencepost::host {
 
-/// Sigmas of one pose, each exposure anew.
+/// Standard deviations of one pose, independent at each exposure.
 struct PoseNoise {
   double position = 0;  ///< m
   double heading = 0;   ///< rad

@@ -124,13 +124,13 @@ class Replay {
     add_counters(runner_->counters());
   }
 
-  void add_counters(const app::Counters& counters) {
+  void add_counters(const console::Counters& counters) {
     RefusedFrames& refused = outcome_.result.log.refused;
-    const auto of = [&](app::Refusal reason) { return counters.refused[static_cast<std::size_t>(reason)]; };
-    refused.no_pose += of(app::Refusal::kNoPose);
-    refused.odometry_gap += of(app::Refusal::kOdometryGap);
-    refused.no_camera += of(app::Refusal::kNoCamera);
-    refused.queue += of(app::Refusal::kQueue);
+    const auto of = [&](console::Refusal reason) { return counters.refused[static_cast<std::size_t>(reason)]; };
+    refused.no_pose += of(console::Refusal::kNoPose);
+    refused.odometry_gap += of(console::Refusal::kOdometryGap);
+    refused.no_camera += of(console::Refusal::kNoCamera);
+    refused.queue += of(console::Refusal::kQueue);
     used_ += counters.frames;
   }
 
@@ -142,8 +142,8 @@ class Replay {
     for (const record::Signature& known : signatures_) {
       if (known.signature == alert.signature) name = known.name.view();
     }
-    std::array<char, app::kMaxSentence> sentence{};
-    const std::size_t size = app::describe(alert, name, sentence);
+    std::array<char, console::kMaxSentence> sentence{};
+    const std::size_t size = console::describe(alert, name, sentence);
     if (size >= 2) options_.text({sentence.data(), size - 2});
   }
 

@@ -25,7 +25,7 @@ struct ReplayOptions {
   bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
-  RunObserver* observer = nullptr;             ///< told of each frame that the map takes
+  RunObserver* observer = nullptr;             ///< called for each frame that the map accepts
 };
 
 struct CheckOutcome {
@@ -42,7 +42,7 @@ struct Unreadable {
 struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
-  std::vector<std::string> complaints;   ///< signatures or settings that were not taken, one sentence each
+  std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful pitch: one sentence each
   std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame
 };
 

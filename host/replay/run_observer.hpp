@@ -1,4 +1,4 @@
-// A look at the map after each frame that it took: which object took which blob, and any object's models at that
+// Observes the map after each accepted frame: which object took which blob, and any object's models at that
 // moment.
 #pragma once
 
@@ -26,11 +26,11 @@ struct PlacedFrame {
   std::function<ObjectResult(std::uint32_t id)> describe;
 };
 
-/// Told by a replay, in order. Watching changes nothing of what is found.
+/// Called by a replay, in order. Observing does not change the result.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
-  /// The map is empty again, ids start anew.
+  /// The map is empty again, ids restart.
   virtual void run_begins() = 0;
   virtual void frame_placed(const PlacedFrame& placed) = 0;
 };

@@ -5,22 +5,37 @@
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
+#include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
 namespace {
 
-template <class Profile>
+/// The robot's memory, with a journal that has room for all that one input can emit, and is emptied after each. What
+/// was in the robot's log was used by the robot, so a replay must use it too, whatever the robot's own buffers were.
+template <class Base>
+using Replayed = loop::Journaled<Base, loop::kLinesOfOneInput<Base> * record::kMaxLine>;
+
+template <class Base>
 class ProfileRunner final : public Runner {
  public:
+  using Profile = Replayed<Base>;
+
   explicit ProfileRunner(std::function<void(std::string_view)> log)
-      : link_(std::move(log)), loop_(*memory_, camera_, odometry_, link_, app::Mode::kLog) {}
+      : log_(std::move(log)),
+        loop_(*memory_, camera_, odometry_, console_, console::Mode::kQuiet, loop::canned_stream<Base>()) {
+    memory_->journal.start();
+  }
 
   void start_run(const record::Header& header) override {
     header_ = header;
     loop_.pipeline().start_run(header_);
     if (observer_ != nullptr) observer_->run_begins();
   }
-  void take(const sensor::CameraIntrinsics& camera) override { loop_.pipeline().set_camera(camera); }
+  void take(const sensor::CameraIntrinsics& camera) override {
+    loop_.pipeline().set_camera(camera);
+    const std::optional<std::string> note = pitch_note(camera.mount);
+    if (note && std::ranges::find(complaints_, *note) == complaints_.end()) complaints_.push_back(*note);
+  }
   void take(const record::Signature& signature) override {
     if (loop_.pipeline().set_signature(signature)) return;
     complaints_.push_back("signature " + std::to_string(signature.signature) + ": profile " +
@@ -34,12 +49,12 @@ class ProfileRunner final : public Runner {
   void take(const sensor::OdometrySample& sample) override {
     if (observer_ != nullptr) return take_observed(sample);
     odometry_.offer(sample);
-    loop_.step(sample.t);
+    step(sample.t);
   }
   void take(const sensor::BlobFrame& frame) override {
     if (observer_ != nullptr) return take_observed(frame);
     camera_.offer(frame);
-    loop_.step(frame.t);
+    step(frame.t);
   }
   void assume(const PoseNoise& noise) override {
     memory_->noise.position = static_cast<float>(noise.position);
@@ -48,7 +63,7 @@ class ProfileRunner final : public Runner {
   void finish() override { loop_.pipeline().finish(); }
   void observe(RunObserver* observer) override { observer_ = observer; }
 
-  [[nodiscard]] const app::Counters& counters() const override { return memory_->counters; }
+  [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
 
@@ -72,16 +87,23 @@ class ProfileRunner final : public Runner {
   }
 
  private:
-  // What the loop does with one input, but with a pause after each frame. A step without input only speaks.
+  void step(base::Time now) {
+    loop_.step(now);
+    const std::span<const char> lines = memory_->journal.waiting();
+    log_({lines.data(), lines.size()});
+    memory_->journal.taken(lines.size());
+  }
+
+  // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.
   template <class Input>
   void take_observed(const Input& input) {
-    app::Pipeline<Profile>& pipeline = loop_.pipeline();
-    pipeline.take(input);
-    loop_.step(input.t);
-    while (place_observed()) loop_.step(input.t);
+    loop::Pipeline<Profile>& pipeline = loop_.pipeline();
+    pipeline.accept(input);
+    step(input.t);
+    while (place_observed()) step(input.t);
     pipeline.watch_without_frames();
-    pipeline.tell_status();
-    loop_.step(input.t);
+    pipeline.send_status();
+    step(input.t);
   }
 
   bool place_observed() {
@@ -105,7 +127,7 @@ class ProfileRunner final : public Runner {
     ObjectResult result;
     result.id = object.id;
     result.signature = object.signature;
-    result.state = app::state_of(object, memory_->run.time.value_or(base::Time{}));
+    result.state = console::state_of(object, memory_->run.time.value_or(base::Time{}));
     result.views = object.views;
     result.confidence = static_cast<double>(object.confidence());
     const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
@@ -118,12 +140,13 @@ class ProfileRunner final : public Runner {
     return result;
   }
 
-  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   record::Header header_;
   LogCamera camera_;
   LogOdometry odometry_;
-  ListeningLink link_;
-  app::Loop<Profile, LogCamera, LogOdometry, ListeningLink> loop_;
+  NoConsole console_;
+  std::function<void(std::string_view)> log_;
+  loop::Loop<Profile, LogCamera, LogOdometry, NoConsole> loop_;
   std::vector<std::string> complaints_;
   RunObserver* observer_ = nullptr;
 };

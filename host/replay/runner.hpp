@@ -25,18 +25,18 @@ class Runner {
   virtual void take(const sensor::OdometrySample& sample) = 0;
   virtual void take(const sensor::BlobFrame& frame) = 0;
   virtual void finish() = 0;
-  /// From now on the poses are known so well.
+  /// Sets the pose noise from now on.
   virtual void assume(const PoseNoise& noise) = 0;
-  /// From now on `observer` is told of each frame; nullptr: of none.
+  /// From now on `observer` is called for each frame; nullptr: none.
   virtual void observe(RunObserver* observer) = 0;
 
-  [[nodiscard]] virtual const app::Counters& counters() const = 0;
+  [[nodiscard]] virtual const console::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
   /// Where the robot was in the map at a sample of odometry, by the corrections up to now.
   [[nodiscard]] virtual PoseResult pose_of(const sensor::OdometrySample& sample) const = 0;
   /// All objects with all models of the profile.
   [[nodiscard]] virtual std::vector<ObjectResult> objects() const = 0;
-  /// Signatures and settings that did not fit or were not understood, one sentence each.
+  /// Signatures and settings that did not fit or could not be parsed, and a doubtful pitch, one sentence each.
   [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// How far the models are from the truth, where the truth is known.
+// The models' errors, where the ground truth is known.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ struct ObjectAccuracy {
   std::vector<ModelScore> models;
 };
 
-/// Each object that means a true one, as `fencepost evaluate` matches and measures them; in order of ids.
+/// Each object matched to a true one, as `fencepost evaluate` matches and measures them; in order of ids.
 std::vector<ObjectAccuracy> measure_accuracy(const ResultDocument& document, const Scene& truth);
 
-/// As a table; names what was not found and what is not there.
+/// As a table; names missed true objects and phantoms.
 std::string accuracy_table(const ResultDocument& document, const Scene& truth);
 
 }  // namespace fencepost::host

@@ -74,7 +74,7 @@ std::string accuracy_table(const ResultDocument& document, const Scene& truth) {
   html += leftovers(document, truth, all);
   return html +
          "<p class=\"note\">R, recklessness: share of the true footprint outside the model. P, paranoia: share "
-         "of the model outside the true footprint. 0 is perfect; a model with nothing to say counts 100 and "
+         "of the model outside the true footprint. 0 is perfect; a model without area counts 100 and "
          "100. An object means the true one of its signature near which it lies.</p>\n";
 }
 

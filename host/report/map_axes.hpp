@@ -1,4 +1,4 @@
-// The paper of the map: metre grid, axes, the frame's origin, scale bar.
+// The map's background: metre grid, axes, the frame's origin, scale bar.
 #pragma once
 
 #include <string>

@@ -56,7 +56,7 @@ std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>&
 /// Which way the path runs there (rad); the heading where the robot stood still. They differ for a robot that drives
 /// sideways, as some do.
 double direction_of_travel(const MapFrame& f, const std::vector<PoseResult>& path, std::size_t at) {
-  constexpr double kBaseline = 8;  // px: smooths what odometry jitters
+  constexpr double kBaseline = 8;  // px: smooths odometry jitter
   std::size_t before = at;
   std::size_t after = at;
   while (before > 0 && pixel_distance(f, path[before], path[at]) < kBaseline) --before;

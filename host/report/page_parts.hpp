@@ -1,4 +1,4 @@
-// The parts of the page that never change.
+// The constant parts of the page.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@ namespace fencepost::host {
 
 extern const std::string_view kStylesheet;
 
-/// Shows map coordinates under the pointer. Without it nothing is missing but that.
+/// Shows map coordinates under the pointer; the page works without it.
 extern const std::string_view kPointerScript;
 
 }  // namespace fencepost::host

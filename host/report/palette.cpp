@@ -42,7 +42,7 @@ std::string hex(sensor::Rgb colour) { return hex_scaled(colour, 1); }
 
 sensor::Rgb signature_colour(const ResultDocument& document, std::uint8_t signature) {
   if (const record::Signature* entry = find_signature(document, signature)) return entry->rgb;
-  // Okabe and Ito's colours, told apart with every common kind of colour vision.
+  // Okabe and Ito's colours, distinguishable with every common kind of colour vision.
   constexpr std::array<sensor::Rgb, 7> kOwn = {{{0xD5, 0x5E, 0x00},
                                                 {0x00, 0x72, 0xB2},
                                                 {0x00, 0x9E, 0x73},

@@ -1,4 +1,4 @@
-// What things look like: an object's colour is its signature's, a model's style is its line.
+// Colours and line styles: an object's colour is its signature's, a model has a line style.
 #pragma once
 
 #include <string>

@@ -47,7 +47,7 @@ std::string silent_models(const ResultDocument& document) {
     }
   }
   if (items.empty()) return {};
-  return "<details><summary>Why some models have nothing to say</summary><ul>" + items + "</ul></details>\n";
+  return "<details><summary>Why some models have no area</summary><ul>" + items + "</ul></details>\n";
 }
 
 std::string count_row(const char* what, std::uint64_t count, const std::string& remark = {}) {

@@ -10,10 +10,10 @@ namespace fencepost::host {
 /// The run in a handful of figures.
 std::string headline_figures(const ResultDocument& document);
 
-/// Every object with every model's area, and why a model is silent.
+/// Every object with every model's area, or the reason why a model has none.
 std::string object_rows(const ResultDocument& document);
 
-/// What was read, what was not used and why; digest and profile.
+/// Counts of records read, not used and why; digest and profile.
 std::string record_counts(const ResultDocument& document);
 
 }  // namespace fencepost::host

@@ -1,4 +1,4 @@
-// When each object was how near, and what the robot said about it.
+// Distance of each object over time, with the robot's alerts.
 #pragma once
 
 #include <string>

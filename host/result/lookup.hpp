@@ -1,4 +1,4 @@
-// Small questions to a result document.
+// Look-ups in a result document.
 #pragma once
 
 #include <string>

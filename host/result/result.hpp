@@ -17,7 +17,7 @@ struct Circle {
   double radius = 0;
 };
 
-/// One model of one object. `geometry` empty: the model has nothing to say, `reason` says why.
+/// One model of one object. `geometry` empty: the model has no area, `reason` says why.
 struct ModelResult {
   std::string name;              ///< cylinder, cylinder_paper, carve, clip, ...
   MultiPolygon geometry;         ///< map frame, metres

@@ -13,7 +13,7 @@ struct TextOptions {
 };
 
 /// One line per object under a head of two lines (names, units), at most 80 columns for values of ordinary size.
-/// "-" where a model has nothing to say. Says so when there is no object.
+/// "-" where a model has no area. Says so when there is no object.
 std::string object_table(const ResultDocument& document, const TextOptions& options = {});
 
 /// One sentence: `12.380 s  STOP    red  0.24 m  12 deg left  in 1.1 s  (object 3)`.

@@ -6,8 +6,8 @@
 
 #include "firmware/console/text.hpp"
 #include "host/result/lookup.hpp"
-#include "host/result/printable.hpp"
 #include "host/result/text.hpp"
+#include "host/text/printable.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -21,8 +21,8 @@ const char* level_colour(record::AlertLevel level) {
 std::string robot_sentence(const ResultDocument& document, const record::AlertReport& alert) {
   const record::Signature* signature = find_signature(document, alert.signature);
   const std::string name = signature != nullptr ? printable(signature->name.view()) : "";
-  std::array<char, app::kMaxSentence> buffer{};
-  std::string sentence(buffer.data(), app::describe(alert, name, buffer));
+  std::array<char, console::kMaxSentence> buffer{};
+  std::string sentence(buffer.data(), console::describe(alert, name, buffer));
   while (!sentence.empty() && (sentence.back() == '\n' || sentence.back() == '\r')) sentence.pop_back();
   return sentence;
 }

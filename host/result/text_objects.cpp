@@ -5,8 +5,8 @@
 
 #include "host/geometry/planar.hpp"
 #include "host/result/lookup.hpp"
-#include "host/result/printable.hpp"
 #include "host/result/text.hpp"
+#include "host/text/printable.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -45,7 +45,7 @@ Json model_json(const ModelResult& model) {
   Json json = Json::object();
   Json geometry = to_geojson(model.geometry);
   if (is_cylinder(model)) {
-    // One rule for readers: a cylinder's numbers are there exactly when its geometry is.
+    // One rule for readers: a cylinder's numbers are present exactly when its geometry is.
     const bool known = model.circle.has_value() && !geometry.is_null();
     json["x"] = known ? rounded(model.circle->center.x, kLengthDecimals) : Json(nullptr);
     json["y"] = known ? rounded(model.circle->center.y, kLengthDecimals) : Json(nullptr);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -14,7 +15,6 @@ namespace fencepost::host {
 
 namespace {
 
-/// Levenshtein distance.
 std::string listed(std::initializer_list<std::string_view> words) {
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
@@ -38,6 +38,22 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
+}
+
+/// Where the first number stands that is too large for a double; the library says which one, but not where.
+std::size_t overflowing_number(const std::string& text) {
+  constexpr std::string_view kOfNumbers = "+-.0123456789eE";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      for (++i; i < text.size() && text[i] != '"'; ++i) {
+        if (text[i] == '\\') ++i;
+      }
+    } else if (text[i] == '-' || (text[i] >= '0' && text[i] <= '9')) {
+      if (std::isinf(std::strtod(text.c_str() + i, nullptr))) return i;
+      i = std::min(text.find_first_not_of(kOfNumbers, i), text.size()) - 1;
+    }
+  }
+  return 0;
 }
 
 }  // namespace
@@ -68,6 +84,9 @@ nlohmann::json parse_json(std::string_view text, std::string_view example) {
                        empty   ? std::string(example)
                        : ended ? "close the open brackets and quotes"
                                : "check for a missing comma, quote or bracket just before it"};
+  } catch (const json::out_of_range&) {
+    throw SceneProblem{line_and_column(text, overflowing_number(std::string(text))),
+                       "this number is too large for double precision", "write one within the range of its key"};
   }
 }
 

@@ -1,4 +1,4 @@
-// A JSON value that knows where it stands in its file, so every complaint says where, what and what to do.
+// A JSON value that knows its place in the file, so every error message says where, what and what to do.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace fencepost::host {
 
-/// Thrown by the readers below; whoever reads a whole file turns it into a message.
+/// Thrown by the readers below; the reader of the whole file turns it into a message.
 struct SceneProblem {
   std::string where;
   std::string what;
   std::string remedy;
 };
 
-/// Parses, and refuses keys that appear twice in one object: the second would silently win. `example` is the remedy for
+/// Parses, and refuses duplicate keys in one object: the second would silently win. `example` is the remedy for
 /// an empty file. errors: SceneProblem
 nlohmann::json parse_json(std::string_view text, std::string_view example);
 

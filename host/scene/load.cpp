@@ -40,7 +40,7 @@ void check_signatures(const JsonNode& root, const Scene& scene) {
   }
 }
 
-/// Solid things cannot be in one place: they would hide parts of each other that no camera could ever see.
+/// Solids must not overlap: parts of them would be invisible to every camera.
 void check_overlaps(const JsonNode& root, const Scene& scene) {
   constexpr double kSliver = 1e-8;  // m^2; touching faces are fine
   constexpr double kTouch = 1e-9;   // m

@@ -7,7 +7,7 @@ namespace fencepost::host {
 
 namespace {
 
-/// A run of more frames than this is a slip of the pen.
+/// A run of more frames than this is taken for a typing error.
 constexpr double kMostFrames = 1e6;
 constexpr double kLongestRun = 900'000;  // s; the stream's clock ends at 999999
 
@@ -125,7 +125,7 @@ SceneNoise read_noise(const JsonNode& node) {
   read("pose_heading", noise.pose_heading, 0, 3.2, "rad");
   read("drift_scale", noise.drift_scale, -0.9, 10, "of the distance");
   read("drift_turn", noise.drift_turn, -10, 10, "rad/m");
-  read("drift_walk", noise.drift_walk, 0, 10, "m per sqrt(m)");
+  read("drift_walk", noise.drift_walk, 0, 10, "m/sqrt(m)");
   read("yaw_error", noise.yaw_error, -3.2, 3.2, "rad");
   read("pitch_error", noise.pitch_error, -0.7, 0.7, "rad");
   read("latency_jitter", noise.latency_jitter, 0, 10, "s");

@@ -20,7 +20,7 @@ double hue_degrees(sensor::Rgb rgb) {
 }  // namespace
 
 Appearance appearance(sensor::Rgb rgb) {
-  constexpr double kDark = 0.1;  // brightness below which a colour cannot be told from noise
+  constexpr double kDark = 0.1;  // brightness below which a colour is indistinguishable from noise
   constexpr double kHalfStrong =
       0.25;  // saturation at which a colour counts half: greys are split finely, paints coarsely
   constexpr double kBrightness = 0.8;

@@ -1,4 +1,4 @@
-// How like two colours look, whatever light falls on them.
+// Similarity of two colours under changing light.
 #pragma once
 
 #include <string>

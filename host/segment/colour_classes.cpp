@@ -16,13 +16,13 @@ constexpr std::size_t kMostSignatures = 255;
 constexpr std::size_t kLevels = 4;  // grey levels that no class can tell apart
 constexpr std::size_t kSteps = 256 / kLevels;
 
-/// The same colour in less light, or in somewhat more. Strong colours are one class in any light anyway.
+/// The same colour in less light, or in slightly more. Saturated colours are one class in any light anyway.
 bool is_shade_of(const Appearance& shade, const Appearance& of) {
   constexpr double kLighter = 0.3;  // of 0.8 from black to white
   return squared_hue_distance(shade, of) < kSame && shade.z < of.z + kLighter;
 }
 
-/// Strong colours of one hue: one paint, from its brightest to its darkest side.
+/// Saturated colours of one hue: one paint, from its brightest to its darkest side.
 bool is_same_paint(const Appearance& a, const Appearance& b) {
   constexpr double kStrong = 0.4;
   constexpr double kCosine = 0.97;  // of 14 degrees of hue
@@ -30,7 +30,7 @@ bool is_same_paint(const Appearance& a, const Appearance& b) {
   return length > kStrong * kStrong && a.x * b.x + a.y * b.y > kCosine * length;
 }
 
-/// Which clusters are background, when nobody says: the largest, all that take a tenth of the images' borders, and the
+/// Which clusters are background when none is given: the largest, all that take a tenth of the images' borders, and
 /// shades of both.
 std::vector<bool> found_background(const std::vector<ColourCluster>& clusters) {
   constexpr double kBorderShare = 0.1;
@@ -101,7 +101,7 @@ void ColourClasses::match_given(const std::vector<ColourCluster>& clusters, cons
     prototypes_.push_back({cluster.looks, static_cast<std::uint8_t>(best + 1)});
     signatures_[best].images = std::max(signatures_[best].images, cluster.images);
   }
-  // Too small anywhere for a cluster of its own: then its given colour has to do.
+  // Too small everywhere for a cluster of its own: its given colour is used.
   for (std::size_t i = 0; i < signatures_.size(); ++i) {
     if (signatures_[i].images > 0) continue;
     prototypes_.push_back({appearance(signatures_[i].signature.rgb), static_cast<std::uint8_t>(i + 1)});

@@ -1,4 +1,4 @@
-// What each colour means: one of the signatures, or background.
+// Classifies each colour: one of the signatures, or background.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace fencepost::host {
 
-/// How the background is known. Nothing given: found, as what covers most of the images, or much of their borders.
+/// How the background is specified. If nothing is given it is found: the colours that cover most of the images, or much
+/// of their borders.
 struct BackgroundRule {
   int darkest = 0;                   ///< pixels below this in every channel are background, 0..255
   std::vector<sensor::Rgb> colours;  ///< background, with their shadows
@@ -21,7 +22,7 @@ struct BackgroundRule {
 
 struct ClassRules {
   BackgroundRule background;
-  /// Given: the clusters near one of these belong to it, whatever the light made of it; the rest is background.
+  /// Given: the clusters near one of these belong to it, allowing for light; the rest is background.
   /// Empty: each paint that is no background is a signature, numbered from 1, most pixels first.
   std::vector<record::Signature> signatures;
   bool silhouette = false;  ///< all that is no background is signature 1

@@ -1,4 +1,4 @@
-// What is known beforehand: the camera's calibration, the colours to look for.
+// The known set-up: the camera's calibration, the colours to look for.
 #pragma once
 
 #include <string>

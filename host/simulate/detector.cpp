@@ -27,7 +27,7 @@ struct Candidate {
   BlobEnd right = BlobEnd::kEdge;
 };
 
-/// Every random number that one piece may need, drawn whether a noise is on or not.
+/// All random numbers that one piece may need, drawn whether or not a noise is enabled.
 struct Draws {
   explicit Draws(Random& random)
       : jitter{random.gaussian(), random.gaussian(), random.gaussian(), random.gaussian()},
@@ -151,7 +151,7 @@ Candidate as_seen(const Piece& piece, const LabelImage& image) {
   return candidate;
 }
 
-/// The contract's border rule; it rules over every other reason.
+/// The border rule of the stream format; it takes precedence over every other reason.
 void mark_border(Detection& detection, int width) {
   if (detection.blob.x1 <= 1) detection.truth.left = BlobEnd::kBorder;
   if (detection.blob.x2 >= width - 2) detection.truth.right = BlobEnd::kBorder;

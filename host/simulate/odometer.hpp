@@ -1,4 +1,4 @@
-// What the robot's wheels report of the true path: drift, and the per-view pose noise.
+// Odometry as the robot's wheels would report it: drift, and the per-view pose noise.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ inline constexpr base::Duration kOdometryPeriod = base::milliseconds(20);
 
 /// Reports one sample each period from t = 0.
 ///
-/// Drift: each step's true motion, measured along the path, is scaled by 1 + drift_scale, turned by drift_turn a
-/// metre, and shifted by a gaussian of drift_walk sqrt(metres) on each axis.
+/// Drift: each step's true motion, measured along the path, is scaled by 1 + drift_scale, turned by drift_turn
+/// (rad/m), and shifted by a gaussian of drift_walk (m/sqrt(m)) on each axis.
 /// Per-view noise: view i has one offset (x, y, heading), which all samples hold whose nearest exposure is i. The
 /// pose interpolated at the exposure is then off by exactly that offset as long as its two neighbouring samples
 /// belong to it: for rates up to 25 /s, and for 50 /s. In between, some views blend with a neighbour's.

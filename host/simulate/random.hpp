@@ -5,8 +5,8 @@
 
 namespace fencepost::host {
 
-/// What a draw is for. Each purpose and index has a stream of its own, so turning one noise on or off, or
-/// dropping a frame, leaves all other draws as they were.
+/// The purpose of a draw. Each purpose and index has its own stream, so enabling or disabling one noise, or dropping a
+/// frame, leaves all other draws unchanged.
 enum class Purpose : std::uint64_t {
   kDetection = 1,
   kFalseBlobs = 2,

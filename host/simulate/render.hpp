@@ -36,7 +36,7 @@ class LabelImage {
   [[nodiscard]] double depth(int u, int v) const { return depths_[index(u, v)]; }
   /// Everything that is drawn lies in here.
   [[nodiscard]] const PixelBox& touched() const { return touched_; }
-  /// Box of the object's pixels as if it stood alone: what occlusion took away can be told from it.
+  /// Box of the object's pixels as if it stood alone: shows what occlusion removed.
   [[nodiscard]] const PixelBox& alone(std::size_t object) const { return alone_[object]; }
 
  private:

@@ -1,4 +1,4 @@
-// A scene's robot drives its path; what its sensors would have said comes out as a record stream.
+// Simulates the robot of a scene driving its path; its sensors' output is a record stream.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace fencepost::host {
 
-/// Changes when, and only when, the same scene gives other bytes. Written as the version of FPHDR.
+/// Incremented whenever the same scene gives different bytes. Written as the version of FPHDR.
 inline constexpr std::string_view kSimulatorVersion = "0.1.0";
 
 struct SimulationSummary {

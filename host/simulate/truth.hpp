@@ -1,4 +1,4 @@
-// What only a simulator knows about its frames. For tests and measurements; no product code reads it.
+// Ground truth of the simulator's frames. For tests and measurements; no product code reads it.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace fencepost::host {
 
-/// What one side of a blob's box really is.
+/// The true nature of one side of a blob's box.
 enum class BlobEnd : unsigned char {
-  kEdge,      ///< the object's own edge, but for jitter
+  kEdge,      ///< the object's own edge, up to jitter
   kBorder,    ///< within the image border (x1 <= 1, x2 >= width - 2): censored
   kOccluded,  ///< the object goes on behind a nearer one
   kLost,      ///< noise took a piece away on this side
@@ -36,7 +36,7 @@ struct FrameTruth {
   std::vector<BlobTruth> blobs;  ///< one for each blob of `frame`, same order
 };
 
-/// `simulate`, telling the truth about every written frame as well.
+/// As `simulate`, with the ground truth of every written frame.
 base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& scene, const LineSink& sink,
                                                                  const std::function<void(const FrameTruth&)>& truth);
 

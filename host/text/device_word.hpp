@@ -1,4 +1,4 @@
-// How a device is named on a command line: KIND[:PLACE][,option=value...].
+// Device specifications on a command line: KIND[:PLACE][,option=value...].
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,13 @@ struct DeviceOption {
   std::string value;
 };
 
-/// The parts as written; whether they make sense is not known here.
+/// The parts as written; whether they are valid is not checked here.
 struct DeviceWord {
   std::string kind;
   std::optional<std::string> place;  ///< what is behind the first colon
   std::vector<DeviceOption> options;
-  /// A clause, if an option is no NAME=VALUE or is given twice. Worth telling once kind and place are known to be good.
+  /// A clause, if an option is no NAME=VALUE or is given twice. To be reported once kind and place are known to be
+  /// valid.
   std::string problem;
 };
 

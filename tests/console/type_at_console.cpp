@@ -85,9 +85,9 @@ Recording read_recording(const std::string& path) {
 
 template <class Profile>
 void run(Recording recording) {
-  auto memory = std::make_unique<app::Memory<Profile>>();
+  auto memory = std::make_unique<loop::Memory<Profile>>();
   Terminal terminal;
-  app::Loop loop(*memory, recording.camera, recording.odometry, terminal, app::Mode::kText);
+  loop::Loop loop(*memory, recording.camera, recording.odometry, terminal, console::Mode::kText);
   const record::Header header{1, "fencepost", "0.1.0", "desk", Profile::kName};
   loop.pipeline().start_run(header);
   for (const auto& intrinsics : recording.calibration) loop.pipeline().set_camera(intrinsics);

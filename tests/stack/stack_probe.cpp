@@ -46,7 +46,7 @@ struct SomeLink : NoLink {
 };
 
 template <class Profile>
-using ProbedLoop = app::Loop<Profile, SomeCamera, SomeOdometry, SomeLink>;
+using ProbedLoop = loop::Loop<Profile, SomeCamera, SomeOdometry, SomeLink>;
 
 }  // namespace fencepost::probe
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: layer_check.py [ROOT]
 
-Checks the rules of the tree that a compiler does not: layers, what robot code may use, what lies where.
+Checks the rules of the tree that a compiler does not: layers and rooms, what robot code may use, what lies where.
 Prints one line per fault, file:line: rule: what is wrong; exit status 1 if there is any.
 """
 
@@ -12,9 +12,64 @@ import sys
 from source_text import without_comments, without_literals
 
 LAYERS = ["hal", "drivers", "firmware", "host", "tests"]
+
+# A room is a folder, with what lies below it, or a file by its name without the suffix; with /* each folder there is a
+# room of its own. The longest row that matches counts. A room may include the rooms that its row names and all that
+# these may include. Tests may include anything.
+ROOMS = {
+    "hal/base": "",
+    "hal/bus": "hal/base",
+    "hal/sensor": "hal/base",
+    "hal/fake": "hal/bus hal/sensor",
+    "hal/linux": "hal/bus",
+    "hal/mcu": "hal/bus",
+    "hal/mcu/cortex_m": "hal/mcu",
+    "hal/mcu/*": "hal/mcu/cortex_m",
+    "hal/template": "hal/bus",
+    "hal/boards/*": "hal/mcu/* hal/template",
+    "drivers/serial": "hal/bus hal/sensor",
+    "drivers/wire": "drivers/serial",
+    "drivers/odometry": "hal/sensor",
+    "drivers/*": "drivers/odometry drivers/wire",
+    "firmware/record": "hal/sensor",
+    "firmware/config": "drivers/* firmware/record",
+    "firmware/recon/geometry": "hal/base",
+    "firmware/recon/observe": "firmware/recon/geometry hal/sensor",
+    "firmware/recon/models": "firmware/recon/observe",
+    "firmware/recon/track": "firmware/recon/models",
+    "firmware/recon/localize": "firmware/recon/track",
+    "firmware/recon/digest": "firmware/recon/localize",
+    "firmware/recon/map": "firmware/recon/digest",
+    "firmware/alert": "firmware/config firmware/recon/track",
+    "firmware/console": "firmware/alert firmware/recon/localize",
+    "firmware/loop": "firmware/console firmware/recon/map",
+    "firmware/view": "firmware/console",
+    "firmware/image": "drivers/* firmware/loop firmware/view hal/mcu",
+    "host/text": "",
+    "host/geometry": "",
+    "host/scene": "hal/sensor host/geometry host/text",
+    "host/simulate": "firmware/record host/scene",
+    "host/import": "firmware/record host/scene",
+    "host/segment": "host/import",
+    "host/metrics": "host/simulate",
+    "host/render": "host/metrics",
+    "host/result": "firmware/console host/geometry host/text",
+    "host/replay": "firmware/loop host/result host/scene",
+    "host/evaluate": "host/replay host/simulate",
+    "host/report": "host/evaluate",
+    "host/paper": "host/render host/report",
+    "host/live": "drivers/* firmware/loop hal/linux host/scene",
+    "host/recorder": "host/live",
+    "host/emulate/models": "hal/bus hal/sensor",
+    "host/emulate": "drivers/odometry hal/linux host/emulate/models host/simulate",
+    "host/cli": "host/emulate host/paper host/recorder host/segment",
+}
+# Files that lie in one room and still include as if they lay in another.
+COUNTED_AS = {"firmware/recon/observe/occlusion": "firmware/recon/track"}
+
 ROBOT = {"hal", "drivers", "firmware"}
 DESK = ("hal/linux/",)  # a layer of the robot, a machine of the desk: heap, threads and libraries
-TOP_LEVEL = {*LAYERS, "toolchain", "CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE"}
+TOP_LEVEL = {*LAYERS, "toolchain", "CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE"}
 NOT_OURS = {".git", ".cache", "build", "out", "compile_commands.json", "__pycache__"}
 CODE = {".hpp", ".cpp", ".h", ".c", ".S"}
 README_LINES = 15
@@ -44,8 +99,12 @@ FAST_MATH = re.compile(r"-(?:O" r"fast|f" r"fast-math|funsafe-math-optimizations
 
 
 class Tree:
-    def __init__(self, root):
+    def __init__(self, root, rooms, counted_as):
         self.root = root
+        self.rooms = {name: row.split() for name, row in rooms.items()}
+        self.counted_as = counted_as
+        self.allowed = {name: self._reachable(name) for name in self.rooms}
+        self.room_edges = {}  # (room, room it includes): the first place, (path, line)
         self.faults = []
         self.files = sorted(self._walk(root))
         self.texts = {}
@@ -69,6 +128,29 @@ class Tree:
 
     def layer(self, path):
         return self.relative(path).split("/")[0]
+
+    def _reachable(self, row):
+        seen, waiting = set(), [row]
+        while waiting:
+            for right in self.rooms.get(waiting.pop(), []):
+                if right not in seen:
+                    seen.add(right)
+                    waiting.append(right)
+        return seen
+
+    def room(self, file):
+        """(room, its row of the table) of a file by its path in the repository; (None, None) if no row matches."""
+        folder, _, name = file.rpartition("/")
+        place = f"{folder}/{name.partition('.')[0]}"
+        place = self.counted_as.get(place, place)
+        while place:
+            if place in self.rooms:
+                return place, place
+            parent = place.rpartition("/")[0]
+            if f"{parent}/*" in self.rooms and file.startswith(place + "/"):
+                return place, f"{parent}/*"
+            place = parent
+        return None, None
 
     def robot(self, path):
         return self.layer(path) in ROBOT and not self.relative(path).startswith(DESK)
@@ -105,6 +187,58 @@ def check_includes(tree, path):
             tree.fault(path, number, "layer", f"{mine} must not include {target}")
         elif tree.relative(path).startswith("firmware/recon/") and quoted.startswith(("hal/bus/", "drivers/")):
             tree.fault(path, number, "seam", "the reconstruction sees sensors, never buses and drivers")
+        elif mine != "tests":
+            check_room_edge(tree, path, number, quoted)
+
+
+def check_room_edge(tree, path, number, included):
+    (mine, row), (other, other_row) = tree.room(tree.relative(path)), tree.room(included)
+    if mine is None or other is None or mine == other:
+        return  # a place without a room is reported once, by check_rooms
+    if other_row in tree.allowed[row]:
+        tree.room_edges.setdefault((mine, other), (path, number))
+    else:
+        tree.fault(path, number, "room", f"{mine} must not include {other}: see ROOMS in layer_check.py")
+
+
+def check_rooms(tree):
+    """Each source in a room, each row of the table with its sources, and no cycle, allowed or not."""
+    inhabited = set()
+    for path in tree.texts:
+        if path.suffix in CODE and tree.layer(path) in LAYERS and tree.layer(path) != "tests":
+            _, row = tree.room(tree.relative(path))
+            inhabited.add(row)
+            if row is None:
+                tree.fault(path, 1, "room", "no row of ROOMS in layer_check.py names this folder")
+    for name, row in tree.rooms.items():
+        if name not in inhabited:
+            tree.fault(tree.root / name, 1, "room", "a row of ROOMS in layer_check.py, and no source lies there")
+        for right in row:
+            if right not in tree.rooms:
+                tree.fault(tree.root / name, 1, "room", f"its row in layer_check.py names {right}, which has no row")
+    cycle = find_cycle(sorted(tree.room_edges))
+    if cycle:
+        path, line = tree.room_edges[cycle[0], cycle[1]]
+        tree.fault(path, line, "room-cycle", " -> ".join(cycle))
+
+
+def find_cycle(edges):
+    """A shortest cycle of a directed graph, as [a, ..., a]; empty if there is none."""
+    cycles = []
+    for start in sorted({left for left, _ in edges}):
+        paths, seen = [[start]], set()
+        while paths:
+            path = paths.pop(0)
+            for left, right in edges:
+                if left != path[-1] or right in seen:
+                    continue
+                if right == start:
+                    cycles.append(path + [right])
+                    paths = []
+                    break
+                seen.add(right)
+                paths.append(path + [right])
+    return min(cycles, key=len, default=[])
 
 
 def check_robot_words(tree, path):
@@ -141,9 +275,9 @@ def check_text(tree, path):
         tree.fault(path, lines, "readme-length", f"{lines} lines, at most {README_LINES}")
 
 
-def check(root):
+def check(root, rooms=ROOMS, counted_as=COUNTED_AS):
     """All faults of the tree as (file, line, rule, what)."""
-    tree = Tree(root)
+    tree = Tree(root, rooms, counted_as)
     check_top_level(tree)
     check_cmake(tree)
     for path in tree.texts:
@@ -152,6 +286,7 @@ def check(root):
             check_includes(tree, path)
             if tree.robot(path):
                 check_robot_words(tree, path)
+    check_rooms(tree)
     checked = sum(1 for path in tree.texts if path.suffix in CODE and tree.layer(path) in LAYERS)
     return sorted(tree.faults), checked
 

@@ -18,32 +18,59 @@ CLEAN = {
     "hal/base/a.cpp": '#include "hal/base/a.hpp"\n',
     "hal/bus/link.hpp": "#pragma once\n",
     "hal/linux/tty.hpp": "#include <memory>\nauto* p = new int(1);\n",
-    "drivers/d.hpp": '#include "hal/bus/link.hpp"\n',
-    "firmware/loop/f.hpp": '#include "drivers/d.hpp"\n',
-    "firmware/recon/r.hpp": '#include "hal/base/a.hpp"\n',
+    "drivers/wire/w.hpp": "#pragma once\n",
+    "drivers/d/d.hpp": '#include "drivers/wire/w.hpp"\n#include "hal/bus/link.hpp"\n',
+    "drivers/e/e.hpp": "#pragma once\n",
+    "firmware/record/s.hpp": "#pragma once\n",
+    "firmware/loop/f.hpp": '#include "drivers/d/d.hpp"\n#include "hal/base/a.hpp"\n',
+    "firmware/recon/r.hpp": '#include "firmware/recon/geometry.hpp"\n',
+    "firmware/recon/geometry.hpp": '#include "hal/base/a.hpp"\n',
     "host/h.hpp": '#include <string>\n#include "firmware/loop/f.hpp"\n',
     "host/CMakeLists.txt": "add_executable(h ${CMAKE_CURRENT_SOURCE_DIR}/h.cpp ${PROJECT_SOURCE_DIR}/host/i.cpp)\n",
     "host/h.cpp": "auto* p = new int(1);\ndouble x = std::sin(1.0);\nvoid f() { throw 1; }\n",
-    "host/i.cpp": "",
+    "host/i.cpp": '#include "host/h.hpp"\n',
+    "host/j.hpp": "#pragma once\n",
     "tests/t.hpp": '#include "host/h.hpp"\n',
     "toolchain/setup": "",
+}
+
+# Rows of their own: the test holds whatever the tree's table says.
+ROOMS = {
+    "hal/base": "",
+    "hal/bus": "hal/base",
+    "hal/linux": "hal/bus",
+    "drivers/wire": "hal/bus",
+    "drivers/*": "drivers/wire",
+    "firmware/recon/geometry": "hal/base",
+    "firmware/recon": "firmware/recon/geometry",
+    "firmware/record": "",
+    "firmware/loop": "drivers/* firmware/recon firmware/record",
+    "host/h": "firmware/loop",
+    "host/i": "host/h",
+    "host/j": "host/i",
 }
 
 # (file, text put at its end after one line of its own, rule)
 FAULTS = [
     ("hal/base/a.hpp", '#include "firmware/loop/f.hpp"', "layer"),
-    ("hal/base/a.hpp", '#  include "drivers/d.hpp"', "layer"),
-    ("hal/linux/tty.hpp", '#include "drivers/d.hpp"', "layer"),
-    ("drivers/d.hpp", '#include "firmware/loop/f.hpp"', "layer"),
+    ("hal/base/a.hpp", '#  include "drivers/d/d.hpp"', "layer"),
+    ("hal/linux/tty.hpp", '#include "drivers/d/d.hpp"', "layer"),
+    ("drivers/d/d.hpp", '#include "firmware/loop/f.hpp"', "layer"),
     ("firmware/loop/f.hpp", '#include "host/h.hpp"', "layer"),
     ("host/h.hpp", '#include "tests/t.hpp"', "layer"),
     ("firmware/recon/r.hpp", '#include "hal/bus/link.hpp"', "seam"),
-    ("firmware/recon/r.hpp", '#include "drivers/d.hpp"', "seam"),
+    ("firmware/recon/r.hpp", '#include "drivers/d/d.hpp"', "seam"),
+    ("firmware/recon/geometry.hpp", '#include "firmware/recon/r.hpp"', "room"),
+    ("firmware/recon/r.hpp", '#include "firmware/record/s.hpp"', "room"),
+    ("firmware/loop/f.hpp", '#include "hal/linux/tty.hpp"', "room"),
+    ("drivers/wire/w.hpp", '#include "drivers/d/d.hpp"', "room"),
+    ("drivers/d/d.hpp", '#include "drivers/e/e.hpp"', "room"),
+    ("host/h.hpp", '#include "host/j.hpp"', "room"),
     ("hal/base/a.cpp", '#include "a.hpp"', "include-path"),
     ("hal/base/a.cpp", '#include "hal/base/gone.hpp"', "include-path"),
     ("hal/base/a.cpp", '#include "hal/bus/../base/a.hpp"', "include-path"),
     ("hal/base/a.cpp", "#include <iostream>", "header"),
-    ("drivers/d.hpp", "#include <cstdio>", "header"),
+    ("drivers/d/d.hpp", "#include <cstdio>", "header"),
     ("firmware/loop/f.hpp", "#include <functional>", "header"),
     ("hal/base/a.hpp", "#include <string>", "header"),
     ("hal/base/a.hpp", "#include <vector>", "header"),
@@ -54,7 +81,7 @@ FAULTS = [
     ("hal/base/a.cpp", "void f(int* p) { delete p; }", "word"),
     ("hal/base/a.cpp", "void* p = malloc(3);", "word"),
     ("hal/base/a.cpp", "void f() { throw 1; }", "word"),
-    ("drivers/d.hpp", "void f() { try { g(); } ", "word"),
+    ("drivers/d/d.hpp", "void f() { try { g(); } ", "word"),
     ("firmware/loop/f.hpp", "auto* b = dynamic_cast<B*>(a);", "word"),
     ("firmware/loop/f.hpp", "auto b = std::bit_cast<int>(1.0F);", "word"),
     ("firmware/recon/r.hpp", "float x = std::sin(1.0F);", "libm"),
@@ -95,8 +122,8 @@ class LayerCheck(unittest.TestCase):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
 
-    def found(self):
-        faults, checked = check(self.root)
+    def found(self, rooms=ROOMS, counted_as=None):
+        faults, checked = check(self.root, rooms, counted_as or {})
         self.assertGreater(checked, 0)
         return [(file, line, rule) for file, line, rule, _ in faults]
 
@@ -121,12 +148,39 @@ class LayerCheck(unittest.TestCase):
                 path.write_text(CLEAN[name])
 
     def test_an_unlisted_source_is_found(self):
-        (self.root / "drivers/d.cpp").write_text("")
-        self.assertEqual(self.found(), [("drivers/d.cpp", 1, "unlisted")])
+        (self.root / "drivers/d/d.cpp").write_text("")
+        self.assertEqual(self.found(), [("drivers/d/d.cpp", 1, "unlisted")])
+
+    def test_a_cycle_is_found_though_the_table_allows_each_of_its_edges(self):
+        rooms = {**ROOMS, "host/h": "firmware/loop host/j", "host/j": "host/i"}
+        self.assertEqual(self.found(rooms), [])
+        (self.root / "host/h.hpp").write_text('\n#include "host/j.hpp"\n')
+        self.assertEqual(self.found(rooms), [])
+        (self.root / "host/j.hpp").write_text('#include "host/i.hpp"\n')
+        (self.root / "host/i.hpp").write_text('#include "host/h.hpp"\n')
+        self.assertEqual(self.found(rooms), [("host/h.hpp", 2, "room-cycle")])
+
+    def test_a_file_may_count_as_another_room(self):
+        (self.root / "hal/base/odd.hpp").write_text('#include "hal/bus/link.hpp"\n')
+        self.assertEqual(self.found(), [("hal/base/odd.hpp", 1, "room")])
+        self.assertEqual(self.found(counted_as={"hal/base/odd": "hal/bus"}), [])
+
+    def test_a_room_without_a_row_a_row_without_a_room_and_a_misspelt_one_are_found(self):
+        rooms = {**ROOMS, "host/gone": "", "host/i": "host/h host/x"}
+        (self.root / "host/new").mkdir()
+        (self.root / "host/new/n.hpp").write_text('#include "host/h.hpp"\n')
+        faults = [("host/gone", 1, "room"), ("host/i", 1, "room"), ("host/new/n.hpp", 1, "room")]
+        self.assertEqual(self.found(rooms), faults)
 
     def test_a_long_readme_is_found(self):
         (self.root / "hal/README.md").write_text("line\n" * 16)
         self.assertEqual(self.found(), [("hal/README.md", 16, "readme-length")])
+
+    def test_what_a_repository_has_for_its_visitors_is_no_stranger(self):
+        (self.root / ".github").mkdir()
+        for name in (".github/CONTRIBUTING.md", "CHANGELOG.md", ".editorconfig"):
+            (self.root / name).write_text("")
+        self.assertEqual(self.found(), [])
 
     def test_a_stranger_at_the_top_is_found(self):
         (self.root / "docs").mkdir()

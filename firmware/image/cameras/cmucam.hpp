@@ -3,14 +3,14 @@
 
 #include "drivers/cmucam/cmucam.hpp"
 #include "firmware/config/colours.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 template <const cmucam::Dialect& kDialect, std::uint32_t kBaud>
 struct CmuCamera : cmucam::CmuCam<board::Link> {
-  explicit CmuCamera(const app::Counters& /*counters*/) : cmucam::CmuCam<board::Link>(board::camera(), wanted()) {}
+  explicit CmuCamera(const console::Counters& /*counters*/) : cmucam::CmuCam<board::Link>(board::camera(), wanted()) {}
   static void start() { board::start_camera(kBaud); }
   static sensor::CameraIntrinsics calibration() { return cmucam::nominal_intrinsics(kDialect, {}); }
 

@@ -3,13 +3,13 @@
 
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 struct Camera : nxtcam::SerialCamera<board::Link> {
-  explicit Camera(const app::Counters& /*counters*/) : nxtcam::SerialCamera<board::Link>(board::camera()) {}
+  explicit Camera(const console::Counters& /*counters*/) : nxtcam::SerialCamera<board::Link>(board::camera()) {}
   static void start() { board::start_camera(115'200); }
   static sensor::CameraIntrinsics calibration() { return nxtcam::kProfile; }
 };

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "drivers/nxtcam/camera.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 struct Camera : nxtcam::Camera<board::I2c> {
-  explicit Camera(const app::Counters& /*counters*/) : nxtcam::Camera<board::I2c>(board::i2c()) {}
+  explicit Camera(const console::Counters& /*counters*/) : nxtcam::Camera<board::I2c>(board::i2c()) {}
   static void start() { board::start_i2c(); }
   static sensor::CameraIntrinsics calibration() { return nxtcam::kProfile; }
 };

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "drivers/pixy2/camera.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 struct Camera : pixy2::Camera<board::Link> {
-  explicit Camera(const app::Counters& /*counters*/) : pixy2::Camera<board::Link>(board::camera()) {}
+  explicit Camera(const console::Counters& /*counters*/) : pixy2::Camera<board::Link>(board::camera()) {}
   static void start() { board::start_camera(115'200); }
   static sensor::CameraIntrinsics calibration() { return pixy2::kPixy2Profile; }
 };

@@ -3,14 +3,14 @@
 
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/wire/i2c_stream.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 class Camera {
  public:
-  explicit Camera(const app::Counters& /*counters*/) {}
+  explicit Camera(const console::Counters& /*counters*/) {}
   static void start() { board::start_i2c(); }
   static sensor::CameraIntrinsics calibration() { return pixy2::kPixy2Profile; }
 

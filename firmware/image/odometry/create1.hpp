@@ -2,13 +2,13 @@
 #pragma once
 
 #include "drivers/create/create.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 struct Odometry : create::Create<board::Link> {
-  explicit Odometry(const app::Counters& /*counters*/)
+  explicit Odometry(const console::Counters& /*counters*/)
       : create::Create<board::Link>(
             board::base(), create::Config{create::Model::kCreate1, create::Mode::kPassive, odometry::kCreate2Wheels}) {}
   static void start() { board::start_base(57'600); }

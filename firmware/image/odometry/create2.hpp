@@ -2,13 +2,14 @@
 #pragma once
 
 #include "drivers/create/create.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
 struct Odometry : create::Create<board::Link> {
-  explicit Odometry(const app::Counters& /*counters*/) : create::Create<board::Link>(board::base(), create::Config{}) {}
+  explicit Odometry(const console::Counters& /*counters*/)
+      : create::Create<board::Link>(board::base(), create::Config{}) {}
   static void start() { board::start_base(115'200); }
 };
 

@@ -5,7 +5,7 @@
 
 #include "drivers/odometry/differential_drive.hpp"
 #include "firmware/config/wheels.hpp"
-#include "firmware/loop/counters.hpp"
+#include "firmware/console/counters.hpp"
 #include "hal/sensor/sources.hpp"
 #include FENCEPOST_BOARD
 
@@ -15,7 +15,7 @@ namespace fencepost::image {
 /// looks the same. So the link is empty until the first count, then ok.
 class Odometry {
  public:
-  explicit Odometry(const app::Counters& /*counters*/) {}
+  explicit Odometry(const console::Counters& /*counters*/) {}
   static void start() { board::start_encoders(); }
 
   base::Result<sensor::OdometrySample> poll(base::Time now) {

@@ -18,7 +18,7 @@ Screen the_screen;
 extern "C" {
 void gba_interrupt();
 }
-// The BIOS comes here in ARM state, 4096 times a second: from fast memory.
+// The BIOS calls this in ARM state 4096 times a second, so it is placed in fast memory.
 [[gnu::target("arm"), gnu::section(".fast")]] void gba_interrupt() {
   const std::uint16_t which = part::take_interrupts();
   if ((which & part::kInterruptTimer2) != 0) {

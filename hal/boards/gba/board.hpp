@@ -31,12 +31,12 @@ Flash& flash();
 Screen& screen();
 bus::Buttons buttons();
 
-/// The part does not know why it was switched on.
+/// The hardware does not record a reset reason.
 inline mcu::ResetReason take_reset_reason() { return mcu::ResetReason::kUnknown; }
-/// A fault goes to the BIOS, which stops there: nothing can be kept.
+/// A fault enters the BIOS, which halts: nothing can be saved.
 inline std::optional<mcu::Panic> take_panic() { return std::nullopt; }
 
-/// There is no watchdog: a loop that stands still does so until somebody switches the power off.
+/// There is no watchdog: a loop that hangs does so until the power is switched off.
 inline void feed_watchdog() {}
 /// Sleeps until a byte comes or a millisecond is over.
 void idle();

@@ -1,5 +1,5 @@
-// The console: the link port, or the mailbox where an emulator has announced itself there. Chosen when the board
-// starts: the image that is tested is the one that is flashed.
+// The console: the link port, or the mailbox where an emulator has announced itself. Chosen when the board starts, so
+// the tested image is the flashed one.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The console through memory that an emulator can reach: no emulator has the UART of the link port.
+// The console through memory that an emulator can access: no emulator models the link port's UART.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace fencepost::board {
 
-/// Two rings, each with one writer and one reader; the indices run freely. The desk side is no part of this image: it
-/// writes `desk`, `to_board`, `put` and `told`, the board all else.
+/// Two rings, each with one writer and one reader; the indices run freely. The desk side is not part of this image: it
+/// writes `desk`, `to_board`, `desk_sent` and `desk_received`, the board everything else.
 struct Mailbox {
   static constexpr std::uint32_t kAddress = 0x0200'0000;  ///< first in the external work memory
   static constexpr std::uint32_t kDesk = 0x6B73'6544;     ///< "Desk"
@@ -20,12 +20,12 @@ struct Mailbox {
   static constexpr std::size_t kToBoard = 1024;
   static constexpr std::size_t kToDesk = 2048;
 
-  std::uint32_t desk[2];  ///< kDesk, ~kDesk before the start: somebody is there
-  std::uint32_t board;    ///< kBoard: the board has seen that
-  std::uint32_t put;      ///< bytes that the desk has sent
-  std::uint32_t got;      ///< bytes of those that the board has taken
-  std::uint32_t said;     ///< bytes that the board has sent
-  std::uint32_t told;     ///< bytes of those that the desk has taken
+  std::uint32_t desk[2];         ///< kDesk, ~kDesk before the start: an emulator is attached
+  std::uint32_t board;           ///< kBoard: the board has seen that
+  std::uint32_t desk_sent;       ///< bytes
+  std::uint32_t board_received;  ///< of those
+  std::uint32_t board_sent;      ///< bytes
+  std::uint32_t desk_received;   ///< of those
   std::uint8_t to_board[kToBoard];
   std::uint8_t to_desk[kToDesk];
 };

@@ -24,7 +24,7 @@ constexpr std::uint32_t kColumns = 9;
 
 constexpr unsigned kHalfASecond = 19;  // 2^19 us
 
-constexpr std::uint32_t kLooks = 100'000;  // the crystal starts within 1 ms (product specification)
+constexpr std::uint32_t kMaxPolls = 100'000;  // the crystal starts within 1 ms (product specification)
 
 constinit Clock the_clock;
 constinit Link console_line;
@@ -44,10 +44,10 @@ void start_led() {
 }  // namespace
 
 void start(std::uint32_t console_baud) {
-  // The built-in oscillator is within 1 to 5 %: too far for a serial line. Where no crystal starts, it goes on for all
-  // that.
+  // The built-in oscillator is accurate to 1 to 5 %, too coarse for a serial line. Where no crystal starts it is used
+  // nevertheless.
   mcu::reg(part::kStartCrystal) = part::kTrigger;
-  static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kLooks));
+  static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kMaxPolls));
   the_clock.start();
   part::start_watchdog();
   console_line.start(kConsoleSends, kConsoleReceives, console_baud);

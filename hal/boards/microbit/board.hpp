@@ -1,5 +1,5 @@
 // BBC micro:bit v1: nRF51822, 16 MHz, 16 KB of memory. What every board offers: hal/boards/README.md. It has one serial
-// line, through the board's USB; a camera is on the two-wire bus of the edge connector.
+// line, through the board's USB; a camera is on the I2C bus of the edge connector.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ Flash& flash();
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
-/// Also beats the heart: the pixel at the upper left, on and off once a second as long as the loop turns.
+/// Also drives the heartbeat: the upper left pixel blinks once a second as long as the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/mcu/mirrored_link.hpp"
 #include "hal/mcu/reset.hpp"
 #include "hal/mcu/rp2040/encoder.hpp"
 #include "hal/mcu/rp2040/flash.hpp"
@@ -13,7 +14,6 @@
 #include "hal/mcu/rp2040/timer_clock.hpp"
 #include "hal/mcu/rp2040/uart.hpp"
 #include "hal/mcu/rp2040/usb_serial.hpp"
-#include "hal/mcu/twin_link.hpp"
 
 namespace fencepost::board {
 
@@ -22,7 +22,7 @@ inline constexpr int kEncoderBits = 16;
 
 using Clock = mcu::rp2040::TimerClock;
 using Link = mcu::rp2040::Uart;
-using Console = mcu::TwinLink<mcu::rp2040::Uart, mcu::rp2040::UsbSerial>;
+using Console = mcu::MirroredLink<mcu::rp2040::Uart, mcu::rp2040::UsbSerial>;
 using I2c = mcu::rp2040::I2c;
 using Flash = mcu::rp2040::Flash;
 
@@ -37,7 +37,7 @@ void start_i2c();
 Clock& clock();
 Console& console();  ///< UART0: GP0 sends, GP1 receives; and USB
 Link& camera();      ///< UART1: GP4 sends, GP5 receives
-Link& base();        ///< the same line: for a wheel base, where the camera is on the two-wire bus
+Link& base();        ///< the same line: for a wheel base, where the camera is on the I2C bus
 I2c& i2c();          ///< I2C0: GP8 data, GP9 clock
 Flash& flash();
 /// Left wheel: GP10 and GP11. Right wheel: GP12 and GP13. Modulo 2^kEncoderBits.
@@ -47,7 +47,7 @@ std::uint32_t right_count();
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
-/// The green light (GP25) shows that the loop turns: a flash a second.
+/// The green light (GP25) flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

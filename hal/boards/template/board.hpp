@@ -1,5 +1,5 @@
-// A board that does nothing: what every board has to offer, to start a new one from. Compiled on the desk, so that it
-// cannot rot.
+// A board that does nothing: what every board has to provide, to start a new one from. Compiled on the desk so that it
+// stays valid.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct Clock : port::BoardClock {
 };
 /// Fill in: a bus::ByteLink. Where lines are of several kinds (USB and a UART), a type for each.
 using Link = port::Uart;
-/// Fill in where the board has a two-wire bus for a camera; else leave it out, and cameras *_i2c cannot be chosen.
+/// Fill in where the board has an I2C bus for a camera; else leave it out, and cameras *_i2c cannot be chosen.
 using I2c = port::I2cMaster;
 
 /// Fill in: two pages that the linker script leaves free. A part without such flash keeps nothing: like this.
@@ -42,7 +42,7 @@ static_assert(bus::FlashPages<Flash>);
 
 /// Fill in: clocks, timer, watchdog, console; nothing else here is called before.
 void start(std::uint32_t console_baud);
-/// Fill in: each before its link is used, if it is at all.
+/// Fill in: called before the respective link is used, if it is used at all.
 void start_camera(std::uint32_t baud);
 void start_base(std::uint32_t baud);
 void start_i2c();
@@ -58,11 +58,11 @@ Link& base();
 I2c& i2c();
 Flash& flash();
 
-/// Fill in: once after the start; later calls need not know it any more.
+/// Fill in: called once after the start; later calls need not remember it.
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
-/// Fill in: at least once a second it will be.
+/// Fill in: the loop calls it at least once a second.
 void feed_watchdog();
 /// Fill in: sleep until a byte comes or a millisecond is over, unless a byte waits already.
 void idle();

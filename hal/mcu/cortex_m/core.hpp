@@ -10,7 +10,7 @@ namespace fencepost::mcu::cortex_m {
 
 inline void enable_interrupt(std::uint32_t number) { reg(kNvicEnable + 4 * (number / 32)) = 1U << (number % 32); }
 
-/// No interrupt is taken while this lives; they wait. Keep it short: bytes are lost meanwhile.
+/// Interrupts are held off during its lifetime. Keep it short: bytes are lost meanwhile.
 class InterruptsHeld {
  public:
   InterruptsHeld() { asm volatile("cpsid i" ::: "memory"); }
@@ -19,8 +19,8 @@ class InterruptsHeld {
   ~InterruptsHeld() { asm volatile("cpsie i" ::: "memory"); }
 };
 
-/// Sleeps until an interrupt, unless there is `work()` already. The core wakes for one that is held, too: none can slip
-/// in between the question and the sleep.
+/// Sleeps until an interrupt, unless there is `work()` already. A pending interrupt wakes the core even while held off,
+/// so none is missed between the check and the sleep.
 template <class Work>
 void sleep_unless(Work&& work) {
   const InterruptsHeld held;

@@ -5,7 +5,7 @@
 namespace fencepost::mcu::cortex_m {
 namespace {
 
-// Memory is random after power-on: two words that fit to each other do not come about by chance.
+// Memory is random after power-on: two matching words do not occur by chance.
 constexpr std::uint32_t kMark = 0x50414E49;
 
 struct Kept {
@@ -25,7 +25,7 @@ extern "C" {
 // By name, so that a test can find it in the image.
 [[gnu::section(".noinit"), gnu::used]] Kept fencepost_panic;
 
-/// The end of every exception that nobody handles. `frame`: what the core has pushed (Armv7-M B1.5.6).
+/// Where every unhandled exception ends. `frame`: what the core has pushed (Armv7-M B1.5.6).
 [[noreturn, gnu::used]] void fencepost_die(const std::uint32_t* frame) {
   fencepost_panic.mark = kMark;
   fencepost_panic.exception = reg(kInterruptControl) & 0x1FFU;

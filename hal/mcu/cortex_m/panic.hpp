@@ -1,4 +1,4 @@
-// A fault stores what happened in memory that start-up leaves alone, and resets the part. The next run tells.
+// A fault is stored in memory that start-up does not clear, and resets the part. The next run reports it.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace fencepost::mcu::cortex_m {
 
-/// What the last run died of, once.
+/// The fault that ended the last run; reading clears it.
 std::optional<Panic> take_panic();
 
 }  // namespace fencepost::mcu::cortex_m

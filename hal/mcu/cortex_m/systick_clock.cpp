@@ -18,8 +18,8 @@ void SysTickClock::tick() {
   low_ = next;
 }
 
-// The counter may have begun its next round while the interrupt that counts it still waits: then it is counted here, or
-// time would go back. Again, if the interrupt came in between.
+// The counter may have wrapped while the interrupt that counts the wrap is still pending: it is counted here, or time
+// would go back. Repeated if the interrupt came in between.
 SysTickClock::Reading SysTickClock::read() const {
   for (;;) {
     const std::uint32_t high = high_;

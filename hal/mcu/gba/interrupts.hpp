@@ -16,7 +16,7 @@ inline void start_interrupts(void (*handler)()) {
   reg16(kInterruptMaster) = 1;
 }
 
-/// In the handler: which ones they are. They are answered by this.
+/// In the handler: the pending interrupts, which this acknowledges.
 inline std::uint16_t take_interrupts() {
   const auto which = static_cast<std::uint16_t>(reg16(kInterruptEnable) & reg16(kInterruptFlags));
   reg16(kInterruptFlags) = which;
@@ -24,12 +24,12 @@ inline std::uint16_t take_interrupts() {
   return which;
 }
 
-/// Sleeps until an interrupt, unless there is `work()` already. The core wakes for one that is held, too: none can slip
-/// in between the question and the sleep.
+/// Sleeps until an interrupt, unless there is `work()` already. A pending interrupt wakes the core even while held off,
+/// so none is missed between the check and the sleep.
 template <class Work>
 void sleep_unless(Work&& work) {
   reg16(kInterruptMaster) = 0;
-  // Halt, by the BIOS: the register is its own. It may spoil r0-r3.
+  // Halt through the BIOS, which owns the register. It may overwrite r0-r3.
   if (!work() && (reg16(kInterruptEnable) & reg16(kInterruptFlags)) == 0) {
     asm volatile("swi 0x02" ::: "r0", "r1", "r2", "r3", "memory");
   }

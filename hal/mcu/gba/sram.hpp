@@ -14,7 +14,7 @@ namespace fencepost::mcu::gba {
 /// from a copy. A cartridge without such memory holds nothing: program() and erase() then answer false.
 class Sram {
  public:
-  /// Takes the copy. Once, before all else here.
+  /// Takes the copy. Called once, before anything else here.
   void start();
 
   [[nodiscard]] static std::size_t size() { return kSize; }

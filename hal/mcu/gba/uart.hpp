@@ -13,7 +13,8 @@ namespace fencepost::mcu::gba {
 
 class Uart {
  public:
-  /// Once, before all else here. The part knows 9600, 38400, 57600 and 115200 baud; another is taken for the last.
+  /// Called once, before anything else here. The part knows 9600, 38400, 57600 and 115200 baud; another is taken for
+  /// the last.
   void start(std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }

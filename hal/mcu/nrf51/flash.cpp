@@ -9,14 +9,14 @@ namespace fencepost::mcu::nrf51 {
 namespace {
 
 constexpr std::uint32_t kFirstAddress = 0x0003'F800;
-constexpr std::uint32_t kLooks = 100'000;  // of some cycles each; the core stands still by itself
+constexpr std::uint32_t kMaxPolls = 100'000;  // of some cycles each; the core stands still by itself
 
 // Read-only again, whatever happens in between.
 class Opened {
  public:
   explicit Opened(std::uint32_t purpose) {
     reg(kFlashConfig) = purpose;
-    static_cast<void>(await_bits(kFlashReady, 1, kLooks));
+    static_cast<void>(await_bits(kFlashReady, 1, kMaxPolls));
   }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
@@ -41,7 +41,7 @@ bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < bus::kFlashWord; ++k) word |= std::uint32_t{bytes[i + k]} << (8 * k);
     reg(address_of(n, offset + i)) = word;
-    if (!await_bits(kFlashReady, 1, kLooks)) return false;
+    if (!await_bits(kFlashReady, 1, kMaxPolls)) return false;
   }
   return std::ranges::equal(bytes, page(n).subspan(offset, bytes.size()));
 }
@@ -49,7 +49,7 @@ bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint
 bool Flash::erase(std::size_t n) {
   const Opened opened(kFlashErase);
   reg(kFlashErasePage) = address_of(n, 0);
-  const bool done = await_bits(kFlashReady, 1, kLooks);
+  const bool done = await_bits(kFlashReady, 1, kMaxPolls);
   return done && std::ranges::all_of(page(n), [](std::uint8_t byte) { return byte == 0xFF; });
 }
 

@@ -14,7 +14,7 @@ struct Pin {
   void make_output() const { configure(kPinOutput | kPinInputOff); }
   /// Pulled up, so that a line with nothing on it is quiet.
   void make_input() const { configure(kPinPullUp); }
-  /// As the wires of a two-wire bus have to be (28.4); the board's own resistors pull up, this helps where none are.
+  /// As the wires of an I2C bus have to be (28.4); the board's own resistors pull up, this helps where none are.
   void make_two_wire() const { configure(kPinPullUp | kPinDrivesLowOnly); }
   /// The same, but driven by drive().
   void make_two_wire_by_hand() const { configure(kPinOutput | kPinPullUp | kPinDrivesLowOnly); }

@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kUartRxd = kUart + 0x518;
 inline constexpr std::uint32_t kUartTxd = kUart + 0x51C;
 inline constexpr std::uint32_t kUartBaud = kUart + 0x524;
 
-// Two-wire master, chapter 28: offsets, since there are two of them.
+// I2C master, chapter 28: offsets, since there are two of them.
 inline constexpr std::uint32_t kTwi0 = 0x4000'3000;
 inline constexpr std::uint32_t kTwiStartReading = 0x000;
 inline constexpr std::uint32_t kTwiStartWriting = 0x008;

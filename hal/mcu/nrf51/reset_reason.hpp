@@ -9,7 +9,7 @@
 
 namespace fencepost::mcu::nrf51 {
 
-/// Flags gather until they are cleared; the first that says something counts. Power-on and a brown-out set none.
+/// Flags accumulate until they are cleared; the first known one counts. Power-on and a brown-out set none.
 constexpr ResetReason reset_reason(std::uint32_t flags) {
   if ((flags & kResetByWatchdog) != 0) return ResetReason::kWatchdog;
   if ((flags & kResetByLockup) != 0) return ResetReason::kPanic;
@@ -18,7 +18,7 @@ constexpr ResetReason reset_reason(std::uint32_t flags) {
   return flags == 0 ? ResetReason::kPowerOn : ResetReason::kUnknown;
 }
 
-/// Of this start; the part forgets it.
+/// Of this start; clears the flags.
 inline ResetReason take_reset_reason() {
   const std::uint32_t flags = reg(kResetReason);
   reg(kResetReason) = flags;

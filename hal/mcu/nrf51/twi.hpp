@@ -1,4 +1,4 @@
-// The two-wire master on the part's registers.
+// The I2C master on the part's registers.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct TwiRegisters {
 class Twi : public TwiMaster<TwiRegisters> {
  public:
   Twi(Pin clock, Pin data) : TwiMaster({clock, data}), wires_{clock, data} {}
-  /// Once, before all else here.
+  /// Called once, before anything else here.
   void start() const;
 
  private:

@@ -1,5 +1,5 @@
-// The transfers of the two-wire master, as its interrupt carries them on. What they are carried on with, the registers,
-// is a type, so that the desk can play the part.
+// The state machine of the I2C master's transfers, driven by its interrupt. The registers are a template parameter, so
+// that a test can simulate the part.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@
 namespace fencepost::mcu::nrf51 {
 
 /// `Registers`: read(offset), write(offset, value) of the master; restart(): off and on again, with the wires freed.
-/// Chapter 28 of the manual; and anomaly 56 of the nRF51822 (PAN): the master locks up where a byte comes while the
-/// last one is still unread. So it is suspended after each byte by itself, and one that is stuck for all that, or whose
-/// device holds the clock, is switched off and on.
+/// Chapter 28 of the manual, and anomaly 56 of the nRF51822 (PAN): the master locks up when a byte arrives while the
+/// previous one is unread. So it is suspended after each byte; one that is stuck all the same, or whose device holds
+/// the clock, is switched off and on.
 template <class Registers>
 class TwiMaster {
  public:

@@ -20,7 +20,7 @@ static_assert(baud_setting(9'600) == 0x0027'5000 && baud_setting(115'200) == 0x0
 
 class Uart {
  public:
-  /// Once, before all else here. `baud`: 1200 to 1 000 000.
+  /// Called once, before anything else here. `baud`: 1200 to 1 000 000.
   void start(Pin transmit, Pin receive, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
@@ -28,8 +28,8 @@ class Uart {
 
   /// The line's interrupt. The part holds six bytes, 0.5 ms of 115200 baud: nobody may hold it off longer.
   void on_interrupt();
-  /// Once a millisecond, from an interrupt: goes on sending where the line's own interrupt was lost. The emulator
-  /// forgets it when somebody who did not listen begins to listen again.
+  /// Once a millisecond, from an interrupt: resumes sending where the line's own interrupt was lost. The emulator drops
+  /// it when a peer that had stopped reading starts again.
   void on_millisecond() { go_on_sending(); }
 
   [[nodiscard]] bool waiting() const { return rings_.waiting(); }
@@ -38,7 +38,7 @@ class Uart {
   void go_on_sending();
   [[nodiscard]] bool send_one();
 
-  volatile bool sending_ = false;  ///< a byte is on its way; its end will be told
+  volatile bool sending_ = false;  ///< a byte is being sent; an event reports its end
   /// While the longest frame is worked on, 17 ms, 200 bytes come in. What goes out waits in the loop's own queue.
   Rings<512, 128> rings_;
 };

@@ -6,8 +6,8 @@
 
 namespace fencepost::mcu::nrf51 {
 
-/// 3 s: longer than the flash takes to erase (two times 23 ms), shorter than anybody waits. The part keeps it running
-/// through a reset by software; a debugger that halts the core halts it, too.
+/// 3 s: longer than the flash takes to erase (two times 23 ms), shorter than a person would wait. The part keeps it
+/// running through a reset by software; a debugger that halts the core halts it, too.
 inline void start_watchdog() {
   reg(kWatchdogConfig) = kWatchdogWhileAsleep;
   reg(kWatchdogReload) = 3 * 32'768 - 1;

@@ -12,8 +12,9 @@ struct Clocks {
   bool usb = false;             ///< the 48 MHz are there
 };
 
-/// Where the crystal does not start, the part goes on with its ring oscillator, at some 6.5 MHz (2.17): the loop runs,
-/// serial lines may be wrong by a third. Where a PLL does not lock: with the crystal's 12 MHz, rightly.
+/// Where the crystal does not start, the part continues with its ring oscillator at some 6.5 MHz (2.17): the loop runs,
+/// baud rates may be wrong by a third. Where a PLL does not lock it runs at the crystal's 12 MHz, with correct baud
+/// rates.
 Clocks start_clocks();
 
 }  // namespace fencepost::mcu::rp2040

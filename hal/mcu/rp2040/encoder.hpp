@@ -17,7 +17,7 @@ class Encoder {
     b_.interrupt_at_edges();
     quadrature_.start(a_.high(), b_.high());
   }
-  /// The pins' interrupt, which all pins share: forgotten first, an edge that comes then interrupts again.
+  /// The interrupt that all pins share: the flag is cleared first, so a later edge interrupts again.
   void on_interrupt() {
     a_.forget_edges();
     b_.forget_edges();

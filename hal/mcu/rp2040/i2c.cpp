@@ -34,7 +34,7 @@ void I2c::start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t b
 void I2c::set_up() {
   bring_up(wiring_.reset);
   const std::uint32_t period = clock_hz_ / bus_hz_;
-  const std::uint32_t low = period * 3 / 5;  // the low half is the longer one, by the bus's rules
+  const std::uint32_t low = period * 3 / 5;  // the bus specification wants the low half longer
   reg(wiring_.base + kI2cEnable) = 0;
   reg(wiring_.base + kI2cControl) = kI2cMaster;
   reg(wiring_.base + kI2cHighPeriod) = period - low;
@@ -97,7 +97,7 @@ void I2c::on_interrupt() {
   if ((status & kI2cAborted) != 0) {
     clear_by_reading(wiring_.base + kI2cClearAbort);
     refused_ = true;
-    commanded_ = written_ + expected_;  // the part has thrown away what was queued
+    commanded_ = written_ + expected_;  // the part has discarded its queue
   }
   if ((status & kI2cStopped) != 0) {
     clear_by_reading(wiring_.base + kI2cClearStop);

@@ -1,4 +1,4 @@
-// A two-wire bus: the part's own master, fed by its interrupt.
+// An I2C bus: the part's own master, fed by its interrupt.
 #pragma once
 
 #include <array>
@@ -22,7 +22,8 @@ struct I2cWiring {
 
 class I2c {
  public:
-  /// Once, before all else here. `clock_hz`: of the peripherals. 100 kHz is what every device on such a bus can.
+  /// Called once, before anything else here. `clock_hz`: of the peripherals. 100 kHz is what every device on such a bus
+  /// can.
   void start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t bus_hz = 100'000);
 
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected);

@@ -1,6 +1,5 @@
-// Brings the program from the flash into memory, and starts it there. All of it: reading four bytes of flash that are
-// in no cache takes 2 us, a frame would take as long as the cache pleases. And while flash is written nothing can be
-// read.
+// Copies the whole program from flash into RAM and starts it there: an uncached read of four bytes takes 2 us, so a
+// frame's duration would depend on the cache, and nothing can be read while flash is written.
 extern "C" {
 [[noreturn]] void load_program();
 }

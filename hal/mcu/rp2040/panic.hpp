@@ -1,4 +1,4 @@
-// A fault stores what happened in the watchdog's words and has it reset the part. The next run tells.
+// A fault is stored in the watchdog's scratch words, and the watchdog resets the part. The next run reports it.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace fencepost::mcu::rp2040 {
 
-/// What the last run died of, once.
+/// The fault that ended the last run; reading clears it.
 std::optional<Panic> take_panic();
 
 }  // namespace fencepost::mcu::rp2040

@@ -22,7 +22,7 @@ struct Pin {
     connect(kFunctionSoftware);
   }
   void drive(bool high) const { reg(high ? kSioOutSet : kSioOutClear) = mask(); }
-  /// One of several ends of a wire, by pull_down(); left alone at first.
+  /// Open drain, by pull_down(); released at first.
   void take_wire() const {
     pull_down(false);
     drive(false);

@@ -125,7 +125,7 @@ inline constexpr std::uint32_t kUartOn = (1U << 0) | (1U << 8) | (1U << 9);     
 inline constexpr std::uint32_t kUartReceiveInterrupts = (1U << 4) | (1U << 6);  // half full; quiet for 32 bits
 inline constexpr std::uint32_t kUartSendInterrupt = 1U << 5;
 
-// Two-wire master, 4.3.17.
+// I2C master, 4.3.17.
 inline constexpr std::uint32_t kI2c0 = 0x4004'4000;
 inline constexpr std::uint32_t kI2cControl = 0x00;
 inline constexpr std::uint32_t kI2cTarget = 0x04;

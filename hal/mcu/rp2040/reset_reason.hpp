@@ -11,7 +11,7 @@
 namespace fencepost::mcu::rp2040 {
 
 /// `watchdog`: WATCHDOG.REASON (4.7.6), zero unless the watchdog was the last. `armed`: this program had started it.
-/// `chip`: CHIP_RESET (2.12.8), which tells of the last reset of another kind; a brown-out looks like power-on.
+/// `chip`: CHIP_RESET (2.12.8), which records the last reset of another kind; a brown-out looks like power-on.
 constexpr ResetReason reset_reason(std::uint32_t watchdog, bool armed, std::uint32_t chip) {
   if ((watchdog & kWatchdogByTimer) != 0 && armed) return ResetReason::kWatchdog;
   if (watchdog != 0) return ResetReason::kSoftware;

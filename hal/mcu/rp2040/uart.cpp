@@ -37,12 +37,12 @@ void Uart::receive() {
   while ((reg(base_ + kUartFlags) & kUartNothingReceived) == 0) {
     const std::uint32_t data = reg(base_ + kUartData);
     if ((data & kUartDataFaults) != 0) rings_.lost();
-    // An overrun is told beside the byte that came after it, which is good.
+    // An overrun is flagged with the byte after it, which is valid.
     if ((data & kUartDataDamaged) == 0) rings_.received(static_cast<std::uint8_t>(data & 0xFF));
   }
 }
 
-// Whatever is left in the ring then: the part's queue is full, and will be half empty.
+// If bytes are left in the ring the part's queue is full, so the half-empty interrupt will come.
 void Uart::send() {
   std::uint8_t byte = 0;
   while ((reg(base_ + kUartFlags) & kUartSendFull) == 0) {

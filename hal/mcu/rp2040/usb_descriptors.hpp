@@ -6,11 +6,11 @@
 
 namespace fencepost::mcu::rp2040::usb {
 
-inline constexpr std::uint8_t kNotifyEndpoint = 1;  // in; the class wants one, nothing is ever told on it
+inline constexpr std::uint8_t kNotifyEndpoint = 1;  // in; required by the class, never used
 inline constexpr std::uint8_t kDataEndpoint = 2;    // in and out
 inline constexpr std::uint8_t kPacket = 64;
 
-// USB 2.0 table 9-8. 1209:0001 is the test identity of pid.codes: whoever sells boards has to get one.
+// USB 2.0 table 9-8. 1209:0001 is the test id of pid.codes: whoever sells boards has to register one.
 inline constexpr std::array<std::uint8_t, 18> kDevice = {18,   1,    0x00, 0x02, 2,    0, 0, kPacket, 0x09,
                                                          0x12, 0x01, 0x00, 0x00, 0x01, 1, 2, 0,       1};
 

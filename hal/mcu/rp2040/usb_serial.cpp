@@ -139,7 +139,7 @@ void UsbSerial::configure() {
   ask_for_data();
 }
 
-// The port is closed, or was: a program that opens it begins anew.
+// The port is closed, or was: a program that opens it starts afresh.
 void UsbSerial::close() {
   ready_ = false;
   sending_ = false;

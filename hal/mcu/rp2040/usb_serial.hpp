@@ -12,8 +12,8 @@
 
 namespace fencepost::mcu::rp2040 {
 
-/// Gone unless a program on the other side has the port open: its terminal-ready signal is up, the cable is in, the
-/// host is awake. What was on its way then is thrown away.
+/// kGone unless a program on the host has the port open: DTR is set, the cable is in, the host is awake. Bytes still
+/// queued when it closes are discarded.
 class UsbSerial {
  public:
   /// Once, before all else here, with a clock of 48 MHz running.

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kArmedWord = kWatchdogScratch + 4 * 4;
 inline constexpr std::uint32_t kArmed = 0x66E6'CE05;
 
 /// 3 s: the timer counts two a microsecond (erratum RP2040-E1). Longer than the flash takes to erase a sector (0.4 s at
-/// most), shorter than anybody waits.
+/// most), shorter than a person would wait.
 inline constexpr std::uint32_t kWatchdogCount = 6'000'000;
 
 /// After the clock: it counts the same microseconds.

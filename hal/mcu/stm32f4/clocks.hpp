@@ -14,7 +14,7 @@ struct Clocks {
 
 /// 168, 42 and 84 MHz by the PLL from the internal 16 MHz. Not from a crystal: boards of this part carry 8, 12 or
 /// 25 MHz, and one image serves all; the internal oscillator is within 1 % at room temperature (datasheet 5.3.9), a
-/// serial line bears 2. Where the PLL does not lock the part goes on at 16 MHz, slowly and rightly.
+/// serial line bears 2. Where the PLL does not lock the part runs at 16 MHz, with correct baud rates.
 Clocks start_clocks();
 
 }  // namespace fencepost::mcu::stm32f4

@@ -1,4 +1,4 @@
-// The two-wire master on the part's registers: I2C1.
+// The I2C master on the part's registers: I2C1.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct I2cRegisters {
 class I2c : public I2cMaster<I2cRegisters> {
  public:
   I2c(Pin clock, Pin data) : I2cMaster({clock, data, 0}) {}
-  /// Once, before all else here. `bus_hz`: of APB1.
+  /// Called once, before anything else here. `bus_hz`: of APB1.
   void start(std::uint32_t bus_hz);
 };
 

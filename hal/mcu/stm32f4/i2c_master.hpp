@@ -1,5 +1,5 @@
-// The transfers of the two-wire master, as its interrupt carries them on. What they are carried on with, the registers,
-// is a type, so that the desk can play the part.
+// The state machine of the I2C master's transfers, driven by its interrupt. The registers are a template parameter, so
+// that a test can simulate the part.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@
 namespace fencepost::mcu::stm32f4 {
 
 /// `Registers`: read(offset), write(offset, value) of the master; restart(): reset and set up again, the wires freed.
-/// RM0090 27.3.3. Bytes are moved when the part holds the clock with both its registers full or empty (BTF): then no
-/// byte can be late, however long another interrupt took. Of the last two or three bytes acknowledge and stop have to
-/// be set in that hold, or one byte too many comes; a single byte has no such hold and is awaited by RXNE.
+/// RM0090 27.3.3. Bytes are moved while the part stretches the clock with both its registers full or empty (BTF), so no
+/// byte is late, however long another interrupt took. For the last two or three bytes acknowledge and stop have to be
+/// set during that stretch, or one byte too many is read; a single byte has none and is awaited by RXNE.
 template <class Registers>
 class I2cMaster {
  public:
@@ -26,7 +26,7 @@ class I2cMaster {
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
     const base::Result<std::size_t> prepared = transfer_.prepare(out, expected);
     if (!prepared) return prepared;
-    // Nothing of ours is under way: a device holds the data wire, or the part believes so (a known fault of it).
+    // No transfer of ours is active: a device holds the data wire, or the part believes so (a known erratum).
     if ((registers_.read(kI2cStatus2) & kI2cBusy) != 0) registers_.restart();
     address_ = address;
     reading_ = transfer_.reads_only();

@@ -22,12 +22,12 @@ struct Pin {
     change_bits(address() + kPortPull, 0x3U << (2 * number), kPullUp << (2 * number));
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeAlternate << (2 * number));
   }
-  /// Likewise of a bus on which everybody only pulls down.
+  /// The same with open drain, for a bus.
   void connect_open(std::uint32_t function) const {
     connect(function);
     set_bits(address() + kPortOpen, 1U << number);
   }
-  /// By hand, pulling down only.
+  /// Driven by hand, open drain.
   void make_open_output() const {
     turn_on();
     set_bits(address() + kPortOpen, 1U << number);
@@ -40,7 +40,7 @@ struct Pin {
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));
   }
   void drive(bool high) const { reg(address() + kPortSet) = 1U << (number + (high ? 0U : 16U)); }
-  /// An open output, as wires with several ends want it: pulled down or left alone.
+  /// Open drain: pulled down or released.
   void pull_down(bool down) const { drive(!down); }
 
  private:

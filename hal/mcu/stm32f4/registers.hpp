@@ -80,7 +80,7 @@ inline constexpr std::uint32_t kUsartReceiveInterrupt = 1U << 5;
 inline constexpr std::uint32_t kUsartSendInterrupt = 1U << 7;
 inline constexpr std::uint32_t kUsartEnable = 1U << 13;
 
-// The two-wire bus, RM0090 27.6.
+// The I2C bus, RM0090 27.6.
 inline constexpr std::uint32_t kI2c1 = 0x4000'5400;
 inline constexpr std::uint32_t kI2c1Clock = 1U << 21;  // in kRccApb1Enable
 inline constexpr std::uint32_t kI2cControl1 = 0x00;    // 27.6.1

@@ -9,8 +9,8 @@
 
 namespace fencepost::mcu::stm32f4 {
 
-/// Several flags are set at a time: every reset pulls the pin, power-on looks like a brown-out, too. The first that
-/// says something counts.
+/// Several flags are set at a time: every reset pulls the pin, power-on also looks like a brown-out. The first known
+/// one counts.
 constexpr ResetReason reset_reason(std::uint32_t status) {
   if ((status & (kResetByWatchdog | kResetByWindowWatchdog)) != 0) return ResetReason::kWatchdog;
   if ((status & kResetBySoftware) != 0) return ResetReason::kSoftware;
@@ -20,7 +20,7 @@ constexpr ResetReason reset_reason(std::uint32_t status) {
   return ResetReason::kUnknown;
 }
 
-/// Of this start; the part forgets it.
+/// Of this start; clears the flags.
 inline ResetReason take_reset_reason() {
   const std::uint32_t status = reg(kRccStatus);
   set_bits(kRccStatus, kForgetResets);

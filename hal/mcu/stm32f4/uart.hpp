@@ -24,8 +24,8 @@ struct UartWiring {
 
 class Uart {
  public:
-  /// Once, before all else here. `clock_hz`: of the line's bus. The wiring is not a constructor's: an object that
-  /// begins with zeros costs no flash.
+  /// Called once, before anything else here. `clock_hz`: of the line's bus. The wiring is not a constructor's: an
+  /// object that begins with zeros costs no flash.
   void start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }

@@ -89,7 +89,8 @@ void count_eight_objects(PoseCorrected corrected) {
   Bench bench(gba(&machine));
   ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
   bench.run(0.5);  // not counted: what it takes to be told all that
-  const Stages screen = {{"screen", "MapView<fencepost::config::Small, fencepost::mcu::gba::Screen>::turn("}};
+  const Stages screen = {
+      {"screen", "MapView<fencepost::loop::Pipeline<fencepost::config::Small>, fencepost::mcu::gba::Screen>::turn("}};
   InstructionCounter counter(*machine, image_of("gba") + ".elf", stages_of_a_loop(screen));
   expect_full_table(bench, stream, 8);
   expect_counts_as_committed(counter.counts(), "gba", corrected, 30);

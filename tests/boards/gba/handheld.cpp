@@ -59,18 +59,19 @@ void MailboxLine::connect(board::Mailbox& mailbox) {
 }
 
 std::size_t MailboxLine::put(std::string_view bytes) {
-  const std::size_t room = board::Mailbox::kToBoard - (mailbox_->put - mailbox_->got);
+  const std::size_t room = board::Mailbox::kToBoard - (mailbox_->desk_sent - mailbox_->board_received);
   const std::size_t count = std::min(room, bytes.size());
   for (std::size_t i = 0; i < count; ++i) {
-    mailbox_->to_board[(mailbox_->put + i) % board::Mailbox::kToBoard] = static_cast<std::uint8_t>(bytes[i]);
+    mailbox_->to_board[(mailbox_->desk_sent + i) % board::Mailbox::kToBoard] = static_cast<std::uint8_t>(bytes[i]);
   }
-  mailbox_->put += static_cast<std::uint32_t>(count);
+  mailbox_->desk_sent += static_cast<std::uint32_t>(count);
   return count;
 }
 
 std::string MailboxLine::get(std::size_t most) {
-  std::string bytes(std::min<std::size_t>(most, mailbox_->said - mailbox_->told), '\0');
-  for (char& byte : bytes) byte = static_cast<char>(mailbox_->to_desk[mailbox_->told++ % board::Mailbox::kToDesk]);
+  std::string bytes(std::min<std::size_t>(most, mailbox_->board_sent - mailbox_->desk_received), '\0');
+  for (char& byte : bytes)
+    byte = static_cast<char>(mailbox_->to_desk[mailbox_->desk_received++ % board::Mailbox::kToDesk]);
   return bytes;
 }
 

@@ -22,8 +22,8 @@ class MailboxLine : public Line {
  public:
   void connect(board::Mailbox& mailbox);
 
-  [[nodiscard]] std::size_t unread() const override { return mailbox_->put - mailbox_->got; }
-  [[nodiscard]] std::size_t held() const override { return mailbox_->said - mailbox_->told; }
+  [[nodiscard]] std::size_t unread() const override { return mailbox_->desk_sent - mailbox_->board_received; }
+  [[nodiscard]] std::size_t held() const override { return mailbox_->board_sent - mailbox_->desk_received; }
 
  private:
   std::size_t put(std::string_view bytes) override;

@@ -1,4 +1,4 @@
-// A device, its cable and its driver on one clock: what every test of a driver stands on.
+// A device, its cable and its driver on one clock: the fixture of all driver tests.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace fencepost::test {
 
-/// What is the same of all rigs of cameras. `scene` is what each image shows; or `moving`: another box in each image,
-/// so that a damaged or an old one cannot pass for the right one.
+/// Common to all camera rigs. `scene` is what each image shows; or `moving`: a different box in each image, so that a
+/// damaged or an old one cannot be taken for the right one.
 template <class Blobs = std::vector<sensor::Blob>>
 struct CameraRig {
   using Sample = sensor::BlobFrame;
@@ -24,7 +24,7 @@ struct CameraRig {
   std::int64_t images = 0;
   bool exposing = true;  ///< the imager works
   base::Time next_image;
-  std::int64_t latest = 3;  ///< an answer takes its time: what is right may be so many images old, itself included
+  std::int64_t latest = 3;  ///< latency: a right sample may be this many images old, itself included
 
   /// Whether an image is due.
   bool expose(base::Time now, base::Duration period) {
@@ -53,7 +53,7 @@ struct BenchClock {
 /// Rig: constructed on a clock, with
 /// - `Sample`, and `poll(now)` as the driver's
 /// - `device`, `link` (a Plug), `driver`
-/// - `live(now)`: what the device does by itself; `restart(now)`: its power goes off and on
+/// - `live(now)`: the device's own activity; `restart(now)`: a power cycle
 /// - `right(sample)`: whether that is what the device says now, `old(sample)`: or said some seconds ago; for rigs that
 ///   are `moving`
 template <class Rig>

@@ -16,7 +16,7 @@
 
 namespace fencepost::test {
 
-/// Device: `take(byte, now)` or `feed(text)`, each with an answer. What it says arrives at the line's pace.
+/// Device: `take(byte, now)` or `feed(text)`, each with a reply. Its output arrives at the line's rate.
 template <class Device>
 class Cable : public Plug {
  public:
@@ -25,13 +25,13 @@ class Cable : public Plug {
   Cable(Device& device, const fake::SteppedClock& clock, const Damage& damage = {})
       : Plug(damage), device_(device), clock_(clock), last_read_(clock.now()) {}
 
-  /// Which of the device's utterances are its frames, for whole_frames().
+  /// Which of the device's messages are its frames, for whole_frames().
   void count_frames(IsFrame is_frame) { is_frame_ = is_frame; }
   /// 115200 baud is 11.5 bytes a millisecond.
   void set_bytes_per_ms(std::int64_t bytes) { per_ms_ = bytes; }
   void unplug() { Plug::unplug(), forget(); }
   void forget() { waiting_.clear(); }
-  /// A device without power neither hears nor speaks.
+  /// A device without power neither receives nor sends.
   void power(bool on) { powered_ = on; }
   [[nodiscard]] bool powered() const { return powered_; }
 
@@ -63,7 +63,7 @@ class Cable : public Plug {
     return count;
   }
 
-  /// What the device says, asked or not. Past its capacity, as a port's buffer, the line forgets what comes.
+  /// The device's output, requested or not. Beyond its capacity, like a port's buffer, the line drops bytes.
   void inject(const std::vector<std::uint8_t>& bytes) {
     if (!powered_) return;
     const std::uint64_t before = corrupted();
@@ -72,7 +72,7 @@ class Cable : public Plug {
       ++whole_frames_;
   }
   void inject(std::string_view bytes) { inject(bytes_of(bytes)); }
-  /// What comes over the line without the device having said it.
+  /// Bytes that arrive without having been sent by the device.
   void noise(const std::vector<std::uint8_t>& bytes) {
     for (const std::uint8_t byte : bytes) {
       if (!unplugged_ && waiting_.size() < kCapacity) waiting_.push_back(corruptor_.pass(byte));

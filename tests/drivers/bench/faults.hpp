@@ -1,4 +1,4 @@
-// When what goes wrong in one hostile hour: the same for every driver, the same in every run.
+// The schedule of faults in a hostile hour: the same for every driver and in every run.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace fencepost::test {
 
-/// Something now and then: a stall, a reboot, an unplug; each ends after a while, and a rest of a few seconds follows.
+/// Occasional faults: a stall, a reboot, an unplug; each ends after a while, followed by a pause of a few seconds.
 class Faults {
  public:
   enum class Kind : std::uint8_t { kNone, kStall, kReboot, kUnplug };

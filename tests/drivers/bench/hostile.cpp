@@ -1,4 +1,4 @@
-// Puts every driver through hostile hours and prints what came of it. Fails if anything that must never be has been.
+// Runs every driver through hostile hours and prints the figures. Fails if one of them violates its limit.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 

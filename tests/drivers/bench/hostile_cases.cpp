@@ -34,7 +34,7 @@ constexpr double kSum16 = 1e-4;
 constexpr double kSum8 = 1e-3;
 constexpr double kNoSum = 0.1;
 constexpr base::Duration kSoon = base::milliseconds(10'000);
-// A start of half a dozen waits of 200 ms, begun anew when one of a hundred bytes was damaged.
+// A start of half a dozen waits of 200 ms, restarted when one of a hundred bytes was damaged.
 constexpr base::Duration kLater = base::milliseconds(30'000);
 // Through the brick a start takes dozens of telegrams, each damaged as often.
 constexpr base::Duration kThroughBrick = base::milliseconds(60'000);

@@ -1,4 +1,4 @@
-// Every driver that is put through hostile hours.
+// All drivers that run through hostile hours.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fencepost::test {
 
-/// The link's state at the stations of a day without damage.
+/// The link's state in the phases of a day without damage.
 struct Comeback {
   sensor::LinkState before = sensor::LinkState::kOk;  ///< while the device is dead, at the beginning
   sensor::LinkState working = sensor::LinkState::kAbsent;

@@ -1,4 +1,4 @@
-// What came of hostile hours.
+// Figures of hostile hours.
 #pragma once
 
 #include <cstddef>
@@ -30,14 +30,14 @@ struct HostileFigures {
   [[nodiscard]] std::uint64_t lost() const { return whole > right_in_calm ? whole - right_in_calm : 0; }
 };
 
-/// What a driver promises.
+/// A driver's limits.
 struct HostileLimits {
   double undetected_share = 0;      ///< of the samples
   std::uint64_t least_samples = 0;  ///< an hour
   base::Duration longest_wait;      ///< gap or recovery: longer, it hangs
 };
 
-/// What must never be and was, in words; empty.
+/// Violated limits, in words; empty if there are none.
 std::vector<std::string> hostile_faults(const HostileFigures& figures, const HostileLimits& limits);
 
 /// Bytes that this program has of the heap; 0 where the C library does not tell.

@@ -63,7 +63,7 @@ class HostileHours {
     ++figures_.samples;
     last_ = bench_.clock.now();
     if (!bench_.right(sample)) {
-      // What a stalled line held back comes late, and is nobody's damage.
+      // Samples held back by a stalled line come late and do not count as damaged.
       const bool held_back = !calm_ && bench_.old(sample);
       ++(held_back ? figures_.held_back : figures_.undetected);
     } else if (calm_) {

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(hostile_cases().beg
                          });
 
 // The judge itself.
-TEST(HostileFigures, EveryFaultIsTold) {
+TEST(HostileFigures, EveryFaultIsReported) {
   HostileFigures good;
   good.hours = 1;
   good.samples = 100;
@@ -50,21 +50,21 @@ TEST(HostileFigures, EveryFaultIsTold) {
   good.whole = good.right_in_calm = 100;
   const HostileLimits limits{0.01, 100, base::milliseconds(1'000)};
   EXPECT_TRUE(hostile_faults(good, limits).empty());
-  const auto told = [&](auto change) {
+  const auto faults = [&](auto change) {
     HostileFigures bad = good;
     change(bad);
     return hostile_faults(bad, limits).size();
   };
-  EXPECT_EQ(told([](auto& f) { f.samples = 99; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.faults = 100; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.corrupted = 1'000; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.whole += 2'401; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.undetected = 2; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.disorder = 1; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.longest_gap = base::milliseconds(1'001); }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.longest_recovery = base::milliseconds(1'001); }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.longest_queue = 6'001; }), 1U);
-  EXPECT_EQ(told([](auto& f) { f.heap_growth = 1 << 20; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.samples = 99; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.faults = 100; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.corrupted = 1'000; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.whole += 2'401; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.undetected = 2; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.disorder = 1; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.longest_gap = base::milliseconds(1'001); }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.longest_recovery = base::milliseconds(1'001); }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.longest_queue = 6'001; }), 1U);
+  EXPECT_EQ(faults([](auto& f) { f.heap_growth = 1 << 20; }), 1U);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ struct NxtCameraRig : NxtCamImages, BrickDevice, Wire {
   std::uint64_t poses = 0;
 };
 
-/// The brick alone: for whoever uses its conversation.
+/// The brick alone: for clients of its conversation.
 template <class Wire>
 struct NxtBrickRig : BrickDevice, Wire {
   using Sample = sensor::OdometrySample;

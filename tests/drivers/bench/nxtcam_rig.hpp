@@ -14,7 +14,7 @@ struct NxtCamImages : CameraRig<> {
   static constexpr base::Duration kImage = base::milliseconds(33);
 
   explicit NxtCamImages(const fake::SteppedClock& clock) : device(clock.now()) {}
-  // Columns are told doubled: even ones.
+  // Columns are reported doubled: even ones.
   static sensor::Blob blob_of(std::int64_t image) {
     const auto x = static_cast<std::int16_t>(2 * (image % 60));
     const auto y = static_cast<std::int16_t>(image / 60 % 100);

@@ -1,4 +1,4 @@
-// What goes wrong with any cable, whatever it carries.
+// Faults common to all cables, whatever they carry.
 #pragma once
 
 #include <cstdint>

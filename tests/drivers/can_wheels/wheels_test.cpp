@@ -48,7 +48,7 @@ TEST(CanWheels, ARestartIsNoWayASilenceIs) {
   (void)wheels.take(pair(300, 300), at(0));
   EXPECT_EQ(wheels.take(pair(310, 310), at(20))->x.raw, 100);
   EXPECT_EQ(wheels.take(pair(500, 500), at(520))->x.raw, 2'000);  // half a second of silence: 190 counts on
-  EXPECT_EQ(wheels.take(pair(3, 3), at(1'020))->x.raw, 2'000);    // started anew
+  EXPECT_EQ(wheels.take(pair(3, 3), at(1'020))->x.raw, 2'000);    // restarted
   EXPECT_EQ(wheels.take(pair(13, 13), at(1'040))->x.raw, 2'100);
   EXPECT_EQ(wheels.take(pair(3, 3), at(1'060))->x.raw, 2'000);  // back, too soon for a restart
 }
@@ -106,13 +106,13 @@ TEST(CanWheels, OneWheelAloneIsUnready) {
 
 TEST(CanWheels, ForeignAndShortFramesAreCounted) {
   Wheels wheels(both_in_one());
-  bus::CanFrame foreign = pair(1, 1);
-  foreign.id = 0x7FF;
-  EXPECT_FALSE(wheels.take(foreign, at(1)));
+  bus::CanFrame unrelated = pair(1, 1);
+  unrelated.id = 0x7FF;
+  EXPECT_FALSE(wheels.take(unrelated, at(1)));
   bus::CanFrame cut = pair(1, 1);
   cut.length = 3;
   EXPECT_FALSE(wheels.take(cut, at(2)));
-  EXPECT_EQ(wheels.counters().foreign, 1U);
+  EXPECT_EQ(wheels.counters().unrelated, 1U);
   EXPECT_EQ(wheels.counters().malformed, 1U);
   EXPECT_EQ(wheels.counters().frames, 1U);
 }

@@ -1,4 +1,4 @@
-// libFuzzer's way in: the decoder, and what becomes of its packets. The ordinary tests call it too.
+// libFuzzer entry point: the decoder, and what becomes of its packets. The ordinary tests call it too.
 #include <algorithm>
 #include <array>
 #include <cstddef>

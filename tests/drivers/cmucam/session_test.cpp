@@ -1,4 +1,4 @@
-// The conversation, against emulated cameras.
+// The session, against emulated cameras.
 #include "drivers/cmucam/session.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// libFuzzer's way in: a frame is reported if and only if the last bytes are one; good frames after anything are found.
+// libFuzzer entry point: a frame is reported if and only if the last bytes are one; good frames after anything are
+// found.
 #include <array>
 #include <cstddef>
 #include <cstdint>

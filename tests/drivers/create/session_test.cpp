@@ -1,4 +1,4 @@
-// The conversation with emulated Creates, and an hour of it with damaged bytes.
+// The session with emulated Creates, and an hour of it with damaged bytes.
 #include "drivers/create/session.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(CreateSession, ACreate1TellsMillimetresAndDegrees) {
   Rig rig(config_of(Model::kCreate1), CreateModel::kOne);
   rig.device.move(500, 90);  // before anybody listened
   rig.run(90);
-  EXPECT_EQ(rig.last.x.raw, 0) << "the first reading is since who knows when";
+  EXPECT_EQ(rig.last.x.raw, 0) << "the first reading covers an unknown time";
   rig.mm_a_frame = 3;
   rig.run(1'500);
   rig.mm_a_frame = 0;

@@ -1,4 +1,4 @@
-// Replies that are late, lost, foreign; requests that wait for each other.
+// Replies that are late, lost, unmatched; requests that wait for each other.
 #include "drivers/nxt/conversation.hpp"
 
 #include <gtest/gtest.h>
@@ -88,13 +88,13 @@ TEST(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
   bench.reply(kWriteReply);
   bench.reply(kVersionReply);
   bench.reply(hex("02 0E"));
-  EXPECT_EQ(bench.conversation.counters().foreign, 2U);
+  EXPECT_EQ(bench.conversation.counters().unmatched, 2U);
   EXPECT_EQ(bench.conversation.counters().malformed, 1U);
   EXPECT_EQ(bench.exchange.state, State::kWaiting);
   bench.reply(kStatusReply);
   EXPECT_EQ(bench.exchange.state, State::kDone);
   bench.reply(kStatusReply);
-  EXPECT_EQ(bench.conversation.counters().foreign, 3U);
+  EXPECT_EQ(bench.conversation.counters().unmatched, 3U);
 }
 
 TEST(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
@@ -135,7 +135,7 @@ TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
   EXPECT_EQ(bench.next(), hex("01 88"));
   EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
   EXPECT_EQ(bench.exchange.state, State::kFailed);
-  // Asked in silence: fails at the next miss, and does not wait for ever.
+  // Asked in silence: fails at the next miss, and does not wait indefinitely.
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("01 88"));
   EXPECT_EQ(bench.exchange.state, State::kFailed);

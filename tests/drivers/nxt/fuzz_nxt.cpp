@@ -1,4 +1,4 @@
-// libFuzzer's way in; a short run of it is an ordinary test.
+// libFuzzer entry point; a short run of it is an ordinary test.
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -67,7 +67,7 @@ TEST(SerialNxtCamera, AcknowledgingWithoutTrackingIsUnready) {
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
-// What a stalled line held back comes in one heap: only the first of it counts, in order of time.
+// What a stalled line held back comes bunched together: only the first of it counts, in order of time.
 TEST(SerialNxtCamera, FramesHeldUpInOneHeapAreDropped) {
   Bench bench;
   bench.run(3'000, {kRed});

@@ -110,7 +110,7 @@ TEST(V5Camera, ABlobThatCannotBeIsRejected) {
   EXPECT_TRUE(reading.frames.empty());
   EXPECT_EQ(reading.session.counts().rejected, 1U);
   reading.bytes(test::NxtCam5::framed(9, {1, 2, 3})).pass(30);
-  EXPECT_EQ(reading.session.counts().foreign, 1U);
+  EXPECT_EQ(reading.session.counts().unrelated, 1U);
 }
 
 TEST(V5Camera, AsksForTheVersionAndCommandsTracking) {

@@ -57,7 +57,7 @@ TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
   read_all();
   EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
   read_all();
-  ASSERT_TRUE(stream.write(kBytes)) << "the bus is the reader's for ever";
+  ASSERT_TRUE(stream.write(kBytes)) << "the reader keeps the bus";
   EXPECT_EQ(bus.transfers().back().out.size(), 3U);
 }
 

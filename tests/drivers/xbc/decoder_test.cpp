@@ -66,7 +66,7 @@ TEST(XbcDecoder, TheVersion) {
   for (const std::string_view body : {"V XBCL", "V XBCL x", "V", "V CBC 1", "V XBCL 1 2"}) {
     Reading reading;
     EXPECT_TRUE(reading.bytes(sealed(body)).versions.empty()) << body;
-    EXPECT_EQ(reading.decoder.counts().nonsense, 1U) << body;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << body;
   }
 }
 
@@ -155,7 +155,7 @@ TEST(XbcDecoder, RefusesWhatCannotBe) {
     Reading reading;
     reading.bytes(sealed("F 7 1") + sealed(body) + sealed("B 0 0 178 146 600 54 160 131 196 160 0") + sealed("E 7"));
     EXPECT_TRUE(reading.frames.empty()) << body;
-    EXPECT_EQ(reading.decoder.counts().nonsense, 1U) << body;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << body;
   }
 }
 

@@ -1,4 +1,5 @@
-// libFuzzer's way in: the bytes as they are, and as lines whose checksums are right, which a fuzzer would hardly guess.
+// libFuzzer entry point: the bytes as they are, and as lines whose checksums are right, which a fuzzer would hardly
+// guess.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// The conversation with an emulated XBC, and an hour of it with damaged bytes.
+// The session with an emulated XBC, and an hour of it with damaged bytes.
 #include "drivers/xbc/session.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST(XbcSession, AnotherVersionIsNotReady) {
     return any;
   };
   const std::string_view frame = "$F 1234 0*72\n$E 1234*61\n";
-  EXPECT_TRUE(feed(frame)) << "the version has not been told yet";
+  EXPECT_TRUE(feed(frame)) << "the version is not known yet";
   EXPECT_FALSE(feed("$V XBCL 2*71\n"));
   EXPECT_EQ(session.version(), 2);
   EXPECT_FALSE(feed(frame));

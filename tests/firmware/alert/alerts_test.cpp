@@ -5,8 +5,8 @@
 namespace fencepost::test {
 namespace {
 
-using app::AlertState;
-using app::Obstacle;
+using alert::AlertState;
+using alert::Obstacle;
 using record::AlertLevel;
 
 Obstacle in_path(float distance) {
@@ -30,7 +30,7 @@ Obstacle closing(float distance, float ttc) {
 
 TEST(AlertLevel, FollowsDistanceTimeAndPath) {
   const config::Settings defaults;
-  const auto level = [&](const Obstacle& o) { return app::level_for(o, app::AlertRules(defaults), 1.0F); };
+  const auto level = [&](const Obstacle& o) { return alert::level_for(o, alert::AlertRules(defaults), 1.0F); };
   EXPECT_EQ(level(in_path(1.01F)), AlertLevel::kClear);
   EXPECT_EQ(level(in_path(1.0F)), AlertLevel::kNotice);
   EXPECT_EQ(level(in_path(0.5F)), AlertLevel::kWarn);
@@ -46,7 +46,7 @@ TEST(AlertLevel, FollowsDistanceTimeAndPath) {
 TEST(AlertLevel, FollowsTheSettings) {
   config::Settings settings;
   ASSERT_FALSE(settings.set("alert.stop", "0.40").has_value());
-  EXPECT_EQ(app::level_for(in_path(0.39F), app::AlertRules(settings), 1.0F), AlertLevel::kStop);
+  EXPECT_EQ(alert::level_for(in_path(0.39F), alert::AlertRules(settings), 1.0F), AlertLevel::kStop);
 }
 
 // 0.25 m: 3 sigmas of the object and of the robot itself, 4 mm, are taken off, at most a fifth of the stop distance.
@@ -56,7 +56,7 @@ TEST(AlertLevel, AStopAllowsForDoubt) {
     Obstacle obstacle = in_path(distance);
     obstacle.in_path->sigma = sigma;
     obstacle.cut_off = cut_off;
-    return app::level_for(obstacle, app::AlertRules(defaults), 1.0F);
+    return alert::level_for(obstacle, alert::AlertRules(defaults), 1.0F);
   };
   EXPECT_EQ(level(0.261F, 0, false), AlertLevel::kStop);  // 0.012 m
   EXPECT_EQ(level(0.263F, 0, false), AlertLevel::kWarn);
@@ -76,7 +76,7 @@ TEST(AlertLevel, AStopComesBeforeTheNextLookWouldBeTooLate) {
   const auto level = [&](float distance) {
     Obstacle obstacle = closing(distance, 100);
     obstacle.closing_speed = 0.3F;
-    return app::level_for(obstacle, app::AlertRules(defaults), 1.0F);
+    return alert::level_for(obstacle, alert::AlertRules(defaults), 1.0F);
   };
   EXPECT_EQ(level(0.291F), AlertLevel::kStop);
   EXPECT_EQ(level(0.293F), AlertLevel::kWarn);
@@ -89,7 +89,7 @@ class Judge : public testing::Test {
     object_.confirmed = true;
   }
   std::optional<AlertLevel> at(int ms, const Obstacle& obstacle) {
-    return app::judge(state_, object_, obstacle, app::AlertRules(settings_), base::Time{ms * 10});
+    return alert::judge(state_, object_, obstacle, alert::AlertRules(settings_), base::Time{ms * 10});
   }
   AlertState state_;
   recon::ObjectCore object_;
@@ -136,7 +136,7 @@ TEST_F(Judge, UnconfirmedAndVanishedObjectsDoNotAlert) {
   EXPECT_EQ(at(0, in_path(0.1F)), std::nullopt);
   object_.confirmed = true;
   EXPECT_EQ(at(10, in_path(0.1F)), AlertLevel::kStop);
-  object_.missed_in_a_row = app::kGoneAfterMisses;
+  object_.missed_in_a_row = alert::kGoneAfterMisses;
   EXPECT_EQ(at(20, in_path(0.1F)), std::nullopt);
   EXPECT_EQ(at(320, in_path(0.1F)), AlertLevel::kClear);
 }

@@ -10,11 +10,11 @@
 namespace fencepost::test {
 namespace {
 
-using app::Obstacle;
-using app::RobotPath;
+using alert::Obstacle;
+using alert::RobotPath;
 
-app::Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
-  return app::see_obstacle(object, app::RobotPlace(pose), path);
+alert::Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
+  return alert::see_obstacle(object, alert::RobotPlace(pose), path);
 }
 
 RobotPath driving(float forward, float turn = 0) {
@@ -40,27 +40,27 @@ constexpr float kWidth = 0.3F;
 
 // 1 m away, so its front is at 0.95 m; the cylinder's is at 0.9 m.
 TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
-  const app::RobotPlace robot({{0, 0}, 0});
-  const Obstacle cylinder = app::see_obstacle(known_object(1.0, 0, 0.1), robot, driving(0.2F));
+  const alert::RobotPlace robot({{0, 0}, 0});
+  const Obstacle cylinder = alert::see_obstacle(known_object(1.0, 0, 0.1), robot, driving(0.2F));
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = cylinder;
-  app::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  alert::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
   ASSERT_TRUE(seen.in_path);
   EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
   EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
   const BoxOutline unsure(kDepth, kWidth, 0.06F);  // its mean support value is 0.13 m
   seen = cylinder;
-  app::measure_by_outline(unsure.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  alert::measure_by_outline(unsure.view(), {100'000, 0}, robot, driving(0.2F), seen);
   EXPECT_EQ(seen.distance, cylinder.distance);
   EXPECT_EQ(seen.ttc, cylinder.ttc);
 }
 
 TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
-  const app::RobotPlace robot({{0, 0}, 0});
+  const alert::RobotPlace robot({{0, 0}, 0});
   const BoxOutline box(kDepth, kWidth, 0.004F);
-  Obstacle seen = app::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
-  app::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
+  Obstacle seen = alert::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
+  alert::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
   EXPECT_FALSE(seen.in_path);
 }

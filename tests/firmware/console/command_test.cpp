@@ -7,12 +7,12 @@
 namespace fencepost::test {
 namespace {
 
-using app::Answer;
-using app::Reply;
-using app::Verb;
+using console::Answer;
+using console::Reply;
+using console::Verb;
 
 std::string what_was_typed(std::string line) {
-  const auto text = app::typed(line);
+  const auto text = console::typed(line);
   return text ? std::string(*text) : "(not text)";
 }
 
@@ -35,25 +35,25 @@ TEST(Typed, NoiseBeforeALineIsNoPartOfIt) {
 }
 
 TEST(Words, AreBetweenSpacesTabsAndEqualSigns) {
-  const app::Words words = app::split("  set\talert.stop = 0.3 ");
+  const console::Words words = console::split("  set\talert.stop = 0.3 ");
   ASSERT_EQ(words.count, 3U);
   EXPECT_EQ(words.words[0], "set");
   EXPECT_EQ(words.words[1], "alert.stop");
   EXPECT_EQ(words.words[2], "0.3");
-  EXPECT_EQ(app::split(" \t ").count, 0U);
-  EXPECT_EQ(app::split("1 2 3 4 5 6 7").count, app::Words::kMost);
+  EXPECT_EQ(console::split(" \t ").count, 0U);
+  EXPECT_EQ(console::split("1 2 3 4 5 6 7").count, console::Words::kMost);
 }
 
 TEST(Check, EveryCommandWithTheWordsItNeeds) {
   for (const char* line : {"help", "status", "objects", "map", "alerts on", "alerts off", "mode text", "mode log",
                            "mode plot", "mode quiet", "set alert.stop 1", "set alert.stop 1 m", "get", "get alert.stop",
                            "selftest", "reset", "version"}) {
-    EXPECT_FALSE(app::check(app::split(line)).pending()) << line;
+    EXPECT_FALSE(console::check(console::split(line)).pending()) << line;
   }
 }
 
 TEST(Check, EachWayToBeWrong) {
-  const auto reply = [](const char* line) { return app::check(app::split(line)).reply; };
+  const auto reply = [](const char* line) { return console::check(console::split(line)).reply; };
   EXPECT_EQ(reply("frobnicate"), Reply::kNoSuchCommand);
   EXPECT_EQ(reply("set"), Reply::kTooFewWords);
   EXPECT_EQ(reply("set alert.stop"), Reply::kTooFewWords);
@@ -69,10 +69,10 @@ TEST(Check, EachWayToBeWrong) {
 }
 
 std::string suggested(const char* word) {
-  const Answer answer = app::check(app::split(word));
+  const Answer answer = console::check(console::split(word));
   if (answer.reply != Reply::kNoSuchCommand) return "(no error)";
   if (answer.subject == Answer::kNothingNear) return "";
-  return std::string(app::info(static_cast<Verb>(answer.subject)).name);
+  return std::string(console::info(static_cast<Verb>(answer.subject)).name);
 }
 
 TEST(Nearest, IsTheCommandThatWasMeant) {
@@ -93,7 +93,7 @@ TEST(Nearest, IsTheCommandThatWasMeant) {
 
 TEST(Nearest, IsTheSettingThatWasMeant) {
   const auto key = [](const char* word) -> std::string {
-    const Answer answer = app::about_key(Reply::kOneSetting, word);
+    const Answer answer = console::about_key(Reply::kOneSetting, word);
     if (answer.reply == Reply::kOneSetting) return "(no error)";
     if (answer.subject == Answer::kNothingNear) return "";
     return std::string(config::kKeyInfo[answer.subject].name);

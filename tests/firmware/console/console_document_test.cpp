@@ -30,7 +30,7 @@ std::string session() {
 
 // A robot that drives at a red post for four seconds; then somebody types.
 std::string played(const std::string& written) {
-  Desk<> desk(app::Mode::kText, desk_approach(200));
+  Desk<> desk(console::Mode::kText, desk_approach(200));
   desk.turn(4100);
   std::string said = desk.link.take_said();
   std::istringstream lines(written);
@@ -50,7 +50,7 @@ TEST(ConsoleDocument, TheSessionIsWhatARobotSays) {
 
 TEST(ConsoleDocument, NamesEveryCommandAndSettingWithItsRange) {
   const std::string text = document();
-  for (const app::VerbInfo& verb : app::kVerbInfo) {
+  for (const console::VerbInfo& verb : console::kVerbInfo) {
     std::string usage = "`" + std::string(verb.name);
     if (!verb.arguments.empty()) usage += " " + std::string(verb.arguments);
     EXPECT_NE(text.find(usage + "`"), std::string::npos) << usage;
@@ -58,8 +58,8 @@ TEST(ConsoleDocument, NamesEveryCommandAndSettingWithItsRange) {
   for (std::size_t i = 0; i < config::kKeys; ++i) {
     const config::KeyInfo& entry = config::kKeyInfo[i];
     std::array<char, 80> range{};
-    app::Sentence sentence(range);
-    app::put_range(sentence, static_cast<config::Key>(i));
+    console::Sentence sentence(range);
+    console::put_range(sentence, static_cast<config::Key>(i));
     const std::size_t size = sentence.end() - 2;
     std::string row = "| `" + std::string(entry.name) + "` | " +
                       std::string(config::Settings{}.text(static_cast<config::Key>(i)).view()) + " | " +

@@ -10,7 +10,7 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
+using console::Mode;
 
 // A log's records through a pipeline, one at a time, as host/replay does.
 struct Replayed {
@@ -33,24 +33,24 @@ struct Replayed {
     EXPECT_EQ(pipeline.set(setting.key.view(), setting.value.view()), std::nullopt);
   }
   void accept(const sensor::OdometrySample& sample) {
-    EXPECT_EQ(pipeline.take(sample), std::nullopt);
-    settle();
+    EXPECT_EQ(pipeline.accept(sample), std::nullopt);
+    process();
   }
   void accept(const sensor::BlobFrame& frame) {
-    EXPECT_EQ(pipeline.take(frame), std::nullopt);
-    settle();
+    EXPECT_EQ(pipeline.accept(frame), std::nullopt);
+    process();
   }
   template <class Record>
   void accept(const Record&) {}
-  void settle() {
+  void process() {
     while (pipeline.place_next_frame()) {
     }
     pipeline.watch_without_frames();
   }
 
   record::Header header{1, "fencepost", "0.1.0", "replay", "micro"};
-  std::unique_ptr<app::Memory<config::Micro>> memory = std::make_unique<app::Memory<config::Micro>>();
-  app::Pipeline<config::Micro> pipeline{*memory, Mode::kQuiet};
+  std::unique_ptr<loop::Memory<config::Micro>> memory = std::make_unique<loop::Memory<config::Micro>>();
+  loop::Pipeline<config::Micro> pipeline{*memory, Mode::kQuiet};
   record::Counts counts;
   int runs = 0;
 };

@@ -9,7 +9,7 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
+using console::Mode;
 using namespace std::string_literals;
 
 TEST(Console, Help) {
@@ -298,7 +298,7 @@ TEST(Console, AnswersLeaveTheQueueToTheLog) {
   desk.link.type("help\nmap\nobjects\nstatus\nget\n");
   for (int i = 0; i < 2000; ++i) {
     desk.turn();
-    EXPECT_LE(desk.memory().output.waiting().size(), app::kMaxSentence);
+    EXPECT_LE(desk.memory().output.waiting().size(), console::kMaxSentence);
   }
   EXPECT_FALSE(desk.memory().console.answer.pending());
 }

@@ -10,7 +10,7 @@ namespace fencepost::test {
 namespace {
 
 // Puts `bytes` in, at most `chunk` at a time, and takes every line out as soon as it is whole.
-std::vector<std::string> lines_of(std::string bytes, std::size_t chunk, app::InputLines& input) {
+std::vector<std::string> lines_of(std::string bytes, std::size_t chunk, console::InputLines& input) {
   std::vector<std::string> lines;
   while (!bytes.empty()) {
     const auto room = input.room();
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(std::string bytes, std::size_t chunk, app::Inp
   return lines;
 }
 std::vector<std::string> lines_of(const std::string& bytes, std::size_t chunk) {
-  app::InputLines input;
+  console::InputLines input;
   return lines_of(bytes, chunk, input);
 }
 
@@ -41,7 +41,7 @@ TEST(InputLines, EndWithReturnOrNewlineOrBoth) {
 }
 
 TEST(InputLines, AnUnfinishedLineWaits) {
-  app::InputLines input;
+  console::InputLines input;
   EXPECT_EQ(lines_of("sta", 1024, input), Lines{});
   EXPECT_EQ(lines_of("tus\r", 1024, input), Lines{"status"});
 }
@@ -65,7 +65,7 @@ TEST(InputLines, ATooLongLineIsDiscardedToItsEndAndKeepsItsBeginning) {
 }
 
 TEST(InputLines, ALineThatWaitsHoldsTheRest) {
-  app::InputLines input;
+  console::InputLines input;
   const std::string bytes = "first\nsecond\n" + std::string(2000, 'x');
   std::size_t taken = 0;
   while (true) {

@@ -22,8 +22,8 @@ record::AlertReport alert(record::AlertLevel level, double distance, double degr
 }
 
 std::string sentence(const record::AlertReport& report, std::string_view name) {
-  std::array<char, app::kMaxSentence> out{};
-  return {out.data(), app::describe(report, name, out)};
+  std::array<char, console::kMaxSentence> out{};
+  return {out.data(), console::describe(report, name, out)};
 }
 
 TEST(Text, IsASentenceThatAPersonUnderstands) {
@@ -41,21 +41,21 @@ TEST(Text, RoundsTheBearingToDegrees) {
   EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.51), "x").find("3 deg left"), std::string::npos);
 }
 
-std::string plot(const std::optional<app::Nearest>& nearest, record::AlertLevel level) {
-  std::array<char, app::kMaxSentence> out{};
-  return {out.data(), app::describe_plot(nearest, level, out)};
+std::string plot(const std::optional<console::Nearest>& nearest, record::AlertLevel level) {
+  std::array<char, console::kMaxSentence> out{};
+  return {out.data(), console::describe_plot(nearest, level, out)};
 }
 
 TEST(Text, PlotLinesAreNamesAndNumbers) {
-  const app::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
+  const console::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
   EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2\r\n");
   EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0\r\n");
 }
 
 TEST(Text, ARejectedRecordIsNamedWithTheReason) {
-  std::array<char, app::kMaxSentence> out{};
+  std::array<char, console::kMaxSentence> out{};
   const auto said = [&](std::string_view line, record::Reject reason) {
-    return std::string(out.data(), app::describe_reject(line, reason, out));
+    return std::string(out.data(), console::describe_reject(line, reason, out));
   };
   EXPECT_EQ(said("$FPODO,1,2,3", record::Reject::kCrc),
             "error: $FPODO rejected (crc): the checksum is missing or wrong\r\n");
@@ -70,7 +70,7 @@ TEST(Text, TheLongestSentenceFits) {
   const std::string name(sensor::kMaxText, 'x');
   EXPECT_GT(sentence(stop, name).size(), 60U);
   std::array<char, 20> little{};
-  EXPECT_EQ(app::describe(stop, name, little), 0U);
+  EXPECT_EQ(console::describe(stop, name, little), 0U);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace fencepost::test {
 namespace {
 
-using app::MapExtent;
-using app::MapMillimetres;
-using app::TopView;
-using app::TopViewRow;
+using console::MapExtent;
+using console::MapMillimetres;
+using console::TopView;
+using console::TopViewRow;
 
 struct Disc {
   MapMillimetres center;
@@ -124,7 +124,7 @@ TEST(TopView, AnOutlineIsDrawnAsItIsWhereverItStands) {
   for (const MapMillimetres place : {MapMillimetres{600, 0}, MapMillimetres{623, 317}, MapMillimetres{-900, -40}}) {
     MapExtent extent;
     extent.include({0, 0}, 0);
-    const app::MapShape shape{place, 0, kWall.view()};
+    const console::MapShape shape{place, 0, kWall.view()};
     shape.include_in(extent);
     const TopView view = TopView::of(extent, {0, 0}, 0);
     std::size_t rows = 0;

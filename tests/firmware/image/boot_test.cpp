@@ -34,7 +34,7 @@ TEST(Boot, SaysWhereTheLastRunDied) {
 }
 
 TEST(FedByConsole, IsSilentBeforeTheFirstAndASecondAfterTheLast) {
-  app::Counters counters;
+  console::Counters counters;
   CameraOnConsole camera(counters);
   const auto at = [&](double t) {
     EXPECT_EQ(camera.poll(base::Time::nearest(t)).error(), base::Error::kNotReady);

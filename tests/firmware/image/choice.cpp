@@ -9,8 +9,8 @@ namespace fencepost::image {
 static_assert(sensor::BlobCamera<Camera>);
 static_assert(sensor::OdometrySource<Odometry>);
 
-sensor::CameraIntrinsics begin(app::Counters& counters, base::Time now);
-sensor::CameraIntrinsics begin(app::Counters& counters, base::Time now) {
+sensor::CameraIntrinsics begin(console::Counters& counters, base::Time now);
+sensor::CameraIntrinsics begin(console::Counters& counters, base::Time now) {
   Camera::start();
   Odometry::start();
   Camera camera(counters);

@@ -40,7 +40,7 @@ class EncodersTest : public ::testing::Test {
     return sample;
   }
 
-  app::Counters counters;
+  console::Counters counters;
   Odometry odometry{counters};
 
  private:

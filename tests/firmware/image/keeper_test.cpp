@@ -17,7 +17,7 @@ struct Desk : test::Desk<Profile> {
   Keeper<Profile, Flash> keeper;
 };
 
-std::string all_of(app::Memory<Profile>& memory) {
+std::string all_of(loop::Memory<Profile>& memory) {
   std::string text = test::line_of(memory.calibration.intrinsics);
   for (const auto& signature : memory.signatures) text += test::line_of(signature);
   for (std::size_t i = 0; i < config::kKeys; ++i)

@@ -100,8 +100,8 @@ inline Script desk_approach(int frames) {
 template <class Profile = config::Micro>
 class Desk {
  public:
-  explicit Desk(app::Mode mode = app::Mode::kText, Script script = {},
-                const app::CannedStream& canned = app::canned_stream<Profile>())
+  explicit Desk(console::Mode mode = console::Mode::kText, Script script = {},
+                const loop::CannedStream& canned = loop::canned_stream<Profile>())
       : script_(std::move(script)), loop_(*memory_, camera_, odometry_, link, mode, canned) {
     loop_.pipeline().start_run(header);
     loop_.pipeline().set_camera(desk_camera());
@@ -132,8 +132,8 @@ class Desk {
   }
   std::string type_line(std::string_view text) { return type(std::string(text) + "\r"); }
 
-  app::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
-  app::Memory<Profile>& memory() { return *memory_; }
+  loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
+  loop::Memory<Profile>& memory() { return *memory_; }
 
   DeskLink link;
   base::Time now;
@@ -141,10 +141,10 @@ class Desk {
 
  private:
   Script script_;
-  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   fake::ScriptedCamera camera_{script_.camera};
   fake::ScriptedOdometry odometry_{script_.odometry};
-  app::Loop<Profile, fake::ScriptedCamera, fake::ScriptedOdometry, DeskLink> loop_;
+  loop::Loop<Profile, fake::ScriptedCamera, fake::ScriptedOdometry, DeskLink> loop_;
 };
 
 }  // namespace fencepost::test

@@ -10,13 +10,11 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
+using console::Mode;
 
-struct Journaled : config::Micro {
-  static constexpr std::size_t kJournalBytes = 4096;
-};
+using Journaled = loop::Journaled<config::Micro, 4096>;
 
-static_assert(sizeof(app::Memory<Journaled>) > sizeof(app::Memory<config::Micro>) + Journaled::kJournalBytes - 1);
+static_assert(sizeof(loop::Memory<Journaled>) > sizeof(loop::Memory<config::Micro>) + Journaled::kJournalBytes - 1);
 
 template <class Desk>
 std::string take_journal(Desk& desk) {
@@ -83,10 +81,10 @@ TEST(Journal, WithoutRoomNoInputIsUsed) {
     for (std::size_t at = journal.find(kind); at != std::string::npos; at = journal.find(kind, at + 1)) ++count;
     return count;
   };
-  const app::Counters& counters = desk.memory().counters;
+  const console::Counters& counters = desk.memory().counters;
   EXPECT_EQ(counters.odometry, used("$FPODO"));
-  EXPECT_EQ(counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)], 100 - used("$FPFRM"));
-  EXPECT_GT(counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)], 0U);
+  EXPECT_EQ(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 100 - used("$FPFRM"));
+  EXPECT_GT(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 0U);
 }
 
 TEST(Journal, StoppedTheLoopGoesOn) {

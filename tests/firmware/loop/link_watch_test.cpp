@@ -10,9 +10,9 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
 using base::milliseconds;
 using base::Time;
+using console::Mode;
 using sensor::LinkState;
 
 class LinkWatchTest : public ::testing::Test {
@@ -20,10 +20,10 @@ class LinkWatchTest : public ::testing::Test {
   /// Whether it is to be told; then it is.
   bool tells(LinkState state, std::int64_t ms) {
     const auto due = watch.observe(state, Time{} + milliseconds(ms));
-    if (due) watch.told();
+    if (due) watch.sent();
     return due.has_value();
   }
-  app::LinkWatch watch;
+  loop::LinkWatch watch;
 };
 
 TEST_F(LinkWatchTest, TellsGoneAndBackAtOnceAndOnce) {
@@ -58,11 +58,11 @@ TEST_F(LinkWatchTest, LastsASecondAtAnyTimeOfTheClock) {
 TEST_F(LinkWatchTest, WaitsUntilItCouldBeTold) {
   EXPECT_TRUE(watch.observe(LinkState::kOk, Time{}).has_value());
   EXPECT_TRUE(watch.observe(LinkState::kOk, Time{}).has_value());
-  watch.told();
+  watch.sent();
   EXPECT_FALSE(watch.observe(LinkState::kOk, Time{}).has_value());
-  EXPECT_EQ(watch.last_told(), LinkState::kOk);
-  watch.retell();
-  EXPECT_EQ(watch.last_told(), std::nullopt);
+  EXPECT_EQ(watch.last_sent(), LinkState::kOk);
+  watch.resend();
+  EXPECT_EQ(watch.last_sent(), std::nullopt);
   EXPECT_TRUE(watch.observe(LinkState::kOk, Time{}).has_value());
 }
 
@@ -138,25 +138,25 @@ TEST(LinkTelling, SaysNothingDuringTheSelfTest) {
 struct Named {
   std::string device = "pixy2";
   static LinkState link() { return LinkState::kUnready; }
-  [[nodiscard]] app::LinkWords link_words(LinkState /*state*/) const {
+  [[nodiscard]] console::LinkWords link_words(LinkState /*state*/) const {
     return {"the Pixy2", device, "on I2C", "let go of its button"};
   }
 };
 
 TEST(LinkTelling, UsesTheWordsOfASensorThatHasThem) {
   Desk<> desk;
-  app::LinkWatch watch;
-  desk.pipeline().telling().link(watch, Named{}, "camera", Time{});
-  desk.pipeline().telling().link(watch, Named{}, "camera", Time{} + milliseconds(1'100));
+  loop::LinkWatch watch;
+  desk.pipeline().reporter().link(watch, Named{}, "camera", Time{});
+  desk.pipeline().reporter().link(watch, Named{}, "camera", Time{} + milliseconds(1'100));
   desk.turn();
   EXPECT_NE(desk.link.said().find("the Pixy2 is unready: let go of its button\r\n"), std::string::npos);
 }
 
 TEST(LinkTelling, SaysNothingOfASensorWithoutACable) {
   Desk<> desk;
-  app::LinkWatch watch;
+  loop::LinkWatch watch;
   for (const int ms : {0, 1'100}) {
-    desk.pipeline().telling().link(watch, Named{""}, "camera", Time{} + milliseconds(ms));
+    desk.pipeline().reporter().link(watch, Named{""}, "camera", Time{} + milliseconds(ms));
   }
   EXPECT_TRUE(desk.memory().output.waiting().empty());
 }

@@ -115,11 +115,11 @@ template <class Profile>
 void expect_no_allocation() {
   const Inputs inputs = recorded();
   ASSERT_GT(inputs.items.size(), 100U);
-  auto memory = std::make_unique<app::Memory<Profile>>();
+  auto memory = std::make_unique<loop::Memory<Profile>>();
   Once<sensor::BlobFrame> camera;
   Once<sensor::OdometrySample> odometry;
   Counting console;
-  app::Loop loop(*memory, camera, odometry, console, app::Mode::kLog);
+  loop::Loop loop(*memory, camera, odometry, console, console::Mode::kLog);
   const record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
   console.typed =
       "help\nstatus\nobjects\nmap\nget\nget alert.stop\nset alert.stop 0.3\nset alert.stop x\nfrob\nalerts off\n"
@@ -140,9 +140,9 @@ void expect_no_allocation() {
   EXPECT_GT(memory->counters.frames, 50U);
   EXPECT_GT(console.bytes, 10'000U);
   std::printf("  profile %-5s sizeof(Memory) %6zu of %6zu bytes, of these pose correction %5zu of %5zu\n",
-              std::string(Profile::kName).c_str(), sizeof(app::Memory<Profile>), Profile::kBudget,
+              std::string(Profile::kName).c_str(), sizeof(loop::Memory<Profile>), Profile::kBudget,
               sizeof(recon::PoseCorrection<Profile>), Profile::kPoseBytes);
-  EXPECT_LE(sizeof(app::Memory<Profile>), Profile::kBudget);
+  EXPECT_LE(sizeof(loop::Memory<Profile>), Profile::kBudget);
 }
 
 TEST(NoAllocation, MicroLoop) { expect_no_allocation<config::Micro>(); }

@@ -11,8 +11,8 @@ namespace fencepost::test {
 namespace {
 
 std::vector<std::uint8_t> packed(std::string_view lines) {
-  std::vector<std::uint8_t> bytes(app::pack_lines(lines, {}));
-  app::pack_lines(lines, bytes);
+  std::vector<std::uint8_t> bytes(loop::pack_lines(lines, {}));
+  loop::pack_lines(lines, bytes);
   return bytes;
 }
 
@@ -20,8 +20,8 @@ std::string unpacked(std::span<const std::uint8_t> bytes, std::size_t room = 112
   std::vector<char> line(room);
   std::string lines;
   std::uint16_t at = 0;
-  for (std::string_view text = app::unpack_line(bytes, at, line); !text.empty();
-       text = app::unpack_line(bytes, at, line)) {
+  for (std::string_view text = loop::unpack_line(bytes, at, line); !text.empty();
+       text = loop::unpack_line(bytes, at, line)) {
     lines.append(text).append("\n");
   }
   return lines;
@@ -40,11 +40,11 @@ TEST(PackedLines, ComeBackAsTheyWere) {
 }
 
 TEST(PackedLines, TheCannedStreamIsWholeAndLessThanHalfAsLong) {
-  EXPECT_EQ(unpacked(app::kPackedLines, app::kLongestCannedLine), app::kCannedLines);
-  EXPECT_LT(app::kPackedLines.size(), app::kCannedLines.size() / 2);
+  EXPECT_EQ(unpacked(loop::kPackedLines, loop::kLongestCannedLine), loop::kCannedLines);
+  EXPECT_LT(loop::kPackedLines.size(), loop::kCannedLines.size() / 2);
 }
 
-TEST(PackedLines, RefuseWhatHasNoCode) { EXPECT_EQ(app::pack_lines("1,x\n", {}), 0U); }
+TEST(PackedLines, RefuseWhatHasNoCode) { EXPECT_EQ(loop::pack_lines("1,x\n", {}), 0U); }
 
 TEST(PackedLines, EndWhereALineHasNoRoomOrNoEndOrACodeStandsForNothing) {
   EXPECT_EQ(unpacked(packed("123\n"), 3), "123\n");

@@ -13,10 +13,10 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
-using app::Refusal;
 using base::Metres;
 using base::Time;
+using console::Mode;
+using console::Refusal;
 
 sensor::CameraIntrinsics pixy(double latency = 0.05) {
   sensor::CameraIntrinsics camera;
@@ -68,29 +68,29 @@ struct Bench {
   }
 
   record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
-  std::unique_ptr<app::Memory<Profile>> memory = std::make_unique<app::Memory<Profile>>();
-  app::Pipeline<Profile> pipeline;
+  std::unique_ptr<loop::Memory<Profile>> memory = std::make_unique<loop::Memory<Profile>>();
+  loop::Pipeline<Profile> pipeline;
 };
 
 TEST(Pipeline, AFrameWaitsForTheOdometryAtItsExposure) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.07, 1));  // exposed at 1.02
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.07, 1));  // exposed at 1.02
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.take(odometry(1.0199));
+  bench.pipeline.accept(odometry(1.0199));
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.take(odometry(1.02));
+  bench.pipeline.accept(odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.memory->counters.frames, 1U);
 }
 
 TEST(Pipeline, AFrameWaitsAtMost200msOfStreamTime) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.07, 1));
-  bench.pipeline.take(frame(1.2699, 2));
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.07, 1));
+  bench.pipeline.accept(frame(1.2699, 2));
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.take(frame(1.27, 3));
+  bench.pipeline.accept(frame(1.27, 3));
   EXPECT_EQ(bench.place(), 1);  // the first is given up
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
   EXPECT_EQ(bench.memory->waiting.size(), 2U);
@@ -98,22 +98,22 @@ TEST(Pipeline, AFrameWaitsAtMost200msOfStreamTime) {
 
 TEST(Pipeline, AtMostFourFramesWait) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  for (int i = 0; i < 5; ++i) bench.pipeline.take(frame(1.06 + 0.01 * i, static_cast<std::uint32_t>(i)));
+  bench.pipeline.accept(odometry(1.00));
+  for (int i = 0; i < 5; ++i) bench.pipeline.accept(frame(1.06 + 0.01 * i, static_cast<std::uint32_t>(i)));
   EXPECT_EQ(bench.memory->waiting.size(), 4U);
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
-  bench.pipeline.take(odometry(1.10));
+  bench.pipeline.accept(odometry(1.10));
   EXPECT_EQ(bench.place(), 4);
 }
 
 TEST(Pipeline, FramesBeforeTheFirstOdometryAndInGapsAreRefused) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.04, 1));  // exposed at 0.99
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.04, 1));  // exposed at 0.99
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
-  bench.pipeline.take(frame(1.85, 2));
-  bench.pipeline.take(odometry(2.00));
+  bench.pipeline.accept(frame(1.85, 2));
+  bench.pipeline.accept(odometry(2.00));
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.refused(Refusal::kOdometryGap), 1U);
   EXPECT_EQ(bench.memory->counters.frames, 0U);
@@ -122,27 +122,27 @@ TEST(Pipeline, FramesBeforeTheFirstOdometryAndInGapsAreRefused) {
 TEST(Pipeline, WithoutCalibrationFramesAreRefused) {
   Bench bench;
   bench.pipeline.start_run(bench.header);
-  bench.pipeline.take(odometry(1.0));
-  bench.pipeline.take(frame(1.0, 1));
+  bench.pipeline.accept(odometry(1.0));
+  bench.pipeline.accept(frame(1.0, 1));
   EXPECT_EQ(bench.refused(Refusal::kNoCamera), 1U);
 }
 
 TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.06, 1));  // latency 0.05: exposed at 1.01
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.06, 1));  // latency 0.05: exposed at 1.01
   bench.pipeline.set_camera(pixy(0.02));
-  bench.pipeline.take(frame(1.07, 2));  // latency 0.02: exposed at 1.05
-  bench.pipeline.take(odometry(1.02));
+  bench.pipeline.accept(frame(1.07, 2));  // latency 0.02: exposed at 1.05
+  bench.pipeline.accept(odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
-  bench.pipeline.take(odometry(1.05));
+  bench.pipeline.accept(odometry(1.05));
   EXPECT_EQ(bench.place(), 1);
   // Only the calibrations in use are kept, two at a time. What a third one displaces is refused, not misread.
-  bench.pipeline.take(frame(1.20, 3));
+  bench.pipeline.accept(frame(1.20, 3));
   bench.pipeline.set_camera(pixy(0.03));
   bench.pipeline.set_camera(pixy(0.04));
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
-  bench.pipeline.take(frame(1.21, 4));
+  bench.pipeline.accept(frame(1.21, 4));
   bench.pipeline.set_camera(pixy(0.05));
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
@@ -151,24 +151,24 @@ TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
 
 TEST(Pipeline, RejectsWhatAReaderOfTheLogWouldReject) {
   Bench bench;
-  EXPECT_EQ(bench.pipeline.take(odometry(1.00)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.take(odometry(1.00)), record::Reject::kTime);
-  EXPECT_EQ(bench.pipeline.take(frame(1.02, 1)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.take(frame(1.01, 2)), record::Reject::kTime);
+  EXPECT_EQ(bench.pipeline.accept(odometry(1.00)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(odometry(1.00)), record::Reject::kTime);
+  EXPECT_EQ(bench.pipeline.accept(frame(1.02, 1)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(frame(1.01, 2)), record::Reject::kTime);
   sensor::BlobFrame outside = frame(1.03, 3);
   outside.blobs[0].x2 = 316;
-  EXPECT_EQ(bench.pipeline.take(outside), record::Reject::kRange);
+  EXPECT_EQ(bench.pipeline.accept(outside), record::Reject::kRange);
   EXPECT_EQ(bench.memory->counters.rejected, 3U);
   bench.pipeline.restart();  // times start again
-  EXPECT_EQ(bench.pipeline.take(odometry(0.5)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.take(frame(0.5, 4)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(odometry(0.5)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(frame(0.5, 4)), std::nullopt);
 }
 
 TEST(Pipeline, ARestartKeepsCalibrationAndSettingsAndCounts) {
   Bench bench;
   ASSERT_EQ(bench.pipeline.set("alert.stop", "0.30"), std::nullopt);
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.04, 1));
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.04, 1));
   bench.pipeline.restart();
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);  // the frame that waited
   EXPECT_TRUE(bench.memory->calibration.known);
@@ -179,18 +179,18 @@ TEST(Pipeline, ARestartKeepsCalibrationAndSettingsAndCounts) {
 
 TEST(Pipeline, IdenticalCalibrationHasNoEffect) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.06, 1));
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.06, 1));
   for (int i = 0; i < 5; ++i) bench.pipeline.set_camera(pixy());
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
-  bench.pipeline.take(odometry(1.02));
+  bench.pipeline.accept(odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
 }
 
 TEST(Pipeline, TheEndOfTheStreamRefusesWhatStillWaits) {
   Bench bench;
-  bench.pipeline.take(odometry(1.00));
-  bench.pipeline.take(frame(1.07, 1));
+  bench.pipeline.accept(odometry(1.00));
+  bench.pipeline.accept(frame(1.07, 1));
   bench.pipeline.finish();
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
 }
@@ -199,12 +199,12 @@ TEST(Pipeline, TheEndOfTheStreamRefusesWhatStillWaits) {
 TEST(Pipeline, TheAlertComesWithTheConfirmingFrame) {
   Bench bench(Mode::kText);
   bench.pipeline.set_signature({1, {0xd0, 0x20, 0x20}, "red"});
-  bench.pipeline.take(odometry(0.0, 0.8));
+  bench.pipeline.accept(odometry(0.0, 0.8));
   for (std::uint32_t i = 1; i <= 3; ++i) {
     EXPECT_EQ(bench.output(), "") << i;
     const double t = 0.1 * i;
-    bench.pipeline.take(odometry(t, 0.8));
-    bench.pipeline.take(frame(t, i, 0.8));
+    bench.pipeline.accept(odometry(t, 0.8));
+    bench.pipeline.accept(frame(t, i, 0.8));
     EXPECT_EQ(bench.place(), 1);
   }
   // 0.2 m away the foot of the post is below the image; that it is, tells that the post is near.
@@ -216,13 +216,13 @@ TEST(Pipeline, TheAlertComesWithTheConfirmingFrame) {
 TEST(Pipeline, KeepsWarningWhenTheCameraFallsSilent) {
   Bench bench(Mode::kText);
   for (std::uint32_t i = 0; i <= 5; ++i) {
-    bench.pipeline.take(odometry(0.1 * i, 0.02 * i));
-    bench.pipeline.take(frame(0.1 * i, i, 0.02 * i));
+    bench.pipeline.accept(odometry(0.1 * i, 0.02 * i));
+    bench.pipeline.accept(frame(0.1 * i, i, 0.02 * i));
     bench.place();
   }
   EXPECT_EQ(bench.output().find("STOP"), std::string::npos);
   for (int i = 6; i <= 50; ++i) {  // blind, still driving at 0.2 m/s
-    bench.pipeline.take(odometry(0.1 * i, 0.02 * i));
+    bench.pipeline.accept(odometry(0.1 * i, 0.02 * i));
     bench.place();
     bench.pipeline.watch_without_frames();
   }
@@ -240,10 +240,10 @@ struct Robot {
     loop.pipeline().set_signature({1, {0xd0, 0x20, 0x20}, "red"});
   }
   record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
-  std::unique_ptr<app::Memory<Profile>> memory = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory = std::make_unique<loop::Memory<Profile>>();
   fake::ScriptedOdometry odometry;
   fake::ScriptedCamera camera;
-  app::Loop<Profile, fake::ScriptedCamera, fake::ScriptedOdometry, Link> loop;
+  loop::Loop<Profile, fake::ScriptedCamera, fake::ScriptedOdometry, Link> loop;
 };
 
 struct Script {
@@ -285,21 +285,21 @@ static_assert(bus::ByteLink<SlowLink>);
 
 // Feeds a log's inputs to a pipeline, one at a time, as the loop does.
 struct Feed {
-  app::Pipeline<config::Micro>& pipeline;
+  loop::Pipeline<config::Micro>& pipeline;
 
-  void settle() {
+  void process() {
     while (pipeline.place_next_frame()) {
     }
     pipeline.watch_without_frames();
   }
   void accept(const sensor::CameraIntrinsics& camera) { pipeline.set_camera(camera); }
   void accept(const sensor::OdometrySample& sample) {
-    pipeline.take(sample);
-    settle();
+    pipeline.accept(sample);
+    process();
   }
   void accept(const sensor::BlobFrame& seen) {
-    pipeline.take(seen);
-    settle();
+    pipeline.accept(seen);
+    process();
   }
   template <class Record>
   void accept(const Record&) {}
@@ -325,8 +325,8 @@ TEST(Log, ReplayOfTheLogGivesTheDigestHoweverSlowTheLink) {
 
     std::array<char, record::StreamReader::kBuffer> buffer{};
     record::StreamReader reader(buffer);
-    auto again = std::make_unique<app::Memory<config::Micro>>();
-    app::Pipeline<config::Micro> pipeline(*again, Mode::kQuiet);
+    auto again = std::make_unique<loop::Memory<config::Micro>>();
+    loop::Pipeline<config::Micro> pipeline(*again, Mode::kQuiet);
     Feed feed{pipeline};
     pipeline.start_run(robot.header);
     reader.push(link.text(), feed);

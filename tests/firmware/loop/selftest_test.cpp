@@ -10,11 +10,11 @@
 namespace fencepost::test {
 namespace {
 
-using app::Mode;
+using console::Mode;
 
 std::string hex(std::uint64_t value) {
   std::array<char, 40> text{};
-  const std::size_t size = app::Sentence(text).digest(value).end();
+  const std::size_t size = console::Sentence(text).digest(value).end();
   return {text.data(), size - 2};
 }
 
@@ -26,11 +26,11 @@ TYPED_TEST_SUITE(Selftest, Profiles);
 // If the reconstruction was changed on purpose, firmware/loop/canned_stream.hpp wants the digest that is shown here.
 TYPED_TEST(Selftest, PassesOnThisMachine) {
   Desk<TypeParam> desk;
-  EXPECT_EQ(desk.type_line("selftest"), "selftest pass: digest " + hex(app::kCannedDigest<TypeParam>) + "\r\n");
+  EXPECT_EQ(desk.type_line("selftest"), "selftest pass: digest " + hex(loop::kCannedDigest<TypeParam>) + "\r\n");
 }
 
 TYPED_TEST(Selftest, FailsIfTheExpectedDigestIsAnother) {
-  app::CannedStream canned = app::canned_stream<TypeParam>();
+  loop::CannedStream canned = loop::canned_stream<TypeParam>();
   const std::string right = hex(canned.digest);
   canned.digest ^= 1;
   Desk<TypeParam> desk(Mode::kText, {}, canned);
@@ -46,13 +46,13 @@ TYPED_TEST(Selftest, FailsIfTheReconstructionIsAnother) {
 }
 
 TYPED_TEST(Selftest, FailsIfOneBitOfTheStreamIsAnother) {
-  std::string lines(app::kCannedLines);
+  std::string lines(loop::kCannedLines);
   const std::size_t at = lines.find("$FPFRM") + 20;
   lines[at] = static_cast<char>(lines[at] ^ 1);  // its CRC is wrong now
-  app::CannedStream canned = app::canned_stream<TypeParam>();
-  std::vector<std::uint8_t> packed(app::pack_lines(lines, {}));
+  loop::CannedStream canned = loop::canned_stream<TypeParam>();
+  std::vector<std::uint8_t> packed(loop::pack_lines(lines, {}));
   ASSERT_FALSE(packed.empty());
-  app::pack_lines(lines, packed);
+  loop::pack_lines(lines, packed);
   canned.packed = packed;
   Desk<TypeParam> desk(Mode::kText, {}, canned);
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest FAIL: digest ", 0), 0U);
@@ -64,9 +64,9 @@ TYPED_TEST(Selftest, DependsOnNoSettingAndCountsNothing) {
   desk.link.take_said();
   desk.type_line("set confirm.k 1");
   desk.type_line("set correct.pose on");
-  const app::Counters before = desk.memory().counters;
+  const console::Counters before = desk.memory().counters;
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest pass", 0), 0U);
-  const app::Counters& after = desk.memory().counters;
+  const console::Counters& after = desk.memory().counters;
   EXPECT_EQ(after.frames, before.frames);
   EXPECT_EQ(after.blobs, before.blobs);
   EXPECT_EQ(after.odometry, before.odometry);
@@ -83,7 +83,7 @@ TEST(SelftestStream, IsTheRecordingThatTheDeskReplays) {
   bytes << file.rdbuf();
   std::string recording = bytes.str();
   std::erase(recording, '\r');
-  EXPECT_EQ(recording, app::kCannedLines);
+  EXPECT_EQ(recording, loop::kCannedLines);
 }
 
 // Sensors go on while the test runs; what they bring is refused and counted, and the log starts anew after it.
@@ -95,7 +95,7 @@ TEST(SelftestRun, RefusesInputsWhileItLasts) {
   EXPECT_NE(said.find("selftest pass"), std::string::npos) << said;
   EXPECT_NE(said.find("$FPHDR,1,fencepost"), std::string::npos);
   EXPECT_GT(said.find("$FPHDR"), said.find("selftest pass"));
-  EXPECT_GT(desk.memory().counters.refused[static_cast<std::size_t>(app::Refusal::kQueue)], 0U);
+  EXPECT_GT(desk.memory().counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 0U);
   desk.turn(1000);
   EXPECT_GT(desk.memory().map.size(), 0U);
 }

@@ -24,7 +24,7 @@ struct Painted {
 };
 
 /// By colour.
-std::map<std::uint8_t, Painted> painted_by(const app::MapShape& shape) {
+std::map<std::uint8_t, Painted> painted_by(const console::MapShape& shape) {
   const view::Figure figure = view::make_figure(shape, 3, kWindow);
   std::map<std::uint8_t, Painted> colours;
   for (int y = 0; y < 160; ++y) {
@@ -70,7 +70,8 @@ TEST(Figure, ACylinderIsADisc) {
 
 TEST(Figure, WhatIsSmallIsStillSeen) {
   const BoxOutline post(0.02F, 0.02F, 0.001F);
-  for (const app::MapShape& shape : {app::MapShape{{300, 200}, 0, post.view()}, app::MapShape{{300, 200}, 5, {}}}) {
+  for (const console::MapShape& shape :
+       {console::MapShape{{300, 200}, 0, post.view()}, console::MapShape{{300, 200}, 5, {}}}) {
     auto colours = painted_by(shape);
     expect_within(colours[kInside], 57, 63, 47, 53);
   }
@@ -80,7 +81,7 @@ TEST(Figure, WhatIsSmallIsStillSeen) {
 TEST(Figure, AnObjectIsItsOutlineWhereThatIsKnownWellAndElseItsCylinder) {
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(1.0, 0.5, 0.1);
-  const auto shape = [&object] { return app::shape_of(object); };
+  const auto shape = [&object] { return console::shape_of(object); };
   ASSERT_TRUE(shape());
   EXPECT_FALSE(shape()->outlined()) << "there is none";
   EXPECT_NEAR(shape()->middle.x, 1000, 2);

@@ -13,7 +13,7 @@ namespace {
 using Profile = config::Small;
 
 constexpr bus::Colour kRed{0xd0, 0x20, 0x20};
-constexpr app::Links kWorking{sensor::LinkState::kOk, sensor::LinkState::kOk};
+constexpr console::Links kWorking{sensor::LinkState::kOk, sensor::LinkState::kOk};
 
 class MapViewTest : public ::testing::Test {
  protected:
@@ -43,9 +43,9 @@ class MapViewTest : public ::testing::Test {
     return n;
   }
 
-  Desk<Profile> desk{app::Mode::kText, desk_approach(500)};
+  Desk<Profile> desk{console::Mode::kText, desk_approach(500)};
   FakeScreen screen;
-  view::MapView<Profile, FakeScreen> map_view{desk.pipeline(), screen};
+  view::MapView<loop::Pipeline<Profile>, FakeScreen> map_view{desk.pipeline(), screen};
 };
 
 TEST_F(MapViewTest, ShowsAnEmptyMapBeforeAnythingIsKnown) {
@@ -100,9 +100,9 @@ TEST_F(MapViewTest, StartGoesThroughTheModesOnceAPress) {
   const auto mode = [this] { return desk.pipeline().mode(); };
   map_view.press({.start = true});
   map_view.press({.start = true});
-  EXPECT_EQ(mode(), app::Mode::kLog);
+  EXPECT_EQ(mode(), console::Mode::kLog);
   map_view.press({});
-  for (const app::Mode next : {app::Mode::kPlot, app::Mode::kQuiet, app::Mode::kText}) {
+  for (const console::Mode next : {console::Mode::kPlot, console::Mode::kQuiet, console::Mode::kText}) {
     press({.start = true});
     EXPECT_EQ(mode(), next);
   }

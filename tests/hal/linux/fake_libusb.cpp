@@ -41,7 +41,7 @@ namespace {
 
 libusb_device the_device;
 
-// Not yet known to the handle: libusb tells contexts by their device lists.
+// Not yet known to the handle: libusb distinguishes contexts by their device lists.
 libusb_context* current = nullptr;
 
 void finish(libusb_transfer* transfer, libusb_transfer_status status) {
@@ -133,7 +133,7 @@ int LIBUSB_CALL libusb_handle_events_timeout_completed(libusb_context* context, 
   libusb_transfer_status status = LIBUSB_TRANSFER_CANCELLED;
   {
     std::unique_lock lock(context->mutex);
-    // Looks now and then: an unplug is told by nobody here.
+    // Polls: nothing here reports an unplug.
     while (!context->interrupted && std::chrono::steady_clock::now() < end && ended.empty()) {
       context->news.wait_for(lock, std::chrono::milliseconds(1));
       if (fake_libusb().keep_transfers) continue;

@@ -1,11 +1,11 @@
-// libusb without USB: one device that is there, takes transfers and answers none; and what may hang in the real one.
+// libusb without USB: one present device that accepts transfers and completes none; and the hangs of the real library.
 #pragma once
 
 #include <atomic>
 
 namespace fencepost::test {
 
-/// Each may be set and cleared at any time; whoever waits in there goes on when it is cleared.
+/// Each may be set and cleared at any time; a call that waits in there continues when it is cleared.
 struct FakeLibusb {
   std::atomic<bool> hang_in_open = false;
   std::atomic<bool> hang_in_exit = false;

@@ -1,4 +1,4 @@
-// What is said of buses that are not there; what they carry is tested against a real kernel, in tests/guest.
+// Messages about missing buses; data transfer is tested against a real kernel, in tests/guest.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// What must not wait for ever, with a libusb that does.
+// Nothing blocks indefinitely, even if libusb does.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ using test::fake_libusb;
 
 UsbSettings impatient() {
   UsbSettings settings = kNxtUsb;
-  settings.patience = base::milliseconds(100);
+  settings.timeout = base::milliseconds(100);
   return settings;
 }
 
@@ -31,7 +31,7 @@ class StubbornUsb : public testing::Test {
   void SetUp() override {
     if (udev_runs()) GTEST_SKIP() << "where udev runs no context is closed; this is for where it does not";
   }
-  // Whatever hung comes back, and whoever was left to it cleans up.
+  // The hung call returns, and the abandoned thread cleans up.
   void TearDown() override {
     fake_libusb().hang_in_open = fake_libusb().hang_in_exit = false;
     fake_libusb().keep_transfers = fake_libusb().unplugged = false;
@@ -72,13 +72,13 @@ TEST_F(StubbornUsb, AContextThatDoesNotCloseKeepsNobody) {
   EXPECT_TRUE(soon([] { return fake_libusb().contexts == 0 && fake_libusb().transfers == 0; }));
 }
 
-// The kernel keeps the transfers of an unplugged device: the link is gone all the same, and opens anew.
+// The kernel keeps the transfers of an unplugged device: the link is gone all the same, and reopens.
 TEST_F(StubbornUsb, TransfersThatDoNotComeBackAreAbandoned) {
   Opened<UsbPacketLink> link = UsbPacketLink::open(impatient());
   ASSERT_TRUE(link) << link.problem();
   ASSERT_TRUE(soon([] { return fake_libusb().in_flight == 4; }));
   const int handles = fake_libusb().handles;
-  // One comes back and tells of the unplug, then the kernel keeps what is submitted.
+  // One comes back and reports the unplug, then the kernel keeps what is submitted.
   fake_libusb().unplugged = true;
   ASSERT_TRUE(soon([&] { return !link->connected(); }));
   fake_libusb().unplugged = false;

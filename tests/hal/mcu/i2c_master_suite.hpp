@@ -1,4 +1,4 @@
-// What every two-wire master has to do, whatever part it is carried on with. A master's own tests say what its part is:
+// Requirements on every I2C master, independent of the part. A master's own tests supply the part:
 // `Bench` has the master, the part it talks to, `settle()` until nothing more happens, and whether the part's
 // interrupts are still on.
 #pragma once

@@ -1,4 +1,4 @@
-// What the RP2040's port decides, as far as a desk can tell; the rest runs in the emulator (tests/boards/pico).
+// The RP2040 port's decisions that can be tested on the desk; the rest runs in the emulator (tests/boards/pico).
 #include <gtest/gtest.h>
 
 #include "hal/mcu/rp2040/reset_reason.hpp"
@@ -17,7 +17,7 @@ TEST(Rp2040, TellsWhyItWasReset) {
   EXPECT_EQ(reset_reason(0, false, 0), ResetReason::kUnknown);
 }
 
-// USB 2.0 9.5: each descriptor begins with its length and its kind; the configuration tells the sum of its own.
+// USB 2.0 9.5: each descriptor begins with its length and its kind; the configuration holds the sum of its own.
 TEST(Rp2040, DescriptorsAreAsLongAsTheySay) {
   EXPECT_EQ(usb::kDevice[0], usb::kDevice.size());
   EXPECT_EQ(usb::kLanguage[0], usb::kLanguage.size());

@@ -1,4 +1,4 @@
-// Floats to try arithmetic with, on the desk and on a board without a library.
+// Test values for float arithmetic, on the desk and on a board without a library.
 #pragma once
 
 #include <cstdint>

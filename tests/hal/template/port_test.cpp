@@ -1,4 +1,4 @@
-// The empty port compiles, fulfils each concept, and answers honestly that nothing is there.
+// The empty port compiles, models each concept, and reports that no hardware is there.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,5 @@
 // `fencepost record` as a process, on a pseudo-terminal whose other end the test holds.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+#include "hal/base/crc16.hpp"
 #include "tests/hal/linux/pty.hpp"
 #include "tests/host/cli/process.hpp"
 
@@ -307,6 +309,20 @@ TEST_F(Record, AKillLosesNothingThatWasShown) {
     std::filesystem::remove(folder.path() / "run.log");
   }
   EXPECT_GE(lines, std::size_t{kKills});
+}
+
+// What a robot calls its camera is said to people, at the end and twice a second.
+TEST_F(Record, ARobotsWordsDoNotReachTheTerminalAsControlSequences) {
+  const std::string body = "FPLNK,1.0000,%1B]0;mine%07%0Aforged,silent,%C2%9B2J";
+  const std::string line = fmt::format("${}*{:04X}\r\n", body, base::crc16(body));
+  Process run(folder, {"record", port, "-o", "run.log"});
+  EXPECT_EQ(heard(10), "\rmode log\r");
+  far.say(line);
+  ASSERT_TRUE(run.shows("2J*"));
+  EXPECT_EQ(run.end(SIGINT), 130);
+  EXPECT_EQ(log(), line) << "the file has what came";
+  EXPECT_NE(run.err().find("links at the end: ?]0;mine??forged silent (??2J)\n"), std::string::npos) << run.err();
+  EXPECT_EQ(run.err().find_first_of("\x1b\x07\x9b"), std::string::npos) << run.err();
 }
 
 }  // namespace

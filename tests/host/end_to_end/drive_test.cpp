@@ -11,7 +11,7 @@ namespace {
 struct Drive {
   const char* name;
   std::vector<std::string> emulated;  ///< in the order of their links
-  std::string camera;                 ///< as `run` is told
+  std::string camera;                 ///< as given to `run`
   std::string odometry;
   double odometry_error;  ///< share of the way
   double speed = 0.3;     ///< m/s

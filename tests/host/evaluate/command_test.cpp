@@ -86,7 +86,7 @@ TEST(EvaluateCommand, ABoundThatIsExceededFails) {
   const Outcome reckless = shell(folder, only + bounds(recklessness - 0.001, paranoia + 0.001));
   EXPECT_EQ(reckless.exit_code, 1);
   EXPECT_TRUE(holds(reckless.err, "bound exceeded: recklessness of cylinder")) << reckless.err;
-  EXPECT_NE(reckless.out, "") << "the measures are still told";
+  EXPECT_NE(reckless.out, "") << "the measures are still printed";
   EXPECT_EQ(shell(folder, only + bounds(recklessness + 0.001, paranoia - 0.001)).exit_code, 1);
 }
 

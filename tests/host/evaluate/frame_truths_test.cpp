@@ -21,7 +21,7 @@ std::vector<FrameTruth> frames_of(const Scene& scene) {
   return frames;
 }
 
-// In this scene signature 1, 2, 3 are objects 0, 1, 2, so the owner can be told from the blob.
+// In this scene signature 1, 2, 3 are objects 0, 1, 2, so the blob's signature gives the owner.
 TEST(FrameTruths, KnowsTheOwnerOfEachBlobOfItsOwnRun) {
   const FrameTruths truths(blocks());
   std::size_t compared = 0;

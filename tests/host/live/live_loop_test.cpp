@@ -43,7 +43,7 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
   Deaf port;
   PatientConsole console(port, true);
-  const auto loop = make_live_loop("full", camera, wheels, console, app::Mode::kQuiet);
+  const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
   record::Header header;
   header.product = "fencepost";
   EXPECT_TRUE(loop->start(header, std::nullopt, {}).empty());
@@ -63,6 +63,23 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   EXPECT_EQ(count(log, "$FPLNK,998990.0000,create2,ok"), 1U) << log.substr(0, 2000);
   EXPECT_EQ(count(log, ",create2,ok"), 2U) << "each run is told the state in force";
   EXPECT_EQ(count(log, "$FPODO,99900"), 0U) << "the new run began in time";
+}
+
+TEST(LiveLoop, SaysAtTheStartThatTheCamerasPitchIsUnknown) {
+  ConsoleCamera camera;
+  Wheels wheels;
+  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
+  Deaf port;
+  PatientConsole console(port, true);
+  const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
+  sensor::CameraIntrinsics unknown;
+  unknown.width = unknown.height = 100;
+  sensor::CameraIntrinsics level = unknown;
+  level.mount.pitch = base::Radians{};
+  EXPECT_TRUE(loop->start({}, level, {}).empty());
+  const std::vector<std::string> said = loop->start({}, unknown, {});
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("pitch unknown"), std::string::npos) << said[0];
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ namespace {
 using enum BlocksWorld;
 
 TEST(BlocksWorld, IsTheSameForTheSameSeed) {
-  for (const BlocksWorld kind : {kFigures, kPaperLike, kTwin, kHard}) {
+  for (const BlocksWorld kind : {kFigures, kPaperLike, kDistractor, kHard}) {
     EXPECT_EQ(write_scene(blocks_world(kind, 7)), write_scene(blocks_world(kind, 7)));
     EXPECT_NE(write_scene(blocks_world(kind, 7)), write_scene(blocks_world(kind, 8)));
   }
 }
 
 TEST(BlocksWorld, CanBeReadAsAScene) {
-  for (const BlocksWorld kind : {kFigures, kPaperLike, kTwin, kHard}) {
+  for (const BlocksWorld kind : {kFigures, kPaperLike, kDistractor, kHard}) {
     const LoadedScene loaded = parse_scene(write_scene(blocks_world(kind, 3)), "scene");
     EXPECT_TRUE(loaded.ok()) << loaded.error().message();
   }
@@ -44,16 +44,16 @@ TEST(BlocksWorld, HasItsBlocksApartBelowTheSkyAndAboveTheLens) {
   }
 }
 
-TEST(BlocksWorld, GivesTheTwinALandmarksColour) {
-  std::set<int> twins;
+TEST(BlocksWorld, GivesTheDistractorALandmarksColour) {
+  std::set<int> distractors;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Scene scene = blocks_world(kTwin, seed);
-    twins.insert(scene.objects[3].signature);
+    const Scene scene = blocks_world(kDistractor, seed);
+    distractors.insert(scene.objects[3].signature);
     EXPECT_EQ(scene.objects[kRedLandmark].signature, 1);
     EXPECT_EQ(scene.objects[kYellowLandmark].signature, 2);
     EXPECT_EQ(scene.objects[2].signature, 3);
   }
-  EXPECT_EQ(twins, (std::set<int>{1, 2}));
+  EXPECT_EQ(distractors, (std::set<int>{1, 2}));
 }
 
 TEST(BlocksWorld, HasBackgroundInTheLandmarksHuesOnlyWhereItIsHard) {

@@ -72,7 +72,20 @@ TEST_F(DisplayTest, ATerminalIsShownNoEscapeSequences) {
   Display display({.out_is_terminal = true});
   display.take("a\tb\x1b[2Jc\x07\x7f\r\n");
   display.flush();
-  EXPECT_EQ(heard(out_), "a\tb.[2Jc..\n");
+  EXPECT_EQ(heard(out_), "a\tb?[2Jc??\n");
+}
+
+// The words of a robot: its FPLNK names a device and says why.
+TEST_F(DisplayTest, NeitherDoMessagesAndTheStatusLine) {
+  Display display({.out_is_terminal = true, .status = true});
+  display.set_status(
+      "camera \x1b]0;mine\x07 absent\n\xC2\x9B"
+      "2J");
+  EXPECT_EQ(heard(err_), "camera ?]0;mine? absent???2J");
+  display.say(
+      "links at the end: \x9B"
+      "2J\nforged");
+  EXPECT_EQ(heard(err_), "\r\x1b[Klinks at the end: ?2J?forged\ncamera ?]0;mine? absent???2J");
 }
 
 TEST_F(DisplayTest, ASlowReaderLosesWholeLinesAndHoldsUpNothing) {

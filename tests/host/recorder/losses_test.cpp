@@ -41,13 +41,13 @@ TEST(Losses, ANewRunHasNoGap) {
 TEST(Losses, WhatWasLostBeforeTheRecordingDoesNotCount) {
   Losses losses;
   losses.accept(status(100, 7));
-  EXPECT_EQ(losses.told(), ToldLosses{});
+  EXPECT_EQ(losses.reported(), ReportedLosses{});
   record::StatusReport later = status(150, 9);
   later.blobs_dropped = 1;
   later.refused = 4;
   later.rejected = 3;
   losses.accept(later);
-  EXPECT_EQ(losses.told(), (ToldLosses{2, 1, 4, 3}));
+  EXPECT_EQ(losses.reported(), (ReportedLosses{2, 1, 4, 3}));
 }
 
 TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
@@ -55,17 +55,17 @@ TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
   losses.accept(status(100, 7));
   losses.accept(status(10, 5));
   losses.accept(status(60, 6));
-  EXPECT_EQ(losses.told().records_dropped, 6U);  // 5 since the boot, and 1
+  EXPECT_EQ(losses.reported().records_dropped, 6U);  // 5 since the boot, and 1
 }
 
-// `reset` starts the clock anew, the counters go on.
+// `reset` restarts the clock, the counters continue.
 TEST(Losses, ANewRunIsNoBoot) {
   Losses losses;
   record::StatusReport first = status(100, 7);
   first.t = {100'000};
   losses.accept(first);
   losses.accept(status(101, 7));
-  EXPECT_EQ(losses.told(), ToldLosses{});
+  EXPECT_EQ(losses.reported(), ReportedLosses{});
 }
 
 TEST(Losses, ALinkHasTheStateLastTold) {

@@ -36,11 +36,11 @@ TEST(StatusText, TroubleIsTold) {
   EXPECT_EQ(status_line(tally, at(2), true, 200),
             "0:02  0 lines/s  0 B/s  2 frames  camera silent  2 missing  bad: crc 1  lost: records 7, blobs 3  "
             "1 foreign");
-  EXPECT_EQ(summary(tally, at(2)),
-            (Lines{"2.0 s: 8 lines, " + in_bytes(static_cast<double>(tally.bytes())),
-                   "6 records: 2 frames, 0 of odometry; 1 foreign line", "rejected lines: crc 1",
-                   "missing by their numbers: 2 frames", "losses told by the robot: records_dropped 7, blobs_dropped 3",
-                   "links at the end: camera silent (no answer), odometry ok"}));
+  EXPECT_EQ(summary(tally, at(2)), (Lines{"2.0 s: 8 lines, " + in_bytes(static_cast<double>(tally.bytes())),
+                                          "6 records: 2 frames, 0 of odometry; 1 foreign line", "rejected lines: crc 1",
+                                          "missing by their numbers: 2 frames",
+                                          "losses reported by the robot: records_dropped 7, blobs_dropped 3",
+                                          "links at the end: camera silent (no answer), odometry ok"}));
 }
 
 TEST(StatusText, SilenceAndUnpluggingAreTold) {

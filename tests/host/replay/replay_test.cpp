@@ -366,5 +366,22 @@ TEST(BadInput, AnUnknownProfileInTheHeaderIsSaid) {
   EXPECT_EQ(outcome.result.profile, "full");
 }
 
+TEST(BadInput, AnUnknownPitchIsSaidOnceHoweverOftenTheCalibrationComes) {
+  sensor::CameraIntrinsics camera = host::load_scene(kRecordings + "corridor.json")->camera;
+  camera.mount.pitch.reset();
+  std::vector<std::string> lines = lines_of(recording("corridor"));
+  std::size_t calibrations = 0;
+  for (std::string& line : lines) {
+    if (!line.starts_with("$FPCAM")) continue;
+    line = line_of(camera);
+    ++calibrations;
+  }
+  ASSERT_GT(calibrations, 1U);
+  const ReplayOutcome outcome = replay(joined(lines), "unknown", {});
+  ASSERT_EQ(outcome.complaints.size(), 1U);
+  EXPECT_NE(outcome.complaints[0].find("pitch unknown"), std::string::npos) << outcome.complaints[0];
+  EXPECT_TRUE(replay(recording("corridor"), "known", {}).complaints.empty());
+}
+
 }  // namespace
 }  // namespace fencepost::test

@@ -39,6 +39,10 @@ constexpr const char* kArc =
 INSTANTIATE_TEST_SUITE_P(
     Json, BrokenScene,
     testing::Values(Fault{"\"seed\": 5,", "\"seed\": 5", "line 2, column 9", "not JSON", "comma"},
+                    Fault{"\"seed\": 5", "\"seed\": 1e999", "line 1, column 23", "too large", "range"},
+                    Fault{"\"width\": 316", "\"width\": -2E400", "line 2, column 40", "too large", "range"},
+                    Fault{"\"seed\": 5", "\"1e999\": \"\\\"1e999\", \"seed\": 1e999", "line 1, column 43", "too large",
+                          "range"},
                     Fault{"\"width\": 316", "\"width\": 316,, ", "line 2, column 44", "not JSON", "comma"},
                     Fault{"\"seed\": 5", "\"seed\": 5, \"seed\": 6", "key \"seed\"", "twice", "remove one"}));
 

@@ -53,7 +53,7 @@ TEST(Blocks, TheirFourColoursAreFoundWithoutAHint) {
   EXPECT_GE(segmented.summary.background.size(), 2U) << "table and wall";
 }
 
-// What an ideal sensor would have said, from the same scene and the same poses: ends are told apart by how far off they
+// What an ideal sensor would have said, from the same scene and the same poses: ends are classified by how far off they
 // are. Ends at which the two sensors see different things (hidden by bare wood, of which the scene knows nothing, or
 // small pieces) are counted, not measured.
 TEST(Blocks, MostEndsAreWithinAPixelOfAnIdealSensors) {

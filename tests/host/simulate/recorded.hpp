@@ -54,7 +54,7 @@ struct Simulated {
   std::vector<FrameTruth> truth;
 };
 
-/// Runs the scene and reads its log back; what was recorded must be what was told.
+/// Runs the scene and reads its log back; what was recorded must equal what was returned.
 inline Simulated run(const Scene& scene) {
   Simulated simulated;
   std::string text;

@@ -31,7 +31,7 @@ const std::vector<StudyWorld>& study_worlds() {
   using host::BlocksWorld;
   static const std::vector<StudyWorld> worlds{
       {BlocksWorld::kPaperLike, "paper", "distinct colours (paper-like)", 0.995, 0, true},
-      {BlocksWorld::kTwin, "twin", "and a same-coloured twin", 0.980, 0.80, false},
+      {BlocksWorld::kDistractor, "distractor", "and a same-coloured distractor", 0.980, 0.80, false},
       {BlocksWorld::kHard, "hard", "and landmark-hued background, high noise", 0.968, 0.72, false}};
   return worlds;
 }

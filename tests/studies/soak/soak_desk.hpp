@@ -72,13 +72,13 @@ class SoakDesk {
     link.bytes_a_turn = speed;
   }
 
-  [[nodiscard]] app::Memory<Profile>& memory() { return *memory_; }
+  [[nodiscard]] loop::Memory<Profile>& memory() { return *memory_; }
   [[nodiscard]] base::Time now() const { return now_; }
   [[nodiscard]] std::uint32_t next_frame() const { return frame_; }
   /// Every frame that came is used, refused, rejected or still waits. `bad_records`: typed ones that were rejected,
   /// too.
   [[nodiscard]] bool frames_add_up(std::uint64_t bad_records) const {
-    const app::Counters& counters = memory_->counters;
+    const console::Counters& counters = memory_->counters;
     const std::uint64_t known = std::uint64_t{counters.frames} + counters.refused_in_all() + counters.rejected +
                                 memory_->waiting.size() - bad_records;
     return known == frames_offered_;
@@ -107,11 +107,11 @@ class SoakDesk {
   std::uint32_t frame_;
   std::uint64_t frames_offered_ = 0;
   std::uint64_t odometry_offered_ = 0;
-  std::unique_ptr<app::Memory<Profile>> memory_ = std::make_unique<app::Memory<Profile>>();
+  std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   host::LogCamera camera_;
   host::LogOdometry odometry_;
-  app::Loop<Profile, host::LogCamera, host::LogOdometry, DeskLink> loop_{*memory_, camera_, odometry_, link,
-                                                                         app::Mode::kLog};
+  loop::Loop<Profile, host::LogCamera, host::LogOdometry, DeskLink> loop_{*memory_, camera_, odometry_, link,
+                                                                          console::Mode::kLog};
 };
 
 }  // namespace fencepost::test

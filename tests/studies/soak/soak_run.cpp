@@ -142,7 +142,7 @@ class Soak {
 
   void check_counters() {
     expect(desk_.frames_add_up(bad_records_), "frames used, refused, rejected and waiting are not those that came");
-    app::Memory<Profile>& memory = desk_.memory();
+    loop::Memory<Profile>& memory = desk_.memory();
     expect(memory.signatures.size() == 3, "the table of signatures has changed");
     expect(memory.waiting.size() <= recon::kMaxWaitingFrames, "too many frames wait");
     std::vector<std::uint32_t> ids;
@@ -196,7 +196,7 @@ class Soak {
   }
 
   void finish() {
-    const app::Counters& counters = desk_.memory().counters;
+    const console::Counters& counters = desk_.memory().counters;
     figures_.minutes = (desk_.now() - kStart).to_double() / 60;
     figures_.frames_offered = desk_.frames_offered();
     figures_.frames_used = counters.frames;

@@ -45,7 +45,7 @@ TEST(SoakEdge, AtTheEndOfTheStreamsTimeALogRefusesAndTheRobotGoesOn) {
   desk.set_up(lap.scene);
   desk.drive(lap);
   desk.drain();
-  const app::Counters& counters = desk.memory().counters;
+  const console::Counters& counters = desk.memory().counters;
   const std::uint32_t used = counters.frames;
   EXPECT_GT(used, 35U);
   EXPECT_LT(used, 42U);  // ten a second for four seconds

@@ -1,4 +1,4 @@
-// The two-wire master of the nRF51822, with the part played by chapter 28 of its manual.
+// The I2C master of the nRF51822, with the part simulated after chapter 28 of its manual.
 #include "hal/mcu/nrf51/twi_master.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "hal/mcu/twin_link.hpp"
+#include "hal/mcu/mirrored_link.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +35,10 @@ struct Port {
   [[nodiscard]] std::size_t room() const { return gone ? 0 : capacity - filled; }
 };
 
-struct TwinLinkTest : ::testing::Test {
+struct MirroredLinkTest : ::testing::Test {
   Port uart;
   Port usb;
-  TwinLink<Port, Port> link{uart, usb};
+  MirroredLink<Port, Port> link{uart, usb};
 
   /// What the link took; -1 if nothing.
   int say(std::string_view text) {
@@ -52,14 +52,14 @@ struct TwinLinkTest : ::testing::Test {
   }
 };
 
-TEST_F(TwinLinkTest, SaysEverythingOnBoth) {
+TEST_F(MirroredLinkTest, WritesEverythingToBoth) {
   EXPECT_EQ(say("one\r\ntw"), 7);
   EXPECT_EQ(say("o\r\n"), 3);
   EXPECT_EQ(uart.said, "one\r\ntwo\r\n");
   EXPECT_EQ(usb.said, uart.said);
 }
 
-TEST_F(TwinLinkTest, HearsEither) {
+TEST_F(MirroredLinkTest, ReadsEither) {
   usb.typed = "status\r";
   EXPECT_EQ(hear(), "status\r");
   uart.typed = "version\r";
@@ -67,7 +67,7 @@ TEST_F(TwinLinkTest, HearsEither) {
   EXPECT_EQ(hear(), "");
 }
 
-TEST_F(TwinLinkTest, AFullOrAbsentGuestHoldsNobodyUp) {
+TEST_F(MirroredLinkTest, AFullOrAbsentSecondaryBlocksNothing) {
   usb.gone = true;
   EXPECT_EQ(say("one\r\n"), 5);
   usb.gone = false;
@@ -77,7 +77,7 @@ TEST_F(TwinLinkTest, AFullOrAbsentGuestHoldsNobodyUp) {
   EXPECT_EQ(usb.said, "");
 }
 
-TEST_F(TwinLinkTest, TheOneThatFollowsGetsWholeLinesOnly) {
+TEST_F(MirroredLinkTest, TheSecondaryGetsWholeLinesOnly) {
   usb.filled = usb.capacity - 100;  // not the longest line
   say("lost, and its ");
   usb.filled = 0;
@@ -86,14 +86,14 @@ TEST_F(TwinLinkTest, TheOneThatFollowsGetsWholeLinesOnly) {
   EXPECT_EQ(uart.said, "lost, and its end\r\nkept\r\n");
 }
 
-TEST_F(TwinLinkTest, TheLeadersPaceIsTheConsoles) {
+TEST_F(MirroredLinkTest, ThePrimarysBackPressureIsTheConsoles) {
   uart.filled = uart.capacity - 2;
   EXPECT_EQ(say("four"), 2);
   EXPECT_EQ(say("ur"), -1);
   EXPECT_EQ(usb.said, "fo");
 }
 
-TEST_F(TwinLinkTest, TypingMakesALeader) {
+TEST_F(MirroredLinkTest, TypingMakesAPrimary) {
   usb.typed = "mode log\r";
   hear();
   uart.filled = uart.capacity;
@@ -105,7 +105,7 @@ TEST_F(TwinLinkTest, TypingMakesALeader) {
   EXPECT_EQ(say("line\r\n"), -1);
 }
 
-TEST_F(TwinLinkTest, ALeaderThatGoesOrNeverReadsIsSucceeded) {
+TEST_F(MirroredLinkTest, APrimaryThatGoesOrNeverReadsIsReplaced) {
   usb.typed = "mode log\r";
   hear();
   usb.filled = usb.capacity;
@@ -121,7 +121,7 @@ TEST_F(TwinLinkTest, ALeaderThatGoesOrNeverReadsIsSucceeded) {
   EXPECT_EQ(uart.said, "x\r\ny\r\n");
 }
 
-TEST_F(TwinLinkTest, TwoWritersDoNotMixInALine) {
+TEST_F(MirroredLinkTest, TwoWritersDoNotMixInALine) {
   uart.typed = "set alert";
   EXPECT_EQ(hear(), "set alert");
   usb.typed = "$FPODO,1\r\n";
@@ -131,7 +131,7 @@ TEST_F(TwinLinkTest, TwoWritersDoNotMixInALine) {
   EXPECT_EQ(hear(), "$FPODO,1\r\n");
 }
 
-TEST_F(TwinLinkTest, AHalfTypedLineDoesNotShutOutTheOther) {
+TEST_F(MirroredLinkTest, AHalfTypedLineDoesNotShutOutTheOther) {
   uart.typed = "half";
   hear();
   usb.typed = "whole\r";

@@ -1,11 +1,11 @@
-#include "firmware/alert/stamp.hpp"
+#include "hal/base/stamp.hpp"
 
 #include <gtest/gtest.h>
 
 namespace fencepost::test {
 namespace {
 
-using app::Stamp;
+using base::Stamp;
 using base::Time;
 
 TEST(Stamp, TellsHowLongAgo) {

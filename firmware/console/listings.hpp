@@ -9,26 +9,22 @@
 
 #include "firmware/alert/obstacle.hpp"
 #include "firmware/console/console_state.hpp"
-#include "firmware/loop/memory.hpp"
-#include "hal/sensor/link_state.hpp"
+#include "firmware/console/counters.hpp"
+#include "firmware/console/links.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+#include "hal/sensor/camera.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
-/// The two sensors' cables.
-struct Links {
-  sensor::LinkState camera = sensor::LinkState::kAbsent;
-  sensor::LinkState odometry = sensor::LinkState::kAbsent;
-};
-
-/// What `status` tells.
+/// What `status` reports.
 struct StatusFacts {
   std::string_view profile;
   Mode mode = Mode::kText;
   bool alerts = true;
   Links links;
-  const Run& run;
   const Counters& counters;
-  const Calibration& calibration;
+  std::optional<base::Time> time{};                  ///< of the stream
+  const sensor::CameraIntrinsics* camera = nullptr;  ///< the calibration in force, if any
   std::optional<recon::MapPose> robot{};
   std::uint32_t objects = 0;
   std::uint32_t confirmed = 0;
@@ -43,7 +39,7 @@ std::size_t write_objects_head(std::span<char> out);
 /// `what` is missing, and why that may be.
 std::size_t write_none(std::string_view what, const StatusFacts& facts, std::span<char> out);
 /// One object as the robot sees it at time `now`.
-std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name, const Obstacle& seen,
-                         base::Time now, std::span<char> out);
+std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name,
+                         const alert::Obstacle& seen, base::Time now, std::span<char> out);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

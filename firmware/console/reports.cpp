@@ -1,8 +1,8 @@
-#include "firmware/loop/reports.hpp"
+#include "firmware/console/reports.hpp"
 
 #include <algorithm>
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 // Longer than this is not worth a number: the field stays empty (s).
@@ -35,7 +35,7 @@ record::ObjectState state_of(const recon::ObjectCore& object, base::Time now) {
   return now - object.last_seen > kLostAfter ? record::ObjectState::kLost : record::ObjectState::kConfirmed;
 }
 
-record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now) {
+record::ObjectReport report_object(const recon::ObjectCore& object, const alert::Obstacle& obstacle, base::Time now) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   const recon::HeightRange band = object.band.at(cylinder.center, cylinder.radius);
   record::ObjectReport report;
@@ -85,10 +85,10 @@ record::StatusReport report_status(base::Time now, const Counters& counters, std
   return report;
 }
 
-Nearest nearest_of(const Obstacle& obstacle) { return {metres(obstacle.distance), radians(obstacle.bearing())}; }
+Nearest nearest_of(const alert::Obstacle& obstacle) { return {metres(obstacle.distance), radians(obstacle.bearing())}; }
 
-record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
-                                 base::Time now) {
+record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
+                                 record::AlertLevel level, base::Time now) {
   record::AlertReport report;
   report.t = now;
   report.level = level;
@@ -103,4 +103,4 @@ record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle
   return report;
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

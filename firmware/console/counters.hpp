@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// Why a well-formed frame was not used.
 enum class Refusal : std::uint8_t { kNoPose, kOdometryGap, kNoCamera, kQueue };
@@ -29,4 +29,4 @@ struct Counters {
   }
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

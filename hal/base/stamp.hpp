@@ -5,16 +5,16 @@
 
 #include "hal/base/units.hpp"
 
-namespace fencepost::app {
+namespace fencepost::base {
 
 class Stamp {
  public:
   constexpr Stamp() = default;
-  constexpr explicit Stamp(base::Time t) : ticks_(low_word(t)) {}
+  constexpr explicit Stamp(Time t) : ticks_(low_word(t)) {}
 
   /// How long before `now`. Right for the 4.9 days before `now` and for kBackwards after it; a longer time comes out
   /// shorter by whole rounds of the word, which delays a repetition once.
-  [[nodiscard]] constexpr base::Duration since(base::Time now) const {
+  [[nodiscard]] constexpr Duration since(Time now) const {
     const std::uint32_t ahead = low_word(now) - ticks_;
     constexpr auto kBack = static_cast<std::uint32_t>(kBackwards.raw);
     if (ahead > UINT32_MAX - kBack) return {-static_cast<std::int64_t>(UINT32_MAX - ahead) - 1};
@@ -23,11 +23,11 @@ class Stamp {
 
  private:
   /// Frames are handled up to their latency and waiting time after later odometry.
-  static constexpr base::Duration kBackwards = base::milliseconds(60'000);
+  static constexpr Duration kBackwards = milliseconds(60'000);
 
-  static constexpr std::uint32_t low_word(base::Time t) { return static_cast<std::uint32_t>(t.raw & 0xFFFFFFFFLL); }
+  static constexpr std::uint32_t low_word(Time t) { return static_cast<std::uint32_t>(t.raw & 0xFFFFFFFFLL); }
 
   std::uint32_t ticks_ = 0;
 };
 
-}  // namespace fencepost::app
+}  // namespace fencepost::base

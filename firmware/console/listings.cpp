@@ -1,9 +1,9 @@
-#include "firmware/loop/listings.hpp"
+#include "firmware/console/listings.hpp"
 
+#include "firmware/console/reports.hpp"
 #include "firmware/console/sentence.hpp"
-#include "firmware/loop/reports.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 namespace {
 
 constexpr std::int32_t kMapUnitsPerTenthMillimetre = recon::kMapUnitsPerMetre / base::Metres::kPerUnit;
@@ -23,11 +23,11 @@ std::int64_t compass_degrees(std::int32_t microradians) {
 void put_run(Sentence& s, const StatusFacts& facts) {
   s.put("profile ").put(facts.profile).put(", mode ").put(name(facts.mode));
   s.put(", alerts ").put(facts.alerts ? "on" : "off").put(", time ");
-  if (!facts.run.time) {
+  if (!facts.time) {
     s.put("not known yet");
     return;
   }
-  s.number(facts.run.time->raw, base::Time::kDecimals).put(" s");
+  s.number(facts.time->raw, base::Time::kDecimals).put(" s");
 }
 
 void put_frames(Sentence& s, const Counters& counters) {
@@ -45,9 +45,9 @@ void put_records(Sentence& s, const Counters& counters) {
 
 void put_links(Sentence& s, const StatusFacts& facts) {
   s.put("camera link ").put(name(facts.links.camera));
-  if (facts.calibration.known) {
-    const sensor::CameraIntrinsics& camera = facts.calibration.intrinsics;
-    s.put(", ").put(camera.model.view()).put(" ").number(camera.width).put("x").number(camera.height);
+  if (facts.camera != nullptr) {
+    s.put(", ").put(facts.camera->model.view()).put(" ");
+    s.number(facts.camera->width).put("x").number(facts.camera->height);
   } else {
     s.put(", no calibration ($FPCAM)");
   }
@@ -91,7 +91,7 @@ std::size_t write_none(std::string_view what, const StatusFacts& facts, std::spa
   Sentence s(out);
   s.put("no ").put(what).put(": ");
   const std::uint32_t refused = facts.counters.refused_in_all();
-  if (!facts.calibration.known) {
+  if (facts.camera == nullptr) {
     s.put("the camera has no calibration ($FPCAM)");
   } else if (!facts.robot) {
     s.put("no odometry came in");
@@ -103,8 +103,8 @@ std::size_t write_none(std::string_view what, const StatusFacts& facts, std::spa
   return s.end();
 }
 
-std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name, const Obstacle& seen,
-                         base::Time now, std::span<char> out) {
+std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name,
+                         const alert::Obstacle& seen, base::Time now, std::span<char> out) {
   constexpr std::size_t kMaxName = 10;
   Sentence s(out);
   s.put({&letter, 1}).put(" ").number(object.id).gap_to(8);
@@ -123,4 +123,4 @@ std::size_t write_object(char letter, const recon::ObjectCore& object, std::stri
   return s.end();
 }
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "firmware/alert/obstacle.hpp"
+#include "firmware/console/counters.hpp"
 #include "firmware/console/text.hpp"
-#include "firmware/loop/counters.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "firmware/record/records.hpp"
 
-namespace fencepost::app {
+namespace fencepost::console {
 
 /// An object not seen for this long is lost from sight; its place in the map stays.
 inline constexpr base::Duration kLostAfter = base::milliseconds(1000);
@@ -16,16 +16,16 @@ inline constexpr base::Duration kLostAfter = base::milliseconds(1000);
 record::ObjectState state_of(const recon::ObjectCore& object, base::Time now);
 
 /// Needs an estimate: object.cylinder.estimate().ok().
-record::ObjectReport report_object(const recon::ObjectCore& object, const Obstacle& obstacle, base::Time now);
+record::ObjectReport report_object(const recon::ObjectCore& object, const alert::Obstacle& obstacle, base::Time now);
 
 /// The robot's pose at t, with the correction's own sigmas.
 record::Position report_pose(const recon::MapPose& pose, const recon::PoseSigma& sigma, base::Time t);
 
 record::StatusReport report_status(base::Time now, const Counters& counters, std::uint32_t objects);
 
-Nearest nearest_of(const Obstacle& obstacle);
+Nearest nearest_of(const alert::Obstacle& obstacle);
 
-record::AlertReport report_alert(const recon::ObjectCore& object, const Obstacle& obstacle, record::AlertLevel level,
-                                 base::Time now);
+record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
+                                 record::AlertLevel level, base::Time now);
 
-}  // namespace fencepost::app
+}  // namespace fencepost::console

@@ -1,0 +1,206 @@
+// What the loop emits of its own accord: records in mode log, sentences in mode text, numbers in mode plot.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware/console/link_words.hpp"
+#include "firmware/console/reports.hpp"
+#include "firmware/console/signatures.hpp"
+#include "firmware/console/text.hpp"
+#include "firmware/loop/memory.hpp"
+
+namespace fencepost::loop {
+
+inline constexpr base::Duration kRepeatCalibration = base::milliseconds(10'000);
+inline constexpr base::Duration kStatusInterval = base::milliseconds(1000);
+inline constexpr base::Duration kObjectInterval = base::milliseconds(500);
+inline constexpr base::Duration kPoseInterval = base::milliseconds(500);
+inline constexpr base::Duration kPlotInterval = base::milliseconds(100);
+inline constexpr std::uint32_t kDigestEvery = 50;  ///< frames
+
+/// Back-pressure: an answer of the console waits for an empty queue, so that the log comes first. After this many turns
+/// it takes any room, and inputs and reports are refused until it got it: a console must answer on the slowest link.
+inline constexpr std::uint8_t kTurnsBeforeYield = 64;
+
+template <class Profile>
+class Reporter {
+ public:
+  explicit Reporter(Memory<Profile>& memory) : m_(memory) {}
+
+  [[nodiscard]] bool shown_in(console::Mode mode) const { return m_.console.mode == mode && !m_.run.testing; }
+  /// Records are emitted: to the console, or to the journal.
+  [[nodiscard]] bool logs() const {
+    return (m_.console.mode == console::Mode::kLog || m_.journal.on()) && !m_.run.testing;
+  }
+  /// Into each of them, or into none.
+  template <class Record>
+  [[nodiscard]] bool put_in_logs(const Record& record) {
+    const bool shown = m_.console.mode == console::Mode::kLog;
+    if (m_.journal.on() && !m_.journal.has_room()) return false;
+    if (shown && !m_.output.put(record)) return false;
+    return !m_.journal.on() || m_.journal.put(record);
+  }
+
+  /// Reports and inputs yield to an answer that has waited too long.
+  [[nodiscard]] bool yields() const { return m_.console.turns_without_room >= kTurnsBeforeYield; }
+
+  /// The calibration's records in the order in which they are sent: header, camera, signatures, settings.
+  static constexpr std::size_t kHeaderRecord = 0;
+  static constexpr std::size_t kCameraRecord = 1;
+  static constexpr std::size_t kSignatureRecords = 2;
+  [[nodiscard]] std::size_t setting_records() const { return kSignatureRecords + m_.signatures.size(); }
+
+  /// The records after one that has changed are sent again, too: cheaper than to remember which of them did.
+  void resend_from(std::size_t record) {
+    if (record < m_.run.next_record) m_.run.next_record = static_cast<std::uint8_t>(record);
+    m_.run.calibration_sent = false;
+  }
+
+  /// Before an input: all of it again from time to time, so that a recording may begin anywhere.
+  void calibration_if_due() {
+    const bool sent = logs() && m_.run.calibration_sent && m_.run.time;
+    if (sent && m_.run.calibration_at.since(*m_.run.time) >= kRepeatCalibration) {
+      m_.run.next_record = 0;
+      m_.run.calibration_at = base::Stamp(*m_.run.time);
+    }
+    calibration();
+  }
+
+  /// As many records as the queue has room for; inputs wait for all of them, so that none is used before the log holds
+  /// the calibration that it is used with.
+  void calibration() {
+    if (!logs()) return;
+    while (m_.run.next_record < setting_records() + config::kKeys) {
+      if (!calibration_record(m_.run.next_record)) return;
+      ++m_.run.next_record;
+    }
+    m_.run.calibration_sent = true;
+  }
+
+  void alert(const record::AlertReport& report) {
+    journal_or_drop(report);
+    if (!m_.console.alerts) return;
+    if (shown_in(console::Mode::kLog)) put_or_drop(report);
+    if (!shown_in(console::Mode::kText)) return;
+    say([&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
+  }
+
+  void plot(const std::optional<alert::Obstacle>& obstacle, record::AlertLevel level, base::Time now) {
+    if (!shown_in(console::Mode::kPlot) || m_.console.plotted_at.since(now) < kPlotInterval) return;
+    std::optional<console::Nearest> nearest;
+    if (obstacle) nearest = console::nearest_of(*obstacle);
+    m_.console.plotted_at = base::Stamp(now);
+    say([&](std::span<char> room) { return console::describe_plot(nearest, level, room); });
+  }
+
+  void digest(std::uint32_t frame) {
+    if (!logs() || m_.map.frames() % kDigestEvery != 0) return;
+    report(record::DigestReport{frame, m_.map.digest()});
+  }
+
+  void objects(base::Time now) {
+    if (!logs()) return;
+    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+      const recon::Object<Profile>& object = m_.map.slots()[o];
+      if (!object.used() || !object.cylinder.estimate().ok()) continue;
+      ReportState& last = m_.reports[o];
+      const record::ObjectState state = console::state_of(object, now);
+      const bool changed = last.id != object.id || last.state != state;
+      const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
+      if (!changed && !due) continue;
+      last = {object.id, state, base::Stamp(now)};
+      const alert::Obstacle seen = see_obstacle(object, alert::RobotPlace(robot_pose(m_)), {});
+      report(console::report_object(object, seen, now));
+    }
+  }
+
+  /// Where the robot was at an exposure, while the pose is corrected.
+  void pose(base::Time exposure) {
+    if (!logs() || !m_.map.correction().running()) return;
+    if (m_.run.pose_sent_at.since(exposure) < kPoseInterval) return;
+    m_.run.pose_sent_at = base::Stamp(exposure);
+    report(console::report_pose(m_.map.correction().pose(), m_.map.correction().sigma(), exposure));
+  }
+
+  void status() {
+    if (!logs() || !m_.run.time || m_.run.status_at.since(*m_.run.time) < kStatusInterval) return;
+    m_.run.status_at = base::Stamp(*m_.run.time);
+    report(console::report_status(*m_.run.time, m_.counters, m_.map.size()));
+  }
+
+  /// A cable's state: a record in mode log, a sentence in mode text. It is sent only once, so it waits for room and for
+  /// the end of an answer rather than being dropped. `source` is asked for its words only then.
+  template <class Source>
+  void link(LinkWatch& watch, const Source& source, std::string_view name, base::Time now) {
+    if (m_.run.testing || m_.console.answer.pending() || (logs() && !m_.run.calibration_sent)) return;
+    const std::optional<sensor::LinkState> state = watch.observe(source.link(), now);
+    if (state && send_link(console::link_words(source, name, *state), *state, now)) watch.sent();
+  }
+  /// Somebody begins to read records: both links again.
+  void resend_links() {
+    m_.links.camera.resend();
+    m_.links.odometry.resend();
+  }
+
+  /// To whoever gets records; dropped and counted where there is no room.
+  template <class Record>
+  void report(const Record& record) {
+    journal_or_drop(record);
+    if (shown_in(console::Mode::kLog)) put_or_drop(record);
+  }
+
+  /// A line for people, dropped and counted if there is no room.
+  template <class Write>
+  void say(Write&& write) {
+    if (yields() || !m_.output.put_line(write)) ++m_.counters.records_dropped;
+  }
+
+  /// The signature's name, or empty.
+  [[nodiscard]] std::string_view name_of(std::uint8_t signature) const {
+    return console::name_of(signature, m_.signatures.view());
+  }
+
+ private:
+  template <class Words>
+  [[gnu::noinline]] bool send_link(const Words& words, sensor::LinkState state, base::Time now) {
+    if (std::string_view(words.device).empty()) return true;
+    const bool logged =
+        !logs() || put_in_logs(record::LinkReport{now, sensor::Text(words.device), state, sensor::Text(words.detail)});
+    if (!logged || !shown_in(console::Mode::kText) || std::string_view(words.name).empty()) return logged;
+    const bool fits = m_.output.put_line(
+        [&](std::span<char> room) { return console::describe_link(state, words.name, words.remedy, room); });
+    // What does not fit into an empty queue never will. With a journal, the record is there already.
+    if (!fits && (logs() || m_.output.waiting().empty())) ++m_.counters.records_dropped;
+    return fits || logs() || m_.output.waiting().empty();
+  }
+
+  [[nodiscard]] bool calibration_record(std::size_t index) {
+    if (index == kHeaderRecord) {
+      if (!m_.run.header_due) return true;
+      m_.run.header_due = !put_in_logs(*m_.run.header);
+      return !m_.run.header_due;
+    }
+    if (index == kCameraRecord) return !m_.calibration.known || put_in_logs(m_.calibration.intrinsics);
+    if (index < setting_records()) return put_in_logs(m_.signatures[index - kSignatureRecords]);
+    const auto key = static_cast<config::Key>(index - setting_records());
+    return put_in_logs(record::Setting{config::info(key).name, m_.settings.text(key)});
+  }
+
+  template <class Record>
+  void journal_or_drop(const Record& record) {
+    if (m_.journal.on() && !m_.run.testing && !m_.journal.put(record)) ++m_.counters.records_dropped;
+  }
+
+  template <class Record>
+  void put_or_drop(const Record& record) {
+    if (yields() || !m_.output.put(record)) ++m_.counters.records_dropped;
+  }
+
+  Memory<Profile>& m_;
+};
+
+}  // namespace fencepost::loop

@@ -1,0 +1,12 @@
+// The last catch of the program: whatever a command throws, it ends with a message and an exit code.
+#pragma once
+
+#include <functional>
+
+namespace fencepost::host::cli {
+
+/// The command's exit code, or that of what it threw: a Failure's own, else 3 (unreadable input), or 4 where the system
+/// refused a thread or a descriptor.
+int guarded(const std::function<int()>& command);
+
+}  // namespace fencepost::host::cli

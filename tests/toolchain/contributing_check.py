@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""usage: contributing_check.py [ROOT]
+
+Holds the lists of .github/CONTRIBUTING.md: for every board, setting, ... that exists, each new file of its list is there,
+and each file to edit names it. Prints one line per fault; exit status 1 if there is any.
+"""
+
+import pathlib
+import re
+import sys
+
+DOCUMENT = ".github/CONTRIBUTING.md"
+HEADING = re.compile(r"^## Add an? [\w ]+: ([A-Z]+)$")
+ROW = re.compile(r"^\| (new|edit) \| ([^|]+) \|")
+
+
+def boards(root):
+    return sorted(p.parent.name for p in root.glob("hal/boards/*/board.hpp") if p.parent.name != "template")
+
+
+def settings(root):
+    text = (root / "firmware/config/settings.hpp").read_text(encoding="utf-8")
+    return re.findall(r'^\s*\{"([a-z_.]+)", ', text, re.MULTILINE)
+
+
+# The word of a list, and what there is of it.
+KINDS = {"BOARD": boards, "SETTING": settings}
+
+
+def lists_in(text):
+    """{word: [(new or edit, [paths, of which one is enough])]}"""
+    lists, word = {}, None
+    for line in text.split("\n"):
+        heading, row = HEADING.match(line), ROW.match(line)
+        if heading:
+            word = heading.group(1)
+            lists[word] = []
+        elif line.startswith("## "):
+            word = None
+        elif row and word:
+            lists[word].append((row.group(1), re.findall(r"`([^`]+)`", row.group(2))))
+    return lists
+
+
+def fault_of(root, action, paths, word, name):
+    """What is wrong with one row for one thing; None if it holds."""
+    found = [path for path in (p.replace(word, name) for p in paths) if (root / path).is_file()]
+    if not found:
+        return "there is no " + " or ".join(p.replace(word, name) for p in paths)
+    if action == "edit" and not any(name in (root / path).read_text(encoding="utf-8") for path in found):
+        return f"{found[0]} does not name it"
+    return None
+
+
+def check(root, kinds=None):
+    """(faults, how many rows were compared)"""
+    kinds = KINDS if kinds is None else kinds
+    lists = lists_in((root / DOCUMENT).read_text(encoding="utf-8"))
+    faults = [f"{DOCUMENT}: no list for {word}" for word in sorted(set(kinds) - set(lists))]
+    faults += [f"{DOCUMENT}: nothing is known of {word}" for word in sorted(set(lists) - set(kinds))]
+    compared = 0
+    for word in sorted(set(kinds) & set(lists)):
+        names = kinds[word](root)
+        if not names or not lists[word]:
+            faults.append(f"{DOCUMENT}: {word}: nothing to compare")
+        for name in names:
+            for action, paths in lists[word]:
+                compared += 1
+                fault = fault_of(root, action, paths, word, name)
+                if fault:
+                    faults.append(f"{DOCUMENT}: {word} {name}: {fault}")
+    return faults, compared
+
+
+def main():
+    if len(sys.argv) > 2 or "-h" in sys.argv or "--help" in sys.argv:
+        print(__doc__.strip())
+        return 2
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[2]).resolve()
+    faults, compared = check(root)
+    for fault in faults:
+        print(fault)
+    print(f"{compared} rows compared, {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

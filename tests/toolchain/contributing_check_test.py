@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""A small tree with a document that is true, then with one fault of each kind."""
+
+import pathlib
+import tempfile
+import unittest
+
+from contributing_check import boards, check, settings
+
+DOCUMENT = """# Contributing
+## Commits
+| new | `nowhere` | no list |
+
+## Add a board: BOARD
+| | file | |
+|---|---|---|
+| new | `hal/boards/BOARD/board.hpp` | its pins |
+| new | `tests/BOARD.hpp` or `tests/BOARD/BOARD.hpp` | its emulator |
+| edit | `README.md` | its row |
+
+## Add a setting: SETTING
+| edit | `firmware/config/settings.hpp` | |
+"""
+TREE = {
+    ".github/CONTRIBUTING.md": DOCUMENT,
+    "hal/boards/template/board.hpp": "",
+    "hal/boards/pico/board.hpp": "",
+    "hal/boards/f405/board.hpp": "",
+    "tests/pico.hpp": "",
+    "tests/f405/f405.hpp": "",
+    "README.md": "pico and f405",
+    "firmware/config/settings.hpp": '    {"alert.stop", "m", 2},\n    {"robot.width", "m", 2},\n',
+}
+KINDS = {"BOARD": boards, "SETTING": settings}
+
+
+class ContributingCheck(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for name, text in TREE.items():
+            self.write(name, text)
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def faults(self, kinds=None):
+        faults, _ = check(self.root, kinds or KINDS)
+        return "\n".join(faults)
+
+    def test_a_true_document_has_no_faults_and_was_compared(self):
+        self.assertEqual(check(self.root, KINDS), ([], 2 * 3 + 2 * 1))
+
+    def test_a_file_that_is_missing_is_found(self):
+        (self.root / "tests/f405/f405.hpp").unlink()
+        self.assertEqual(self.faults().count("BOARD f405: there is no tests/f405.hpp or tests/f405/f405.hpp"), 1)
+
+    def test_a_file_that_does_not_name_it_is_found(self):
+        self.write("README.md", "pico")
+        self.assertIn("BOARD f405: README.md does not name it", self.faults())
+
+    def test_a_list_that_names_a_file_that_was_moved_is_found(self):
+        self.write(".github/CONTRIBUTING.md", DOCUMENT.replace("settings.hpp", "keys.hpp"))
+        self.assertIn("SETTING alert.stop: there is no firmware/config/keys.hpp", self.faults())
+
+    def test_a_list_that_is_missing_empty_or_of_nothing_known_is_found(self):
+        self.assertIn("no list for CAMERA", self.faults({**KINDS, "CAMERA": boards}))
+        self.assertIn("nothing is known of SETTING", self.faults({"BOARD": boards}))
+        self.assertIn("BOARD: nothing to compare", self.faults({**KINDS, "BOARD": lambda root: []}))
+        self.write(".github/CONTRIBUTING.md", "## Add a board: BOARD\n")
+        self.assertIn("BOARD: nothing to compare", self.faults())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""usage: readme_check.py [ROOT]
+
+Holds what README.md says of the code: each path in its backticks and links exists, each name of a namespace is declared,
+each test of the paper's table is one. Prints one line per fault; exit status 1 if there is any.
+"""
+
+import fnmatch
+import pathlib
+import re
+import sys
+
+LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
+NAMESPACES = {"recon": "firmware/recon"}
+GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
+CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
+
+
+def marked(text):
+    """(line number, what stands in backticks or behind a link)"""
+    fenced = False
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.startswith("```"):
+            fenced = not fenced
+        if fenced or line.startswith("    "):
+            continue
+        for match in re.finditer(r"`([^`]+)`|\]\(([^)#]+)\)", line):
+            yield number, match.group(1) or match.group(2)
+
+
+def paths_in(root, text):
+    """(line number, path): what looks like a path of the repository; a bare file name follows the folder before it."""
+    folder = root
+    for number, word in marked(text):
+        if "/" in word and " " not in word and word.split("/")[0] in (*LAYERS, ".github"):
+            folder = (root / word).parent
+            yield number, root / word
+        elif re.fullmatch(r"[\w.]+\.(?:hpp|cpp|md|csv)", word):
+            found = folder / word if (folder / word).is_file() else root / word
+            yield number, found if found.is_file() else root / "host/share/doc" / word
+
+
+def tests_of(root):
+    names = set()
+    for path in sorted((root / "tests").rglob("*")):
+        if path.suffix == ".cpp":
+            names |= {f"{suite}.{case}" for suite, case in GTEST.findall(path.read_text(encoding="utf-8"))}
+        elif path.name == "CMakeLists.txt":
+            names |= set(CTEST.findall(path.read_text(encoding="utf-8")))
+    return names
+
+
+def table_tests(text):
+    """(line number, pattern) of the last column of the paper's table"""
+    inside = False
+    for number, line in enumerate(text.split("\n"), 1):
+        inside = line.startswith("| paper |") or (inside and line.startswith("|"))
+        if not inside or line.startswith(("| paper |", "|---")):
+            continue
+        for word in re.findall(r"`([^`]+)`", line.rstrip().rstrip("|").rsplit("|", 1)[-1]):
+            yield number, word
+
+
+def fault_of_test(root, word, tests):
+    if word.startswith("toolchain/long "):
+        part = word.split()[1]
+        known = f"part_{part}()" in (root / "toolchain/long").read_text(encoding="utf-8")
+        return None if known else f"toolchain/long has no part {part}"
+    matches = any(fnmatch.fnmatch(name, word) or name.startswith(word) for name in tests)
+    return None if matches else f"no test is called {word}"
+
+
+def check(root):
+    """(faults, how many things were compared)"""
+    text = (root / "README.md").read_text(encoding="utf-8")
+    faults, compared = [], 0
+    for number, path in paths_in(root, text):
+        compared += 1
+        if not path.exists():
+            faults.append(f"README.md:{number}: there is no {path.relative_to(root).as_posix()}")
+    for number, word in marked(text):
+        name = re.fullmatch(r"(\w+)::(\w+)", word)
+        if not name or name.group(1) not in NAMESPACES:
+            continue
+        compared += 1
+        headers = (root / NAMESPACES[name.group(1)]).rglob("*.hpp")
+        if not any(re.search(rf"\b{name.group(2)}\b", h.read_text(encoding="utf-8")) for h in headers):
+            faults.append(f"README.md:{number}: {word} is declared nowhere")
+    tests = tests_of(root)
+    for number, word in table_tests(text):
+        compared += 1
+        fault = fault_of_test(root, word, tests)
+        if fault:
+            faults.append(f"README.md:{number}: {fault}")
+    return faults, compared
+
+
+def main():
+    if len(sys.argv) > 2 or "-h" in sys.argv or "--help" in sys.argv:
+        print(__doc__.strip())
+        return 2
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[2]).resolve()
+    faults, compared = check(root)
+    for fault in faults:
+        print(fault)
+    print(f"{compared} things compared, {len(faults)} faults")
+    return 1 if faults or compared == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
