@@ -22,8 +22,8 @@ inline BoardUnderTest pico(EmulatedPico** seen = nullptr, const std::string& ima
     if (!counts.empty()) words.push_back(counts);
     return words;
   };
-  board.machine = [seen](const BoardUnderTest& board) {
-    auto machine = std::make_unique<EmulatedPico>(board);
+  board.machine = [seen](const BoardUnderTest& one) {
+    auto machine = std::make_unique<EmulatedPico>(one);
     if (seen != nullptr) *seen = machine.get();
     return machine;
   };
