@@ -60,19 +60,15 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
 
 std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                 const AlertRules& rules, base::Time now) {
-  if (state.id != object.id) {
-    state = AlertState{};
-    state.id = object.id;
-  }
   const bool believed = credible(object);
   const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
   if (due > state.level) {
     state.level = due;
     state.easing = false;
-    state.said_at = base::Stamp(now);
+    state.reported_at = base::Stamp(now);
     return due;
   }
-  const bool may_hold = believed && state.level > AlertLevel::kClear;
+  const bool may_hold = believed && state.in_force();
   const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
   if (held < state.level) {
     if (!state.easing) {
@@ -82,7 +78,7 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
     if (state.easing_since.since(now) >= kEaseAfter) {
       state.level = held;
       state.easing = false;
-      state.said_at = base::Stamp(now);
+      state.reported_at = base::Stamp(now);
       return held;
     }
   } else {
@@ -90,8 +86,8 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   }
   base::Duration interval = rules.repeat;
   if (state.level == AlertLevel::kNotice && interval < kNoticeInterval) interval = kNoticeInterval;
-  if (state.level > AlertLevel::kClear && state.said_at.since(now) >= interval) {
-    state.said_at = base::Stamp(now);
+  if (state.in_force() && state.reported_at.since(now) >= interval) {
+    state.reported_at = base::Stamp(now);
     return state.level;
   }
   return std::nullopt;

@@ -15,20 +15,25 @@ namespace fencepost::alert {
 /// The path is watched at least so often, with frames or without.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
 
-/// What was last said about one object.
+/// The alert in force for one object, and what was last reported of it. It is reset when the object ends, so that
+/// nothing of it is left for the next one in its slot.
 struct AlertState {
-  std::uint32_t id = 0;  ///< 0: nothing yet
   record::AlertLevel level = record::AlertLevel::kClear;
   bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
+  std::uint8_t signature = 0;
   base::Stamp easing_since;
-  base::Stamp said_at;
+  base::Stamp reported_at;
+  base::Metres distance;
+  base::Radians bearing;
+
+  [[nodiscard]] bool in_force() const { return level > record::AlertLevel::kClear; }
 };
 
 /// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
 inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
 
-/// A notice is repeated no more often than this: it tells where things are, nothing is urgent.
+/// A notice is repeated no more often than this: it says where things are, nothing is urgent.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 
 /// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.
@@ -53,7 +58,7 @@ struct AlertRules {
 /// as nearer than it seems, and so does what will be there before the path is watched again.
 record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
-/// Updates the state of one object and answers the level to say now, if anything: a rise at once, a repeat of warn and
+/// Updates the state of one object and returns the level to report now, if any: a rise at once, a repeat of warn and
 /// stop at most alert.rate times a second (notice: once a second), an easing once it has lasted.
 std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                         const AlertRules& rules, base::Time now);

@@ -63,7 +63,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.known = true;
   obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
-  obstacle.cut_off = object.left_open || object.right_open;
+  obstacle.cut_off = object.cut_off();
   if (swept(center, cylinder.radius, path)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
   obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
   obstacle.closing = obstacle.closing_speed > kNotClosing;

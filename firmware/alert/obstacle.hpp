@@ -54,8 +54,8 @@ void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origi
 template <class Profile>
 Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const RobotPath& path) {
   Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, path);
-  if (obstacle.known && object.hybrid.ok()) {
-    measure_by_outline(object.hybrid.outline(), object.hybrid.origin, robot, path, obstacle);
+  if (obstacle.known && object.hybrid().ok()) {
+    measure_by_outline(object.hybrid().outline(), object.hybrid().origin, robot, path, obstacle);
   }
   return obstacle;
 }

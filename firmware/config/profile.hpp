@@ -5,6 +5,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "firmware/recon/models/carving.hpp"
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+#include "firmware/recon/models/model_list.hpp"
+
 namespace fencepost::config {
 
 /// 16 KB of RAM (micro:bit v1): the loop gets 10 KB, the rest is stack and start-up.
@@ -13,13 +17,7 @@ struct Micro {
   static constexpr std::size_t kObjects = 4;
   static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
   static constexpr std::size_t kSignatures = 4;
-  static constexpr std::size_t kPoses = 24;         ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
-  static constexpr std::size_t kPending = 6;        ///< tangents kept until an object has a place
-  static constexpr std::size_t kClipVertices = 24;  ///< 8 bytes each; more edges than that are given up
-  static constexpr std::size_t kGridCells = 0;   ///< the clip is the same wedges, exactly, in less code and fewer steps
-  static constexpr bool kPaperCylinder = false;  ///< for comparisons at the desk
-  static constexpr std::size_t kSheafViews = 0;  ///< no room: the sheaf is absent
-  static constexpr std::size_t kSheafPosts = 0;
+  static constexpr std::size_t kPoses = 24;          ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
   static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
   static constexpr std::size_t kBudget = 10 * 1024;  ///< bytes of Memory, reserves included
@@ -29,6 +27,8 @@ struct Micro {
   static constexpr bool kPredictsByOutline =
       false;                                       ///< but by the cylinder: 1.3 KB of code and 5,000 steps a frame less
   static constexpr std::size_t kPoseBytes = 1024;  ///< of the pose correction, at most: each object may be a landmark
+  using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
+  using ComparisonModels = recon::NoModels;
 };
 
 /// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
@@ -38,12 +38,6 @@ struct Small {
   static constexpr std::size_t kModelTurns = 2;
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kPoses = 64;
-  static constexpr std::size_t kPending = 16;
-  static constexpr std::size_t kClipVertices = 96;
-  static constexpr std::size_t kGridCells = 64;  ///< a side: 512 bytes
-  static constexpr bool kPaperCylinder = true;
-  static constexpr std::size_t kSheafViews = 36;  ///< 32 bytes each; one every 10 degrees of a whole tour
-  static constexpr std::size_t kSheafPosts = 72;  ///< vertices of its hull, no part of Memory: two for each view
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 64 * 1024;
@@ -52,6 +46,9 @@ struct Small {
   static constexpr int kHybridSteps = 8;
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 1536;
+  /// The grid takes 512 bytes, the polygon 768, waiting tangents 192.
+  using Models = recon::ModelList<recon::Cylinder, recon::Carving<64, 96, 16>, recon::Hybrid<kHybridSectors>>;
+  using ComparisonModels = recon::NoModels;
 };
 
 /// The desk and Linux brains.
@@ -61,12 +58,6 @@ struct Full {
   static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kPoses = 256;
-  static constexpr std::size_t kPending = 64;
-  static constexpr std::size_t kClipVertices = 192;  ///< 75 views of a round object need at most 154
-  static constexpr std::size_t kGridCells = 128;
-  static constexpr bool kPaperCylinder = true;
-  static constexpr std::size_t kSheafViews = 75;  ///< 32 bytes each; the paper's tour, whole
-  static constexpr std::size_t kSheafPosts = 192;
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;
   static constexpr std::size_t kBudget = 320 * 1024;
@@ -75,6 +66,9 @@ struct Full {
   static constexpr int kHybridSteps = 0;  ///< all of them
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 18'432;  ///< 32 landmarks; 8 need 1.5 KB
+  /// 75 views of a round object leave a polygon of at most 154 vertices.
+  using Models = recon::ModelList<recon::Cylinder, recon::Carving<128, 192, 64>, recon::Hybrid<kHybridSectors>>;
+  using ComparisonModels = recon::NoModels;
 };
 
 }  // namespace fencepost::config

@@ -39,8 +39,8 @@ MapShape disc_of(const recon::ObjectCore& object);
 template <class Profile>
 std::optional<MapShape> shape_of(const recon::Object<Profile>& object) {
   if (!drawn(object)) return std::nullopt;
-  if (!object.hybrid.ok() || !object.hybrid.outline().known_well()) return disc_of(object);
-  return MapShape{millimetres(object.hybrid.origin), 0, object.hybrid.outline()};
+  if (!object.hybrid().ok() || !object.hybrid().outline().known_well()) return disc_of(object);
+  return MapShape{millimetres(object.hybrid().origin), 0, object.hybrid().outline()};
 }
 
 }  // namespace fencepost::console

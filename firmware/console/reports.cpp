@@ -103,4 +103,15 @@ record::AlertReport report_alert(const recon::ObjectCore& object, const alert::O
   return report;
 }
 
+record::AlertReport report_clear(std::uint32_t id, const alert::AlertState& last, base::Time now) {
+  record::AlertReport report;
+  report.t = now;
+  report.level = record::AlertLevel::kClear;
+  report.id = id;
+  report.signature = last.signature;
+  report.bearing = last.bearing;
+  report.distance = last.distance;
+  return report;
+}
+
 }  // namespace fencepost::console

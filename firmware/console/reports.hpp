@@ -1,7 +1,7 @@
 // From the map's floats to the records of the stream: the only place where estimates are rounded to decimals.
 #pragma once
 
-#include "firmware/alert/obstacle.hpp"
+#include "firmware/alert/alerts.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/console/text.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
@@ -27,5 +27,7 @@ Nearest nearest_of(const alert::Obstacle& obstacle);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                                  record::AlertLevel level, base::Time now);
+/// Its object has ended: where it was last said to be, with no confidence.
+record::AlertReport report_clear(std::uint32_t id, const alert::AlertState& last, base::Time now);
 
 }  // namespace fencepost::console

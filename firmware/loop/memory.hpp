@@ -20,9 +20,9 @@
 
 namespace fencepost::loop {
 
-/// What was last reported of one object.
+/// What was last reported of one object; reset when it ends.
 struct ReportState {
-  std::uint32_t id = 0;
+  bool sent = false;
   record::ObjectState state = record::ObjectState::kTentative;
   base::Stamp at;
 };

@@ -154,6 +154,7 @@ class Pipeline {
       return true;
     }
     reconstruct(frame, *pose);
+    follow_objects(frame.t);
     placed(frame);
     watch_path(frame.t);
     reporter_.digest(frame.frame);
@@ -203,10 +204,7 @@ class Pipeline {
     return robot_pose(m_);
   }
   [[nodiscard]] std::span<const record::Signature> signatures() const { return m_.signatures.view(); }
-  [[nodiscard]] record::AlertLevel alert_level(std::size_t slot) const {
-    const alert::AlertState& state = m_.alerts[slot];
-    return state.id == m_.map.slots()[slot].id ? state.level : record::AlertLevel::kClear;
-  }
+  [[nodiscard]] record::AlertLevel alert_level(std::size_t slot) const { return m_.alerts[slot].level; }
 
  private:
   void advance(base::Time t) {
@@ -267,12 +265,29 @@ class Pipeline {
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
   }
 
-  [[gnu::noinline]] void watch_path(base::Time now) {
-    m_.run.watched_at = base::Stamp(now);
+  // An alert ends with its object, and what begins in a slot takes over nothing of what was there before.
+  [[gnu::noinline]] void follow_objects(base::Time now) {
+    for (const recon::ObjectEvent& event : m_.map.events()) {
+      if (event.kind == recon::EventKind::kMoved) continue;
+      alert::AlertState& state = m_.alerts[event.slot];
+      if (ends(event.kind) && state.in_force()) reporter_.alert(console::report_clear(event.id, state, now));
+      state = {};
+      m_.reports[event.slot] = {};
+    }
+  }
+
+  // The strip of floor that the robot is about to sweep, by its latest odometry.
+  [[nodiscard]] alert::RobotPath path_ahead() const {
     alert::RobotPath path;
     path.motion = m_.poses.motion(kMotionSpan);
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
+    return path;
+  }
+
+  [[gnu::noinline]] void watch_path(base::Time now) {
+    m_.run.watched_at = base::Stamp(now);
+    const alert::RobotPath path = path_ahead();
     const alert::RobotPlace robot(robot_pose(m_));
     const alert::AlertRules rules(m_.settings);
     std::optional<alert::Obstacle> nearest;
@@ -280,14 +295,21 @@ class Pipeline {
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
-      const alert::Obstacle obstacle = alert::see_obstacle(object, robot, path);
-      const auto level = alert::judge(m_.alerts[o], object, obstacle, rules, now);
-      if (level) reporter_.alert(console::report_alert(object, obstacle, *level, now));
+      const alert::Obstacle obstacle = see_obstacle(object, robot, path);
+      const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
+      if (level) emit_alert(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
       const bool nearer = !nearest || obstacle.distance < nearest->distance;
       if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
     }
     reporter_.plot(nearest, highest, now);
+  }
+
+  void emit_alert(alert::AlertState& state, const record::AlertReport& report) {
+    state.signature = report.signature;
+    state.distance = report.distance;
+    state.bearing = report.bearing;
+    reporter_.alert(report);
   }
 
   Memory<Profile>& m_;

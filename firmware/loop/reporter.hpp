@@ -109,10 +109,10 @@ class Reporter {
       if (!object.used() || !object.cylinder.estimate().ok()) continue;
       ReportState& last = m_.reports[o];
       const record::ObjectState state = console::state_of(object, now);
-      const bool changed = last.id != object.id || last.state != state;
+      const bool changed = !last.sent || last.state != state;
       const bool due = m_.map.seen_now(o) && last.at.since(now) >= kObjectInterval;
       if (!changed && !due) continue;
-      last = {object.id, state, base::Stamp(now)};
+      last = {true, state, base::Stamp(now)};
       const alert::Obstacle seen = see_obstacle(object, alert::RobotPlace(robot_pose(m_)), {});
       report(console::report_object(object, seen, now));
     }

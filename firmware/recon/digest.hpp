@@ -11,7 +11,6 @@
 #include <span>
 
 #include "firmware/recon/localize/landmark_filter.hpp"
-#include "firmware/recon/models/carve.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "hal/base/fnv1a.hpp"
@@ -21,38 +20,6 @@ namespace fencepost::recon {
 void hash_pose(base::Fnv1a64& hash, const MapPose& pose);
 /// Of an object that the frame showed.
 void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object);
-void hash_core(base::Fnv1a64& hash, const ObjectCore& object);
-void hash_paper(base::Fnv1a64& hash, const CylinderPaper& paper);
-void hash_clip(base::Fnv1a64& hash, std::span<const Vec2> vertices);
-void hash_grid(base::Fnv1a64& hash, const GridPlacement& placement, std::uint8_t placements,
-               std::span<const std::uint32_t> words);
-void hash_pending(base::Fnv1a64& hash, std::span<const HalfPlane> tangents);
-void hash_sheaf(base::Fnv1a64& hash, std::span<const SheafView> views);
-void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
-void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
-
-inline constexpr std::size_t kDigestParts = 6;
-
-/// 0: core; 1: waiting tangents, clip, sums of cylinder_paper; 2: sheaf; 3: grid; 4: the hybrid's tangents; 5: its
-/// outline. Nothing of what the profile lacks.
-template <class Profile>
-void hash_part(base::Fnv1a64& hash, const Object<Profile>& object, std::size_t part) {
-  if (part == 0) hash_core(hash, object);
-  if (part == 1) {
-    hash_pending(hash, object.pending.view());
-    hash_clip(hash, object.clip.vertices());
-    if constexpr (Profile::kPaperCylinder) hash_paper(hash, object.cylinder_paper);
-  }
-  if constexpr (Profile::kSheafViews > 0) {
-    if (part == 2) hash_sheaf(hash, object.sheaf.view());
-  }
-  if constexpr (Profile::kGridCells > 0) {
-    if (part == 3) hash_grid(hash, object.grid.placement(), object.grid.placements(), object.grid.words());
-  }
-  if (part == 4) hash_clusters(hash, object.hybrid.clusters);
-  if (part == 5) hash_outline(hash, object.hybrid, object.hybrid.outline());
-}
-
 void hash_floats(base::Fnv1a64& hash, std::span<const float> values);
 void hash_landmark(base::Fnv1a64& hash, const Landmark& landmark);
 

@@ -3,6 +3,7 @@
 #include "host/cli/command.hpp"
 #include "host/cli/emulate_run.hpp"
 #include "host/cli/positive.hpp"
+#include "host/devices/tables.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -44,7 +45,9 @@ Command emulate_command() {
           "a camera or wheel base on a pty or TCP port, without hardware",
           "  fencepost emulate pixy2 scene.json --link /tmp/pixy2\n"
           "  fencepost emulate pixy2:/tmp/pixy2 create2:/tmp/create scene.json --fault drop=0.001,unplug=20:3\n"
-          "  fencepost emulate cmucam4:tcp:7000 run.log --verbose\n",
+          "  fencepost emulate cmucam4:tcp:7000 run.log --verbose\n\n"
+          "Devices (PLACE: nothing or pty; a path, a link to the pty; tcp:[HOST:]PORT; of can an interface):\n" +
+              devices::help_for(devices::Use::kEmulated),
           configure,
           {}};
 }

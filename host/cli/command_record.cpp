@@ -95,13 +95,13 @@ std::unique_ptr<BytePort> open_port(const Request& request) {
     place = *tcp;
   }
   try {
-    return open_line(place, request.baud, "PORT", request.wait);
+    return open_line(place, request.baud, {"PORT", request.wait});
   } catch (const DeviceFailure& failure) {
     throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
   }
 }
 
-/// The empty line ends what somebody else may have begun to type.
+/// The empty line terminates a partly typed one.
 std::string greeting(const Request& request) {
   if (request.no_command || request.port == "-") return {};
   return "\rmode " + request.mode + "\r" + (request.reset ? "reset\r" : "");
@@ -136,7 +136,7 @@ void say_end(const Recorder& recorder, const std::string& saved, const Display& 
   say("saved in " + saved);
 }
 
-/// A service that is told to stop has done its work.
+/// For a service, being stopped is success.
 Exit exit_code(const RecordingEnd& end) {
   return end.signal == 0 || end.signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }

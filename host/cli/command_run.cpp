@@ -6,9 +6,12 @@
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
+#include "host/cli/open_run_log.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/devices/tables.hpp"
+#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -38,14 +41,13 @@ console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
   for (std::size_t i = 0; i < console::kModes; ++i) {
     if (request.mode == console::name(static_cast<console::Mode>(i))) return static_cast<console::Mode>(i);
   }
-  const bool people = console.kind != ConsoleSpec::Kind::kTerminal || is_terminal(STDOUT_FILENO);
+  const bool people =
+      console.kind != ConsoleSpec::Kind::kTerminal || is_terminal(STDOUT_FILENO) || !request.log.empty();
   return people ? console::Mode::kText : console::Mode::kLog;
 }
 
 RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
   RunPlan plan;
-  plan.camera = device_of(request.camera, DeviceRole::kCamera);
-  plan.odometry = device_of(request.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(request.robot);
   plan.profile = request.profile;
   plan.mode = mode_of(request, console);
@@ -97,29 +99,26 @@ bool typed_at(const RunPlan& plan) {
 }
 
 Exit exit_of(const RunSummary& summary) {
-  if (summary.log_failed) return Exit::kDevice;
+  if (summary.log_failed || summary.output_failed) return Exit::kDevice;
   const bool interrupted = summary.end == RunSummary::End::kInterrupted && StopSignals::caught() != SIGTERM;
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
 Exit run(const Request& request) {
   const ConsoleSpec console_spec = console_of(request);
+  const DevicePair named = {device_of(request.camera, devices::Use::kCamera),
+                            device_of(request.odometry, devices::Use::kOdometry)};
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open_devices_of(plan, clock, request.wait);
+  Devices devices = open_devices_of(named, plan.robot, clock, request.wait);
   const auto console = open(console_spec, request.wait);
-  std::optional<RunLog> log;
-  if (!request.log.empty()) {
-    auto opened = RunLog::open(log_settings, clock.now());
-    if (!opened) throw Failure(Exit::kDevice, opened.problem());
-    log.emplace(std::move(*opened));
-  }
+  const std::unique_ptr<WriteBehind> log = request.log.empty() ? nullptr : open_run_log(log_settings, clock.now());
   say_what_is_assumed(plan, devices);
   if (typed_at(plan)) say("type help for the commands; Ctrl-C ends the run");
   const RunSummary summary =
-      run_live(plan, {clock, devices, *console, log ? &*log : nullptr, [](std::string_view text) { say(text); },
+      run_live(plan, {clock, devices, *console, log.get(), [](std::string_view text) { say(text); },
                       StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
@@ -137,7 +136,7 @@ Action configure(CLI::App& app) {
                  "- (this terminal, the default), pty, tcp:HOST:PORT, or /dev/tty...[,baud=N]")
       ->type_name("DEV");
   app.add_option("--mode", request->mode,
-                 "of the console; default: log where standard output is no terminal, else text")
+                 "of the console; default: log where standard output is no terminal and there is no --log, else text")
       ->check(CLI::IsMember({"text", "log", "plot", "quiet"}));
   app.add_option("--log", request->log, "write the whole record stream there, whatever the console shows")
       ->type_name("FILE");
@@ -163,7 +162,7 @@ Command run_command() {
       "64M\n"
       "  fencepost run --camera console --odometry console < run.log\n\n"
       "Cameras (KIND, then where it is, then options):\n" +
-          describe_devices(DeviceRole::kCamera) + "Odometry:\n" + describe_devices(DeviceRole::kOdometry),
+          devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),
       configure,
       {}};
 }

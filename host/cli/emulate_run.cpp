@@ -12,15 +12,16 @@
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/emulate/transport/server.hpp"
+#include "host/devices/emulated.hpp"
+#include "host/devices/open_devices.hpp"
+#include "host/emulate/scene/server.hpp"
 #include "host/scene/load.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
 namespace emulate = fencepost::emulate;
-using emulate::DeviceKind;
-using emulate::DeviceSpec;
+using devices::DeviceSpec;
 using emulate::Feed;
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -43,6 +44,7 @@ struct Device {
   std::string name;
   DeviceSpec spec;
   emulate::FaultSettings faults;
+  std::optional<emulate::ImageLimits> image;
 };
 
 [[noreturn]] void fail_usage(const std::string& message) {
@@ -50,9 +52,9 @@ struct Device {
 }
 
 DeviceSpec spec_of(const std::string& word) {
-  const emulate::ParsedDevice parsed = emulate::parse_device(word);
-  if (parsed.problem.empty()) return parsed.spec;
-  fail_usage(parsed.problem);
+  const auto spec = devices::parse_device(word, devices::Use::kEmulated);
+  if (!spec.ok()) fail_usage(spec.error());
+  return *spec;
 }
 
 std::vector<Device> devices_of(const EmulateRequest& request) {
@@ -61,10 +63,11 @@ std::vector<Device> devices_of(const EmulateRequest& request) {
   std::map<std::string, int> same;
   for (std::size_t i = 0; i + 1 < request.words.size(); ++i) {
     const DeviceSpec spec = spec_of(request.words[i]);
-    const std::string kind(spec.kind->name);
+    const std::string kind = devices::label_of_emulated(spec);
     const int number = ++same[kind];
-    devices.push_back({number == 1 ? kind : fmt::format("{}#{}", kind, number), spec, {}});
-    if (request.baud && spec.kind->baud > 0) devices.back().spec.baud = *request.baud;
+    devices.push_back(
+        {number == 1 ? kind : fmt::format("{}#{}", kind, number), spec, {}, devices::emulated(spec).image});
+    if (request.baud && spec.number("baud") > 0) devices.back().spec.options["baud"] = std::to_string(*request.baud);
   }
   return devices;
 }
@@ -75,12 +78,11 @@ void place(std::vector<Device>& devices, const EmulateRequest& request) {
   auto listen = request.listens.begin();
   for (Device& device : devices) {
     DeviceSpec& spec = device.spec;
-    if (spec.place != DeviceSpec::Place::kPty || !spec.where.empty()) continue;
+    if (spec.place.kind != PlaceKind::kTty || !spec.place.name.empty()) continue;
     if (link != request.links.end()) {
-      spec.where = *link++;
+      spec.place.name = *link++;
     } else if (listen != request.listens.end()) {
-      spec.place = DeviceSpec::Place::kTcp;
-      spec.where = *listen++;
+      spec.place = {PlaceKind::kTcp, *listen++};
     }
   }
   if (link != request.links.end()) fail_usage("--link " + *link + " has no device: there are more links than devices");
@@ -130,7 +132,7 @@ std::string camera_line(const sensor::CameraIntrinsics& camera) {
 }
 
 void check_boxes(const Device& device, const Feed& feed) {
-  const emulate::ImageLimits& image = *device.spec.kind->image;
+  const emulate::ImageLimits& image = *device.image;
   for (const sensor::BlobFrame& frame : feed.frames) {
     for (const sensor::Blob& blob : frame.blobs) {
       if (blob.x1 >= 0 && blob.y1 >= 0 && blob.x2 < image.width && blob.y2 < image.height) continue;
@@ -144,19 +146,20 @@ void check_boxes(const Device& device, const Feed& feed) {
 
 /// What of the feed the camera shows otherwise than it stands there.
 void explain_camera(const Device& device, const Feed& feed) {
-  const DeviceKind& kind = *device.spec.kind;
+  const emulate::ImageLimits& image = *device.image;
   if (feed.frames.empty()) {
     throw Failure(Exit::kUnreadable, device.name + ": no frame ($FPFRM) to show; give a log with frames, or a scene");
   }
   if (!feed.camera) return check_boxes(device, feed);
   const sensor::CameraIntrinsics& camera = *feed.camera;
-  if (camera.width != kind.image->width || camera.height != kind.image->height) {
+  const auto nominal = devices::nominal_camera(*device.spec.row);
+  if (camera.width != image.width || camera.height != image.height) {
     say(fmt::format("{}: boxes of {} x {} pixels are scaled to its {} x {}; the calibration that belongs to them:",
-                    device.name, camera.width, camera.height, kind.image->width, kind.image->height));
-    say(camera_line(emulate::fitted_calibration(camera, *kind.image, kind.name)));
-  } else if (kind.focal > 0 && std::abs(camera.fx.to_double() / kind.focal - 1) > 0.05) {
+                    device.name, camera.width, camera.height, image.width, image.height));
+    say(camera_line(emulate::fitted_calibration(camera, image, devices::label_of_emulated(device.spec))));
+  } else if (nominal && std::abs(camera.fx.to_double() / nominal->fx.to_double() - 1) > 0.05) {
     say(fmt::format("{}: focal length {} px, a usual one has {}; use the scene's calibration, not the driver's",
-                    device.name, camera.fx.to_double(), kind.focal));
+                    device.name, camera.fx.to_double(), nominal->fx.to_double()));
   }
 }
 
@@ -164,9 +167,9 @@ void explain_wheels(const Device& device, const Feed& feed, const emulate::Trave
   if (feed.poses.empty()) {
     throw Failure(Exit::kUnreadable, device.name + ": no pose ($FPODO) to drive along; give a log with odometry");
   }
-  const DeviceSpec& spec = device.spec;
-  if (spec.wheels.tick <= 0) return;
-  say(fmt::format("{}: {:.7f} m a count, {} m between the wheels", device.name, spec.wheels.tick, spec.wheels.track));
+  const emulate::WheelShape wheels = devices::wheels_of(device.spec);
+  if (wheels.tick <= 0) return;
+  say(fmt::format("{}: {:.7f} m a count, {} m between the wheels", device.name, wheels.tick, wheels.track));
   constexpr double kNoticeable = 0.02;
   if (travel.sideways() < kNoticeable) return;
   say(fmt::format(
@@ -175,48 +178,37 @@ void explain_wheels(const Device& device, const Feed& feed, const emulate::Trave
       device.name, travel.sideways()));
 }
 
-void explain(const std::vector<Device>& devices, const emulate::Stage& stage) {
+void explain(const std::vector<Device>& devices, const emulate::Playback& playback) {
   for (const Device& device : devices) {
-    const bool brick_alone = device.spec.kind->speech == emulate::Speech::kNxt && !device.spec.camera_port;
-    if (device.spec.kind->image && !brick_alone) explain_camera(device, stage.feed());
-    const bool camera_alone = device.spec.kind->image && device.spec.kind->speech != emulate::Speech::kNxt;
-    if (!camera_alone) explain_wheels(device, stage.feed(), stage.travel());
+    if (device.image) explain_camera(device, playback.feed());
+    if (*device.spec.row->role == devices::Role::kOdometry) explain_wheels(device, playback.feed(), playback.travel());
   }
 }
 
-emulate::OpenedEndpoint open_endpoint(const DeviceSpec& spec) {
-  switch (spec.place) {
-    case DeviceSpec::Place::kPty: break;
-    case DeviceSpec::Place::kTcp: return emulate::open_tcp(spec.where);
-    case DeviceSpec::Place::kCan: return emulate::open_can(spec.where);
-  }
-  return emulate::open_pty(spec.where);
-}
-
-emulate::StageSettings stage_settings(const EmulateRequest& request, const std::vector<Device>& devices) {
+emulate::PlaybackSettings playback_settings(const EmulateRequest& request, const std::vector<Device>& devices) {
   const auto duration = [](const std::optional<double>& seconds) {
     return seconds ? std::optional(base::Duration::nearest(*seconds)) : std::nullopt;
   };
-  emulate::StageSettings settings{request.speed, duration(request.delay), request.loop, duration(request.seconds)};
+  emulate::PlaybackSettings settings{request.speed, duration(request.delay), request.loop, duration(request.seconds)};
   bool can_only = true;
-  for (const Device& device : devices) can_only = can_only && device.spec.place == DeviceSpec::Place::kCan;
+  for (const Device& device : devices) can_only = can_only && device.spec.place.kind == PlaceKind::kCan;
   // There no host is ever seen.
   if (can_only && !settings.delay) settings.delay = base::milliseconds(1'000);
   return settings;
 }
 
-void say_counts(const emulate::Station& station) {
-  const emulate::StationCounts& counts = station.counts();
-  std::string line = fmt::format("{}: {} bytes heard, {} replies", station.name(), counts.commands, counts.replies);
-  if (station.fit()) line += fmt::format(", {} frames seen, {} skipped", counts.frames, counts.skipped);
+void say_counts(const emulate::Endpoint& endpoint) {
+  const emulate::EndpointCounts& counts = endpoint.counts();
+  std::string line = fmt::format("{}: {} bytes heard, {} replies", endpoint.name(), counts.commands, counts.replies);
+  if (endpoint.fit()) line += fmt::format(", {} frames seen, {} skipped", counts.frames, counts.skipped);
   say(line);
-  if (station.fit()) {
-    const emulate::FitLosses& losses = station.fit()->losses();
+  if (endpoint.fit()) {
+    const emulate::FitLosses& losses = endpoint.fit()->losses();
     if (losses.signatures > 0) say(fmt::format("  {} blobs of signatures that it does not have", losses.signatures));
     if (losses.blobs > 0) say(fmt::format("  {} blobs more than it can tell", losses.blobs));
     if (losses.outside > 0) say(fmt::format("  {} boxes outside the image", losses.outside));
   }
-  const emulate::FaultCounts& faults = station.faults();
+  const emulate::FaultCounts& faults = endpoint.faults();
   if (faults.dropped + faults.corrupted + faults.stalled + faults.late + faults.reboots + faults.unplugs == 0) return;
   say(
       fmt::format("  faults: of {} bytes {} dropped, {} corrupted; of {} replies {} late, {} stalls; {} reboots, {} "
@@ -234,21 +226,22 @@ Exit emulate(const EmulateRequest& request) {
   Feed feed = read_feed(request);
   const emulate::Say tell_people = [](const std::string& line) { say(line); };
   const linux::MonotonicClock clock;
-  emulate::Stage stage(std::move(feed), stage_settings(request, devices), clock.now());
-  explain(devices, stage);
-  emulate::Server server(stage, clock, tell_people, tell);
+  emulate::Playback playback(std::move(feed), playback_settings(request, devices), clock.now());
+  explain(devices, playback);
+  emulate::Server server(playback, clock, tell_people, tell);
   std::uint64_t seed = request.seed * 1'000;
   for (const Device& device : devices) {
-    emulate::OpenedEndpoint endpoint = open_endpoint(device.spec);
-    if (!endpoint) throw Failure(Exit::kDevice, device.name + ": " + endpoint.problem());
-    stage.add({device.name, device.spec, device.faults, seed++, request.verbose ? tell_people : emulate::Say()});
-    server.add(std::move(*endpoint));
+    emulate::OpenedTransport transport = devices::open_transport(device.spec);
+    if (!transport) throw Failure(Exit::kDevice, device.name + ": " + transport.problem());
+    playback.add({device.name, devices::emulated(device.spec), device.faults, seed++,
+                  request.verbose ? tell_people : emulate::Say()});
+    server.add(std::move(*transport));
   }
   catch_interrupts();
   for (std::size_t i = 0; i < devices.size(); ++i) tell(devices[i].name + " on " + server.place(i));
   const bool finished = server.run([] { return interrupted != 0; });
   if (interrupted == SIGINT) leave_interrupted_line();
-  for (std::size_t i = 0; i < stage.size(); ++i) say_counts(stage.station(i));
+  for (std::size_t i = 0; i < playback.size(); ++i) say_counts(playback.endpoint(i));
   // As for `run`: a service that is told to stop has done its work.
   return finished || interrupted == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }

@@ -34,7 +34,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
-  /// The error of closing, which is where some file systems first tell of a full disk; 0 when all is well.
+  /// The error of closing, which is where some file systems first report a full disk; 0 when all is well.
   int close() {
     const int result = fd_ > STDERR_FILENO ? ::close(fd_) : 0;
     fd_ = -1;

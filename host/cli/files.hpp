@@ -1,4 +1,4 @@
-// Reading and writing whole files so that every failure is noticed and said. "-" is standard input or output.
+// Reads and writes whole files and reports every failure. "-" is standard input or output.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ extern "C" void on_interrupt(int) {
   ::_exit(static_cast<int>(Exit::kInterrupted));
 }
 
-// Ends as if there had been no handler: whoever sent it sees its own signal.
+// Ends as if there had been no handler: the sender sees its own signal.
 extern "C" void on_termination(int number) {
   if (armed != 0) ::unlink(path_to_remove.data());
   std::signal(number, SIG_DFL);

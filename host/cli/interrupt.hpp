@@ -9,7 +9,7 @@ namespace fencepost::host::cli {
 /// of write().
 void handle_interrupts();
 
-/// While it lives, an interrupt removes that file. One at a time.
+/// During its lifetime an interrupt removes that file. One at a time.
 class RemoveOnInterrupt {
  public:
   explicit RemoveOnInterrupt(const std::string& path);

@@ -4,11 +4,12 @@
 #include "host/cli/files.hpp"
 #include "host/cli/log_size.hpp"
 #include "host/cli/positive.hpp"
+#include "host/devices/open_devices.hpp"
 
 namespace fencepost::host::cli {
 
-DeviceSpec device_of(const std::string& text, DeviceRole role) {
-  const auto spec = parse_device(text, role);
+devices::DeviceSpec device_of(const std::string& text, devices::Use use) {
+  const auto spec = devices::parse_device(text, use);
   if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
   return *spec;
 }
@@ -20,8 +21,8 @@ RobotFile read_robot(const std::string& path) {
   return *robot;
 }
 
-Devices open_devices_of(const RunPlan& plan, linux::MonotonicClock clock, bool wait) {
-  auto opened = open_devices(plan.camera, plan.odometry, plan.robot, clock, wait);
+Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::MonotonicClock clock, bool wait) {
+  auto opened = devices::open_devices(named.camera, named.odometry, robot, clock, wait);
   if (const auto* failure = std::get_if<DeviceFailure>(&opened)) {
     const std::string hint = failure->usage ? "" : ", or --wait for it";
     throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);

@@ -6,18 +6,25 @@
 #include <optional>
 #include <string>
 
-#include "host/live/run.hpp"
+#include "host/devices/device_spec.hpp"
+#include "host/live/device.hpp"
+#include "host/live/robot_file.hpp"
 
 namespace fencepost::host::cli {
 
+struct DevicePair {
+  devices::DeviceSpec camera;
+  devices::DeviceSpec odometry;
+};
+
 /// errors: Failure (kUsage)
-DeviceSpec device_of(const std::string& text, DeviceRole role);
+devices::DeviceSpec device_of(const std::string& text, devices::Use use);
 
 /// An empty path: no numbers. errors: Failure (kUnreadable)
 RobotFile read_robot(const std::string& path);
 
 /// errors: Failure (kUsage, kDevice)
-Devices open_devices_of(const RunPlan& plan, linux::MonotonicClock clock, bool wait);
+Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::MonotonicClock clock, bool wait);
 
 /// --log-size and --log-minutes: when a log goes on in a new part.
 struct PartOptions {

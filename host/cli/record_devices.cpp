@@ -5,8 +5,10 @@
 #include <csignal>
 
 #include "host/cli/live_devices.hpp"
+#include "host/cli/open_run_log.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/live/run.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -23,16 +25,14 @@ class NoConsole final : public ConsolePort {
   [[nodiscard]] bool ended() const override { return true; }
 };
 
-DeviceSpec device(const std::string& text, DeviceRole role) {
-  const DeviceSpec spec = device_of(text, role);
-  if (spec.kind != DeviceKind::kConsole) return spec;
+devices::DeviceSpec device(const std::string& text, devices::Use use) {
+  devices::DeviceSpec spec = device_of(text, use);
+  if (spec.place.kind != PlaceKind::kNone) return spec;
   throw Failure(Exit::kUsage, "record has no console of its own; name the port whose lines are to be recorded");
 }
 
 RunPlan plan_of(const DeviceRecording& recording) {
   RunPlan plan;
-  plan.camera = device(recording.camera, DeviceRole::kCamera);
-  plan.odometry = device(recording.odometry, DeviceRole::kOdometry);
   plan.robot = read_robot(recording.robot);
   plan.mode = console::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
@@ -42,32 +42,34 @@ RunPlan plan_of(const DeviceRecording& recording) {
   return plan;
 }
 
-RunLog open_log(const DeviceRecording& recording, base::Time now) {
+std::unique_ptr<WriteBehind> open_log(const DeviceRecording& recording, base::Time now) {
   RunLogSettings settings;
   settings.path = recording.log;
   settings.part_bytes = recording.part_bytes;
   settings.part_age = recording.part_age;
   settings.profile = RunPlan().profile;
-  auto opened = RunLog::open(settings, now);
-  if (!opened) throw Failure(Exit::kDevice, opened.problem());
-  return std::move(*opened);
+  return open_run_log(settings, now);
 }
 
 }  // namespace
 
 Exit record_devices(const DeviceRecording& recording) {
+  const DevicePair named = {device(recording.camera, devices::Use::kCamera),
+                            device(recording.odometry, devices::Use::kOdometry)};
   const RunPlan plan = plan_of(recording);
   const StopSignals signals;
   const linux::MonotonicClock clock;
-  Devices devices = open_devices_of(plan, clock, recording.wait);
-  RunLog log = open_log(recording, clock.now());
-  say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", plan.camera.where(), plan.odometry.where(), log.name()));
+  Devices devices = open_devices_of(named, plan.robot, clock, recording.wait);
+  const std::unique_ptr<WriteBehind> log = open_log(recording, clock.now());
+  say(fmt::format("recording {} and {} in {}; Ctrl-C ends it", named.camera.where(), named.odometry.where(),
+                  log->name()));
   if (!devices.intrinsics) {
     say("the camera's calibration is not known: the log has no FPCAM, so replay needs --camera; or give --robot FILE");
   }
   NoConsole console;
-  const RunSummary summary = run_live(plan, {clock, devices, console, &log, [](std::string_view text) { say(text); },
-                                             StopSignals::caught(), signals.descriptor()});
+  const RunSummary summary =
+      run_live(plan, {clock, devices, console, log.get(), [](std::string_view text) { say(text); },
+                      StopSignals::caught(), signals.descriptor()});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
   if (summary.log_failed) return Exit::kDevice;

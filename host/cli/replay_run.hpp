@@ -1,4 +1,4 @@
-// What replay, report and demo share: read a log, replay it, and say what was not used.
+// Shared by replay, report and demo: read a log, replay it, and report what was not used.
 #pragma once
 
 #include <string>

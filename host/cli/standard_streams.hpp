@@ -1,4 +1,4 @@
-// Standard input, output and error, which whoever starts the program may have closed.
+// Standard input, output and error, which the caller may have closed.
 #pragma once
 
 namespace fencepost::host::cli {

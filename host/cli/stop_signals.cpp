@@ -35,7 +35,7 @@ StopSignals::StopSignals() {
   if (auto flag = linux::SignalFlag::open()) flag_.emplace(std::move(*flag));
   raised_flag = flag_ ? &*flag_ : nullptr;
   struct sigaction action {};
-  action.sa_handler = note_signal;  // no SA_RESTART: whoever sleeps wakes
+  action.sa_handler = note_signal;  // no SA_RESTART: a blocking call returns
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], nullptr, &before[i]);
     if (before[i].sa_handler != SIG_IGN) ::sigaction(kSignals[i], &action, nullptr);

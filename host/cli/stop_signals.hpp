@@ -8,8 +8,8 @@
 
 namespace fencepost::host::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP set `caught` instead of ending the program; a second SIGINT or SIGTERM
-/// ends it. One that was ignored (nohup) stays ignored. One object at a time.
+/// During its lifetime SIGINT, SIGTERM and SIGHUP set `caught` instead of ending the program; a second SIGINT or
+/// SIGTERM ends it. One that was ignored (nohup) stays ignored. One object at a time.
 class StopSignals {
  public:
   StopSignals();

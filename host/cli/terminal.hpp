@@ -1,4 +1,4 @@
-// What is said to people, and whether they can see colours.
+// Messages for people, and whether the terminal shows colours.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ bool is_terminal(int descriptor);
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 bool colour_on_stdout();
 
-/// TERM is not "dumb": a line can be erased and written anew.
+/// TERM is not "dumb": a line can be erased and rewritten.
 bool can_redraw();
 
 /// Where standard error is a terminal: a line end, because it has shown ^C just now.

@@ -11,9 +11,9 @@
 namespace fencepost::host {
 
 /// The odometry tends and polls it, the camera behind it only asks: the loop polls odometry first.
-class BrickStation {
+class SharedBrick {
  public:
-  virtual ~BrickStation() = default;
+  virtual ~SharedBrick() = default;
   virtual Port& port() = 0;
   virtual void poll(base::Time now) = 0;
   virtual nxt::Conversation& conversation() = 0;
@@ -21,7 +21,7 @@ class BrickStation {
 };
 
 /// Over USB: a telegram is a transfer.
-class UsbBrick final : public BrickStation {
+class UsbBrick final : public SharedBrick {
  public:
   explicit UsbBrick(std::unique_ptr<PacketPort> port) : port_(std::move(port)), brick_(*port_) {}
   Port& port() override { return *port_; }
@@ -35,7 +35,7 @@ class UsbBrick final : public BrickStation {
 };
 
 /// Over Bluetooth's serial port.
-class SerialBrick final : public BrickStation {
+class SerialBrick final : public SharedBrick {
  public:
   explicit SerialBrick(std::unique_ptr<BytePort> port) : port_(std::move(port)), framed_(*port_), brick_(framed_) {}
   Port& port() override { return *port_; }

@@ -1,5 +1,7 @@
 #include "host/live/calibration_lines.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace fencepost::host {
@@ -14,6 +16,11 @@ std::string_view first_field(std::string_view line) {
 }
 
 }  // namespace
+
+bool CalibrationLines::is_one(std::string_view line) {
+  constexpr std::array<std::string_view, 4> kKinds = {"$FPHDR,", "$FPCAM,", "$FPSIG,", "$FPCFG,"};
+  return std::any_of(kKinds.begin(), kKinds.end(), [&](std::string_view kind) { return line.starts_with(kind); });
+}
 
 void CalibrationLines::note(std::string_view line) {
   if (line.starts_with("$FPHDR,")) {

@@ -10,6 +10,8 @@ namespace fencepost::host {
 /// Follows the lines of a log and knows which FPCAM, FPSIG and FPCFG are in force after them.
 class CalibrationLines {
  public:
+  /// Whether `note` would remember something of this line.
+  [[nodiscard]] static bool is_one(std::string_view line);
   /// One line, line end included.
   void note(std::string_view line);
   /// Those in force, a line each, in the order of the stream: camera, signatures, settings. Without FPHDR: a new part

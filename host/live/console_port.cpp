@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -24,6 +25,9 @@ using linux::Descriptor;
 constexpr std::size_t kTerminalPortion = 256;
 constexpr std::size_t kPipePortion = 4096;  // PIPE_BUF
 
+/// A file whose disk takes nothing for so long, while all memory for it is full, is given up.
+constexpr base::Duration kGivenUp = base::milliseconds(10'000);
+
 constexpr std::string_view kAllowed = "allowed: - (this terminal), pty, tcp:HOST:PORT, /dev/tty...[,baud=N]";
 
 std::size_t length_of(ssize_t count) { return static_cast<std::size_t>(count); }
@@ -31,6 +35,17 @@ std::size_t length_of(ssize_t count) { return static_cast<std::size_t>(count); }
 bool writable(int fd) {
   pollfd wait{fd, POLLOUT, 0};
   return ::poll(&wait, 1, 0) > 0;
+}
+
+bool is_file(int fd) {
+  struct stat about {};
+  return ::fstat(fd, &about) == 0 && S_ISREG(about.st_mode);
+}
+
+linux::Problem output_failure(int error) {
+  if (error == EPIPE) return {"nobody reads standard output any more"};
+  return linux::failure("write", "standard output", error,
+                        "free some space, or write elsewhere; --log FILE keeps a log");
 }
 
 std::optional<std::uint32_t> baud_in(std::string_view option) {
@@ -76,11 +91,37 @@ void ConsolePort::watch(linux::WaitSet& set, bool output_waits) const {
 
 // --- this terminal ---
 
+/// A file that the shell has opened: `> run.log`.
+class OpenFile final : public Sink {
+ public:
+  explicit OpenFile(int fd) : fd_(fd) {}
+  Fault write(std::string_view lines, base::Time /*now*/) override {
+    while (!lines.empty()) {
+      const ssize_t count = ::write(fd_, lines.data(), lines.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) return output_failure(errno);
+      bytes_ += static_cast<std::uint64_t>(count);
+      lines.remove_prefix(length_of(count));
+    }
+    return std::nullopt;
+  }
+  Fault tend(base::Time /*now*/) override { return std::nullopt; }
+  Fault close() override { return std::nullopt; }
+  [[nodiscard]] std::string name() const override { return "standard output"; }
+  [[nodiscard]] std::uint64_t bytes() const override { return bytes_; }
+
+ private:
+  int fd_;
+  std::uint64_t bytes_ = 0;
+};
+
 TerminalConsole::TerminalConsole(int input, int output)
     : input_(input),
       output_(output),
       input_is_terminal_(::isatty(input) == 1),
-      portion_(::isatty(output) == 1 ? kTerminalPortion : kPipePortion) {}
+      output_is_terminal_(::isatty(output) == 1) {
+  if (is_file(output)) file_.emplace(std::make_unique<OpenFile>(output));
+}
 
 // Whoever reads a terminal from the background is stopped by the kernel.
 bool TerminalConsole::may_read() const {
@@ -100,18 +141,57 @@ base::Result<std::size_t> TerminalConsole::read(std::span<std::uint8_t> in) {
 }
 
 base::Result<std::size_t> TerminalConsole::write(std::span<const std::uint8_t> out) {
-  if (closed_) return out.size();
+  if (out.empty()) return std::size_t{0};
+  if (lost()) return Error::kGone;
+  const std::string_view bytes{static_cast<const char*>(static_cast<const void*>(out.data())), out.size()};
+  if (file_) return write_file(bytes);
   if (!writable(output_)) return Error::kFull;
-  const ssize_t count = ::write(output_, out.data(), std::min(out.size(), portion_));
+  const ssize_t count = output_is_terminal_ ? write_terminal(bytes) : write_some(bytes.substr(0, kPipePortion));
   if (count >= 0) return length_of(count);
   if (errno == EAGAIN || errno == EINTR) return Error::kFull;
-  closed_ = true;
-  return out.size();
+  error_ = errno;
+  return Error::kGone;
+}
+
+base::Result<std::size_t> TerminalConsole::write_file(std::string_view bytes) {
+  const std::size_t taken = file_->put(bytes, now_);
+  if (taken > 0) return taken;
+  if (file_->stalled(now_) >= kGivenUp) error_ = EIO;
+  return Error::kFull;
+}
+
+ssize_t TerminalConsole::write_some(std::string_view bytes) { return ::write(output_, bytes.data(), bytes.size()); }
+
+// Names come from cameras, robot files and whoever types; their control characters stay here.
+ssize_t TerminalConsole::write_terminal(std::string_view bytes) {
+  bytes = bytes.substr(0, kTerminalPortion);
+  const auto shown_as = [](PrintableBytes& shown, char c) {
+    const char as = shown.next(c);
+    return c == '\n' || c == '\r' || c == '\t' ? c : as;
+  };
+  std::string harmless(bytes);
+  PrintableBytes ahead = shown_;
+  for (char& c : harmless) c = shown_as(ahead, c);
+  const ssize_t count = write_some(harmless);
+  for (ssize_t i = 0; i < count; ++i) shown_as(shown_, bytes[length_of(i)]);
+  return count;
+}
+
+std::optional<std::string> TerminalConsole::lost() const {
+  if (error_ != 0) return output_failure(error_).sentence;
+  const auto fault = file_ ? file_->fault() : std::nullopt;
+  return fault ? std::optional(fault->sentence) : std::nullopt;
+}
+
+std::uint64_t TerminalConsole::finish(std::chrono::milliseconds patience) {
+  if (!file_) return 0;
+  const bool all = file_->close(patience);
+  return file_->lost() + (all ? 0 : file_->waiting());
 }
 
 void TerminalConsole::watch(linux::WaitSet& set, bool output_waits) const {
   set.add_readable(descriptor());
-  if (output_waits && !closed_) set.add_writable(output_);
+  if (output_waits && error_ == 0 && !file_) set.add_writable(output_);  // a file can always be written, says poll(2)
 }
 
 // --- a pseudo-terminal ---
@@ -207,7 +287,7 @@ std::unique_ptr<ConsolePort> open_console(const ConsoleSpec& spec, bool wait) {
     case ConsoleSpec::Kind::kPty: return PtyConsole::open();
     case ConsoleSpec::Kind::kLine: break;
   }
-  return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, "console", wait));
+  return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, {"console", wait}));
 }
 
 }  // namespace fencepost::host

@@ -1,6 +1,9 @@
 // Where the console of `fencepost run` is: this terminal, a serial port, a connection, or a pseudo-terminal of its own.
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,8 +14,10 @@
 #include "hal/base/result.hpp"
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/wait.hpp"
-#include "host/live/device_spec.hpp"
+#include "host/live/place.hpp"
 #include "host/live/port.hpp"
+#include "host/live/write_behind.hpp"
+#include "host/text/printable.hpp"
 
 namespace fencepost::host {
 
@@ -30,37 +35,51 @@ base::Result<ConsoleSpec, std::string> parse_console(std::string_view text);
 /// A byte port to people. What cannot be said is not kept for ever: see PatientConsole.
 class ConsolePort : public BytePort {
  public:
-  /// Nobody will ever read what is written: the pipe was closed.
-  [[nodiscard]] virtual bool closed() const { return false; }
+  /// Why nothing that is written will ever arrive: a sentence, such as that the reader has gone or the disk is full.
+  [[nodiscard]] virtual std::optional<std::string> lost() const { return std::nullopt; }
+  /// Waits until what was taken is where it belongs, as long as it moves within `patience`. Bytes of it that never
+  /// will.
+  virtual std::uint64_t finish(std::chrono::milliseconds /*patience*/) { return 0; }
+  /// What is typed is a file or a pipe, which waits until it is read.
+  [[nodiscard]] virtual bool input_waits() const { return false; }
   /// Nothing will ever be typed again: the input has ended.
   [[nodiscard]] virtual bool ended() const { return false; }
   /// Adds what wakes the loop when something was typed, and when there is room again for what waits.
   virtual void watch(linux::WaitSet& set, bool output_waits) const;
 };
 
-/// Standard input and output. Reading stops at the end of input, and while the program is in the background.
+/// Standard input and output. Reading stops at the end of input, and while the program is in the background. A terminal
+/// gets no control characters but line ends. A file is written by a thread beside the loop, for its disk may be slow.
 class TerminalConsole final : public ConsolePort {
  public:
   TerminalConsole(int input, int output);
   base::Result<std::size_t> read(std::span<std::uint8_t> in) override;
   base::Result<std::size_t> write(std::span<const std::uint8_t> out) override;
-  void tend(base::Time /*now*/) override {}
-  [[nodiscard]] bool connected() const override { return !closed_; }
-  [[nodiscard]] std::string problem() const override { return {}; }
+  void tend(base::Time now) override { now_ = now; }
+  [[nodiscard]] bool connected() const override { return !lost(); }
+  [[nodiscard]] std::string problem() const override { return lost().value_or(std::string()); }
   [[nodiscard]] int descriptor() const override;
-  [[nodiscard]] bool closed() const override { return closed_; }
+  [[nodiscard]] std::optional<std::string> lost() const override;
+  std::uint64_t finish(std::chrono::milliseconds patience) override;
+  [[nodiscard]] bool input_waits() const override { return !input_is_terminal_; }
   [[nodiscard]] bool ended() const override { return ended_; }
   void watch(linux::WaitSet& set, bool output_waits) const override;
 
  private:
   [[nodiscard]] bool may_read() const;
+  base::Result<std::size_t> write_file(std::string_view bytes);
+  ssize_t write_some(std::string_view bytes);
+  ssize_t write_terminal(std::string_view bytes);
 
   int input_;
   int output_;
   bool input_is_terminal_;
-  std::size_t portion_;
+  bool output_is_terminal_;
   bool ended_ = false;
-  bool closed_ = false;
+  int error_ = 0;         ///< of writing, for good
+  PrintableBytes shown_;  ///< on a terminal
+  base::Time now_;
+  std::optional<WriteBehind> file_;
 };
 
 /// A fresh pseudo-terminal; whoever opens `path` types and reads.
@@ -114,6 +133,8 @@ class PatientConsole {
   void tend(base::Time now);
   /// Bytes thrown away.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
+  /// For how long it has taken nothing of what waits.
+  [[nodiscard]] base::Duration stuck() const { return stuck_since_ ? now_ - *stuck_since_ : base::Duration{}; }
 
  private:
   static constexpr base::Duration kPatience = base::milliseconds(1'000);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hal/linux/wait.hpp"
 #include "hal/sensor/camera.hpp"
@@ -31,14 +33,11 @@ class Device {
   [[nodiscard]] virtual bool cabled() const { return true; }
 
   /// Who it is, for the words below; before that nothing is told of it.
-  void introduce(DeviceRole role, const DeviceSpec& spec) {
-    role_ = role;
-    spec_ = spec;
-  }
+  void introduce(DeviceLabel label) { label_ = std::move(label); }
   /// People read standard error beside the console: the loop then tells the records only.
   void leave_sentences_to_others() { sentences_ = false; }
   [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
-    return spec_ && cabled() ? word_link(role_, *spec_, state, problem()) : LinkWording{};
+    return label_ && cabled() ? word_link(*label_, state, problem()) : LinkWording{};
   }
   /// Asked by the loop when it has to say how the link is (firmware/console/link_words.hpp).
   [[nodiscard]] LinkWording link_words(sensor::LinkState state) const {
@@ -48,8 +47,7 @@ class Device {
   }
 
  private:
-  DeviceRole role_ = DeviceRole::kCamera;
-  std::optional<DeviceSpec> spec_;
+  std::optional<DeviceLabel> label_;
   bool sentences_ = true;
 };
 
@@ -136,6 +134,14 @@ class PortedOdometry final : public PortedDevice<OdometryDevice, Stack> {
  public:
   using PortedDevice<OdometryDevice, Stack>::PortedDevice;
   base::Result<sensor::OdometrySample> poll(base::Time now) override { return this->stack_.driver.poll(now); }
+};
+
+/// What a run polls.
+struct Devices {
+  std::unique_ptr<OdometryDevice> odometry;
+  std::unique_ptr<CameraDevice> camera;
+  /// The camera's own profile with the robot's numbers over it; empty where the console has to tell it.
+  std::optional<sensor::CameraIntrinsics> intrinsics;
 };
 
 }  // namespace fencepost::host

@@ -12,7 +12,6 @@
 #include "hal/linux/wait.hpp"
 #include "host/live/console_port.hpp"
 #include "host/live/device.hpp"
-#include "host/live/open_device.hpp"
 #include "host/live/robot_file.hpp"
 
 namespace fencepost::host {

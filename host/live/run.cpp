@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "hal/linux/wait.hpp"
+#include "host/live/log_keeper.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -24,7 +26,9 @@ class Run {
       : plan_(plan),
         parts_(parts),
         console_(parts.console, parts.log != nullptr),
-        loop_(make_live_loop(plan.profile, *parts.devices.camera, *parts.devices.odometry, console_, plan.mode)) {}
+        loop_(make_live_loop(plan.profile, *parts.devices.camera, *parts.devices.odometry, console_, plan.mode)),
+        begun_(parts.clock.now()),
+        log_(parts.log, parts.say, plan.ends_without_log ? "" : "; the run goes on without a log", begun_) {}
 
   RunSummary go() {
     for (const std::string& complaint : loop_->start(header_of(plan_), parts_.devices.intrinsics, plan_.robot)) {
@@ -34,7 +38,6 @@ class Run {
       parts_.devices.camera->leave_sentences_to_others();
       parts_.devices.odometry->leave_sentences_to_others();
     }
-    begun_ = parts_.clock.now();
     bool more = true;
     while (!ended(more)) {
       more = turn();
@@ -50,6 +53,11 @@ class Run {
     parts_.devices.odometry->tend(now);
     parts_.devices.camera->tend(now);
     console_.tend(now);
+    if (inputs_must_wait()) {
+      loop_->flush();
+      write_log(now);
+      return false;
+    }
     const auto before = std::chrono::steady_clock::now();
     const bool more = loop_->step(now);
     const auto took = std::chrono::steady_clock::now() - before;
@@ -58,6 +66,7 @@ class Run {
     parts_.devices.camera->console_gave(loop_->frames_logged());
     parts_.devices.odometry->console_gave(loop_->counters().odometry);
     write_log(now);
+    watch_output();
     return more;
   }
 
@@ -65,26 +74,41 @@ class Run {
     for (const std::string& sentence : loop_->link_news()) parts_.say(sentence);
   }
 
-  // Line by line: a part of the log ends at the right one, with the calibration of that place.
   void write_log(base::Time now) {
     const std::span<const char> waiting = loop_->journal();
-    std::string_view lines(waiting.data(), waiting.size());
-    while (!lines.empty()) {
-      const std::string_view line = lines.substr(0, lines.find('\n') + 1);
-      if (line.starts_with("$FPALR,")) ++summary_.alerts;
-      if (log_works()) note(parts_.log->write(line, now));
-      lines.remove_prefix(line.size());
-    }
-    loop_->journal_taken(waiting.size());
-    if (log_works()) note(parts_.log->tend(now));
+    const std::string_view lines(waiting.data(), waiting.size());
+    const std::size_t taken = log_.take(lines, now);
+    count_alerts(lines.substr(0, taken));
+    loop_->journal_taken(taken);
   }
-  [[nodiscard]] bool log_works() const { return parts_.log != nullptr && !summary_.log_failed; }
 
-  // A robot must not stop warning because a disk is full.
-  void note(const RunLog::Fault& fault) {
-    if (!fault) return;
-    summary_.log_failed = true;
-    parts_.say(fault->sentence + (plan_.ends_without_log ? "" : "; the run goes on without a log"));
+  void count_alerts(std::string_view lines) {
+    while (!lines.empty()) {
+      if (lines.starts_with("$FPALR,")) ++summary_.alerts;
+      lines.remove_prefix(std::min(lines.find('\n'), lines.size() - 1) + 1);
+    }
+  }
+
+  // A recorded stream that is played into the console has time; a robot has not, and its inputs are refused.
+  [[nodiscard]] bool inputs_must_wait() const {
+    const bool recorded = !parts_.devices.camera->cabled() && !parts_.devices.odometry->cabled();
+    return recorded && parts_.console.input_waits() && log_.behind();
+  }
+
+  // A robot must not stop warning because nobody listens at one place.
+  void watch_output() {
+    const auto lost = parts_.console.lost();
+    if (lost && !std::exchange(said_lost_, true)) {
+      parts_.say(*lost + (parts_.log != nullptr               ? "; the run and its log go on"
+                          : plan_.mode == console::Mode::kLog ? "; the run goes on, its records are lost"
+                                                              : "; the run goes on unseen"));
+    }
+    const bool stuck = parts_.log == nullptr && !lost && console_.stuck() >= LogKeeper::kSlow;
+    if (stuck && plan_.mode == console::Mode::kLog && !std::exchange(said_stuck_, true)) {
+      parts_.say(
+          "the console has taken no record for 2 s: inputs are refused, and counted, until it does; --log FILE "
+          "keeps a log whatever the console does");
+    }
   }
 
   void wait() {
@@ -95,6 +119,7 @@ class Run {
     parts_.console.watch(set, loop_->output_waits());
     const base::Duration patience = std::min(parts_.devices.camera->patience(), parts_.devices.odometry->patience());
     base::Time deadline = parts_.clock.now() + patience;
+    if (log_.behind() || loop_->output_waits()) deadline = std::min(deadline, parts_.clock.now() + kSoon);
     if (plan_.duration) deadline = std::min(deadline, begun_ + *plan_.duration);
     static_cast<void>(set.wait_until(parts_.clock, deadline));
   }
@@ -102,13 +127,11 @@ class Run {
   bool ended(bool more) {
     if (parts_.interrupted != 0) {
       summary_.end = RunSummary::End::kInterrupted;
-    } else if (parts_.console.closed() && parts_.log == nullptr) {
-      summary_.end = RunSummary::End::kConsoleClosed;
     } else {
-      const bool inputs = more || !nothing_can_come();
+      const bool inputs = more || log_.behind() || !nothing_can_come();
       const bool frames = plan_.frames && loop_->frames_logged() >= *plan_.frames;
       const bool time = plan_.duration && parts_.clock.now() - begun_ >= *plan_.duration;
-      const bool log = plan_.ends_without_log && summary_.log_failed;
+      const bool log = plan_.ends_without_log && log_.failed();
       return frames || time || log || !inputs;
     }
     return true;
@@ -133,25 +156,47 @@ class Run {
     }
   }
 
+  // As long as the disk moves; LogKeeper gives it up when it does not.
+  void finish_log() {
+    write_log(parts_.clock.now());
+    while (!loop_->journal().empty()) {
+      linux::WaitSet set;
+      static_cast<void>(set.wait_until(parts_.clock, parts_.clock.now() + kSoon));
+      write_log(parts_.clock.now());
+    }
+    log_.close(parts_.clock.now());
+  }
+
   void finish() {
     loop_->finish();
-    flush_console();
-    write_log(parts_.clock.now());
-    if (log_works()) note(parts_.log->close());
     summary_.time = parts_.clock.now() - begun_;
+    flush_console();
+    finish_log();
+    summary_.console_lost = parts_.console.finish(kPatience) + console_.lost();
+    watch_output();
     summary_.counters = loop_->counters();
     summary_.digest = loop_->digest();
-    summary_.console_lost = console_.lost();
+    summary_.output_failed = parts_.log == nullptr && summary_.console_lost > 0 && parts_.console.lost();
+    summary_.log_failed = log_.failed();
+    summary_.log_lost = log_.lost();
+    summary_.log_until = log_.until();
     if (parts_.log == nullptr) return;
     summary_.log = parts_.log->name();
     summary_.log_bytes = parts_.log->bytes();
   }
+
+  /// When something may have become of what the disk or the console did not take.
+  static constexpr base::Duration kSoon = base::milliseconds(10);
+  static constexpr std::chrono::milliseconds kPatience{10'000};
 
   const RunPlan& plan_;
   const RunParts& parts_;
   PatientConsole console_;
   std::unique_ptr<LiveLoop> loop_;
   base::Time begun_;
+  LogKeeper log_;
+  bool said_lost_ = false;
+  bool said_stuck_ = false;
   RunSummary summary_;
 };
 
@@ -179,8 +224,11 @@ std::string RunSummary::sentence() const {
                                  refused_in(counters), counters.rejected, counted(alerts, "alert"));
   if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
   text += fmt::format("\ndigest {:016x}", digest);
-  if (!log.empty()) text += fmt::format(", log {} ({} bytes{})", log, log_bytes, log_failed ? ", broken off" : "");
-  return text;
+  if (log.empty()) return text;
+  text += fmt::format(", log {} ({} bytes", log, log_bytes);
+  if (log_failed)
+    text += fmt::format(", broken off after {:.1f} s: {} bytes are not in it", log_until.to_double(), log_lost);
+  return text + ")";
 }
 
 RunSummary run_live(const RunPlan& plan, const RunParts& parts) { return Run(plan, parts).go(); }

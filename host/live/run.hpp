@@ -10,16 +10,14 @@
 
 #include "hal/linux/clock.hpp"
 #include "host/live/console_port.hpp"
-#include "host/live/device_spec.hpp"
+#include "host/live/device.hpp"
 #include "host/live/live_loop.hpp"
-#include "host/live/open_device.hpp"
-#include "host/live/run_log.hpp"
+#include "host/live/robot_file.hpp"
+#include "host/live/write_behind.hpp"
 
 namespace fencepost::host {
 
 struct RunPlan {
-  DeviceSpec camera;
-  DeviceSpec odometry;
   RobotFile robot;
   std::string profile = "full";  ///< one of kLiveProfiles
   console::Mode mode = console::Mode::kText;
@@ -35,22 +33,25 @@ struct RunParts {
   linux::MonotonicClock clock;
   Devices& devices;
   ConsolePort& console;
-  RunLog* log = nullptr;
+  WriteBehind* log = nullptr;
   std::function<void(std::string_view)> say;      ///< messages for people, a line each
   const volatile std::sig_atomic_t& interrupted;  ///< not 0: stop
   int interrupted_descriptor = -1;                ///< readable then; -1: an interrupt is seen a little later
 };
 
 struct RunSummary {
-  enum class End : std::uint8_t { kDone, kInterrupted, kConsoleClosed };
+  enum class End : std::uint8_t { kDone, kInterrupted };
   End end = End::kDone;
   base::Duration time;
   console::Counters counters;
   std::uint64_t alerts = 0;
   std::uint64_t digest = 0;
   std::uint64_t console_lost = 0;  ///< bytes that nobody read
+  bool output_failed = false;      ///< the console could not be written any more, and there was no log
   bool log_failed = false;
-  std::string log;  ///< its name; empty without
+  base::Duration log_until;    ///< if it failed: since the start
+  std::uint64_t log_lost = 0;  ///< bytes of records after that
+  std::string log;             ///< its name; empty without
   std::uint64_t log_bytes = 0;
 
   /// Two lines: "12.3 s: 617 frames, ...", and "digest 0123456789abcdef, log run.log (...)".

@@ -9,6 +9,7 @@
 
 #include "host/live/calibration_lines.hpp"
 #include "host/live/log_file.hpp"
+#include "host/live/write_behind.hpp"
 
 namespace fencepost::host {
 
@@ -22,20 +23,17 @@ struct RunLogSettings {
 
 /// Later parts begin with a comment and the calibration in force, but without FPHDR: the run goes on. So all parts, one
 /// after the other, are one log with the run's digest, and each alone is a recording that begins late.
-class RunLog {
+class RunLog final : public Sink {
  public:
-  using Fault = LogFile::Fault;
-
   /// errors: a sentence
   static linux::Opened<RunLog> open(const RunLogSettings& settings, base::Time now);
 
-  /// One line, line end included.
-  [[nodiscard]] Fault write(std::string_view line, base::Time now);
-  [[nodiscard]] Fault tend(base::Time now) { return file_.tend(now); }
-  [[nodiscard]] Fault close() { return file_.close(); }
+  [[nodiscard]] Fault write(std::string_view lines, base::Time now) override;
+  [[nodiscard]] Fault tend(base::Time now) override { return file_.tend(now); }
+  [[nodiscard]] Fault close() override { return file_.close(); }
   /// "run.log", or "run.log to run-0003.log".
-  [[nodiscard]] std::string name() const;
-  [[nodiscard]] std::uint64_t bytes() const { return file_.bytes(); }
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::uint64_t bytes() const override { return file_.bytes(); }
 
  private:
   RunLog(std::unique_ptr<CalibrationLines> calibration, LogFile file, std::string first)

@@ -103,7 +103,7 @@ Solid solid_of(const SceneObject& object, const CameraPose& camera) {
   };
   Solid solid;
   solid.bottom = object.base - camera.z;
-  solid.top = object.base + object.height - camera.z;
+  solid.top = object.base + object.height_m - camera.z;
   const auto add = [&](const LinearRing& ring, bool outer) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Wall wall = wall_of(to_camera(ring[i]), to_camera(ring[(i + 1) % ring.size()]));

@@ -19,7 +19,7 @@ std::vector<Algorithm> all() {
 }
 
 std::vector<Algorithm> available() {
-  const auto models = models_of(*std::make_unique<recon::Object<config::Full>>());
+  const auto models = models_of(*std::make_unique<recon::Object<Compared<config::Full>>>());
   std::vector<Algorithm> kept = all();
   std::erase_if(kept, [&](const Algorithm& algorithm) {
     return std::none_of(models.begin(), models.end(), [&](const auto& m) { return m.name == algorithm.model; });

@@ -63,6 +63,106 @@ Range range_of(const std::vector<Reacquisition>& sequence) {
   return range;
 }
 
+/// Of the lines through the paper's algorithms' points, on both sides of half new.
+struct Segments {
+  std::size_t fitted = 0;
+  std::size_t downward = 0;
+
+  void add(const std::optional<double>& slope) {
+    if (!slope) return;
+    ++fitted;
+    if (*slope < 0) ++downward;
+  }
+};
+
+std::string slope_cell(const std::optional<double>& slope) { return slope ? figure(*slope, 2) : "nothing to fit"; }
+
+Chart novelty_chart(const Algorithm& algorithm, const std::vector<NoveltySample>& samples) {
+  constexpr std::size_t kShown = 25;  ///< of so many viewpoints, one is a dot
+  Chart chart{std::string(algorithm.label), "novelty of the viewpoint", "match confidence", 0, 1, 0, 1, {}};
+  ChartSeries dots{"", std::string(algorithm.colour), {}, {}, false, true, 0.35};
+  for (std::size_t i = 0; i < samples.size(); i += kShown) {
+    dots.points.push_back({samples[i].novelty, samples[i].confidence});
+  }
+  ChartSeries line{"", std::string(algorithm.colour), {}, {}, true, true, 1};
+  line.points = binned_means(points_of(samples, 0, 1), 0, 1, 10, 5);
+  chart.series = {dots, line};
+  return chart;
+}
+
+void say_of_novelty(PaperFigure& fig, const Segments& segments) {
+  if (segments.fitted == 0) {
+    fig.say(false, "Confidence falls as novelty rises.",
+            " All viewpoints on each side of half new are equally new: there is nothing to fit.");
+    return;
+  }
+  fig.say(
+      2 * segments.downward > segments.fitted,
+      fmt::format("Confidence falls as novelty rises in {} of {} segments of the paper\u2019s three algorithms (the "
+                  "paper: in five of six).",
+                  segments.downward, segments.fitted),
+      " Below half new, the models already have the side that is in view; what else is in the image decides.");
+}
+
+double trend(const PaperData& data, std::size_t algorithm, double Score::*what) {
+  return rank_correlation(against_thoroughness(data.noisy, algorithm, what));
+}
+
+void draw_trends(PaperFigure& fig, const PaperData& data) {
+  fig.add("<div class=\"charts\">");
+  for (const bool reckless : {true, false}) {
+    Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
+    for (std::size_t a = 0; a < algorithms().size(); ++a) {
+      ChartSeries series = series_of(algorithms()[a]);
+      series.points = binned_means(
+          against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia), 0, 1, 20, 3);
+      chart.series.push_back(series);
+    }
+    fig.add_svg(reckless ? "fig14_r.svg" : "fig14_p.svg", draw_chart(chart), "chart");
+  }
+  fig.add("</div>");
+}
+
+void add_trend_table(PaperFigure& fig, const PaperData& data) {
+  Csv csv("algorithm,thoroughness,recklessness,paranoia");
+  std::string table;
+  for (std::size_t a = 0; a < algorithms().size(); ++a) {
+    const auto r = against_thoroughness(data.noisy, a, &Score::recklessness);
+    const auto p = against_thoroughness(data.noisy, a, &Score::paranoia);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      csv.row({std::string(algorithms()[a].key), csv_number(r[i].x), csv_number(r[i].y), csv_number(p[i].y)});
+    }
+    table +=
+        fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                    escaped(algorithms()[a].label), figure(rank_correlation(r), 2), figure(rank_correlation(p), 2));
+  }
+  fig.add(
+      "<div class=\"scroll\"><table class=\"counts\"><thead><tr><th>rank correlation with thoroughness</th>"
+      "<th class=\"n\">R</th><th class=\"n\">P</th></tr></thead><tbody>\n" +
+      table + "</tbody></table></div>\n");
+  fig.add_file("fig14.csv", csv.text());
+}
+
+void say_of_trends(PaperFigure& fig, const PaperData& data, std::size_t cylinder, std::size_t carving) {
+  const double cylinder_p = trend(data, cylinder, &Score::paranoia);
+  const double carving_p = trend(data, carving, &Score::paranoia);
+  fig.say(
+      cylinder_p < 0 && carving_p < 0,
+      fmt::format("Paranoia decreases as more of the object is seen, by cylinders (rank correlation {}) and by carving "
+                  "({}).",
+                  figure(cylinder_p, 2), figure(carving_p, 2)),
+      " The additional images do not help here.");
+  const double cylinder_r = trend(data, cylinder, &Score::recklessness);
+  fig.say(cylinder_r < 0, fmt::format("Recklessness decreases too for cylinders ({}).", figure(cylinder_r, 2)),
+          " Its floor is the difference between a circle and the block.");
+  const double carving_r = trend(data, carving, &Score::recklessness);
+  fig.say(carving_r > 0,
+          fmt::format("For carving it can only increase, since what is cut away never comes back ({}){}.",
+                      figure(carving_r, 2),
+                      data.run.empty() ? "; here not slowly: 5 % of our segments lose up to half of their width" : ""),
+          " No segment was too small.");
+}
+
 bool of_the_paper(const Algorithm& algorithm) { return algorithm.paper_average.has_value(); }
 
 }  // namespace
@@ -119,42 +219,30 @@ PaperFigure figure_13(const PaperData& data) {
                   "of novelty; dots: every 25th viewpoint.</p><div class=\"charts\">",
                   scenes_text(data, data.noisy.size())));
   Csv csv("algorithm,images,novelty,match_confidence");
-  std::size_t segments = 0;
-  std::size_t downward = 0;
+  Segments segments;
   std::string slopes;
   for (std::size_t a = 0; a < algorithms().size(); ++a) {
     const Algorithm& algorithm = algorithms()[a];
-    Chart chart{std::string(algorithm.label), "novelty of the viewpoint", "match confidence", 0, 1, 0, 1, {}};
-    ChartSeries dots{"", std::string(algorithm.colour), {}, {}, false, true, 0.35};
-    for (std::size_t i = 0; i < data.novelty[a].size(); ++i) {
-      const NoveltySample& sample = data.novelty[a][i];
+    const std::vector<NoveltySample>& samples = data.novelty[a];
+    for (const NoveltySample& sample : samples) {
       csv.row({std::string(algorithm.key), std::to_string(sample.images), csv_number(sample.novelty),
                csv_number(sample.confidence)});
-      if (i % 25 == 0) dots.points.push_back({sample.novelty, sample.confidence});
     }
-    ChartSeries line{"", std::string(algorithm.colour), {}, {}, true, true, 1};
-    line.points = binned_means(points_of(data.novelty[a], 0, 1), 0, 1, 10, 5);
-    chart.series = {dots, line};
-    fig.add_svg(fmt::format("fig13_{}.svg", algorithm.key), draw_chart(chart), "chart");
-    const double low = slope(points_of(data.novelty[a], 0, kHalfNew));
-    const double high = slope(points_of(data.novelty[a], kHalfNew, 1));
+    fig.add_svg(fmt::format("fig13_{}.svg", algorithm.key), draw_chart(novelty_chart(algorithm, samples)), "chart");
+    const auto low = slope(points_of(samples, 0, kHalfNew));
+    const auto high = slope(points_of(samples, kHalfNew, 1));
     slopes += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                          escaped(algorithm.label), figure(low, 2), figure(high, 2));
+                          escaped(algorithm.label), slope_cell(low), slope_cell(high));
     if (!of_the_paper(algorithm)) continue;
-    segments += 2;
-    downward += (low < 0 ? 1U : 0U) + (high < 0 ? 1U : 0U);
+    segments.add(low);
+    segments.add(high);
   }
   fig.add(
       "</div><div class=\"scroll\"><table class=\"counts\"><thead><tr><th>model</th><th class=\"n\">slope below "
       "half new</th><th class=\"n\">slope above</th></tr></thead><tbody>\n" +
       slopes + "</tbody></table></div>\n");
   fig.add_file("fig13.csv", csv.text());
-  fig.say(
-      2 * downward > segments,
-      fmt::format("Confidence falls as novelty rises in {} of {} segments of the paper\u2019s three algorithms (the "
-                  "paper: in five of six).",
-                  downward, segments),
-      " Below half new, the models already have the side that is in view; what else is in the image decides.");
+  say_of_novelty(fig, segments);
   return fig;
 }
 
@@ -162,61 +250,18 @@ PaperFigure figure_14(const PaperData& data) {
   PaperFigure fig{"14", "Recklessness and paranoia against thoroughness", {}, {}, {}};
   fig.add(
       fmt::format("<p>The data of Figure 7 (yellow, {}) by the share of the perimeter that the images have "
-                  "shown: means over parts of 5 %.</p><div class=\"charts\">",
+                  "shown: means over parts of 5 %.</p>",
                   scenes_text(data, data.noisy.size())));
-  Csv csv("algorithm,thoroughness,recklessness,paranoia");
-  for (const bool reckless : {true, false}) {
-    Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
-    for (std::size_t a = 0; a < algorithms().size(); ++a) {
-      ChartSeries series = series_of(algorithms()[a]);
-      series.points = binned_means(
-          against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia), 0, 1, 20, 3);
-      chart.series.push_back(series);
-    }
-    fig.add_svg(reckless ? "fig14_r.svg" : "fig14_p.svg", draw_chart(chart), "chart");
-  }
-  fig.add("</div>");
-  const auto trend = [&](std::size_t a, double Score::*what) {
-    return rank_correlation(against_thoroughness(data.noisy, a, what));
-  };
-  std::string table;
-  for (std::size_t a = 0; a < algorithms().size(); ++a) {
-    const auto r = against_thoroughness(data.noisy, a, &Score::recklessness);
-    const auto p = against_thoroughness(data.noisy, a, &Score::paranoia);
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      csv.row({std::string(algorithms()[a].key), csv_number(r[i].x), csv_number(r[i].y), csv_number(p[i].y)});
-    }
-    table += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                         escaped(algorithms()[a].label), figure(trend(a, &Score::recklessness), 2),
-                         figure(trend(a, &Score::paranoia), 2));
-  }
-  fig.add(
-      "<div class=\"scroll\"><table class=\"counts\"><thead><tr><th>rank correlation with thoroughness</th>"
-      "<th class=\"n\">R</th><th class=\"n\">P</th></tr></thead><tbody>\n" +
-      table + "</tbody></table></div>\n");
-  fig.add_file("fig14.csv", csv.text());
+  draw_trends(fig, data);
+  add_trend_table(fig, data);
   const auto cylinder = algorithm_index("cylinder");
   const auto carving = algorithm_index("carving");
   if (!cylinder || !carving) return fig;
-  fig.say(
-      trend(*cylinder, &Score::paranoia) < 0 && trend(*carving, &Score::paranoia) < 0,
-      fmt::format("Paranoia decreases as more of the object is seen, by cylinders (rank correlation {}) and by carving "
-                  "({}).",
-                  figure(trend(*cylinder, &Score::paranoia), 2), figure(trend(*carving, &Score::paranoia), 2)),
-      " The additional images do not help here.");
-  const double cylinder_r = trend(*cylinder, &Score::recklessness);
-  fig.say(cylinder_r < 0, fmt::format("Recklessness decreases too for cylinders ({}).", figure(cylinder_r, 2)),
-          " Its floor is the difference between a circle and the block.");
-  const double carving_r = trend(*carving, &Score::recklessness);
-  fig.say(carving_r > 0,
-          fmt::format("For carving it can only increase, since what is cut away never comes back ({}){}.",
-                      figure(carving_r, 2),
-                      data.run.empty() ? "; here not slowly: 5 % of our segments lose up to half of their width" : ""),
-          " No segment was too small.");
+  say_of_trends(fig, data, *cylinder, *carving);
   const auto hybrid = algorithm_index("hybrid");
   if (!hybrid) return fig;
-  const double hybrid_r = trend(*hybrid, &Score::recklessness);
-  const double hybrid_p = trend(*hybrid, &Score::paranoia);
+  const double hybrid_r = trend(data, *hybrid, &Score::recklessness);
+  const double hybrid_p = trend(data, *hybrid, &Score::paranoia);
   fig.claims.push_back(
       {ClaimKind::kBeyond,
        fmt::format("The hybrid: rank correlation of its recklessness with thoroughness {}, of its paranoia {}{}.",

@@ -87,10 +87,13 @@ std::vector<Point> binned_means(const std::vector<Point>& points, double low, do
   return means;
 }
 
-double slope(const std::vector<Point>& points) {
-  if (points.size() < 2) return 0;
+std::optional<double> slope(const std::vector<Point>& points) {
+  constexpr double kLeastSpread = 1e-6;  // of shares; less is the rounding of equal ones
+  const auto [least, greatest] =
+      std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  if (points.empty() || greatest->x - least->x < kLeastSpread) return std::nullopt;
   const Moments moments = central_moments(points);
-  return moments.xx > 0 ? moments.xy / moments.xx : 0;
+  return moments.xy / moments.xx;
 }
 
 double rank_correlation(const std::vector<Point>& points) {

@@ -1,6 +1,7 @@
 // What the charts of several figures share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ std::string algorithm_legend();
 std::vector<Point> binned_means(const std::vector<Point>& points, double low, double high, int bins,
                                 std::size_t least = 1);
 
-/// Slope of the least-squares line; 0 if all x are the same.
-double slope(const std::vector<Point>& points);
+/// Slope of the least-squares line, x being a share; empty if all x are the same but for rounding: nothing can be
+/// fitted.
+std::optional<double> slope(const std::vector<Point>& points);
 
 /// Spearman's rank correlation, ties averaged; 0 for fewer than two points.
 double rank_correlation(const std::vector<Point>& points);

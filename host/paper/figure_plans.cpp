@@ -32,6 +32,69 @@ std::string score_table(const SequenceData& data, std::size_t images) {
   return html + "</tbody></table></div>\n";
 }
 
+/// The first image behind the `images` of the set that shows about as much new as known.
+std::size_t half_new_image(const SequenceData& shown, const ViewSet& set, std::size_t images) {
+  std::size_t next = images;
+  double nearest = 2;
+  for (std::size_t f = images; f < shown.tour.frames.size(); ++f) {
+    const auto novelty = set.novelty(shown.shown[kYellowLandmark][f]);
+    if (novelty && std::abs(*novelty - 0.5) < nearest) {
+      nearest = std::abs(*novelty - 0.5);
+      next = f;
+    }
+  }
+  return std::min(next, shown.tour.frames.size() - 1);
+}
+
+/// What the set has seen of the yellow landmark, and what image `next` shows of it.
+void draw_perimeters(PaperFigure& fig, const SequenceData& shown, const ViewSet& set, std::size_t images,
+                     std::size_t next) {
+  const LinearRing& outline = shown.tour.scene.objects[kYellowLandmark].footprint.outer;
+  Plan plan{fmt::format("{} images and one more", images), centroid({outline, {}}), 2.2, {}, {}, {}};
+  plan.lenses = first_lenses(shown.tour, images);
+  const CameraPose lens = lens_at(shown.tour.scene.camera, shown.tour.frames[next].pose);
+  plan.lenses.push_back({{lens.x, lens.y}, lens.heading, "#d98200"});
+  plan.areas.push_back({{{outline, {}}}, "#f2d024", "none", {}, 0.6, 0});
+  plan.parts = {{set.seen(), outline, "#3b4a5c", 6}, {shown.shown[kYellowLandmark][next], outline, "#d98200", 2.5}};
+  Plan close = plan;
+  close.title = "the object from near";
+  close.side = 0.3;
+  fig.add("<div class=\"plans\">");
+  fig.add_svg("fig12b_plan.svg", draw_plan(plan), "plan");
+  fig.add_svg("fig12b_close.svg", draw_plan(close), "plan");
+  fig.add("</div>");
+}
+
+/// Both measures of both landmarks over the sequence.
+void chart_perimeters(PaperFigure& fig, const PaperData& data) {
+  const SequenceData& shown = data.shown;
+  Csv csv("image,landmark,thoroughness,novelty");
+  fig.add("<div class=\"charts\">");
+  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+    Chart chart{fmt::format("The {} landmark", landmark_name(landmark)),
+                "image",
+                "share of the perimeter",
+                0,
+                axis_end(data),
+                0,
+                1,
+                {}};
+    ChartSeries thorough{"thoroughness so far", "#3b4a5c", {}, {}, true, false, 1};
+    ChartSeries novel{"novelty of the image", "#d98200", {}, {}, true, false, 1};
+    for (std::size_t f = 0; f < shown.tour.frames.size(); ++f) {
+      const auto& value = shown.novelty[landmark][f];
+      thorough.points.push_back({static_cast<double>(f + 1), shown.thoroughness[landmark][f]});
+      novel.points.push_back({static_cast<double>(f + 1), value.value_or(std::nan(""))});
+      csv.row({std::to_string(f + 1), landmark_name(landmark), csv_number(shown.thoroughness[landmark][f]),
+               value ? csv_number(*value) : ""});
+    }
+    chart.series = {thorough, novel};
+    fig.add_svg(fmt::format("fig12b_{}.svg", landmark_name(landmark)), draw_chart(chart), "chart");
+  }
+  fig.add("</div>");
+  fig.add_file("fig12b.csv", csv.text());
+}
+
 }  // namespace
 
 PaperFigure figure_5(const PaperData& data) {
@@ -77,61 +140,14 @@ PaperFigure figure_12b(const PaperData& data) {
   const std::size_t images = std::min<std::size_t>(8, shown.tour.frames.size() / 2);
   ViewSet set(outline);
   for (std::size_t f = 0; f < images; ++f) set.add(shown.shown[kYellowLandmark][f]);
-  // The next image that shows about as much new as known.
-  std::size_t next = images;
-  double nearest = 2;
-  for (std::size_t f = images; f < shown.tour.frames.size(); ++f) {
-    const auto novelty = set.novelty(shown.shown[kYellowLandmark][f]);
-    if (novelty && std::abs(*novelty - 0.5) < nearest) {
-      nearest = std::abs(*novelty - 0.5);
-      next = f;
-    }
-  }
-  next = std::min(next, shown.tour.frames.size() - 1);
-  const PerimeterPart& image = shown.shown[kYellowLandmark][next];
-  Plan plan{fmt::format("{} images and one more", images), centroid({outline, {}}), 2.2, {}, {}, {}};
-  plan.lenses = first_lenses(shown.tour, images);
-  const CameraPose lens = lens_at(shown.tour.scene.camera, shown.tour.frames[next].pose);
-  plan.lenses.push_back({{lens.x, lens.y}, lens.heading, "#d98200"});
-  plan.areas.push_back({{{outline, {}}}, "#f2d024", "none", {}, 0.6, 0});
-  plan.parts = {{set.seen(), outline, "#3b4a5c", 6}, {image, outline, "#d98200", 2.5}};
-  Plan close = plan;
-  close.title = "the object from near";
-  close.side = 0.3;
-  fig.add("<div class=\"plans\">");
-  fig.add_svg("fig12b_plan.svg", draw_plan(plan), "plan");
-  fig.add_svg("fig12b_close.svg", draw_plan(close), "plan");
-  fig.add("</div>");
-  const auto novelty = set.novelty(image);
+  const std::size_t next = half_new_image(shown, set, images);
+  draw_perimeters(fig, shown, set, images, next);
+  const auto novelty = set.novelty(shown.shown[kYellowLandmark][next]);
   fig.add(
       fmt::format("<p>Dark: what the first {} images show of the perimeter, a thoroughness of {}. Orange: what image "
                   "{} shows, with a novelty of {} over them. Both are exact; no model has a part in them.</p>",
                   images, percent(set.thoroughness()), next + 1, percent(novelty.value_or(0))));
-  Csv csv("image,landmark,thoroughness,novelty");
-  fig.add("<div class=\"charts\">");
-  for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
-    Chart chart{fmt::format("The {} landmark", landmark_name(landmark)),
-                "image",
-                "share of the perimeter",
-                0,
-                axis_end(data),
-                0,
-                1,
-                {}};
-    ChartSeries thorough{"thoroughness so far", "#3b4a5c", {}, {}, true, false, 1};
-    ChartSeries novel{"novelty of the image", "#d98200", {}, {}, true, false, 1};
-    for (std::size_t f = 0; f < shown.tour.frames.size(); ++f) {
-      const auto& value = shown.novelty[landmark][f];
-      thorough.points.push_back({static_cast<double>(f + 1), shown.thoroughness[landmark][f]});
-      novel.points.push_back({static_cast<double>(f + 1), value.value_or(std::nan(""))});
-      csv.row({std::to_string(f + 1), landmark_name(landmark), csv_number(shown.thoroughness[landmark][f]),
-               value ? csv_number(*value) : ""});
-    }
-    chart.series = {thorough, novel};
-    fig.add_svg(fmt::format("fig12b_{}.svg", landmark_name(landmark)), draw_chart(chart), "chart");
-  }
-  fig.add("</div>");
-  fig.add_file("fig12b.csv", csv.text());
+  chart_perimeters(fig, data);
   return fig;
 }
 

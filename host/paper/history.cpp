@@ -18,7 +18,7 @@
 namespace fencepost::host {
 namespace {
 
-using FullObject = recon::Object<config::Full>;
+using FullObject = recon::Object<Compared<config::Full>>;
 
 recon::Box box_of(const sensor::Blob& blob) { return {blob.x1, blob.y1, blob.x2, blob.y2}; }
 
@@ -37,10 +37,10 @@ std::optional<std::size_t> widest_blob(const FrameTruth& frame, std::size_t obje
 
 recon::Sighting sighting_of(const recon::CameraModel& camera, const sensor::OdometrySample& pose,
                             const sensor::Blob& blob, HiddenEnds hidden) {
-  recon::BlobRays rays = recon::rays_of_box(camera, box_of(blob));  // what noise moved to the border is cut there
-  rays.left.censored = rays.left.censored || hidden.left;
-  rays.right.censored = rays.right.censored || hidden.right;
-  return recon::make_sighting(camera, recon::lens_pose(recon::to_map_pose(pose), camera), rays);
+  recon::Observation seen = recon::observe_alone(camera, box_of(blob));  // what noise moved to the border is cut there
+  if (hidden.left) seen.left = recon::End::kLowerBound;
+  if (hidden.right) seen.right = recon::End::kLowerBound;
+  return recon::make_sighting(camera, recon::lens_pose(recon::to_map_pose(pose), camera), seen);
 }
 
 /// Keeps what the map's objects were after the frames asked for.
@@ -173,9 +173,9 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
       const sensor::Blob& blob = frame.frame.blobs[*b];
       const recon::Sighting sighting = sighting_of(camera, tour.poses[f], blob, tour.hidden[f][object]);
       if (history.blobs.empty()) models->begin(1, blob.signature, sighting, frame.exposure);
-      models->track(sighting.open_ends(), frame.exposure);
+      models->track(sighting.left.end, sighting.right.end, frame.exposure);
       models->model(sighting, {});
-      if (models->hybrid.news) solver->solve(models->hybrid);
+      if (models->hybrid().news) solver->solve(models->hybrid());
       models->note_outline();
       history.blobs.push_back({f, box_of(blob), tour.images[f].regions[*b].colour.value_or(Colour{})});
     }

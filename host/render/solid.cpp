@@ -8,7 +8,7 @@ namespace fencepost::host {
 
 Solid solid_of(const Scene& scene, std::size_t object) {
   const SceneObject& truth = scene.objects[object];
-  Solid solid{{truth.footprint}, truth.base, truth.base + truth.height, truth.signature, {}, object};
+  Solid solid{{truth.footprint}, truth.base, truth.base + truth.height_m, truth.signature, {}, object};
   for (const SceneSignature& signature : scene.signatures) {
     if (signature.id == truth.signature) solid.colour = signature.rgb;
   }

@@ -237,4 +237,11 @@ ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacem
   return model;
 }
 
+void sort_models(std::vector<ModelResult>& models) {
+  constexpr std::array<std::string_view, 7> kOrder{"cylinder", "cylinder_paper", "sheaf_paper", "sheaf",
+                                                   "carve",    "clip",           "hybrid"};
+  const auto place = [&](const ModelResult& model) { return std::ranges::find(kOrder, model.name) - kOrder.begin(); };
+  std::ranges::stable_sort(models, {}, place);
+}
+
 }  // namespace fencepost::host

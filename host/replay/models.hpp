@@ -1,11 +1,11 @@
 // The models of one object as polygons of the map frame.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "firmware/recon/track/object.hpp"
+#include "host/replay/compared.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {
@@ -26,23 +26,44 @@ ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineVi
 ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
                         std::span<const std::uint32_t> words);
 
-/// All models of the profile, in the order of the result document.
+/// Puts models into the order of the result document.
+void sort_models(std::vector<ModelResult>& models);
+
+/// What each type of model is in the result document: a further one needs a further function here, or it does not
+/// compile.
+inline void add_results(const recon::ObjectCore& object, const recon::CylinderPaper& paper,
+                        std::vector<ModelResult>& models) {
+  models.push_back(cylinder_paper_model(object, paper));
+}
+template <std::size_t kViews>
+void add_results(const recon::ObjectCore& object, const recon::SheafViews<kViews>& views,
+                 std::vector<ModelResult>& models) {
+  recon::PlaneSheaf<kViews, kSheafPosts> sheaf;
+  sheaf.build_paper(views.view());
+  models.push_back(sheaf_model(object, "sheaf_paper", sheaf.hull(), sheaf.refusal()));
+  sheaf.build(views.view());
+  models.push_back(sheaf_model(object, "sheaf", sheaf.hull(), sheaf.refusal()));
+}
+template <std::size_t kCells, std::size_t kVertices, std::size_t kPending>
+void add_results(const recon::ObjectCore& object, const recon::Carving<kCells, kVertices, kPending>& carving,
+                 std::vector<ModelResult>& models) {
+  models.push_back(carve_model(object, carving.grid().placement(), kCells, carving.grid().words()));
+  models.push_back(clip_model(object, carving.clip().vertices()));
+}
+template <std::size_t kSectors>
+void add_results(const recon::ObjectCore& /*object*/, const recon::Hybrid<kSectors>& hybrid,
+                 std::vector<ModelResult>& models) {
+  models.push_back(hybrid_model(hybrid, hybrid.outline()));
+}
+
+/// All models of the profile, the robot's own and those compared with them, in the order of the result document.
 template <class Profile>
 std::vector<ModelResult> models_of(const recon::Object<Profile>& object) {
   std::vector<ModelResult> models{cylinder_model(object)};
-  if constexpr (Profile::kPaperCylinder) models.push_back(cylinder_paper_model(object, object.cylinder_paper));
-  if constexpr (Profile::kSheafViews > 0) {
-    recon::PlaneSheaf<Profile::kSheafViews, Profile::kSheafPosts> sheaf;
-    sheaf.build_paper(object.sheaf.view());
-    models.push_back(sheaf_model(object, "sheaf_paper", sheaf.hull(), sheaf.refusal()));
-    sheaf.build(object.sheaf.view());
-    models.push_back(sheaf_model(object, "sheaf", sheaf.hull(), sheaf.refusal()));
-  }
-  if constexpr (Profile::kGridCells > 0) {
-    models.push_back(carve_model(object, object.grid.placement(), Profile::kGridCells, object.grid.words()));
-  }
-  models.push_back(clip_model(object, object.clip.vertices()));
-  models.push_back(hybrid_model(object.hybrid, object.hybrid.outline()));
+  const auto add = [&](const auto& model) { add_results(object, model, models); };
+  object.models.for_each(add);
+  object.comparison.for_each(add);
+  sort_models(models);
   return models;
 }
 

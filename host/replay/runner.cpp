@@ -154,9 +154,9 @@ class ProfileRunner final : public Runner {
 }  // namespace
 
 std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log) {
-  if (profile == config::Micro::kName) return std::make_unique<ProfileRunner<config::Micro>>(std::move(log));
-  if (profile == config::Small::kName) return std::make_unique<ProfileRunner<config::Small>>(std::move(log));
-  if (profile == config::Full::kName) return std::make_unique<ProfileRunner<config::Full>>(std::move(log));
+  if (profile == config::Micro::kName) return std::make_unique<ProfileRunner<Compared<config::Micro>>>(std::move(log));
+  if (profile == config::Small::kName) return std::make_unique<ProfileRunner<Compared<config::Small>>>(std::move(log));
+  if (profile == config::Full::kName) return std::make_unique<ProfileRunner<Compared<config::Full>>>(std::move(log));
   return nullptr;
 }
 

@@ -48,7 +48,7 @@ void check_overlaps(const JsonNode& root, const Scene& scene) {
     for (std::size_t k = 0; k < i; ++k) {
       const SceneObject& a = scene.objects[k];
       const SceneObject& b = scene.objects[i];
-      if (a.base + a.height <= b.base + kTouch || b.base + b.height <= a.base + kTouch) continue;
+      if (a.base + a.height_m <= b.base + kTouch || b.base + b.height_m <= a.base + kTouch) continue;
       if (intersection_area({a.footprint}, {b.footprint}) <= kSliver) continue;
       root.at("objects")
           .at(i)

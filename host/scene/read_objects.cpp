@@ -67,7 +67,7 @@ SceneObject read_object(const JsonNode& node, std::size_t index) {
   object.name = name ? name->text() : "object " + std::to_string(index + 1);
   object.signature = static_cast<std::uint8_t>(node.at("signature").integer(0, 255));
   object.base = node.number_or("base", 0, 0, 100, "m");
-  object.height = node.at("height").positive(100, "m");
+  object.height_m = node.at("height").positive(100, "m");
   object.footprint = read_footprint(node.at("footprint"));
   return object;
 }

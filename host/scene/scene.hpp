@@ -22,8 +22,8 @@ struct SceneSignature {
 struct SceneObject {
   std::string name;
   std::uint8_t signature = 0;
-  double base = 0;    ///< m above the floor
-  double height = 0;  ///< m
+  double base = 0;  ///< m above the floor
+  double height_m = 0;
   Polygon footprint;  ///< map frame, m; a circle is given as a 256-gon of the circle's area
 };
 

@@ -124,7 +124,7 @@ std::string write_scene(const Scene& scene) {
     root["objects"].push_back({{"name", object.name},
                                {"signature", object.signature},
                                {"base", object.base},
-                               {"height", object.height},
+                               {"height", object.height_m},
                                {"footprint", footprint_json(object.footprint)}});
   }
   const json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);

@@ -44,7 +44,7 @@ std::vector<Point> ahead_of_camera(const std::vector<Point>& ring) {
 
 Prism::Prism(const SceneObject& object, const CameraPose& camera)
     : bottom_(object.base - camera.z),
-      top_(object.base + object.height - camera.z),
+      top_(object.base + object.height_m - camera.z),
       nearest_(std::numeric_limits<double>::infinity()),
       across_min_(std::numeric_limits<double>::infinity()),
       across_max_(-std::numeric_limits<double>::infinity()) {

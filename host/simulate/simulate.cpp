@@ -118,7 +118,7 @@ class Simulation {
     const TimedPose robot = trajectory_.at(exposure.exposed.to_double());
     const CameraPose camera = camera_at(robot);
     for (const SceneObject& object : scene_.objects) {
-      const bool level = camera.z >= object.base && camera.z <= object.base + object.height;
+      const bool level = camera.z >= object.base && camera.z <= object.base + object.height_m;
       if (level && contains(object.footprint, {camera.x, camera.y})) {
         ++summary_.frames_inside;
         break;

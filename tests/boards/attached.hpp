@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "hal/base/units.hpp"
-#include "host/emulate/scene/peer.hpp"
+#include "host/emulate/models/device_model.hpp"
 #include "host/emulate/scene/travel.hpp"
 #include "tests/boards/line.hpp"
 
@@ -13,24 +13,24 @@ namespace fencepost::test {
 class Attached {
  public:
   /// Switched on at `now`; `line` is borrowed.
-  Attached(Line& line, std::unique_ptr<emulate::Peer> peer, base::Time now);
+  Attached(Line& line, std::unique_ptr<emulate::DeviceModel> model, base::Time now);
 
   /// What the board asks, and what the device says by its own clock.
   void pump(base::Time now);
   void see(const sensor::BlobFrame& frame, base::Time now);
   /// Which way its wheels will go; `roll` goes it, in the way's own time.
   void drive(std::span<const sensor::OdometrySample> way) { way_ = emulate::TravelLog(way); }
-  void roll(base::Time t) { peer_->roll(way_.at(t)); }
+  void roll(base::Time t) { model_->roll(way_.at(t)); }
 
   /// The cable is pulled, or back.
   void unplug(bool unplugged) { unplugged_ = unplugged; }
-  [[nodiscard]] bool in_use() const { return peer_->in_use(); }
+  [[nodiscard]] bool in_use() const { return model_->in_use(); }
 
  private:
   void say(const emulate::Bytes& bytes);
 
   Line& line_;
-  std::unique_ptr<emulate::Peer> peer_;
+  std::unique_ptr<emulate::DeviceModel> model_;
   emulate::TravelLog way_{{}};
   bool unplugged_ = false;
 };

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "host/emulate/scene/peer.hpp"
+#include "host/emulate/models/device_model.hpp"
 #include "tests/boards/line.hpp"
 #include "tests/process/child.hpp"
 
@@ -45,8 +45,8 @@ struct BoardUnderTest {
   int base = -1;            ///< the wheel base's line; negative: odometry goes over the console
   double camera_pace = 0;   ///< bytes a second of its line, where that is not 115200 baud
   /// Devices of the lines above; a camera's line without one has a Pixy2.
-  std::function<std::unique_ptr<emulate::Peer>()> camera_device = {};
-  std::function<std::unique_ptr<emulate::Peer>()> base_device = {};
+  std::function<std::unique_ptr<emulate::DeviceModel>()> camera_device = {};
+  std::function<std::unique_ptr<emulate::DeviceModel>()> base_device = {};
   double frames_share = 0.9;  ///< of a scene's frames, as the camera can tell them
 };
 

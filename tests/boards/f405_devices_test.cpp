@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "drivers/cmucam/dialect.hpp"
-#include "host/emulate/scene/camera_peers.hpp"
-#include "host/emulate/scene/wheel_peers.hpp"
+#include "host/emulate/models/camera_adapters.hpp"
+#include "host/emulate/models/wheel_adapters.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/boards/f405.hpp"
 #include "tests/boards/faults.hpp"
@@ -26,11 +26,11 @@ BoardUnderTest f405_on_create() {
   board.camera_pace = 1'920;
   board.frames_share = 0.3;
   board.camera_device = [] {
-    return emulate::make_cmucam_peer(emulate::CmuCamModel::kFour, [](std::uint8_t) {
+    return emulate::make_cmucam_model(emulate::CmuCamModel::kFour, [](std::uint8_t) {
       return sensor::Rgb{0xd0, 0x20, 0x20};
     });
   };
-  board.base_device = [] { return emulate::make_create_peer(emulate::CreateModel::kTwo, kCreate2); };
+  board.base_device = [] { return emulate::make_create_model(emulate::CreateModel::kTwo, kCreate2); };
   return board;
 }
 

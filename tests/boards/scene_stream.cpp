@@ -28,7 +28,7 @@ host::SceneObject box(const char* name, std::uint8_t signature, double x, double
   host::SceneObject object;
   object.name = name;
   object.signature = signature;
-  object.height = height;
+  object.height_m = height;
   object.footprint.outer = {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
   return object;
 }

@@ -23,8 +23,14 @@ def settings(root):
     return re.findall(r'^\s*\{"([a-z_.]+)", ', text, re.MULTILINE)
 
 
+def models(root):
+    headers = sorted((root / "firmware/recon/models").rglob("*.hpp"))
+    named = (re.search(r'std::string_view kName = "(\w+)"', h.read_text(encoding="utf-8")) for h in headers)
+    return [match.group(1) for match in named if match]
+
+
 # The word of a list, and what there is of it.
-KINDS = {"BOARD": boards, "SETTING": settings}
+KINDS = {"BOARD": boards, "MODEL": models, "SETTING": settings}
 
 
 def lists_in(text):
@@ -42,12 +48,17 @@ def lists_in(text):
     return lists
 
 
+def is_named_in(text, name):
+    """Whether the text has the name, in any of our ways of writing it: cylinder_paper, CylinderPaper."""
+    return name in text or name.replace("_", "") in text.replace("_", "").lower()
+
+
 def fault_of(root, action, paths, word, name):
     """What is wrong with one row for one thing; None if it holds."""
     found = [path for path in (p.replace(word, name) for p in paths) if (root / path).is_file()]
     if not found:
         return "there is no " + " or ".join(p.replace(word, name) for p in paths)
-    if action == "edit" and not any(name in (root / path).read_text(encoding="utf-8") for path in found):
+    if action == "edit" and not any(is_named_in((root / p).read_text(encoding="utf-8"), name) for p in found):
         return f"{found[0]} does not name it"
     return None
 

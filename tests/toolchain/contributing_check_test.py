@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from contributing_check import boards, check, settings
+from contributing_check import boards, check, models, settings
 
 DOCUMENT = """# Contributing
 ## Commits
@@ -61,6 +61,15 @@ class ContributingCheck(unittest.TestCase):
     def test_a_file_that_does_not_name_it_is_found(self):
         self.write("README.md", "pico")
         self.assertIn("BOARD f405: README.md does not name it", self.faults())
+
+    def test_a_model_is_found_by_its_name_however_it_is_written(self):
+        self.write("firmware/recon/models/x/y.hpp", '  static constexpr std::string_view kName = "cylinder_paper";\n')
+        self.write("firmware/recon/models/z.hpp", "no model\n")
+        self.write(".github/CONTRIBUTING.md", "## Add a model: MODEL\n| edit | `README.md` or `other` | |\n")
+        self.write("other", "using Models = List<CylinderPaper>;")
+        self.assertEqual(check(self.root, {"MODEL": models}), ([], 1))
+        self.write("other", "using Models = List<Cylinder>;")
+        self.assertIn("MODEL cylinder_paper: README.md does not name it", self.faults({"MODEL": models}))
 
     def test_a_list_that_names_a_file_that_was_moved_is_found(self):
         self.write(".github/CONTRIBUTING.md", DOCUMENT.replace("settings.hpp", "keys.hpp"))

@@ -2,7 +2,8 @@
 """usage: readme_check.py [ROOT]
 
 Holds what README.md says of the code: each path in its backticks and links exists, each name of a namespace is declared,
-each test of the paper's table is one. Prints one line per fault; exit status 1 if there is any.
+each test of the paper's table is one, and the ten minutes of reading open no more other files than they say.
+Prints one line per fault; exit status 1 if there is any.
 """
 
 import fnmatch
@@ -11,6 +12,7 @@ import re
 import sys
 
 LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
+MOST_BEYOND = 8  # files that ten minutes of reading may make one open beside those it names
 NAMESPACES = {"recon": "firmware/recon"}
 GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
 CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
@@ -70,6 +72,31 @@ def fault_of_test(root, word, tests):
     return None if matches else f"no test is called {word}"
 
 
+def opened_beyond(root, text):
+    """The project's headers that the files of the reading path include and the path does not name; None without one."""
+    section = re.search(r"^## Ten minutes of reading\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    if not section:
+        return None
+    listed = {path for _, path in paths_in(root, section.group(1)) if path.suffix == ".hpp" and path.is_file()}
+    included = {
+        root / name
+        for path in listed
+        for name in re.findall(r'^#include "([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
+    }
+    return sorted(included - listed)
+
+
+def fault_of_path(root, text):
+    beyond = opened_beyond(root, text)
+    said = re.search(r"include (\d+) more", text)
+    if beyond is None or not said:
+        return "README.md: no reading path that says how many more headers it includes"
+    if int(said.group(1)) == len(beyond) <= MOST_BEYOND:
+        return None
+    names = ", ".join(path.relative_to(root).as_posix() for path in beyond)
+    return f"README.md: the reading path includes {len(beyond)} more headers, at most {MOST_BEYOND}: {names}"
+
+
 def check(root):
     """(faults, how many things were compared)"""
     text = (root / "README.md").read_text(encoding="utf-8")
@@ -86,6 +113,10 @@ def check(root):
         headers = (root / NAMESPACES[name.group(1)]).rglob("*.hpp")
         if not any(re.search(rf"\b{name.group(2)}\b", h.read_text(encoding="utf-8")) for h in headers):
             faults.append(f"README.md:{number}: {word} is declared nowhere")
+    path_fault = fault_of_path(root, text)
+    compared += 1
+    if path_fault:
+        faults.append(path_fault)
     tests = tests_of(root)
     for number, word in table_tests(text):
         compared += 1

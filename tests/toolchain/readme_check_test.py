@@ -11,13 +11,16 @@ README = """# X
     toolchain/never_checked in a listing
 See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md), `live.md`. Not a path: `X/Y`, `-f a/b`.
 
+## Ten minutes of reading
+1. `hal/a.hpp`: they include 1 more.
+
 | paper | in words | code | test |
 |---|---|---|---|
 | II | words | `recon::carve` | `Carve.*`, `table.reaches`, `toolchain/long drift` |
 """
 TREE = {
     "README.md": README,
-    "hal/a.hpp": "",
+    "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
     "host/share/doc/live.md": "",
     "firmware/recon/models/carve.hpp": "void carve();",
@@ -26,13 +29,15 @@ TREE = {
     "toolchain/long": "part_drift() {\n",
 }
 FAULTS = [
-    ("`hal/a.hpp`", "`hal/gone.hpp`", "README.md:3: there is no hal/gone.hpp"),
+    ("See `hal/a.hpp`", "See `hal/gone.hpp`", "README.md:3: there is no hal/gone.hpp"),
     ("`b.hpp`", "`c.hpp`", "README.md:3: there is no host/share/doc/c.hpp"),
     ("(host/share/doc/live.md)", "(host/share/doc/gone.md)", "README.md:3: there is no host/share/doc/gone.md"),
-    ("`recon::carve`", "`recon::cut`", "README.md:7: recon::cut is declared nowhere"),
-    ("`Carve.*`", "`Carver.*`", "README.md:7: no test is called Carver.*"),
-    ("`table.reaches`", "`table.fails`", "README.md:7: no test is called table.fails"),
-    ("long drift", "long walk", "README.md:7: toolchain/long has no part walk"),
+    ("include 1 more", "include 0 more", "README.md: the reading path includes 1 more headers, at most 8: hal/b.hpp"),
+    ("include 1 more", "include all", "README.md: no reading path that says how many more headers it includes"),
+    ("`recon::carve`", "`recon::cut`", "README.md:10: recon::cut is declared nowhere"),
+    ("`Carve.*`", "`Carver.*`", "README.md:10: no test is called Carver.*"),
+    ("`table.reaches`", "`table.fails`", "README.md:10: no test is called table.fails"),
+    ("long drift", "long walk", "README.md:10: toolchain/long has no part walk"),
 ]
 
 
@@ -47,7 +52,7 @@ class ReadmeCheck(unittest.TestCase):
             path.write_text(text)
 
     def test_a_true_one_has_no_faults_and_was_compared(self):
-        self.assertEqual(check(self.root), ([], 8))
+        self.assertEqual(check(self.root), ([], 10))
 
     def test_each_planted_fault_is_found_where_it_is(self):
         for there, instead, expected in FAULTS:

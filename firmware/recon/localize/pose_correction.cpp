@@ -34,7 +34,7 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
 }
 
 LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
-  if (seen.left.censored || seen.right.censored) return {};
+  if (!seen.both_edges()) return {};
   const float half = 0.5F * std::sqrt((seen.left.direction - seen.right.direction).squaredNorm());
   if (!(half * kFarthestGuess > kTypicalRadius)) return {};
   const RowDepth row = row_depth(seen, noise);

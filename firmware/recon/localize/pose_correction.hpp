@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "firmware/recon/localize/landmark_filter.hpp"
-#include "firmware/recon/observe/frame_queue.hpp"
 #include "firmware/recon/track/object.hpp"
+#include "firmware/recon/track/object_events.hpp"
 
 namespace fencepost::recon {
 
@@ -42,8 +42,8 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
 /// Of an object that is no noise.
 inline constexpr std::uint32_t kViewsForLandmark = 3;
 
-/// Slot i of the filter is slot i of the map's table: every object that is confirmed and placed is a landmark, for as
-/// long as it keeps its slot and its models.
+/// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
+/// distance can at least be guessed, is a landmark until it ends or its models begin again.
 template <class Profile>
 class PoseCorrection {
  public:
@@ -92,55 +92,50 @@ class PoseCorrection {
   }
 
   /// Takes the frame's sightings of landmarks, on a small part of Profile::kModelTurns of them, in turn. Objects move
-  /// with their landmarks. The pose that comes of it.
+  /// with their landmarks. The pose that comes of it; `driven` as long as nothing is corrected.
   template <class Objects, class Matcher>
-  [[gnu::noinline]] MapPose correct(Objects& objects, const Matcher& matcher, const WaitingFrame& frame,
+  [[gnu::noinline]] MapPose correct(const MapPose& driven, Objects& objects, const Matcher& matcher,
                                     const CameraModel& camera, const MeasurementNoise& noise) {
+    if (!running_) return driven;
     std::size_t turns = 0;
     for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
-      const Sighting seen =
-          make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.rays_for(next_, frame, camera));
-      take(objects, next_, seen, lens_pose(pose(), camera), noise);
+      const Sighting seen = make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.observation_of(next_));
+      apply(objects, next_, seen, lens_pose(pose(), camera), noise);
       ++turns;
     }
     return filter_.at().pose;
   }
 
-  /// The map has changed: forgets what is no object any more, takes in what can be a landmark now.
-  template <class Objects, class Matcher>
-  void follow(const Objects& objects, const Matcher& matcher, const WaitingFrame& frame, const CameraModel& camera,
-              const MeasurementNoise& noise) {
+  /// The map has changed: forgets the landmarks whose objects have ended or moved, adds what can be a landmark now.
+  template <class Table, class Matcher>
+  void follow(const Table& table, const Matcher& matcher, const CameraModel& camera, const MeasurementNoise& noise) {
     if (!running_) return;
-    for (std::size_t o = 0; o < kLandmarks; ++o) {
-      const ObjectCore& object = objects[o];
-      const auto tag = static_cast<std::uint8_t>(object.id & 0xFFU);
-      const bool known = filter_.landmark(o).used();
-      if (known && object.used() && tags_[o] == tag) continue;
-      if (known) forget(o);
-      if (!object.used() || object.views < kViewsForLandmark || !matcher.seen(o)) continue;
-      const Sighting seen = make_sighting(camera, lens_pose(pose(), camera), matcher.rays_for(o, frame, camera));
-      const LandmarkGuess guess = guess_of(object, seen, noise);
-      if (!(guess.radius > 0)) continue;
-      add_landmark(filter_.view(), o, guess);
-      tags_[o] = tag;
+    for (const ObjectEvent& event : table.events()) {
+      if (event.kind != EventKind::kBorn && filter_.landmark(event.slot).used()) {
+        forget_landmark(filter_.view(), event.slot);
+      }
     }
-  }
-  /// The models of that object begin anew: it is not what it was taken for.
-  void forget(std::size_t slot) {
-    if (running_ && filter_.landmark(slot).used()) forget_landmark(filter_.view(), slot);
+    for (std::size_t o = 0; o < kLandmarks; ++o) {
+      const ObjectCore& object = table.objects()[o];
+      if (filter_.landmark(o).used() || !object.used() || object.views < kViewsForLandmark || !matcher.seen(o))
+        continue;
+      const Sighting seen = make_sighting(camera, lens_pose(pose(), camera), matcher.observation_of(o));
+      const LandmarkGuess guess = guess_of(object, seen, noise);
+      if (guess.radius > 0) add_landmark(filter_.view(), o, guess);
+    }
   }
 
  private:
   // `seen` from the robot: its anchor is the robot frame's origin. `lens`: in the map.
   template <class Objects>
-  void take(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
-            const MeasurementNoise& noise) {
+  void apply(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
+             const MeasurementNoise& noise) {
     const Landmark& landmark = filter_.landmark(slot);
     const Vec2 from_lens = -lens.lens_from(landmark.center);
     const Vec2 away = rotated(seen.axis, to_camera(lens, from_lens));
-    // What is not round about it is not news either as long as the robot stands.
+    // While the robot stands its shape error is the same in every view, so it counts as little as the view is novel.
     const float novelty = objects[slot].novelty(lens.lens_from(objects[slot].origin));
     const SightedCircle circle = sighted_circle(seen, away, landmark.radius, novelty, noise);
     for (const SightedCircle::Line& line : circle.lines) {
@@ -160,8 +155,7 @@ class PoseCorrection {
   }
 
   LandmarkFilter<kLandmarks> filter_;
-  std::array<std::uint8_t, kLandmarks> tags_{};  ///< last byte of the object's id
-  std::uint8_t next_ = 0;                        ///< whose turn it was
+  std::uint8_t next_ = 0;  ///< whose turn it was
   bool running_ = false;
 };
 

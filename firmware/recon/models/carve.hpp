@@ -108,13 +108,4 @@ class CarveGrid {
   std::uint8_t placements_ = 0;
 };
 
-/// Where there is no room for the model: costs no byte, remembers nothing.
-template <>
-class CarveGrid<0> {
- public:
-  void start() {}
-  void carve(const HalfPlane&) {}
-  void refine(std::span<const Vec2>) {}
-};
-
 }  // namespace fencepost::recon

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "firmware/recon/models/hash.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -142,6 +144,16 @@ CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, con
   return solve_equations(supported, lens);
 }
 
+void hash_symmetric(base::Fnv1a64& hash, const Symmetric3& m) {
+  for (const float value : {m.xx, m.xy, m.yy, m.xr, m.yr, m.rr}) hash.f32(value);
+}
+
+void hash_equations(base::Fnv1a64& hash, const NormalEquations& equations) {
+  hash_symmetric(hash, equations.information);
+  hash_vec(hash, equations.moment);
+  hash.f32(equations.moment_radius);
+}
+
 }  // namespace
 
 float CylinderEstimate::outline_sigma() const {
@@ -197,14 +209,15 @@ void NormalEquations::scale(float factor) {
 void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(origin);
   if (views_ < kViewsToGuess) ++views_;
-  seen_whole_ = seen_whole_ || (!sighting.left.censored && !sighting.right.censored);
+  seen_whole_ = seen_whole_ || sighting.both_edges();
   if (estimate_.ok() && agreement_ < kAgreementFloor) {
     scale_edges(kForgetting);
     rows_.scale(kForgetting);
     row_count_ *= kForgetting;
   }
-  if (!sighting.left.censored) add_edge(sighting, sighting.left, left_tangent(sighting, origin), lens, novelty, noise);
-  if (!sighting.right.censored)
+  if (is_edge(sighting.left.end))
+    add_edge(sighting, sighting.left, left_tangent(sighting, origin), lens, novelty, noise);
+  if (is_edge(sighting.right.end))
     add_edge(sighting, sighting.right, right_tangent(sighting, origin), lens, novelty, noise);
   RowDepth row = row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
@@ -222,7 +235,7 @@ float Cylinder::shape_variance(const MeasurementNoise& noise) const {
   return shape * shape;
 }
 
-void Cylinder::add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens,
+void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens,
                         float novelty, const MeasurementNoise& noise) {
   const float distance =
       estimate_.ok() ? std::max(0.05F, std::sqrt((estimate_.center - lens).squaredNorm())) : prior_distance(sighting);
@@ -280,6 +293,21 @@ void Cylinder::move_origin(const Vec2& shift) {
   edges_.move_origin(shift);
   rows_.move_origin(shift);
   estimate_.center -= shift;
+}
+
+void Cylinder::hash(base::Fnv1a64& hash) const {
+  hash_equations(hash, edges_);
+  hash_equations(hash, rows_);
+  hash.f32(row_count_);
+  hash.f32(agreement_);
+  hash.f32(false_depth_);
+  hash.u8(views_);
+  hash.u8(seen_whole_ ? 1 : 0);
+  hash.u8(static_cast<std::uint8_t>(estimate_.refusal));
+  if (!estimate_.ok()) return;
+  hash_vec(hash, estimate_.center);
+  hash.f32(estimate_.radius);
+  hash_symmetric(hash, estimate_.covariance);
 }
 
 float prior_distance(const Sighting& sighting) {

@@ -8,6 +8,7 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/observe/sighting.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -73,6 +74,8 @@ struct NormalEquations {
 /// Incremental robust estimator of one object. Local frame of the object; `lens` below is in it.
 class Cylinder {
  public:
+  static constexpr std::string_view kName = "cylinder";
+
   /// Adds the tangents of one view. `novelty` in (0, 1] is the weight of the view (a parked robot learns nothing new).
   void add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise);
 
@@ -80,18 +83,14 @@ class Cylinder {
   void solve(const Vec2& lens);
 
   void move_origin(const Vec2& shift);
+  void hash(base::Fnv1a64& hash) const;
 
   [[nodiscard]] const CylinderEstimate& estimate() const { return estimate_; }
-  [[nodiscard]] const NormalEquations& edges() const { return edges_; }
-  [[nodiscard]] const NormalEquations& rows() const { return rows_; }
   [[nodiscard]] float row_count() const { return row_count_; }
-  [[nodiscard]] float agreement() const { return agreement_; }
-  [[nodiscard]] float false_depth() const { return false_depth_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
-  [[nodiscard]] bool seen_whole() const { return seen_whole_; }
 
  private:
-  void add_edge(const Sighting& sighting, const MapRay& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
+  void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
                 const MeasurementNoise& noise);
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
   void scale_edges(float factor);

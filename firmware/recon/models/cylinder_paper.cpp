@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "firmware/recon/models/hash.hpp"
+
 namespace fencepost::recon {
 namespace {
 // Determinant per squared view below which all bearings are parallel to float precision.
@@ -9,7 +11,7 @@ constexpr float kParallel = 1e-7F;
 }  // namespace
 
 void CylinderPaper::add(const Sighting& sighting, MapPoint origin) {
-  if (sighting.left.censored || sighting.right.censored) return;
+  if (!sighting.both_edges()) return;
   const Vec2 lens = sighting.lens_from(origin);
   const Vec2& bearing = sighting.center;
   const Vec2 normal = left_of(bearing);
@@ -41,6 +43,14 @@ PaperCylinder CylinderPaper::solve() const {
   cylinder.radius = (cylinder.center.dot(sums_.reach) - sums_.start) / sums_.views;
   cylinder.ok = cylinder.radius > 0;
   return cylinder;
+}
+
+void CylinderPaper::hash(base::Fnv1a64& hash, std::size_t /*part*/) const {
+  for (const float value : {sums_.nxx, sums_.nxy, sums_.nyy}) hash.f32(value);
+  hash_vec(hash, sums_.moment);
+  hash_vec(hash, sums_.reach);
+  hash.f32(sums_.start);
+  hash.f32(sums_.views);
 }
 
 }  // namespace fencepost::recon

@@ -2,8 +2,11 @@
 // the mean angular half width. Every view with two true ends counts the same; nothing is refused but parallel rays.
 #pragma once
 
+#include <string_view>
+
 #include "firmware/recon/geometry.hpp"
-#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/models/model_view.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -16,10 +19,20 @@ struct PaperCylinder {
 /// r = mean of d sin(half angle), d taken along each bearing, so that the sum needs no memory of the views.
 class CylinderPaper {
  public:
+  static constexpr std::string_view kName = "cylinder_paper";
+  static constexpr std::size_t kHashParts = 1;
+
+  void start(const Sighting& /*first*/, MapPoint /*origin*/) { *this = {}; }
+  void add(const ModelView& view) { add(view.sighting, view.origin); }
   void add(const Sighting& sighting, MapPoint origin);
+  void shift(const Vec2& /*step*/) {}
+  void hash(base::Fnv1a64& hash, std::size_t part) const;
   void move_origin(const Vec2& shift);
   [[nodiscard]] PaperCylinder solve() const;
+  /// Views with two true ends so far, as a float.
+  [[nodiscard]] float views() const { return sums_.views; }
 
+ private:
   struct Sums {
     float nxx = 0, nxy = 0, nyy = 0;  ///< sum of n n', n normal to the bearing
     Vec2 moment{0, 0};                ///< sum of n (n.P)
@@ -27,17 +40,7 @@ class CylinderPaper {
     float start = 0;                  ///< sum of (P.d) sin(half)
     float views = 0;
   };
-  [[nodiscard]] const Sums& sums() const { return sums_; }
-
- private:
   Sums sums_;
-};
-
-/// Where there is no room for the model: costs no byte, remembers nothing.
-class NoCylinderPaper {
- public:
-  void add(const Sighting&, MapPoint) {}
-  void move_origin(const Vec2&) {}
 };
 
 }  // namespace fencepost::recon

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/recon/models/hash.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -32,8 +34,8 @@ float height_at(const HeightBand::Sums& sums, const Vec2& center, float radius) 
 
 void HeightBand::add(const Sighting& sighting, MapPoint origin) {
   const Vec2 lens = sighting.lens_from(origin);
-  if (!sighting.bottom.censored) add_row(bottom_, sighting, lens, sighting.bottom.drop);
-  if (!sighting.top.censored) add_row(top_, sighting, lens, sighting.top.drop);
+  if (is_edge(sighting.bottom.end)) add_row(bottom_, sighting, lens, sighting.bottom.drop);
+  if (is_edge(sighting.top.end)) add_row(top_, sighting, lens, sighting.top.drop);
 }
 
 void HeightBand::move_origin(const Vec2& shift) {
@@ -49,6 +51,13 @@ HeightRange HeightBand::at(const Vec2& center, float radius) const {
   if (range.bottom_known) range.z_min = std::max(0.0F, height_at(bottom_, center, radius));
   range.z_max = range.top_known ? std::max(range.z_min, height_at(top_, center, radius)) : range.z_min;
   return range;
+}
+
+void HeightBand::hash(base::Fnv1a64& hash) const {
+  for (const Sums& sums : {bottom_, top_}) {
+    hash_vec(hash, sums.slope);
+    for (const float value : {sums.start, sums.drop, sums.height, sums.views}) hash.f32(value);
+  }
 }
 
 }  // namespace fencepost::recon

@@ -3,6 +3,7 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/observe/sighting.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -19,6 +20,7 @@ class HeightBand {
  public:
   void add(const Sighting& sighting, MapPoint origin);
   void move_origin(const Vec2& shift);
+  void hash(base::Fnv1a64& hash) const;
   [[nodiscard]] HeightRange at(const Vec2& center, float radius) const;
 
   struct Sums {

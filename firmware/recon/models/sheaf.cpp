@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hash.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -140,8 +142,8 @@ void for_each_post(std::span<SheafPlane> planes, Visit visit) {
 
 SheafView sheaf_view(const Sighting& sighting, MapPoint origin) {
   SheafView view{sighting.lens_from(origin), sighting.center};
-  if (!sighting.left.censored) view.left = sighting.left.direction;
-  if (!sighting.right.censored) view.right = sighting.right.direction;
+  if (is_edge(sighting.left.end)) view.left = sighting.left.direction;
+  if (is_edge(sighting.right.end)) view.right = sighting.right.direction;
   return view;
 }
 
@@ -207,6 +209,13 @@ void trim_posts(std::span<SheafPlane> planes, const Vec2& axis, std::span<float>
   const auto radius = [&](const Vec2& post) { return std::sqrt((post - center).squaredNorm()); };
   const float farthest = kTrimRadii * median_of(radius);
   for_each_post(planes, [&](const Vec2& post, bool& has) { has = radius(post) <= farthest; });
+}
+
+void hash_views(base::Fnv1a64& hash, std::span<const SheafView> views) {
+  hash.u16(static_cast<std::uint16_t>(views.size()));
+  for (const SheafView& view : views) {
+    for (const Vec2& v : {view.lens, view.bearing, view.left, view.right}) hash_vec(hash, v);
+  }
 }
 
 std::string_view name(SheafRefusal refusal) {

@@ -16,8 +16,9 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/models/clip.hpp"
-#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/models/model_view.hpp"
 #include "hal/base/fixed.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -60,6 +61,8 @@ struct RoughBearing {
 std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer,
                             std::span<RoughBearing> scratch);
 
+void hash_views(base::Fnv1a64& hash, std::span<const SheafView> views);
+
 /// The views of one object, oldest first. Not full, it holds every view that is 1 deg or more from the one before; a
 /// view nearer than that takes the newest one's place. Full, it thins out evenly over all bearings from which the
 /// object was seen, and where the robot comes by again the new views replace the old ones. Measured over whole tours,
@@ -69,7 +72,15 @@ class SheafViews {
   static_assert(N >= 8);
 
  public:
-  void clear() { views_.clear(); }
+  static constexpr std::string_view kName = "sheaf";
+  static constexpr std::size_t kHashParts = 1;
+  static constexpr std::size_t kViews = N;
+
+  void start(const Sighting& /*first*/, MapPoint /*origin*/) { views_.clear(); }
+  void add(const ModelView& view) { add(view.sighting, view.origin); }
+  void shift(const Vec2& /*step*/) {}
+  void hash(base::Fnv1a64& hash, std::size_t /*part*/) const { hash_views(hash, views_.view()); }
+
   void move_origin(const Vec2& shift) {
     for (SheafView& view : views_) view.lens -= shift;
   }
@@ -94,16 +105,6 @@ class SheafViews {
   }
 
   base::FixedVector<SheafView, N> views_;
-};
-
-/// Where there is no room for the model: costs no byte, remembers nothing.
-template <>
-class SheafViews<0> {
- public:
-  void clear() {}
-  void move_origin(const Vec2&) {}
-  void add(const Sighting&, MapPoint) {}
-  [[nodiscard]] std::span<const SheafView> view() const { return {}; }
 };
 
 /// What two views make: a post where the left edges meet, one where the right edges meet, a vertical plane between

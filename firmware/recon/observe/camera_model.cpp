@@ -18,17 +18,6 @@ Vec2 direction_of_angle(base::Radians angle) {
   return {sc.cos, sc.sin};
 }
 
-// A normalised image point as a direction on the ground plane (unit, level camera frame).
-Vec2 ground_direction(const CameraModel& camera, const Vec2& normalised) {
-  const float forward = camera.pitch.x() - normalised.y() * camera.pitch.y();
-  const Vec2 direction{forward, -normalised.x()};
-  return direction / std::sqrt(direction.squaredNorm());
-}
-
-float drop_per_depth(const CameraModel& camera, float y) {
-  return (camera.pitch.y() + y * camera.pitch.x()) / (camera.pitch.x() - y * camera.pitch.y());
-}
-
 }  // namespace
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
@@ -63,31 +52,21 @@ Vec2 undistort(const CameraModel& camera, float u, float v) {
   return distorted * (r / r_d);
 }
 
-Cut cut_by_border(const CameraModel& camera, const Box& box) {
+Sides cut_by_border(const CameraModel& camera, const Box& box) {
   return {box.x1 <= kBorderPixels, box.x2 >= camera.width - 1 - kBorderPixels, box.y1 <= kBorderPixels,
           box.y2 >= camera.rows - 1 - kBorderPixels};
 }
 
-BlobRays rays_of_box(const CameraModel& camera, const Box& box) {
-  const float u_left = static_cast<float>(box.x1) - 0.5F;
-  const float u_right = static_cast<float>(box.x2) + 0.5F;
-  const float v_top = static_cast<float>(box.y1) - 0.5F;
-  const float v_bottom = static_cast<float>(box.y2) + 0.5F;
-  const float u_middle = 0.5F * (u_left + u_right);
-  const float v_middle = 0.5F * (v_top + v_bottom);
+Vec2 ground_direction(const CameraModel& camera, float u, float v) {
+  const Vec2 normalised = undistort(camera, u, v);
+  const float forward = camera.pitch.x() - normalised.y() * camera.pitch.y();
+  const Vec2 direction{forward, -normalised.x()};
+  return direction / std::sqrt(direction.squaredNorm());
+}
 
-  const Cut cut = cut_by_border(camera, box);
-  BlobRays rays;
-  rays.left.direction = ground_direction(camera, undistort(camera, u_left, v_middle));
-  rays.left.censored = cut.left;
-  rays.right.direction = ground_direction(camera, undistort(camera, u_right, v_middle));
-  rays.right.censored = cut.right;
-  rays.center = ground_direction(camera, undistort(camera, u_middle, v_middle));
-  rays.top.drop = drop_per_depth(camera, undistort(camera, u_middle, v_top).y());
-  rays.top.censored = cut.top;
-  rays.bottom.drop = drop_per_depth(camera, undistort(camera, u_middle, v_bottom).y());
-  rays.bottom.censored = cut.bottom;
-  return rays;
+float drop_per_depth(const CameraModel& camera, float u, float v) {
+  const float y = undistort(camera, u, v).y();
+  return (camera.pitch.y() + y * camera.pitch.x()) / (camera.pitch.x() - y * camera.pitch.y());
 }
 
 float level_column(const CameraModel& camera, float u, float v) {

@@ -30,30 +30,6 @@ struct CameraModel {
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics);
 
-/// One edge of an interval: a direction in the level camera frame, or no bound at all.
-struct EdgeRay {
-  Vec2 direction{1, 0};   ///< unit, level camera frame
-  bool censored = true;   ///< on the image border or hidden: the object goes on beyond it
-  bool foreign = false;   ///< another object's: it does not even reach there
-  bool doubtful = false;  ///< may be cut there
-};
-
-/// How far a ray falls below the horizontal for each metre of forward depth.
-struct RowSlope {
-  float drop = 0;
-  bool censored = true;
-  bool foreign = false;
-};
-
-/// One blob, reduced to what the plane needs. Level camera frame.
-struct BlobRays {
-  EdgeRay left;
-  EdgeRay right;
-  Vec2 center{1, 0};  ///< unit, of the interval's centre column: the paper's bearing
-  RowSlope top;
-  RowSlope bottom;
-};
-
 /// The four numbers of a box that reconstruction needs; inclusive pixel coordinates.
 struct Box {
   std::int16_t x1 = 0;
@@ -62,18 +38,29 @@ struct Box {
   std::int16_t y2 = 0;
 };
 
-/// The sides of a box that the image's border cuts off: within one pixel of it (x1 <= 1, x2 >= width-2; rows y1 <= 1,
-/// y2 >= rows-2) the object may go on outside the image.
-struct Cut {
+/// Continuous edges of inclusive pixel coordinates, px.
+inline float left_edge(const Box& box) { return static_cast<float>(box.x1) - 0.5F; }
+inline float right_edge(const Box& box) { return static_cast<float>(box.x2) + 0.5F; }
+inline float top_edge(const Box& box) { return static_cast<float>(box.y1) - 0.5F; }
+inline float bottom_edge(const Box& box) { return static_cast<float>(box.y2) + 0.5F; }
+
+/// Of which sides of a box something is so.
+struct Sides {
   bool left = false;
   bool right = false;
   bool top = false;
   bool bottom = false;
 };
-Cut cut_by_border(const CameraModel& camera, const Box& box);
 
-/// Continuous edges are x1-0.5 and x2+0.5. What the border cuts is censored.
-BlobRays rays_of_box(const CameraModel& camera, const Box& box);
+/// Within one pixel of the image's border (x1 <= 1, x2 >= width-2; rows y1 <= 1, y2 >= rows-2) the object may go on
+/// outside the image.
+Sides cut_by_border(const CameraModel& camera, const Box& box);
+
+/// The direction to a pixel position, on the ground plane: unit, level camera frame.
+Vec2 ground_direction(const CameraModel& camera, float u, float v);
+
+/// How far the ray through a pixel position falls below the horizontal for each metre of forward depth, m/m.
+float drop_per_depth(const CameraModel& camera, float u, float v);
 
 /// Undistorted normalised coordinates of a pixel position: x right, y down, at depth 1.
 /// Inverts x_d = x_u (1 + k1 r_u^2) with a fixed number of Newton steps.

@@ -19,9 +19,9 @@ bool clearly_nearer(const Box& other, const Box& box, std::int16_t image_rows) {
 
 }  // namespace
 
-HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows, int beside_px) {
+Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows, int beside_px) {
   const Box& box = blobs[index].box;
-  HiddenEnds hidden;
+  Sides hidden;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (i == index) continue;
     const Box& other = blobs[i].box;
@@ -38,8 +38,8 @@ HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, st
   return hidden;
 }
 
-HiddenEnds ends_near_border(const Box& box, std::int16_t image_columns) {
-  return {box.x1 < kBorderColumns, box.x2 >= image_columns - kBorderColumns, false};
+Sides near_border(const Box& box, std::int16_t image_columns) {
+  return {box.x1 < kBorderColumns, box.x2 >= image_columns - kBorderColumns, false, false};
 }
 
 }  // namespace fencepost::recon

@@ -5,16 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/recon/observe/camera_model.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
-#include "firmware/recon/track/correspondence.hpp"
 
 namespace fencepost::recon {
-
-struct HiddenEnds {
-  bool left = false;
-  bool right = false;
-  bool bottom = false;
-};
 
 /// Two blobs this close (px) touch: 2 px plus three sigmas of an edge.
 inline constexpr int kTouchPixels = 5;
@@ -24,18 +18,11 @@ inline constexpr int kTouchPixels = 5;
 /// farther. Order: the lower bottom row is the nearer object; a bottom on the image border is nearer than any that is
 /// not; equal rows do not tell, and what may be hidden is not used. The bottom counts as hidden when a nearer blob
 /// overlaps it from below in most of its columns: the foot of a part that is seen is a foot.
-HiddenEnds hidden_ends(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows,
-                       int beside_px = kTouchPixels);
+Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows,
+                   int beside_px = kTouchPixels);
 
 /// A blob that the border cuts ends near it, for that edge is no sharper than others. `image_columns`: of the image.
-HiddenEnds ends_near_border(const Box& box, std::int16_t image_columns);
-
-/// Marks what is hidden as censored.
-inline void censor(Interval& interval, const HiddenEnds& hidden) {
-  interval.left_censored = interval.left_censored || hidden.left;
-  interval.right_censored = interval.right_censored || hidden.right;
-  interval.bottom_censored = interval.bottom_censored || hidden.bottom;
-}
+Sides near_border(const Box& box, std::int16_t image_columns);
 
 /// An end may be a neighbour's within this (px): 2 px plus three sigmas of the gap between two edges. To call one's own
 /// end hidden costs little, since it still says how far the object reaches at least; to take another's for one's own

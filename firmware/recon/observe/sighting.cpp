@@ -12,17 +12,20 @@ LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
   return {robot.position, rotated(map_R_robot, camera.position), rotated(map_R_robot, camera.yaw)};
 }
 
-Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const BlobRays& rays) {
+Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Observation& observation) {
+  const Box& box = observation.box;
+  const float u_middle = 0.5F * (left_edge(box) + right_edge(box));
+  const float v_middle = 0.5F * (top_edge(box) + bottom_edge(box));
+  const auto direction = [&](float u) { return rotated(pose.axis, ground_direction(camera, u, v_middle)); };
   Sighting sighting;
   sighting.anchor = pose.anchor;
   sighting.lens = pose.lens;
   sighting.axis = pose.axis;
-  sighting.center = rotated(pose.axis, rays.center);
-  sighting.left = {rotated(pose.axis, rays.left.direction), rays.left.censored, rays.left.foreign, rays.left.doubtful};
-  sighting.right = {rotated(pose.axis, rays.right.direction), rays.right.censored, rays.right.foreign,
-                    rays.right.doubtful};
-  sighting.top = rays.top;
-  sighting.bottom = rays.bottom;
+  sighting.center = direction(u_middle);
+  sighting.left = {direction(left_edge(box)), observation.left};
+  sighting.right = {direction(right_edge(box)), observation.right};
+  sighting.top = {drop_per_depth(camera, u_middle, top_edge(box)), observation.top};
+  sighting.bottom = {drop_per_depth(camera, u_middle, bottom_edge(box)), observation.bottom};
   sighting.focal = camera.fx;
   sighting.lens_height = camera.height;
   sighting.rows_known = camera.pitch_known && camera.height > 0;
@@ -39,13 +42,13 @@ HalfPlane right_tangent(const Sighting& sighting, MapPoint origin) {
   return {normal, normal.dot(sighting.lens_from(origin))};
 }
 
-float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise) {
+float direction_variance(const Sighting& sighting, const Ray& ray, const MeasurementNoise& noise) {
   const float cos_beta = ray.direction.dot(sighting.axis);
   const float pixel = cos_beta * cos_beta / sighting.focal * noise.edge_px;
   return pixel * pixel + noise.heading * noise.heading;
 }
 
-float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise) {
+float edge_variance(const Sighting& sighting, const Ray& ray, float distance, const MeasurementNoise& noise) {
   return distance * distance * direction_variance(sighting, ray, noise) + noise.position * noise.position;
 }
 
@@ -53,7 +56,7 @@ namespace {
 
 RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise) {
   if (!sighting.rows_known) return {};
-  if (sighting.left.censored && sighting.right.censored) return {};
+  if (sighting.no_edge()) return {};
   if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
   const float depth = sighting.lens_height / sighting.bottom.drop;
   // dX = X^2 / (f h) dv; the pitch moves the row by f dpitch.
@@ -67,12 +70,11 @@ RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise
 }  // namespace
 
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
-  return sighting.bottom.censored ? RowDepth{} : depth_of_bottom(sighting, noise);
+  return is_edge(sighting.bottom.end) ? depth_of_bottom(sighting, noise) : RowDepth{};
 }
 
 RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
-  const bool hidden = sighting.bottom.censored && !sighting.bottom.foreign;
-  return hidden ? depth_of_bottom(sighting, noise) : RowDepth{};
+  return sighting.bottom.end == End::kLowerBound ? depth_of_bottom(sighting, noise) : RowDepth{};
 }
 
 RowDepth hidden_row_depth(const Sighting& sighting) {
@@ -80,8 +82,8 @@ RowDepth hidden_row_depth(const Sighting& sighting) {
   // censored, so the far half is likelier: 0.75 +- 0.18 of it.
   constexpr float kMean = 0.75F;
   constexpr float kSigma = 0.18F;
-  if (!sighting.rows_known || !sighting.bottom.censored) return {};
-  if (sighting.left.censored && sighting.right.censored) return {};
+  if (!sighting.rows_known || is_edge(sighting.bottom.end)) return {};
+  if (sighting.no_edge()) return {};
   if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
   const float farthest = sighting.lens_height / sighting.bottom.drop;
   return {true, kMean * farthest, kSigma * kSigma * farthest * farthest};

@@ -5,6 +5,7 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/observation.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
 
 namespace fencepost::recon {
@@ -20,18 +21,16 @@ struct MeasurementNoise {
   float roundness = 0.2F;   ///< share of the radius by which real footprints differ from a circle
 };
 
-/// A ray from the lens, map axes.
-struct MapRay {
-  Vec2 direction{1, 0};  ///< unit
-  bool censored = true;
-  bool foreign = false;
-  bool doubtful = false;  ///< the hybrid, which can do without, takes no edge there
+/// A ray from the lens to one end.
+struct Ray {
+  Vec2 direction{1, 0};  ///< unit, map axes
+  End end = End::kLowerBound;
 };
 
-/// The ends of an object that a blob does not show: there it goes on behind a neighbour or the border.
-struct OpenEnds {
-  bool left = true;
-  bool right = true;
+/// How far the ray to a box's top or bottom falls below the horizontal for each metre of forward depth.
+struct RowSlope {
+  float drop = 0;  ///< m/m
+  End end = End::kLowerBound;
 };
 
 /// A view of one blob. Directions in map axes; the lens is at `anchor` + `lens` (m).
@@ -40,8 +39,8 @@ struct Sighting {
   Vec2 lens{0, 0};    ///< lens relative to the anchor, m, map axes
   Vec2 axis{1, 0};    ///< optical axis on the ground, unit
   Vec2 center{1, 0};  ///< bearing of the interval's centre, unit
-  MapRay left;
-  MapRay right;
+  Ray left;
+  Ray right;
   RowSlope top;
   RowSlope bottom;
   float focal = 1;          ///< px, for the edge noise
@@ -50,7 +49,9 @@ struct Sighting {
 
   /// The lens in a local frame with map axes.
   [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
-  [[nodiscard]] OpenEnds open_ends() const { return {left.censored, right.censored}; }
+  /// Neither end is the object's own.
+  [[nodiscard]] bool no_edge() const { return !is_edge(left.end) && !is_edge(right.end); }
+  [[nodiscard]] bool both_edges() const { return is_edge(left.end) && is_edge(right.end); }
 };
 
 /// map_T_lens at one exposure.
@@ -71,7 +72,9 @@ inline Vec2 to_map(const LensPose& pose, const Vec2& in_camera) { return rotated
 
 LensPose lens_pose(const MapPose& robot, const CameraModel& camera);
 
-Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const BlobRays& rays);
+/// The rays are computed here and not for all blobs of a frame: models take the sightings of a few objects a frame, and
+/// on a core without floating point each costs some thousand instructions.
+Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Observation& observation);
 
 /// The tangent half planes of the two edges: the object lies inside both. Left edge: normal = direction turned left,
 /// right edge: turned right. Local frame at `origin`.
@@ -79,10 +82,10 @@ HalfPlane left_tangent(const Sighting& sighting, MapPoint origin);
 HalfPlane right_tangent(const Sighting& sighting, MapPoint origin);
 
 /// Variance (rad^2) of the direction of the ray to an edge.
-float direction_variance(const Sighting& sighting, const MapRay& ray, const MeasurementNoise& noise);
+float direction_variance(const Sighting& sighting, const Ray& ray, const MeasurementNoise& noise);
 
 /// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out.
-float edge_variance(const Sighting& sighting, const MapRay& ray, float distance, const MeasurementNoise& noise);
+float edge_variance(const Sighting& sighting, const Ray& ray, float distance, const MeasurementNoise& noise);
 
 /// Depth along the axis (m) of the nearest point of an object that stands on the floor, from its bottom row.
 struct RowDepth {

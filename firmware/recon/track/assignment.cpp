@@ -1,44 +1,39 @@
 #include "firmware/recon/track/assignment.hpp"
 
-#include <array>
-
+#include "firmware/recon/track/tuning.hpp"
 #include "hal/base/check.hpp"
 
 namespace fencepost::recon {
 namespace {
 
-constexpr std::size_t kMaxBlobs = 16;
-constexpr std::size_t kMaxObjects = 32;
-constexpr std::size_t kMaxColumns = kMaxObjects + kMaxBlobs;  // each blob may also stay alone: a column of its own
-
-// A pair that cannot be is dearer than leaving every blob alone.
+// A pair that cannot be is dearer than leaving every blob unmatched.
 constexpr std::int16_t kForbidden = 4000;
+static_assert(kForbidden > static_cast<int>(sensor::kMaxBlobs) * kUnmatchedCost);
 
 // Kuhn's method with potentials, one blob (row) at a time along the cheapest augmenting path. Rows and columns count
 // from 1; column 0 stands for "the row being placed".
 class Hungarian {
  public:
-  Hungarian(std::span<const std::uint8_t> costs, std::size_t objects, std::size_t blobs)
-      : costs_(costs), objects_(objects), blobs_(blobs), columns_(objects + blobs) {}
+  Hungarian(std::span<const std::uint8_t> costs, std::size_t objects, std::size_t blobs,
+            std::span<AssignmentColumn> columns)
+      : costs_(costs), objects_(objects), blobs_(blobs), columns_(columns) {}
 
   void place(std::size_t row) {
-    row_of_[0] = static_cast<std::uint8_t>(row);
+    columns_[0].row = static_cast<std::uint8_t>(row);
     std::size_t column = 0;
-    for (std::size_t j = 0; j <= columns_; ++j) {
-      slack_[j] = std::numeric_limits<std::int16_t>::max();
-      visited_[j] = false;
+    for (AssignmentColumn& any : columns_) {
+      any.slack = std::numeric_limits<std::int16_t>::max();
+      any.visited = false;
     }
     do {
       column = grow(column);
-    } while (row_of_[column] != 0);
+    } while (columns_[column].row != 0);
     while (column != 0) {  // turn the path's pairs over
-      const std::size_t before = came_from_[column];
-      row_of_[column] = row_of_[before];
+      const std::size_t before = columns_[column].came_from;
+      columns_[column].row = columns_[before].row;
       column = before;
     }
   }
-
-  [[nodiscard]] std::size_t row_of(std::size_t column) const { return row_of_[column]; }
 
  private:
   [[nodiscard]] int cost(std::size_t row, std::size_t column) const {
@@ -49,28 +44,29 @@ class Hungarian {
 
   // Visits `column`, updates the slacks from its row, and answers the cheapest column to go on with.
   std::size_t grow(std::size_t column) {
-    visited_[column] = true;
-    const std::size_t row = row_of_[column];
+    columns_[column].visited = true;
+    const std::size_t row = columns_[column].row;
     int delta = std::numeric_limits<std::int16_t>::max();
     std::size_t next = 0;
-    for (std::size_t j = 1; j <= columns_; ++j) {
-      if (visited_[j]) continue;
-      const int reduced = cost(row, j) - row_potential_[row] - column_potential_[j];
-      if (reduced < slack_[j]) {
-        slack_[j] = static_cast<std::int16_t>(reduced);
-        came_from_[j] = static_cast<std::uint8_t>(column);
+    for (std::size_t j = 1; j < columns_.size(); ++j) {
+      AssignmentColumn& other = columns_[j];
+      if (other.visited) continue;
+      const int reduced = cost(row, j) - row_potential_[row] - other.potential;
+      if (reduced < other.slack) {
+        other.slack = static_cast<std::int16_t>(reduced);
+        other.came_from = static_cast<std::uint8_t>(column);
       }
-      if (slack_[j] < delta) {
-        delta = slack_[j];
+      if (other.slack < delta) {
+        delta = other.slack;
         next = j;
       }
     }
-    for (std::size_t j = 0; j <= columns_; ++j) {
-      if (visited_[j]) {
-        row_potential_[row_of_[j]] = static_cast<std::int16_t>(row_potential_[row_of_[j]] + delta);
-        column_potential_[j] = static_cast<std::int16_t>(column_potential_[j] - delta);
+    for (AssignmentColumn& any : columns_) {
+      if (any.visited) {
+        row_potential_[any.row] = static_cast<std::int16_t>(row_potential_[any.row] + delta);
+        any.potential = static_cast<std::int16_t>(any.potential - delta);
       } else {
-        slack_[j] = static_cast<std::int16_t>(slack_[j] - delta);
+        any.slack = static_cast<std::int16_t>(any.slack - delta);
       }
     }
     return next;
@@ -79,25 +75,23 @@ class Hungarian {
   std::span<const std::uint8_t> costs_;
   std::size_t objects_;
   std::size_t blobs_;
-  std::size_t columns_;
-  std::array<std::int16_t, kMaxBlobs + 1> row_potential_{};
-  std::array<std::int16_t, kMaxColumns + 1> column_potential_{};
-  std::array<std::int16_t, kMaxColumns + 1> slack_{};
-  std::array<std::uint8_t, kMaxColumns + 1> row_of_{};  ///< row matched to a column, 0: free
-  std::array<std::uint8_t, kMaxColumns + 1> came_from_{};
-  std::array<bool, kMaxColumns + 1> visited_{};
+  std::span<AssignmentColumn> columns_;
+  std::array<std::int16_t, sensor::kMaxBlobs + 1> row_potential_{};
 };
 
 }  // namespace
 
-void assign(std::span<const std::uint8_t> costs, std::size_t objects, std::span<std::uint8_t> object_of) {
+void assign(std::span<const std::uint8_t> costs, std::size_t objects, std::span<std::uint8_t> object_of,
+            std::span<AssignmentColumn> scratch) {
   const std::size_t blobs = object_of.size();
-  FENCEPOST_CHECK(objects <= kMaxObjects && blobs <= kMaxBlobs && costs.size() >= objects * blobs);
-  Hungarian hungarian(costs, objects, blobs);
+  FENCEPOST_CHECK(blobs <= sensor::kMaxBlobs && scratch.size() > objects + blobs && costs.size() >= objects * blobs);
+  const std::span<AssignmentColumn> columns = scratch.first(objects + blobs + 1);
+  for (AssignmentColumn& column : columns) column = {};
+  Hungarian hungarian(costs, objects, blobs, columns);
   for (std::size_t row = 1; row <= blobs; ++row) hungarian.place(row);
   for (std::uint8_t& object : object_of) object = kNoMatch;
   for (std::size_t column = 1; column <= objects; ++column) {
-    const std::size_t row = hungarian.row_of(column);
+    const std::size_t row = columns[column].row;
     if (row != 0) object_of[row - 1] = static_cast<std::uint8_t>(column - 1);
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hash.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -13,8 +15,8 @@ constexpr float kLeastNovelty = 0.05F;
 }  // namespace
 
 float ObjectCore::confidence() const {
-  constexpr float kUnit = 1.0F / kSurenessPerUnit;
-  if (sureness != kNoOutline) return static_cast<float>(sureness) * kUnit * presence;
+  constexpr float kUnit = 1.0F / kConfidenceSteps;
+  if (outline_confidence != kNoOutline) return static_cast<float>(outline_confidence) * kUnit * presence;
   const CylinderEstimate& estimate = cylinder.estimate();
   if (!estimate.ok()) return 0;
   const float uncertainty = std::sqrt(std::min(1.0F, estimate.outline_sigma() / estimate.radius));
@@ -36,6 +38,32 @@ bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b) {
   const float reach = larger + std::min(larger, one.outline_sigma() + other.outline_sigma());
   const Vec2 apart = offset_from(a.origin, b.origin) + other.center - one.center;
   return apart.squaredNorm() < reach * reach;
+}
+
+void ObjectCore::hash(base::Fnv1a64& hash) const {
+  hash.u32(id);
+  hash.u8(signature);
+  hash.u8(confirmed ? 1 : 0);
+  hash.u8(static_cast<std::uint8_t>(left));
+  hash.u8(static_cast<std::uint8_t>(right));
+  hash.u8(relocations);
+  hash.u8(in_pieces);
+  hash.u8(static_cast<std::uint8_t>(left_off));
+  hash.u8(static_cast<std::uint8_t>(right_off));
+  hash.u32(views);
+  hash.i64(last_seen.raw);
+  hash.u16(history.bits);
+  hash.u8(history.length);
+  hash.u16(missed_in_a_row);
+  hash.u8(waiting);
+  hash.u8(outline_confidence);
+  hash.f32(presence);
+  hash.i32(origin.x);
+  hash.i32(origin.y);
+  hash_vec(hash, last_lens);
+  hash_vec(hash, last_bearing);
+  cylinder.hash(hash);
+  band.hash(hash);
 }
 
 }  // namespace fencepost::recon

@@ -21,13 +21,12 @@ struct PiecePair {
 /// - a third, not farther blob fills the gap between them, and they have the same top and bottom rows; or
 /// - one object is predicted that has the middles of both. Nothing stands between: the camera lost the middle, or two
 ///   objects were taken for one until now.
-/// `intervals` are those of `blobs`. Predictions without signature are passed over.
-PiecePair find_pieces(std::span<const WaitingBlob> blobs, std::span<const Interval> intervals,
-                      std::span<const Prediction> predictions);
+/// Predictions without signature are passed over.
+PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Prediction> predictions);
 
 /// True if they have one signature and the same rows, and the gap between them is no wider than they are together: the
 /// camera may have lost what was there.
-bool are_alike(const WaitingBlob& one, const WaitingBlob& other);
+bool are_alike(const Observation& one, const Observation& other);
 
 /// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. Where they are two
 /// objects after all, the joined wedge is too wide: it carves less.

@@ -47,6 +47,4 @@ Travel TravelLog::at(base::Time t) const {
   return {before.distance + share * distance, before.heading + share * turn, distance / span, turn / span};
 }
 
-std::int64_t counts_of(double way, double metres_per_count) { return std::llround(way / metres_per_count); }
-
 }  // namespace fencepost::emulate

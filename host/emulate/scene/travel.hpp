@@ -1,11 +1,10 @@
 // The inverse of odometry: from poses to what the wheels have turned.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "host/emulate/scene/peer.hpp"
+#include "host/emulate/models/device_model.hpp"
 
 namespace fencepost::emulate {
 
@@ -31,8 +30,5 @@ class TravelLog {
   std::vector<Knot> knots_;
   double sideways_ = 0;
 };
-
-/// Counts of a wheel that has come `way` metres, nearest.
-std::int64_t counts_of(double way, double metres_per_count);
 
 }  // namespace fencepost::emulate

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "hal/linux/descriptor.hpp"
-#include "host/emulate/transport/endpoint.hpp"
+#include "host/emulate/transport/transport.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -27,7 +27,7 @@ std::string remedy(int error, const std::string& interface) {
   }
 }
 
-class CanPort final : public Endpoint {
+class CanPort final : public Transport {
  public:
   explicit CanPort(std::string interface) : interface_(std::move(interface)) {}
 
@@ -79,10 +79,10 @@ class CanPort final : public Endpoint {
 
 }  // namespace
 
-OpenedEndpoint open_can(const std::string& interface) {
+OpenedTransport open_can(const std::string& interface) {
   auto port = std::make_unique<CanPort>(interface);
   if (const std::string problem = port->plug_in(); !problem.empty()) return linux::Problem{problem};
-  return OpenedEndpoint(std::move(port));
+  return OpenedTransport(std::move(port));
 }
 
 }  // namespace fencepost::emulate

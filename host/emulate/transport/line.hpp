@@ -5,7 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "host/emulate/scene/peer.hpp"
+#include "hal/base/units.hpp"
+#include "host/emulate/models/bytes.hpp"
 #include "host/emulate/transport/faults.hpp"
 
 namespace fencepost::emulate {

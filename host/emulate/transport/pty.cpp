@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "hal/linux/descriptor.hpp"
-#include "host/emulate/transport/endpoint.hpp"
+#include "host/emulate/transport/transport.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -35,7 +35,7 @@ void make_raw(int fd) {
   ::ioctl(fd, TCSETS2, &line);
 }
 
-class Pty final : public Endpoint {
+class Pty final : public Transport {
  public:
   explicit Pty(std::string link) : link_(std::move(link)) {}
   ~Pty() override { remove_link(); }
@@ -128,10 +128,10 @@ class Pty final : public Endpoint {
 
 }  // namespace
 
-OpenedEndpoint open_pty(const std::string& link) {
+OpenedTransport open_pty(const std::string& link) {
   auto pty = std::make_unique<Pty>(link);
   if (const std::string problem = pty->plug_in(); !problem.empty()) return linux::Problem{problem};
-  return OpenedEndpoint(std::move(pty));
+  return OpenedTransport(std::move(pty));
 }
 
 }  // namespace fencepost::emulate

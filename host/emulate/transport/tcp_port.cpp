@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "hal/linux/descriptor.hpp"
-#include "host/emulate/transport/endpoint.hpp"
+#include "host/emulate/transport/transport.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -45,7 +45,7 @@ std::string remedy(int error) {
   }
 }
 
-class TcpPort final : public Endpoint {
+class TcpPort final : public Transport {
  public:
   explicit TcpPort(sockaddr_storage address, socklen_t size) : address_(address), size_(size) {}
 
@@ -124,7 +124,7 @@ class TcpPort final : public Endpoint {
 
 }  // namespace
 
-OpenedEndpoint open_tcp(const std::string& place) {
+OpenedTransport open_tcp(const std::string& place) {
   Address address;
   if (!split(place, address)) {
     return linux::Problem{"cannot listen on " + place + ": that is no port; give [HOST:]PORT, such as 7000 or 0"};
@@ -143,7 +143,7 @@ OpenedEndpoint open_tcp(const std::string& place) {
   auto port = std::make_unique<TcpPort>(storage, found->ai_addrlen);
   ::freeaddrinfo(found);
   if (const std::string problem = port->plug_in(); !problem.empty()) return linux::Problem{problem};
-  return OpenedEndpoint(std::move(port));
+  return OpenedTransport(std::move(port));
 }
 
 }  // namespace fencepost::emulate

@@ -107,7 +107,7 @@ TEST_F(Judge, RepeatsWarnAndStopAtTheRateAndNoticeOnceASecond) {
   int stops = 0;
   for (int ms = 0; ms < 2000; ms += 10) stops += at(ms, in_path(0.2F)).has_value() ? 1 : 0;
   EXPECT_EQ(stops, 10);  // 5 a second
-  object_.id = 8;
+  state_ = {};
   int notices = 0;
   for (int ms = 2000; ms < 5000; ms += 10) notices += at(ms, in_path(0.9F)).has_value() ? 1 : 0;
   EXPECT_EQ(notices, 3);
@@ -141,10 +141,15 @@ TEST_F(Judge, UnconfirmedAndVanishedObjectsDoNotAlert) {
   EXPECT_EQ(at(320, in_path(0.1F)), AlertLevel::kClear);
 }
 
-TEST_F(Judge, AnotherObjectInTheSlotStartsAfresh) {
+// The owner of the state resets it when the object ends, see tests/firmware/loop/clear_test.cpp.
+TEST_F(Judge, AStateThatWasResetBeginsAfresh) {
+  EXPECT_FALSE(state_.in_force());
   EXPECT_EQ(at(0, in_path(0.1F)), AlertLevel::kStop);
+  EXPECT_TRUE(state_.in_force());
+  EXPECT_EQ(at(1, in_path(0.1F)), std::nullopt);
+  state_ = {};
   object_.id = 9;
-  EXPECT_EQ(at(1, in_path(0.1F)), AlertLevel::kStop);
+  EXPECT_EQ(at(2, in_path(0.1F)), AlertLevel::kStop);
 }
 
 }  // namespace

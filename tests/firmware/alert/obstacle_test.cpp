@@ -107,7 +107,7 @@ TEST(Obstacle, SaysHowWellItKnows) {
   EXPECT_GT(seen.in_path->sigma, 0);
   EXPECT_NEAR(seen.closing_speed, 0.2F, 1e-4F);
   EXPECT_FALSE(seen.cut_off);
-  object.right_open = true;
+  object.right = recon::End::kLowerBound;
   EXPECT_TRUE(see_obstacle(object, {{0, 0}, 0}, driving(0.2F)).cut_off);
 }
 

@@ -28,8 +28,8 @@ inline ExactView view_between(host::Point lens, double right, double left) {
   recon::Sighting& s = view.sighting;
   s.lens = {static_cast<float>(lens.x), static_cast<float>(lens.y)};
   s.axis = s.center = unit((right + left) / 2);
-  s.left = {unit(left), false};
-  s.right = {unit(right), false};
+  s.left = {unit(left), recon::End::kSeen};
+  s.right = {unit(right), recon::End::kSeen};
   s.focal = 273.6F;
   s.lens_height = 0.12F;
   return view;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <random>
 
 #include "firmware/config/profile.hpp"
+#include "host/replay/compared.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -347,11 +349,94 @@ TEST(Map, EveryObjectThatIsSeenHasItsTurnOfTheModels) {
 
 // Where there is a turn for each, no sighting is left out.
 TEST(Map, ModelsTakeAllSightingsWhereThereIsATurnForEach) {
-  Drive<config::Full> drive;
+  Drive<host::Compared<config::Full>> drive;
   for (int i = 0; i < 20; ++i)
     drive.step({{1, 1.5, 0.3, 0.04}, {2, 1.8, 0.0, 0.06}, {3, 1.8, -0.4, 0.06}}, 0, 0.01 * i, 0);
   ASSERT_EQ(drive.map->size(), 3U);
-  for (const auto* object : drive.objects()) EXPECT_EQ(object->cylinder_paper.sums().views, 20);
+  for (const auto* object : drive.objects()) EXPECT_EQ(object->comparison.get<recon::CylinderPaper>().views(), 20);
+}
+
+// --- events ---
+
+std::vector<recon::EventKind> kinds(std::span<const recon::ObjectEvent> events) {
+  std::vector<recon::EventKind> found;
+  for (const recon::ObjectEvent& event : events) found.push_back(event.kind);
+  return found;
+}
+
+// Over a long drive among posts that come and go, what events say is what the table holds, frame by frame.
+TEST(MapEvents, AccountForEveryObjectInTheTable) {
+  Drive<config::Micro> drive;
+  std::mt19937 random(11);
+  std::map<recon::EventKind, int> seen;
+  std::map<std::size_t, std::uint32_t> slots;  // by the events
+  std::vector<Post> posts;
+  for (int i = 0; i < 6000; ++i) {
+    if (random() % 20 == 0) posts.clear();  // the scene changes
+    const std::size_t shown = posts.empty() ? random() % 5 : 0;
+    for (std::size_t p = 0; p < shown; ++p) {
+      posts.push_back({static_cast<std::uint8_t>(1 + random() % 2), 0.8 + 0.3 * static_cast<double>(random() % 5),
+                       0.15 * (static_cast<double>(random() % 7) - 3), 0.05});
+    }
+    std::vector<Post> delivered;  // a camera misses some
+    for (const Post& post : posts) {
+      if (random() % 8 != 0) delivered.push_back(post);
+    }
+    drive.step(delivered, 0.001 * (i % 50), 0.02 * std::sin(0.1 * i), 0);
+    for (const recon::ObjectEvent& event : drive.map->events()) {
+      ++seen[event.kind];
+      ASSERT_NE(event.id, 0U);
+      if (event.kind == recon::EventKind::kBorn) {
+        ASSERT_FALSE(slots.contains(event.slot)) << "frame " << i;
+        slots[event.slot] = event.id;
+        continue;
+      }
+      ASSERT_EQ(slots[event.slot], event.id) << "frame " << i;
+      if (recon::ends(event.kind)) slots.erase(event.slot);
+    }
+    std::size_t used = 0;
+    for (std::size_t slot = 0; slot < drive.map->slots().size(); ++slot) {
+      const auto& object = drive.map->slots()[slot];
+      if (!object.used()) continue;
+      ++used;
+      ASSERT_EQ(slots[slot], object.id) << "frame " << i;
+    }
+    ASSERT_EQ(used, slots.size());
+  }
+  EXPECT_GT(seen[recon::EventKind::kBorn], 100);
+  EXPECT_GT(seen[recon::EventKind::kEvicted], 10);
+  EXPECT_GT(seen[recon::EventKind::kDeleted], 10);
+}
+
+TEST(MapEvents, AnObjectIsBornOnceAndThenOnlySeen) {
+  Drive<config::Small> drive;
+  drive.step({{1, 1.0, 0.0, 0.05}}, 0, 0, 0);
+  EXPECT_EQ(kinds(drive.map->events()), std::vector{recon::EventKind::kBorn});
+  drive.step({{1, 1.0, 0.0, 0.05}}, 0, 0.01, 0);
+  EXPECT_TRUE(drive.map->events().empty());
+}
+
+// What was one blob becomes two for good: the whole ends, its parts are born, one of them in its slot, with nothing of
+// what the whole was counted for.
+TEST(MapEvents, PartsOfADividedObjectBeginWithoutItsState) {
+  Drive<config::Small> drive;
+  for (int i = 0; i < 30; ++i) drive.step({{1, 1.0, 0.0, 0.12}}, 0, 0.01 * i, 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  const std::uint32_t whole = drive.objects()[0]->id;
+  bool divided = false;
+  for (int i = 30; i < 50 && !divided; ++i) {
+    drive.step({{1, 1.0, 0.1, 0.03}, {1, 1.0, -0.1, 0.03}}, 0, 0.01 * i, 0);
+    for (const recon::ObjectEvent& event : drive.map->events()) {
+      divided = divided || (event.kind == recon::EventKind::kDivided && event.id == whole);
+    }
+  }
+  ASSERT_TRUE(divided);
+  ASSERT_EQ(drive.objects().size(), 2U);
+  for (const auto* object : drive.objects()) {
+    EXPECT_NE(object->id, whole);
+    EXPECT_EQ(object->views, 1U);
+    EXPECT_EQ(object->in_pieces, 0);
+  }
 }
 
 // Any change of any input bit that reaches the state changes the digest.

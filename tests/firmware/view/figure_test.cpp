@@ -86,12 +86,12 @@ TEST(Figure, AnObjectIsItsOutlineWhereThatIsKnownWellAndElseItsCylinder) {
   EXPECT_FALSE(shape()->outlined()) << "there is none";
   EXPECT_NEAR(shape()->middle.x, 1000, 2);
   EXPECT_NEAR(shape()->radius, 100, 2);
-  object.hybrid.refusal = recon::HybridRefusal::kNone;
-  object.hybrid.origin = {110'000, 50'000};
+  object.hybrid().refusal = recon::HybridRefusal::kNone;
+  object.hybrid().origin = {110'000, 50'000};
   for (const float sigma : {0.01F, 0.2F}) {
     const BoxOutline box(0.1F, 0.3F, sigma);
-    std::ranges::copy(box.view().offsets, object.hybrid.offsets.begin());
-    std::ranges::copy(box.view().sigmas, object.hybrid.sigmas.begin());
+    std::ranges::copy(box.view().offsets, object.hybrid().offsets.begin());
+    std::ranges::copy(box.view().sigmas, object.hybrid().sigmas.begin());
     EXPECT_EQ(shape()->outlined(), sigma < 0.1F);
     EXPECT_NEAR(shape()->middle.x, sigma < 0.1F ? 1100 : 1000, 2);
   }

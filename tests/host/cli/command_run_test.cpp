@@ -1,8 +1,11 @@
 // `fencepost run` on emulated devices: what it logs, says and survives.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <regex>
 
+#include "firmware/record/encode.hpp"
+#include "host/live/write_behind.hpp"
 #include "tests/host/cli/fake_robot.hpp"
 #include "tests/host/cli/process.hpp"
 
@@ -69,6 +72,15 @@ TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
+// With a log of its own, the stream would only be there twice.
+TEST_F(CommandRun, WithALogTheConsoleIsForPeople) {
+  const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");
+  EXPECT_NE(shell(folder, command).out.find("$FPODO,"), std::string::npos);
+  const Outcome run = shell(folder, command + " --log run.log");
+  EXPECT_NE(run.out.find("STOP  "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find('$'), std::string::npos) << run.out;
+}
+
 TEST_F(CommandRun, WithoutATerminalTheConsoleIsTheLog) {
   FakePixy camera(file("camera"));
   FakeCreate wheels(file("wheels"));
@@ -107,7 +119,7 @@ TEST_F(CommandRun, ARunStoppedByASignalReplays) {
   for (const auto& [number, code] : kSignals) {
     FakePixy camera(file("camera"));
     FakeCreate wheels(file("wheels"));
-    Process run(folder, on_devices({"--log", "run.log", "--force"}));
+    Process run(folder, on_devices({"--log", "run.log", "--force", "--mode", "log"}));
     ASSERT_TRUE(logs("$FPFRM,", 55)) << run.err();
     run.signal(number);
     EXPECT_EQ(run.wait(), code) << "signal " << number;
@@ -209,7 +221,8 @@ TEST_F(CommandRun, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
       shell(folder, "fencepost run --camera console --odometry console --mode text --log /dev/full < " +
                         recording("approach_stop.log"));
   EXPECT_EQ(full.exit_code, 4);
-  EXPECT_NE(full.err.find("the run goes on without a log"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("cannot write the log /dev/full: No space left on device"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("broken off after"), std::string::npos) << full.err;
   EXPECT_NE(full.err.find("109 frames"), std::string::npos) << full.err;
   EXPECT_NE(full.out.find("STOP  "), std::string::npos) << full.out;
 }
@@ -252,14 +265,129 @@ TEST_F(CommandRun, AConsoleOnAPtyIsTypedAt) {
   EXPECT_TRUE(run.out().empty()) << run.out();
 }
 
-TEST_F(CommandRun, AReaderThatLeavesEndsTheRun) {
+// Whether anybody reads its words or not, a robot goes on; what nobody got is said.
+TEST_F(CommandRun, AReaderThatLeavesDoesNotEndTheRun) {
   FakePixy camera(file("camera"));
   FakeCreate wheels(file("wheels"));
   const Outcome run = shell(folder,
                             "{ fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot robot.json "
-                            "--mode log; echo $? > code; } | head -n 3");
-  EXPECT_EQ(log("code"), "0\n") << run.err;
+                            "--mode log --frames 60; echo $? > code; } | head -n 3");
+  EXPECT_EQ(log("code"), "4\n") << run.err;
   EXPECT_EQ(count(run.out, "\n"), 3U);
+  EXPECT_EQ(count(run.err, "nobody reads standard output any more; the run goes on, its records are lost\n"), 1U)
+      << run.err;
+  EXPECT_NE(run.err.find("bytes that the console did not take"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find(" 0 frames"), std::string::npos) << run.err;
+}
+
+TEST_F(CommandRun, WithALogNobodyNeedsToRead) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  const Outcome run = shell(folder,
+                            "{ fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot robot.json "
+                            "--mode log --log run.log --frames 60; echo $? > code; } | head -n 3");
+  EXPECT_EQ(log("code"), "0\n") << run.err;
+  EXPECT_EQ(count(run.err, "nobody reads standard output any more; the run and its log go on\n"), 1U) << run.err;
+  expect_replays("run.log", digest_in(run.err));
+}
+
+// The disk is played by a limit on file size. What it took is the log's beginning, to the byte.
+TEST_F(CommandRun, AFullDiskBehindStandardOutputIsCountedAndEndsNothing) {
+  const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");
+  const Outcome all = shell(folder, command + " > all.log");
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  const Outcome full = shell(folder, "(ulimit -f 16; " + command + " > full.log)");
+  EXPECT_EQ(full.exit_code, 4);
+  EXPECT_EQ(count(full.err, "cannot write standard output: File too large"), 1U) << full.err;
+  EXPECT_NE(full.err.find("109 frames"), std::string::npos) << full.err;
+  EXPECT_EQ(digest_in(full.err), digest_in(all.err)) << "the loop saw all of it";
+  const std::size_t size = log("full.log").size();
+  EXPECT_GE(size, 8192U);
+  std::smatch lost;
+  ASSERT_TRUE(std::regex_search(full.err, lost, std::regex("(\\d+) bytes that the console did not take"))) << full.err;
+  EXPECT_NEAR(std::stod(lost[1].str()), static_cast<double>(log("all.log").size() - size), 50)
+      << "but for the digits of the loop's longest turn";
+  const Outcome device = shell(folder, command + " > /dev/full");
+  EXPECT_EQ(device.exit_code, 4);
+  EXPECT_NE(device.err.find("No space left on device; "), std::string::npos) << device.err;
+  EXPECT_NE(device.err.find("109 frames"), std::string::npos) << device.err;
+}
+
+/// A log whose disk takes nothing: a pipe with a page of room that nobody reads until `drain`.
+class SlowDisk {
+ public:
+  explicit SlowDisk(std::string path) : path_(std::move(path)) {
+    EXPECT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+    reader_ = linux::Descriptor(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    EXPECT_GT(::fcntl(reader_.get(), F_SETPIPE_SZ, 4096), 0);
+  }
+  /// Takes everything, from now until the run has ended, and answers it.
+  std::string drain(Process& run) {
+    std::string all;
+    std::array<char, 4096> page{};
+    EXPECT_TRUE(eventually([&] {
+      const bool ended = run.ended();
+      ssize_t count = 0;
+      while ((count = ::read(reader_.get(), page.data(), page.size())) > 0)
+        all.append(page.data(), static_cast<std::size_t>(count));
+      return ended;
+    }));
+    return all;
+  }
+
+ private:
+  std::string path_;
+  linux::Descriptor reader_;
+};
+
+TEST_F(CommandRun, ADiskThatStandsStillCostsTheLoopNothing) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  SlowDisk disk(file("slow"));
+  Process run(folder, on_devices({"--log", "slow", "--mode", "log"}));
+  ASSERT_TRUE(run.says("the disk of the log slow has taken nothing for 2 s")) << run.err();
+  const std::size_t frames = count(run.out(), "$FPFRM,");
+  ASSERT_TRUE(eventually([&] { return count(run.out(), "$FPFRM,") >= frames + 100; })) << "it goes on: " << run.err();
+  run.signal(SIGTERM);
+  spill(folder.path() / "drained", disk.drain(run));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(run.err().find("queue"), std::string::npos) << "no input was refused for want of room: " << run.err();
+  EXPECT_EQ(run.err().find("silent"), std::string::npos) << "the camera is not to blame: " << run.err();
+  expect_replays("drained", digest_in(run.err()));
+}
+
+// The loop ends in time; the disk is then waited for, which is said.
+TEST_F(CommandRun, ASlowDiskDoesNotLengthenTheRun) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  SlowDisk disk(file("slow"));
+  Process run(folder, on_devices({"--log", "slow", "--mode", "quiet", "--seconds", "2"}));
+  ASSERT_TRUE(run.says("the disk of the log slow has taken nothing for 2 s")) << run.err();
+  spill(folder.path() / "drained", disk.drain(run));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_TRUE(std::regex_search(run.err(), std::regex("\\n2\\.0 s: "))) << run.err();
+  expect_replays("drained", digest_in(run.err()));
+}
+
+// It has time: more than the queue holds waits for the disk, and nothing of it is refused.
+TEST_F(CommandRun, ARecordedStreamWaitsForTheDisk) {
+  constexpr int kSamples = 40'000;
+  std::string stream;
+  for (int i = 1; i <= kSamples; ++i) {
+    std::array<char, record::kMaxLine> line{};
+    const sensor::OdometrySample sample{base::Time{200 * i}, {}, {}, {}};
+    stream.append(line.data(), record::encode(sample, line));
+  }
+  ASSERT_GT(stream.size(), WriteBehind::kCapacity + 300'000U) << "more than the queue and the journal hold";
+  spill(folder.path() / "stream", stream);
+  SlowDisk disk(file("slow"));
+  Process run(folder, {"run", "--camera", "console", "--odometry", "console", "--log", "slow", "--mode", "quiet"});
+  std::thread typist([&] { run.type(stream), run.hang_up(); });
+  ASSERT_TRUE(run.says("the disk of the log slow is too slow")) << run.err();
+  const std::string log = disk.drain(run);
+  typist.join();
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(count(log, "$FPODO,"), static_cast<std::size_t>(kSamples)) << run.err();
 }
 
 TEST_F(CommandRun, NeedsNoStandardStreams) {

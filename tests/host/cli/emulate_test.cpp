@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Wrong{"pixi2 scene.json", 2, "did you mean pixy2?"},
                       Wrong{"lidar360 scene.json", 2, "allowed: pixy2, pixy2.1, cmucam1"},
                       Wrong{"scene.json", 2, "a device and a scene or log are needed"},
-                      Wrong{"pixy2,baud=x scene.json", 2, "option \"baud=x\""},
+                      Wrong{"pixy2,baud=x scene.json", 2, "baud=x is not possible"},
                       Wrong{"pixy2:usb scene.json", 2, "only on a pty"},
                       Wrong{"pixy2 scene.json --fault sneeze=1", 2, "no fault \"sneeze\""},
                       Wrong{"pixy2 scene.json --fault drop=2", 2, "drop=0.01"},

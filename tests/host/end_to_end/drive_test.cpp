@@ -3,34 +3,47 @@
 
 #include <csignal>
 
+#include "host/devices/catalogue.hpp"
 #include "tests/host/end_to_end/stage.hpp"
 
 namespace fencepost::host::testing {
 namespace {
 
 struct Drive {
-  const char* name;
+  std::string name;
   std::vector<std::string> emulated;  ///< in the order of their links
   std::string camera;                 ///< as given to `run`
   std::string odometry;
-  double odometry_error;  ///< share of the way
-  double speed = 0.3;     ///< m/s
+  double odometry_error = 0.01;  ///< share of the way
+  double speed = 0.3;            ///< m/s
   friend void PrintTo(const Drive& drive, std::ostream* out) { *out << drive.name; }
 };
 
-const Drive kDrives[] = {
-    {"Pixy2OnACreate2", {"pixy2", "create2"}, "pixy2:./a", "create2:./b", 0.01},
-    {"Pixy21", {"pixy2.1", "create2"}, "pixy2.1:./a", "create2:./b", 0.01},
-    {"CmuCam1", {"cmucam1", "records"}, "cmucam1:./a,settle=0", "records:./b", 0.01},
-    {"CmuCam2", {"cmucam2", "create2"}, "cmucam2:./a,settle=0", "create2:./b", 0.01},
-    {"CmuCam3", {"cmucam3", "records"}, "cmucam3:./a,settle=0", "records:./b", 0.01},
-    {"CmuCam4", {"cmucam4", "create2"}, "cmucam4:./a,settle=0", "create2:./b", 0.01},
-    {"NxtCamOnItsSerialLine", {"nxtcam", "records"}, "nxtcam:./a", "records:./b", 0.01},
-    {"NxtCamBehindTheBrick", {"nxtcam:nxt"}, "nxtcam:nxt", "nxt:./a", 0.02},
-    {"NxtCam5", {"nxtcam5", "create2"}, "nxtcam5:./a", "create2:./b", 0.01},
-    {"AvrCam", {"avrcam", "nxt"}, "avrcam:./a", "nxt:./b", 0.02},
-    {"Xbc", {"xbc", "create2"}, "xbc:./a", "create2:./b", 0.01},
+struct Wheels {
+  std::string name;
+  double error;
 };
+
+/// Every camera of the catalogue that can be emulated, each with the next one of the wheel bases.
+std::vector<Drive> drives() {
+  const Wheels wheels[] = {{"create2", 0.01}, {"records", 0.01}, {"nxt", 0.02}};
+  std::vector<Drive> drives;
+  for (const devices::Row* row : devices::rows_for(devices::Use::kCamera)) {
+    if (!row->emulated->has_value()) continue;
+    std::string name = *row->name;
+    std::erase(name, '.');
+    const Wheels& base = wheels[drives.size() % std::size(wheels)];
+    const auto& options = devices::options_of(*row, devices::Use::kCamera);
+    const bool settles = std::any_of(options.begin(), options.end(), [](const auto& o) { return *o.name == "settle"; });
+    drives.push_back({name + "_" + base.name,
+                      {*row->name, base.name},
+                      *row->name + ":./a" + (settles ? ",settle=0" : ""),
+                      base.name + ":./b",
+                      base.error});
+  }
+  drives.push_back({"nxtcam_behind_the_brick", {"nxtcam:nxt"}, "nxtcam:nxt", "nxt:./a", 0.02});
+  return drives;
+}
 
 std::vector<std::string> emulation(const Drive& drive, const std::vector<std::string>& more = {}) {
   std::vector<std::string> words = {"emulate"};
@@ -82,14 +95,15 @@ TEST_P(EndToEnd, ADriveIsSeenWarnedOfLoggedAndReplayed) {
   EXPECT_EQ(emulated.find("bytes are lost"), std::string::npos) << emulated;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EndToEnd, ::testing::ValuesIn(kDrives),
-                         [](const auto& drive) { return std::string(drive.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, EndToEnd, ::testing::ValuesIn(drives()),
+                         [](const auto& drive) { return drive.param.name; });
 
 using EndToEndFaults = EndToEnd;
 
 // Of 100 bytes one is lost and one is another; and the camera's plug is out for half a second.
 TEST_F(EndToEndFaults, ARunSurvivesABadCable) {
-  ASSERT_NO_FATAL_FAILURE(drive(kDrives[0], {"--fault", "drop=0.01,corrupt=0.01", "--fault", "pixy2:unplug=4:0.5"}));
+  ASSERT_NO_FATAL_FAILURE(
+      drive(drives().front(), {"--fault", "drop=0.01,corrupt=0.01", "--fault", "pixy2:unplug=4:0.5"}));
   expect_replays(folder, err);
   EXPECT_NE(err.find("camera pixy2 at ./a is absent"), std::string::npos) << err;
   EXPECT_NE(err.find("pixy2 at ./a works\n", err.find("is absent")), std::string::npos) << err;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "host/live/open_camera.hpp"
+#include "host/devices/open_devices.hpp"
 #include "tests/host/cli/process.hpp"
 
 namespace fencepost::host::testing {
@@ -28,9 +28,9 @@ inline const std::vector<Thing> kThings = {{1, "red", 1.86, -0.01, 0.06}, {2, "y
 
 /// The camera as its driver knows it, 0.12 m above the floor and 0.05 m before the robot's middle.
 inline sensor::CameraIntrinsics camera_of(const std::string& device) {
-  const auto spec = parse_device(device, DeviceRole::kCamera);
+  const auto spec = devices::parse_device(device, devices::Use::kCamera);
   EXPECT_TRUE(spec.ok()) << spec.error();
-  const auto profile = profile_of(*spec);
+  const auto profile = devices::profile_of(*spec);
   EXPECT_TRUE(profile.has_value()) << device;
   return profile.value_or(sensor::CameraIntrinsics{});
 }

@@ -1,11 +1,13 @@
 #include "host/live/console_port.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 
 #include "host/live/open_port.hpp"
+#include "tests/hal/linux/pty.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -146,11 +148,13 @@ TEST(TerminalConsole, EndsWithItsInputAndKnowsAClosedPipe) {
   EXPECT_EQ(console.descriptor(), -1) << "an ended input wakes nobody";
 
   EXPECT_EQ(console.write(octets("text\n")).value(), 5U);
-  EXPECT_FALSE(console.closed());
+  EXPECT_FALSE(console.lost());
+  EXPECT_TRUE(console.connected());
   ::close(output[0]);
   ::signal(SIGPIPE, SIG_IGN);
-  EXPECT_EQ(console.write(octets("text\n")).value(), 5U);
-  EXPECT_TRUE(console.closed());
+  EXPECT_EQ(console.write(octets("text\n")).error(), Error::kGone);
+  EXPECT_EQ(console.lost(), "nobody reads standard output any more");
+  EXPECT_FALSE(console.connected()) << "what follows is thrown away, and counted";
   ::close(input[0]);
   ::close(output[1]);
 }
@@ -173,6 +177,67 @@ TEST(TerminalConsole, AFullPipeIsNotWaitedFor) {
   EXPECT_TRUE(console.ended());
   ::close(output[0]);
   ::close(output[1]);
+}
+
+TEST(TerminalConsole, AFullDeviceIsSaid) {
+  const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+  TerminalConsole console(-1, full);
+  EXPECT_EQ(console.write(octets("text\n")).error(), Error::kGone);
+  ASSERT_TRUE(console.lost());
+  EXPECT_NE(console.lost()->find("cannot write standard output: No space left on device"), std::string::npos);
+  ::close(full);
+}
+
+// The disk of a file may take its time; the loop does not.
+TEST(TerminalConsole, AFileIsWrittenByAThread) {
+  const linux::TestFolder folder;
+  const std::string path = folder.file("out");
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  TerminalConsole console(-1, file);
+  EXPECT_EQ(console.write(octets("one\ntwo\n")).value(), 8U);
+  EXPECT_EQ(console.finish(std::chrono::milliseconds(60'000)), 0U);
+  EXPECT_FALSE(console.lost());
+  ::close(file);
+  std::string written(100, ' ');
+  const int again = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  written.resize(static_cast<std::size_t>(::read(again, written.data(), written.size())));
+  ::close(again);
+  EXPECT_EQ(written, "one\ntwo\n");
+}
+
+TEST(TerminalConsole, AFileThatCannotBeWrittenIsSaidAndCounted) {
+  const linux::TestFolder folder;
+  const std::string path = folder.file("out");
+  const int file = ::open(path.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0600);
+  TerminalConsole console(-1, file);
+  EXPECT_EQ(console.write(octets("one\ntwo\n")).value(), 8U);
+  EXPECT_EQ(console.finish(std::chrono::milliseconds(60'000)), 8U);
+  ASSERT_TRUE(console.lost());
+  EXPECT_EQ(console.write(octets("three\n")).error(), Error::kGone);
+  ::close(file);
+}
+
+// A name in a robot file, or what was typed and is quoted, must not reprogram the terminal.
+TEST(TerminalConsole, ATerminalGetsNoControlSequences) {
+  const auto pty = PtyConsole::open();
+  const int terminal = ::open(pty->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_TRUE(::isatty(terminal));
+  TerminalConsole console(-1, terminal);
+  EXPECT_EQ(console.write(octets("a\tb\x1b[2J\xE2\x82")).value(), 9U);
+  EXPECT_EQ(console
+                .write(octets("\xAC \xC2\x9B"
+                              "1m\x9B\n"))
+                .value(),
+            8U)
+      << "the euro sign came in two portions";
+  std::array<std::uint8_t, 64> in{};
+  std::string shown;
+  while (shown.size() < 17) {
+    const auto count = pty->read(in);
+    if (count) shown.append(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(*count));
+  }
+  EXPECT_EQ(shown, "a\tb?[2J\xE2\x82\xAC \xC2?1m?\n");
+  ::close(terminal);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   ConsoleCamera camera;
   Wheels wheels;
-  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
+  wheels.introduce(
+      {"odometry create2 at /dev/ttyUSB0", "create2", "/dev/ttyUSB0", "check its power", "check the baud"});
   Deaf port;
   PatientConsole console(port, true);
   const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);
@@ -68,7 +69,7 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
 TEST(LiveLoop, SaysAtTheStartThatTheCamerasPitchIsUnknown) {
   ConsoleCamera camera;
   Wheels wheels;
-  wheels.introduce(DeviceRole::kOdometry, *parse_device("create2:/dev/ttyUSB0", DeviceRole::kOdometry));
+  wheels.introduce({"odometry create2 at /dev/ttyUSB0", "create2", "/dev/ttyUSB0", "check its power", "check the baud"});
   Deaf port;
   PatientConsole console(port, true);
   const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);

@@ -52,6 +52,36 @@ TEST_F(RunLogTest, ALaterPartBeginsWithWhatWasInForceThere) {
             "# the run goes on that began in " + path + ", profile small\r\n" + camera + input + other);
 }
 
+// Lines come in portions; where a part ends within one does not change what it holds.
+TEST_F(RunLogTest, PortionsOfLinesGiveTheSameParts) {
+  std::string text = "$FPHDR,1,fencepost*0000\r\n";
+  for (int i = 0; i < 60; ++i) {
+    text += "$FPODO,1,2,3,4*0000\r\n";
+    if (i % 7 == 0) text += "$FPCFG,alert.stop,0." + std::to_string(i) + "*0000\r\n";
+  }
+  const auto parts_of = [&](std::size_t lines_at_once) {
+    const linux::TestFolder own;
+    std::string all;
+    {
+      RunLog log = opened({own.file("x.log"), false, 200, {}, "small"});
+      for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = begin;
+        for (std::size_t i = 0; i < lines_at_once && end < text.size(); ++i) end = text.find('\n', end) + 1;
+        EXPECT_FALSE(log.write(std::string_view(text).substr(begin, end - begin), at(1)));
+        begin = end;
+      }
+    }
+    for (unsigned part = 1; part <= 20; ++part) all += "|" + contents(part_path(own.file("x.log"), part));
+    for (std::size_t i = 0; (i = all.find(own.file("x.log"), i)) != std::string::npos;)
+      all.erase(i, own.file("x.log").size());
+    return all;
+  };
+  const std::string by_lines = parts_of(1);
+  EXPECT_NE(by_lines.find("||"), std::string::npos) << "fewer than twenty parts";
+  EXPECT_EQ(parts_of(3), by_lines);
+  EXPECT_EQ(parts_of(1000), by_lines);
+}
+
 TEST_F(RunLogTest, AnAgedPartEndsToo) {
   RunLog log = opened({path, false, 0, base::Duration::nearest(60), "full"});
   ASSERT_FALSE(log.write("a\n", at(1)));

@@ -34,7 +34,7 @@ TEST(BlocksWorld, HasItsBlocksApartBelowTheSkyAndAboveTheLens) {
     ASSERT_GE(scene.objects.size(), block_count(kHard)) << seed;
     for (std::size_t a = 0; a < block_count(kHard); ++a) {
       const SceneObject& block = scene.objects[a];
-      EXPECT_GT(block.height, scene.camera.mount.z.to_double());
+      EXPECT_GT(block.height_m, scene.camera.mount.z.to_double());
       EXPECT_GT(area(block.footprint), 0.0005) << seed;
       EXPECT_EQ(block.base, 0);
       for (std::size_t b = 0; b < a; ++b) {

@@ -21,12 +21,43 @@ TEST(BinnedMeans, AreOfThePointsInEachPart) {
 }
 
 TEST(Slope, IsTheLeastSquaresLines) {
-  EXPECT_NEAR(slope({{0, 1}, {1, 3}, {2, 5}}), 2, 1e-12);
+  EXPECT_NEAR(slope({{0, 1}, {1, 3}, {2, 5}}).value(), 2, 1e-12);
   // Means (1, 2): sums of dx dy = 1*1 + 1*1 = 2, of dx^2 = 2.
-  EXPECT_NEAR(slope({{0, 1}, {1, 2}, {2, 3}}), 1, 1e-12);
-  EXPECT_NEAR(slope({{0, 0}, {1, 3}, {2, 0}}), 0, 1e-12);
-  EXPECT_EQ(slope({{1, 1}, {1, 2}}), 0);
-  EXPECT_EQ(slope({}), 0);
+  EXPECT_NEAR(slope({{0, 1}, {1, 2}, {2, 3}}).value(), 1, 1e-12);
+  EXPECT_NEAR(slope({{0, 0}, {1, 3}, {2, 0}}).value(), 0, 1e-12);
+  EXPECT_FALSE(slope({{1, 1}, {1, 2}}));
+  EXPECT_FALSE(slope({{1, 1}}));
+  EXPECT_FALSE(slope({}));
+}
+
+// Shares that are computed in different orders differ in the last bit: a spread of nothing, which once gave a slope of
+// 16861948652493.99.
+TEST(Slope, RoundingIsNoSpread) {
+  const double same = 0.1 + 0.2;
+  ASSERT_NE(same, 0.3);
+  EXPECT_FALSE(slope({{same, 0.2}, {0.3, 0.9}, {0.3, 0.4}}));
+  EXPECT_NEAR(slope({{0.3, 0.4}, {0.30001, 0.5}}).value(), 1e4, 1) << "a small spread is one";
+}
+
+PaperData novelties(const std::vector<std::vector<NoveltySample>>& samples) {
+  PaperData data;
+  data.novelty = samples;
+  data.noisy.resize(1);
+  return data;
+}
+
+TEST(Figure13, SaysWhereThereIsNothingToFit) {
+  const std::vector<NoveltySample> one_place = {{8, 0.1 + 0.2, 0.2}, {8, 0.3, 0.9}};
+  const PaperFigure none = figure_13(novelties(std::vector(algorithms().size(), one_place)));
+  EXPECT_NE(none.html.find("nothing to fit"), std::string::npos);
+  ASSERT_EQ(none.claims.size(), 1U);
+  EXPECT_EQ(none.claims[0].kind, ClaimKind::kDiffers);
+  EXPECT_NE(none.claims[0].text.find("nothing to fit"), std::string::npos) << none.claims[0].text;
+
+  const std::vector<NoveltySample> falling = {{8, 0.1, 0.9}, {8, 0.4, 0.5}, {8, 0.7, 0.5}};
+  const PaperFigure some = figure_13(novelties(std::vector(algorithms().size(), falling)));
+  EXPECT_NE(some.claims[0].text.find("in 3 of 3 segments"), std::string::npos)
+      << "above half new there is a single viewpoint: " << some.claims[0].text;
 }
 
 TEST(RankCorrelation, SeesOrderOnly) {

@@ -50,7 +50,7 @@ TEST(SolidOfModel, HasTheBlocksHeightAndColour) {
     const Solid solid = solid_of_model(ideal_tour(), history, history.snapshots[0], name, kYellowLandmark);
     ASSERT_FALSE(solid.footprint.empty());
     EXPECT_NEAR(solid.z_min, 0, 0.01) << name;
-    EXPECT_NEAR(solid.z_max, block.height, 0.01) << name;
+    EXPECT_NEAR(solid.z_max, block.height_m, 0.01) << name;
     EXPECT_NEAR(solid.colour.red, 210, 6);  // a sigma of 12 over 75 views
     EXPECT_NEAR(solid.colour.green, 190, 6);
     EXPECT_EQ(solid.signature, 2);

@@ -17,7 +17,7 @@ using Words = std::array<std::uint32_t, kCells>;
 recon::ObjectCore placed_object() {
   recon::ObjectCore object;
   object.id = 1;
-  object.arenas = 1;
+  object.relocations = 1;
   object.origin = {100'000, -200'000};  // (1, -2) m
   return object;
 }

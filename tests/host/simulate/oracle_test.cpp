@@ -33,7 +33,7 @@ double slow_undistort(double distorted, double k1) {
 double slow_hit(const SceneObject& object, const Vector& from, const Vector& along) {
   double nearest = std::numeric_limits<double>::infinity();
   const auto& ring = object.footprint.outer;
-  const double top = object.base + object.height;
+  const double top = object.base + object.height_m;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i];
     const Point b = ring[(i + 1) % ring.size()];
@@ -62,7 +62,7 @@ std::vector<SceneObject> random_objects(std::mt19937& random) {
   for (int i = 0; i < 5; ++i) {
     SceneObject object;
     object.base = uniform(random) < 0.3 ? 0.15 * uniform(random) : 0;
-    object.height = 0.05 + 0.25 * uniform(random);
+    object.height_m = 0.05 + 0.25 * uniform(random);
     const double size = 0.05 + 0.1 * uniform(random);
     if (i == 0) {
       object.footprint.outer = circle_ring({0, 0}, size, 64);

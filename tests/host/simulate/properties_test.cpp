@@ -21,7 +21,7 @@ Scene blocks(unsigned seed) {
     const double size = 0.08 + 0.04 * uniform(random);
     SceneObject object;
     object.signature = static_cast<std::uint8_t>(1 + i % 3);
-    object.height = 0.15 + 0.1 * uniform(random);
+    object.height_m = 0.15 + 0.1 * uniform(random);
     object.footprint.outer = {{-size, -size}, {size, -size}, {0.7 * size, size}, {-size, 0.8 * size}};
     object.footprint = moved(object.footprint, 3 * uniform(random), {0.35 * uniform(random), 0.35 * uniform(random)});
     const bool free = std::none_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& other) {

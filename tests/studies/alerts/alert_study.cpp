@@ -42,6 +42,7 @@ struct Figures {
   unsigned misplaced = 0;
   unsigned seen = 0;
   unsigned missed = 0;
+  unsigned stale = 0;
 
   [[nodiscard]] double in_ten_minutes(unsigned count) const { return minutes > 0 ? 10 * count / minutes : 0; }
 };
@@ -72,6 +73,7 @@ void add(const Verdict& verdict, Figures& figures) {
   figures.misplaced += verdict.misplaced;
   figures.seen += verdict.seen;
   figures.missed += verdict.missed;
+  figures.stale += verdict.stale;
 }
 
 void show(unsigned seed, const Approach& approach, const GroundTruth& truth, const Verdict& verdict) {
@@ -130,16 +132,16 @@ void show(unsigned seed, const Approach& approach, const GroundTruth& truth, con
 void print_row(const NoiseLevel& level, const Figures& f) {
   fmt::print(
       "| {} | {} | {:.0f} | {} | {:.2f} | {} | {} | {:.2f} of {} | {:.2f} of {} | {} | {:.2f} | {:.2f} | {} of {} | "
-      "{:.2f} | {} | {} of {} |\n",
+      "{:.2f} | {} | {} of {} | {} |\n",
       level.key, f.approaches, f.minutes, f.obstacles, percent(f.in_time, f.obstacles), f.late, f.never,
       percent(f.bodies_in_time, f.bodies), f.bodies, percent(f.placed_in_time, f.placed), f.placed, f.false_stops,
       f.in_ten_minutes(f.false_stops), f.in_ten_minutes(f.false_stops - f.grazes), f.delayed, f.delays,
-      f.in_ten_minutes(f.phantoms), f.misplaced, f.missed, f.seen);
+      f.in_ten_minutes(f.phantoms), f.misplaced, f.missed, f.seen, f.stale);
   std::fflush(stdout);
 }
 
 bool good(const Figures& f, const Request& request) {
-  return f.obstacles > 0 && percent(f.in_time, f.obstacles) >= request.at_least &&
+  return f.obstacles > 0 && f.stale == 0 && percent(f.in_time, f.obstacles) >= request.at_least &&
          f.in_ten_minutes(f.false_stops - f.grazes) <= request.at_most;
 }
 
@@ -173,8 +175,9 @@ bool run(const Request& request) {
   fmt::print(
       "| noise | approaches | minutes | obstacles | in time, % | late | never | of those the body meets, % | of those "
       "placed, % | "
-      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | misplaced | missed |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "false stops | in 10 min | without grazes | alert after k-of-n | phantoms in 10 min | misplaced | missed | stale "
+      "|\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool all_good = false;  // the level that is judged has to be among those that are run
   for (const NoiseLevel& level : noise_levels(request.levels)) {
     const Figures figures = run_level(level, request, alerts);

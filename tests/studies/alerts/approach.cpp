@@ -59,7 +59,7 @@ class Blocks {
       host::SceneObject object;
       object.name = "block " + std::to_string(centers_.size());
       object.signature = colour;
-      object.height = height;
+      object.height_m = height;
       object.footprint = footprint;
       scene_.objects.push_back(object);
       return;

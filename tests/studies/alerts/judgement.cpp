@@ -104,6 +104,7 @@ class Judge {
       judge_delay(object);
     }
     judge_false_stops();
+    judge_stale();
     judge_map();
     return std::move(verdict_);
   }
@@ -189,6 +190,14 @@ class Judge {
       if (!rises || truth_.stop_is_right(t, 0)) continue;
       verdict_.false_stops.push_back({alert, truth_.stop_is_right(t, kGrace), watch_.following().follows(alert.id)});
     }
+  }
+
+  void judge_stale() {
+    std::map<std::uint32_t, AlertLevel> level;
+    for (const record::AlertReport& alert : verdict_.alerts) level[alert.id] = alert.level;
+    for (const host::ObjectResult& object : verdict_.objects) level.erase(object.id);
+    verdict_.stale = static_cast<unsigned>(std::count_if(
+        level.begin(), level.end(), [](const auto& entry) { return entry.second != AlertLevel::kClear; }));
   }
 
   void judge_map() {

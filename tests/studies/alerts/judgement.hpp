@@ -55,6 +55,7 @@ struct Verdict {
   unsigned misplaced = 0;  ///< confirmed objects that took the blobs of a block, yet are not where it is
   unsigned seen = 0;       ///< blocks that at least host::kVisibleFrames frames showed by themselves
   unsigned missed = 0;     ///< of those, without a confirmed object
+  unsigned stale = 0;      ///< ids with an alert in force at the end that are no object's any more
   std::vector<record::AlertReport> alerts;
   std::vector<host::ObjectResult> objects;             ///< the map at the end
   std::vector<std::optional<std::size_t>> followed{};  ///< by those objects: whose blobs they took most often

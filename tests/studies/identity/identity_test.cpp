@@ -164,7 +164,7 @@ TEST(HiddenEnds, AreRarelyMissedAndRarelyImagined) {
                 const recon::Box& box = frame.blobs[j].box;
                 const sensor::Blob& blob = truth.frame.blobs[i];
                 if (box.x1 != blob.x1 || box.x2 != blob.x2 || box.y1 != blob.y1 || box.y2 != blob.y2) continue;
-                const recon::HiddenEnds hidden = recon::hidden_ends(frame.blobs.view(), j, 144);
+                const recon::Sides hidden = recon::hidden_sides(frame.blobs.view(), j, 144);
                 count(truth.blobs[i].left, hidden.left);
                 count(truth.blobs[i].right, hidden.right);
               }

@@ -53,7 +53,7 @@ host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise)
     host::SceneObject object;
     object.name = "object " + std::to_string(placed.size());
     object.signature = colours == Colours::kAllTheSame ? 1 : static_cast<std::uint8_t>(placed.size());
-    object.height = dice.between(0.05, 0.2);
+    object.height_m = dice.between(0.05, 0.2);
     object.footprint = host::moved({ring, {}}, dice.between(0, 2 * kPi), disc.center);
     if (colours == Colours::kAllDifferent || placed.size() == 1) {
       scene.signatures.push_back({object.signature, "colour " + std::to_string(object.signature), {200, 40, 40}});

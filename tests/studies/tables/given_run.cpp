@@ -16,10 +16,10 @@ namespace {
 
 recon::Sighting sighting_of(const recon::CameraModel& camera, const recon::LensPose& lens, const GivenBlob& given) {
   const sensor::Blob& blob = given.blob;
-  recon::BlobRays rays = recon::rays_of_box(camera, {blob.x1, blob.y1, blob.x2, blob.y2});
-  rays.left.censored = given.left_hidden;
-  rays.right.censored = given.right_hidden;
-  return recon::make_sighting(camera, lens, rays);
+  recon::Observation seen = recon::observe_alone(camera, {blob.x1, blob.y1, blob.x2, blob.y2});
+  seen.left = given.left_hidden ? recon::End::kLowerBound : recon::End::kSeen;
+  seen.right = given.right_hidden ? recon::End::kLowerBound : recon::End::kSeen;
+  return recon::make_sighting(camera, lens, seen);
 }
 
 template <class Profile>
@@ -29,7 +29,7 @@ host::ObjectResult describe(const recon::Object<Profile>& object) {
   result.signature = object.signature;
   result.state = record::ObjectState::kConfirmed;
   result.views = object.views;
-  result.confidence = object.hybrid.ok() ? static_cast<double>(object.hybrid.outline().confidence()) : 0;
+  result.confidence = object.hybrid().ok() ? static_cast<double>(object.hybrid().outline().confidence()) : 0;
   result.models = host::models_of(object);
   return result;
 }
@@ -56,9 +56,9 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
     if (result.visible++ == 0) {
       object->begin(static_cast<std::uint32_t>(truth + 1), scene_object.signature, sighting, t);
     }
-    object->track(sighting.open_ends(), t);
+    object->track(sighting.left.end, sighting.right.end, t);
     object->model(sighting, {});
-    if (object->hybrid.news) solver.solve(object->hybrid);
+    if (object->hybrid().news) solver.solve(object->hybrid());
     if (!std::binary_search(kTableViews.begin(), kTableViews.end(), object->views)) continue;
     result.cuts.push_back(host::cut_of(describe(*object), scene_object.footprint, false));
   }
@@ -87,9 +87,9 @@ host::Evaluation run_profile(const Tour& tour) {
 }  // namespace
 
 host::Evaluation run_given(const Tour& tour, const std::string& profile) {
-  if (profile == config::Micro::kName) return run_profile<config::Micro>(tour);
-  if (profile == config::Small::kName) return run_profile<config::Small>(tour);
-  if (profile == config::Full::kName) return run_profile<config::Full>(tour);
+  if (profile == config::Micro::kName) return run_profile<host::Compared<config::Micro>>(tour);
+  if (profile == config::Small::kName) return run_profile<host::Compared<config::Small>>(tour);
+  if (profile == config::Full::kName) return run_profile<host::Compared<config::Full>>(tour);
   throw std::runtime_error("profile " + profile + " is not known");
 }
 

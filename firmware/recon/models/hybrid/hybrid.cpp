@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "firmware/recon/models/cylinder.hpp"
+#include "firmware/recon/models/hash.hpp"
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 
@@ -155,7 +156,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kFirstViews, noise);
   if ((view.present & ~known) == 0) return;  // what is only known to be larger than so much is no news by itself
   const unsigned edges = view.present & ~unsigned{known};
-  const unsigned limits = view.at_least & ~(known | unsigned{known} >> ViewTangents::kBits);
+  const unsigned limits = view.lower_bound & ~(known | unsigned{known} >> ViewTangents::kBits);
   const unsigned fresh = edges | limits;
   if ((fresh & ViewTangents::kLeft) != 0) add_one(core, clusters, outline, view.left, novelty);
   if ((fresh & ViewTangents::kRight) != 0) add_one(core, clusters, outline, view.right, novelty);
@@ -165,6 +166,34 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   if (!elsewhere) return;
   core.last_lens = lens;
   if (core.views < 255) ++core.views;
+}
+
+void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters) {
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const PackedCluster& cluster = clusters[i];
+    if (cluster.views == 0) continue;
+    hash.u8(static_cast<std::uint8_t>(i));
+    hash.u8(cluster.offset_low);
+    hash.u8(cluster.offset_high);
+    hash.u8(cluster.phase);
+    hash.u8(cluster.sigma);
+    hash.u8(cluster.views);
+  }
+}
+
+void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline) {
+  hash.i32(core.origin.x);
+  hash.i32(core.origin.y);
+  hash_vec(hash, core.last_lens);
+  hash.u8(core.views);
+  hash.u8(core.used);
+  hash.u8(core.spread);
+  hash.u8(static_cast<std::uint8_t>(core.refusal));
+  hash.u8(core.news ? 1 : 0);
+  hash.u8(core.fitting ? 1 : 0);
+  if (core.refusal != HybridRefusal::kNone) return;
+  for (const std::int16_t offset : outline.offsets) hash.u16(static_cast<std::uint16_t>(offset));
+  for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);
 }
 
 }  // namespace fencepost::recon

@@ -9,7 +9,8 @@
 
 #include "firmware/recon/models/clip.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
-#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/models/model_view.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -93,6 +94,9 @@ float inflation(float share);
 std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Vec2> vertices);
 inline constexpr std::size_t kOutlineVertices = 72;
 
+void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
+void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
+
 /// kSectors: 64, or 32 on the smallest parts.
 template <std::size_t kSectors>
 struct Hybrid : HybridCore {
@@ -100,10 +104,22 @@ struct Hybrid : HybridCore {
   std::array<std::int16_t, kSectors> offsets;
   std::array<std::uint8_t, kSectors> sigmas;
 
+  static constexpr std::string_view kName = "hybrid";
+  static constexpr std::size_t kHashParts = 2;
+
   /// Empty; the first guess of the middle is where `first` sees it.
   void begin(const Sighting& first);
+  void start(const Sighting& first, MapPoint /*origin*/) { begin(first); }
   /// Takes the tangents of one view. What a robot that stands sees again is no news and changes nothing.
   void add(const Sighting& sighting, const MeasurementNoise& noise);
+  void add(const ModelView& view) { add(view.sighting, view.noise); }
+  /// It has an origin of its own, which follows the outline.
+  void move_origin(const Vec2& /*shift*/) {}
+  void shift(const Vec2& step) { origin = moved(origin, step); }
+  void hash(base::Fnv1a64& hash, std::size_t part) const {
+    if (part == 0) return hash_clusters(hash, clusters);
+    hash_outline(hash, *this, outline());
+  }
 
   [[nodiscard]] bool ok() const { return refusal == HybridRefusal::kNone; }
   [[nodiscard]] OutlineView outline() const { return {offsets, sigmas}; }

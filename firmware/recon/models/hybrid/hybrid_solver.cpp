@@ -104,12 +104,12 @@ int HybridSolver<kSectors, kOrder>::advance_factor(HybridType& hybrid) {
 template <std::size_t kSectors, std::size_t kOrder>
 int HybridSolver<kSectors, kOrder>::advance_nodes(HybridType& hybrid) {
   const Vec2 direction = node_direction(index_, kSectors);
-  hybrid.sigmas[index_] = encode_sigma(low_order_.sigma_at(direction));
+  sigmas_[index_] = encode_sigma(low_order_.sigma_at(direction));
   const float offset = low_order_.offset_at(direction);
   if constexpr (kPolygon) {
     support_.set(index_, offset);
   } else {
-    hybrid.offsets[index_] = offset_steps(offset);
+    offsets_[index_] = offset_steps(offset);
   }
   constexpr int kWork = 2 * work_of_node(series_size(kOrder));
   if (++index_ < kSectors) return kWork;
@@ -122,6 +122,8 @@ int HybridSolver<kSectors, kOrder>::advance_nodes(HybridType& hybrid) {
       return kWork;
     }
     for (std::size_t k = 0; k < kSectors; ++k) hybrid.offsets[k] = offset_steps(support_.offset(k));
+  } else {
+    hybrid.offsets = offsets_;
   }
   finish(hybrid, low_order_.center(), low_order_.spread());
   return kWork + kFinishWork;
@@ -191,6 +193,7 @@ void HybridSolver<kSectors, kOrder>::publish(HybridType& hybrid) {
 
 template <std::size_t kSectors, std::size_t kOrder>
 void HybridSolver<kSectors, kOrder>::finish(HybridType& hybrid, const Vec2& center, float spread) {
+  hybrid.sigmas = sigmas_;
   hybrid.spread = encode_sigma(std::sqrt(spread));
   hybrid.refusal = HybridRefusal::kNone;
   hybrid.fitting = false;
@@ -206,7 +209,6 @@ void HybridSolver<kSectors, kOrder>::refuse(HybridType& hybrid) {
 }
 
 template class HybridSolver<64, 3>;
-template class HybridSolver<32, 4>;
 template class HybridSolver<32, 5>;
 
 }  // namespace fencepost::recon

@@ -62,6 +62,7 @@ class HybridSolver {
   enum class Stage : std::uint8_t { kDone, kLowOrder, kFactorise, kNodes, kTangents, kSides, kEliminate, kSubstitute };
 
   struct NoSupport {};
+  struct NoOffsets {};
 
   // The first pass of a fit believes all tangents, and so do all as long as there are few views.
   [[nodiscard]] bool doubts() const { return views_ >= kViewsToDoubt && pass_ > 0; }
@@ -89,6 +90,9 @@ class HybridSolver {
 
   LowOrderFit<kOrder> low_order_;
   [[no_unique_address]] std::conditional_t<kPolygon, SupportFit, NoSupport> support_;
+  // Until the fit is done the object keeps the outline and the sigmas that it had: alerts read them between two steps.
+  std::array<std::uint8_t, kSectors> sigmas_{};
+  [[no_unique_address]] std::conditional_t<kPolygon, NoOffsets, std::array<std::int16_t, kSectors>> offsets_;
   Stage stage_ = Stage::kDone;
   std::uint8_t pass_ = 0;
   std::uint8_t passes_ = 0;
@@ -100,7 +104,6 @@ class HybridSolver {
 void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offsets, const Vec2& center);
 
 extern template class HybridSolver<64, 3>;
-extern template class HybridSolver<32, 4>;
 extern template class HybridSolver<32, 5>;
 
 }  // namespace fencepost::recon

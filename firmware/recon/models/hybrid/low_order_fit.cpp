@@ -89,10 +89,10 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
   series_basis(direction_of({index / kClustersPerSector, cluster.phase}, sectors), used);
   float residual = cluster.offset;
   for (std::size_t i = 0; i < used.size(); ++i) residual -= used[i] * x_[i];
-  if (cluster.at_least && (trusted || residual <= 0)) return;
+  if (cluster.lower_bound && (trusted || residual <= 0)) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * (trusted ? 1.0F : inlier_share(residual, sigma));
-  if (!cluster.at_least) {
+  if (!cluster.lower_bound) {
     sums_.add(residual / cluster.sigma, believed);
     ++tangents_;
   }

@@ -19,15 +19,22 @@ class OutlineFitter {
     slot_ = 0;
   }
 
-  template <class Objects>
-  [[gnu::noinline]] void fit(Objects& objects) {
+  /// After the frame's objects have begun and their models have taken it.
+  template <class Table>
+  [[gnu::noinline]] void fit(Table& table) {
+    auto& objects = table.objects();
     if constexpr (Profile::kHybridSteps == 0) {
       for (auto& object : objects) {
-        if (!object.used() || !object.hybrid.news) continue;
-        solver_.solve(object.hybrid);
+        if (!object.used() || !object.hybrid().news) continue;
+        solver_.solve(object.hybrid());
         object.note_outline();
       }
     } else {
+      // The object in that slot is not the one that the fit was begun with, or its models began again.
+      for (const auto& event : table.events()) {
+        if (event.slot == slot_) solver_.abandon();
+      }
+      if (!objects[slot_].used()) solver_.abandon();
       for (int i = 0; i < Profile::kHybridSteps; ++i) {
         if (!go_on(objects)) return;
       }
@@ -38,10 +45,8 @@ class OutlineFitter {
   // False: nobody has news.
   template <class Objects>
   bool go_on(Objects& objects) {
-    // An object that began anew, or went, is not the one that the fit was begun with.
-    if (!solver_.done() && (!objects[slot_].used() || !objects[slot_].hybrid.fitting)) solver_.abandon();
     if (solver_.done() && !begin_next(objects)) return false;
-    if (solver_.step(objects[slot_].hybrid)) objects[slot_].note_outline();
+    if (solver_.step(objects[slot_].hybrid())) objects[slot_].note_outline();
     return true;
   }
 
@@ -49,8 +54,8 @@ class OutlineFitter {
   bool begin_next(Objects& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       slot_ = static_cast<std::uint8_t>(slot_ + 1U < objects.size() ? slot_ + 1U : 0U);
-      if (!objects[slot_].used() || !objects[slot_].hybrid.news) continue;
-      solver_.begin(objects[slot_].hybrid);
+      if (!objects[slot_].used() || !objects[slot_].hybrid().news) continue;
+      solver_.begin(objects[slot_].hybrid());
       return true;
     }
     return false;

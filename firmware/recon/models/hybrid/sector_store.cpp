@@ -45,7 +45,7 @@ bool is_at_least(const PackedCluster& packed) { return (packed.phase & 1U) != 0;
 
 std::uint8_t packed_phase(const Cluster& cluster) {
   const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kPhases, 0.0F, kPhases - 1));
-  return static_cast<std::uint8_t>(2 * part + (cluster.at_least ? 1 : 0));
+  return static_cast<std::uint8_t>(2 * part + (cluster.lower_bound ? 1 : 0));
 }
 
 // Squared deviation from the cluster in units of its gate.
@@ -135,8 +135,8 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
     if (packed.views == 0) continue;
     const Cluster cluster = unpack(packed);
     const float turned = (place.phase - cluster.phase) * angle;
-    if (cluster.at_least != tangent.at_least) {
-      if (tangent.at_least && reaches(cluster, turned, tangent, context)) return;
+    if (cluster.lower_bound != tangent.lower_bound) {
+      if (tangent.lower_bound && reaches(cluster, turned, tangent, context)) return;
       continue;
     }
     const float share = gate_share(cluster, turned, tangent, context);
@@ -149,12 +149,12 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
     return;
   }
   const float views = static_cast<float>(weakest->views) * kViewsStep;
-  if (tangent.at_least && views > 0 && !is_at_least(*weakest)) return;
+  if (tangent.lower_bound && views > 0 && !is_at_least(*weakest)) return;
   if (views > novelty) {
     weakest->views = to_eighths(views - kWeakening * novelty);
     return;
   }
-  static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty, tangent.at_least}, *weakest));
+  static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty, tangent.lower_bound}, *weakest));
 }
 
 std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::int32_t part, std::size_t sectors) {
@@ -188,7 +188,7 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
 float standing(ConstClusters clusters, std::size_t index) {
   const std::size_t first = index - index % kClustersPerSector;
   const Cluster own = unpack(clusters[index]);
-  if (own.at_least) return 1.0F;
+  if (own.lower_bound) return 1.0F;
   const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
   for (std::size_t i = first; i < first + kClustersPerSector; ++i) {
     if (i == index || clusters[i].views == 0) continue;

@@ -34,7 +34,7 @@ struct Cluster {
   float phase = 0;   ///< share of the sector, in (0, 1)
   float sigma = 0;   ///< m, of one view in it
   float views = 0;
-  bool at_least = false;  ///< of tangents beyond which the object goes on
+  bool lower_bound = false;  ///< of tangents beyond which the object goes on
 };
 
 /// A float of 4 + 4 bits, steps of 3 to 6 %, from 0.1 mm to 6.3 m; nearest, clamped.

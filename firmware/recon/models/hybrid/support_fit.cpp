@@ -55,10 +55,10 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
   const float a = small_sine(step.angle - t) / step.sine;
   const float b = small_sine(t) / step.sine;
   const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
-  if (cluster.at_least && residual <= 0) return;
+  if (cluster.lower_bound && residual <= 0) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * inlier_share(residual, sigma);
-  if (!cluster.at_least) {
+  if (!cluster.lower_bound) {
     sums_.add(residual / cluster.sigma, believed);
     ++tangents_;
   }

@@ -12,14 +12,14 @@ constexpr float kLossProbability = 0.05F;
 
 // Variance (m^2) that a piece which may be lost adds to each edge of an object at `distance`.
 float loss_variance(const Sighting& sighting, float distance) {
-  if (sighting.left.censored || sighting.right.censored) return 0;
+  if (!sighting.both_edges()) return 0;
   const float width = std::sqrt((sighting.left.direction - sighting.right.direction).squaredNorm()) * distance;
   return kLossProbability * kLostShare * kLostShare * width * width;
 }
 
 void put(ViewTangents& view, ViewTangents::Which which, Tangent& place, const Tangent& tangent) {
   place = tangent;
-  std::uint8_t& bits = tangent.at_least ? view.at_least : view.present;
+  std::uint8_t& bits = tangent.lower_bound ? view.lower_bound : view.present;
   bits = static_cast<std::uint8_t>(bits | which);
 }
 
@@ -29,20 +29,17 @@ ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distan
                          const MeasurementNoise& noise) {
   ViewTangents view;
   const float extra = first_views ? loss_variance(sighting, distance) : 0.0F;
-  const auto sigma = [&](const MapRay& ray) {
-    return std::sqrt(edge_variance(sighting, ray, distance, noise) + extra);
-  };
-  const MapRay& left = sighting.left;
-  const MapRay& right = sighting.right;
-  if (!left.foreign) {
-    put(view, ViewTangents::kLeft, view.left,
-        {left_tangent(sighting, origin), sigma(left), left.censored || left.doubtful});
+  const auto sigma = [&](const Ray& ray) { return std::sqrt(edge_variance(sighting, ray, distance, noise) + extra); };
+  const Ray& left = sighting.left;
+  const Ray& right = sighting.right;
+  if (left.end != End::kOccluded) {
+    put(view, ViewTangents::kLeft, view.left, {left_tangent(sighting, origin), sigma(left), left.end != End::kSeen});
   }
-  if (!right.foreign) {
+  if (right.end != End::kOccluded) {
     put(view, ViewTangents::kRight, view.right,
-        {right_tangent(sighting, origin), sigma(right), right.censored || right.doubtful});
+        {right_tangent(sighting, origin), sigma(right), right.end != End::kSeen});
   }
-  const bool hidden = sighting.bottom.censored;
+  const bool hidden = !is_edge(sighting.bottom.end);
   const RowDepth row = hidden ? farthest_row_depth(sighting, noise) : row_depth(sighting, noise);
   if (row.known) {
     const Vec2 normal = -sighting.axis;

@@ -12,7 +12,7 @@ namespace fencepost::recon {
 struct Tangent {
   HalfPlane line;
   float sigma = 0;
-  bool at_least = false;  ///< h(normal) >= bound: seen so far, and then it goes on where it is not seen
+  bool lower_bound = false;  ///< h(normal) >= bound: seen so far, and then it goes on where it is not seen
 };
 
 /// At most three: the two ends of a blob, and its foot where the camera's height and pitch are known.
@@ -23,12 +23,12 @@ struct ViewTangents {
   Tangent right;
   Tangent front;
   std::uint8_t present = 0;   ///< bits of Which
-  std::uint8_t at_least = 0;  ///< bits of Which: not present, but the object reaches so far
+  std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge, but the object reaches so far
 };
 
 /// `distance`: from the lens to the object's middle (m). `first_views`: nothing outvotes a lost piece of the segment
-/// yet, so its probability goes into the sigma of the edges. Errors: what is censored is not present; what another
-/// object's is neither that nor at least.
+/// yet, so its probability goes into the sigma of the edges. A lower bound or an
+/// ambiguous end is not present but a bound from below; an occluded one is neither.
 ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
                          const MeasurementNoise& noise);
 

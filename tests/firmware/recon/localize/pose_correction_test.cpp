@@ -27,9 +27,9 @@ Sighting sighting_of(double x, double y, double r, double off = 0) {
   Sighting seen;
   seen.focal = kFocal;
   seen.center = unit(bearing);
-  seen.left = {unit(bearing + half), false, false, false};
-  seen.right = {unit(bearing - half), false, false, false};
-  seen.bottom.censored = true;
+  seen.left = {unit(bearing + half), recon::End::kSeen};
+  seen.right = {unit(bearing - half), recon::End::kSeen};
+  seen.bottom.end = recon::End::kLowerBound;
   return seen;
 }
 
@@ -71,7 +71,7 @@ TEST(SightedCircle, AWrongHeadingMovesTheMiddleAndNotTheWidth) {
 TEST(SightedCircle, OneEndIsATangent) {
   for (const bool left : {true, false}) {
     Sighting seen = sighting_of(kX, kY, 0.5);
-    (left ? seen.right : seen.left).censored = true;
+    (left ? seen.right : seen.left).end = recon::End::kLowerBound;
     const SightedCircle circle = sighted_circle(seen, kCenter, kRadius, 1, {});
     const auto& tangent = circle.lines[0].equation;
     EXPECT_NEAR(tangent.normal.norm(), 1, 1e-6);
@@ -95,7 +95,7 @@ TEST(SightedCircle, VariancesAreThoseOfTheEndsAndThePose) {
   EXPECT_NEAR(both.lines[kWidth].variance, each, 1e-3 * each);
   EXPECT_NEAR(both.lines[kMiddle].variance, each + kTurned * kTurned + kPlace * kPlace, 1e-3 * each);
   Sighting half = seen;
-  half.right.censored = true;
+  half.right.end = recon::End::kLowerBound;
   const double alone = kEnd * kEnd + kShape * kShape + kTurned * kTurned + kPlace * kPlace;
   EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 1, noise).lines[0].variance, alone, 1e-3 * alone);
   EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 0.25F, noise).lines[0].variance, 4 * alone, 4e-3 * alone);

@@ -44,9 +44,9 @@ TEST(CylinderPaper, IsTheLeastSquaresPointAndTheMeanRadius) {
 
 TEST(CylinderPaper, ViewsWithACensoredEndDoNotCount) {
   recon::Sighting cut = view_between({0, 1}, -0.2, 0.3).sighting;
-  cut.left.censored = true;
+  cut.left.end = recon::End::kLowerBound;
   expect_circle(paper_of({circle_from({0, 0}), cut, circle_from({1, -0.5})}).solve(), 1.0, 0.5, 0.1);
-  EXPECT_EQ(paper_of({cut}).sums().views, 0.0F);
+  EXPECT_EQ(paper_of({cut}).views(), 0.0F);
 }
 
 TEST(CylinderPaper, OneBearingOrParallelOnesSayNothing) {

@@ -24,7 +24,7 @@ void add(Cylinder& cylinder, const recon::Sighting& sighting, float novelty = 1)
 // The bottom row of an object that stands on the floor, as its nearest point shows it.
 void stand_on_floor(recon::Sighting& sighting, double nearest_depth) {
   sighting.rows_known = true;
-  sighting.bottom = {static_cast<float>(static_cast<double>(sighting.lens_height) / nearest_depth), false};
+  sighting.bottom = {static_cast<float>(static_cast<double>(sighting.lens_height) / nearest_depth), recon::End::kSeen};
 }
 
 TEST(Cylinder, RefusesUntilThereIsParallax) {
@@ -43,7 +43,7 @@ TEST(Cylinder, CensoredEndsAddNothing) {
   Cylinder cylinder;
   for (int i = 0; i < 10; ++i) {
     recon::Sighting s = view_of_circle(kCenter, kRadius, {0, 0.1 * i}).sighting;
-    s.left.censored = s.right.censored = true;
+    s.left.end = s.right.end = recon::End::kLowerBound;
     add(cylinder, s);
   }
   EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kNoEdges);
@@ -73,7 +73,7 @@ TEST(Cylinder, OneEdgeAndTheGroundRowMakeOneOfTheUsualSize) {
   Cylinder cylinder;
   for (int i = 0; i < 3; ++i) {
     recon::Sighting s = view_of_circle(kCenter, kRadius, {0.02 * i, 0}).sighting;
-    s.right.censored = true;
+    s.right.end = recon::End::kLowerBound;
     stand_on_floor(s, 1.0 - kRadius - 0.02 * i);
     add(cylinder, s);
   }

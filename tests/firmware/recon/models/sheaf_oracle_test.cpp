@@ -7,9 +7,11 @@
 #include <random>
 
 #include "firmware/config/profile.hpp"
+#include "firmware/recon/models/sheaf.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
+#include "host/replay/compared.hpp"
 #include "tests/firmware/recon/exact_view.hpp"
 
 namespace fencepost::test {
@@ -139,21 +141,31 @@ LinearRing hull_of(LinearRing points) {
 
 // ---- the robot's code
 
-template <class Profile>
+constexpr std::size_t kFew = 36;  // one every 10 degrees of a whole tour
+using recon::SheafViews;
+
+/// An object that keeps kViews views for its sheaf.
+template <std::size_t kViews>
+struct WithSheaf : config::Full {
+  using ComparisonModels = recon::ModelList<recon::Cylinder, SheafViews<kViews>>;
+};
+
+template <std::size_t kViews>
 struct Tour {
-  std::unique_ptr<recon::Object<Profile>> object = std::make_unique<recon::Object<Profile>>();
+  std::unique_ptr<recon::Object<WithSheaf<kViews>>> object = std::make_unique<recon::Object<WithSheaf<kViews>>>();
   std::vector<OracleView> views;
 
   void add(const ExactView& view) {
     if (views.empty()) object->begin(1, 1, view.sighting, {});
-    object->track(view.sighting.open_ends(), {});
+    object->track(view.sighting.left.end, view.sighting.right.end, {});
     object->model(view.sighting, {});
     views.push_back({view.wedge.apex, view.wedge.left, view.wedge.right});
   }
+  [[nodiscard]] auto kept() const { return object->comparison.template get<SheafViews<kViews>>().view(); }
   // Map frame of exact_view.hpp.
   [[nodiscard]] LinearRing hull(Rule rule) const {
-    recon::PlaneSheaf<Profile::kSheafViews, Profile::kSheafPosts> sheaf;
-    rule == Rule::kPaper ? sheaf.build_paper(object->sheaf.view()) : sheaf.build(object->sheaf.view());
+    recon::PlaneSheaf<kViews, host::kSheafPosts> sheaf;
+    rule == Rule::kPaper ? sheaf.build_paper(kept()) : sheaf.build(kept());
     LinearRing ring;
     for (const recon::Vec2& v : sheaf.hull()) {
       ring.push_back(
@@ -168,9 +180,9 @@ LinearRing square_footprint() {
   return host::moved({{{-0.05, -0.05}, {0.05, -0.05}, {0.05, 0.05}, {-0.05, 0.05}}, {}}, 0.4, kCenter).outer;
 }
 
-template <class Profile>
-Tour<Profile> tour(const LinearRing& footprint, const std::vector<Point>& lenses) {
-  Tour<Profile> result;
+template <std::size_t kViews>
+Tour<kViews> tour(const LinearRing& footprint, const std::vector<Point>& lenses) {
+  Tour<kViews> result;
   for (const Point& lens : lenses) result.add(view_of(footprint, lens));
   return result;
 }
@@ -195,7 +207,7 @@ TEST(Sheaf, EqualsTheRuleInDouble) {
     for (const int views : {2, 4, 8, 18, 75}) {
       const auto lenses =
           spread ? arc(kCenter, 1.2, views) : first_of(arc(kCenter, 1.2, 75), static_cast<std::size_t>(views));
-      const auto result = tour<config::Full>(square_footprint(), lenses);
+      const auto result = tour<host::kSheafViews>(square_footprint(), lenses);
       for (const Rule rule : kRules) {
         SCOPED_TRACE(std::string(name(rule)) + (spread ? " spread " : " in sequence ") + std::to_string(views));
         const LinearRing exact = result.oracle(rule);
@@ -230,7 +242,7 @@ TEST(Sheaf, EqualsTheRuleInDoubleWithNoise) {
   std::size_t dropped = 0;
   for (int round = 0; round < 20; ++round) {
     for (const int views : {8, 18, 75}) {
-      Tour<config::Full> noisy;
+      Tour<host::kSheafViews> noisy;
       for (const Point& lens : arc(kCenter, 1.2, views)) {
         const host::Wedge exact = view_of(square_footprint(), lens).wedge;
         noisy.add(view_between(lens, exact.right + off(), exact.left - off()));
@@ -249,7 +261,7 @@ TEST(Sheaf, EqualsTheRuleInDoubleWithNoise) {
 // The paper's claim (sec. II.C): without noise the hull of all pairs contains the object.
 TEST(Sheaf, PaperHullContainsTheObjectWithoutNoise) {
   const host::MultiPolygon truth{{square_footprint(), {}}};
-  const auto result = tour<config::Full>(square_footprint(), arc(kCenter, 1.2, 75));
+  const auto result = tour<host::kSheafViews>(square_footprint(), arc(kCenter, 1.2, 75));
   EXPECT_LT(host::difference_area(truth, {{result.hull(Rule::kPaper), {}}}), 1e-9);
 }
 
@@ -260,21 +272,21 @@ double share_outside(const LinearRing& a, const LinearRing& b) {
 // More views than the store holds: it keeps some, evenly. The hull of `sheaf` stays near that of all views. That of
 // `sheaf_paper` consists of what its widest pairs do a metre outside the object: fewer pairs make it smaller, not
 // wrong.
-template <class Profile>
+template <std::size_t kViews>
 void expect_close_at_the_bound(int views, double largest_gap) {
   const LinearRing footprint = square_footprint();
-  const auto result = tour<Profile>(footprint, arc(kCenter, 1.2, views));
-  ASSERT_EQ(result.object->sheaf.view().size(), Profile::kSheafViews);
+  const auto result = tour<kViews>(footprint, arc(kCenter, 1.2, views));
+  ASSERT_EQ(result.kept().size(), kViews);
   for (const Rule rule : kRules) {
     const LinearRing hull = result.hull(rule);
     const LinearRing exact = result.oracle(rule);
     ASSERT_GE(hull.size(), 3U);
     const double gap = apart(hull, exact);
     std::printf(
-        "  %-5s %-11s %4d views, %2zu kept: %5.1f mm from the hull of all; R %.2f %% (all: %.2f), P %.1f %% (%.1f)\n",
-        std::string(Profile::kName).c_str(), name(rule), views, Profile::kSheafViews, 1e3 * gap,
-        100 * share_outside(footprint, hull), 100 * share_outside(footprint, exact),
-        100 * share_outside(hull, footprint), 100 * share_outside(exact, footprint));
+        "  %-11s %4d views, %2zu kept: %5.1f mm from the hull of all; R %.2f %% (all: %.2f), P %.1f %% (%.1f)\n",
+        name(rule), views, kViews, 1e3 * gap, 100 * share_outside(footprint, hull),
+        100 * share_outside(footprint, exact), 100 * share_outside(hull, footprint),
+        100 * share_outside(exact, footprint));
     EXPECT_LT(share_outside(footprint, hull), 0.001);
     EXPECT_LT(share_outside(hull, exact), rule == Rule::kPaper ? 1e-5 : 0.02);
     EXPECT_NEAR(share_outside(hull, footprint), share_outside(exact, footprint), rule == Rule::kPaper ? 0.01 : 0.1);
@@ -282,10 +294,10 @@ void expect_close_at_the_bound(int views, double largest_gap) {
   }
 }
 TEST(Sheaf, StaysCloseAtTheBound) {
-  expect_close_at_the_bound<config::Full>(150, 2e-3);
-  expect_close_at_the_bound<config::Full>(2000, 2e-3);
-  expect_close_at_the_bound<config::Small>(75, 8e-3);
-  expect_close_at_the_bound<config::Small>(2000, 8e-3);
+  expect_close_at_the_bound<host::kSheafViews>(150, 2e-3);
+  expect_close_at_the_bound<host::kSheafViews>(2000, 2e-3);
+  expect_close_at_the_bound<kFew>(75, 8e-3);
+  expect_close_at_the_bound<kFew>(2000, 8e-3);
 }
 
 Point mirrored(Point p) { return {p.x, 2 * kCenter.y - p.y}; }
@@ -297,8 +309,8 @@ TEST(Sheaf, AMirroredSceneHasAMirroredHull) {
     const std::vector<Point> lenses = arc(kCenter, 1.2, views);
     std::vector<Point> others;
     for (const Point& lens : lenses) others.push_back(mirrored(lens));
-    const auto original = tour<config::Full>(square_footprint(), lenses);
-    const auto mirror = tour<config::Full>(reflected, others);
+    const auto original = tour<host::kSheafViews>(square_footprint(), lenses);
+    const auto mirror = tour<host::kSheafViews>(reflected, others);
     for (const Rule rule : kRules) {
       LinearRing expected;
       for (const Point& p : original.hull(rule)) expected.insert(expected.begin(), mirrored(p));
@@ -314,8 +326,8 @@ TEST(Sheaf, TurnsAndShiftsWithTheScene) {
     for (const int views : {8, 18, 75, 200}) {
       const auto placed = [&](const LinearRing& ring) { return host::moved({ring, {}}, angle, kShift).outer; };
       const std::vector<Point> lenses = arc(kCenter, 1.2, views);
-      const auto original = tour<config::Full>(square_footprint(), lenses);
-      const auto other = tour<config::Full>(placed(square_footprint()), placed(lenses));
+      const auto original = tour<host::kSheafViews>(square_footprint(), lenses);
+      const auto other = tour<host::kSheafViews>(placed(square_footprint()), placed(lenses));
       for (const Rule rule : kRules) {
         ASSERT_GE(original.hull(rule).size(), 3U);
         EXPECT_LT(apart(other.hull(rule), placed(original.hull(rule))), 4e-5) << name(rule) << ' ' << views;
@@ -327,8 +339,8 @@ TEST(Sheaf, TurnsAndShiftsWithTheScene) {
 // 100 m from the origin nothing gets worse: the views live in a local frame.
 TEST(Sheaf, FarFromTheOriginIsAsExact) {
   constexpr std::int32_t kFar = 100 * recon::kMapUnitsPerMetre;
-  Tour<config::Full> near;
-  Tour<config::Full> far;
+  Tour<host::kSheafViews> near;
+  Tour<host::kSheafViews> far;
   for (const Point& lens : arc(kCenter, 1.2, 75)) {
     ExactView view = view_of(square_footprint(), lens);
     near.add(view);

@@ -48,8 +48,8 @@ TEST(SheafPlane, JoinsThePostsOfAHandWorkedPair) {
 
 TEST(SheafPlane, CensoredEndsNeverTriangulate) {
   recon::Sighting sighting;
-  sighting.left = {Vec2{1, 2}.normalized(), true};
-  sighting.right = {{0.6F, 0.8F}, false};
+  sighting.left = {Vec2{1, 2}.normalized(), recon::End::kLowerBound};
+  sighting.right = {{0.6F, 0.8F}, recon::End::kSeen};
   const SheafView one_end = recon::sheaf_view(sighting, {});
   EXPECT_EQ(one_end.true_ends(), 1);
   const SheafPlane plane = recon::sheaf_plane(one_end, second_view(), recon::kPaperLeastSine);
@@ -170,12 +170,12 @@ TEST(PlaneSheaf, AmongFivePostsNoneIsWild) {
 
 // ---- the store
 
-recon::Sighting sighting_at(double bearing, bool left_censored = false) {
+recon::Sighting sighting_at(double bearing, recon::End left = recon::End::kSeen) {
   recon::Sighting sighting;
   sighting.lens = -1.0F * unit(bearing * kDegree);
   sighting.center = unit(bearing * kDegree);
-  sighting.left = {unit((bearing + 3) * kDegree), left_censored};
-  sighting.right = {unit((bearing - 3) * kDegree), false};
+  sighting.left = {unit((bearing + 3) * kDegree), left};
+  sighting.right = {unit((bearing - 3) * kDegree), recon::End::kSeen};
   return sighting;
 }
 
@@ -184,13 +184,9 @@ double degrees_between(const SheafView& a, const SheafView& b) {
   return 2 * std::asin(half_chord) / kDegree;
 }
 
-// The models that micro lacks cost it no byte.
+// The models that a robot lacks cost it no byte.
 TEST(SheafViews, MicroPaysNothing) {
-  static_assert(std::is_empty_v<recon::SheafViews<0>>);
-  static_assert(config::Micro::kSheafViews == 0 && config::Micro::kGridCells == 0 && !config::Micro::kPaperCylinder);
   struct Without : recon::ObjectCore {
-    base::FixedVector<recon::HalfPlane, config::Micro::kPending> pending;
-    recon::ConvexClip<config::Micro::kClipVertices> clip;
     recon::Hybrid<config::Micro::kHybridSectors> hybrid;
   };
   static_assert(sizeof(recon::Object<config::Micro>) == sizeof(Without));
@@ -206,16 +202,17 @@ TEST(SheafViews, AParkedRobotFillsTwoPlaces) {
 TEST(SheafViews, BlindViewsAreNotKeptAndHalfOnesDoNotPushWholeOnesOut) {
   recon::SheafViews<24> store;
   recon::Sighting blind = sighting_at(0);
-  blind.left.censored = blind.right.censored = true;
+  blind.left.end = blind.right.end = recon::End::kLowerBound;
   store.add(blind, {});
   EXPECT_TRUE(store.view().empty());
   for (const double bearing : {0.0, 20.0, 20.1}) store.add(sighting_at(bearing), {});
-  store.add(sighting_at(20.2, true), {});  // the robot turns on the spot, the object leaves the image
+  store.add(sighting_at(20.2, recon::End::kLowerBound),
+            {});  // the robot turns on the spot, the object leaves the image
   ASSERT_EQ(store.view().size(), 3U);
   EXPECT_EQ(store.view()[2].true_ends(), 2);
 
-  store.clear();
-  for (int i = 0; i < 24; ++i) store.add(sighting_at(15 * i, i == 7), {});
+  store.start({}, {});
+  for (int i = 0; i < 24; ++i) store.add(sighting_at(15 * i, i == 7 ? recon::End::kLowerBound : recon::End::kSeen), {});
   std::array<recon::RoughBearing, 128> scratch{};
   const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7), scratch);
   EXPECT_EQ(goes, 7U);
@@ -256,8 +253,8 @@ double worst_partner(double step) {
   return worst;
 }
 TEST(SheafViews, HoldAPartnerNearFifteenDegrees) {
-  for (const double step : {0.2, 1.3, 3.0}) EXPECT_LT(worst_partner<config::Full::kSheafViews>(step), 3.5);
-  for (const double step : {0.1, 1.3, 3.0}) EXPECT_LT(worst_partner<config::Small::kSheafViews>(step), 7.5);
+  for (const double step : {0.2, 1.3, 3.0}) EXPECT_LT(worst_partner<75>(step), 3.5);
+  for (const double step : {0.1, 1.3, 3.0}) EXPECT_LT(worst_partner<36>(step), 7.5);
 }
 
 // ---- the hull

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "firmware/recon/observe/sighting.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -24,6 +26,11 @@ sensor::CameraIntrinsics simple_camera() {
   return camera;
 }
 
+// At the origin, looking along x: map axes are the level camera's.
+recon::Sighting seen_by(const recon::CameraModel& camera, const recon::Box& box) {
+  return recon::make_sighting(camera, {}, recon::observe_alone(camera, box));
+}
+
 void expect_direction(const recon::Vec2& direction, double forward, double left) {
   const double length = std::hypot(forward, left);
   EXPECT_NEAR(static_cast<double>(direction.x()), forward / length, 1e-6);
@@ -34,7 +41,7 @@ TEST(CameraModel, EdgesLieHalfAPixelOutsideTheBox) {
   const auto camera = recon::make_camera_model(simple_camera());
   // x1 = 30: edge 29.5, (29.5 - 49.5) / 100 = -0.2 right, that is 0.2 left. x2 = 59: edge 59.5, 0.1 right.
   // y2 = 59: edge 59.5, (59.5 - 39.5) / 100 = 0.2 down per metre.
-  const auto rays = recon::rays_of_box(camera, {30, 20, 59, 59});
+  const auto rays = seen_by(camera, {30, 20, 59, 59});
   expect_direction(rays.left.direction, 1, 0.2);
   expect_direction(rays.right.direction, 1, -0.1);
   expect_direction(rays.center, 1, 0.05);  // middle column 44.5
@@ -42,7 +49,7 @@ TEST(CameraModel, EdgesLieHalfAPixelOutsideTheBox) {
   EXPECT_NEAR(rays.top.drop, -0.2, 1e-6);  // edge 19.5
 }
 
-TEST(CameraModel, EndsOnTheBorderAreCensored) {
+TEST(CameraModel, EndsOnTheBorderAreLowerBounds) {
   const auto camera = recon::make_camera_model(simple_camera());
   struct Case {
     recon::Box box;
@@ -52,12 +59,13 @@ TEST(CameraModel, EndsOnTheBorderAreCensored) {
                         {{0, 2, 97, 77}, true, false, false, false},  {{2, 2, 98, 77}, false, true, false, false},
                         {{2, 2, 99, 77}, false, true, false, false},  {{2, 1, 97, 77}, false, false, true, false},
                         {{2, 2, 97, 78}, false, false, false, true}};
+  const auto end = [](bool cut) { return cut ? recon::End::kLowerBound : recon::End::kSeen; };
   for (const Case& c : cases) {
-    const auto rays = recon::rays_of_box(camera, c.box);
-    EXPECT_EQ(rays.left.censored, c.left) << c.box.x1;
-    EXPECT_EQ(rays.right.censored, c.right) << c.box.x2;
-    EXPECT_EQ(rays.top.censored, c.top) << c.box.y1;
-    EXPECT_EQ(rays.bottom.censored, c.bottom) << c.box.y2;
+    const auto rays = seen_by(camera, c.box);
+    EXPECT_EQ(rays.left.end, end(c.left)) << c.box.x1;
+    EXPECT_EQ(rays.right.end, end(c.right)) << c.box.x2;
+    EXPECT_EQ(rays.top.end, end(c.top)) << c.box.y1;
+    EXPECT_EQ(rays.bottom.end, end(c.bottom)) << c.box.y2;
   }
 }
 
@@ -97,7 +105,7 @@ TEST(CameraModel, PitchTiltsRowsAndSpreadsColumns) {
   const double forward = std::cos(p) - y * std::sin(p);
   EXPECT_NEAR(std::atan2(-x, forward), std::atan2(0.3, 2), 1e-9);  // the formula of the model, checked in double
   box.y1 = box.y2 = static_cast<std::int16_t>(std::lround(v));
-  const auto rays = recon::rays_of_box(camera, box);
+  const auto rays = seen_by(camera, box);
   const double row = (box.y2 + 0.5 - 39.5) / 100;
   const double drop = (std::sin(p) + row * std::cos(p)) / (std::cos(p) - row * std::sin(p));
   EXPECT_NEAR(static_cast<double>(rays.bottom.drop), drop, 1e-6);
@@ -106,7 +114,7 @@ TEST(CameraModel, PitchTiltsRowsAndSpreadsColumns) {
 
 TEST(CameraModel, ColumnOfInvertsTheDirection) {
   const auto camera = recon::make_camera_model(simple_camera());
-  const auto rays = recon::rays_of_box(camera, {30, 39, 59, 40});
+  const auto rays = seen_by(camera, {30, 39, 59, 40});
   EXPECT_NEAR(recon::column_of(camera, rays.left.direction), 29.5F, 1e-3F);
   EXPECT_NEAR(recon::column_of(camera, rays.right.direction), 59.5F, 1e-3F);
   EXPECT_LT(recon::column_of(camera, {-1, 0.1F}), -1e4F);  // behind, to the left

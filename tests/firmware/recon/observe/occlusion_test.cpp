@@ -7,29 +7,29 @@
 namespace fencepost::test {
 namespace {
 
-using recon::HiddenEnds;
+using recon::Sides;
 using recon::WaitingBlob;
 
 constexpr std::int16_t kRows = 208;
 
-HiddenEnds ends_of_first(const WaitingBlob& first, const WaitingBlob& second, int beside = recon::kTouchPixels) {
+Sides ends_of_first(const WaitingBlob& first, const WaitingBlob& second, int beside = recon::kTouchPixels) {
   const std::array<WaitingBlob, 2> blobs{first, second};
-  return recon::hidden_ends(blobs, 0, kRows, beside);
+  return recon::hidden_sides(blobs, 0, kRows, beside);
 }
 
 const WaitingBlob kFar{{100, 80, 140, 120}, 1};
 
 TEST(Occlusion, ANearerNeighbourHidesTheTouchingEnd) {
-  const HiddenEnds right = ends_of_first(kFar, {{141, 70, 180, 150}, 2});
+  const Sides right = ends_of_first(kFar, {{141, 70, 180, 150}, 2});
   EXPECT_FALSE(right.left);
   EXPECT_TRUE(right.right);
-  const HiddenEnds left = ends_of_first(kFar, {{60, 70, 99, 150}, 2});
+  const Sides left = ends_of_first(kFar, {{60, 70, 99, 150}, 2});
   EXPECT_TRUE(left.left);
   EXPECT_FALSE(left.right);
 }
 
 TEST(Occlusion, AFartherNeighbourHidesNothing) {
-  const HiddenEnds ends = ends_of_first(kFar, {{141, 70, 180, 110}, 2});
+  const Sides ends = ends_of_first(kFar, {{141, 70, 180, 110}, 2});
   EXPECT_FALSE(ends.left);
   EXPECT_FALSE(ends.right);
 }
@@ -57,7 +57,7 @@ TEST(Occlusion, TwoOfOneColourWithAGapBetweenWereNotMerged) {
 }
 
 TEST(Occlusion, ALowerNeighbourHidesTheBottomButNoSide) {
-  const HiddenEnds ends = ends_of_first(kFar, {{115, 110, 180, 150}, 2});
+  const Sides ends = ends_of_first(kFar, {{115, 110, 180, 150}, 2});
   EXPECT_FALSE(ends.right);
   EXPECT_TRUE(ends.bottom);
 }
@@ -69,10 +69,10 @@ TEST(Occlusion, TheFootOfWhatIsSeenIsAFoot) {
 }
 
 TEST(Occlusion, AnEndNearTheBorderMayBeTheBorders) {
-  EXPECT_TRUE(recon::ends_near_border({4, 0, 90, 9}, 176).left);
-  EXPECT_FALSE(recon::ends_near_border({5, 0, 90, 9}, 176).left);
-  EXPECT_TRUE(recon::ends_near_border({50, 0, 171, 9}, 176).right);
-  EXPECT_FALSE(recon::ends_near_border({50, 0, 170, 9}, 176).right);
+  EXPECT_TRUE(recon::near_border({4, 0, 90, 9}, 176).left);
+  EXPECT_FALSE(recon::near_border({5, 0, 90, 9}, 176).left);
+  EXPECT_TRUE(recon::near_border({50, 0, 171, 9}, 176).right);
+  EXPECT_FALSE(recon::near_border({50, 0, 170, 9}, 176).right);
 }
 
 }  // namespace

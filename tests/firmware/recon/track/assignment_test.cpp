@@ -5,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "firmware/recon/track/tuning.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -20,7 +22,8 @@ struct Problem {
 
 std::vector<std::uint8_t> solve(const Problem& problem) {
   std::vector<std::uint8_t> object_of(problem.blobs);
-  recon::assign(problem.costs, problem.objects, object_of);
+  std::vector<recon::AssignmentColumn> scratch(problem.objects + problem.blobs + 1);
+  recon::assign(problem.costs, problem.objects, object_of, scratch);
   return object_of;
 }
 

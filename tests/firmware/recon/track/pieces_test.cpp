@@ -9,32 +9,34 @@
 namespace fencepost::test {
 namespace {
 
-using recon::Interval;
+using recon::Observation;
 using recon::PiecePair;
 using recon::Prediction;
 using recon::WaitingBlob;
 
-constexpr std::int16_t kRows = 208;
+// 316 x 208 px: columns of the image are those of the level camera, and no blob below is near the border.
+recon::CameraModel camera() {
+  recon::CameraModel model;
+  model.fx = model.fy = 273.6F;
+  model.cx = 157.5F;
+  model.cy = 103.5F;
+  model.width = 316;
+  model.rows = 208;
+  return model;
+}
 
-// Blobs with their intervals; ends are censored as the frame's own occlusion says.
+// Blobs and what is observed of them.
 struct Frame {
   explicit Frame(std::initializer_list<WaitingBlob> list) {
     for (const WaitingBlob& blob : list) EXPECT_TRUE(blobs.push_back(blob));
-    see();
-  }
-  void see() {
-    for (std::size_t b = 0; b < blobs.size(); ++b) {
-      const recon::HiddenEnds hidden = recon::hidden_ends(blobs.view(), b, kRows);
-      const recon::Box& box = blobs[b].box;
-      intervals[b] = {box.x1, box.x2, hidden.left, hidden.right, false, hidden.bottom};
-    }
+    recon::observe(blobs.view(), camera(), observations);
   }
   [[nodiscard]] PiecePair find(std::span<const Prediction> predictions) const {
-    return recon::find_pieces(blobs.view(), {intervals.data(), blobs.size()}, predictions);
+    return recon::find_pieces(observations.view(), predictions);
   }
 
   base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
-  std::array<Interval, sensor::kMaxBlobs> intervals{};
+  recon::Observations observations;
 };
 
 // An object of signature 1 that is expected between these columns, 1 m away.
@@ -60,8 +62,9 @@ TEST(Pieces, BehindAPostAreJoined) {
   EXPECT_EQ(frame.blobs[0].box.x2, 150);
   EXPECT_EQ(frame.blobs[0].box.y1, 80);
   EXPECT_EQ(frame.blobs[0].box.y2, 120);
-  EXPECT_FALSE(recon::hidden_ends(frame.blobs.view(), 0, kRows).left);
-  EXPECT_FALSE(recon::hidden_ends(frame.blobs.view(), 0, kRows).right);
+  recon::observe(frame.blobs.view(), camera(), frame.observations);
+  EXPECT_TRUE(is_edge(frame.observations[0].left));
+  EXPECT_TRUE(is_edge(frame.observations[0].right));
 }
 
 TEST(Pieces, WithNothingBetweenStayTwo) {
@@ -107,29 +110,37 @@ TEST(Pieces, OfAnotherSignatureAreAnotherObjects) {
 
 // --- one blob of two objects ---
 
-Interval blob(std::int16_t left, std::int16_t right) { return {left, right, false, false, false, false}; }
-constexpr recon::Box kBox{100, 80, 150, 120};
+// Both ends and both rows seen.
+Observation blob(std::int16_t left, std::int16_t right) {
+  Observation seen;
+  seen.box = {left, 80, right, 120};
+  seen.signature = 1;
+  seen.left = seen.right = seen.top = seen.bottom = recon::End::kSeen;
+  seen.left_column = left;
+  seen.right_column = right;
+  return seen;
+}
 
 TEST(ShowsBoth, TwoThatTouchInTheImage) {
-  EXPECT_TRUE(recon::shows_both(expected(101, 125), expected(126, 149), blob(100, 150), kBox));
+  EXPECT_TRUE(recon::shows_both(expected(101, 125), expected(126, 149), blob(100, 150)));
 }
 
 TEST(ShowsBoth, NotInTheOtherOrder) {
-  EXPECT_FALSE(recon::shows_both(expected(126, 149), expected(101, 125), blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(126, 149), expected(101, 125), blob(100, 150)));
 }
 
 TEST(ShowsBoth, NotWhereOneAloneIsSoWide) {
-  EXPECT_FALSE(recon::shows_both(expected(101, 145), expected(126, 149), blob(100, 150), kBox));
-  EXPECT_FALSE(recon::shows_both(expected(101, 125), expected(105, 149), blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(101, 145), expected(126, 149), blob(100, 150)));
+  EXPECT_FALSE(recon::shows_both(expected(101, 125), expected(105, 149), blob(100, 150)));
 }
 
 TEST(ShowsBoth, NotWhereAnOuterEndIsElsewhere) {
-  EXPECT_FALSE(recon::shows_both(expected(115, 130), expected(131, 149), blob(100, 150), kBox));
-  EXPECT_FALSE(recon::shows_both(expected(101, 120), expected(121, 135), blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(115, 130), expected(131, 149), blob(100, 150)));
+  EXPECT_FALSE(recon::shows_both(expected(101, 120), expected(121, 135), blob(100, 150)));
 }
 
 TEST(ShowsBoth, NotAcrossAGap) {
-  EXPECT_FALSE(recon::shows_both(expected(90, 101), expected(149, 160), blob(91, 159), kBox));
+  EXPECT_FALSE(recon::shows_both(expected(90, 101), expected(149, 160), blob(91, 159)));
 }
 
 TEST(ShowsBoth, TheFootIsThatOfTheNearerOne) {
@@ -138,9 +149,9 @@ TEST(ShowsBoth, TheFootIsThatOfTheNearerOne) {
   Prediction far = expected(126, 149);
   far.depth = 2;
   far.bottom = {95, 3};
-  EXPECT_TRUE(recon::shows_both(near, far, blob(100, 150), kBox));
+  EXPECT_TRUE(recon::shows_both(near, far, blob(100, 150)));
   near.bottom = {140, 3};
-  EXPECT_FALSE(recon::shows_both(near, far, blob(100, 150), kBox));
+  EXPECT_FALSE(recon::shows_both(near, far, blob(100, 150)));
 }
 
 // --- ends that a model hides ---
@@ -159,31 +170,29 @@ TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
   EXPECT_FALSE(recon::hides_end(post, behind, 140, 1));
   EXPECT_FALSE(recon::hides_end(post, behind, 110, -1));
   EXPECT_FALSE(recon::hides_end(confirmed(60, 101, 0.99F), behind, 100, -1));
-  Prediction doubtful = post;
-  doubtful.confirmed = false;
-  EXPECT_FALSE(recon::hides_end(doubtful, behind, 100, -1));
+  Prediction tentative = post;
+  tentative.confirmed = false;
+  EXPECT_FALSE(recon::hides_end(tentative, behind, 100, -1));
 }
 
 // --- ends that contradict the model ---
 
 TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
   recon::ObjectCore object;
-  constexpr recon::OpenEnds kNone{false, false};
-  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), kNone);
+  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170));
   EXPECT_EQ(object.left_off, 0);
   EXPECT_EQ(object.right_off, 3);
-  recon::compare_ends(object, expected(100, 150), blob(101, 130), kNone);
+  recon::compare_ends(object, expected(100, 150), blob(101, 130));
   EXPECT_EQ(object.right_off, -1);
-  recon::compare_ends(object, expected(100, 150), blob(101, 151), kNone);
+  recon::compare_ends(object, expected(100, 150), blob(101, 151));
   EXPECT_EQ(object.right_off, 0);
 }
 
 TEST(CompareEnds, AWrongPoseContradictsNothing) {
   recon::ObjectCore object;
-  constexpr recon::OpenEnds kNone{false, false};
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), kNone);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170));
   EXPECT_FALSE(object.contradicted());
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), kNone);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170));
   EXPECT_TRUE(object.contradicted());
 }
 

@@ -26,9 +26,9 @@ constexpr base::Time kLongest{400'000};
 template <class Poll>
 Frames collect(Rig& rig, Poll poll) {
   Frames frames;
-  while (!rig.stage.over(rig.clock.now()) && rig.clock.now() < kLongest) {
+  while (!rig.playback.over(rig.clock.now()) && rig.clock.now() < kLongest) {
     rig.step();
-    if (const auto frame = poll(rig.clock.now()); frame && rig.stage.begun()) frames.push_back(*frame);
+    if (const auto frame = poll(rig.clock.now()); frame && rig.playback.begun()) frames.push_back(*frame);
   }
   return frames;
 }
@@ -59,8 +59,8 @@ void expect_boxes(const Feed& feed, const Frames& frames, bool doubled_columns =
 TEST(EmulatedDevice, Pixy2ShowsEveryFrame) {
   const Feed feed = moving_box(316, 208, kFrames);
   Rig rig(feed);
-  StageLink link = rig.add("pixy2");
-  pixy2::Camera<StageLink> camera(link);
+  EndpointLink link = rig.add("pixy2");
+  pixy2::Camera<EndpointLink> camera(link);
   expect_boxes(feed, collect(rig, [&](base::Time now) { return camera.poll(now); }));
 }
 
@@ -74,13 +74,13 @@ class EmulatedCmuCam : public testing::TestWithParam<CmuCam> {};
 TEST_P(EmulatedCmuCam, ShowsEveryFrame) {
   const Feed feed = moving_box(GetParam().dialect->width, GetParam().dialect->height, kFrames);
   Rig rig(feed);
-  StageLink link = rig.add(GetParam().name);
+  EndpointLink link = rig.add(GetParam().name);
   cmucam::Config config;
   config.dialect = GetParam().dialect;
   ASSERT_TRUE(config.windows.push_back({1, 180, 240, 16, 60, 16, 60}));
-  cmucam::CmuCam<StageLink> camera(link, config);
+  cmucam::CmuCam<EndpointLink> camera(link, config);
   expect_boxes(feed, collect(rig, [&](base::Time now) { return camera.poll(now); }));
-  EXPECT_GT(base::Duration(*rig.stage.begun() - base::Time{}).to_double(), 5) << "after the driver's settling";
+  EXPECT_GT(base::Duration(*rig.playback.begun() - base::Time{}).to_double(), 5) << "after the driver's settling";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EmulatedCmuCam,
@@ -91,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(All, EmulatedCmuCam,
 TEST(EmulatedDevice, XbcShowsEveryFrame) {
   const Feed feed = moving_box(356, 291, kFrames);
   Rig rig(feed);
-  StageLink link = rig.add("xbc");
-  xbc::Xbc<StageLink> camera(link, xbc::Config{});
+  EndpointLink link = rig.add("xbc");
+  xbc::Xbc<EndpointLink> camera(link, xbc::Config{});
   expect_boxes(feed, collect(rig, [&](base::Time now) { return camera.poll(now); }));
 }
 
@@ -100,8 +100,8 @@ TEST(EmulatedDevice, NxtCamOnASerialLineShowsEveryFrame) {
   for (const char* name : {"nxtcam", "avrcam"}) {
     const Feed feed = moving_box(176, 144, kFrames);
     Rig rig(feed);
-    StageLink link = rig.add(name);
-    nxtcam::SerialCamera<StageLink> camera(link);
+    EndpointLink link = rig.add(name);
+    nxtcam::SerialCamera<EndpointLink> camera(link);
     expect_boxes(feed, collect(rig, [&](base::Time now) { return camera.poll(now); }), true);
   }
 }
@@ -110,9 +110,9 @@ TEST(EmulatedDevice, NxtCamOnASerialLineShowsEveryFrame) {
 TEST(EmulatedDevice, NxtBringsWheelsAndACameraOnItsPort) {
   const Feed feed = moving_box(176, 144, 100);
   Rig rig(feed);
-  StageLink link = rig.add("nxtcam:nxt,port=2");
-  nxt::FramedLink<StageLink> framed(link);
-  nxt::Brick<nxt::FramedLink<StageLink>> brick(framed);
+  EndpointLink link = rig.add("nxtcam:nxt,port=2");
+  nxt::FramedLink<EndpointLink> framed(link);
+  nxt::Brick<nxt::FramedLink<EndpointLink>> brick(framed);
   nxt::SensorPort port(brick.conversation(), 1);
   nxtcam::Camera<nxt::SensorPort> camera(port);
   nxt::TachoOdometry odometry(brick.conversation(), {});
@@ -160,14 +160,14 @@ TEST(EmulatedDevice, AnswersTheUnknownWithItsOwnError) {
   };
   for (const Case& c : cases) {
     Rig rig(moving_box(10, 10, 1));
-    StageLink link = rig.add(c.device);
+    EndpointLink link = rig.add(c.device);
     for (int i = 0; i < 3'500; ++i) rig.step();
-    (void)rig.stage.station(0).to_host(rig.clock.now());
+    (void)rig.playback.endpoint(0).to_host(rig.clock.now());
     ASSERT_TRUE(link.write(c.command));
     Bytes reply;
     for (int i = 0; i < 14; ++i) {
       rig.step();
-      for (const std::uint8_t byte : rig.stage.station(0).to_host(rig.clock.now())) reply.push_back(byte);
+      for (const std::uint8_t byte : rig.playback.endpoint(0).to_host(rig.clock.now())) reply.push_back(byte);
     }
     EXPECT_EQ(reply, c.reply) << c.device;
   }
@@ -177,13 +177,13 @@ TEST(EmulatedDevice, AnswersTheUnknownWithItsOwnError) {
 TEST(EmulatedDevice, SkipsFramesThatItIsTooSlowFor) {
   Feed feed = moving_box(80, 143, 100);
   for (std::size_t i = 0; i < feed.frames.size(); ++i) feed.frames[i].t = base::Time{200 * static_cast<int>(i)};
-  StageSettings settings;
+  PlaybackSettings settings;
   settings.delay = base::Duration{};
   Rig rig(feed, settings);
   rig.add("cmucam1");
-  while (!rig.stage.over(rig.clock.now())) rig.step();
-  EXPECT_EQ(rig.stage.station(0).counts().frames, 34U) << "each third of 100";
-  EXPECT_EQ(rig.stage.station(0).counts().skipped, 66U);
+  while (!rig.playback.over(rig.clock.now())) rig.step();
+  EXPECT_EQ(rig.playback.endpoint(0).counts().frames, 34U) << "each third of 100";
+  EXPECT_EQ(rig.playback.endpoint(0).counts().skipped, 66U);
 }
 
 }  // namespace

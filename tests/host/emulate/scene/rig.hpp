@@ -1,4 +1,4 @@
-// Drivers, a stage and a clock that the test moves.
+// Drivers, a playback and a clock that the test moves.
 #pragma once
 
 #include <algorithm>
@@ -6,20 +6,21 @@
 
 #include "hal/bus/byte_link.hpp"
 #include "hal/fake/stepped_clock.hpp"
-#include "host/emulate/scene/stage.hpp"
+#include "host/devices/emulated.hpp"
+#include "host/emulate/scene/playback.hpp"
 
 namespace fencepost::emulate {
 
-/// A driver's end of a station's line.
-class StageLink {
+/// A driver's end of a endpoint's line.
+class EndpointLink {
  public:
-  StageLink(Stage& stage, std::size_t index, const fake::SteppedClock& clock)
-      : stage_(stage), index_(index), clock_(clock) {}
+  EndpointLink(Playback& playback, std::size_t index, const fake::SteppedClock& clock)
+      : playback_(playback), index_(index), clock_(clock) {}
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) {
-    Station& station = stage_.station(index_);
-    if (station.unplugged()) return base::Error::kGone;
-    const Bytes fresh = station.to_host(clock_.now());
+    Endpoint& endpoint = playback_.endpoint(index_);
+    if (endpoint.unplugged()) return base::Error::kGone;
+    const Bytes fresh = endpoint.to_host(clock_.now());
     waiting_.insert(waiting_.end(), fresh.begin(), fresh.end());
     if (waiting_.empty()) return base::Error::kNotReady;
     const std::size_t count = std::min(in.size(), waiting_.size());
@@ -28,39 +29,43 @@ class StageLink {
     return count;
   }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out) {
-    if (stage_.station(index_).unplugged()) return base::Error::kGone;
-    stage_.hear(index_, out, clock_.now());
+    if (playback_.endpoint(index_).unplugged()) return base::Error::kGone;
+    playback_.hear(index_, out, clock_.now());
     return out.size();
   }
 
  private:
-  Stage& stage_;
+  Playback& playback_;
   std::size_t index_;
   const fake::SteppedClock& clock_;
   Bytes waiting_;
 };
-static_assert(bus::ByteLink<StageLink>);
+static_assert(bus::ByteLink<EndpointLink>);
+
+inline EmulatedDevice emulated_device(const std::string& name) {
+  return devices::emulated(*devices::parse_device(name, devices::Use::kEmulated));
+}
 
 struct Rig {
   static constexpr base::Duration kStep = base::milliseconds(1);
 
-  Rig(const Feed& feed, const StageSettings& settings = {}) : stage(feed, settings, clock.now()) {}
+  Rig(const Feed& feed, const PlaybackSettings& settings = {}) : playback(feed, settings, clock.now()) {}
 
   /// Connected from the start.
-  StageLink add(const std::string& device, const FaultSettings& faults = {}, std::uint64_t seed = 1) {
-    Station& station = stage.add({device, parse_device(device).spec, faults, seed, {}});
-    station.connect(true, clock.now());
-    return {stage, stage.size() - 1, clock};
+  EndpointLink add(const std::string& device, const FaultSettings& faults = {}, std::uint64_t seed = 1) {
+    Endpoint& endpoint = playback.add({device, emulated_device(device), faults, seed, {}});
+    endpoint.connect(true, clock.now());
+    return {playback, playback.size() - 1, clock};
   }
   void step() {
     clock.advance(kStep);
-    stage.advance(clock.now());
+    playback.advance(clock.now());
   }
   /// Seconds since time began.
-  [[nodiscard]] double since_begin() const { return base::Duration(clock.now() - *stage.begun()).to_double(); }
+  [[nodiscard]] double since_begin() const { return base::Duration(clock.now() - *playback.begun()).to_double(); }
 
   fake::SteppedClock clock;
-  Stage stage;
+  Playback playback;
 };
 
 inline sensor::Blob box(std::uint8_t signature, int x1, int y1, int x2, int y2) {

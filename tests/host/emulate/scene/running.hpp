@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "hal/linux/descriptor.hpp"
-#include "host/emulate/transport/server.hpp"
+#include "host/emulate/scene/server.hpp"
 #include "tests/host/emulate/scene/rig.hpp"
 
 namespace fencepost::emulate {
@@ -23,8 +23,8 @@ namespace fencepost::emulate {
 inline constexpr base::Duration kPatience = base::milliseconds(20'000);
 
 /// A quarter of a second a frame of ten a second: a busy machine that sleeps for less loses none.
-inline StageSettings unhurried() {
-  StageSettings settings;
+inline PlaybackSettings unhurried() {
+  PlaybackSettings settings;
   settings.speed = 0.4;
   return settings;
 }
@@ -32,18 +32,18 @@ inline StageSettings unhurried() {
 /// A server in a thread of its own.
 class Running {
  public:
-  explicit Running(const Feed& feed, const StageSettings& settings = {})
-      : stage_(feed, settings, clock_.now()),
+  explicit Running(const Feed& feed, const PlaybackSettings& settings = {})
+      : playback_(feed, settings, clock_.now()),
         server_(
-            stage_, clock_, [](const std::string&) {}, [](const std::string&) {}) {}
+            playback_, clock_, [](const std::string&) {}, [](const std::string&) {}) {}
   ~Running() { stop(); }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  void add(const std::string& device, OpenedEndpoint endpoint, const FaultSettings& faults = {}) {
-    ASSERT_TRUE(endpoint.ok()) << endpoint.problem();
-    stage_.add({device, parse_device(device).spec, faults, 1, {}});
-    server_.add(std::move(*endpoint));
+  void add(const std::string& device, OpenedTransport transport, const FaultSettings& faults = {}) {
+    ASSERT_TRUE(transport.ok()) << transport.problem();
+    playback_.add({device, emulated_device(device), faults, 1, {}});
+    server_.add(std::move(*transport));
   }
   void start() {
     thread_ = std::thread([this] { finished_ = server_.run([this] { return stop_.load(); }); });
@@ -62,11 +62,11 @@ class Running {
   [[nodiscard]] std::string place(std::size_t index) const { return server_.place(index); }
   [[nodiscard]] const linux::MonotonicClock& clock() const { return clock_; }
   /// After the end.
-  Station& station(std::size_t index) { return stage_.station(index); }
+  Endpoint& endpoint(std::size_t index) { return playback_.endpoint(index); }
 
  private:
   linux::MonotonicClock clock_;
-  Stage stage_;
+  Playback playback_;
   Server server_;
   std::atomic<bool> stop_ = false;
   std::atomic<bool> finished_ = false;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "drivers/odometry/differential_drive.hpp"
+#include "host/emulate/models/wheel_adapters.hpp"
 
 namespace fencepost::emulate {
 namespace {

@@ -32,7 +32,7 @@ Feed quarter_circle() {
 template <class Driver>
 sensor::OdometrySample end_of(Rig& rig, Driver& driver) {
   sensor::OdometrySample last;
-  while (!rig.stage.over(rig.clock.now()) && rig.clock.now() < kLongest) {
+  while (!rig.playback.over(rig.clock.now()) && rig.clock.now() < kLongest) {
     rig.step();
     if (const auto sample = driver.poll(rig.clock.now())) last = *sample;
   }
@@ -42,8 +42,8 @@ sensor::OdometrySample end_of(Rig& rig, Driver& driver) {
 TEST(EmulatedWheels, Create2BringsThePose) {
   const Feed feed = quarter_circle();
   Rig rig(feed);
-  StageLink link = rig.add("create2");
-  create::Create<StageLink> driver(link, create::Config{});
+  EndpointLink link = rig.add("create2");
+  create::Create<EndpointLink> driver(link, create::Config{});
   const sensor::OdometrySample last = end_of(rig, driver);
   EXPECT_NEAR(last.x.to_double(), feed.poses.back().x.to_double(), 0.002);
   EXPECT_NEAR(last.y.to_double(), feed.poses.back().y.to_double(), 0.002);
@@ -54,10 +54,10 @@ TEST(EmulatedWheels, Create2BringsThePose) {
 // the real one. 3 mm and 0.17 degrees a reading: the heading is never told at all.
 TEST(EmulatedWheels, Create1LosesFractionsAsARealOneDoes) {
   Rig rig(quarter_circle());
-  StageLink link = rig.add("create1");
+  EndpointLink link = rig.add("create1");
   create::Config config;
   config.model = create::Model::kCreate1;
-  create::Create<StageLink> driver(link, config);
+  create::Create<EndpointLink> driver(link, config);
   const sensor::OdometrySample last = end_of(rig, driver);
   EXPECT_EQ(last.heading.raw, 0);
   EXPECT_GT(last.x.to_double(), 0.9);
@@ -66,7 +66,7 @@ TEST(EmulatedWheels, Create1LosesFractionsAsARealOneDoes) {
 
 TEST(EmulatedWheels, CanFramesBringThePose) {
   const Feed feed = quarter_circle();
-  StageSettings settings;
+  PlaybackSettings settings;
   settings.delay = base::milliseconds(500);
   for (const bool talon : {false, true}) {
     Rig rig(feed, settings);
@@ -77,9 +77,9 @@ TEST(EmulatedWheels, CanFramesBringThePose) {
     mapping.wheels = {100'000'000, 100'000'000, 235'000'000'000, talon ? 24 : 32, 2'000};
     can_wheels::Wheels wheels(mapping);
     sensor::OdometrySample last;
-    while (!rig.stage.over(rig.clock.now())) {
+    while (!rig.playback.over(rig.clock.now())) {
       rig.step();
-      const Bytes bytes = rig.stage.station(0).to_host(rig.clock.now());
+      const Bytes bytes = rig.playback.endpoint(0).to_host(rig.clock.now());
       for (std::size_t at = 0; at < bytes.size(); at += 16) {
         bus::CanFrame frame;
         std::uint32_t id = 0;
@@ -111,9 +111,9 @@ TEST(EmulatedWheels, RecordsAreThePosesWithoutTime) {
   record::StreamReader reader(buffer);
   PoseSink sink;
   std::string text;
-  while (!rig.stage.over(rig.clock.now())) {
+  while (!rig.playback.over(rig.clock.now())) {
     rig.step();
-    for (const std::uint8_t byte : rig.stage.station(0).to_host(rig.clock.now())) {
+    for (const std::uint8_t byte : rig.playback.endpoint(0).to_host(rig.clock.now())) {
       text += static_cast<char>(byte);
       reader.push(static_cast<char>(byte), sink, {rig.clock.now()});
     }

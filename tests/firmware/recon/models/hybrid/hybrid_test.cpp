@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "firmware/config/profile.hpp"
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "tests/firmware/recon/exact_view.hpp"
@@ -17,10 +18,13 @@ namespace {
 
 using namespace recon;
 
-using Wide = Hybrid<64>;
-using WideSolver = HybridSolver<64, 3>;
-using Narrow = Hybrid<32>;
-using NarrowSolver = HybridSolver<32, 4>;
+// What robots run: another profile is another test.
+using Wide = Hybrid<config::Small::kHybridSectors>;
+using WideSolver = HybridSolver<config::Small::kHybridSectors, config::Small::kHybridOrder>;
+static_assert(config::Full::kHybridSectors == config::Small::kHybridSectors);
+static_assert(config::Full::kHybridOrder == config::Small::kHybridOrder);
+using Narrow = Hybrid<config::Micro::kHybridSectors>;
+using NarrowSolver = HybridSolver<config::Micro::kHybridSectors, config::Micro::kHybridOrder>;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -242,7 +246,7 @@ TEST(HybridProperties, AParkedRobotAddsNothing) {
 TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   const host::LinearRing footprint = box(0.20, 0.12);
   Sighting half = view_of(footprint, {1, 0}).sighting;
-  half.left.censored = true;
+  half.left.end = recon::End::kLowerBound;
   WideFilter filter;
   filter.see(half);
   EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight | ViewTangents::kLeft << ViewTangents::kBits);
@@ -254,19 +258,16 @@ TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   EXPECT_EQ(filter.hybrid.views, 1);
 }
 
-enum class End { kEdge, kHidden, kForeign };
-
 /// A box of 0.2 m by 0.12 m, approached 60 times; of its right end, at y = 0.06, only what is below y = 0.04 is seen.
 /// `mistaken`: in one view only what is below y = 0, and that end is taken for an edge.
-Wide approached(End end, bool mistaken) {
+Wide approached(recon::End end, bool mistaken) {
   WideFilter filter;
   for (int i = 0; i < 60; ++i) {
     const bool wrong = mistaken && i == 5;
     host::LinearRing seen = box(0.20, 0.12);
     for (host::Point& p : seen) p.y = std::min(p.y, wrong ? 0.0 : 0.04);
     Sighting sighting = view_of(seen, {1.5 - 0.01 * i, 0.3 - 0.01 * i}).sighting;
-    sighting.right.censored = !wrong && end != End::kEdge;
-    sighting.right.foreign = !wrong && end == End::kForeign;
+    sighting.right.end = wrong ? recon::End::kSeen : end;
     filter.see(sighting);
   }
   return filter.hybrid;
@@ -276,17 +277,17 @@ constexpr std::size_t kUp = 16;  // of 64 directions: +y
 // Where the object goes on behind something it is no smaller than what is seen of it; another object's end says nothing
 // of this one.
 TEST(HybridProperties, AHiddenEndSaysHowFarItReachesAtLeast) {
-  EXPECT_NEAR(support(approached(End::kEdge, false), kUp), 0.04, 0.006);
-  EXPECT_GT(support(approached(End::kHidden, false), kUp), 0.036);
+  EXPECT_NEAR(support(approached(recon::End::kSeen, false), kUp), 0.04, 0.006);
+  EXPECT_GT(support(approached(recon::End::kLowerBound, false), kUp), 0.036);
 }
 TEST(HybridProperties, AHiddenEndContradictsASmallerEdge) {
-  EXPECT_LT(support(approached(End::kForeign, true), kUp), 0.025);
-  EXPECT_GT(support(approached(End::kHidden, true), kUp), 0.035);
+  EXPECT_LT(support(approached(recon::End::kOccluded, true), kUp), 0.025);
+  EXPECT_GT(support(approached(recon::End::kLowerBound, true), kUp), 0.035);
 }
 
 TEST(HybridProperties, CensoredEndsAddNothing) {
   Sighting blind = view_of(box(0.20, 0.12), {1, 0}).sighting;
-  blind.left.censored = blind.right.censored = true;
+  blind.left.end = blind.right.end = recon::End::kLowerBound;
   WideFilter filter;
   filter.see(blind);
   EXPECT_FALSE(filter.hybrid.ok());
@@ -315,20 +316,31 @@ TEST(HybridSolver, SlicingGivesTheSameBits) {
   EXPECT_GT(steps, 50U);
 }
 
-TEST(HybridSolver, PutsNothingInPlaceBeforeItIsDone) {
+// Alerts read outline and sigmas between two steps: never a half of each.
+template <class FilterType>
+void expect_nothing_in_place_before_it_is_done() {
   const host::LinearRing footprint = box(0.20, 0.12);
   const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 30);
-  WideFilter filter;
+  FilterType filter;
   filter.see(footprint, {lenses.begin(), lenses.begin() + 12});
-  const Wide before = filter.hybrid;
+  const auto before = filter.hybrid;
   filter.hybrid.add(view_of(footprint, lenses[20]).sighting, {});
   filter.solver.begin(filter.hybrid);
+  int steps = 0;
   while (!filter.solver.step(filter.hybrid)) {
+    ++steps;
     EXPECT_TRUE(filter.hybrid.fitting);
     EXPECT_EQ(filter.hybrid.offsets, before.offsets);
+    EXPECT_EQ(filter.hybrid.sigmas, before.sigmas);
   }
+  EXPECT_GT(steps, 5);
   EXPECT_FALSE(filter.hybrid.fitting);
   EXPECT_NE(filter.hybrid.offsets, before.offsets);
+  EXPECT_NE(filter.hybrid.sigmas, before.sigmas);
+}
+TEST(HybridSolver, PutsNothingInPlaceBeforeItIsDone) { expect_nothing_in_place_before_it_is_done<WideFilter>(); }
+TEST(HybridSolver, PutsNothingInPlaceBeforeItIsDoneInMicro) {
+  expect_nothing_in_place_before_it_is_done<NarrowFilter>();
 }
 
 // Wild tangents, thousands of them: every number stays finite and in range.
@@ -342,10 +354,11 @@ TEST(HybridSolver, SurvivesNonsense) {
       const double bearing = 7 * any(random);
       Sighting s =
           view_between({2 * any(random), 2 * any(random)}, bearing, bearing + 0.7 * (1 + any(random))).sighting;
-      s.left.censored = any(random) > 0.7;
-      s.right.censored = any(random) > 0.7;
+      if (any(random) > 0.7) s.left.end = recon::End::kLowerBound;
+      if (any(random) > 0.7) s.right.end = recon::End::kLowerBound;
       s.rows_known = any(random) > 0;
-      s.bottom = {static_cast<float>(0.1 + 0.3 * (1 + any(random))), any(random) > 0.5};
+      s.bottom = {static_cast<float>(0.1 + 0.3 * (1 + any(random))),
+                  any(random) > 0.5 ? recon::End::kLowerBound : recon::End::kSeen};
       wide.see(s);
       narrow.see(s);
     }

@@ -76,7 +76,7 @@ TEST(SectorStore, ClustersLoseHalfAStepAtMost) {
     EXPECT_NEAR(back.offset, cluster.offset, 0.51F * kOffsetStep);
     EXPECT_NEAR(back.phase, cluster.phase, 0.51F / 128);
     EXPECT_NEAR(back.views, cluster.views, 0.51F * kViewsStep);
-    EXPECT_EQ(back.at_least, cluster.at_least);
+    EXPECT_EQ(back.lower_bound, cluster.lower_bound);
   }
   PackedCluster packed;
   EXPECT_FALSE(pack({3.28F, 0.5F, 0.01F, 1}, packed));
@@ -125,20 +125,20 @@ TEST(SectorStore, AWrongTangentIsAClusterOfItsOwnAndIsOutlived) {
   EXPECT_FLOAT_EQ(stored(store, 0).views, 4);
 }
 
-Tangent at_least(float offset) {
+Tangent lower_bound(float offset) {
   Tangent limit = tangent(offset);
-  limit.at_least = true;
+  limit.lower_bound = true;
   return limit;
 }
 
 TEST(SectorStore, WhatSaysAtLeastStaysApartFromEdges) {
   Store store{};
-  insert(store, kPlace, at_least(0.10F), 1, {});
-  insert(store, kPlace, at_least(0.10F), 1, {});
+  insert(store, kPlace, lower_bound(0.10F), 1, {});
+  insert(store, kPlace, lower_bound(0.10F), 1, {});
   insert(store, kPlace, tangent(0.10F), 1, {});
-  EXPECT_TRUE(stored(store, 0).at_least);
+  EXPECT_TRUE(stored(store, 0).lower_bound);
   EXPECT_FLOAT_EQ(stored(store, 0).views, 2);
-  EXPECT_FALSE(stored(store, 1).at_least);
+  EXPECT_FALSE(stored(store, 1).lower_bound);
   EXPECT_FLOAT_EQ(stored(store, 1).views, 1);
   EXPECT_EQ(standing(store, 2 * 10), 1.0F);
 }
@@ -146,22 +146,22 @@ TEST(SectorStore, WhatSaysAtLeastStaysApartFromEdges) {
 TEST(SectorStore, WhatSaysAtLeastIsNoNewsWhereAnEdgeIsThatFarOut) {
   Store store{};
   insert(store, kPlace, tangent(0.10F), 1, {});
-  insert(store, kPlace, at_least(0.105F), 1, {});  // sigma is 10 mm
+  insert(store, kPlace, lower_bound(0.105F), 1, {});  // sigma is 10 mm
   EXPECT_EQ(stored(store, 1).views, 0);
-  insert(store, kPlace, at_least(0.115F), 1, {});
+  insert(store, kPlace, lower_bound(0.115F), 1, {});
   EXPECT_FLOAT_EQ(stored(store, 1).views, 1);
 }
 
 TEST(SectorStore, WhatSaysAtLeastOverrulesAnEdgeAndTakesNothingFromIt) {
   Store store{};
   insert(store, kPlace, tangent(0.02F), 1, {});
-  for (int i = 0; i < 2; ++i) insert(store, kPlace, at_least(0.10F), 1, {});
+  for (int i = 0; i < 2; ++i) insert(store, kPlace, lower_bound(0.10F), 1, {});
   EXPECT_FLOAT_EQ(standing(store, 2 * 10), 0.5F);
   EXPECT_EQ(standing(store, 2 * 10 + 1), 1.0F);
   Store edges{};
   insert(edges, kPlace, tangent(0.02F), 1, {});
   insert(edges, kPlace, tangent(-0.05F), 0.5F, {});
-  insert(edges, kPlace, at_least(0.10F), 1, {});
+  insert(edges, kPlace, lower_bound(0.10F), 1, {});
   EXPECT_NEAR(stored(edges, 0).offset, 0.02F, 1e-4F);
   EXPECT_FLOAT_EQ(stored(edges, 0).views, 1);
   EXPECT_NEAR(stored(edges, 1).offset, -0.05F, 1e-4F);

@@ -1,0 +1,82 @@
+// The models of one object, as a list: what a robot computes is its profile's choice, one word a model.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "firmware/recon/models/cylinder.hpp"
+#include "firmware/recon/models/model_view.hpp"
+#include "hal/base/fnv1a.hpp"
+
+namespace fencepost::recon {
+
+/// What each model is, and all that the map asks of it. Local frame: map axes, origin at the object's first estimated
+/// place. A model takes a sighting in add() and answers nothing; readers know it by its type.
+template <class M>
+concept Model = requires(M model, const M& known, const ModelView& view, const Sighting& first, MapPoint origin,
+                         const Vec2& shift, base::Fnv1a64& hash, std::size_t part) {
+  { M::kName } -> std::convertible_to<std::string_view>;
+  { M::kHashParts } -> std::convertible_to<std::size_t>;  ///< of which a frame hashes one
+  model.start(first, origin);                             ///< a new object: forgets everything
+  model.add(view);
+  model.move_origin(shift);  ///< the local origin is elsewhere by `shift` (m); the object has not moved
+  model.shift(shift);        ///< the object stands elsewhere in the map by `shift` (m), and its origin with it
+  known.hash(hash, part);
+};
+
+template <class First, Model... Others>
+class ModelList;
+
+/// The cylinder comes first in every list: tracking, alerts and the place of the others stand on it. It lives in the
+/// object's core, so that what does not depend on the profile can use it; the list holds the others.
+template <Model... Others>
+class ModelList<Cylinder, Others...> {
+ public:
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    std::apply([&](Others&... models) { (visit(models), ...); }, others_);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    std::apply([&](const Others&... models) { (visit(models), ...); }, others_);
+  }
+
+  template <class M>
+  static constexpr bool has() {
+    return (std::same_as<M, Others> || ...);
+  }
+  /// By its place in the list; the cylinder, place 0, is in the object's core.
+  template <std::size_t kPlace>
+  [[nodiscard]] const auto& get() const {
+    return std::get<kPlace - 1>(others_);
+  }
+  template <class M>
+  [[nodiscard]] M& get() {
+    return std::get<M>(others_);
+  }
+  template <class M>
+  [[nodiscard]] const M& get() const {
+    return std::get<M>(others_);
+  }
+
+  static constexpr std::size_t kHashParts = (Others::kHashParts + ... + 0);
+  /// One part of one of them; parts are numbered through.
+  void hash(base::Fnv1a64& hash, std::size_t part) const {
+    for_each([&](const auto& model) {
+      using M = std::remove_cvref_t<decltype(model)>;
+      if (part < M::kHashParts) model.hash(hash, part);
+      part -= M::kHashParts;  // wraps to a number that is no part of any other
+    });
+  }
+
+ private:
+  [[no_unique_address]] std::tuple<Others...> others_;
+};
+
+/// Of a robot's comparison models: it has none.
+using NoModels = ModelList<Cylinder>;
+
+}  // namespace fencepost::recon

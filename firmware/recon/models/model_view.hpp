@@ -1,0 +1,15 @@
+// What a model is given of one sighting.
+#pragma once
+
+#include "firmware/recon/observe/sighting.hpp"
+
+namespace fencepost::recon {
+
+struct ModelView {
+  const Sighting& sighting;
+  MapPoint origin;    ///< of the object's local frame
+  float novelty = 1;  ///< in (0, 1]: the weight of the view; what a parked robot sees again is not news
+  const MeasurementNoise& noise;
+};
+
+}  // namespace fencepost::recon

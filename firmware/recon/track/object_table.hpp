@@ -1,0 +1,242 @@
+// All objects of the map and their life cycle: born, seen, missed, confirmed, and the five ways in which one ends. What
+// becomes of them in a frame is returned as events; nobody else begins or ends an object.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/track/matcher.hpp"
+#include "firmware/recon/track/object.hpp"
+#include "firmware/recon/track/object_events.hpp"
+#include "firmware/recon/track/tuning.hpp"
+
+namespace fencepost::recon {
+
+/// k sightings in the last n frames in which the object could be seen confirm it.
+struct Confirmation {
+  int k = 3;
+  int n = 5;
+};
+
+/// What became of one frame.
+struct FrameOutcome {
+  std::uint16_t matched = 0;
+  std::uint16_t born = 0;
+  std::uint16_t pieces = 0;   ///< blobs that are part of an object matched already
+  std::uint16_t refused = 0;  ///< blobs that might be new objects, but the table was full of confirmed ones
+};
+
+template <class Profile>
+class ObjectTable {
+ public:
+  static constexpr std::size_t kObjects = Profile::kObjects;
+  using ObjectType = Object<Profile>;
+  using Objects = std::array<ObjectType, kObjects>;
+  using MatcherType = Matcher<ObjectType, kObjects>;
+
+  void clear() {
+    for (ObjectType& object : objects_) object.id = 0;
+    events_.clear();
+    next_id_ = 1;
+    evicted_ = 0;
+  }
+
+  void start_frame(base::Time exposure) {
+    events_.clear();
+    exposure_ = exposure;
+  }
+
+  /// The frame's matches, from `lens`: who was seen, who should have been, and what is new.
+  void update(MatcherType& matcher, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
+    end_divided(matcher);
+    track_seen(matcher, camera, lens);
+    count_missing(matcher);
+    begin_new(matcher, camera, lens, outcome);
+  }
+
+  /// After the models have taken the frame: ends what is double or refuted, confirms what was seen often enough.
+  void tidy(MatcherType& matcher, Confirmation confirmation) {
+    count_pieces(matcher);
+    end_doubles(matcher);
+    end_refuted(matcher);
+    confirm(confirmation);
+  }
+
+  [[nodiscard]] Objects& objects() { return objects_; }
+  [[nodiscard]] const Objects& objects() const { return objects_; }
+  [[nodiscard]] std::span<const ObjectEvent> events() const { return events_.view(); }
+  [[nodiscard]] base::Time exposure() const { return exposure_; }
+  [[nodiscard]] std::uint32_t next_id() const { return next_id_; }
+  [[nodiscard]] std::uint32_t evicted() const { return evicted_; }
+  [[nodiscard]] std::uint32_t size() const {
+    std::uint32_t count = 0;
+    for (const ObjectType& object : objects_) count += object.used() ? 1U : 0U;
+    return count;
+  }
+
+ private:
+  void end_divided(MatcherType& matcher) {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (matcher.prediction(o).divided) end(o, EventKind::kDivided, matcher);
+    }
+  }
+
+  void track_seen(const MatcherType& matcher, const CameraModel& camera, const LensPose& lens) {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!matcher.seen(o)) continue;
+      ObjectType& object = objects_[o];
+      const Observation seen = matcher.observation_of(o);
+      compare_ends(object, matcher.prediction(o), seen);
+      if (object.contradicted()) {
+        object.restart(make_sighting(camera, lens, seen), exposure_);
+        report(EventKind::kMoved, o);
+      }
+      object.track(seen.left, seen.right, exposure_);
+      object.history.push(true);
+      object.presence += kPresenceGain * (1.0F - object.presence);
+    }
+  }
+
+  void count_missing(const MatcherType& matcher) {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      ObjectType& object = objects_[o];
+      const Prediction& prediction = matcher.prediction(o);
+      if (!object.used() || matcher.seen(o) || !prediction.possible) continue;
+      if (!prediction.expected && object.confirmed) continue;
+      if (matcher.may_be_hidden(o)) continue;
+      object.history.push(false);
+      if (!prediction.expected) continue;
+      object.presence -= kPresenceGain * object.presence;
+      if (object.missed_in_a_row < 0xFFFF) ++object.missed_in_a_row;
+    }
+  }
+
+  void begin_new(MatcherType& matcher, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
+    for (std::size_t b = 0; b < matcher.observations().size(); ++b) {
+      const Observation& seen = matcher.observations()[b];
+      if (matcher.taken(b) || seen.no_edge()) continue;
+      const Prediction* divided = matcher.divided_at(seen);
+      if (!divided && is_piece(matcher, b)) {
+        ++outcome.pieces;
+        continue;
+      }
+      const std::size_t slot = slot_for_new(matcher);
+      if (slot == kObjects) {
+        ++outcome.refused;
+        continue;
+      }
+      matcher.begin(slot, b);
+      ObjectType& object = objects_[slot];
+      object.begin(next_id_++, seen.signature, make_sighting(camera, lens, seen), exposure_);
+      if (next_id_ == 0) next_id_ = 1;
+      object.confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
+      object.track(seen.left, seen.right, exposure_);
+      object.history.push(true);
+      report(EventKind::kBorn, slot);
+      ++outcome.born;
+    }
+  }
+
+  bool is_piece(MatcherType& matcher, std::size_t b) {
+    const std::size_t whole = matcher.piece_of(objects_, b);
+    matcher.count_as_pieces(b, whole);
+    return whole < kObjects;
+  }
+
+  // A free slot; else that of the least useful tentative object not seen in this frame: fewest views, then longest
+  // unseen, then the older id; else that of the confirmed one that is longest out of sight, or a robot with a small
+  // table would be blind to new places. kObjects if all were seen lately.
+  std::size_t slot_for_new(MatcherType& matcher) {
+    std::size_t tentative = kObjects;
+    std::size_t old = kObjects;
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      if (!objects_[o].used()) return o;
+      if (matcher.seen(o)) continue;
+      if (objects_[o].confirmed) {
+        const bool stale = exposure_ - objects_[o].last_seen > kOutOfSight;
+        if (stale && (old == kObjects || objects_[o].last_seen < objects_[old].last_seen)) old = o;
+      } else if (tentative == kObjects || less_useful(objects_[o], objects_[tentative])) {
+        tentative = o;
+      }
+    }
+    const std::size_t best = tentative != kObjects ? tentative : old;
+    if (best == kObjects) return best;
+    ++evicted_;
+    end(best, EventKind::kEvicted, matcher);
+    return best;
+  }
+  static bool less_useful(const ObjectCore& a, const ObjectCore& b) {
+    if (a.views != b.views) return a.views < b.views;
+    if (a.last_seen != b.last_seen) return a.last_seen < b.last_seen;
+    return a.id < b.id;
+  }
+
+  void count_pieces(const MatcherType& matcher) {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      std::uint8_t& frames = objects_[o].in_pieces;
+      if (!matcher.in_pieces(o)) frames = 0;
+      if (matcher.in_pieces(o) && frames < kDividingFrames) ++frames;
+    }
+  }
+
+  // Solid things do not stand in one another: of two objects of one signature in one place, one is a double. Not when
+  // both were seen in this frame.
+  void end_doubles(MatcherType& matcher) {
+    for (std::size_t a = 0; a < kObjects; ++a) {
+      for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {
+        if (!objects_[b].used() || objects_[a].signature != objects_[b].signature) continue;
+        if (matcher.seen(a) && matcher.seen(b)) continue;
+        if (!stand_in_one_place(objects_[a], objects_[b])) continue;
+        const std::size_t kept = weight(objects_[a]) >= weight(objects_[b]) ? a : b;
+        end(kept == a ? b : a, EventKind::kMerged, matcher, objects_[kept].id);
+      }
+    }
+  }
+  static float weight(const ObjectCore& object) { return object.presence * static_cast<float>(object.views); }
+
+  // A single sighting beside a confirmed object was noise. What was hardly ever seen, and should have been again and
+  // again, never was. Of a better known object real cameras miss more than that: it stays, and only its alerts stop.
+  void end_refuted(MatcherType& matcher) {
+    for (std::size_t o = 0; o < kObjects; ++o) {
+      const ObjectType& object = objects_[o];
+      if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
+      const bool once = object.views == 1 && has_better_namesake(o);
+      const bool refuted = object.missed_in_a_row >= kRefutingMisses && object.views < kFewViews;
+      if (once || refuted) end(o, EventKind::kDeleted, matcher);
+    }
+  }
+
+  [[nodiscard]] bool has_better_namesake(std::size_t o) const {
+    return std::any_of(objects_.begin(), objects_.end(), [&](const ObjectType& other) {
+      return other.used() && other.confirmed && other.id != objects_[o].id && other.signature == objects_[o].signature;
+    });
+  }
+
+  void confirm(Confirmation confirmation) {
+    for (ObjectType& object : objects_) {
+      const bool placed = object.used() && object.cylinder.estimate().ok();
+      if (placed && object.history.seen_of_last(confirmation.n) >= confirmation.k) object.confirmed = true;
+    }
+  }
+
+  // The only way in which an object ends.
+  void end(std::size_t o, EventKind kind, MatcherType& matcher, std::uint32_t other = 0) {
+    report(kind, o, other);
+    objects_[o].id = 0;
+    matcher.end(o);
+  }
+  void report(EventKind kind, std::size_t o, std::uint32_t other = 0) {
+    static_cast<void>(events_.push_back({kind, static_cast<std::uint8_t>(o), objects_[o].id, other}));
+  }
+
+  Objects objects_{};
+  ObjectEvents<kObjects> events_;
+  base::Time exposure_;  ///< of the current frame
+  std::uint32_t next_id_ = 1;
+  std::uint32_t evicted_ = 0;
+};
+
+}  // namespace fencepost::recon

@@ -1,0 +1,126 @@
+#include "firmware/recon/track/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/recon/models/silhouette.hpp"
+#include "firmware/recon/track/tuning.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+// The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.
+PredictedLine predict_row(const CameraModel& camera, float drop, float relative_depth_sigma,
+                          const MeasurementNoise& noise) {
+  const float along = camera.pitch.x() + drop * camera.pitch.y();
+  if (!(along > 0)) return {};
+  const float row = camera.cy + camera.fy * (drop * camera.pitch.x() - camera.pitch.y()) / along;
+  const float sigma = camera.fy * (std::fabs(drop) * relative_depth_sigma + noise.pitch) + kRowPixels;
+  return {whole_pixels(row), whole_pixels(sigma)};
+}
+
+// Foot and top of an object that stands on the floor.
+void predict_rows(const CameraModel& camera, const ObjectCore& object, const CylinderEstimate& estimate,
+                  const Vec2& axis, const MeasurementNoise& noise, Prediction& prediction) {
+  if (!camera.pitch_known || !(camera.height > 0)) return;
+  const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
+  prediction.bottom = predict_row(camera, camera.height / prediction.depth, relative, noise);
+  if (object.cylinder.first_views() < kViewsForTop) return;
+  const HeightRange band = object.band.at(estimate.center, estimate.radius);
+  if (band.top_known) {
+    prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, relative, noise);
+  }
+}
+
+// Sigma of a tangent, rad.
+float sigma_of(const TouchPoint& touch, float heading) {
+  return std::sqrt(touch.variance / touch.at.squaredNorm() + heading * heading);
+}
+
+Prediction predict_place(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                         const CylinderEstimate& estimate, const Silhouette& seen, const MeasurementNoise& noise) {
+  Prediction prediction;
+  prediction.depth = seen.depth;
+  const float u_left = column_of(camera, seen.left.at);
+  const float u_right = column_of(camera, seen.right.at);
+  const Vec2 middle = 0.5F * (seen.left.at + seen.right.at);
+  const float px_per_radian = camera.fx * middle.squaredNorm() / (middle.x() * middle.x());
+  const float left_sigma = px_per_radian * sigma_of(seen.left, noise.heading);
+  const float right_sigma = px_per_radian * sigma_of(seen.right, noise.heading);
+  const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
+  const float left_tolerance = slack + kGateSigmas * left_sigma;
+  const float right_tolerance = slack + kGateSigmas * right_sigma;
+  prediction.left = {whole_pixels(u_left), whole_pixels(std::max(1.0F, left_sigma))};
+  prediction.right = {whole_pixels(u_right), whole_pixels(std::max(1.0F, right_sigma))};
+  prediction.left_tolerance = whole_pixels(std::max(1.0F, left_tolerance));
+  prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
+  predict_rows(camera, object, estimate, pose.axis, noise, prediction);
+  const auto columns = static_cast<float>(camera.width);
+  prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
+  const float border = kBorderShare * columns;
+  const float near_square = middle.squaredNorm();
+  prediction.expected = u_left > border && u_right < columns - border &&
+                        near_square > kNearestExpected * kNearestExpected &&
+                        near_square < kFarthestExpected * kFarthestExpected;
+  return prediction;
+}
+
+// Variance of what an estimate's own leaves out, m^2.
+float others_of(const CylinderEstimate& estimate, const MeasurementNoise& noise) {
+  const float shape = noise.roundness * estimate.radius;
+  return shape * shape + noise.position * noise.position;
+}
+
+Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                            const CylinderEstimate& estimate, const MeasurementNoise& noise) {
+  Silhouette seen;
+  if (!render(estimate, pose.lens_from(object.origin), pose, others_of(estimate, noise), seen)) return {};
+  return predict_place(camera, pose, object, estimate, seen, noise);
+}
+
+// No distance yet: the object is somewhere on its last bearing.
+Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                           const MeasurementNoise& noise) {
+  const Vec2 lens = pose.lens_from(object.origin);
+  const Vec2 nearest = object.last_lens + kNearestUnknown * object.last_bearing - lens;
+  const Vec2 far = to_camera(pose, object.last_bearing);
+  const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, std::sqrt(nearest.squaredNorm())));
+  Prediction prediction;
+  if (!(far.x() > kSideways)) return prediction;
+  const float u_far = column_of(camera, far);
+  const float u_near = column_of(camera, near);
+  prediction.left.at = whole_pixels(u_far);
+  prediction.right.at = whole_pixels(u_near);
+  prediction.left_tolerance =
+      whole_pixels(camera.fx * (kSlackRadians + (!is_edge(object.left) ? kHiddenRadians : 0.0F)));
+  prediction.right_tolerance =
+      whole_pixels(camera.fx * (kSlackRadians + (!is_edge(object.right) ? kHiddenRadians : 0.0F)));
+  // Without a distance the rows stay about where they were.
+  const HeightBand::Sums& top = object.band.top();
+  const HeightBand::Sums& bottom = object.band.bottom();
+  if (top.views > 0) prediction.top = predict_row(camera, top.drop / top.views, kRowChange, noise);
+  if (bottom.views > 0) prediction.bottom = predict_row(camera, bottom.drop / bottom.views, kRowChange, noise);
+  prediction.possible = true;
+  return prediction;
+}
+
+}  // namespace
+
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const CylinderEstimate& estimate, const MeasurementNoise& noise) {
+  if (!estimate.ok()) return predict_bearing(camera, pose, object, noise);
+  return predict_cylinder(camera, pose, object, estimate, noise);
+}
+
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const PlacedOutline& outline, const MeasurementNoise& noise) {
+  const CylinderEstimate& cylinder = object.cylinder.estimate();
+  Silhouette seen;
+  const Vec2 lens = pose.lens_from(outline.origin);
+  if (!outline.known || !cylinder.ok() || !render(outline.view, lens, pose, others_of(cylinder, noise), seen)) {
+    return predict(camera, pose, object, cylinder, noise);
+  }
+  return predict_place(camera, pose, object, cylinder, seen, noise);
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,45 @@
+// Where each object should appear in the next frame: columns and rows of the level, undistorted camera in whole pixels.
+// Matching needs no more, and a small part saves the room.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/track/object.hpp"
+
+namespace fencepost::recon {
+
+/// One side of a predicted box: its column or row, the sigma of that, px.
+struct PredictedLine {
+  std::int16_t at = 0;
+  std::int16_t sigma = 0;  ///< 0: not known
+};
+
+/// Where an object should appear, before any clipping to the image. Without a distance (depth 0) it is somewhere on its
+/// last bearing: `left.at` is then the column of its middle if it is far away, `right.at` if it is as near as may be.
+struct Prediction {
+  PredictedLine left;
+  PredictedLine right;
+  PredictedLine top;
+  PredictedLine bottom;
+  std::int16_t left_tolerance = 0;  ///< px: farther off than this on average, the blob cannot be the object
+  std::int16_t right_tolerance = 0;
+  float depth = 0;  ///< m along the axis to its nearest point; 0: the distance is not known
+  std::uint8_t signature = 0;
+  bool confirmed = false;
+  bool divided = false;   ///< it turned out to be two objects; nothing matches it
+  bool possible = false;  ///< it can be in the image at all
+  bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
+};
+
+/// Whose prediction it is (signature, confirmed) is left to who asks.
+/// By the circle `estimate`, in the object's local frame: its cylinder's, unless something knows better; else by the
+/// last bearing.
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const CylinderEstimate& estimate, const MeasurementNoise& noise);
+/// By the outline where it is known well, else by the cylinder, else by the last bearing.
+Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
+                   const PlacedOutline& outline, const MeasurementNoise& noise);
+
+}  // namespace fencepost::recon

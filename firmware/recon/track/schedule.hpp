@@ -1,0 +1,56 @@
+// Whose models take a sighting in this frame: most of a frame's work, so a small part does it for few objects a frame.
+#pragma once
+
+#include <cstddef>
+
+#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/track/object_table.hpp"
+
+namespace fencepost::recon {
+
+/// Of the objects seen in this frame the one whose foot is lowest in the image: the robot is about to hit that one.
+/// kObjects: none was seen.
+template <class Profile>
+std::size_t lowest_foot(const typename ObjectTable<Profile>::MatcherType& matcher) {
+  std::size_t lowest = Profile::kObjects;
+  for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+    if (!matcher.seen(o)) continue;
+    if (lowest == Profile::kObjects || matcher.foot_of(o) > matcher.foot_of(lowest)) lowest = o;
+  }
+  return lowest;
+}
+
+/// Of the objects seen in this frame the one that has waited longest for its models' turn; `nearest` waits twice as
+/// long as others. Of two the nearer one. kObjects if none waits. Nobody waits for ever: what is new or near goes
+/// before others for as long as they have waited less than twice the capacity.
+template <class Profile>
+std::size_t most_urgent(const ObjectTable<Profile>& table, const typename ObjectTable<Profile>::MatcherType& matcher,
+                        std::size_t nearest) {
+  std::size_t urgent = Profile::kObjects;
+  int longest = 0;
+  for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+    const ObjectCore& object = table.objects()[o];
+    if (!matcher.seen(o) || object.waiting == 0) continue;
+    const int waited = object.waiting * (o == nearest ? 2 : 1);
+    const bool before = waited == longest && matcher.foot_of(o) > matcher.foot_of(urgent);
+    if (waited < longest || (waited == longest && !before)) continue;
+    urgent = o;
+    longest = waited;
+  }
+  return urgent;
+}
+
+/// The models of Profile::kModelTurns objects take what the frame shows of them from `lens`.
+template <class Profile>
+[[gnu::noinline]] void update_models(ObjectTable<Profile>& table,
+                                     const typename ObjectTable<Profile>::MatcherType& matcher,
+                                     const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
+  const std::size_t nearest = lowest_foot<Profile>(matcher);
+  for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
+    const std::size_t o = most_urgent(table, matcher, nearest);
+    if (o == Profile::kObjects) return;
+    table.objects()[o].model(make_sighting(camera, lens, matcher.observation_of(o)), noise);
+  }
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,76 @@
+// Numbers of tracking that were chosen and not derived. Where a value was found by a study, its seeds are the study's
+// tuning seeds; "by design" is a choice that no study was made for.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/base/units.hpp"
+
+namespace fencepost::recon {
+
+// --- which blob is which object (prediction, correspondence) ---
+
+/// rad. An end may be off by this for reasons outside the noise model: loose mounts, wheel slip. More: swaps between
+/// neighbours; less: objects lost after a bump. By design, 3 degrees.
+inline constexpr float kSlackRadians = 0.05F;
+/// sigmas of the prediction. More: swaps; less: objects seen double. By design.
+inline constexpr float kGateSigmas = 3.0F;
+/// share of the predicted width by which a lost or grown piece of a segment moves an end. Contract section 4: segments
+/// lose up to half.
+inline constexpr float kGateWidthShare = 0.5F;
+/// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. Identity study, seeds 1 to 200.
+inline constexpr float kHiddenRadians = 0.26F;
+/// px. Rows are off by so much besides what distance and pitch explain: whole pixels, rounded edges. By design.
+inline constexpr float kRowPixels = 1.5F;
+/// views. The height band is worth a prediction from here on. By design.
+inline constexpr std::uint8_t kViewsForTop = 3;
+/// m. An object without a distance lies somewhere beyond this on its last bearing. By design.
+inline constexpr float kNearestUnknown = 0.15F;
+/// cost units. Of an object whose distance is unknown, worst and best: any well-placed one goes first. By design.
+inline constexpr std::uint8_t kUnknownCost = 150;
+inline constexpr float kUnknownCostNear = 100;
+/// relative change of depth between sightings that the rows of an object without a distance are expected to show.
+inline constexpr float kRowChange = 0.15F;
+/// cost units of a pair that is wrong on all four sides; kUnmatchedCost is on this scale.
+inline constexpr float kCostScale = 200.0F;
+/// share of a side's cost where the side is hidden or not predicted: as much as one sigma and a half off, so it speaks
+/// neither for a pair nor against it. By design.
+inline constexpr float kCostOfUnknownSide = 0.25F;
+inline constexpr float kBoxSides = 4;
+/// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. Identity study,
+/// seeds 1 to 200.
+inline constexpr std::uint8_t kUnmatchedCost = 160;
+/// ratio of depths above which models do not tell which of two is in front. By design.
+inline constexpr float kSameDepth = 0.95F;
+
+// --- when an object should be in the image ---
+
+/// m, to the middle. Nothing is expected to be seen nearer (it fills the image) or farther. By design.
+inline constexpr float kNearestExpected = 0.1F;
+inline constexpr float kFarthestExpected = 2.5F;
+/// share of the columns, from the border, where nothing is expected. By design.
+inline constexpr float kBorderShare = 0.05F;
+
+// --- life cycle (object_table) ---
+
+/// frames in a row in pieces: noise does not do that, it is two objects. Identity study, seeds 1 to 200.
+inline constexpr std::uint8_t kDividingFrames = 2;
+/// frames in a row in which one end is off and the other is not: the models are of something else. Alert study, seeds
+/// 1 to 1,000.
+inline constexpr int kContradictingFrames = 10;
+/// relocations of an object's local frame, at most: more would be a place that no evidence settles. By design.
+inline constexpr std::uint8_t kMaxRelocations = 4;
+/// Presence is averaged over about this many expected sightings, as its inverse. By design.
+inline constexpr float kPresenceGain = 1.0F / 8.0F;
+/// frames in a row in which an object should have been seen and was not: it is no longer believed in. Less: alerts end
+/// when a camera misses; more: ghosts. Alert study, seeds 1 to 1,000.
+inline constexpr std::uint16_t kRefutingMisses = 12;
+/// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
+/// it stays, and only its alerts stop. Alert study, seeds 1 to 1,000.
+inline constexpr std::uint32_t kFewViews = 8;
+/// A confirmed object out of sight for longer makes room in a full table. By design.
+inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
+/// An object is kept for so long whatever contradicts it. By design.
+inline constexpr base::Duration kKeepUnseen = base::milliseconds(1000);
+
+}  // namespace fencepost::recon

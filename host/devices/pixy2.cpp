@@ -1,0 +1,98 @@
+// Pixy2 and Pixy2.1.
+#include "drivers/pixy2/camera.hpp"
+#include "drivers/pixy2/chirp_link.hpp"
+#include "drivers/wire/i2c_stream.hpp"
+#include "host/devices/options.hpp"
+#include "host/devices/ported.hpp"
+#include "host/emulate/models/camera_adapters.hpp"
+
+namespace fencepost::devices {
+
+Rows pixy2();
+
+namespace {
+
+using enum PlaceKind;
+using Camera = std::unique_ptr<host::CameraDevice>;
+
+constexpr std::uint32_t kBaud = 19'200;
+constexpr std::uint8_t kAddress = 0x54;  // Pixy2 documentation, porting guide
+
+struct OnI2c {
+  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), stream(*bus, address) {}
+  [[nodiscard]] host::Port& port() const { return *bus; }
+
+  std::unique_ptr<host::I2cPort> bus;
+  wire::I2cStream<host::I2cPort> stream;
+  pixy2::Camera<wire::I2cStream<host::I2cPort>> driver{stream};
+};
+
+struct OnUsb {
+  explicit OnUsb(std::unique_ptr<host::BytePort> port) : pipe(std::move(port)) {}
+  [[nodiscard]] host::Port& port() const { return *pipe; }
+
+  std::unique_ptr<host::BytePort> pipe;
+  pixy2::ChirpLink<host::BytePort> chirp{*pipe};
+  pixy2::Camera<pixy2::ChirpLink<host::BytePort>> driver{chirp};
+};
+
+using OnLine = Ported<pixy2::Camera<host::BytePort>>;
+
+Camera open(const Opening& opening) {
+  const DeviceSpec& spec = opening.spec;
+  switch (spec.place.kind) {
+    case kI2c: {
+      const auto address = static_cast<std::uint8_t>(spec.number("address"));
+      return std::make_unique<host::PortedCamera<OnI2c>>(kLookedAt, host::open_i2c(spec.place.name, opening.port()),
+                                                         address);
+    }
+    case kSpi:
+      return std::make_unique<host::PortedCamera<OnLine>>(
+          kLookedAt, host::open_spi(spec.place.name, spec.number("hertz"), opening.port()));
+    case kUsb:
+      return std::make_unique<host::PortedCamera<OnUsb>>(kAsked,
+                                                         host::open_pixy_pipe(spec.option("serial"), opening.port()));
+    case kTty:
+    case kTcp:
+    case kNxt:
+    case kCan:
+    case kNone: break;
+  }
+  return std::make_unique<host::PortedCamera<OnLine>>(kAsked, open_line(opening));
+}
+
+template <const sensor::CameraIntrinsics& Profile>
+std::optional<sensor::CameraIntrinsics> profile(const DeviceSpec& /*spec*/) {
+  return Profile;
+}
+
+template <const sensor::CameraIntrinsics& Profile>
+Row row(const char* name, const char* about) {
+  return {.name = name,
+          .about = about,
+          .role = Role::kCamera,
+          .live = Live{.places = {kTty, kTcp, kI2c, kSpi, kUsb},
+                       .options = {baud(kBaud),
+                                   address(kAddress),
+                                   {"hertz", Whole{10'000, 2'000'000}, "2000000", "of the clock", {kSpi}},
+                                   serial()},
+                       .unready = "it starts, runs another program, or its button is held",
+                       .driver = CameraDriver{open, profile<Profile>}},
+          .emulated =
+              Emulated{.tells = "",
+                       .options = {line_baud(kBaud)},
+                       .describe = emulate::describe_pixy2,
+                       .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_pixy2_model(); },
+                       .image = image_of(Profile, {.first_signature = 1, .last_signature = 7}, 61),
+                       .asked = true}};
+}
+
+}  // namespace
+
+Rows pixy2() {
+  Rows rows = {row<pixy2::kPixy2Profile>("pixy2", "Pixy2"), row<pixy2::kPixy21Profile>("pixy2.1", "Pixy2.1")};
+  rows.front().images = {"pixy2", "pixy2_i2c"};
+  return rows;
+}
+
+}  // namespace fencepost::devices

@@ -1,0 +1,49 @@
+// Drivers on ports, as rows open them.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "host/devices/device_spec.hpp"
+#include "host/live/device.hpp"
+#include "host/live/open_port.hpp"
+
+namespace fencepost::devices {
+
+/// A camera that is asked has its next question when its answer is there: then the loop turns at once.
+inline constexpr base::Duration kAsked = base::milliseconds(4);
+/// Nothing wakes the loop: the device has to be looked at.
+inline constexpr base::Duration kLookedAt = base::milliseconds(2);
+/// Wheels talk without being asked, and what they do not say is noticed in tenths of a second.
+inline constexpr base::Duration kTalks = base::milliseconds(50);
+
+/// A driver and its port, for host::PortedDevice.
+template <class Driver, class Port = host::BytePort>
+struct Ported {
+  template <class... Arguments>
+  explicit Ported(std::unique_ptr<Port> opened, Arguments&&... arguments)
+      : own_port(std::move(opened)), driver(*own_port, std::forward<Arguments>(arguments)...) {}
+  [[nodiscard]] host::Port& port() const { return *own_port; }
+
+  std::unique_ptr<Port> own_port;
+  Driver driver;
+};
+
+/// The port of a device at a tty or on tcp.
+inline std::unique_ptr<host::BytePort> open_line(const Opening& opening) {
+  return host::open_line(opening.spec.place, opening.spec.number("baud"), opening.port());
+}
+
+template <class Driver, class... Arguments>
+std::unique_ptr<host::CameraDevice> camera_on_line(const Opening& opening, Arguments&&... arguments) {
+  return std::make_unique<host::PortedCamera<Ported<Driver>>>(kAsked, open_line(opening),
+                                                              std::forward<Arguments>(arguments)...);
+}
+
+template <class Driver, class... Arguments>
+std::unique_ptr<host::OdometryDevice> odometry_on_line(const Opening& opening, Arguments&&... arguments) {
+  return std::make_unique<host::PortedOdometry<Ported<Driver>>>(kTalks, open_line(opening),
+                                                                std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace fencepost::devices

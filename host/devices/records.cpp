@@ -1,0 +1,40 @@
+// $FPODO lines of another controller, on a port of their own.
+#include "drivers/serial/pump.hpp"
+#include "host/devices/options.hpp"
+#include "host/devices/ported.hpp"
+#include "host/live/records_odometry.hpp"
+
+namespace fencepost::devices {
+
+Rows records();
+
+namespace {
+
+constexpr std::uint32_t kBaud = 115'200;
+
+std::unique_ptr<host::OdometryDevice> open(const Opening& opening) {
+  const bool own = opening.spec.option("stamp") == "own";
+  return odometry_on_line<serial::Pump<host::BytePort, host::RecordsSession>>(
+      opening, own ? host::RecordStamp::kOwn : host::RecordStamp::kArrival);
+}
+
+}  // namespace
+
+Rows records() {
+  return {
+      {.name = "records",
+       .about = "`$FPODO` lines of another controller",
+       .role = Role::kOdometry,
+       .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
+                    .options = {baud(kBaud),
+                                {"stamp", Words{{"arrival", "own"}}, "arrival", "our clock, or theirs if it is ours"}},
+                    .unready = "what comes is no $FPODO: check the baud and what the other end sends",
+                    .driver = OdometryDriver{open}},
+       .emulated =
+           Emulated{.tells = "lines without time, as a robot's own controller prints them",
+                    .options = {line_baud(kBaud)},
+                    .describe = emulate::describe_text,
+                    .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_records_model(); }}}};
+}
+
+}  // namespace fencepost::devices

@@ -1,0 +1,139 @@
+#include "host/devices/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/devices/catalogue.hpp"
+#include "host/text/device_word.hpp"
+
+namespace fencepost::devices {
+namespace {
+
+using host::listed;
+
+struct Sign {
+  const Option& option;
+
+  std::string operator()(const Words& values) const {
+    std::string text = fmt::format("{}={}", *option.name, fmt::join(values.words, "|"));
+    const bool first = values.words.front() == *option.fallback;
+    return first ? text : text + fmt::format(" ({})", *option.fallback);
+  }
+  std::string operator()(const Whole& /*values*/) const { return fmt::format("{}={}", *option.name, *option.fallback); }
+  std::string operator()(const Metres& /*values*/) const {
+    return fmt::format("{}={}", *option.name, *option.fallback);
+  }
+  std::string operator()(const AnyText& /*values*/) const { return fmt::format("{}=TEXT", *option.name); }
+};
+
+/// "address=0x54": what it is without being given, the first of several words.
+std::string sign(const Option& option) { return std::visit(Sign{option}, *option.values); }
+
+std::string shown_place(PlaceKind place, Use use) {
+  if (use != Use::kEmulated || place == PlaceKind::kCan) return std::string(place_pattern(place));
+  return place == PlaceKind::kTcp ? "tcp:[HOST:]PORT" : "a pty";
+}
+
+std::vector<std::string> shown_places(const std::vector<PlaceKind>& places, Use use) {
+  std::vector<std::string> words;
+  for (const PlaceKind place : places) {
+    std::string word = shown_place(place, use);
+    if (!word.empty()) words.push_back(std::move(word));
+  }
+  return words;
+}
+
+/// `serial=TEXT` of the one that is meant (usb).
+std::string explained(const Option& option, Use use, std::size_t places) {
+  std::string text = "`" + sign(option) + "`";
+  if (!option.help.empty()) text += " " + option.help;
+  const bool some = !option.places.empty() && option.places.size() < places;
+  if (!some || *option.name == "baud") return text;
+  std::vector<std::string> words;
+  for (const std::string& place : shown_places(option.places, use)) words.push_back("`" + place + "`");
+  return text + " (" + listed(words) + ")";
+}
+
+std::string explained_options(const Row& row, Use use) {
+  std::string text;
+  for (const Option& option : options_of(row, use)) {
+    text += (text.empty() ? "" : "; ") + explained(option, use, places_of(row, use).size());
+  }
+  // A bar would end the table's cell.
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
+  return text;
+}
+
+std::string image_of_row(const emulate::ImageLimits& image) {
+  std::string text = fmt::format("{} x {}, {:g} /s", image.width, image.height, image.max_rate);
+  if (image.first_signature > 0 || image.last_signature < 255) {
+    text += fmt::format(", signatures {} to {}", image.first_signature, image.last_signature);
+  }
+  if (image.max_blobs < 16) text += fmt::format(", {} blobs", image.max_blobs);
+  if (image.max_of_signature < image.max_blobs) text += fmt::format(", {} of a signature", image.max_of_signature);
+  return text;
+}
+
+std::string told(const Emulated& emulated) {
+  const std::string image = emulated.image ? image_of_row(*emulated.image) : "";
+  return image + (image.empty() || emulated.tells->empty() ? "" : "; ") + *emulated.tells;
+}
+
+std::string live_table(Use use, std::string_view title) {
+  std::string text = fmt::format("| {} | | places | options | `FENCEPOST_{}` |\n|---|---|---|---|---|\n", title,
+                                 use == Use::kCamera ? "CAMERA" : "ODOMETRY");
+  for (const Row* row : rows_for(use)) {
+    std::vector<std::string> places;
+    for (const std::string& place : shown_places(places_of(*row, use), use)) {
+      places.push_back(place.starts_with("a ") ? place : "`" + place + "`");
+    }
+    std::vector<std::string> images;
+    for (const std::string& image : row->images) images.push_back("`" + image + "`");
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", *row->name, *row->about, listed(places),
+                        explained_options(*row, use), listed(images));
+  }
+  return text;
+}
+
+std::string emulated_table() {
+  std::string text = "| device | | what it can tell | options |\n|---|---|---|---|\n";
+  for (const Row* row : rows_for(Use::kEmulated)) {
+    const bool can = places_of(*row, Use::kEmulated).front() == PlaceKind::kCan;
+    text += fmt::format("| `{}{}` | {} | {} | {} |\n", *row->name, can ? ":INTERFACE" : "", *row->about,
+                        told(**row->emulated), explained_options(*row, Use::kEmulated));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string help_for(Use use) {
+  std::string text;
+  for (const Row* row : rows_for(use)) {
+    std::string about = *row->about;
+    std::erase(about, '`');
+    text += fmt::format("  {:<10}  {}\n", *row->name, about);
+    const std::string places = listed(shown_places(places_of(*row, use), use));
+    if (use != Use::kEmulated && !places.empty()) text += fmt::format("  {:<10}    at {}\n", "", places);
+    std::vector<std::string> options;
+    for (const Option& option : options_of(*row, use)) options.push_back(sign(option));
+    if (!options.empty()) text += fmt::format("  {:<10}    {}\n", "", fmt::join(options, " "));
+  }
+  return text;
+}
+
+std::string devices_document() {
+  return "# Devices\n\n"
+         "The catalogue (`host/devices`) as `--help` has it; a test writes this page anew and compares.\n"
+         "A device is named `KIND:PLACE[,option=value...]`. An option stands here with what it is without being given, "
+         "or\nwith its words, the first being what it is then. `FENCEPOST_CAMERA` and `FENCEPOST_ODOMETRY` choose the "
+         "same device\nfor a board's image. `baud=` is of serial ports; of an emulated device's line 0 is as fast as "
+         "it "
+         "goes.\n\n"
+         "## Of `run` and `record`\n" +
+         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry") + "\n## Of `emulate`\n" +
+         emulated_table();
+}
+
+}  // namespace fencepost::devices

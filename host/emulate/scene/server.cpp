@@ -1,0 +1,102 @@
+#include "host/emulate/scene/server.hpp"
+
+#include <algorithm>
+
+#include "hal/linux/wait.hpp"
+
+namespace fencepost::emulate {
+namespace {
+
+/// A host that opens a pty wakes nobody, so that is looked for.
+constexpr base::Duration kLook = base::milliseconds(10);
+/// What a device says goes out in portions of so long, as a USB adapter brings it; byte by byte would be ten thousand
+/// turns a second.
+constexpr base::Duration kPortion = base::milliseconds(1);
+
+}  // namespace
+
+Server::Server(Playback& playback, linux::MonotonicClock clock, Say say, Say moved)
+    : playback_(playback), clock_(clock), say_(std::move(say)), moved_(std::move(moved)) {}
+
+void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport), false, false, 0}); }
+
+bool Server::run(const std::function<bool()>& stop) {
+  while (!playback_.over(clock_.now())) {
+    if (stop()) return false;
+    turn();
+    wait();
+  }
+  return true;
+}
+
+void Server::turn() {
+  const base::Time now = clock_.now();
+  playback_.advance(now);
+  for (std::size_t i = 0; i < places_.size(); ++i) tend(i, now);
+  playback_.advance(now);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Bytes bytes = playback_.endpoint(i).to_host(now);
+    if (bytes.empty()) continue;
+    const std::size_t lost = places_[i].transport->write(bytes);
+    if (lost > 0 && places_[i].lost == 0 && places_[i].transport->tend()) {
+      say_(playback_.endpoint(i).name() + ": the host does not read fast enough; bytes are lost, as on a real line");
+    }
+    places_[i].lost += lost;
+  }
+  if (begun_ == playback_.begun().has_value()) return;
+  begun_ = true;
+  say_("time begins");
+}
+
+void Server::tend(std::size_t index, base::Time now) {
+  Endpoint& endpoint = playback_.endpoint(index);
+  Transport& transport = *places_[index].transport;
+  follow_plug(index);
+  if (const bool there = transport.tend(); there != endpoint.connected()) {
+    say_(endpoint.name() + (there ? ": host connected" : ": host gone"));
+    endpoint.connect(there, now);
+  }
+  const Bytes bytes = transport.read();
+  if (bytes.empty()) return;
+  check_baud(index);
+  if (endpoint.counts().commands == 0) say_(endpoint.name() + ": first command");
+  playback_.hear(index, bytes, now);
+}
+
+void Server::follow_plug(std::size_t index) {
+  Place& place = places_[index];
+  const Endpoint& endpoint = playback_.endpoint(index);
+  if (endpoint.unplugged() && !place.hung_up) {
+    place.transport->hang_up();
+    place.hung_up = true;
+    say_(endpoint.name() + ": unplugged");
+  } else if (!endpoint.unplugged() && place.hung_up) {
+    const std::string before = place.transport->place();
+    const std::string problem = place.transport->plug_in();
+    if (!problem.empty()) return;  // again next turn
+    place.hung_up = false;
+    say_(endpoint.name() + ": plugged in again");
+    if (place.transport->place() != before) moved_(endpoint.name() + " on " + place.transport->place());
+  }
+}
+
+void Server::check_baud(std::size_t index) {
+  Place& place = places_[index];
+  const EmulatedDevice& device = playback_.endpoint(index).device();
+  if (std::exchange(place.baud_checked, true) || device.baud == 0) return;
+  const std::uint32_t baud = place.transport->host_baud();
+  if (baud == 0 || baud == device.baud) return;
+  say_(playback_.endpoint(index).name() + ": the host has set " + std::to_string(baud) + " Bd, the device " +
+       std::to_string(device.baud) + "; a real cable would carry nothing sensible: set one as the other (--baud)");
+}
+
+void Server::wait() {
+  linux::WaitSet set;
+  for (const Place& place : places_) set.add_readable(place.transport->descriptor());
+  const base::Time now = clock_.now();
+  base::Time deadline = now + kLook;
+  if (const auto next = playback_.next()) deadline = std::clamp(*next, now + kPortion, deadline);
+  (void)set.wait_until(clock_, deadline);
+}
+
+}  // namespace fencepost::emulate

@@ -1,0 +1,191 @@
+// In real time, on this machine's ptys and ports, with hal/linux as the host's end. Waits are for conditions.
+#include "host/emulate/scene/server.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "drivers/create/create.hpp"
+#include "drivers/pixy2/camera.hpp"
+#include "hal/linux/tty.hpp"
+#include "tests/drivers/hex.hpp"
+#include "tests/hal/linux/pty.hpp"
+#include "tests/host/emulate/scene/running.hpp"
+
+namespace fencepost::emulate {
+namespace {
+
+namespace fs = std::filesystem;
+using linux::TestFolder;
+using test::hex;
+
+TEST(EmulateServer, ShowsFramesAndThePoseOnPtys) {
+  const TestFolder folder;
+  const Feed feed = moving_box(316, 208, 12);
+  Running running(feed, unhurried());
+  running.add("pixy2,baud=0", open_pty(folder.file("pixy2")));
+  running.add("create2", open_pty(folder.file("create2")));
+  running.start();
+  auto camera_tty = linux::Tty::open({folder.file("pixy2"), 19'200});
+  ASSERT_TRUE(camera_tty.ok()) << camera_tty.problem();
+  auto wheels_tty = linux::Tty::open({folder.file("create2"), 115'200});
+  ASSERT_TRUE(wheels_tty.ok()) << wheels_tty.problem();
+  pixy2::Camera<linux::Tty> camera(*camera_tty);
+  create::Create<linux::Tty> wheels(*wheels_tty, create::Config{});
+  std::vector<sensor::Blob> seen;
+  sensor::OdometrySample last;
+  const bool all = eventually(running.clock(), [&] {
+    const base::Time now = running.clock().now();
+    if (const auto frame = camera.poll(now)) seen.push_back(frame->blobs[0]);
+    if (const auto sample = wheels.poll(now)) last = *sample;
+    return (seen.size() == feed.frames.size() && last.x.to_double() > 0.235) || running.finished();
+  });
+  EXPECT_TRUE(all) << seen.size() << " frames, x " << last.x.to_double();
+  EXPECT_TRUE(running.join());
+  EXPECT_TRUE(in_order(seen, feed));
+  EXPECT_NEAR(last.x.to_double(), 0.24, 0.005);
+  EXPECT_EQ(last.y.raw, 0);
+}
+
+TEST(EmulateServer, LinkIsThereWhileItRuns) {
+  const TestFolder folder;
+  const std::string link = folder.file("pixy2");
+  {
+    OpenedTransport transport = open_pty(link);
+    ASSERT_TRUE(transport.ok());
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_TRUE(fs::is_character_file(link));
+    EXPECT_EQ((*transport)->place(), link);
+    (*transport)->hang_up();
+    EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+    EXPECT_EQ((*transport)->plug_in(), "");
+    EXPECT_TRUE(fs::is_character_file(link));
+  }
+  EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+}
+
+TEST(EmulateServer, LinkReplacesADeadOneAndNothingElse) {
+  const TestFolder folder;
+  const std::string link = folder.file("pixy2");
+  fs::create_symlink("/dev/pts/no_such_one", link);
+  EXPECT_TRUE(open_pty(link).ok());
+  std::ofstream(link) << "mine";
+  OpenedTransport taken = open_pty(link);
+  ASSERT_FALSE(taken.ok());
+  EXPECT_NE(taken.problem().find("remove it"), std::string::npos) << taken.problem();
+  EXPECT_TRUE(fs::is_regular_file(link));
+  EXPECT_FALSE(open_pty(folder.file("no/such/folder")).ok());
+}
+
+TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam1", open_pty(folder.file("camera")));
+  running.start();
+  for (int round = 0; round < 3; ++round) {
+    auto tty = linux::Tty::open({folder.file("camera"), 115'200});
+    ASSERT_TRUE(tty.ok()) << tty.problem();
+    std::string heard;
+    base::Time asked{-10'000};
+    EXPECT_TRUE(eventually(running.clock(), [&] {
+      const std::string command = "GV\r";
+      const base::Time now = running.clock().now();
+      // What is said before the server has seen the host open is lost, as on a cable that is being plugged in.
+      if (now - asked > base::milliseconds(100)) {
+        asked = now;
+        (void)tty->write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
+      }
+      std::array<std::uint8_t, 64> in{};
+      if (const auto got = tty->read(in)) heard.append(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(*got));
+      return heard.find("CMUcam v1.12\r:") != std::string::npos;
+    })) << round;
+    EXPECT_EQ(heard.find("GV"), std::string::npos) << "no echo";
+  }
+  running.stop();
+  EXPECT_EQ(running.endpoint(0).faults().unplugs, 0U);
+}
+
+TEST(EmulateServer, ShowsFramesOnTcp) {
+  const Feed feed = moving_box(316, 208, 12);
+  Running running(feed, unhurried());
+  running.add("pixy2,baud=0", open_tcp("0"));
+  running.start();
+  Socket socket(running.place(0));
+  ASSERT_TRUE(socket.connected()) << running.place(0);
+  pixy2::Camera<Socket> camera(socket);
+  std::vector<sensor::Blob> seen;
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    if (const auto frame = camera.poll(running.clock().now())) seen.push_back(frame->blobs[0]);
+    return seen.size() == feed.frames.size() || running.finished();
+  }));
+  EXPECT_TRUE(running.join());
+  EXPECT_TRUE(in_order(seen, feed));
+}
+
+TEST(EmulateServer, TakesOneHostAtATimeOnTcp) {
+  Running running(moving_box(316, 208, 1'000));
+  running.add("pixy2", open_tcp("127.0.0.1:0"));
+  running.start();
+  std::array<std::uint8_t, 64> in{};
+  {
+    Socket first(running.place(0));
+    ASSERT_TRUE(eventually(running.clock(), [&] {
+      (void)first.write(hex("AE C1 0E 00"));
+      return first.read(in).ok();
+    }));
+    Socket second(running.place(0));
+    EXPECT_TRUE(eventually(running.clock(), [&] {
+      const auto got = second.read(in);
+      return !got.ok() && got.error() == base::Error::kGone;
+    }));
+  }
+  Socket third(running.place(0));
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    (void)third.write(hex("AE C1 0E 00"));
+    return third.read(in).ok();
+  })) << "the first one has gone";
+}
+
+TEST(EmulateServer, UnplugsAndComesBackUnderItsLink) {
+  const TestFolder folder;
+  FaultSettings faults;
+  faults.unplug = base::milliseconds(300);
+  faults.unplug_time = base::milliseconds(300);
+  Running running(moving_box(316, 208, 1'000));
+  running.add("pixy2,baud=0", open_pty(folder.file("pixy2")), faults);
+  running.start();
+  auto tty = linux::Tty::open({folder.file("pixy2"), 19'200});
+  ASSERT_TRUE(tty.ok()) << tty.problem();
+  pixy2::Camera<linux::Tty> camera(*tty);
+  int losses = 0;
+  bool there = true;
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    const base::Time now = running.clock().now();
+    tty->tend(now);
+    (void)camera.poll(now);
+    if (there && !tty->connected()) ++losses;
+    there = tty->connected();
+    return losses == 2 && there;
+  })) << losses;
+  running.stop();
+  EXPECT_GE(running.endpoint(0).faults().unplugs, 2U);
+}
+
+TEST(EmulateServer, SaysWhyAPortCannotBe) {
+  OpenedTransport first = open_tcp("0");
+  ASSERT_TRUE(first.ok());
+  const std::string place = (*first)->place();
+  OpenedTransport second = open_tcp(place);
+  ASSERT_FALSE(second.ok());
+  EXPECT_NE(second.problem().find(place), std::string::npos) << second.problem();
+  EXPECT_NE(second.problem().find("choose another port"), std::string::npos) << second.problem();
+  for (const char* wrong : {"", "port", "99999", "127.0.0.1:", "-1", "no.such.host.invalid:0"}) {
+    EXPECT_FALSE(open_tcp(wrong).ok()) << wrong;
+  }
+  EXPECT_FALSE(open_can("no_such_interface_here").ok());
+  EXPECT_FALSE(open_can("nosuch0").ok());
+}
+
+}  // namespace
+}  // namespace fencepost::emulate
