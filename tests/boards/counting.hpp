@@ -50,7 +50,7 @@ struct FullTable {
   Stages more;        ///< of this board alone
   host::Scene scene;
   std::size_t objects;
-  double least;  ///< frames; fewer than are shown where the wall's clock paces a busy machine
+  double least;  ///< frames that are counted of those that are shown
 };
 
 // GoogleTest expectations.

@@ -15,7 +15,7 @@ namespace {
 // is. 600 frames are shown.
 void count_eight_objects(PoseCorrected corrected) {
   const FullTable table{
-      "f405", {{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}, eight_boxes(12), 8, 400};
+      "f405", {{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}, eight_boxes(12), 8, 590};
   expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return f405(arguments); });
 }
 
