@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "firmware/record/decimal.hpp"
-#include "firmware/record/decode.hpp"
+#include "firmware/record/line.hpp"
 
 namespace fencepost::record {
 

@@ -4,10 +4,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 #include "firmware/record/records.hpp"
 
 namespace fencepost::record {
+
+template <class... Records>
+struct RecordList {};
+
+/// By Kind. Encoder, decoder and sinks are made from this list.
+using AllRecords = RecordList<Header, sensor::CameraIntrinsics, Signature, sensor::OdometrySample, sensor::BlobFrame,
+                              Position, ObjectReport, AlertReport, DigestReport, LinkReport, StatusReport, Setting>;
+
+/// The length of the list if it is not in there.
+template <class Record, class... Records>
+constexpr std::size_t index_in(RecordList<Records...> /*list*/) {
+  std::size_t index = 0;
+  static_cast<void>(((std::is_same_v<Record, Records> || (++index, false)) || ...));
+  return index;
+}
 
 inline constexpr std::string_view kRecordStart = "$FP";  ///< a line that starts otherwise is foreign
 inline constexpr std::size_t kKinds = 12;
@@ -22,6 +38,14 @@ struct KindInfo {
 inline constexpr KindInfo kKindInfo[kKinds] = {{"FPHDR", 5}, {"FPCAM", 14}, {"FPSIG", 3},  {"FPODO", 4},
                                                {"FPFRM", 3}, {"FPPOS", 6},  {"FPOBJ", 13}, {"FPALR", 8},
                                                {"FPDIG", 2}, {"FPLNK", 4},  {"FPSTA", 10}, {"FPCFG", 2}};
+
+template <class Record>
+concept RecordType = index_in<Record>(AllRecords{})
+< kKinds;
+
+template <RecordType Record>
+inline constexpr Kind kKindOf = static_cast<Kind>(index_in<Record>(AllRecords{}));
+static_assert(kKindOf<Header> == Kind::kHeader && kKindOf<Setting> == Kind::kSetting);
 
 constexpr const KindInfo& info(Kind kind) { return kKindInfo[static_cast<std::size_t>(kind)]; }
 

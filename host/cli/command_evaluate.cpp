@@ -150,7 +150,8 @@ Action configure(CLI::App& app) {
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
+  app.add_option("--camera", request->camera,
+                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
       ->type_name("FILE");
   app.add_flag("--json", request->json, "write the measures as JSON instead of text");
   app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");

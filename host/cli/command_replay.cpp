@@ -87,7 +87,8 @@ Action configure(CLI::App& app) {
   app.add_option("--frames", request->options.frames, "stop after the N-th frame record")
       ->type_name("N")
       ->check(positive());
-  app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
+  app.add_option("--camera", request->camera,
+                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
       ->type_name("FILE");
   app.add_option("--pose-noise", request->pose_noise,
                  "sigmas of each pose; default 4,7: a robot that drives. Calibrated cameras: less")

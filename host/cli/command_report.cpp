@@ -49,7 +49,8 @@ Action configure(CLI::App& app) {
       ->type_name("SCENE");
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera, "a file with an FPCAM line, or a scene: for logs without FPCAM")
+  app.add_option("--camera", request->camera,
+                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
       ->type_name("FILE");
   app.add_option("-o,--output", request->output, "default: the log's name with .html, in the current folder")
       ->type_name("FILE");

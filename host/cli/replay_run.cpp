@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
-#include "firmware/record/stream_reader.hpp"
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/import/import.hpp"
 #include "host/scene/load.hpp"
+#include "host/segment/setup_file.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -33,16 +32,6 @@ void say_refused(const std::string& where, std::uint64_t count, const char* reas
   say(fmt::format("{}{} frame{} refused: {} ({})", where, count, count == 1 ? "" : "s", reason, remedy));
 }
 
-/// Keeps the first calibration of a stream.
-struct CameraSink {
-  std::optional<sensor::CameraIntrinsics> camera;
-  void accept(const sensor::CameraIntrinsics& found) {
-    if (!camera) camera = found;
-  }
-  template <class Record>
-  void accept(const Record&) {}
-};
-
 }  // namespace
 
 ReplayOutcome replay_file(const std::string& path, const ReplayOptions& options) {
@@ -58,22 +47,11 @@ Scene read_scene(const std::string& path) {
 }
 
 sensor::CameraIntrinsics read_camera(const std::string& path) {
-  std::string bytes = read_input(path);
-  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  if (start != std::string::npos && bytes[start] == '{') {
-    const LoadedScene scene = parse_scene(bytes, input_name(path));
-    if (!scene.ok()) throw Failure(Exit::kUnreadable, scene.error().message());
-    return scene->camera;
+  try {
+    return parse_camera(read_input(path), input_name(path));
+  } catch (const ImportError& error) {
+    throw Failure(Exit::kUnreadable, error.message());
   }
-  if (!bytes.empty() && bytes.back() != '\n') bytes += '\n';  // a single pasted line is a whole line here
-  std::array<char, record::StreamReader::kBuffer> buffer{};
-  record::StreamReader reader(buffer);
-  CameraSink sink;
-  reader.push(bytes, sink);
-  if (sink.camera) return *sink.camera;
-  throw Failure(Exit::kUnreadable, input_name(path) +
-                                       ": no valid $FPCAM line and no scene; copy the $FPCAM line of "
-                                       "another log of this robot into a file");
 }
 
 void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name) {

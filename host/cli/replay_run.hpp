@@ -14,7 +14,8 @@ ReplayOutcome replay_file(const std::string& path, const ReplayOptions& options)
 /// errors: Failure (kUnreadable)
 Scene read_scene(const std::string& path);
 
-/// From a file with an FPCAM line, or a scene. errors: Failure (kUnreadable)
+/// From a file with an FPCAM line, a scene, or JSON that has just its block "camera", as `segment` reads it. errors:
+/// Failure (kUnreadable)
 sensor::CameraIntrinsics read_camera(const std::string& path);
 
 /// To standard error: rejected lines and refused frames by reason, each with what to do about it; of which log, where

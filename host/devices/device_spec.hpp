@@ -11,7 +11,7 @@
 
 namespace fencepost::devices {
 
-/// What a device is named for.
+/// The use for which a device is named.
 enum class Use : std::uint8_t {
   kCamera,    ///< `run --camera`: PLACE is where it is plugged in
   kOdometry,  ///< `run --odometry`

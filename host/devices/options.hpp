@@ -10,7 +10,7 @@ namespace fencepost::devices {
 inline constexpr std::uint32_t kSlowestBaud = 50;
 inline constexpr std::uint32_t kFastestBaud = 4'000'000;
 
-/// Of a serial port; on a TCP connection nobody knows it.
+/// Of a serial port; unknown on a TCP connection.
 inline Option baud(std::uint32_t as_delivered) {
   return {"baud", Whole{kSlowestBaud, kFastestBaud}, std::to_string(as_delivered), "", {PlaceKind::kTty}};
 }

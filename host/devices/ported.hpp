@@ -10,11 +10,11 @@
 
 namespace fencepost::devices {
 
-/// A camera that is asked has its next question when its answer is there: then the loop turns at once.
+/// A polled camera gets its next request when its reply has arrived: then the loop iterates at once.
 inline constexpr base::Duration kAsked = base::milliseconds(4);
-/// Nothing wakes the loop: the device has to be looked at.
+/// Nothing wakes the loop: the device has to be polled.
 inline constexpr base::Duration kLookedAt = base::milliseconds(2);
-/// Wheels talk without being asked, and what they do not say is noticed in tenths of a second.
+/// Wheels send unasked, and a silence is noticed in tenths of a second.
 inline constexpr base::Duration kTalks = base::milliseconds(50);
 
 /// A driver and its port, for host::PortedDevice.

@@ -70,7 +70,7 @@ struct Option {
   std::vector<PlaceKind> places = {};  ///< where it makes sense; none: everywhere
 };
 
-/// What a driver is opened with. All is borrowed.
+/// Arguments of opening a driver, all borrowed.
 struct Opening {
   const DeviceSpec& spec;
   const host::RobotFile& robot;

@@ -1,4 +1,4 @@
-// What a later part of a log must begin with, so that it can be read by itself.
+// The records with which a later part of a log must begin, so that it can be read by itself.
 #pragma once
 
 #include <map>

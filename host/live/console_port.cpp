@@ -25,7 +25,7 @@ using linux::Descriptor;
 constexpr std::size_t kTerminalPortion = 256;
 constexpr std::size_t kPipePortion = 4096;  // PIPE_BUF
 
-/// A file whose disk takes nothing for so long, while all memory for it is full, is given up.
+/// A file is abandoned after its disk took nothing for this long while the memory for it is full.
 constexpr base::Duration kGivenUp = base::milliseconds(10'000);
 
 constexpr std::string_view kAllowed = "allowed: - (this terminal), pty, tcp:HOST:PORT, /dev/tty...[,baud=N]";
@@ -123,7 +123,7 @@ TerminalConsole::TerminalConsole(int input, int output)
   if (is_file(output)) file_.emplace(std::make_unique<OpenFile>(output));
 }
 
-// Whoever reads a terminal from the background is stopped by the kernel.
+// The kernel stops a background process that reads its terminal.
 bool TerminalConsole::may_read() const {
   return !ended_ && (!input_is_terminal_ || ::tcgetpgrp(input_) == ::getpgrp());
 }
@@ -162,7 +162,7 @@ base::Result<std::size_t> TerminalConsole::write_file(std::string_view bytes) {
 
 ssize_t TerminalConsole::write_some(std::string_view bytes) { return ::write(output_, bytes.data(), bytes.size()); }
 
-// Names come from cameras, robot files and whoever types; their control characters stay here.
+// Names come from cameras, robot files and people; their control characters are not passed on.
 ssize_t TerminalConsole::write_terminal(std::string_view bytes) {
   bytes = bytes.substr(0, kTerminalPortion);
   const auto shown_as = [](PrintableBytes& shown, char c) {
@@ -191,7 +191,7 @@ std::uint64_t TerminalConsole::finish(std::chrono::milliseconds patience) {
 
 void TerminalConsole::watch(linux::WaitSet& set, bool output_waits) const {
   set.add_readable(descriptor());
-  if (output_waits && error_ == 0 && !file_) set.add_writable(output_);  // a file can always be written, says poll(2)
+  if (output_waits && error_ == 0 && !file_) set.add_writable(output_);  // poll(2) reports files as always writable
 }
 
 // --- a pseudo-terminal ---

@@ -32,17 +32,17 @@ struct ConsoleSpec {
 /// errors: a sentence that says what is wrong and what is allowed.
 base::Result<ConsoleSpec, std::string> parse_console(std::string_view text);
 
-/// A byte port to people. What cannot be said is not kept for ever: see PatientConsole.
+/// A byte port to people. Output that cannot be written is not kept indefinitely: see PatientConsole.
 class ConsolePort : public BytePort {
  public:
   /// Why nothing that is written will ever arrive: a sentence, such as that the reader has gone or the disk is full.
   [[nodiscard]] virtual std::optional<std::string> lost() const { return std::nullopt; }
-  /// Waits until what was taken is where it belongs, as long as it moves within `patience`. Bytes of it that never
-  /// will.
+  /// Waits until everything accepted has been written, as long as something is written every `patience`. Returns the
+  /// bytes that will never be.
   virtual std::uint64_t finish(std::chrono::milliseconds /*patience*/) { return 0; }
   /// What is typed is a file or a pipe, which waits until it is read.
   [[nodiscard]] virtual bool input_waits() const { return false; }
-  /// Nothing will ever be typed again: the input has ended.
+  /// The input has ended.
   [[nodiscard]] virtual bool ended() const { return false; }
   /// Adds what wakes the loop when something was typed, and when there is room again for what waits.
   virtual void watch(linux::WaitSet& set, bool output_waits) const;
@@ -82,7 +82,7 @@ class TerminalConsole final : public ConsolePort {
   std::optional<WriteBehind> file_;
 };
 
-/// A fresh pseudo-terminal; whoever opens `path` types and reads.
+/// A new pseudo-terminal, to be opened at `path`.
 class PtyConsole final : public ConsolePort {
  public:
   /// errors: DeviceFailure
@@ -120,10 +120,10 @@ class LineConsole final : public ConsolePort {
   std::unique_ptr<BytePort> port_;
 };
 
-/// The loop's link. What is said while the line is gone is thrown away; it goes on with a whole line. With `may_lose`,
-/// so is what nobody takes for a second: for a console in mode log beside a log on disk, which must not hold up the
-/// robot because nobody reads it. Without a log on disk such a console is the log, and inputs are refused rather than
-/// lost.
+/// The loop's link. Output is discarded while the line is gone and resumes with a whole line. With `may_lose`, so is
+/// output that was not accepted for a second: for a console in mode log beside a log on disk, which must not hold up
+/// the robot because nobody reads it. Without a log on disk such a console is the log, and inputs are refused rather
+/// than lost.
 class PatientConsole {
  public:
   PatientConsole(ConsolePort& port, bool may_lose) : port_(port), may_lose_(may_lose) {}
@@ -131,7 +131,7 @@ class PatientConsole {
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return port_.read(in); }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
   void tend(base::Time now);
-  /// Bytes thrown away.
+  /// Bytes discarded.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   /// For how long it has taken nothing of what waits.
   [[nodiscard]] base::Duration stuck() const { return stuck_since_ ? now_ - *stuck_since_ : base::Duration{}; }

@@ -1,4 +1,4 @@
-// Any camera and any odometry behind one interface each, so that one loop takes all of them.
+// One interface for all cameras and one for all odometries, so that one loop serves them.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,20 @@ class Device {
  public:
   virtual ~Device() = default;
   [[nodiscard]] virtual sensor::LinkState link() const = 0;
-  /// Once a turn of the loop, before it is polled.
+  /// Once per loop iteration, before it is polled.
   virtual void tend(base::Time /*now*/) {}
   /// Adds what wakes the loop when something arrives.
   virtual void watch(linux::WaitSet& /*set*/) const {}
   /// Why it is absent, a sentence without full stop; empty where that is not known.
   [[nodiscard]] virtual std::string problem() const { return {}; }
-  /// How long the loop may sleep although nothing arrives: drivers ask their devices, and notice what is missing.
+  /// How long the loop may sleep if nothing arrives: drivers poll their devices and detect time-outs.
   [[nodiscard]] virtual base::Duration patience() const { return base::milliseconds(100); }
   /// How many inputs for it the console gave so far.
   virtual void console_gave(std::uint64_t /*inputs*/) {}
-  /// It has a cable of its own, whose state is worth telling; the console's inputs have none.
+  /// It has a cable of its own, whose state is reported; the console's inputs have none.
   [[nodiscard]] virtual bool cabled() const { return true; }
 
-  /// Who it is, for the words below; before that nothing is told of it.
+  /// Its name, for the messages below; before that nothing is reported of it.
   void introduce(DeviceLabel label) { label_ = std::move(label); }
   /// People read standard error beside the console: the loop then tells the records only.
   void leave_sentences_to_others() { sentences_ = false; }
@@ -93,7 +93,7 @@ class ConsoleOdometry final : public OdometryDevice {
   sensor::LinkState link_ = sensor::LinkState::kSilent;
 };
 
-/// What is not there need not be asked.
+/// A missing device is not polled.
 inline base::Duration patience_with(const Port& port, base::Duration patience) {
   return port.connected() ? patience : linux::kRetryInterval;
 }

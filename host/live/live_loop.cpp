@@ -8,13 +8,13 @@
 namespace fencepost::host {
 namespace {
 
-/// Some hundred turns' worth of lines, and each turn empties it.
+/// Lines of some hundred iterations, and each one empties it.
 constexpr std::size_t kJournalBytes = 256 * 1024;
 
 /// The record stream's clock ends at 999,999 s, eleven days; a run that would reach it ends before.
 constexpr base::Duration kLongestRun = base::milliseconds(999'000'000);
 
-/// The devices' clock goes on where the run's begins anew.
+/// The devices' clock continues where the run's restarts.
 class ShiftedCamera {
  public:
   ShiftedCamera(CameraDevice& camera, const base::Duration& shift) : camera_(camera), shift_(shift) {}
@@ -138,7 +138,7 @@ class ProfileLoop final : public LiveLoop {
     note_news(camera_device_, memory_->links.camera, camera_known_);
     note_news(odometry_device_, memory_->links.odometry, odometry_known_);
   }
-  // A new run tells its log the states in force again; those are no news.
+  // A new run logs the present link states again; those are no changes.
   void note_news(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
     if (!device.cabled() || !watch.last_sent() || watch.last_sent() == known) return;
     known = watch.last_sent();

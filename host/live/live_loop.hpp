@@ -32,7 +32,7 @@ class LiveLoop {
   /// Hands what waits to the console, as far as it takes it now.
   virtual void flush() = 0;
 
-  /// What the loop told of links in its last turn, a sentence each, whatever the console shows.
+  /// The messages about links of the last iteration, a sentence each, whatever the console shows.
   [[nodiscard]] virtual const std::vector<std::string>& link_news() const = 0;
   /// Something waits for room on the console.
   [[nodiscard]] virtual bool output_waits() const = 0;

@@ -38,7 +38,7 @@ class LogFile {
 
   /// errors: a sentence: exists already, no such folder, not allowed, disk full.
   static linux::Opened<LogFile> open(LogFileSettings settings, base::Time now);
-  /// Closes; whoever wants to know how that went calls `close`.
+  /// Closes without reporting errors; `close` reports them.
   ~LogFile();
   LogFile(LogFile&&) noexcept = default;
   LogFile& operator=(LogFile&&) = delete;
@@ -48,8 +48,8 @@ class LogFile {
   /// Bytes in any portions, not only lines; a part ends at a line's end only.
   /// errors: a sentence: disk full, file too large, device gone. Some of the bytes may have been written.
   [[nodiscard]] Fault write(std::string_view bytes, base::Time now);
-  /// Once a turn of the loop: starts bringing what was written to the disk, at most once in kSyncInterval.
-  /// errors: those that the disk tells only then.
+  /// Once per loop iteration: starts bringing what was written to the disk, at most once in kSyncInterval.
+  /// errors: those that the disk reports only then.
   [[nodiscard]] Fault tend(base::Time now);
   /// All on the disk, and closed. Later calls do nothing.
   [[nodiscard]] Fault close();

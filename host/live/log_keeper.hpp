@@ -1,4 +1,4 @@
-// From the loop's journal to the log on disk: what is taken, what is given up, and what people are told of it.
+// From the loop's journal to the log on disk: what is accepted, what is abandoned, and the messages about it.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class LogKeeper {
   /// Since the start, if it failed.
   [[nodiscard]] base::Duration until() const { return until_; }
 
-  /// A disk that takes nothing for so long is worth a word; and, at the end or without memory left, given up.
+  /// After this long without progress the disk is reported; at the end, or without memory left, it is abandoned.
   static constexpr base::Duration kSlow = base::milliseconds(2'000);
   static constexpr base::Duration kGivenUp = base::milliseconds(10'000);
 

@@ -12,11 +12,11 @@ namespace fencepost::host {
 
 /// Why a port or device cannot be used. Thrown by what opens them.
 struct DeviceFailure {
-  bool usage = false;  ///< what was asked for makes no sense, whatever is plugged in
+  bool usage = false;  ///< the request is invalid, whatever is plugged in
   std::string message;
 };
 
-/// Who asks for a port, and how.
+/// For whom a port is opened, and how.
 struct PortRequest {
   std::string what;   ///< begins the message of a failure
   bool wait = false;  ///< a port that is not there is awaited, instead of a failure

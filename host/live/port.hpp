@@ -20,7 +20,7 @@ namespace fencepost::host {
 class Port {
  public:
   virtual ~Port() = default;
-  /// Once a turn of the loop: looks for a device that is missing, at most four times a second.
+  /// Once per loop iteration: looks for a device that is missing, at most four times a second.
   virtual void tend(base::Time now) = 0;
   [[nodiscard]] virtual bool connected() const = 0;
   /// Why it is not connected; may be empty.

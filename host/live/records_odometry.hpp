@@ -23,7 +23,7 @@ class RecordsSession {
  public:
   using Sample = sensor::OdometrySample;
 
-  /// No outbox: nothing is ever said.
+  /// No outbox: nothing is ever sent.
   struct Silence {
     [[nodiscard]] static std::span<const std::uint8_t> waiting() { return {}; }
     static void sent(std::size_t /*count*/) {}

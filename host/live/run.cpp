@@ -89,13 +89,13 @@ class Run {
     }
   }
 
-  // A recorded stream that is played into the console has time; a robot has not, and its inputs are refused.
+  // A recorded stream played into the console can wait; a robot cannot, so its inputs are refused.
   [[nodiscard]] bool inputs_must_wait() const {
     const bool recorded = !parts_.devices.camera->cabled() && !parts_.devices.odometry->cabled();
     return recorded && parts_.console.input_waits() && log_.behind();
   }
 
-  // A robot must not stop warning because nobody listens at one place.
+  // A robot must not stop warning because one reader is missing.
   void watch_output() {
     const auto lost = parts_.console.lost();
     if (lost && !std::exchange(said_lost_, true)) {

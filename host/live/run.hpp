@@ -1,4 +1,4 @@
-// `fencepost run`: the robot's loop on real devices until it is told to stop.
+// `fencepost run`: the robot's loop on real devices until it is stopped.
 #pragma once
 
 #include <csignal>
@@ -24,7 +24,7 @@ struct RunPlan {
   std::string version;                     ///< of the program, for FPHDR
   std::optional<std::uint64_t> frames;     ///< stop after so many frame records
   std::optional<base::Duration> duration;  ///< stop after so long
-  bool console_is_people = false;          ///< standard error is read beside the console: link news go there only
+  bool console_is_people = false;          ///< standard error is read beside the console: link messages go there only
   bool ends_without_log = false;           ///< a log that cannot be written any more ends the run
 };
 

@@ -27,7 +27,7 @@ int sync_now(int fd) {
 
 }  // namespace
 
-// Signals stay with the thread that waits for them.
+// Signals are handled by the thread that waits for them.
 SyncThread::SyncThread() {
   sigset_t all;
   sigset_t before;

@@ -1,4 +1,4 @@
-// Bringing files from the kernel to the disk without making the loop wait: an SD card takes its time.
+// Syncs files to the disk without blocking the loop: an SD card may take seconds.
 #pragma once
 
 #include <condition_variable>
@@ -13,7 +13,7 @@ namespace fencepost::host {
 class SyncThread {
  public:
   SyncThread();
-  /// Waits for what was asked for.
+  /// Waits for pending syncs.
   ~SyncThread();
   SyncThread(const SyncThread&) = delete;
   SyncThread& operator=(const SyncThread&) = delete;

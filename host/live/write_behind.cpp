@@ -100,7 +100,7 @@ void WriteBehind::Shared::settle(const Fault& answer) {
   queue.clear();
 }
 
-// Signals stay with the thread that waits for them.
+// Signals are handled by the thread that waits for them.
 WriteBehind::WriteBehind(std::unique_ptr<Sink> sink, std::size_t capacity)
     : shared_(std::make_shared<Shared>(std::move(sink), capacity)) {
   sigset_t all;

@@ -32,8 +32,8 @@ class Sink {
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
 
-/// A bounded queue of lines and the thread that writes them. What does not fit is not taken: whoever offers it knows,
-/// and a loop that uses an input only if its record was taken stays true to its log. After a fault nothing is taken.
+/// A bounded queue of lines and the thread that writes them. What does not fit is not accepted, which the caller sees:
+/// a loop that uses an input only if its record was accepted agrees with its log. After a fault nothing is accepted.
 class WriteBehind {
  public:
   using Fault = Sink::Fault;
@@ -49,7 +49,7 @@ class WriteBehind {
 
   /// Takes as many of the lines as there is room for, and answers their length. Never waits for the disk.
   std::size_t put(std::string_view lines, base::Time now);
-  /// Once a turn of the loop.
+  /// Once per loop iteration.
   void tend(base::Time now);
   /// Waits until all is written and closed, as long as something is written every `patience`. Without that it leaves
   /// the rest to the thread, which the end of the program ends, and answers false.

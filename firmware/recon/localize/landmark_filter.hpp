@@ -21,9 +21,9 @@ namespace fencepost::recon {
 
 /// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre.
 struct DriftNoise {
-  float position = 0;  ///< m a sqrt(m) driven
-  float heading = 0;   ///< rad a sqrt(m) driven
-  float turning = 0;   ///< rad a sqrt(rad) turned
+  float position = 0;  ///< m/sqrt(m) driven
+  float heading = 0;   ///< rad/sqrt(m) driven
+  float turning = 0;   ///< rad/sqrt(rad) turned
 };
 
 /// Of a wheel base whose distances are off by `share`: with 3 % it turns 2 degrees a metre by itself (the reference's

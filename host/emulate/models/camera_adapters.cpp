@@ -59,8 +59,8 @@ class CmuCamAdapter final : public DeviceModel {
   [[nodiscard]] bool in_use() const override { return used_; }
 
  private:
-  // A real one never rests, and its hosts count on that: where the feed is slow, or has not begun, it takes an image of
-  // what it saw last.
+  // A real one streams continuously, and its hosts rely on that: where the feed is slow, or has not begun, it repeats
+  // the last image.
   static constexpr base::Duration kLongestPause = base::milliseconds(150);
 
   // 16 to 240 is what the imager gives.
@@ -155,7 +155,7 @@ class NxtCam5Adapter final : public DeviceModel {
   [[nodiscard]] bool in_use() const override { return used_; }
 
  private:
-  // A real one never rests: without a blob for a tenth of a second its hosts take it that it sees none.
+  // A real one streams continuously: without a blob for a tenth of a second its hosts conclude that it sees none.
   static constexpr base::Duration kLongestPause = base::milliseconds(90);
 
   std::vector<sensor::Blob> shown_;

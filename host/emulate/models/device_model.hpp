@@ -1,4 +1,4 @@
-// A model of a device at the far end of a cable, moved along by time.
+// A model of a device at the far end of a cable, stepped by time.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Travel {
   [[nodiscard]] double right(double track) const { return distance + heading * track / 2; }
 };
 
-/// All bytes that come out are what the device says at `now`, whole; the line paces and damages them.
+/// All returned bytes are what the device sends at `now`; the line delays and damages them.
 class DeviceModel {
  public:
   virtual ~DeviceModel() = default;
@@ -41,16 +41,16 @@ class DeviceModel {
   virtual Bytes see(const sensor::BlobFrame& /*frame*/, base::Time /*now*/) { return {}; }
   /// The robot's pose at a sample of the feed.
   virtual Bytes pose(const sensor::OdometrySample& /*sample*/, base::Time /*now*/) { return {}; }
-  /// Where the wheels are now; told before every other call.
+  /// Where the wheels are now; called before every other call.
   virtual void roll(const Travel& /*travel*/) {}
 
-  /// When the device says something by its own clock; `step` is called then.
+  /// When the device next sends something by its own clock; `step` is called then.
   [[nodiscard]] virtual std::optional<base::Time> next() const { return std::nullopt; }
   virtual Bytes step(base::Time /*now*/) { return {}; }
 
-  /// The host has asked for what the device is there for: blocks, packets, counts.
+  /// The host has requested the device's data: blocks, packets, counts.
   [[nodiscard]] virtual bool in_use() const = 0;
-  /// It speaks without being asked, so being connected is being in use.
+  /// It sends unasked, so being connected is being in use.
   [[nodiscard]] virtual bool talks_unasked() const { return false; }
 };
 

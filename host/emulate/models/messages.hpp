@@ -1,4 +1,4 @@
-// Messages on a line for people: hex, and what they mean.
+// Describes messages on a line for people: hex, and what they mean.
 #pragma once
 
 #include <cstdint>

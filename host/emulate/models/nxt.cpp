@@ -7,8 +7,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Bluetooth itself repeats what was damaged, so what a brick does with a telegram cut short is documented nowhere:
-// taken to be forgotten after a pause.
+// Bluetooth itself repeats what was damaged, so what a brick does with a truncated telegram is undocumented: it
+// is taken to be dropped after a pause.
 constexpr base::Duration kQuiet = base::milliseconds(100);
 constexpr std::uint8_t kPending = 0x20;
 constexpr std::uint8_t kOutOfRange = 0xC0;

@@ -23,7 +23,7 @@ class NxtCam final : public I2cDevice {
   /// A new frame is tracked; blobs in our convention, at most eight are kept. Objects beyond the count keep old data.
   void show(const std::vector<sensor::Blob>& blobs);
   void restart(base::Time now);
-  /// Bit c: colour c was taught. From the factory: colour 0, a white light.
+  /// Bit c: colour c was trained. From the factory: colour 0, a white light.
   void teach(std::uint8_t colours) { taught_ = colours; }
   /// What stands at 10: another product for a test of it.
   void set_product(const std::string& product) { product_ = product; }

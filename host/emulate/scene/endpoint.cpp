@@ -72,7 +72,7 @@ void Endpoint::step(const Travel& travel, base::Time now) {
   reboot_if_due(now);
   unplug_if_due(now);
   take_arrived(now);
-  // Bounded: after a long sleep of the machine not all of it is made up.
+  // Bounded: after a long suspension of the machine not all of it is caught up.
   for (int i = 0; i < 1'000 && model_->next() && *model_->next() <= now; ++i) {
     const base::Time due = *model_->next();
     say(model_->step(due), due);

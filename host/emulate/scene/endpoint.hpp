@@ -46,7 +46,7 @@ struct EndpointCounts {
   std::uint64_t replies = 0;   ///< times it said something
 };
 
-/// All times are of one clock; calls come in order of time. Nobody connected: what the device says is lost.
+/// All times are of one clock; calls come in order of time. While nobody is connected, output is lost.
 class Endpoint {
  public:
   Endpoint(EndpointSettings settings, const Feed& feed, base::Time now);
@@ -57,16 +57,16 @@ class Endpoint {
   /// The host has opened or closed its end.
   void connect(bool connected, base::Time now);
   [[nodiscard]] bool connected() const { return connected_; }
-  /// Whether the line is hung up on purpose now.
+  /// Whether an unplug fault is active.
   [[nodiscard]] bool unplugged() const { return unplugged_; }
-  /// Connected, and asked for what it is there for.
+  /// Connected, and its data was requested.
   [[nodiscard]] bool in_use() const;
 
   /// The host's bytes.
   void hear(std::span<const std::uint8_t> bytes, const Travel& travel, base::Time now);
   void see(const sensor::BlobFrame& frame, base::Time now);
   void pose(const sensor::OdometrySample& sample, base::Time now);
-  /// Time has come to `now`: bytes arrive, the device speaks by itself, faults begin and end.
+  /// Advances to `now`: bytes arrive, the device sends by itself, faults begin and end.
   void step(const Travel& travel, base::Time now);
   /// When `step` has something to do.
   [[nodiscard]] std::optional<base::Time> next_step() const;

@@ -1,4 +1,4 @@
-// What the emulated devices see and do: a scene, or a recorded log, on one clock.
+// The input of the emulated devices: a scene, or a recorded log, on one clock.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Boxes of one camera's image in another one's: as if the same lens stood before the other imager.
+// Converts boxes of one camera's image to another's: as if the same lens were in front of the other imager.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace fencepost::emulate {
 
-/// What a device can say of an image.
+/// What a device can report of an image.
 struct ImageLimits {
   std::uint16_t width = 0;  ///< px
   std::uint16_t height = 0;
@@ -22,7 +22,7 @@ struct ImageLimits {
   double max_rate = 60;  ///< images a second
 };
 
-/// What a device could not say.
+/// What a device could not report.
 struct FitLosses {
   std::uint64_t signatures = 0;  ///< blobs of signatures that it does not have
   std::uint64_t blobs = 0;       ///< beyond its limit

@@ -1,4 +1,4 @@
-// A feed and the devices that show it, on one clock that the caller moves.
+// A feed and the devices that play it, on one clock that the caller steps.
 #pragma once
 
 #include <memory>

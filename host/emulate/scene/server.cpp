@@ -7,10 +7,10 @@
 namespace fencepost::emulate {
 namespace {
 
-/// A host that opens a pty wakes nobody, so that is looked for.
+/// Opening a pty wakes no waiter, so it is polled.
 constexpr base::Duration kLook = base::milliseconds(10);
-/// What a device says goes out in portions of so long, as a USB adapter brings it; byte by byte would be ten thousand
-/// turns a second.
+/// Output is sent in portions of this length, as a USB adapter does; byte by byte would be ten thousand iterations a
+/// second.
 constexpr base::Duration kPortion = base::milliseconds(1);
 
 }  // namespace

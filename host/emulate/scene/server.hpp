@@ -13,7 +13,7 @@ namespace fencepost::emulate {
 
 class Server {
  public:
-  /// `playback` is borrowed, and was started by `clock`. `say` is told of hosts that come and go; `moved` of a device
+  /// `playback` is borrowed, and was started by `clock`. `say` reports hosts that come and go; `moved` a device
   /// that is found at another place than before.
   Server(Playback& playback, linux::MonotonicClock clock, Say say, Say moved);
 
@@ -23,7 +23,7 @@ class Server {
 
   /// Serves until the playback is over (true), or `stop` says so (false); it is asked at least ten times a second.
   bool run(const std::function<bool()>& stop);
-  /// One turn: what has come is heard, what is due is said.
+  /// One iteration: reads what has arrived, sends what is due.
   void turn();
 
  private:

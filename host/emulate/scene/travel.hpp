@@ -9,7 +9,7 @@
 namespace fencepost::emulate {
 
 /// Between two poses the robot drives an arc: with a turn of a over a chord of c it drives c (a/2) / sin(a/2) along the
-/// middle heading. Ways and headings are sums from the first pose on, so rounding them to counts never adds up.
+/// middle heading. Distances and headings are sums from the first pose on, so rounding errors do not accumulate.
 class TravelLog {
  public:
   /// Poses in order of time; headings wrapped or not. Without any, the robot stands.
@@ -18,7 +18,7 @@ class TravelLog {
   /// Interpolated; before the first pose and after the last the robot stands.
   [[nodiscard]] Travel at(base::Time t) const;
 
-  /// Way across the wheels, m, which no wheel can tell; beyond what rounding to 0.1 mm explains.
+  /// Distance driven sideways, m, which no wheel can measure; beyond what rounding to 0.1 mm explains.
   [[nodiscard]] double sideways() const { return sideways_; }
 
  private:

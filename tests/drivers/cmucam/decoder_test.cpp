@@ -143,9 +143,10 @@ TEST(CmuCamDecoder, TheFuzzersEntryRuns) {
     for (int i = 0; i < 200; ++i) {
       state = state * 1'664'525 + 1'013'904'223;
       // Half of them bytes that mean something.
-      constexpr std::string_view kTelling = "\xFFTMCNSACK\r: 0123456789";
+      constexpr std::string_view kMeaningful = "\xFFTMCNSACK\r: 0123456789";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 2 == 0 ? test::octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
+      bytes.push_back(r % 2 == 0 ? test::octet(kMeaningful[r / 2 % kMeaningful.size()])
+                                 : static_cast<std::uint8_t>(r / 2));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

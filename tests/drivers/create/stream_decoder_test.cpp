@@ -110,9 +110,10 @@ TEST(CreateStream, TheFuzzersEntryRuns) {
     std::vector<std::uint8_t> bytes;
     for (int i = 0; i < 200; ++i) {
       state = state * 1'664'525 + 1'013'904'223;
-      constexpr std::string_view kTelling = "\x13\x06\x2B\x2C";
+      constexpr std::string_view kMeaningful = "\x13\x06\x2B\x2C";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 2 == 0 ? test::octet(kTelling[r / 2 % kTelling.size()]) : static_cast<std::uint8_t>(r / 2));
+      bytes.push_back(r % 2 == 0 ? test::octet(kMeaningful[r / 2 % kMeaningful.size()])
+                                 : static_cast<std::uint8_t>(r / 2));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

@@ -194,9 +194,10 @@ TEST(XbcDecoder, TheFuzzersEntryRuns) {
     std::vector<std::uint8_t> bytes;
     for (int i = 0; i < 200; ++i) {
       state = state * 1'664'525 + 1'013'904'223;
-      constexpr std::string_view kTelling = "$FBEV *0123456789-\r\nXBCL";
+      constexpr std::string_view kMeaningful = "$FBEV *0123456789-\r\nXBCL";
       const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 4 != 0 ? test::octet(kTelling[r / 4 % kTelling.size()]) : static_cast<std::uint8_t>(r / 4));
+      bytes.push_back(r % 4 != 0 ? test::octet(kMeaningful[r / 4 % kMeaningful.size()])
+                                 : static_cast<std::uint8_t>(r / 4));
     }
     ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
   }

@@ -74,7 +74,7 @@ Script links(const std::vector<std::pair<double, LinkState>>& camera) {
   return script;
 }
 
-TEST(LinkTelling, SaysOneSentenceAChangeInModeText) {
+TEST(LinkMeaningful, SaysOneSentenceAChangeInModeText) {
   Desk<> desk(Mode::kText, links({{0.0, LinkState::kOk}, {0.1, LinkState::kSilent}, {3.0, LinkState::kOk}}));
   desk.turn(4'000);
   EXPECT_EQ(desk.link.said(),
@@ -84,7 +84,7 @@ TEST(LinkTelling, SaysOneSentenceAChangeInModeText) {
             "camera works\r\n");
 }
 
-TEST(LinkTelling, WritesRecordsInModeLogBehindTheHeader) {
+TEST(LinkMeaningful, WritesRecordsInModeLogBehindTheHeader) {
   Desk<> desk(Mode::kLog, links({{0.0, LinkState::kOk}, {0.5, LinkState::kAbsent}}));
   desk.turn(1'000);
   const std::string& said = desk.link.said();
@@ -98,7 +98,7 @@ TEST(LinkTelling, WritesRecordsInModeLogBehindTheHeader) {
 }
 
 // A recording that begins now knows how the links are.
-TEST(LinkTelling, TellsThemAgainToANewLog) {
+TEST(LinkMeaningful, TellsThemAgainToANewLog) {
   Desk<> desk(Mode::kQuiet, links({{0.0, LinkState::kOk}}));
   desk.turn(100);
   EXPECT_EQ(desk.link.take_said(), "");
@@ -110,7 +110,7 @@ TEST(LinkTelling, TellsThemAgainToANewLog) {
 }
 
 // It is said once, so it is not dropped where the line is slow.
-TEST(LinkTelling, WaitsForRoom) {
+TEST(LinkMeaningful, WaitsForRoom) {
   Desk<> desk(Mode::kText, links({{0.0, LinkState::kOk}}));
   desk.link.bytes_a_turn = 0;
   while (desk.memory().output.put_line([](std::span<char> room) -> std::size_t { return room.size() < 80 ? 0 : 80; })) {
@@ -122,7 +122,7 @@ TEST(LinkTelling, WaitsForRoom) {
   EXPECT_NE(desk.link.said().find("camera works\r\n"), std::string::npos);
 }
 
-TEST(LinkTelling, SaysNothingDuringTheSelfTest) {
+TEST(LinkMeaningful, SaysNothingDuringTheSelfTest) {
   Desk<> desk(Mode::kText, links({{0.0, LinkState::kOk}, {0.2, LinkState::kAbsent}}));
   desk.turn(190);
   desk.link.take_said();
@@ -143,7 +143,7 @@ struct Named {
   }
 };
 
-TEST(LinkTelling, UsesTheWordsOfASensorThatHasThem) {
+TEST(LinkMeaningful, UsesTheWordsOfASensorThatHasThem) {
   Desk<> desk;
   loop::LinkWatch watch;
   desk.pipeline().reporter().link(watch, Named{}, "camera", Time{});
@@ -152,7 +152,7 @@ TEST(LinkTelling, UsesTheWordsOfASensorThatHasThem) {
   EXPECT_NE(desk.link.said().find("the Pixy2 is unready: let go of its button\r\n"), std::string::npos);
 }
 
-TEST(LinkTelling, SaysNothingOfASensorWithoutACable) {
+TEST(LinkMeaningful, SaysNothingOfASensorWithoutACable) {
   Desk<> desk;
   loop::LinkWatch watch;
   for (const int ms : {0, 1'100}) {

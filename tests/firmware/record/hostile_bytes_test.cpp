@@ -41,9 +41,10 @@ std::string good_log(RandomRecords& random) {
 /// One deletion, insertion, overwriting, doubling or cut.
 std::string damaged(std::string text, RandomRecords& random) {
   if (text.empty()) return text;
-  static constexpr std::string_view kTelling = "$FP,*-+.0123456789\r\n%aEx \xFF";
+  static constexpr std::string_view kMeaningful = "$FP,*-+.0123456789\r\n%aEx \xFF";
   const std::size_t at = random.below(text.size());
-  const char c = random.chance(4) ? static_cast<char>(random.below(256)) : kTelling[random.below(kTelling.size())];
+  const char c =
+      random.chance(4) ? static_cast<char>(random.below(256)) : kMeaningful[random.below(kMeaningful.size())];
   switch (random.below(5)) {
     case 0: text.erase(at, 1 + random.below(5)); break;
     case 1: text.insert(at, 1 + random.below(3), c); break;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/host/cli/run.hpp"
 
@@ -113,6 +114,9 @@ TEST(Replay, ALogWithoutCalibrationNeedsACamera) {
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera cam").out, whole);
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera " + kScene).out, whole);
   EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera - <cam").out, whole);
+  const json scene = json::parse(slurp(FENCEPOST_SOURCE_DIR "/host/share/recordings/approach_stop.json"));
+  spill(folder.path() / "camera.json", json{{"camera", scene["camera"]}}.dump());
+  EXPECT_EQ(shell(folder, "fencepost replay nocam.log --camera camera.json").out, whole) << "as `segment` reads it";
 }
 
 TEST(Simulate, GivesTheBundledRecordingAndFeedsReplay) {
@@ -143,6 +147,17 @@ TEST(Demo, ShowsAlertsObjectsAndAReport) {
   EXPECT_TRUE(holds(run.err, "Wrote fencepost-demo.html"));
   EXPECT_TRUE(holds(run.err, "Next:\n  fencepost "));
   EXPECT_TRUE(holds(slurp(folder.path() / "fencepost-demo.html"), "Against the truth"));
+}
+
+// README.md shows the output, indented by four.
+TEST(Demo, PrintsWhatTheReadmeShows) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost demo");
+  std::string shown;
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) shown += (line.empty() ? "" : "    ") + line + "\n";
+  ASSERT_GT(shown.size(), 500U) << run.err;
+  EXPECT_TRUE(holds(slurp(FENCEPOST_SOURCE_DIR "/README.md"), shown)) << "not in README.md:\n" << shown;
 }
 
 TEST(Import, RingsGiveALogThatReplays) {

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"fencepost replay foreign --json -o result", "foreign: no record"},
                       Wrong{"fencepost replay - -o result", "standard input: empty"},
                       Wrong{"fencepost replay foreign --camera missing -o result", "cannot read missing"},
-                      Wrong{"fencepost replay foreign --camera foreign -o result", "no valid $FPCAM"},
+                      Wrong{"fencepost replay foreign --camera foreign -o result", "foreign: has no calibration"},
                       Wrong{"fencepost report foreign -o result", "foreign: no record"},
                       Wrong{"fencepost report foreign --scene scene.json -o result", "scene.json: line 1"},
                       Wrong{"fencepost simulate missing.json -o result", "cannot read missing.json"},

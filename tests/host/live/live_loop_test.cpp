@@ -69,7 +69,8 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
 TEST(LiveLoop, SaysAtTheStartThatTheCamerasPitchIsUnknown) {
   ConsoleCamera camera;
   Wheels wheels;
-  wheels.introduce({"odometry create2 at /dev/ttyUSB0", "create2", "/dev/ttyUSB0", "check its power", "check the baud"});
+  wheels.introduce(
+      {"odometry create2 at /dev/ttyUSB0", "create2", "/dev/ttyUSB0", "check its power", "check the baud"});
   Deaf port;
   PatientConsole console(port, true);
   const auto loop = make_live_loop("full", camera, wheels, console, console::Mode::kQuiet);

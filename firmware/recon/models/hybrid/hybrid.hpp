@@ -38,7 +38,7 @@ struct HybridCore {
   Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
   std::uint8_t views = 0;   ///< that brought news, counted to 255
   std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
-  std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m a m
+  std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
   bool news = false;     ///< there are tangents that no fit has begun with
   bool fitting = false;  ///< a solver works on it
@@ -63,7 +63,7 @@ struct OutlineView {
   /// Mean support value, m.
   [[nodiscard]] float radius() const;
   [[nodiscard]] float mean_sigma() const;
-  /// h'(direction), m a rad.
+  /// h'(direction), m/rad.
   [[nodiscard]] float slope(const SectorPlace& place) const;
   /// In [0, 1]: the expected R + P above that of the hull is about 1.05 (1 - confidence).
   [[nodiscard]] float confidence() const;

@@ -67,7 +67,7 @@ using ConstClusters = std::span<const PackedCluster>;
 
 /// What the store must know of the model to compare tangents of slightly different directions.
 struct StoreContext {
-  float slope = 0;  ///< h'(direction) of the model there, m a rad
+  float slope = 0;  ///< h'(direction) of the model there, m/rad
   float scale = 1;  ///< how much larger residuals are than sigmas say
 };
 

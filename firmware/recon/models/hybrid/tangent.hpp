@@ -22,7 +22,7 @@ struct ViewTangents {
   Tangent left;
   Tangent right;
   Tangent front;
-  std::uint8_t present = 0;   ///< bits of Which
+  std::uint8_t present = 0;      ///< bits of Which
   std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge, but the object reaches so far
 };
 

@@ -146,7 +146,7 @@ struct Loop {
   std::mt19937 random{5};
   Eigen::Vector3d truth = pose_at(0);
   Eigen::Vector3d odometry = truth;
-  double drift = 0.03;  // rad a metre
+  double drift = 0.03;  // rad/m
   double noise = 0.01;  // m
   double first_guess_off = 0.05;
 

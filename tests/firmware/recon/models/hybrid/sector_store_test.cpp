@@ -99,7 +99,7 @@ TEST(SectorStore, AgreeingTangentsMakeOneMean) {
 TEST(SectorStore, SlopeCarriesATangentToTheClustersDirection) {
   Store store{};
   const float angle = node_step(64).angle;
-  constexpr float kSlope = 0.5F;  // m a rad
+  constexpr float kSlope = 0.5F;  // m/rad
   insert(store, {10, 0.2F}, tangent(0.100F), 1, {kSlope, 1});
   insert(store, {10, 0.8F}, tangent(0.100F + kSlope * 0.6F * angle), 1, {kSlope, 1});
   EXPECT_NEAR(stored(store, 0).phase, 0.5F, 0.005F);
