@@ -10,29 +10,29 @@ using record::AlertLevel;
 
 namespace {
 
-// Sigma of the robot's own place at this moment, as at an exposure (m).
+// Standard deviation of the robot's own position, as at an exposure (m).
 constexpr float kPoseSigma = 0.004F;
 
-/// How much nearer an obstacle is taken to be than it seems.
-struct Doubt {
+/// Safety margin for the uncertainty of a distance: it is subtracted before the comparison with the stop distance.
+struct Margin {
   float sigmas;
-  float most;  ///< as a share of the stop distance: doubt must not stop a robot far from anything
+  float most;  ///< as a share of the stop distance: uncertainty must not stop a robot far from anything
 };
-constexpr Doubt kSeenWhole{3.0F, 0.2F};
-// Where an end was never seen the object may reach far nearer than its cylinder does.
-constexpr Doubt kCutOff{4.0F, 0.4F};
+constexpr Margin kSeenWhole{3.0F, 0.2F};
+// Where an end was not seen, the object may extend much nearer than its cylinder.
+constexpr Margin kCutOff{4.0F, 0.4F};
 
-float doubt(const Obstacle& obstacle, const InPath& way, float stop) {
-  const Doubt& doubt = obstacle.cut_off ? kCutOff : kSeenWhole;
+float margin_of(const Obstacle& obstacle, const InPath& way, float stop) {
+  const Margin& margin = obstacle.cut_off ? kCutOff : kSeenWhole;
   const float sigma = std::sqrt(way.sigma * way.sigma + kPoseSigma * kPoseSigma);
-  return std::min(doubt.sigmas * sigma, doubt.most * stop);
+  return std::min(margin.sigmas * sigma, margin.most * stop);
 }
 
-// Within the stop distance now, as far as one can be sure, or before the next look.
+// Within the stop distance now, with the margin, or before the path is judged again.
 bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
   constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
   const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
-  return obstacle.distance - doubt(obstacle, way, stop) - until_next_look <= slack * stop;
+  return obstacle.distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
 }  // namespace

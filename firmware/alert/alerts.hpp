@@ -12,7 +12,7 @@
 
 namespace fencepost::alert {
 
-/// The path is watched at least so often, with frames or without.
+/// Alerts are judged at least this often, with frames or without.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
 
 /// The alert in force for one object, and what was last reported of it. It is reset when the object ends, so that
@@ -29,11 +29,11 @@ struct AlertState {
   [[nodiscard]] bool in_force() const { return level > record::AlertLevel::kClear; }
 };
 
-/// A level eases only when the obstacle is farther than its threshold by this factor, for this long.
+/// Hysteresis: a level is lowered only when the obstacle is farther than its threshold by this factor, for this long.
 inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
 
-/// A notice is repeated no more often than this: it says where things are, nothing is urgent.
+/// Shortest interval between two notices of one object: a notice is information, not urgent.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 
 /// An object that should have been seen in this many frames in a row, and was not, is no longer alerted about.

@@ -15,7 +15,7 @@ struct RobotPath {
   float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
 };
 
-/// What is asked for only of an obstacle that is in the robot's path.
+/// Computed only for an obstacle in the robot's path.
 struct InPath {
   float sigma = 0;  ///< m, of the distance
 };

@@ -12,7 +12,7 @@
 
 namespace fencepost::console {
 
-/// What answers speak about.
+/// What the answers report.
 struct AnswerFacts {
   Mode mode = Mode::kText;
   bool alerts = true;
@@ -21,7 +21,7 @@ struct AnswerFacts {
   const record::Header* header = nullptr;
   std::uint64_t digest = 0;
   std::uint64_t expected_digest = 0;
-  std::string_view note;  ///< of the image, said by `version`
+  std::string_view note;  ///< of the image, part of `version`
 };
 
 /// Answers that are lists (help, status, objects, map, all settings) are not known here.

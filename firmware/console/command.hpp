@@ -61,12 +61,11 @@ struct Words {
 };
 Words split(std::string_view line);
 
-/// What follows bytes that are no characters: a plug that goes in sends such.
+/// Without leading bytes that are not printable: inserting a plug sends such.
 std::string_view without_noise(std::string_view line);
 
-/// What was typed, as it looked to the one who typed: backspaces and cursor keys taken out, in small letters. Changes
-/// the line in place. Nothing if it holds bytes that are not text. What comes before the first printable character is
-/// line noise.
+/// The line as edited: backspaces applied, escape sequences of cursor keys removed, in lower case. Changes the line in
+/// place. Nothing if it holds bytes that are not text. Bytes before the first printable character are line noise.
 std::optional<std::string_view> typed(std::span<char> line);
 
 std::optional<Mode> mode_named(std::string_view word);

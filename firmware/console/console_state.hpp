@@ -20,7 +20,7 @@ constexpr std::string_view name(Mode mode) {
   return kNames[static_cast<std::size_t>(mode)];
 }
 
-/// What is being answered. An answer is written line by line as the link takes it, from the state of that moment.
+/// The pending answer. It is written line by line as the link has room, each from the state of that moment.
 enum class Reply : std::uint8_t {
   kNone,
   kHelp,

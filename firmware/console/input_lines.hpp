@@ -30,7 +30,7 @@ class InputLines {
 
  private:
   static constexpr std::uint16_t kSize = record::kMaxLine;
-  // Of a line that is too long this much is kept, to tell a record from a command.
+  // Of a line that is too long so many bytes are kept: enough to distinguish a record from a command.
   static constexpr std::uint16_t kKept = 16;
 
   void shorten();

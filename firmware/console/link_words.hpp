@@ -1,4 +1,4 @@
-// How the state of a cable is said.
+// The words for the state of a cable.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace fencepost::console {
 
-/// What is said of one device in one state.
+/// The words for one device in one state.
 struct LinkWords {
   std::string_view name;    ///< for people: "camera"; empty: there is no sentence
-  std::string_view device;  ///< of FPLNK; empty: it has no cable, nothing is told
+  std::string_view device;  ///< of FPLNK; empty: it has no cable, nothing is reported
   std::string_view detail;  ///< of FPLNK, at most sensor::kMaxText characters, no comma
   std::string_view remedy;  ///< what to check
 };
 
-/// Of a sensor that says no more than its state: `name` is "camera" or "odometry".
+/// For a sensor that offers no words of its own: `name` is "camera" or "odometry".
 LinkWords plain_link_words(std::string_view name, sensor::LinkState state);
 
 /// A sensor whose owner knows more offers `link_words(state)`, of any type with the members of LinkWords.

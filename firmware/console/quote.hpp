@@ -1,4 +1,4 @@
-// A word of somebody else's, made fit to be said back: short and printable.
+// Foreign text made fit to be quoted in an answer: short and printable.
 #pragma once
 
 #include <string_view>

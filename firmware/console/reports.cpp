@@ -5,7 +5,7 @@
 namespace fencepost::console {
 namespace {
 
-// Longer than this is not worth a number: the field stays empty (s).
+// A longer time to contact is not reported: the field stays empty (s).
 constexpr float kLongestTtc = 999.0F;
 // Places outside the stream's range are written at its edge (m).
 constexpr float kFarthest = 999.0F;

@@ -27,7 +27,7 @@ Nearest nearest_of(const alert::Obstacle& obstacle);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                                  record::AlertLevel level, base::Time now);
-/// Its object has ended: where it was last said to be, with no confidence.
+/// For an object that has ended: the bearing and distance of the last report, with confidence 0.
 record::AlertReport report_clear(std::uint32_t id, const alert::AlertState& last, base::Time now);
 
 }  // namespace fencepost::console

@@ -1,4 +1,4 @@
-// What a board says when it starts: foreign lines to the stream, sentences to people.
+// The lines that a board prints when it starts; to a reader of the stream they are foreign.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Sensors whose records come over the console: the loop takes them there, these only say how the link is.
+// Sensors whose records come over the console: the loop reads them there, these only report the state of the link.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace fencepost::image {
 
-/// Silent until a count moves, and again when it has stood still for a second.
+/// Silent until a count changes, and again when it has not changed for a second.
 class CountWatch {
  public:
-  static constexpr base::Duration kPatience = base::milliseconds(1'000);
+  static constexpr base::Duration kSilentAfter = base::milliseconds(1'000);
 
   void watch(std::uint32_t count, base::Time now) {
-    if (count == count_ && moved_at_ && now - *moved_at_ < kPatience) return;
+    if (count == count_ && moved_at_ && now - *moved_at_ < kSilentAfter) return;
     if (count == count_) {
       moved_at_.reset();
     } else {
@@ -35,7 +35,7 @@ class CountWatch {
   std::optional<base::Time> moved_at_;
 };
 
-/// Power and wires are those of the console, which works: what is missing is whoever sends. `remedy` says what.
+/// Power and wires are those of the console, which works: the sender is missing. `remedy` names it.
 inline console::LinkWords sent_link_words(std::string_view name, sensor::LinkState state, std::string_view remedy) {
   if (state != sensor::LinkState::kSilent) return console::plain_link_words(name, state);
   return {name, name, "no records", remedy};

@@ -1,4 +1,4 @@
-// Keeps what the robot was told - settings, calibration, signatures - in flash, as the stream's own lines.
+// Keeps settings, calibration and signatures in flash, as the stream's own lines.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class Keeper {
     remember();
   }
 
-  /// What has changed is written. False if the part did not take it; that change is then not tried again.
+  /// What has changed is written. False if the flash could not be written; that change is then not tried again.
   bool keep() {
     const loop::Memory<Profile>& memory = pipeline_.memory();
     if (memory.settings == settings_ && memory.calibration.intrinsics == camera_ && memory.signatures == signatures_) {
@@ -67,7 +67,7 @@ class Keeper {
   [[gnu::noinline]] bool write_changes() {
     Line line{};
     const auto append = [this](std::string_view text) { return store_.append(text); };
-    return append_changes(line, append) || store_.rewrite([&](auto&& put) { tell(line, put); });
+    return append_changes(line, append) || store_.rewrite([&](auto&& put) { write_all(line, put); });
   }
 
   template <class Append>
@@ -94,7 +94,7 @@ class Keeper {
   }
 
   template <class Put>
-  void tell(Line& line, Put& put) const {
+  void write_all(Line& line, Put& put) const {
     const loop::Memory<Profile>& memory = pipeline_.memory();
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);

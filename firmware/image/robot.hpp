@@ -58,14 +58,14 @@ class Robot {
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
       pipeline().reporter().say([](std::span<char> room) { return not_kept(room); });
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
-    panel_.turn({camera_.link(), odometry_.link()});
+    panel_.turn(loop_.links());
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;
   }
 
-  /// Turns between two looks for changed settings, each some hundred bytes compared; the loop turns thousands of times
-  /// a second where a camera talks, and at least a thousand.
+  /// Turns between two checks for changed settings, which compare some hundred bytes; the loop turns at least a
+  /// thousand times a second.
   static constexpr std::uint8_t kKeepEvery = 16;
 
   static std::size_t not_kept(std::span<char> room) {

@@ -21,7 +21,7 @@ class Answers {
  public:
   Answers(Memory<Profile>& memory, std::uint64_t canned_digest) : m_(memory), canned_digest_(canned_digest) {}
 
-  /// What `version` says at its end; must outlive this.
+  /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { note_ = note; }
 
   /// The answer's next line; 0 if it does not fit.

@@ -1,4 +1,4 @@
-// What the lines do that people and programs send: records are inputs, all others commands.
+// What the received lines do: records are inputs, all others commands.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ class Console {
     kInput,  ///< a line that was an input of the loop: its effects are due
   };
 
-  /// What `version` says at its end; must outlive this.
+  /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { answers_.set_note(note); }
 
   /// Acts on the oldest line, which arrived at `now`.

@@ -27,7 +27,7 @@ class LinkWatch {
     return state;
   }
   void sent() { sent_ = seen_; }
-  /// The state in force is due again: somebody new listens.
+  /// The state in force is due again, for a new reader.
   void resend() { sent_ = kNothing; }
 
   [[nodiscard]] std::optional<sensor::LinkState> last_sent() const {

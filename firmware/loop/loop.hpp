@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "firmware/loop/console.hpp"
+#include "firmware/loop/ranged_odometry.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/sources.hpp"
 
@@ -34,13 +35,15 @@ class Loop {
     listen(now);
     pipeline_.reporter().calibration();
     send_link_states(now);
-    console_.send_answer({camera_.link(), odometry_.link()});
+    console_.send_answer(links());
     flush();
   }
 
-  /// What `version` says of the image at its end; must outlive this.
+  /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { console_.set_note(note); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
+  [[nodiscard]] const RangedOdometry<Odometry>& odometry() const { return odometry_; }
+  [[nodiscard]] console::Links links() const { return {camera_.link(), odometry_.link()}; }
 
  private:
   /// Lines of the console that one turn handles; a longer burst waits in its buffer.
@@ -95,7 +98,7 @@ class Loop {
     flush();
   }
 
-  // As much as the link takes now.
+  // As much as the link has room for now.
   void flush() {
     auto& output = pipeline_.memory().output;
     if (output.waiting().empty()) return;
@@ -106,7 +109,7 @@ class Loop {
   Pipeline<Profile> pipeline_;
   Console<Profile> console_;
   Camera& camera_;
-  Odometry& odometry_;
+  RangedOdometry<Odometry> odometry_;
   Link& link_;
 };
 

@@ -81,7 +81,7 @@ inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
 /// Lines that one input may put into the logs, at most: the calibration, the input, then for each frame that waited for
-/// it digest, pose and what is said of each object, at last alerts without a frame, status and links.
+/// it digest, pose, alerts and reports of the objects, at last alerts without a frame, status and links.
 template <class Profile>
 inline constexpr std::size_t kLinesOfOneInput = [] {
   constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys;

@@ -36,7 +36,7 @@ class OutputQueue {
   }
 
   [[nodiscard]] std::span<const char> waiting() const { return std::span(bytes_).subspan(begin_, end_ - begin_); }
-  /// The first `size` waiting bytes have been taken over by the link.
+  /// The first `size` waiting bytes were accepted by the link.
   void taken(std::size_t size) {
     begin_ = static_cast<Index>(begin_ + size);
     if (begin_ == end_) begin_ = end_ = 0;

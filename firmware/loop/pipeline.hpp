@@ -1,21 +1,18 @@
 // What one input does: every effect of an odometry sample, a frame, a calibration. Knows no sensor and no link.
-// All times in here are stream times, so a replay takes the same decisions as the robot did.
+// All times in here are stream times, so a replay decides as the robot did.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "firmware/console/reports.hpp"
 #include "firmware/loop/memory.hpp"
+#include "firmware/loop/path_watch.hpp"
 #include "firmware/loop/reporter.hpp"
 #include "firmware/record/run_rules.hpp"
 
 namespace fencepost::loop {
-
-inline constexpr base::Duration kMotionSpan = base::milliseconds(200);
 
 template <class Profile>
 class Pipeline {
@@ -95,8 +92,9 @@ class Pipeline {
   }
 
   /// Applies an input, refuses it (and counts that), or rejects it: then a reader would reject its record.
-  /// errors: time
+  /// errors: range (position or heading, see record::inside_range), time
   std::optional<record::Reject> accept(const sensor::OdometrySample& sample) {
+    if (!record::inside_range(sample)) return reject(record::Reject::kRange);
     const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
     if (late && !m_.run.testing) return reject(record::Reject::kTime);
     reporter_.calibration_if_due();
@@ -154,9 +152,9 @@ class Pipeline {
       return true;
     }
     reconstruct(frame, *pose);
-    follow_objects(frame.t);
+    watch_.follow_objects(frame.t);
     placed(frame);
-    watch_path(frame.t);
+    watch_.watch_path(frame.t);
     reporter_.digest(frame.frame);
     reporter_.pose(frame.t - m_.calibration.models[frame.camera].latency);
     reporter_.objects(frame.t);
@@ -164,11 +162,7 @@ class Pipeline {
     return true;
   }
 
-  /// While the camera is silent and the robot still drives, the map goes on warning.
-  void watch_without_frames() {
-    if (!m_.run.time || m_.poses.empty() || m_.run.watched_at.since(*m_.run.time) < alert::kWatchInterval) return;
-    watch_path(*m_.run.time);
-  }
+  void watch_without_frames() { watch_.watch_without_frames(); }
 
   void send_status() { reporter_.status(); }
 
@@ -265,55 +259,9 @@ class Pipeline {
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
   }
 
-  // An alert ends with its object, and what begins in a slot takes over nothing of what was there before.
-  [[gnu::noinline]] void follow_objects(base::Time now) {
-    for (const recon::ObjectEvent& event : m_.map.events()) {
-      if (event.kind == recon::EventKind::kMoved) continue;
-      alert::AlertState& state = m_.alerts[event.slot];
-      if (ends(event.kind) && state.in_force()) reporter_.alert(console::report_clear(event.id, state, now));
-      state = {};
-      m_.reports[event.slot] = {};
-    }
-  }
-
-  // The strip of floor that the robot is about to sweep, by its latest odometry.
-  [[nodiscard]] alert::RobotPath path_ahead() const {
-    alert::RobotPath path;
-    path.motion = m_.poses.motion(kMotionSpan);
-    path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
-    path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
-    return path;
-  }
-
-  [[gnu::noinline]] void watch_path(base::Time now) {
-    m_.run.watched_at = base::Stamp(now);
-    const alert::RobotPath path = path_ahead();
-    const alert::RobotPlace robot(robot_pose(m_));
-    const alert::AlertRules rules(m_.settings);
-    std::optional<alert::Obstacle> nearest;
-    record::AlertLevel highest = record::AlertLevel::kClear;
-    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-      const recon::Object<Profile>& object = m_.map.slots()[o];
-      if (!object.used()) continue;
-      const alert::Obstacle obstacle = see_obstacle(object, robot, path);
-      const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
-      if (level) emit_alert(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
-      highest = std::max(highest, m_.alerts[o].level);
-      const bool nearer = !nearest || obstacle.distance < nearest->distance;
-      if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
-    }
-    reporter_.plot(nearest, highest, now);
-  }
-
-  void emit_alert(alert::AlertState& state, const record::AlertReport& report) {
-    state.signature = report.signature;
-    state.distance = report.distance;
-    state.bearing = report.bearing;
-    reporter_.alert(report);
-  }
-
   Memory<Profile>& m_;
   Reporter<Profile> reporter_;
+  PathWatch<Profile> watch_{m_, reporter_};
 };
 
 }  // namespace fencepost::loop

@@ -146,7 +146,7 @@ class Reporter {
     m_.links.odometry.resend();
   }
 
-  /// To whoever gets records; dropped and counted where there is no room.
+  /// To console and journal, where they get records; dropped and counted where there is no room.
   template <class Record>
   void report(const Record& record) {
     journal_or_drop(record);

@@ -1,5 +1,7 @@
 #include "firmware/record/run_rules.hpp"
 
+#include "firmware/record/layout.hpp"
+
 namespace fencepost::record {
 
 bool inside_image(const sensor::BlobFrame& frame, std::uint16_t width, std::uint16_t height) {
@@ -7,6 +9,11 @@ bool inside_image(const sensor::BlobFrame& frame, std::uint16_t width, std::uint
     if (blob.x1 < 0 || blob.y1 < 0 || blob.x2 >= width || blob.y2 >= height) return false;
   }
   return true;
+}
+
+bool inside_range(const sensor::OdometrySample& sample) {
+  const auto within = [](std::int32_t raw, const NumberField& field) { return raw >= field.min && raw <= field.max; };
+  return within(sample.x.raw, kPosition) && within(sample.y.raw, kPosition) && within(sample.heading.raw, kHeading);
 }
 
 std::optional<Reject> RunRules::admit(const Header& /*record*/) {

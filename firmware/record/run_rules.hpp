@@ -11,6 +11,9 @@ namespace fencepost::record {
 /// All boxes lie within an image of that size.
 [[nodiscard]] bool inside_image(const sensor::BlobFrame& frame, std::uint16_t width, std::uint16_t height);
 
+/// Position and heading lie within the stream's range: what is outside has no record.
+[[nodiscard]] bool inside_range(const sensor::OdometrySample& sample);
+
 /// Each `admit` takes a record into account, or returns why it must not be used and then changes nothing.
 class RunRules {
  public:

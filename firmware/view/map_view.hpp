@@ -1,4 +1,4 @@
-// The map on a small screen, a bit a turn of the loop: an object, or a few rows. Buttons change what is shown.
+// The map on a small screen, a step a turn of the loop: an object, or a few rows. Buttons change what is shown.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@ Rows can_wheels();
 Rows cmucam();
 Rows console();
 Rows create();
+Rows huskylens();
 Rows nxt();
 Rows nxtcam();
 Rows pixy2();
@@ -15,7 +16,7 @@ Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2, cmucam, nxtcam, xbc, create, nxt, can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2, cmucam, huskylens, nxtcam, xbc, create, nxt, can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

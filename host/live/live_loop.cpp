@@ -135,15 +135,17 @@ class ProfileLoop final : public LiveLoop {
   void step_and_watch(base::Time now) {
     loop_.step(now - shift_);
     link_news_.clear();
-    note_news(camera_device_, memory_->links.camera, camera_known_);
-    note_news(odometry_device_, memory_->links.odometry, odometry_known_);
+    note_news(camera_device_, memory_->links.camera, camera_known_, true);
+    note_news(odometry_device_, memory_->links.odometry, odometry_known_, loop_.odometry().in_range());
   }
   // A new run logs the present link states again; those are no changes.
-  void note_news(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known) {
+  void note_news(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known,
+                 bool in_range) {
     if (!device.cabled() || !watch.last_sent() || watch.last_sent() == known) return;
     known = watch.last_sent();
     const sensor::LinkState state = *known;
-    const LinkWording words = device.wording(state);
+    LinkWording words = device.wording(state);
+    if (!in_range && state == sensor::LinkState::kUnready) loop::explain_range(words);
     std::array<char, record::kMaxLine> line{};
     const std::size_t size = console::describe_link(state, words.name, words.remedy, line);
     if (size > 2) link_news_.emplace_back(line.data(), size - 2);

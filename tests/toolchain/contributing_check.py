@@ -29,8 +29,14 @@ def models(root):
     return [match.group(1) for match in named if match]
 
 
+def cameras(root):
+    """Those of the catalogue that have a driver, by the file of their rows."""
+    rows = [p for p in sorted(root.glob("host/devices/*.cpp")) if "Role::kCamera," in p.read_text(encoding="utf-8")]
+    return [p.stem for p in rows if (root / "drivers" / p.stem).is_dir()]
+
+
 # The word of a list, and what there is of it.
-KINDS = {"BOARD": boards, "MODEL": models, "SETTING": settings}
+KINDS = {"BOARD": boards, "CAMERA": cameras, "MODEL": models, "SETTING": settings}
 
 
 def lists_in(text):

@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from contributing_check import boards, check, models, settings
+from contributing_check import boards, cameras, check, models, settings
 
 DOCUMENT = """# Contributing
 ## Commits
@@ -53,6 +53,16 @@ class ContributingCheck(unittest.TestCase):
 
     def test_a_true_document_has_no_faults_and_was_compared(self):
         self.assertEqual(check(self.root, KINDS), ([], 2 * 3 + 2 * 1))
+
+    def test_the_cameras_are_those_of_the_catalogue_with_a_driver(self):
+        self.write("host/devices/pixy2.cpp", "  .role = Role::kCamera,")
+        self.write("host/devices/console.cpp", "  row(Role::kCamera, ...")
+        self.write("host/devices/create.cpp", "  .role = Role::kOdometry,")
+        self.write("drivers/pixy2/README.md", "")
+        self.write("drivers/create/README.md", "")
+        self.assertEqual(cameras(self.root), ["pixy2"])
+        self.write(".github/CONTRIBUTING.md", "## Add a camera: CAMERA\n| new | `host/emulate/models/CAMERA.cpp` | |\n")
+        self.assertIn("CAMERA pixy2: there is no host/emulate/models/pixy2.cpp", self.faults({"CAMERA": cameras}))
 
     def test_a_file_that_is_missing_is_found(self):
         (self.root / "tests/f405/f405.hpp").unlink()

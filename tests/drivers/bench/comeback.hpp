@@ -5,6 +5,7 @@
 
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/hostile_cases.hpp"
+#include "tests/drivers/bench/plug.hpp"
 
 namespace fencepost::test {
 

@@ -1,0 +1,131 @@
+#include "host/emulate/models/huskylens.hpp"
+
+#include <algorithm>
+
+namespace fencepost::emulate {
+namespace {
+
+constexpr int kColour = 4;
+constexpr int kAny = -1;
+
+std::uint8_t sum(std::span<const std::uint8_t> bytes) {
+  unsigned total = 0;
+  for (const std::uint8_t byte : bytes) total += byte;
+  return static_cast<std::uint8_t>(total & 0xFFU);
+}
+
+Bytes framed(std::uint8_t command, const Bytes& data) {
+  Bytes bytes = {0x55, 0xAA, 0x11, static_cast<std::uint8_t>(data.size()), command};
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  bytes.push_back(sum(bytes));
+  return bytes;
+}
+
+Bytes words(std::initializer_list<int> values) {
+  Bytes bytes;
+  for (const int value : values) {
+    bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xFF));
+  }
+  return bytes;
+}
+
+/// The middle of an even number of pixels is told as the one behind it.
+Bytes block(const sensor::Blob& blob) {
+  const int width = blob.x2 - blob.x1 + 1;
+  const int height = blob.y2 - blob.y1 + 1;
+  return framed(0x2A, words({blob.x1 + width / 2, blob.y1 + height / 2, width, height, blob.signature}));
+}
+
+}  // namespace
+
+Bytes HuskyLens::power_up(base::Time now) {
+  power_on_ = now;
+  received_.clear();
+  algorithm_ = 0;
+  images_ = 0;
+  return {};
+}
+
+void HuskyLens::show(const std::vector<sensor::Blob>& blobs) {
+  blobs_ = blobs;
+  ++images_;
+}
+
+Bytes HuskyLens::see(const sensor::BlobFrame& frame, base::Time /*now*/) {
+  show({frame.blobs.begin(), frame.blobs.end()});
+  return {};
+}
+
+Bytes HuskyLens::take(std::uint8_t byte, base::Time now) {
+  if (now - power_on_ < kDeaf) return {};
+  received_.push_back(byte);
+  while (!received_.empty()) {
+    constexpr std::uint8_t kStart[] = {0x55, 0xAA, 0x11};
+    const bool start =
+        std::equal(received_.begin(),
+                   received_.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(received_.size(), 3)), kStart);
+    if (start && received_.size() < 4) return {};
+    const std::size_t size = start ? 6U + received_[3] : 0;
+    if (start && received_[3] <= 128 && received_.size() < size) return {};
+    if (start && received_[3] <= 128) {
+      const Bytes message(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
+      received_.clear();
+      const std::span<const std::uint8_t> view(message);
+      if (sum(view.first(size - 1)) != message.back()) return {};
+      return answer(message[4], view.subspan(5, message[3]));
+    }
+    received_.erase(received_.begin());
+  }
+  return {};
+}
+
+Bytes HuskyLens::answer(std::uint8_t command, std::span<const std::uint8_t> data) {
+  if (busy_) return framed(0x3D, {});
+  switch (command) {
+    case 0x2C: return framed(0x2E, {});
+    case 0x2D:
+      if (data.size() == 2) algorithm_ = data[0];
+      return framed(0x2E, {});
+    case 0x20:
+    case 0x21:
+    case 0x23:
+    case 0x24: return answer_blocks(kAny);
+    case 0x26:
+    case 0x27: return data.size() == 2 ? answer_blocks(data[0] + 256 * data[1]) : Bytes{};
+    case 0x3C: return framed(0x3C, {5, '0', '.', '5', '.', '1'});
+    default: return {};
+  }
+}
+
+Bytes HuskyLens::answer_blocks(int id) {
+  used_ = true;
+  Bytes blocks;
+  int count = 0;
+  for (const sensor::Blob& blob : blobs_) {
+    if (algorithm_ != kColour || (id != kAny && blob.signature != id)) continue;
+    const Bytes bytes = block(blob);
+    blocks.insert(blocks.end(), bytes.begin(), bytes.end());
+    ++count;
+  }
+  Bytes reply = framed(0x29, words({count, learned_, images_, 0, 0}));
+  reply.insert(reply.end(), blocks.begin(), blocks.end());
+  return reply;
+}
+
+std::string describe_huskylens(bool from_host, std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 6 || bytes[0] != 0x55 || bytes[1] != 0xAA) return {};
+  switch (bytes[4]) {
+    case 0x20:
+    case 0x21: return "ask blocks";
+    case 0x29: return "INFO, " + std::to_string(bytes[5]) + " objects";
+    case 0x2C: return "knock";
+    case 0x2D: return "set algorithm";
+    case 0x2E: return "OK";
+    case 0x3C: return from_host ? "ask version" : "version";
+    case 0x3D: return "busy";
+    default: return {};
+  }
+}
+
+}  // namespace fencepost::emulate

@@ -1,0 +1,309 @@
+#include "drivers/huskylens/huskylens.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "drivers/wire/i2c_stream.hpp"
+#include "host/emulate/models/huskylens.hpp"
+#include "tests/drivers/bench/bench.hpp"
+#include "tests/drivers/bench/cable.hpp"
+#include "tests/drivers/bench/i2c_cable.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::huskylens {
+namespace {
+
+using base::milliseconds;
+using base::Time;
+using sensor::LinkState;
+using test::hex;
+using Bytes = std::vector<std::uint8_t>;
+
+// Of the vendor's document, with the sums computed.
+const Bytes kKnock = hex("55 AA 11 00 2C 3C");
+const Bytes kOk = hex("55 AA 11 00 2E 3E");
+const Bytes kColour = hex("55 AA 11 02 2D 04 00 43");
+const Bytes kAskBlocks = hex("55 AA 11 00 21 31");
+const Bytes kInfo8 = hex("55 AA 11 0A 29 01 00 01 00 08 00 00 00 00 00 4D");
+const Bytes kInfo9 = hex("55 AA 11 0A 29 01 00 01 00 09 00 00 00 00 00 4E");
+const Bytes kBlock = hex("55 AA 11 0A 2A A0 00 78 00 3C 00 28 00 01 00 C1");
+const Bytes kArrow = hex("55 AA 11 0A 2B 14 00 0A 00 2C 01 C8 00 01 00 59");
+const Bytes kNone9 = hex("55 AA 11 0A 29 00 00 01 00 09 00 00 00 00 00 4D");
+const Bytes kUntaught = hex("55 AA 11 0A 29 00 00 00 00 09 00 00 00 00 00 4C");
+const Bytes kBusy = hex("55 AA 11 00 3D 4D");
+
+/// A session on a clock; what it says, and what it is told.
+struct Talk {
+  Session session{Options{}};
+  Time now{};
+
+  Bytes asks() {
+    session.step(now);
+    const auto waiting = session.outbox().waiting();
+    Bytes bytes(waiting.begin(), waiting.end());
+    session.outbox().clear();
+    return bytes;
+  }
+  /// A byte a millisecond, as at 9600 baud.
+  std::vector<sensor::BlobFrame> hears(const Bytes& bytes) {
+    std::vector<sensor::BlobFrame> frames;
+    for (const std::uint8_t byte : bytes) {
+      now = now + milliseconds(1);
+      session.take(byte, now);
+      if (const auto frame = session.take_frame()) frames.push_back(*frame);
+    }
+    return frames;
+  }
+  void wait(std::int64_t ms) { now = now + milliseconds(ms); }
+  /// To the first question for blocks.
+  void start() {
+    EXPECT_EQ(asks(), kKnock);
+    hears(kOk);
+    EXPECT_EQ(asks(), kColour);
+    hears(kOk);
+    EXPECT_EQ(asks(), kAskBlocks);
+  }
+};
+
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// 60 x 40 around (160, 120): columns 130 to 189, rows 100 to 139, whose middles are 159.5 and 119.5.
+const sensor::Blob kBox{1, 130, 100, 189, 139, {1'595}, {1'195}, 0, {}};
+
+TEST(HuskyLens, BringsItsBoxesToOurPixels) {
+  const auto data = [](const char* text) { return blob_of(hex(text)); };
+  EXPECT_EQ(data("A0 00 78 00 3C 00 28 00 01 00"), kBox);
+  // 3 x 1 around (10, 0): an odd number of pixels has its middle one there.
+  EXPECT_EQ(data("0A 00 00 00 03 00 01 00 07 00"), (sensor::Blob{7, 9, 0, 11, 0, {100}, {0}, 0, {}}));
+  // All of the image, 320 x 240 around (160, 120).
+  EXPECT_EQ(data("A0 00 78 00 40 01 F0 00 FF 00"), (sensor::Blob{255, 0, 0, 319, 239, {1'595}, {1'195}, 0, {}}));
+  // 20 x 10 around (2, 238): columns -8 to 11 and rows 233 to 242 are cut off.
+  EXPECT_EQ(data("02 00 EE 00 14 00 0A 00 02 00"), (sensor::Blob{2, 0, 233, 11, 239, {55}, {2'360}, 0, {}}));
+}
+
+TEST(HuskyLens, RefusesBoxesThatCannotBe) {
+  for (const char* text :
+       {"A0 00 78 00 00 00 28 00 01 00", "A0 00 78 00 3C 00 00 00 01 00", "A0 00 78 00 3C 00 28 00 00 00",
+        "A0 00 78 00 3C 00 28 00 00 01", "90 01 78 00 0A 00 0A 00 01 00", "9C FF 78 00 0A 00 0A 00 01 00"}) {
+    EXPECT_EQ(blob_of(hex(text)), std::nullopt) << text;
+  }
+}
+
+TEST(HuskyLens, KnocksChoosesColoursAndAsksForBlocks) {
+  Talk talk;
+  EXPECT_EQ(talk.session.link(), LinkState::kSilent);
+  talk.start();
+  EXPECT_EQ(talk.session.link(), LinkState::kUnready);
+  const Time asked = talk.now;
+  const auto frames = talk.hears(kInfo8 + kBlock);
+  ASSERT_EQ(frames.size(), 1U);
+  ASSERT_EQ(frames[0].blobs.size(), 1U);
+  EXPECT_EQ(frames[0].blobs[0], kBox);
+  EXPECT_EQ(frames[0].t, asked + milliseconds(1)) << "the first byte of the answer";
+  EXPECT_EQ(talk.session.link(), LinkState::kOk);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+}
+
+// Each byte table below, cut in two at every place with a pause and an idle turn between.
+TEST(HuskyLens, AnAnswerMayComeInAnyTwoParts) {
+  const Bytes whole = kInfo8 + kBlock;
+  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
+    Talk talk;
+    talk.start();
+    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(cut);
+    auto frames = talk.hears({whole.begin(), middle});
+    talk.wait(50);
+    if (cut < whole.size()) {
+      EXPECT_EQ(talk.asks(), Bytes{}) << "it is still answering";
+    }
+    for (const auto& frame : talk.hears({middle, whole.end()})) frames.push_back(frame);
+    ASSERT_EQ(frames.size(), 1U) << cut;
+    EXPECT_EQ(frames[0].blobs[0], kBox) << cut;
+  }
+}
+
+TEST(HuskyLens, GarbageBeforeAnAnswerIsPassedOver) {
+  for (const char* garbage : {"00", "FF FF FF", "55", "55 AA", "55 55 AA 11 05", "55 AA 11 FF 2A", "55 AA 11 0A 77"}) {
+    Talk talk;
+    talk.start();
+    const auto frames = talk.hears(hex(garbage) + kInfo8 + kBlock);
+    ASSERT_EQ(frames.size(), 1U) << garbage;
+    EXPECT_EQ(frames[0].blobs[0], kBox) << garbage;
+  }
+}
+
+TEST(HuskyLens, AByteThatIsAnotherCostsOneAnswer) {
+  const Bytes whole = kInfo8 + kBlock;
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    Talk talk;
+    talk.start();
+    Bytes damaged = whole;
+    damaged[at] ^= 0x40;
+    EXPECT_TRUE(talk.hears(damaged).empty()) << at;
+    talk.wait(120);
+    talk.session.step(talk.now);  // the timeout, where the damage was no frame at all
+    const Bytes asked = talk.asks();
+    EXPECT_TRUE(asked == kAskBlocks || asked.empty());
+    const auto frames = talk.hears(kInfo9 + kBlock);
+    ASSERT_EQ(frames.size(), 1U) << at;
+    EXPECT_EQ(frames[0].blobs[0], kBox) << at;
+  }
+}
+
+// Twenty blocks promised and sent: sixteen are kept, the largest; the next answer is as any other.
+TEST(HuskyLens, MoreBlocksThanAFrameHoldsAreCounted) {
+  const auto summed = [](Bytes bytes) {
+    unsigned sum = 0;
+    for (const std::uint8_t byte : bytes) sum += byte;
+    bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
+    return bytes;
+  };
+  Talk talk;
+  talk.start();
+  Bytes answer = summed(hex("55 AA 11 0A 29 14 00 01 00 08 00 00 00 00 00"));
+  for (std::uint8_t i = 1; i <= 20; ++i) {
+    Bytes block = hex("55 AA 11 0A 2A A0 00 78 00 00 00 28 00 01 00");
+    block[9] = static_cast<std::uint8_t>(2 * i);
+    answer = answer + summed(block);
+  }
+  const auto frames = talk.hears(answer);
+  ASSERT_EQ(frames.size(), 1U);
+  ASSERT_EQ(frames[0].blobs.size(), 16U);
+  EXPECT_EQ(frames[0].blobs[0].x2 - frames[0].blobs[0].x1 + 1, 40);
+  EXPECT_EQ(frames[0].blobs[15].x2 - frames[0].blobs[15].x1 + 1, 10);
+  EXPECT_EQ(talk.session.counts().blobs_dropped, 4U);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+  EXPECT_EQ(talk.hears(kInfo9 + kBlock).size(), 1U);
+}
+
+TEST(HuskyLens, AnImageIsGivenOnce) {
+  Talk talk;
+  talk.start();
+  EXPECT_EQ(talk.hears(kInfo8 + kBlock).size(), 1U);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(talk.asks(), kAskBlocks);
+    EXPECT_TRUE(talk.hears(kInfo8 + kBlock).empty());
+    talk.wait(5);
+  }
+  EXPECT_EQ(talk.session.counts().stale, 3U);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+  EXPECT_EQ(talk.hears(kInfo9 + kBlock).size(), 1U);
+  EXPECT_EQ(talk.session.link(), LinkState::kOk);
+  talk.wait(2'500);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+  talk.hears(kInfo9 + kBlock);
+  EXPECT_EQ(talk.session.link(), LinkState::kUnready) << "its counter stands still";
+}
+
+TEST(HuskyLens, ArrowsAndBlocksWithoutIdAreNoBlobs) {
+  Talk talk;
+  talk.start();
+  const auto frames = talk.hears(hex("55 AA 11 0A 29 02 00 01 00 08 00 00 00 00 00 4E") + kArrow +
+                                 hex("55 AA 11 0A 2A A0 00 78 00 3C 00 28 00 00 00 C0"));
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_TRUE(frames[0].blobs.empty());
+  EXPECT_EQ(talk.session.counts().not_learned, 1U);
+  EXPECT_EQ(talk.session.link(), LinkState::kEmpty);
+}
+
+TEST(HuskyLens, TellsWhyItSeesNothing) {
+  Talk talk;
+  talk.start();
+  EXPECT_EQ(talk.hears(kNone9).size(), 1U);
+  EXPECT_EQ(talk.session.link(), LinkState::kEmpty);
+  Talk untaught;
+  untaught.start();
+  untaught.hears(kUntaught);
+  EXPECT_EQ(untaught.session.link(), LinkState::kUnready) << "it has learned no colour";
+  Talk busy;
+  busy.start();
+  busy.hears(kBusy);
+  EXPECT_EQ(busy.session.link(), LinkState::kUnready);
+  EXPECT_EQ(busy.asks(), Bytes{}) << "not at once";
+  busy.wait(50);
+  EXPECT_EQ(busy.asks(), kAskBlocks);
+}
+
+// Five answers that do not come, 100 ms each: it knocks again.
+TEST(HuskyLens, BeginsAnewAfterFiveLostAnswers) {
+  Talk talk;
+  talk.start();
+  for (int lost = 0; lost < 4; ++lost) {
+    talk.wait(100);
+    EXPECT_EQ(talk.asks(), kAskBlocks) << lost;
+  }
+  talk.wait(99);
+  EXPECT_EQ(talk.asks(), Bytes{});
+  talk.wait(1);
+  EXPECT_EQ(talk.asks(), kKnock);
+  EXPECT_EQ(talk.session.link(), LinkState::kSilent);
+  EXPECT_EQ(talk.session.counts().timeouts, 5U);
+}
+
+/// On the two-wire bus: what it has to say is read in portions, and filler where it has nothing.
+class OnTwoWires final : public emulate::I2cDevice {
+ public:
+  explicit OnTwoWires(emulate::HuskyLens& camera) : camera_(camera) {}
+  std::optional<Bytes> transfer(std::uint8_t address, const Bytes& out, std::size_t expected, Time now) override {
+    if (address != 0x32) return std::nullopt;
+    for (const std::uint8_t byte : out) {
+      for (const std::uint8_t said : camera_.take(byte, now)) waiting_.push_back(said);
+    }
+    Bytes in;
+    while (in.size() < expected) {
+      in.push_back(waiting_.empty() ? 0xFF : waiting_.front());
+      if (!waiting_.empty()) waiting_.pop_front();
+    }
+    return in;
+  }
+
+ private:
+  emulate::HuskyLens& camera_;
+  std::deque<std::uint8_t> waiting_;
+};
+
+TEST(HuskyLens, SeesOverI2cWhatItSeesOverSerial) {
+  const std::vector<sensor::Blob> scene = {kBox, {2, 10, 20, 30, 50, {200}, {350}, 0, {}}};
+  fake::SteppedClock clock;
+  emulate::HuskyLens camera;
+  OnTwoWires wires(camera);
+  test::I2cCable bus(wires, clock);
+  wire::I2cStream<test::I2cCable> stream(bus, kAddress);
+  Camera<wire::I2cStream<test::I2cCable>> driver(stream);
+  std::size_t frames = 0;
+  for (int ms = 0; ms < 3'000; ++ms) {
+    clock.advance(milliseconds(1));
+    if (ms % 33 == 0) camera.show(scene);
+    const auto frame = driver.poll(clock.now());
+    if (!frame) continue;
+    ++frames;
+    ASSERT_EQ(frame->blobs.size(), 2U);
+    EXPECT_EQ(frame->blobs[0], scene[0]);
+    EXPECT_EQ(frame->blobs[1], scene[1]);
+  }
+  EXPECT_GT(frames, 30U) << "of two seconds";
+  EXPECT_LE(bus.longest_read(), 16U);
+}
+
+TEST(HuskyLens, FuzzRunsShortly) {
+  std::uint32_t state = 1;
+  const Bytes words[] = {kOk, kInfo8, kInfo9, kBlock, kArrow, kBusy, kNone9};
+  for (int run = 0; run < 300; ++run) {
+    Bytes input;
+    for (int i = 0; i < 40; ++i) {
+      state = state * 1'664'525U + 1'013'904'223U;
+      Bytes word = words[state >> 16U & 7U ? (state >> 16U) % 7U : 0U];
+      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
+      input = input + word;
+    }
+    LLVMFuzzerTestOneInput(input.data(), input.size());
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::huskylens
