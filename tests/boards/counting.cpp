@@ -33,11 +33,10 @@ std::string address_of(const std::string& elf, const std::string& symbol) {
 }
 
 Stages stages_of_a_loop(const Stages& more) {
-  Stages stages = {{"turn", "image::Robot::work("},   {"line", "::handle_line("},
-                   {"input", "::process("},           {"predict", "::predict<"},
-                   {"see", "::see(fencepost::recon"}, {"pose", "::correct<"},
-                   {"models", "::update_models("},    {"hybrid", "::fit<"},
-                   {"digest", "::chain_digest("},     {"alerts", "::watch_path("}};
+  Stages stages = {{"turn", "image::Robot::work("}, {"line", "::handle_line("}, {"input", "::process("},
+                   {"predict", "::predict<"},       {"see", "recon::observe("}, {"pose", "::correct<"},
+                   {"models", "::update_models<"},  {"hybrid", "::fit<"},       {"digest", "::chain_digest("},
+                   {"alerts", "::watch_path("}};
   stages.insert(stages.end(), more.begin(), more.end());
   return stages;
 }
