@@ -1,4 +1,4 @@
-// An emulated device at one of a board's serial lines, moved along by the wall's clock.
+// An emulated device at one of a board's serial lines, moved along by the machine's clock.
 #pragma once
 
 #include <memory>

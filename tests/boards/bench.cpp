@@ -19,7 +19,7 @@ std::string unstamped(const sensor::OdometrySample& sample) {
 }
 
 Bench::Bench(BoardUnderTest board)
-    : board_(std::move(board)), machine_(board_.machine ? board_.machine() : std::make_unique<Emulator>(board_)) {
+    : board_(std::move(board)), machine_(board_.machine ? board_.machine(board_) : std::make_unique<Emulator>(board_)) {
   attach_devices();
 }
 

@@ -1,39 +1,26 @@
 // A plugin of QEMU (TCG plugin API, version 1): instructions between a function's entry and its return, and the lowest
-// stack address that was written. QEMU's package has no header for it; what is used is declared here, by its manual.
+// stack address that was written.
 //
 // arguments: out=FILE, low=ADDRESS, high=ADDRESS (the stack), stage=NAME;ENTRY;RETURN;RETURN... (addresses behind the
 // calls of it), times as many as there are stages.
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
-#include <deque>
 #include <set>
 #include <string>
 #include <vector>
 
-extern "C" {
-using PluginId = std::uint64_t;
-struct qemu_plugin_tb;
-struct qemu_plugin_insn;
-void qemu_plugin_register_vcpu_tb_trans_cb(PluginId, void (*)(PluginId, qemu_plugin_tb*));
-void qemu_plugin_register_vcpu_tb_exec_cb(qemu_plugin_tb*, void (*)(unsigned, void*), int, void*);
-void qemu_plugin_register_vcpu_mem_cb(qemu_plugin_insn*, void (*)(unsigned, std::uint32_t, std::uint64_t, void*), int,
-                                      int, void*);
-void qemu_plugin_register_atexit_cb(PluginId, void (*)(PluginId, void*), void*);
-std::size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb*);
-std::uint64_t qemu_plugin_tb_vaddr(const qemu_plugin_tb*);
-qemu_plugin_insn* qemu_plugin_tb_get_insn(const qemu_plugin_tb*, std::size_t);
-[[gnu::visibility("default")]] extern int qemu_plugin_version;
+#include "tests/boards/qemu_plugin.hpp"
+
 int qemu_plugin_version = 1;
-[[gnu::visibility("default")]] int qemu_plugin_install(PluginId id, const void* info, int argc, char** argv);
-}
 
 namespace {
 
-constexpr int kNoRegisters = 0;
-constexpr int kWrites = 2;
+using fencepost::test::kAddInline;
+using fencepost::test::kNoRegisters;
+using fencepost::test::kWrites;
 
 struct Stage {
   std::string name;
@@ -45,14 +32,10 @@ struct Stage {
   std::uint64_t sum = 0;
   std::uint64_t worst = 0;
 };
-struct Block {
-  std::uint64_t start;
-  std::uint64_t instructions;
-};
 
 // Never destroyed: the emulator asks for the counts after the destructors of static objects.
 std::vector<Stage>& stages = *new std::vector<Stage>;
-std::deque<Block>& blocks = *new std::deque<Block>;  // keeps their addresses
+std::set<std::uint64_t>& marks = *new std::set<std::uint64_t>;  // entries and returns
 std::string& out = *new std::string;
 std::uint64_t instructions = 0;
 std::uint64_t stack_low = 0;
@@ -60,12 +43,12 @@ std::uint64_t stack_high = 0;
 std::uint64_t lowest = ~0ULL;
 
 void on_block(unsigned /*cpu*/, void* data) {
-  const Block& block = *static_cast<const Block*>(data);
+  const auto start = reinterpret_cast<std::uintptr_t>(data);
   for (Stage& stage : stages) {
-    if (block.start == stage.entry) {
+    if (start == stage.entry) {
       stage.inside = true;
       stage.entered_at = instructions;
-    } else if (stage.inside && stage.returns.contains(block.start)) {
+    } else if (stage.inside && stage.returns.contains(start)) {
       const std::uint64_t took = instructions - stage.entered_at;
       stage.inside = false;
       ++stage.calls;
@@ -73,7 +56,6 @@ void on_block(unsigned /*cpu*/, void* data) {
       if (took > stage.worst) stage.worst = took;
     }
   }
-  instructions += block.instructions;
 }
 
 void on_write(unsigned /*cpu*/, std::uint32_t /*kind*/, std::uint64_t address, void* /*data*/) {
@@ -82,10 +64,15 @@ void on_write(unsigned /*cpu*/, std::uint32_t /*kind*/, std::uint64_t address, v
 
 void on_translation(PluginId /*id*/, qemu_plugin_tb* tb) {
   const std::size_t count = qemu_plugin_tb_n_insns(tb);
-  blocks.push_back({qemu_plugin_tb_vaddr(tb), count});
-  qemu_plugin_register_vcpu_tb_exec_cb(tb, on_block, kNoRegisters, &blocks.back());
+  const std::uint64_t start = qemu_plugin_tb_vaddr(tb);
+  if (marks.contains(start)) {
+    qemu_plugin_register_vcpu_tb_exec_cb(tb, on_block, kNoRegisters, reinterpret_cast<void*>(start));
+  }
   for (std::size_t i = 0; i < count; ++i) {
-    qemu_plugin_register_vcpu_mem_cb(qemu_plugin_tb_get_insn(tb, i), on_write, kNoRegisters, kWrites, nullptr);
+    qemu_plugin_insn* instruction = qemu_plugin_tb_get_insn(tb, i);
+    // One by one: a block is left where it reads a register of a device, and begun anew behind that.
+    qemu_plugin_register_vcpu_insn_exec_inline(instruction, kAddInline, &instructions, 1);
+    qemu_plugin_register_vcpu_mem_cb(instruction, on_write, kNoRegisters, kWrites, nullptr);
   }
 }
 
@@ -113,6 +100,8 @@ void add_stage(const std::string& text) {
     if (field > 1) stage.returns.insert(std::strtoull(word.c_str(), nullptr, 16));
     begin = end + 1;
   }
+  marks.insert(stage.entry);
+  marks.insert(stage.returns.begin(), stage.returns.end());
   stages.push_back(stage);
 }
 

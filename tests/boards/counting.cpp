@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -26,12 +28,15 @@ std::string symbol_address(const std::string& symbols, const std::string& name) 
 
 }  // namespace
 
+std::string address_of(const std::string& elf, const std::string& symbol) {
+  return symbol_address(output_of("arm-none-eabi-nm " + elf), symbol);
+}
+
 Stages stages_of_a_loop(const Stages& more) {
-  Stages stages = {{"turn", "image::Robot::work("},   {"line", "::handle_line("},
-                   {"input", "::process("},           {"predict", "::predict<"},
-                   {"see", "::see(fencepost::recon"}, {"pose", "::correct<"},
-                   {"models", "::update_models("},    {"hybrid", "::fit<"},
-                   {"digest", "::chain_digest("},     {"alerts", "::watch_path("}};
+  Stages stages = {{"turn", "image::Robot::work("}, {"line", "::handle_line("}, {"input", "::process("},
+                   {"predict", "::predict<"},       {"see", "recon::observe("}, {"pose", "::correct<"},
+                   {"models", "::update_models<"},  {"hybrid", "::fit<"},       {"digest", "::chain_digest("},
+                   {"alerts", "::watch_path("}};
   stages.insert(stages.end(), more.begin(), more.end());
   return stages;
 }
@@ -113,6 +118,17 @@ void expect_stages_as_committed(const Counts& counts, const std::string& image, 
                           << pose;
 }
 
+// For record_figures.py, where it asks for them.
+void record(const Counts& counts, const std::string& image, const std::string& pose) {
+  const char* folder = std::getenv("FENCEPOST_FIGURES");
+  if (folder == nullptr) return;
+  std::ofstream out(std::string(folder) + "/" + image + "-" + pose + ".counts");
+  const auto frames = static_cast<double>(counts.at("digest").calls);
+  for (const auto& [name, count] : counts) {
+    out << name << ' ' << std::llround(static_cast<double>(count.sum) / frames) << ' ' << count.worst << '\n';
+  }
+}
+
 void print(const Counts& counts) {
   const auto frames = static_cast<double>(std::max<std::uint64_t>(counts.at("digest").calls, 1));
   for (const auto& [name, count] : counts) {
@@ -161,9 +177,11 @@ void expect_full_table_as_committed(const FullTable& table, PoseCorrected correc
 
 void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least) {
   print(counts);
+  const std::string pose = corrected == PoseCorrected::kYes ? "on" : "off";
+  record(counts, image, pose);
   const auto frames = static_cast<double>(counts.at("digest").calls);
   EXPECT_GT(frames, least);
-  expect_stages_as_committed(counts, image, corrected == PoseCorrected::kYes ? "on" : "off");
+  expect_stages_as_committed(counts, image, pose);
   if (corrected == PoseCorrected::kNo) {
     EXPECT_LE(static_cast<double>(counts.at("input").sum) / frames, static_cast<double>(committed(image, "frame")));
     EXPECT_LE(counts.at("input").worst, committed(image, "worst_frame"));

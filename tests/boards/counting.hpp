@@ -34,6 +34,8 @@ using Stages = std::vector<std::pair<std::string, std::string>>;
 /// console and its records, and the loop's whole "turn". `more` are the board's own.
 Stages stages_of_a_loop(const Stages& more = {});
 
+/// Of a symbol, in hexadecimal digits. Throws std::runtime_error where the image has none of that name.
+std::string address_of(const std::string& elf, const std::string& symbol);
 /// The emulator's arguments. Throws std::runtime_error where a function is not in the image, or nothing calls it.
 std::vector<std::string> counting_arguments(const std::string& elf, const Stages& stages, const std::string& out);
 Counts read_counts(const std::string& file);
@@ -48,7 +50,7 @@ struct FullTable {
   Stages more;        ///< of this board alone
   host::Scene scene;
   std::size_t objects;
-  double least;  ///< frames; fewer than are shown where the wall's clock paces a busy machine
+  double least;  ///< frames that are counted of those that are shown
 };
 
 // GoogleTest expectations.

@@ -9,6 +9,6 @@ namespace fencepost::test {
 
 /// GoogleTest expectations. The debugger sends the program to where there is no memory: a hard fault, a reset, and the
 /// next run tells, once. `from`: how its sentence about that ends, for code of this board.
-void expect_tells_of_a_fault(const BoardUnderTest& board, const std::string& from);
+void expect_tells_of_a_fault(const BoardUnderTest& board, std::uint32_t caller);
 
 }  // namespace fencepost::test

@@ -1,7 +1,5 @@
 #include "tests/boards/emulator.hpp"
 
-#include <signal.h>
-
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
@@ -53,7 +51,7 @@ void Emulator::start(const std::vector<std::string>& command) {
 bool Emulator::alive() { return child_ && !child_->ended(); }
 
 void Emulator::stop() {
-  if (child_ && child_->signal(SIGTERM)) child_->wait();
+  if (end()) child_->wait();
 }
 
 void Emulator::pump() {

@@ -1,6 +1,8 @@
 // A machine that runs an image: an emulator as a child process with a socket for each serial line, or another.
 #pragma once
 
+#include <signal.h>
+
 #include <deque>
 #include <functional>
 #include <memory>
@@ -34,8 +36,9 @@ struct BoardUnderTest {
   std::string name;  ///< of its preset
   /// The emulator's command; `sockets`: paths to connect to, one a line.
   std::function<std::vector<std::string>(const std::vector<std::string>& sockets)> command;
-  /// Or the emulator itself, where it is no program of its own.
-  std::function<std::unique_ptr<Machine>()> machine = {};
+  /// The emulator, where it is not an Emulator.
+  std::function<std::unique_ptr<Machine>(const BoardUnderTest&)> machine = {};
+  bool may_stop = false;  ///< a debugger is there to stop it
   std::size_t lines = 1;
   std::size_t console = 0;  ///< its line
   int camera = -1;          ///< the camera's line; negative: frames go over the console
@@ -59,10 +62,15 @@ class Emulator : public Machine {
   Emulator& operator=(const Emulator&) = delete;
 
   SocketLine& line(std::size_t n) override { return lines_[n]; }
+  [[nodiscard]] std::size_t lines() const { return lines_.size(); }
   bool alive() override;
   void pump() override;
   [[nodiscard]] double seconds() const override;
   void stop() override;
+
+ protected:
+  /// Asks it to end.
+  bool end() { return child_ && child_->signal(SIGTERM); }
 
  private:
   void start(const std::vector<std::string>& command);

@@ -15,7 +15,7 @@ namespace {
 // is. 600 frames are shown.
 void count_eight_objects(PoseCorrected corrected) {
   const FullTable table{
-      "f405", {{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}, eight_boxes(12), 8, 400};
+      "f405", {{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}, eight_boxes(12), 8, 590};
   expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return f405(arguments); });
 }
 
@@ -31,7 +31,7 @@ EveryBoardFacts facts() {
 INSTANTIATE_TEST_SUITE_P(F405, EveryBoard, ::testing::Values(facts()), profile_of);
 
 TEST(F405, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(f405()); }
-TEST(F405, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(f405(), "called from 08"); }
+TEST(F405, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(f405(), 0x08001235); }
 
 }  // namespace
 }  // namespace fencepost::test

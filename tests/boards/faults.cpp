@@ -59,7 +59,7 @@ class Approach {
     EXPECT_LT(longest_turn(said), kWatchdog);
     EXPECT_TRUE(bench.alive());
   }
-  /// The last record of its link, in a while: a busy machine's emulator is slower than the wall's clock.
+  /// The last record of its link, in a while.
   void expect_link(std::string_view sensor, std::string_view state) {
     for (int i = 0; i < 50 && bench.last_link(sensor) != state; ++i) bench.run(0.1);
     EXPECT_EQ(bench.last_link(sensor), state) << bench.said();

@@ -7,6 +7,7 @@ stack (the deepest path from start-up, one interrupt on top of it) no larger tha
 """
 
 import csv
+import os
 import pathlib
 import re
 import subprocess
@@ -146,6 +147,8 @@ def main():
             faults.append(f"{name}: {measured} bytes, {committed} in {table}: explain the growth and change the table")
         if measured == 0:
             faults.append(f"{name}: nothing was measured")
+    if "FENCEPOST_FIGURES" in os.environ:  # for record_figures.py
+        (pathlib.Path(os.environ["FENCEPOST_FIGURES"]) / f"{image}.sizes").write_text(f"flash {flash}\nram {ram}\nstack {deepest}\n")
     if deepest > reserved_stack(elf):
         faults.append(f"stack: {deepest} bytes, the linker script keeps {reserved_stack(elf)}")
     if symbols == 0:

@@ -34,6 +34,7 @@ class Line {
   void limit_pace(double fastest) { set_pace(fastest_ = fastest); }
   /// The other side's bytes stay where they are.
   void block(bool blocked) { blocked_ = blocked; }
+  [[nodiscard]] bool blocked() const { return blocked_; }
   void unsend() { waiting_.clear(); }
 
  protected:

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "host/emulate/models/can_wheels.hpp"
+#include "host/emulate/models/wheel_adapters.hpp"
 #include "host/emulate/scene/feed.hpp"
 #include "host/emulate/scene/travel.hpp"
 #include "host/scene/load.hpp"
@@ -88,7 +89,8 @@ class RunOnCan : public LiveRun {
   void down_and_up() {
     ASSERT_TRUE(shell("ip link set vcan0 down"));
     EXPECT_TRUE(run->says(kGone)) << run->err();
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // looked for several times, and told once
+    // Looked for several times, and told once: as long as it takes the camera to show seven pictures.
+    EXPECT_TRUE(logs("$FPFRM,", count(log(), "$FPFRM,") + 7)) << run->err();
     ASSERT_TRUE(shell("ip link set vcan0 up"));
   }
 

@@ -41,6 +41,8 @@ class NxtRobot {
   void drive() { world_of_posts_.drive(); }
   std::atomic<bool> silent = false;
   std::atomic<bool> split = false;  ///< each reply comes as two transfers
+  std::atomic<int> splits = 0;      ///< replies that came so
+  std::atomic<int> turns = 0;       ///< of the world, 30 ms each
 
  private:
   UsbModel model() {
@@ -55,6 +57,7 @@ class NxtRobot {
     }();
     if (!reply || silent) return;
     if (!split) return usb_.give(kNxtIn, *reply);
+    ++splits;
     usb_.give(kNxtIn, {reply->begin(), reply->begin() + 2});
     usb_.give(kNxtIn, {reply->begin() + 2, reply->end()});
   }
@@ -66,6 +69,7 @@ class NxtRobot {
       brick_.turn(1, degrees);
       brick_.turn(2, degrees);
       camera_.show({world_of_posts_.post(nxtcam::kProfile)});
+      ++turns;
     }
   }
 
@@ -81,6 +85,10 @@ class NxtRobot {
 class RunOnNxt : public LiveRun {
  protected:
   void SetUp() override { start("nxtcam:nxt", "nxt:usb"); }
+  /// Longer than the run waits for a reply.
+  bool world_goes_on() {
+    return host::testing::eventually([this, until = robot.turns + 20] { return robot.turns >= until; });
+  }
 
   NxtRobot robot;
 };
@@ -101,11 +109,13 @@ TEST_F(RunOnNxt, SurvivesWhatACableAndABrickDo) {
   robot.usb().halt(kNxtOut);
   expect_flow("after a stall of commands");
   robot.usb().hold(true);
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ASSERT_TRUE(host::testing::eventually([this] { return robot.usb().held() > 0; }));
+  ASSERT_TRUE(world_goes_on()) << "while a reply is held";
   robot.usb().hold(false);
   expect_flow("after late replies");
+  const int splits = robot.splits;
   robot.split = true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ASSERT_TRUE(host::testing::eventually([&] { return robot.splits >= splits + 5; })) << run->err();
   robot.split = false;
   expect_flow("after split replies");
   expect_replays();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 
 #include "firmware/record/encode.hpp"
 #include "host/import/import.hpp"
@@ -81,7 +82,7 @@ TEST_P(Mrclam, CylindersWithTruePosesLieWithinTheBounds) {
 }
 
 // Dead reckoning drifts 0.25-0.55 m and 10-25 deg a minute here, and the landmarks stand 2 to 6 m away, so these
-// figures are for reading: they are what pose correction has to mend. The bound only catches nonsense.
+// figures are what pose correction has to mend: 1.58 m in D7_R2, 2.09 m in D6_R2. A tenth more is a fault of ours.
 TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   std::vector<double> medians;
   for (int start = 0; start < 840; start += 60) {
@@ -105,7 +106,7 @@ TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   ASSERT_GE(medians.size(), 10U);
   std::sort(medians.begin(), medians.end());
   std::printf("  %s, odometry, 60 s windows: median of medians %.0f mm\n", GetParam(), 1e3 * median(medians));
-  EXPECT_LT(median(medians), 3.0);
+  EXPECT_LT(median(medians), std::string_view(GetParam()) == "D7_R2" ? 1.75 : 2.3);
 }
 
 // Commanded velocities: a second in which the robot turns is 3 degrees off, one in which it does not 1 degree.

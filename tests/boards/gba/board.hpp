@@ -12,7 +12,7 @@ inline BoardUnderTest gba(Handheld** seen = nullptr, std::vector<std::uint8_t>* 
                           Handheld::Console console = Handheld::Console::kMailbox) {
   BoardUnderTest board;
   board.name = "gba";
-  board.machine = [seen, save, console] {
+  board.machine = [seen, save, console](const BoardUnderTest& /*board*/) {
     auto machine = std::make_unique<Handheld>(image_of("gba") + ".gba", save, console);
     if (seen != nullptr) *seen = machine.get();
     return machine;

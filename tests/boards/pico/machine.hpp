@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "tests/boards/emulator.hpp"
+#include "tests/boards/stepped.hpp"
 
 namespace fencepost::test {
 
-class EmulatedPico : public Emulator {
+class EmulatedPico : public SteppedEmulator {
  public:
   static constexpr std::size_t kConsole = 0;
   static constexpr std::size_t kCamera = 1;
@@ -18,18 +18,11 @@ class EmulatedPico : public Emulator {
   explicit EmulatedPico(const BoardUnderTest& board);
 
   void pump() override;
-  [[nodiscard]] double seconds() const override { return seconds_; }
 
   /// A word on its control line (emulate.mjs says which).
   void command(const std::string& line);
   /// And what it answers. Throws std::runtime_error if it has ended.
   std::string ask(const std::string& line);
-
- private:
-  void move_lines();
-  void move_control();
-
-  double seconds_ = 0;
 };
 
 }  // namespace fencepost::test

@@ -22,9 +22,8 @@ inline BoardUnderTest pico(EmulatedPico** seen = nullptr, const std::string& ima
     if (!counts.empty()) words.push_back(counts);
     return words;
   };
-  const BoardUnderTest plain = board;
-  board.machine = [plain, seen] {
-    auto machine = std::make_unique<EmulatedPico>(plain);
+  board.machine = [seen](const BoardUnderTest& one) {
+    auto machine = std::make_unique<EmulatedPico>(one);
     if (seen != nullptr) *seen = machine.get();
     return machine;
   };

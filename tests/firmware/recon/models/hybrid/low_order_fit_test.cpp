@@ -1,4 +1,5 @@
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"
+#include "firmware/config/profile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "firmware/config/profile.hpp"
 #include "firmware/recon/models/inlier.hpp"
 
 namespace fencepost::test {
@@ -94,15 +96,21 @@ TEST(PackedCholesky, RefusesWhatIsSingular) {
   EXPECT_FALSE(factorise(negative, 2));
 }
 
+// As each profile has it.
+template <class Profile>
+class LowOrder : public ::testing::Test {};
+using Profiles = ::testing::Types<config::Full, config::Small, config::Micro>;
+TYPED_TEST_SUITE(LowOrder, Profiles);
+
 // Three tangents of a circle of 0.1 m around (0.2, 0), sigma 1 mm: the priors hardly matter.
-TEST(LowOrderFit, OrderOneIsTheCylinder) {
+TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
   std::array<PackedCluster, 128> store{};
   const auto put = [&](double angle, double offset) {
     const Vec2 normal{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
     insert(store, place_of(normal, 64), {{normal, static_cast<float>(offset)}, 0.001F}, 1, {});
   };
   for (const double angle : {0.4, 2.5, 4.4}) put(angle, 0.1 + 0.2 * std::cos(angle));
-  LowOrderFit<3> fit;
+  LowOrderFit<TypeParam::kHybridOrder> fit;
   fit.begin(1, 0.08F);
   fit.begin_pass(1);
   for (std::size_t i = 0; i < store.size(); ++i) {
@@ -118,9 +126,9 @@ TEST(LowOrderFit, OrderOneIsTheCylinder) {
 }
 
 // Without a tangent the priors are all there is: 0.08 m around the origin, give or take 5 cm and 2 m.
-TEST(LowOrderFit, KnowsNothingWithoutTangents) {
-  LowOrderFit<3> fit;
-  fit.begin(3, 0.08F);
+TYPED_TEST(LowOrder, KnowsNothingWithoutTangents) {
+  LowOrderFit<TypeParam::kHybridOrder> fit;
+  fit.begin(TypeParam::kHybridOrder, 0.08F);
   fit.begin_pass(1);
   ASSERT_TRUE(solve(fit));
   EXPECT_NEAR(fit.radius(), 0.08F, 1e-6F);
