@@ -16,7 +16,8 @@ std::uint8_t sum(std::span<const std::uint8_t> bytes) {
 
 Bytes framed(std::uint8_t command, const Bytes& data) {
   Bytes bytes = {0x55, 0xAA, 0x11, static_cast<std::uint8_t>(data.size()), command};
-  bytes.insert(bytes.end(), data.begin(), data.end());
+  // One by one: GCC 12 takes a vector's own insert() here for an access out of bounds when it optimises (-O3).
+  for (const std::uint8_t byte : data) bytes.push_back(byte);
   bytes.push_back(sum(bytes));
   return bytes;
 }
