@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "tests/studies/alerts/judgement.hpp"
-#include "tests/studies/tables/study.hpp"
+#include "tests/studies/common/study.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "host/geometry/rings.hpp"
 #include "host/scene/table_camera.hpp"
-#include "tests/studies/identity/random_footprint.hpp"
+#include "tests/studies/common/random_footprint.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/scene/scene.hpp"
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 
 namespace fencepost::test {
 

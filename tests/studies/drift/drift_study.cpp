@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/drift/drift_run.hpp"
-#include "tests/studies/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {

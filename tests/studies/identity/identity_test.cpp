@@ -9,7 +9,7 @@
 #include "firmware/config/profile.hpp"
 #include "firmware/recon/map.hpp"
 #include "host/simulate/truth.hpp"
-#include "tests/studies/identity/random_scene.hpp"
+#include "tests/studies/common/random_scene.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "host/evaluate/evaluate.hpp"
 #include "tests/firmware/record/lines.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 #include "tests/studies/drift/drifting_odometry.hpp"
 #include "tests/studies/tables/given_run.hpp"
-#include "tests/studies/tables/noise_levels.hpp"
 #include "tests/studies/tables/tour.hpp"
 
 namespace fencepost::test {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/paths/path_judgement.hpp"
-#include "tests/studies/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {

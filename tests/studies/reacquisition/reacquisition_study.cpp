@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/reacquisition/study_tables.hpp"
-#include "tests/studies/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {

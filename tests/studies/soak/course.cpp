@@ -11,8 +11,8 @@
 #include "host/scene/table_camera.hpp"
 #include "host/simulate/odometer.hpp"
 #include "host/simulate/simulate.hpp"
-#include "tests/studies/identity/random_footprint.hpp"
-#include "tests/studies/identity/random_scene.hpp"
+#include "tests/studies/common/random_footprint.hpp"
+#include "tests/studies/common/random_scene.hpp"
 
 namespace fencepost::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/soak/soak_run.hpp"
-#include "tests/studies/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {

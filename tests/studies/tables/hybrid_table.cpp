@@ -5,10 +5,10 @@
 #include <functional>
 #include <map>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/tables/hybrid_judgement.hpp"
 #include "tests/studies/tables/hybrid_targets.hpp"
 #include "tests/studies/tables/quality_run.hpp"
-#include "tests/studies/tables/study.hpp"
 
 namespace fencepost::test {
 namespace {

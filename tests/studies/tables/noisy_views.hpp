@@ -7,7 +7,7 @@
 
 #include "host/scene/scene.hpp"
 #include "host/simulate/truth.hpp"
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 
 namespace fencepost::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/evaluate/evaluate.hpp"
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 
 namespace fencepost::test {
 

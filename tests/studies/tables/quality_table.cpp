@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/studies/common/study.hpp"
 #include "tests/studies/tables/quality_run.hpp"
-#include "tests/studies/tables/study.hpp"
 #include "tests/studies/tables/table_text.hpp"
 
 namespace fencepost::test {

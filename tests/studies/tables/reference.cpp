@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 #include "tests/studies/tables/quality_run.hpp"
 #include "tests/studies/tables/reference_scene.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "host/evaluate/evaluation.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 #include "tests/studies/tables/comparison.hpp"
-#include "tests/studies/tables/noise_levels.hpp"
 
 namespace fencepost::test {
 

@@ -1,4 +1,4 @@
-#include "tests/studies/identity/random_footprint.hpp"
+#include "tests/studies/common/random_footprint.hpp"
 
 #include <algorithm>
 #include <cmath>

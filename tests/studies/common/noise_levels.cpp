@@ -1,4 +1,4 @@
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/studies/tables/noise_levels.hpp"
+#include "tests/studies/common/noise_levels.hpp"
 
 namespace fencepost::test {
 
@@ -31,7 +31,9 @@ struct Seeds {
 inline void add_seed_options(CLI::App& app, Seeds& seeds, const std::string& about,
                              const std::string& name = "--scenes") {
   app.add_option(name, seeds.scenes, about)->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--first-seed", seeds.first, "seed of the first one")->capture_default_str();
+  app.add_option("--first-seed", seeds.first,
+                 "seed of the first one; which seeds tuned what: README.md beside the study")
+      ->capture_default_str();
 }
 
 inline void add_levels_option(CLI::App& app, std::vector<std::string>& levels) {
