@@ -121,7 +121,7 @@ double size_of(const host::Polygon& polygon) {
 TEST_F(GbaScreen, DrawsOutlinesThatAreKnownWell) {
   ASSERT_NO_FATAL_FAILURE(take_picture(recorded_scene("blocks_arc")));
   const host::ReplayOutcome run = host::replay(bench.said().substr(bench.said().find("$FPHDR")), "console", {});
-  const double known_well = 1 - std::sqrt(double{recon::OutlineView::kWellKnown});  // as a confidence
+  const double known_well = 1 - std::sqrt(double{recon::kWellKnownShare});  // as a confidence
   int outlined = 0;
   for (const host::ObjectResult& object : run.result.objects) {
     const auto signature = std::ranges::find(run.result.signatures, object.signature, &record::Signature::signature);
