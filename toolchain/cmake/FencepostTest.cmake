@@ -7,20 +7,6 @@ if(FENCEPOST_SANITIZE MATCHES "undefined")
     -fno-sanitize=null,alignment,object-size,vptr,return,unreachable,nonnull-attribute,returns-nonnull-attribute)
 endif()
 
-# What most tests include, compiled once, where sources are united anyway: a third of what a test costs to compile. A
-# program whose flags differ includes the headers themselves.
-if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-  set(CMAKE_PCH_WARN_INVALID OFF)
-  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/test_headers.cpp" CONTENT "")
-  add_library(fencepost_test_headers OBJECT "${PROJECT_BINARY_DIR}/test_headers.cpp")
-  target_link_libraries(fencepost_test_headers PRIVATE fencepost_test_flags Eigen3::Eigen)
-  target_precompile_headers(fencepost_test_headers PRIVATE
-    <algorithm> <array> <chrono> <cmath> <cstdint> <cstdio> <cstdlib> <cstring> <filesystem> <fstream> <functional> <memory>
-    <numbers> <optional> <random> <regex> <span> <sstream> <string> <string_view> <thread> <variant> <vector>
-    <Eigen/Core> <Eigen/Cholesky> <Eigen/Geometry> <gtest/gtest.h> <nlohmann/json.hpp>)
-endif()
-
 # fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ...): one GoogleTest program, its cases known to CTest.
 function(fencepost_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -30,9 +16,6 @@ function(fencepost_test name)
   target_compile_definitions(${name} PRIVATE
     FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FENCEPOST_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
-  if(TARGET fencepost_test_headers)
-    target_precompile_headers(${name} REUSE_FROM fencepost_test_headers)
-  endif()
   # Cases are numbered, not named by their values, which may be whole documents.
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
