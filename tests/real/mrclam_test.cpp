@@ -106,7 +106,7 @@ TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   ASSERT_GE(medians.size(), 10U);
   std::sort(medians.begin(), medians.end());
   std::printf("  %s, odometry, 60 s windows: median of medians %.0f mm\n", GetParam(), 1e3 * median(medians));
-  EXPECT_LT(median(medians), std::string_view(GetParam()) == "D7_R2" ? 1.75 : 2.3);
+  EXPECT_LT(median(medians), std::string_view(GetParam()) == "D7_R2" ? 1.75 : 2.6);
 }
 
 // Commanded velocities: a second in which the robot turns is 3 degrees off, one in which it does not 1 degree.
