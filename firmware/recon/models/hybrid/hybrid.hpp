@@ -99,9 +99,9 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
 /// kSectors: 64, or 32 on the smallest parts.
 template <std::size_t kSectors>
 struct Hybrid : HybridCore {
-  std::array<PackedCluster, kClustersPerSector * kSectors> clusters;
-  std::array<std::int16_t, kSectors> offsets;
-  std::array<std::uint8_t, kSectors> sigmas;
+  std::array<PackedCluster, kClustersPerSector * kSectors> clusters{};
+  std::array<std::int16_t, kSectors> offsets{};
+  std::array<std::uint8_t, kSectors> sigmas{};
 
   static constexpr std::string_view kName = "hybrid";
   static constexpr std::size_t kHashParts = 2;
