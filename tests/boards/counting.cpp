@@ -125,7 +125,8 @@ void record(const Counts& counts, const std::string& image, const std::string& p
   std::ofstream out(std::string(folder) + "/" + image + "-" + pose + ".counts");
   const auto frames = static_cast<double>(counts.at("digest").calls);
   for (const auto& [name, count] : counts) {
-    out << name << ' ' << static_cast<std::int64_t>(std::ceil(static_cast<double>(count.sum) / frames)) << ' ' << count.worst << '\n';
+    out << name << ' ' << static_cast<std::int64_t>(std::ceil(static_cast<double>(count.sum) / frames)) << ' '
+        << count.worst << '\n';
   }
 }
 
