@@ -5,9 +5,10 @@ Holds the lists of .github/CONTRIBUTING.md: for every board, setting, ... that e
 and each file to edit names it. Prints one line per fault; exit status 1 if there is any.
 """
 
-import pathlib
 import re
 import sys
+
+import command
 
 DOCUMENT = ".github/CONTRIBUTING.md"
 HEADING = re.compile(r"^## Add an? [\w ]+: ([A-Z]+)$")
@@ -89,17 +90,5 @@ def check(root, kinds=None):
     return faults, compared
 
 
-def main():
-    if len(sys.argv) > 2 or "-h" in sys.argv or "--help" in sys.argv:
-        print(__doc__.strip())
-        return 2
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[2]).resolve()
-    faults, compared = check(root)
-    for fault in faults:
-        print(fault)
-    print(f"{compared} rows compared, {len(faults)} faults")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(command.run(__doc__, check, "rows"))

@@ -7,9 +7,10 @@ Prints one line per fault; exit status 1 if there is any.
 """
 
 import fnmatch
-import pathlib
 import re
 import sys
+
+import command
 
 LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
 MOST_BEYOND = 8  # files that ten minutes of reading may make one open beside those it names
@@ -126,17 +127,5 @@ def check(root):
     return faults, compared
 
 
-def main():
-    if len(sys.argv) > 2 or "-h" in sys.argv or "--help" in sys.argv:
-        print(__doc__.strip())
-        return 2
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[2]).resolve()
-    faults, compared = check(root)
-    for fault in faults:
-        print(fault)
-    print(f"{compared} things compared, {len(faults)} faults")
-    return 1 if faults or compared == 0 else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(command.run(__doc__, check, "things"))

@@ -21,7 +21,6 @@ class Carving {
  public:
   static constexpr std::string_view kName = "carving";
   static constexpr std::size_t kHashParts = 2;
-  static constexpr std::size_t kGridCells = kCells;
 
   /// Around a guessed place until there is an estimate: what the first wedges leave is known before any distance is.
   void start(const Sighting& /*first*/, MapPoint /*origin*/) {

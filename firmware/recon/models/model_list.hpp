@@ -44,10 +44,6 @@ class ModelList<Cylinder, Others...> {
     std::apply([&](const Others&... models) { (visit(models), ...); }, others_);
   }
 
-  template <class M>
-  static constexpr bool has() {
-    return (std::same_as<M, Others> || ...);
-  }
   /// By its place in the list; the cylinder, place 0, is in the object's core.
   template <std::size_t kPlace>
   [[nodiscard]] const auto& get() const {

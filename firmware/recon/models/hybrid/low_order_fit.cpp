@@ -149,7 +149,6 @@ float LowOrderFit<kOrder>::sigma_at(const Vec2& direction) const {
 }
 
 template class LowOrderFit<3>;
-template class LowOrderFit<4>;
 template class LowOrderFit<5>;
 
 }  // namespace fencepost::recon

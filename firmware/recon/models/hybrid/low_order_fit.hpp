@@ -70,7 +70,6 @@ class LowOrderFit {
 };
 
 extern template class LowOrderFit<3>;
-extern template class LowOrderFit<4>;
 extern template class LowOrderFit<5>;
 
 }  // namespace fencepost::recon
