@@ -26,7 +26,7 @@ inline constexpr std::uint8_t kViewsToGuess = 3;
 // --- novelty ---
 
 /// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view
-/// counts. More: slow learning; less: a parked robot becomes certain. Alert study.
+/// counts. More: slow learning; less: a parked robot becomes certain. algorithms.md sec. 5.1.
 inline constexpr float kNovelShare = 0.03F;
 inline constexpr float kLeastNovelty = 0.05F;
 /// m. Nearer distances count as this one. By design.
@@ -34,15 +34,14 @@ inline constexpr float kNearestLens = 0.05F;
 
 // --- inliers ---
 
-/// share of tangents that are good, N(0, sigma). algorithms.md sec. 5.
+/// share of tangents that are good, N(0, sigma). algorithms.md sec. 5.3.
 inline constexpr float kInlierShare = 0.9F;
-/// m, and sigmas if that is more, within which the others lie, evenly. algorithms.md sec. 5; sigmas: hybrid table,
-/// seeds 5001 to 5060.
+/// m, and sigmas if that is more, within which the others lie, evenly. algorithms.md sec. 5.3.
 inline constexpr float kOutlierReach = 0.3F;
 inline constexpr float kOutlierSigmas = 7.52F;
 /// likelihood of an outlier farther out than the model, against one inside it: pieces get lost far more often than
-/// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. Hybrid table, seeds
-/// 5001 to 5060.
+/// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. algorithms.md
+/// sec. 5.3.
 inline constexpr float kFartherOutliers = 0.25F;
 
 // --- the cylinder ---
@@ -53,7 +52,7 @@ inline constexpr float kIndependentRows = 4.0F;
 inline constexpr float kRowGate = 3.0F;
 /// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
 /// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the
-/// distance. Alert study.
+/// distance. On which study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
 /// share of the distance: the distance is unknown while its sigma exceeds it. By design.
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;

@@ -19,9 +19,9 @@ inline constexpr int kUndistortSteps = 5;
 /// noise).
 inline constexpr int kTouchPixels = 5;
 /// px. Within this of a neighbour an end is ambiguous: 2 px plus three sigmas of the gap between two edges. Too large
-/// costs little, since a lower bound is left. Hybrid table, seeds 5001 to 5060.
+/// costs little, since a lower bound is left. On which study was not kept.
 inline constexpr int kBesidePixels = 8;
-/// columns. Within this of the border an end of any blob is ambiguous. Hybrid table, seeds 5001 to 5060.
+/// columns. Within this of the border an end of any blob is ambiguous. On which study was not kept.
 inline constexpr int kBorderColumns = 5;
 /// px. Bottom rows that differ by no more do not tell which object is nearer. By design.
 inline constexpr int kSameRowPixels = 1;
@@ -37,19 +37,20 @@ inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
 /// px of a camera with kNoiseColumns columns or more. With fewer, a pixel is wider than the ragged edge of a segment,
-/// so the sigma falls with the columns, but not below kLeastEdgeNoise. algorithms.md sec. 5 for 1.2 px; the rest by
-/// design. A setting overrides it (`camera.noise`).
+/// so the sigma falls with the columns, but not below kLeastEdgeNoise. Where 1.2 px
+/// came from was not kept; the rest is by design. A setting overrides it (`camera.noise`).
 inline constexpr float kEdgeNoise = 1.2F;
 inline constexpr float kNoiseColumns = 160;
 inline constexpr float kLeastEdgeNoise = 0.75F;
 /// px, of a box's bottom row. By design.
 inline constexpr float kRowNoise = 1.0F;
-/// rad and m, of the pose at one exposure of a driving robot. algorithms.md sec. 5.
+/// rad and m, of the pose at one exposure of a driving robot. Where they came from was not kept.
 inline constexpr float kHeadingNoise = 0.0070F;
 inline constexpr float kPositionNoise = 0.004F;
 /// rad, of the camera's pitch, the same in every view: 0.3 degrees. By design.
 inline constexpr float kPitchNoise = 0.0052F;
-/// share of the radius by which real footprints differ from a circle. algorithms.md sec. 5.
+/// share of the radius by which real footprints differ from a circle. algorithms.md sec. 7: half of it is
+/// over-confident.
 inline constexpr float kRoundness = 0.2F;
 
 // --- ground rows ---

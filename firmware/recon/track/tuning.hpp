@@ -1,5 +1,5 @@
-// Numbers of tracking that were chosen and not derived. Where a value was found by a study, its seeds are the study's
-// tuning seeds; "by design" is a choice that no study was made for.
+// Numbers of tracking that were chosen and not derived. "By design": no study was made for the value. "Not kept": it
+// came out of studies, but on which seeds was not written down, so no figure on old seeds is a forecast.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ inline constexpr float kGateSigmas = 3.0F;
 /// share of the predicted width by which a lost or grown piece of a segment moves an end. Contract section 4: segments
 /// lose up to half.
 inline constexpr float kGateWidthShare = 0.5F;
-/// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. Identity study, seeds 1 to 200.
+/// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. On which study was not kept.
 inline constexpr float kHiddenRadians = 0.26F;
 /// px. Rows are off by so much besides what distance and pitch explain: whole pixels, rounded edges. By design.
 inline constexpr float kRowPixels = 1.5F;
@@ -37,8 +37,8 @@ inline constexpr float kCostScale = 200.0F;
 /// neither for a pair nor against it. By design.
 inline constexpr float kCostOfUnknownSide = 0.25F;
 inline constexpr float kBoxSides = 4;
-/// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. Identity study,
-/// seeds 1 to 200.
+/// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. On which study was
+/// not kept.
 inline constexpr std::uint8_t kUnmatchedCost = 160;
 /// ratio of depths above which models do not tell which of two is in front. By design.
 inline constexpr float kSameDepth = 0.95F;
@@ -53,20 +53,20 @@ inline constexpr float kBorderShare = 0.05F;
 
 // --- life cycle (object_table) ---
 
-/// frames in a row in pieces: noise does not do that, it is two objects. Identity study, seeds 1 to 200.
+/// frames in a row in pieces: noise does not do that, it is two objects. On which study was not kept.
 inline constexpr std::uint8_t kDividingFrames = 2;
-/// frames in a row in which one end is off and the other is not: the models are of something else. Alert study, seeds
-/// 1 to 1,000.
+/// frames in a row in which one end is off and the other is not: the models are of something else. On which study was
+/// not kept.
 inline constexpr int kContradictingFrames = 10;
 /// relocations of an object's local frame, at most: more would be a place that no evidence settles. By design.
 inline constexpr std::uint8_t kMaxRelocations = 4;
 /// Presence is averaged over about this many expected sightings, as its inverse. By design.
 inline constexpr float kPresenceGain = 1.0F / 8.0F;
 /// frames in a row in which an object should have been seen and was not: it is no longer believed in. Less: alerts end
-/// when a camera misses; more: ghosts. Alert study, seeds 1 to 1,000.
+/// when a camera misses; more: ghosts. On which study was not kept.
 inline constexpr std::uint16_t kRefutingMisses = 12;
 /// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
-/// it stays, and only its alerts stop. Alert study, seeds 1 to 1,000.
+/// it stays, and only its alerts stop. On which study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;
 /// A confirmed object out of sight for longer makes room in a full table. By design.
 inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
