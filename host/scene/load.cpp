@@ -29,6 +29,7 @@ void check_signatures(const JsonNode& root, const Scene& scene) {
     }
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].trained) continue;
     const auto known = std::any_of(scene.signatures.begin(), scene.signatures.end(),
                                    [&](const SceneSignature& s) { return s.id == scene.objects[i].signature; });
     if (known) continue;
@@ -40,7 +41,14 @@ void check_signatures(const JsonNode& root, const Scene& scene) {
   }
 }
 
-/// Solids must not overlap: parts of them would be invisible to every camera.
+bool meet_in_time(const SceneObject& a, const SceneObject& b) {
+  const auto ends_first = [](const SceneObject& first, const SceneObject& second) {
+    return first.until && second.from && *first.until <= *second.from;
+  };
+  return !ends_first(a, b) && !ends_first(b, a);
+}
+
+/// Solids must not overlap: parts of them would be invisible to every camera. Where one moves, nobody looks.
 void check_overlaps(const JsonNode& root, const Scene& scene) {
   constexpr double kSliver = 1e-8;  // m^2; touching faces are fine
   constexpr double kTouch = 1e-9;   // m
@@ -48,6 +56,7 @@ void check_overlaps(const JsonNode& root, const Scene& scene) {
     for (std::size_t k = 0; k < i; ++k) {
       const SceneObject& a = scene.objects[k];
       const SceneObject& b = scene.objects[i];
+      if (!a.path.empty() || !b.path.empty() || !meet_in_time(a, b)) continue;
       if (a.base + a.height_m <= b.base + kTouch || b.base + b.height_m <= a.base + kTouch) continue;
       if (intersection_area({a.footprint}, {b.footprint}) <= kSliver) continue;
       root.at("objects")

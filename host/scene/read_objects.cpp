@@ -61,14 +61,25 @@ Polygon read_footprint(const JsonNode& node) {
 }
 
 SceneObject read_object(const JsonNode& node, std::size_t index) {
-  node.expect_keys({"name", "signature", "base", "height", "footprint"});
+  node.expect_keys({"name", "signature", "base", "height", "footprint", "path", "from", "until", "trained"});
   SceneObject object;
   const auto name = node.find("name");
   object.name = name ? name->text() : "object " + std::to_string(index + 1);
-  object.signature = static_cast<std::uint8_t>(node.at("signature").integer(0, 255));
+  if (const auto trained = node.find("trained")) object.trained = trained->truth();
+  if (object.trained) {
+    object.signature = static_cast<std::uint8_t>(node.at("signature").integer(0, 255));
+  } else if (const auto signature = node.find("signature")) {
+    signature->fail("what is not trained has no signature", "remove it, or \"trained\": false");
+  }
   object.base = node.number_or("base", 0, 0, 100, "m");
   object.height_m = node.at("height").positive(100, "m");
   object.footprint = read_footprint(node.at("footprint"));
+  if (const auto path = node.find("path")) object.path = read_object_path(*path);
+  if (const auto from = node.find("from")) object.from = from->number(0, kLongestRun, "s");
+  if (const auto until = node.find("until")) object.until = until->positive(kLongestRun, "s");
+  if (object.from && object.until && *object.until <= *object.from) {
+    node.at("until").fail("it is gone before it is there", "give a time after \"from\"");
+  }
   return object;
 }
 

@@ -9,7 +9,6 @@ namespace {
 
 /// A run of more frames than this is taken for a typing error.
 constexpr double kMostFrames = 1e6;
-constexpr double kLongestRun = 900'000;  // s; the stream's clock ends at 999999
 
 ArcPath read_arc(const JsonNode& node) {
   node.expect_keys({"type", "center", "radius", "start", "sweep", "views", "look_at"});
@@ -100,6 +99,15 @@ void read_path(const JsonNode& node, Scene& scene) {
     node.fail("the drive takes too long for one recording",
               "keep it below 900000 s and a million frames: raise the speed or lower the camera's rate");
   }
+}
+
+std::vector<TimedPose> read_object_path(const JsonNode& node) {
+  node.expect_object();
+  const JsonNode type = node.at("type");
+  if (type.text() != "poses") {
+    type.fail("an object cannot move by \"" + type.text() + "\"", "write \"poses\": where it is at which time");
+  }
+  return read_poses(node).poses;
 }
 
 SceneNoise read_noise(const JsonNode& node) {

@@ -12,6 +12,10 @@ SceneObject read_object(const JsonNode& node, std::size_t index);
 /// Polygon (closed or open rings, holes allowed) or {"circle": [x, y, r]}; valid, oriented, rings open.
 Polygon read_footprint(const JsonNode& node);
 void read_path(const JsonNode& node, Scene& scene);
+/// Of an object: poses.
+std::vector<TimedPose> read_object_path(const JsonNode& node);
+/// Times lie between 0 and this, s; the stream's clock ends at 999999.
+inline constexpr double kLongestRun = 900'000;
 SceneNoise read_noise(const JsonNode& node);
 
 }  // namespace fencepost::host

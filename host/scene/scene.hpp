@@ -19,12 +19,24 @@ struct SceneSignature {
   sensor::Rgb rgb;
 };
 
+struct TimedPose {
+  double t = 0;
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+};
+
 struct SceneObject {
   std::string name;
   std::uint8_t signature = 0;
   double base = 0;  ///< m above the floor
   double height_m = 0;
-  Polygon footprint;  ///< map frame, m; a circle is given as a 256-gon of the circle's area
+  Polygon
+      footprint;  ///< map frame, m; a circle is given as a 256-gon of the circle's area. Of one that moves: at first
+  std::vector<TimedPose> path{};  ///< of a point that is fixed to it, interpolated; empty: it stands
+  std::optional<double> from{};   ///< s, it is there from then on
+  std::optional<double> until{};  ///< s, and gone from then on
+  bool trained = true;            ///< if not, the camera does not report it; it hides what is behind it all the same
 };
 
 /// The robot drives around `center`; the camera, not the robot, looks at the centre or outwards.
@@ -40,12 +52,6 @@ struct WaypointPath {
   std::vector<Point> points;
   double speed = 0.2;      ///< m/s
   double turn_rate = 0.8;  ///< rad/s, turns on the spot
-};
-struct TimedPose {
-  double t = 0;
-  double x = 0;
-  double y = 0;
-  double heading = 0;
 };
 struct PosesPath {
   std::vector<TimedPose> poses;  ///< interpolated, headings the short way round

@@ -104,6 +104,19 @@ json noise_json(const SceneNoise& noise) {
   return out;
 }
 
+json object_json(const SceneObject& object) {
+  json out = {{"name", object.name}};
+  if (object.trained) out["signature"] = object.signature;
+  out["base"] = object.base;
+  out["height"] = object.height_m;
+  out["footprint"] = footprint_json(object.footprint);
+  if (!object.path.empty()) out["path"] = path_json(PosesPath{object.path});
+  if (object.from) out["from"] = *object.from;
+  if (object.until) out["until"] = *object.until;
+  if (!object.trained) out["trained"] = false;
+  return out;
+}
+
 std::string hex(sensor::Rgb rgb) {
   char digits[7];
   std::snprintf(digits, sizeof digits, "%02x%02x%02x", rgb.red, rgb.green, rgb.blue);
@@ -120,13 +133,7 @@ std::string write_scene(const Scene& scene) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
   }
   root["objects"] = json::array();
-  for (const SceneObject& object : scene.objects) {
-    root["objects"].push_back({{"name", object.name},
-                               {"signature", object.signature},
-                               {"base", object.base},
-                               {"height", object.height_m},
-                               {"footprint", footprint_json(object.footprint)}});
-  }
+  for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));
   const json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);
   if (!path.is_null()) root["path"] = path;
   const json noise = noise_json(scene.noise);

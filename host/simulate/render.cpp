@@ -38,6 +38,7 @@ void LabelImage::render(const std::vector<SceneObject>& objects, const PixelRays
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Prism prism(objects[i], camera);
     if (prism.behind()) continue;
+    label_ = objects[i].trained ? static_cast<std::int16_t>(i) : kNothing;
     if (rays.separable()) {
       draw_by_columns(i, prism, rays);
     } else {
@@ -57,7 +58,7 @@ void LabelImage::draw_pixel(std::size_t object, const Prism& prism, int u, int v
     const std::size_t pixel = index(u, v);
     if (hit < depths_[pixel]) {
       depths_[pixel] = hit;
-      labels_[pixel] = static_cast<std::int16_t>(object);
+      labels_[pixel] = label_;
     }
     return;
   }

@@ -26,7 +26,8 @@ class LabelImage {
 
   LabelImage(int width, int height);
 
-  /// Draws the objects as seen from `camera`. Cost: about 10 ns a covered pixel without pitch and distortion.
+  /// Draws the objects as seen from `camera`; one that is not trained shows nothing, and hides what is behind it. Cost:
+  /// about 10 ns a covered pixel without pitch and distortion.
   void render(const std::vector<SceneObject>& objects, const PixelRays& rays, const CameraPose& camera);
 
   [[nodiscard]] int width() const { return width_; }
@@ -54,6 +55,7 @@ class LabelImage {
   std::vector<double> depths_;
   std::vector<PixelBox> alone_;
   std::vector<Stretch> stretches_;
+  std::int16_t label_ = kNothing;  ///< of the object that is drawn
   PixelBox touched_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "host/simulate/random.hpp"
 #include "host/simulate/trajectory.hpp"
 #include "host/simulate/truth.hpp"
+#include "host/simulate/world.hpp"
 
 namespace fencepost::host {
 
@@ -33,17 +35,18 @@ struct Exposure {
 /// One run of one scene.
 class Simulation {
  public:
-  Simulation(const Scene& scene, const LineSink& sink, const TruthSink& truth)
+  Simulation(const Scene& scene, Trajectory trajectory, const LineSink& sink, const TruthSink& truth)
       : scene_(scene),
         sink_(sink),
         truth_(truth),
-        trajectory_(scene),
+        trajectory_(std::move(trajectory)),
+        world_(scene),
         odometer_(scene, trajectory_),
         rays_(scene.camera, true_pitch(scene)),
         image_(scene.camera.width, scene.camera.height) {}
 
-  /// False: a value was outside the range of its record.
-  bool run() {
+  /// Up to the end of the path, or until `ended` says so. False: a value was outside the range of its record.
+  bool run(const std::function<bool(double t)>& ended = {}) {
     record::Header header;
     header.product = "fencepost";
     header.version = kSimulatorVersion;
@@ -60,6 +63,7 @@ class Simulation {
     for (base::Time t{0}; t <= end + kOdometryPeriod && in_range_; t = t + kOdometryPeriod) {
       // A frame that arrives together with a sample comes after it: its pose is then already there.
       for (; next < exposures.size() && exposures[next].arrives < t; ++next) write_frame(exposures[next]);
+      if (ended && ended(t.to_double())) break;
       if (t >= repeat) {
         write_calibration();
         repeat = repeat + kRepeatPeriod;
@@ -117,14 +121,15 @@ class Simulation {
   void write_frame(const Exposure& exposure) {
     const TimedPose robot = trajectory_.at(exposure.exposed.to_double());
     const CameraPose camera = camera_at(robot);
-    for (const SceneObject& object : scene_.objects) {
+    const std::vector<SceneObject>& objects = world_.at(exposure.exposed.to_double());
+    for (const SceneObject& object : objects) {
       const bool level = camera.z >= object.base && camera.z <= object.base + object.height_m;
       if (level && contains(object.footprint, {camera.x, camera.y})) {
         ++summary_.frames_inside;
         break;
       }
     }
-    image_.render(scene_.objects, rays_, camera);
+    image_.render(objects, rays_, camera);
     FrameTruth truth;
     truth.exposure = exposure.exposed;
     truth.pose = robot;
@@ -158,12 +163,18 @@ class Simulation {
   const LineSink& sink_;
   const TruthSink& truth_;
   Trajectory trajectory_;
+  World world_;
   Odometer odometer_;
   PixelRays rays_;
   LabelImage image_;
   SimulationSummary summary_;
   bool in_range_ = true;
 };
+
+std::string out_of_range() {
+  return "a value is outside the range of its record (positions +-1000 m, headings +-1000 rad, t up to 999999 s); "
+         "shorten the path or move it nearer to the origin";
+}
 
 }  // namespace
 
@@ -176,12 +187,15 @@ base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& sc
   if (std::holds_alternative<std::monostate>(scene.path)) {
     return std::string("the scene has no path to drive; add \"path\" (arc, waypoints or poses)");
   }
-  Simulation simulation(scene, sink, truth);
-  if (!simulation.run()) {
-    return std::string(
-        "a value is outside the range of its record (positions +-1000 m, headings +-1000 rad, t up to 999999 s); "
-        "shorten the path or move it nearer to the origin");
-  }
+  Simulation simulation(scene, Trajectory(scene), sink, truth);
+  if (!simulation.run()) return out_of_range();
+  return simulation.summary();
+}
+
+base::Result<SimulationSummary, std::string> simulate_driven(const Scene& scene, const Driven& driven,
+                                                             const LineSink& sink, const TruthSink& truth) {
+  Simulation simulation(scene, Trajectory(scene, driven.pose, driven.duration), sink, truth);
+  if (!simulation.run(driven.ended)) return out_of_range();
   return simulation.summary();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fencepost::host {
 
@@ -34,13 +35,31 @@ std::vector<TimedPose> knots_of(const WaypointPath& path) {
   return knots;
 }
 
-std::vector<TimedPose> knots_of(const PosesPath& path) {
-  std::vector<TimedPose> knots = path.poses;
-  for (std::size_t i = 1; i < knots.size(); ++i) knots[i].heading = near_to(knots[i].heading, knots[i - 1].heading);
-  return knots;
+int frames_in(double duration, double rate) {
+  constexpr double kRounding = 1e-9;  // share of a frame; a path of exactly n frames has its last one
+  return static_cast<int>(std::floor(duration * rate + kRounding)) + 1;
 }
 
 }  // namespace
+
+std::vector<TimedPose> continuous(std::vector<TimedPose> poses) {
+  for (std::size_t i = 1; i < poses.size(); ++i) poses[i].heading = near_to(poses[i].heading, poses[i - 1].heading);
+  return poses;
+}
+
+TimedPose pose_between(std::span<const TimedPose> knots, double t) {
+  const auto after =
+      std::upper_bound(knots.begin(), knots.end(), t, [](double time, const TimedPose& knot) { return time < knot.t; });
+  TimedPose pose = after == knots.begin() ? knots.front() : *(after - 1);
+  if (after != knots.begin() && after != knots.end()) {
+    const double share = (t - pose.t) / (after->t - pose.t);
+    pose.x += share * (after->x - pose.x);
+    pose.y += share * (after->y - pose.y);
+    pose.heading += share * (after->heading - pose.heading);
+  }
+  pose.t = t;
+  return pose;
+}
 
 Trajectory::Trajectory(const Scene& scene) : scene_(scene) {
   if (const auto* arc = std::get_if<ArcPath>(&scene.path)) {
@@ -49,15 +68,18 @@ Trajectory::Trajectory(const Scene& scene) : scene_(scene) {
     return;
   }
   if (const auto* waypoints = std::get_if<WaypointPath>(&scene.path)) knots_ = knots_of(*waypoints);
-  if (const auto* poses = std::get_if<PosesPath>(&scene.path)) knots_ = knots_of(*poses);
+  if (const auto* poses = std::get_if<PosesPath>(&scene.path)) knots_ = continuous(poses->poses);
   duration_ = knots_.back().t;
-  constexpr double kRounding = 1e-9;  // share of a frame; a path of exactly n frames has its last one
-  frames_ = static_cast<int>(std::floor(duration_ * scene.rate + kRounding)) + 1;
+  frames_ = frames_in(duration_, scene.rate);
 }
 
+Trajectory::Trajectory(const Scene& scene, std::function<TimedPose(double t)> driver, double duration)
+    : scene_(scene), driver_(std::move(driver)), duration_(duration), frames_(frames_in(duration, scene.rate)) {}
+
 TimedPose Trajectory::at(double t) const {
+  if (driver_) return driver_(t);
   if (const auto* arc = std::get_if<ArcPath>(&scene_.path)) return on_arc(*arc, t);
-  return between_knots(t);
+  return pose_between(knots_, t);
 }
 
 TimedPose Trajectory::on_arc(const ArcPath& arc, double t) const {
@@ -66,20 +88,6 @@ TimedPose Trajectory::on_arc(const ArcPath& arc, double t) const {
   const double outwards = arc.look_outwards ? 0 : std::numbers::pi;
   return {t, arc.center.x + arc.radius * std::cos(angle), arc.center.y + arc.radius * std::sin(angle),
           angle + outwards - scene_.camera.mount.yaw.to_double()};
-}
-
-TimedPose Trajectory::between_knots(double t) const {
-  const auto after = std::upper_bound(knots_.begin(), knots_.end(), t,
-                                      [](double time, const TimedPose& knot) { return time < knot.t; });
-  TimedPose pose = after == knots_.begin() ? knots_.front() : *(after - 1);
-  if (after != knots_.begin() && after != knots_.end()) {
-    const double share = (t - pose.t) / (after->t - pose.t);
-    pose.x += share * (after->x - pose.x);
-    pose.y += share * (after->y - pose.y);
-    pose.heading += share * (after->heading - pose.heading);
-  }
-  pose.t = t;
-  return pose;
 }
 
 }  // namespace fencepost::host

@@ -40,4 +40,18 @@ struct FrameTruth {
 base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& scene, const LineSink& sink,
                                                                  const std::function<void(const FrameTruth&)>& truth);
 
+/// Somebody else drives: by what the sink has made of the records up to now, for example.
+struct Driven {
+  /// Where the robot is at t, s. Asked for times up to that of the next record, never ahead of it.
+  std::function<TimedPose(double t)> pose;
+  /// The run is over; asked at each sample of odometry.
+  std::function<bool(double t)> ended;
+  double duration = 0;  ///< s, it lasts no longer
+};
+
+/// As `simulate_with_truth`; the scene's path is not used.
+base::Result<SimulationSummary, std::string> simulate_driven(const Scene& scene, const Driven& driven,
+                                                             const LineSink& sink,
+                                                             const std::function<void(const FrameTruth&)>& truth);
+
 }  // namespace fencepost::host

@@ -108,6 +108,28 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"[2, 0.5, 0.05]", "[1.05, 0.05, 0.02]", "/objects/1/footprint", "\"can\" overlaps \"box\"", "move"},
         Fault{"{\"circle\": [2, 0.5, 0.05]}", "7", "/objects/1/footprint", "must be an object", "{"}));
 
+constexpr const char* kCan = "\"circle\": [2, 0.5, 0.05]}";
+
+INSTANTIATE_TEST_SUITE_P(
+    ObjectsInTime, BrokenScene,
+    testing::Values(
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"from\": 3, \"until\": 3", "/objects/1/until",
+              "gone before it is there", "after \"from\""},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"until\": 0", "/objects/1/until", "greater than 0", "s"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"from\": -1", "/objects/1/from", "out of range", "s"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"form\": 1", "/objects/1/form", "unknown key",
+              "did you mean \"from\"?"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"trained\": false", "/objects/1/signature", "no signature",
+              "remove it"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"trained\": 0", "/objects/1/trained", "true or false", "quotes"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"path\": {\"type\": \"arc\"}", "/objects/1/path/type",
+              "cannot move by \"arc\"", "poses"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"path\": [[0, 0]]", "/objects/1/path", "must be an object", "{"},
+        Fault{kCan, "\"circle\": [2, 0.5, 0.05]}, \"path\": {\"type\": \"poses\", \"poses\": []}",
+              "/objects/1/path/poses", "0 poses", "at least 1"},
+        Fault{kCan, "\"circle\": [1.05, 0.05, 0.02]}, \"from\": 3", "/objects/1/footprint", "\"can\" overlaps \"box\"",
+              "move"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Path, BrokenScene,
     testing::Values(

@@ -68,6 +68,44 @@ TEST(Scene, ObjectsMayTouchAndStack) {
   }
 }
 
+TEST(Scene, ObjectsMayMoveComeGoAndBeUntrained) {
+  const std::string can = R"({"name": "can", "signature": 2, "height": 0.1, "footprint": {"circle": [2, 0.5, 0.05]}})";
+  const std::string ball = R"({"name": "ball", "trained": false, "height": 0.1, "footprint": {"circle": [2, 0.5, 0.05]},
+      "path": {"type": "poses", "poses": [{"t": 1, "x": 2, "y": 0.5, "heading": 0}, {"t": 3, "x": 0, "y": 0, "heading": 1}]},
+      "from": 0.5, "until": 9})";
+  const LoadedScene loaded = parse_scene(replaced(valid_scene(), can, ball), "s");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  const std::string written = write_scene(*loaded);
+  const LoadedScene again = parse_scene(written, "s");
+  ASSERT_TRUE(again.ok()) << again.error().message();
+  EXPECT_EQ(write_scene(*again), written);
+  for (const Scene& scene : {*loaded, *again}) {
+    EXPECT_TRUE(scene.objects[0].trained);
+    EXPECT_TRUE(scene.objects[0].path.empty());
+    EXPECT_FALSE(scene.objects[0].from || scene.objects[0].until);
+    const SceneObject& object = scene.objects[1];
+    EXPECT_FALSE(object.trained);
+    ASSERT_EQ(object.path.size(), 2U);
+    EXPECT_EQ(object.path[1].t, 3);
+    EXPECT_EQ(object.path[1].heading, 1);
+    EXPECT_EQ(object.from, 0.5);
+    EXPECT_EQ(object.until, 9);
+  }
+}
+
+TEST(Scene, OnePlaceMayBeTakenAfterAnother) {
+  const std::string can = R"({"circle": [2, 0.5, 0.05]}})";
+  const std::string box = R"("base": 0, "height": 0.2,)";
+  const auto with = [&](const std::string& of_box, const std::string& of_can) {
+    return parse_scene(
+        replaced(replaced(valid_scene(), box, box + of_box), can, R"({"circle": [1.05, 0.05, 0.02]})" + of_can + "}"),
+        "s");
+  };
+  EXPECT_TRUE(with(R"( "until": 3,)", R"(, "from": 3)").ok());
+  EXPECT_TRUE(with(R"( "from": 3,)", R"(, "until": 3)").ok());
+  EXPECT_FALSE(with(R"( "until": 3.1,)", R"(, "from": 3)").ok());
+}
+
 TEST(Scene, WrittenScenesReadBackTheSame) {
   for (
       const std::string& path :
