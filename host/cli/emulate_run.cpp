@@ -20,6 +20,9 @@
 namespace fencepost::host::cli {
 namespace {
 
+/// From here on a host notices.
+constexpr base::Duration kNotedDelay = base::milliseconds(30);
+
 namespace emulate = fencepost::emulate;
 using devices::DeviceSpec;
 using emulate::Feed;
@@ -241,6 +244,10 @@ Exit emulate(const EmulateRequest& request) {
   for (std::size_t i = 0; i < devices.size(); ++i) tell(devices[i].name + " on " + server.place(i));
   const bool finished = server.run([] { return interrupted != 0; });
   if (interrupted == SIGINT) leave_interrupted_line();
+  if (server.late() >= kNotedDelay) {
+    say(fmt::format("this machine was busy: the devices were up to {:.0f} ms late, as real ones are not",
+                    1000 * server.late().to_double()));
+  }
   for (std::size_t i = 0; i < playback.size(); ++i) say_counts(playback.endpoint(i));
   // As for `run`: a service that is told to stop has done its work.
   return finished || interrupted == SIGTERM ? Exit::kDone : Exit::kInterrupted;

@@ -40,7 +40,9 @@ class Run {
     }
     bool more = true;
     while (!ended(more)) {
+      const base::Time before = parts_.clock.now();
       more = turn();
+      note_stall(parts_.clock.now() - before);
       if (!more) wait();
     }
     finish();
@@ -122,7 +124,9 @@ class Run {
     if (log_.behind() || loop_->output_waits()) deadline = std::min(deadline, parts_.clock.now() + kSoon);
     if (plan_.duration) deadline = std::min(deadline, begun_ + *plan_.duration);
     static_cast<void>(set.wait_until(parts_.clock, deadline));
+    note_stall(parts_.clock.now() - deadline);
   }
+  void note_stall(base::Duration time) { summary_.stalled = std::max(summary_.stalled, time); }
 
   bool ended(bool more) {
     if (parts_.interrupted != 0) {
@@ -200,6 +204,9 @@ class Run {
   RunSummary summary_;
 };
 
+/// Longer than a frame of most cameras lasts: what was seen then has the wrong place.
+constexpr base::Duration kNotedStall = base::milliseconds(30);
+
 std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -223,6 +230,9 @@ std::string RunSummary::sentence() const {
                                  counted(counters.frames, "frame"), counted(counters.odometry, "odometry sample"),
                                  refused_in(counters), counters.rejected, counted(alerts, "alert"));
   if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
+  if (stalled >= kNotedStall) {
+    text += fmt::format("\nthis machine was busy: inputs waited for up to {:.0f} ms", 1000 * stalled.to_double());
+  }
   text += fmt::format("\ndigest {:016x}", digest);
   if (log.empty()) return text;
   text += fmt::format(", log {} ({} bytes", log, log_bytes);

@@ -46,6 +46,7 @@ struct RunSummary {
   console::Counters counters;
   std::uint64_t alerts = 0;
   std::uint64_t digest = 0;
+  base::Duration stalled;          ///< the longest time in which an input would have waited for this machine
   std::uint64_t console_lost = 0;  ///< bytes that nobody read
   bool output_failed = false;      ///< the console could not be written any more, and there was no log
   bool log_failed = false;
@@ -54,7 +55,8 @@ struct RunSummary {
   std::string log;             ///< its name; empty without
   std::uint64_t log_bytes = 0;
 
-  /// Two lines: "12.3 s: 617 frames, ...", and "digest 0123456789abcdef, log run.log (...)".
+  /// "12.3 s: 617 frames, ...", what stalled it if anything did, and "digest 0123456789abcdef, log run.log (...)": a
+  /// line each.
   [[nodiscard]] std::string sentence() const;
 };
 

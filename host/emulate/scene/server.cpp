@@ -23,7 +23,9 @@ void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std:
 bool Server::run(const std::function<bool()>& stop) {
   while (!playback_.over(clock_.now())) {
     if (stop()) return false;
+    const base::Time before = clock_.now();
     turn();
+    late_ = std::max(late_, clock_.now() - before);
     wait();
   }
   return true;
@@ -97,6 +99,7 @@ void Server::wait() {
   base::Time deadline = now + kLook;
   if (const auto next = playback_.next()) deadline = std::clamp(*next, now + kPortion, deadline);
   (void)set.wait_until(clock_, deadline);
+  late_ = std::max(late_, clock_.now() - deadline);
 }
 
 }  // namespace fencepost::emulate

@@ -23,6 +23,8 @@ class Server {
 
   /// Serves until the playback is over (true), or `stop` says so (false); it is asked at least ten times a second.
   bool run(const std::function<bool()>& stop);
+  /// The longest time by which something was late because this machine was busy.
+  [[nodiscard]] base::Duration late() const { return late_; }
   /// One iteration: reads what has arrived, sends what is due.
   void turn();
 
@@ -44,6 +46,7 @@ class Server {
   Say moved_;
   std::vector<Place> places_;
   bool begun_ = false;
+  base::Duration late_;
 };
 
 }  // namespace fencepost::emulate
