@@ -18,8 +18,7 @@ float margin_of(const Obstacle& obstacle, const InPath& way, float stop) {
 
 // Within the stop distance now, with the margin, or before the path is judged again.
 bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
-  constexpr float kLook = static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
-  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLook : 0.0F;
+  const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLookSeconds : 0.0F;
   return obstacle.distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
@@ -33,9 +32,7 @@ AlertRules::AlertRules(const config::Settings& settings)
       ttc_warn(settings.number(Key::kAlertTtcWarn)),
       repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}
 
-bool credible(const recon::ObjectCore& object) {
-  return object.confirmed && object.missed_in_a_row < recon::kRefutingMisses;
-}
+bool credible(const recon::ObjectCore& object) { return object.confirmed && !object.refuted(); }
 
 AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack) {
   if (!obstacle.known) return AlertLevel::kClear;
@@ -48,18 +45,14 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
   return AlertLevel::kClear;
 }
 
-std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
-                                const AlertRules& rules, base::Time now) {
-  const bool believed = credible(object);
-  const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
+std::optional<AlertLevel> follow(AlertState& state, AlertLevel due, AlertLevel held, const AlertRules& rules,
+                                 base::Time now) {
   if (due > state.level) {
     state.level = due;
     state.easing = false;
     state.reported_at = base::Stamp(now);
     return due;
   }
-  const bool may_hold = believed && state.in_force();
-  const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;
@@ -81,6 +74,15 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
     return state.level;
   }
   return std::nullopt;
+}
+
+std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
+                                const AlertRules& rules, base::Time now) {
+  const bool believed = credible(object);
+  const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
+  const bool may_hold = believed && state.in_force();
+  const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
+  return follow(state, due, held, rules, now);
 }
 
 }  // namespace fencepost::alert

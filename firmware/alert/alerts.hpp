@@ -46,8 +46,13 @@ struct AlertRules {
 /// as nearer than it seems, and so does what will be there before the path is watched again.
 record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
-/// Updates the state of one object and returns the level to report now, if any: a rise at once, a repeat of warn and
-/// stop at most alert.rate times a second (notice: once a second), an easing once it has lasted.
+/// Updates a state and returns the level to report now, if any: a rise to `due` at once, a repeat of warn and stop at
+/// most alert.rate times a second (notice: once a second), an easing to `held`, which is `due` with the hysteresis,
+/// once that has lasted.
+std::optional<record::AlertLevel> follow(AlertState& state, record::AlertLevel due, record::AlertLevel held,
+                                         const AlertRules& rules, base::Time now);
+
+/// The same for an object.
 std::optional<record::AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                         const AlertRules& rules, base::Time now);
 

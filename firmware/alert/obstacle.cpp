@@ -16,15 +16,19 @@ void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
 }
 
+void set_closing(const RobotPath& path, float range, Obstacle& obstacle) {
+  obstacle.closing_speed = range > 0 ? path.motion.forward * obstacle.toward.x() / range : 0.0F;
+  obstacle.closing = obstacle.closing_speed > kNotClosing;
+  set_time_to_contact(path, obstacle);
+}
+
 // Is the disc (center, radius), robot frame, in the strip of half width w that the motion sweeps?
 bool swept(const Vec2& center, float radius, const RobotPath& path) {
-  const float direction = path.motion.forward < -kStanding ? -1.0F : 1.0F;
-  const bool ahead = direction * center.x() > 0 || center.squaredNorm() < radius * radius;
-  if (!ahead) return false;
-  const float speed = std::fabs(path.motion.forward);
-  const float turn = std::fabs(path.motion.turn);
-  const bool arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
-  if (!arc) return std::fabs(center.y()) - radius <= path.half_width;
+  const Ways ways(path.motion);
+  const bool on_a_way = center.x() > 0 ? ways.ahead : ways.behind;
+  if (!on_a_way && !(center.squaredNorm() < radius * radius)) return false;
+  if (ways.straight && std::fabs(center.y()) - radius <= path.half_width) return true;
+  if (!ways.arc) return false;
   const float arc_radius = path.motion.forward / path.motion.turn;  // signed: positive turns left
   const Vec2 pivot{0, arc_radius};
   const float from_pivot = std::sqrt((center - pivot).squaredNorm());
@@ -38,12 +42,24 @@ float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float 
 
 }  // namespace
 
+Ways::Ways(const recon::Motion& motion) : ahead(motion.forward > -kSurelyMoving), behind(motion.forward < -kStanding) {
+  const float speed = std::fabs(motion.forward);
+  const float turn = std::fabs(motion.turn);
+  arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
+  if (speed < kSurelyMoving && turn < kSurelyTurning) arc = false;
+  straight = !arc || speed < kSurelyMoving;
+}
+
 RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
   const base::SinCos direction = base::sincos_urad(pose.heading);
   heading = {direction.cos, direction.sin};
 }
 
 float Obstacle::bearing() const { return base::atan2_rad(toward.y(), toward.x()); }
+
+void set_closing(const RobotPath& path, Obstacle& obstacle) {
+  set_closing(path, std::sqrt(obstacle.toward.squaredNorm()), obstacle);
+}
 
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
@@ -57,9 +73,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.cut_off = object.cut_off();
   if (swept(center, cylinder.radius, path)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
-  obstacle.closing_speed = range > 0 ? path.motion.forward * center.x() / range : 0.0F;
-  obstacle.closing = obstacle.closing_speed > kNotClosing;
-  set_time_to_contact(path, obstacle);
+  set_closing(path, range, obstacle);
   return obstacle;
 }
 

@@ -15,6 +15,15 @@ struct RobotPath {
   float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
 };
 
+/// Which ways lead on from here, as far as the robot's motion tells.
+struct Ways {
+  explicit Ways(const recon::Motion& motion);
+  bool ahead = true;
+  bool behind = false;
+  bool straight = true;
+  bool arc = false;  ///< with the radius forward / turn, positive to the left
+};
+
 /// Computed only for an obstacle in the robot's path.
 struct InPath {
   float sigma = 0;  ///< m, of the distance
@@ -34,6 +43,9 @@ struct Obstacle {
   /// rad, of the nearest point
   [[nodiscard]] float bearing() const;
 };
+
+/// Fills in how fast the robot nears the obstacle and how soon it is there, by its place.
+void set_closing(const RobotPath& path, Obstacle& obstacle);
 
 /// Where the robot is now: its heading as a direction, once for all obstacles.
 struct RobotPlace {

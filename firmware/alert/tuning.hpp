@@ -3,12 +3,16 @@
 // firmware/config/settings.hpp.
 #pragma once
 
+#include <cstdint>
+
 #include "hal/base/units.hpp"
 
 namespace fencepost::alert {
 
 /// The path is watched at least so often, with frames or without. More: late stops; less: instructions. By design.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
+inline constexpr float kLookSeconds =
+    static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
 /// A level eases only when the obstacle is farther than its threshold by this factor, for this long. More: stale
 /// alerts; less: alerts that flicker. By design.
 inline constexpr float kHysteresis = 1.15F;
@@ -26,9 +30,46 @@ struct Margin {
 inline constexpr Margin kSeenWhole{3.0F, 0.2F};
 inline constexpr Margin kCutOff{4.0F, 0.4F};
 
+/// m. The guard's points (recon/guard) count as nearer by so much, three sigmas of the pose's position; and what they
+/// show in the outermost so much of the margin is not believed. More of the first: false stops; of the second: late
+/// ones (0.02: 5 more false in 81 minutes; 0.04: 4 fewer). Alert study.
+inline constexpr float kFrontDoubt = 0.012F;
+inline constexpr float kUnsureMargin = 0.03F;
+
+/// An input is overdue after this many of its usual intervals (in quarters), but not sooner than the least time and not
+/// later than the most; a standing robot has longer. More: blind unsaid; less: blind said of a camera that skips a
+/// frame. The least is what safety.md promises, less a turn of the loop. By design.
+inline constexpr std::int64_t kOverdueQuarters = 10;
+inline constexpr base::Duration kOverdueLeast = base::milliseconds(270);
+inline constexpr base::Duration kOverdueMost = base::milliseconds(1500);
+inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
+/// Boxes that stay exactly as they are for this long are a frozen camera's, if meanwhile the robot's motion should have
+/// moved them by so many px. By design.
+inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
+inline constexpr float kFrozenShift = 4;
+/// No robot that this is for moves faster: m and rad beyond which a step between two samples is a jump, and what is
+/// added for each second between them. The pose is then not believed for a while. By design.
+inline constexpr float kStepJump = 0.1F;
+inline constexpr float kFastest = 5;
+inline constexpr float kTurnJump = 0.5F;
+inline constexpr float kFastestTurn = 20;
+inline constexpr base::Duration kJumpDoubt = base::milliseconds(500);
+/// A standing robot repeats that it is blind no more often than this: somebody may be typing. By design.
+inline constexpr base::Duration kStandingBlind = base::milliseconds(10'000);
+/// A camera that sees nothing for so long is `empty`. By design.
+inline constexpr base::Duration kEmptyAfter = base::milliseconds(1000);
+
 /// m/s. A slower robot stands; what comes nearer more slowly does not come nearer. By design.
 inline constexpr float kStanding = 0.01F;
 inline constexpr float kNotClosing = 0.005F;
+/// rad/s, likewise. By design.
+inline constexpr float kNotTurning = 0.05F;
+/// m/s. Odometry that wavers by 5 mm tells where a slower robot goes no better than by chance: it counts as going
+/// straight as well as on its arc, and ahead as well as back. More: a robot that backs off slowly is told of what is
+/// ahead; less: one that stands is told now and then that its way is free. Hazard table.
+inline constexpr float kSurelyMoving = 0.08F;
+/// rad/s. Slow as that, it has an arc only if it turns so fast: half a degree of wavering is less. By design.
+inline constexpr float kSurelyTurning = 0.15F;
 /// m, radii between which a path is an arc: tighter, the robot turns on the spot; flatter, it drives straight. By
 /// design.
 inline constexpr float kTightestArc = 0.15F;

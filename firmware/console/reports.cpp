@@ -28,6 +28,18 @@ base::Metres map_coordinate(std::int32_t origin, float offset) {
   return {static_cast<std::int32_t>(std::clamp(rounded, -kEdge, kEdge))};
 }
 
+record::AlertReport report_obstacle(const alert::Obstacle& obstacle, record::AlertLevel level, base::Time now) {
+  record::AlertReport report;
+  report.t = now;
+  report.level = level;
+  report.bearing = radians(obstacle.bearing());
+  report.distance = metres(obstacle.distance);
+  if (obstacle.closing && obstacle.ttc < kLongestTtc) {
+    report.ttc = base::Duration{ten_thousandths(obstacle.ttc)};
+  }
+  return report;
+}
+
 }  // namespace
 
 record::ObjectState state_of(const recon::ObjectCore& object, base::Time now) {
@@ -89,17 +101,26 @@ Nearest nearest_of(const alert::Obstacle& obstacle) { return {metres(obstacle.di
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                                  record::AlertLevel level, base::Time now) {
-  record::AlertReport report;
-  report.t = now;
-  report.level = level;
+  record::AlertReport report = report_obstacle(obstacle, level, now);
   report.id = object.id;
   report.signature = object.signature;
-  report.bearing = radians(obstacle.bearing());
-  report.distance = metres(obstacle.distance);
-  if (obstacle.closing && obstacle.ttc < kLongestTtc) {
-    report.ttc = base::Duration{ten_thousandths(obstacle.ttc)};
-  }
   report.confidence = ratio(object.confidence());
+  return report;
+}
+
+record::AlertReport report_alert(const alert::FrontAhead& front, record::AlertLevel level, base::Time now) {
+  record::AlertReport report = report_obstacle(front.nearest, level, now);
+  report.id = record::kNoObject;
+  report.signature = front.signature;
+  report.confidence = ratio(front.confidence);
+  return report;
+}
+
+record::AlertReport report_blind(base::Time now) {
+  record::AlertReport report;
+  report.t = now;
+  report.level = record::AlertLevel::kBlind;
+  report.id = record::kNoObject;
   return report;
 }
 

@@ -1,7 +1,7 @@
 // From the map's floats to the records of the stream: the only place where estimates are rounded to decimals.
 #pragma once
 
-#include "firmware/alert/alerts.hpp"
+#include "firmware/alert/front_alert.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/console/text.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
@@ -27,7 +27,12 @@ Nearest nearest_of(const alert::Obstacle& obstacle);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                                  record::AlertLevel level, base::Time now);
-/// For an object that has ended: the bearing and distance of the last report, with confidence 0.
+/// Of the guard: object id 0. Needs a front.
+record::AlertReport report_alert(const alert::FrontAhead& front, record::AlertLevel level, base::Time now);
+/// For an object that has ended, or a front that is gone: the bearing and distance of the last report, with confidence
+/// 0.
+/// Nothing is known of what is ahead.
+record::AlertReport report_blind(base::Time now);
 record::AlertReport report_clear(std::uint32_t id, const alert::AlertState& last, base::Time now);
 
 }  // namespace fencepost::console

@@ -7,14 +7,31 @@
 namespace fencepost::console {
 namespace {
 
+constexpr std::size_t kNameColumn = 8;
+
 std::string_view word(record::AlertLevel level) {
   switch (level) {
     case record::AlertLevel::kClear: return "CLEAR";
     case record::AlertLevel::kNotice: return "NOTICE";
     case record::AlertLevel::kWarn: return "WARN";
     case record::AlertLevel::kStop: return "STOP";
+    case record::AlertLevel::kBlind: return "BLIND";
   }
   return "CLEAR";
+}
+
+std::string_view explain(alert::Blindness reason) {
+  switch (reason) {
+    case alert::Blindness::kNone: return "what is ahead cannot be known";
+    case alert::Blindness::kNoCamera: return "the camera has sent no frame yet";
+    case alert::Blindness::kNoOdometry: return "the odometry has sent nothing yet";
+    case alert::Blindness::kCameraLate: return "no frame comes from the camera";
+    case alert::Blindness::kOdometryLate: return "nothing comes from the odometry";
+    case alert::Blindness::kFramesUnused: return "frames come and cannot be used: see status";
+    case alert::Blindness::kFrozen: return "the camera's image stands still while the robot moves";
+    case alert::Blindness::kJump: return "the odometry has jumped";
+  }
+  return "";
 }
 
 std::string_view explain(record::Reject reason) {
@@ -34,15 +51,23 @@ std::string_view explain(record::Reject reason) {
 
 }  // namespace
 
+std::size_t describe_blind(alert::Blindness reason, std::span<char> out) {
+  return Sentence(out).put(word(record::AlertLevel::kBlind)).pad_to(kNameColumn).put(explain(reason)).end();
+}
+
 std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out) {
-  constexpr std::size_t kNameColumn = 8;
+  if (alert.level == record::AlertLevel::kBlind) return describe_blind(alert::Blindness::kNone, out);
   constexpr std::int64_t kTicksPerTenth = 1000;
   Sentence sentence(out);
   sentence.put(word(alert.level)).pad_to(kNameColumn);
-  if (name.empty()) {
+  const bool of_object = alert.id != record::kNoObject;
+  const bool saw_nothing = alert.level == record::AlertLevel::kClear && alert.distance.raw == 0;
+  if (!of_object && saw_nothing) return sentence.put("it sees again").end();
+  if (!of_object) sentence.put("something");
+  if (!name.empty()) {
+    sentence.put(of_object ? "" : " ").put(name);
+  } else if (of_object) {
     sentence.put("signature ").number(alert.signature);
-  } else {
-    sentence.put(name);
   }
   sentence.put("  ").metres(alert.distance).put(" m  ").bearing(alert.bearing);
   if (alert.ttc && alert.level >= record::AlertLevel::kWarn) {
@@ -51,14 +76,16 @@ std::size_t describe(const record::AlertReport& alert, std::string_view name, st
   return sentence.end();
 }
 
-std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLevel level, std::span<char> out) {
+std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, std::span<char> out) {
   constexpr std::int64_t kPerCentimetre = 100;
   Sentence sentence(out);
   if (nearest) {
     sentence.put("dist_cm:").number(divide_rounded(nearest->distance.raw, kPerCentimetre));
     sentence.put(",bear_deg:").number(whole_degrees(nearest->bearing)).put(",");
   }
-  return sentence.put("level:").number(static_cast<std::int64_t>(level)).end();
+  sentence.put("level:").number(static_cast<std::int64_t>(beat.level));
+  sentence.put(",camera:").number(static_cast<std::int64_t>(beat.camera));
+  return sentence.put(",odometry:").number(static_cast<std::int64_t>(beat.odometry)).end();
 }
 
 std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out) {

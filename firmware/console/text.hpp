@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/alert/sight.hpp"
 #include "firmware/record/records.hpp"
 
 namespace fencepost::console {
@@ -14,9 +15,12 @@ namespace fencepost::console {
 /// Any sentence fits into this many characters, line end included.
 inline constexpr std::size_t kMaxSentence = 128;
 
-/// "STOP    red  0.24 m  12 deg left  in 1.1 s\r\n". `name` is the signature's name, or empty. Returns the length,
-/// 0 if `out` is too small.
+/// "STOP    red  0.24 m  12 deg left  in 1.1 s\r\n". `name` is the signature's name, or empty. What is no object's
+/// alert is of "something", or of "something red". Returns the length, 0 if `out` is too small.
 std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out);
+
+/// "BLIND   no frame comes from the camera\r\n". Without a reason: what a log tells of such an alert.
+std::size_t describe_blind(alert::Blindness reason, std::span<char> out);
 
 /// The obstacle nearest to the robot.
 struct Nearest {
@@ -24,9 +28,10 @@ struct Nearest {
   base::Radians bearing;
 };
 
-/// "dist_cm:83,bear_deg:-12,level:2\r\n": what serial plotters read. Degrees to the left are positive; level 0 to 3 is
-/// the highest of all objects. Without a nearest obstacle there is only the level.
-std::size_t describe_plot(const std::optional<Nearest>& nearest, record::AlertLevel level, std::span<char> out);
+/// "dist_cm:83,bear_deg:-12,level:2,camera:4,odometry:4\r\n": what serial plotters read. Degrees to the left are
+/// positive; level 0 to 4 (clear to blind) is the highest in force, the states 0 to 4 are absent to ok. Without a
+/// nearest obstacle there are only these.
+std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, std::span<char> out);
 
 /// "error: $FPODO rejected: ...": why a line that starts with $FP was not used.
 std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out);

@@ -51,6 +51,7 @@ class CameraOnConsole {
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
   [[nodiscard]] static std::uint32_t dropped() { return 0; }
+  [[nodiscard]] static bool stamped_here() { return false; }
   [[nodiscard]] static console::LinkWords link_words(sensor::LinkState state) {
     return sent_link_words("camera", state, "no $FPFRM records come over the console; send them");
   }
@@ -70,6 +71,7 @@ class OdometryOnConsole {
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return watch_.link(); }
+  [[nodiscard]] static bool stamped_here() { return false; }
   [[nodiscard]] static console::LinkWords link_words(sensor::LinkState state) {
     return sent_link_words("odometry", state, "no $FPODO records come over the console; send them");
   }

@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x6d4d729c82e5106f;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x4e4136aa80d7cddf;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xaeafc0977fb59e73;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x082f3ca9db826e03;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x369e8e2d595abf0a;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xf14cfc1c94bab8dc;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -30,9 +30,10 @@ class Loop {
   /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
   /// one turn happened to find: a replay, which has one input a turn, does the same.
   void step(base::Time now) {
-    if (poll_odometry(now)) process();
-    if (poll_camera(now)) process();
+    if (poll_odometry(now)) process(now, odometry_);
+    if (poll_camera(now)) process(now, camera_);
     listen(now);
+    pass_time(now);
     pipeline_.reporter().calibration();
     send_link_states(now);
     console_.send_answer(links());
@@ -89,6 +90,19 @@ class Loop {
     if (count) console_.filled(*count);
   }
 
+  // Time passes by this robot's clock, also before the first input, unless all inputs come over the console: then it is
+  // the sender's time, and stands still when that is silent.
+  void pass_time(base::Time now) {
+    const bool clocked = pipeline_.has_clock() || sensor::stamped_here(camera_) || sensor::stamped_here(odometry_);
+    if (!pipeline_.has_clock() && clocked) pipeline_.set_clock(now);
+    pipeline_.pass_time(now);
+  }
+
+  template <class Source>
+  void process(base::Time now, const Source& source) {
+    process();
+    if (sensor::stamped_here(source)) pipeline_.set_clock(now);
+  }
   // The effects of one input. The queue is flushed between them, so that it need not hold all that they emit.
   void process() {
     flush();

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "firmware/alert/alerts.hpp"
+#include "firmware/alert/front_alert.hpp"
+#include "firmware/alert/sight.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
@@ -40,7 +41,10 @@ struct Run {
   std::optional<base::Time> time;        ///< the latest t of any input
   std::optional<base::Time> last_frame;  ///< t of the latest frame
   const record::Header* header = nullptr;
+  alert::Sight sight;
+  std::optional<base::Duration> behind;  ///< of stream time to this robot's clock, if that stamps any input
   base::Stamp watched_at;
+  base::Stamp beat_at;  ///< of the last heartbeat
   base::Stamp status_at;
   base::Stamp pose_sent_at;
   base::Stamp calibration_at;
@@ -62,6 +66,7 @@ struct Memory {
   config::Settings settings;
   recon::MeasurementNoise noise;
   std::array<alert::AlertState, Profile::kObjects> alerts{};
+  alert::AlertState front_alert;  ///< of what is no object: the guard's, or that nothing can be seen
   std::array<ReportState, Profile::kObjects> reports{};
   console::Counters counters;
   LinkWatches links;
@@ -78,15 +83,19 @@ recon::MapPose robot_pose(const Memory<Profile>& memory) {
 
 template <class Profile>
 inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
+                              sizeof(recon::guard::Guard<Profile::kFronts>) + sizeof(recon::Standing) +
+                                      sizeof(alert::AlertState) <=
+                                  600 &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
 /// Lines that one input may put into the logs, at most: the calibration, the input, then for each frame that waited for
-/// it digest, pose, alerts and reports of the objects, at last alerts without a frame, status and links.
+/// it digest, pose, alerts and reports of the objects, at last alerts without a frame, heartbeats, status and links.
 template <class Profile>
 inline constexpr std::size_t kLinesOfOneInput = [] {
   constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys;
-  constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects;  // clears of the ended, an alert and a report of each
-  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 3;
+  // Clears of the ended, an alert and a report of each object; the guard's alert.
+  constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects + 1;
+  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 1 + 5;
 }();
 
 static_assert(kFits<config::Micro>);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "firmware/console/reports.hpp"
@@ -29,9 +30,11 @@ class PathWatch {
     }
   }
 
-  /// Judges all objects as the robot sees them now. Needs odometry.
+  /// Judges all objects as the robot sees them now. Without odometry there is only one thing to say.
   [[gnu::noinline]] void watch_path(base::Time now) {
     m_.run.watched_at = base::Stamp(now);
+    const bool blind = watch_sight(now);
+    if (m_.poses.empty()) return plot(std::nullopt, now);
     const alert::RobotPath path = path_ahead();
     const alert::RobotPlace robot(robot_pose(m_));
     const alert::AlertRules rules(m_.settings);
@@ -47,13 +50,32 @@ class PathWatch {
       const bool nearer = !nearest || obstacle.distance < nearest->distance;
       if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
     }
-    reporter_.plot(nearest, highest, now);
+    const alert::FrontAhead front = fronts_ahead(path, rules);
+    if (!blind) watch_fronts(front, rules, highest, now);
+    const bool nearer = !nearest || front.nearest.distance < nearest->distance;
+    if (front.nearest.known && m_.front_alert.in_force() && nearer) nearest = front.nearest;
+    plot(nearest, now);
   }
 
   /// While the camera is silent and the robot still drives, the map goes on warning.
   void watch_without_frames() {
-    const bool moving = m_.run.time && !m_.poses.empty();
-    if (moving && m_.run.watched_at.since(*m_.run.time) >= alert::kWatchInterval) watch_path(*m_.run.time);
+    if (!m_.run.time) return;
+    const bool due = m_.run.watched_at.since(*m_.run.time) >= alert::kWatchInterval;
+    if (due || turns_blind(*m_.run.time)) watch_path(*m_.run.time);
+  }
+  /// There is something to say before the path is watched again.
+  [[nodiscard]] bool turns_blind(base::Time now) const {
+    if (m_.front_alert.level == record::AlertLevel::kBlind) return false;
+    return blindness(now) != alert::Blindness::kNone;
+  }
+
+  /// What is in force now.
+  [[nodiscard]] record::Heartbeat heartbeat(base::Time now) const {
+    record::AlertLevel level = m_.front_alert.level;
+    for (const alert::AlertState& state : m_.alerts) level = std::max(level, state.level);
+    if (m_.run.sight.nothing_seen()) level = record::AlertLevel::kBlind;
+    const bool stands = blindness(now) == alert::Blindness::kNone;  // then no input is overdue, either way
+    return {now, level, m_.run.sight.camera_state(now, stands), m_.run.sight.odometry_state(now, stands)};
   }
 
  private:
@@ -64,6 +86,58 @@ class PathWatch {
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
     return path;
+  }
+
+  void plot(const std::optional<alert::Obstacle>& nearest, base::Time now) {
+    if (reporter_.plots(now)) reporter_.plot(nearest, heartbeat(now));
+  }
+
+  // Whether it stands is asked only when it matters: an input is overdue for one that moves.
+  [[nodiscard]] alert::Blindness blindness(base::Time now) const {
+    const alert::Blindness moving = m_.run.sight.blindness(now, false);
+    if (moving == alert::Blindness::kNone || !standing()) return moving;
+    return m_.run.sight.blindness(now, true);
+  }
+
+  [[nodiscard]] bool standing() const {
+    const recon::Motion motion = m_.poses.motion(kMotionSpan);
+    return std::fabs(motion.forward) <= alert::kStanding && std::fabs(motion.turn) <= alert::kNotTurning;
+  }
+
+  // True: the robot cannot know what is ahead, which is said until it can.
+  bool watch_sight(base::Time now) {
+    const alert::Blindness reason = blindness(now);
+    if (reason == alert::Blindness::kNone) return false;
+    alert::AlertState& state = m_.front_alert;
+    const base::Duration rate{base::Time::kPerUnit / m_.settings.raw(config::Key::kAlertRate)};
+    const base::Duration interval = standing() ? alert::kStandingBlind : rate;
+    if (state.level == record::AlertLevel::kBlind && state.reported_at.since(now) < interval) return true;
+    state = {};
+    state.level = record::AlertLevel::kBlind;
+    state.reported_at = base::Stamp(now);
+    reporter_.blind(reason, now);
+    return true;
+  }
+
+  // The guard knows odometry's frame only.
+  [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPath& path, const alert::AlertRules& rules) const {
+    const auto& guard = m_.map.guard();
+    return see_fronts(guard.fronts(), guard.origin(), alert::RobotPlace(m_.poses.latest()), path, rules);
+  }
+
+  // A robot that was blind judges anew, and says so if there is nothing else to say.
+  void watch_fronts(const alert::FrontAhead& front, const alert::AlertRules& rules, record::AlertLevel others,
+                    base::Time now) {
+    alert::AlertState& state = m_.front_alert;
+    const bool was_blind = state.level == record::AlertLevel::kBlind;
+    if (was_blind) state = {};
+    auto level = judge(state, front, others, rules, now);
+    if (was_blind && !level) level = record::AlertLevel::kClear;
+    if (level && front.nearest.known && *level != record::AlertLevel::kClear) {
+      emit(state, console::report_alert(front, *level, now));
+    } else if (level) {
+      reporter_.alert(console::report_clear(record::kNoObject, state, now));
+    }
   }
 
   void emit(alert::AlertState& state, const record::AlertReport& report) {

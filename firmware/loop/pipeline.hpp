@@ -43,6 +43,7 @@ class Pipeline {
     m_.map.clear();
     m_.poses.clear();
     m_.alerts.fill({});
+    m_.front_alert = {};
     m_.reports.fill({});
     const record::Header* header = m_.run.header;
     m_.run = {};
@@ -61,6 +62,7 @@ class Pipeline {
       calibration.current = spare_model();
       while (waits_with(calibration.current)) refuse_waiting();
     }
+    if (calibration.known) m_.map.recalibrated();
     calibration.known = true;
     calibration.intrinsics = intrinsics;
     calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
@@ -151,6 +153,7 @@ class Pipeline {
                                                            : console::Refusal::kNoPose);
       return true;
     }
+    m_.run.sight.frame_used(frame, m_.calibration.models[frame.camera], *pose);
     reconstruct(frame, *pose);
     watch_.follow_objects(frame.t);
     placed(frame);
@@ -162,7 +165,31 @@ class Pipeline {
     return true;
   }
 
-  void watch_without_frames() { watch_.watch_without_frames(); }
+  /// What does not wait for a frame: alerts and the heartbeat, after each input.
+  void watch_without_frames() {
+    watch_.watch_without_frames();
+    if (m_.run.time && !m_.run.testing && beat_due(*m_.run.time)) beat(*m_.run.time);
+  }
+
+  /// This robot's clock stamps (some of) its inputs: it is `now` by it, and one has just come, or may. From now on time
+  /// passes without inputs, too.
+  void set_clock(base::Time now) { m_.run.behind = now - m_.run.time.value_or(now); }
+  /// No input has come for a while. A log has each of these moments as a heartbeat, by which a replay has them, too.
+  void pass_time(base::Time now) {
+    if (!m_.run.behind || m_.run.testing) return;
+    const base::Time t = now - *m_.run.behind;
+    const bool due = !m_.run.time || (t > *m_.run.time && (beat_due(t) || watch_.turns_blind(t)));
+    if (due) accept_passing(t);
+  }
+  /// One of those moments.
+  void accept_passing(base::Time t) {
+    if ((m_.run.time && t <= *m_.run.time) || m_.run.testing) return;
+    reporter_.calibration_if_due();
+    if (!loggable(watch_.heartbeat(t))) return;
+    advance(t);
+    m_.run.beat_at = base::Stamp(t);
+    watch_.watch_path(t);
+  }
 
   void send_status() { reporter_.status(); }
 
@@ -189,6 +216,7 @@ class Pipeline {
   [[nodiscard]] Reporter<Profile>& reporter() { return reporter_; }
   [[nodiscard]] const Reporter<Profile>& reporter() const { return reporter_; }
   [[nodiscard]] std::optional<base::Time> stream_time() const { return m_.run.time; }
+  [[nodiscard]] bool has_clock() const { return m_.run.behind.has_value(); }
 
   // What a screen shows, see view::MapSource.
   static constexpr std::size_t kObjects = Profile::kObjects;
@@ -202,16 +230,25 @@ class Pipeline {
 
  private:
   void advance(base::Time t) {
-    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = base::Stamp(t);
+    if (!m_.run.time) m_.run.sight.start(t);
+    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = m_.run.beat_at = base::Stamp(t);
     if (!m_.run.time || t > *m_.run.time) m_.run.time = t;
   }
   void advance_frame(base::Time t) {
     advance(t);
     m_.run.last_frame = t;
+    m_.run.sight.frame_came(t);
+  }
+
+  [[nodiscard]] bool beat_due(base::Time t) const { return m_.run.beat_at.since(t) >= kHeartbeatInterval; }
+  void beat(base::Time t) {
+    m_.run.beat_at = base::Stamp(t);
+    if (reporter_.logs()) reporter_.report(watch_.heartbeat(t));
   }
 
   void apply(const sensor::OdometrySample& sample) {
     advance(sample.t);
+    m_.run.sight.odometry_came(sample);
     m_.poses.push(sample);
   }
   void apply(const sensor::BlobFrame& frame, std::uint8_t model) {

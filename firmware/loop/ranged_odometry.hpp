@@ -31,6 +31,7 @@ class RangedOdometry {
     const sensor::LinkState state = source_.link();
     return in_range_ || state < sensor::LinkState::kUnready ? state : sensor::LinkState::kUnready;
   }
+  [[nodiscard]] bool stamped_here() const { return sensor::stamped_here(source_); }
   [[nodiscard]] auto link_words(sensor::LinkState state) const {
     auto words = console::link_words(source_, "odometry", state);
     if (!in_range_ && state == sensor::LinkState::kUnready) explain_range(words);

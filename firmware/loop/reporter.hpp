@@ -20,6 +20,7 @@ inline constexpr base::Duration kStatusInterval = base::milliseconds(1000);
 inline constexpr base::Duration kObjectInterval = base::milliseconds(500);
 inline constexpr base::Duration kPoseInterval = base::milliseconds(500);
 inline constexpr base::Duration kPlotInterval = base::milliseconds(100);
+inline constexpr base::Duration kHeartbeatInterval = base::milliseconds(100);
 inline constexpr std::uint32_t kDigestEvery = 50;  ///< frames
 
 /// Back-pressure: an answer of the console waits for an empty queue, so that the log comes first. After this many turns
@@ -89,12 +90,25 @@ class Reporter {
     say([&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
   }
 
-  void plot(const std::optional<alert::Obstacle>& obstacle, record::AlertLevel level, base::Time now) {
-    if (!shown_in(console::Mode::kPlot) || m_.console.plotted_at.since(now) < kPlotInterval) return;
+  /// The same, of which a person is told the reason.
+  void blind(alert::Blindness reason, base::Time now) {
+    const record::AlertReport report = console::report_blind(now);
+    journal_or_drop(report);
+    if (!m_.console.alerts) return;
+    if (shown_in(console::Mode::kLog)) put_or_drop(report);
+    if (shown_in(console::Mode::kText))
+      say([&](std::span<char> room) { return console::describe_blind(reason, room); });
+  }
+
+  /// A line for plotters is due.
+  [[nodiscard]] bool plots(base::Time now) const {
+    return shown_in(console::Mode::kPlot) && m_.console.plotted_at.since(now) >= kPlotInterval;
+  }
+  void plot(const std::optional<alert::Obstacle>& obstacle, const record::Heartbeat& beat) {
     std::optional<console::Nearest> nearest;
     if (obstacle) nearest = console::nearest_of(*obstacle);
-    m_.console.plotted_at = base::Stamp(now);
-    say([&](std::span<char> room) { return console::describe_plot(nearest, level, room); });
+    m_.console.plotted_at = base::Stamp(beat.t);
+    say([&](std::span<char> room) { return console::describe_plot(nearest, beat, room); });
   }
 
   void digest(std::uint32_t frame) {

@@ -3,6 +3,8 @@
 //   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   each object seen in the frame: who it is, its views, its estimate;
 //   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
+//   since which exposure the robot stands;
+//   of the guard beside the map: how many points it has, and four of them in turn.
 //   while the pose is corrected: the pose's covariance, and the landmark of that slot with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
@@ -10,8 +12,10 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/recon/guard/guard.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/recon/observe/standing.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "hal/base/fnv1a.hpp"
 
@@ -22,6 +26,15 @@ void hash_pose(base::Fnv1a64& hash, const MapPose& pose);
 void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object);
 void hash_floats(base::Fnv1a64& hash, std::span<const float> values);
 void hash_landmark(base::Fnv1a64& hash, const Landmark& landmark);
+
+/// Since when the robot stands.
+inline void hash_standing(base::Fnv1a64& hash, const Standing& standing) { hash.i64(standing.since().raw); }
+
+/// Of the guard, whose points take their turn by the number of frames so far.
+template <std::size_t kCapacity>
+void hash_guard(base::Fnv1a64& hash, const guard::Guard<kCapacity>& guard, std::uint32_t frames) {
+  guard.hash(hash, frames);
+}
 
 /// Of the pose correction, while it is on: the pose's covariance, and one landmark with all of its own.
 template <std::size_t kLandmarks>

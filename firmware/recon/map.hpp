@@ -22,6 +22,8 @@ class Map {
     table_.clear();
     fitter_.clear();
     correction_.clear();
+    guard_.clear();
+    standing_ = {};
     frames_ = 0;
     digest_ = base::Fnv1a64::kOffsetBasis;
   }
@@ -32,7 +34,9 @@ class Map {
   FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
                          const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
     FrameOutcome outcome;
-    table_.start_frame(frame.t - camera.latency);
+    standing_.look(odometry, frame.t - camera.latency);
+    guard_.look(frame, camera, odometry, standing_.since());
+    table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, drift);
     matcher_.predict(table_.objects(), camera, lens_pose(driven, camera), noise, correction_);
     matcher_.observe(frame, camera, table_.objects());
@@ -47,6 +51,11 @@ class Map {
     chain_digest(frame, pose);
     return outcome;
   }
+
+  /// Frames come with another calibration from now on: what the guard has by this one may be wrong.
+  void recalibrated() { guard_.clear(); }
+  /// Beside the objects: where the feet of blobs were seen, in the frame of odometry alone.
+  [[nodiscard]] const guard::Guard<Profile::kFronts>& guard() const { return guard_; }
 
   /// Where the robot is in the map, by odometry and all corrections so far.
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return correction_.corrected(odometry); }
@@ -79,6 +88,8 @@ class Map {
     }
     const ObjectType& turn = slots()[frames_ % kObjects];
     if (turn.used()) turn.hash_part(hash, frames_ / kObjects % ObjectType::kHashParts);
+    hash_standing(hash, standing_);
+    hash_guard(hash, guard_, frames_);
     if (correction_.running()) hash_filter(hash, correction_.filter(), frames_ % kObjects);
     ++frames_;
     digest_ = hash.value();
@@ -88,6 +99,8 @@ class Map {
   Matcher<ObjectType, Profile::kObjects> matcher_;
   OutlineFitter<Profile> fitter_;
   PoseCorrection<Profile> correction_;
+  guard::Guard<Profile::kFronts> guard_;
+  Standing standing_;
   std::uint32_t frames_ = 0;
   std::uint64_t digest_ = base::Fnv1a64::kOffsetBasis;
 };

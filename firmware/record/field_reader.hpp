@@ -54,6 +54,10 @@ class FieldReader {
       if (!items.push_back(item)) fail(Reject::kRange);
     }
   }
+  /// So many fields with nothing in them.
+  void empty(int count) {
+    for (int i = 0; i < count; ++i) require(skip_empty());
+  }
   void require(bool condition) {
     if (!condition) fail(Reject::kRange);
   }

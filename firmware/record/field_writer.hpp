@@ -49,6 +49,10 @@ class FieldWriter {
     number(static_cast<std::int64_t>(items.size()), {0, static_cast<std::int64_t>(items.capacity()), 0});
     for (const auto& item : items) walk(*this, item);
   }
+  /// So many fields with nothing in them.
+  void empty(int count) {
+    for (int i = 0; i < count; ++i) put(',');
+  }
   void require(bool condition) { void_ = void_ || !condition; }
 
   /// Adds CRC and line end; the length, or 0 if the line is void.

@@ -125,13 +125,22 @@ void walk(Fields& fields, Record& r) {
 template <class Fields, Is<AlertReport> Record>
 void walk(Fields& fields, Record& r) {
   fields.number(r.t.raw, kTime);
-  fields.word(r.level, AlertLevel::kStop);
+  fields.word(r.level, AlertLevel::kBlind);
   fields.number(r.id, kCount);
   fields.number(r.signature, kSignature);
+  if (r.level == AlertLevel::kBlind) return fields.empty(4);
   fields.number(r.bearing.raw, kHeading);
   fields.number(r.distance.raw, kDistance);
   fields.number_or_empty(r.ttc, kTime);
   fields.number(r.confidence.raw, kConfidence);
+}
+
+template <class Fields, Is<Heartbeat> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number(r.t.raw, kTime);
+  fields.word(r.level, AlertLevel::kBlind);
+  fields.word(r.camera, sensor::LinkState::kOk);
+  fields.word(r.odometry, sensor::LinkState::kOk);
 }
 
 template <class Fields, Is<DigestReport> Record>

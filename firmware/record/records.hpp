@@ -30,6 +30,7 @@ enum class Kind : std::uint8_t {
   kLink,
   kStatus,
   kSetting,
+  kHeartbeat,
 };
 
 /// FPHDR: starts a run; all state resets.
@@ -90,7 +91,8 @@ struct ObjectReport {
   friend constexpr bool operator==(const ObjectReport&, const ObjectReport&) = default;
 };
 
-enum class AlertLevel : std::uint8_t { kClear, kNotice, kWarn, kStop };
+/// In order of urgency; to be blind is no less urgent than to stop.
+enum class AlertLevel : std::uint8_t { kClear, kNotice, kWarn, kStop, kBlind };
 
 constexpr std::string_view name(AlertLevel level) {
   switch (level) {
@@ -98,11 +100,16 @@ constexpr std::string_view name(AlertLevel level) {
     case AlertLevel::kNotice: return "notice";
     case AlertLevel::kWarn: return "warn";
     case AlertLevel::kStop: return "stop";
+    case AlertLevel::kBlind: return "blind";
   }
   return "clear";
 }
 
-/// FPALR: bearing and distance in the robot frame, from its origin to the nearest point of the alert model.
+/// The id of an alert that is no object's: the guard saw something, or nothing can be seen.
+inline constexpr std::uint32_t kNoObject = 0;
+
+/// FPALR: bearing and distance in the robot frame, from its origin to the nearest point of the alert model; or, of the
+/// guard, to the nearest of its points that is in the way. At level blind only t, level and id are told.
 struct AlertReport {
   base::Time t;
   AlertLevel level = AlertLevel::kClear;
@@ -113,6 +120,16 @@ struct AlertReport {
   std::optional<base::Duration> ttc;  ///< time to contact; empty when not closing
   base::Ratio2 confidence;
   friend constexpr bool operator==(const AlertReport&, const AlertReport&) = default;
+};
+
+/// FPALV: the robot is at work, ten times a second of stream time. `level` is the highest in force until now; the
+/// states follow from what the stream holds, not from what a driver says of its cable.
+struct Heartbeat {
+  base::Time t;
+  AlertLevel level = AlertLevel::kClear;
+  sensor::LinkState camera = sensor::LinkState::kAbsent;
+  sensor::LinkState odometry = sensor::LinkState::kAbsent;
+  friend constexpr bool operator==(const Heartbeat&, const Heartbeat&) = default;
 };
 
 /// FPDIG: state digest after that frame.

@@ -35,6 +35,8 @@ class ScriptedSource {
   }
   [[nodiscard]] constexpr sensor::LinkState link() const { return link_; }
   [[nodiscard]] constexpr std::uint32_t dropped() const { return dropped_; }
+  /// A script that ends says nothing of a device that fell silent.
+  [[nodiscard]] static constexpr bool stamped_here() { return false; }
   [[nodiscard]] constexpr bool finished() const { return next_ == script_.size(); }
 
  private:

@@ -27,4 +27,12 @@ concept OdometrySource = requires(T odometry, const T& same, base::Time now) {
   { same.link() } -> std::same_as<LinkState>;
 };
 
+/// Is it this robot's clock that stamps what the source gives? One for which it is not (a log, or another controller
+/// that sends records) says so by `stamped_here()`.
+template <class Source>
+[[nodiscard]] bool stamped_here(const Source& source) {
+  if constexpr (requires { source.stamped_here(); }) return source.stamped_here();
+  return true;
+}
+
 }  // namespace fencepost::sensor

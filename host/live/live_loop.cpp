@@ -28,6 +28,7 @@ class ShiftedCamera {
   [[nodiscard]] sensor::LinkState link() const { return camera_.link(); }
   [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return camera_.link_words(state); }
   [[nodiscard]] std::uint32_t dropped() const { return camera_.dropped(); }
+  [[nodiscard]] bool stamped_here() const { return camera_.cabled(); }
 
  private:
   CameraDevice& camera_;
@@ -46,6 +47,7 @@ class ShiftedOdometry {
   }
   [[nodiscard]] sensor::LinkState link() const { return odometry_.link(); }
   [[nodiscard]] LinkWording link_words(sensor::LinkState state) const { return odometry_.link_words(state); }
+  [[nodiscard]] bool stamped_here() const { return odometry_.cabled(); }
 
  private:
   OdometryDevice& odometry_;

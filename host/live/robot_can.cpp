@@ -6,7 +6,6 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kPicometres = 1e12;  // in a metre
 constexpr std::int64_t kLargestId = 0x1FFF'FFFF;
 constexpr std::int64_t kLargestStandardId = 0x7FF;
 
@@ -50,7 +49,8 @@ can_wheels::Signal read_signal(const JsonNode& node) {
 std::int64_t read_scale(const JsonNode& node, const std::optional<std::int64_t>& fallback) {
   std::int64_t scale = fallback.value_or(0);
   if (const auto given = node.find("scale")) {
-    scale = static_cast<std::int64_t>(std::llround(given->positive(1, "m per count, or m/s per unit") * kPicometres));
+    scale = static_cast<std::int64_t>(
+        std::llround(given->positive(1, "m per count, or m/s per unit") * kPicometresPerMetre));
   }
   if (scale == 0) node.fail("\"scale\" is missing", "add it: metres per count, or metres per second per unit");
   const auto sign = node.find("sign");

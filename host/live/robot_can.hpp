@@ -7,6 +7,8 @@
 
 namespace fencepost::host {
 
+inline constexpr double kPicometresPerMetre = 1e12;
+
 /// `wheels` has the track, and the way per count where the mapping gives no scale. errors: SceneProblem
 can_wheels::Mapping read_can(const JsonNode& node, const WheelNumbers& wheels);
 

@@ -14,7 +14,6 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kMaxPitch = 0.7;         // rad, as in scene files
 constexpr double kLongestFocus = 32'767;  // px, the stream's range
-constexpr double kPicometres = 1e12;      // in a metre
 constexpr std::uint8_t kDarkest = 16;     // what a CMUcam's imager gives, OV6620
 constexpr std::uint8_t kBrightest = 240;
 constexpr int kHalfWindow = 40;
@@ -123,7 +122,7 @@ cmucam::ColourWindow window_around(const record::Signature& signature) {
 
 std::int64_t read_step(const JsonNode& node) {
   const double metres = node.number(-1, 1, "m");
-  const auto step = static_cast<std::int64_t>(std::llround(metres * kPicometres));
+  const auto step = static_cast<std::int64_t>(std::llround(metres * kPicometresPerMetre));
   if (step == 0) node.fail("is 0", "give the way of the wheel's rim per tick, in metres");
   return step;
 }
@@ -139,7 +138,7 @@ WheelNumbers read_wheels(const JsonNode& node) {
   if (const auto right = node.find("right_metres_per_tick")) wheels.right_pm_per_count = read_step(*right);
   constexpr double kWidest = 9;  // m, drivers/odometry
   if (const auto track = node.find("track")) {
-    wheels.track_pm = static_cast<std::int64_t>(std::llround(track->positive(kWidest, "m") * kPicometres));
+    wheels.track_pm = static_cast<std::int64_t>(std::llround(track->positive(kWidest, "m") * kPicometresPerMetre));
   }
   if (const auto bits = node.find("counter_bits")) wheels.counter_bits = static_cast<int>(bits->integer(2, 32));
   if (const auto speed = node.find("max_speed")) {

@@ -1,4 +1,4 @@
-// Does a log's own FPOBJ, FPALR and FPDIG agree with what a replay of its inputs gives?
+// Does a log's own FPOBJ, FPALR, FPALV and FPDIG agree with what a replay of its inputs gives?
 #pragma once
 
 #include <array>
@@ -41,6 +41,7 @@ class Check {
   static std::string key_of(const record::ObjectReport& r) {
     return "object " + std::to_string(r.t.raw) + " " + std::to_string(r.id);
   }
+  static std::string key_of(const record::Heartbeat& r) { return "heartbeat " + std::to_string(r.t.raw); }
   static std::string key_of(const record::DigestReport& r) { return "digest " + std::to_string(r.frame); }
 
   template <class Record>

@@ -24,6 +24,7 @@ class OfferedOnce {
   }
   [[nodiscard]] sensor::LinkState link() const { return sensor::LinkState::kOk; }
   [[nodiscard]] std::uint32_t dropped() const { return 0; }
+  [[nodiscard]] static bool stamped_here() { return false; }
 
  private:
   std::optional<Item> item_;

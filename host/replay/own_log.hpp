@@ -19,6 +19,7 @@ class OwnLog {
     std::function<void(const record::AlertReport&)> alert;
     std::function<void(const record::ObjectReport&)> object;
     std::function<void(const record::DigestReport&)> digest;
+    std::function<void(const record::Heartbeat&)> heartbeat;
   };
 
   explicit OwnLog(Listeners listeners) : listeners_(std::move(listeners)) {}
@@ -37,6 +38,7 @@ class OwnLog {
   void accept(const record::AlertReport& alert) { listeners_.alert(alert); }
   void accept(const record::ObjectReport& object) { listeners_.object(object); }
   void accept(const record::DigestReport& digest) { listeners_.digest(digest); }
+  void accept(const record::Heartbeat& beat) { listeners_.heartbeat(beat); }
   template <class Record>
   void accept(const Record&) {}
 

@@ -21,7 +21,8 @@ class Replay {
       : options_(options),
         own_log_({options.log, [this](const auto& alert) { hear_alert(alert); },
                   [this](const auto& object) { check_.own(object); },
-                  [this](const auto& digest) { check_.own(digest); }}) {}
+                  [this](const auto& digest) { check_.own(digest); }, [this](const auto& beat) { check_.own(beat); }}) {
+  }
 
   ReplayOutcome run(std::string_view bytes, const std::string& name) {
     for (const char byte : bytes) {
@@ -65,6 +66,11 @@ class Replay {
     runner().take(frame);
     ++frames_taken_;
     complete_ = options_.frames && frames_taken_ >= *options_.frames;
+  }
+  void accept(const record::Heartbeat& beat) {
+    if (!wanted(beat.t)) return;
+    runner().take(beat);
+    compare(beat);
   }
   void accept(const record::ObjectReport& report) { compare(report); }
   void accept(const record::AlertReport& report) { compare(report); }

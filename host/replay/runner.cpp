@@ -56,6 +56,10 @@ class ProfileRunner final : public Runner {
     camera_.offer(frame);
     step(frame.t);
   }
+  void take(const record::Heartbeat& beat) override {
+    loop_.pipeline().accept_passing(beat.t);
+    step(beat.t);
+  }
   void assume(const PoseNoise& noise) override {
     memory_->noise.position = static_cast<float>(noise.position);
     memory_->noise.heading = static_cast<float>(noise.heading);

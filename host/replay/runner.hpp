@@ -24,6 +24,8 @@ class Runner {
   virtual void take(const record::Setting& setting) = 0;
   virtual void take(const sensor::OdometrySample& sample) = 0;
   virtual void take(const sensor::BlobFrame& frame) = 0;
+  /// Time passed without an input up to then, if it is later than all inputs.
+  virtual void take(const record::Heartbeat& beat) = 0;
   virtual void finish() = 0;
   /// Sets the pose noise from now on.
   virtual void assume(const PoseNoise& noise) = 0;

@@ -17,9 +17,11 @@ std::string headline_figure(const std::string& value, const std::string& what) {
 }
 
 std::string closest(const ResultDocument& document) {
-  const auto nearest = std::min_element(document.alerts.begin(), document.alerts.end(),
-                                        [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  return nearest == document.alerts.end() ? "\u2013" : figure(nearest->distance.to_double(), 2) + " m";
+  std::optional<base::Metres> nearest;
+  for (const record::AlertReport& alert : document.alerts) {
+    if (has_place(alert) && (!nearest || alert.distance < *nearest)) nearest = alert.distance;
+  }
+  return nearest ? figure(nearest->to_double(), 2) + " m" : "\u2013";
 }
 
 const char* worst_level(const ResultDocument& document) {

@@ -78,6 +78,7 @@ table.counts { width: auto; }
 .level.notice { background: #f6d365; }
 .level.warn { background: #e8871e; color: #000; }
 .level.stop { background: #b1122a; color: #fff; }
+.level.blind { background: #5b2a86; color: #fff; }
 details { margin-top: 12px; }
 summary { cursor: pointer; color: var(--soft); }
 details ul { margin: 8px 0 0; padding-left: 22px; }

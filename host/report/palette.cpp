@@ -75,6 +75,7 @@ std::string level_colour(record::AlertLevel level) {
     case record::AlertLevel::kNotice: return "#f6d365";
     case record::AlertLevel::kWarn: return "#e8871e";
     case record::AlertLevel::kStop: return "#b1122a";
+    case record::AlertLevel::kBlind: return "#5b2a86";
   }
   return "#e9edf1";
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "host/report/alert_spans.hpp"
@@ -43,7 +44,7 @@ std::string draw_strip(const TimeAxis& axis, const AlertSeries& series, double t
     const double x = axis.x(span.begin);
     const double width = std::max(axis.x(span.end) - x, 2.5);  // an alert of an instant is still seen
     const auto rank = static_cast<double>(span.level);
-    const double height = span.level == record::AlertLevel::kClear ? 3 : kStrip * rank / 3;
+    const double height = span.level == record::AlertLevel::kClear ? 3 : kStrip * std::min(rank / 3, 1.0);
     svg += fmt::format(
         R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}"><title>{} from {} s to {} s</title></rect>)", px(x),
         px(top + kStrip - height), px(width), px(height), level_colour(span.level), record::name(span.level),
@@ -53,10 +54,14 @@ std::string draw_strip(const TimeAxis& axis, const AlertSeries& series, double t
 }
 
 std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, double top) {
-  const auto nearest = *std::min_element(series.records.begin(), series.records.end(),
+  std::vector<const record::AlertReport*> placed;
+  std::copy_if(series.records.begin(), series.records.end(), std::back_inserter(placed),
+               [](const auto* alert) { return has_place(*alert); });
+  if (placed.empty()) return {};
+  const auto nearest = *std::min_element(placed.begin(), placed.end(),
                                          [](const auto* a, const auto* b) { return a->distance < b->distance; });
   double most = 0;
-  for (const auto* alert : series.records) most = std::max(most, alert->distance.to_double());
+  for (const auto* alert : placed) most = std::max(most, alert->distance.to_double());
   const double full = nice_step(std::max(most, 0.1));
   const auto y = [&](double distance) { return top + kCurve - distance / full * kCurve; };
   std::string svg = fmt::format(R"(<path class="rule" d="M{0} {1}H{2}M{0} {3}H{2}"/>)", px(kLeft), px(y(0)),
@@ -66,7 +71,7 @@ std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, doub
       px(kLeft - 8), px(y(full) + 8), figure(full, step_decimals(full)), px(y(0) + 4));
   std::string points;
   std::string dots;
-  for (const auto* alert : series.records) {
+  for (const auto* alert : placed) {
     const double x = axis.x(alert->t.to_double());
     const double at = y(alert->distance.to_double());
     points += fmt::format("{}{},{}", points.empty() ? "" : " ", px(x), px(at));
@@ -82,11 +87,13 @@ std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, doub
                      px(y(nearest->distance.to_double()) + 18), anchor, figure(nearest->distance.to_double(), 2));
 }
 
+std::string whose(std::uint32_t id) { return id == record::kNoObject ? "guard:" : std::to_string(id); }
+
 std::string draw_row(const ResultDocument& document, const TimeAxis& axis, const AlertSeries& series, double top) {
   const std::string colour = ink(signature_colour(document, series.signature), kTextLuminance);
-  std::string svg =
-      fmt::format(R"(<g><text class="name" x="{}" y="{}" style="fill:{}" text-anchor="end">{} {}</text>)",
-                  px(kLeft - 8), px(top + 14), colour, series.id, escaped(signature_name(document, series.signature)));
+  std::string svg = fmt::format(R"(<g><text class="name" x="{}" y="{}" style="fill:{}" text-anchor="end">{} {}</text>)",
+                                px(kLeft - 8), px(top + 14), colour, whose(series.id),
+                                escaped(signature_name(document, series.signature)));
   svg += draw_strip(axis, series, top) + draw_distances(axis, series, top + kStrip + 10);
   return svg + "</g>\n";
 }
@@ -106,8 +113,8 @@ std::string draw_time_axis(const TimeAxis& axis, double top, double bottom) {
 
 std::string level_legend() {
   std::string html = "<p class=\"levels\">";
-  for (const record::AlertLevel level :
-       {record::AlertLevel::kNotice, record::AlertLevel::kWarn, record::AlertLevel::kStop}) {
+  for (const record::AlertLevel level : {record::AlertLevel::kNotice, record::AlertLevel::kWarn,
+                                         record::AlertLevel::kStop, record::AlertLevel::kBlind}) {
     html += fmt::format(R"(<span><i style="background:{}"></i>{}</span>)", level_colour(level), record::name(level));
   }
   return html + "<span><b class=\"line\"></b>distance from the robot's origin to the nearest point, m</span></p>";
@@ -118,7 +125,7 @@ std::string alert_row(const ResultDocument& document, const record::AlertReport&
   return fmt::format(
       "<tr><td class=\"n\">{}</td><td><span class=\"level {}\">{}</span></td><td>{} {}</td><td class=\"n\">{}</td>"
       "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-      figure(alert.t.to_double(), 2), record::name(alert.level), record::name(alert.level), alert.id,
+      figure(alert.t.to_double(), 2), record::name(alert.level), record::name(alert.level), whose(alert.id),
       escaped(signature_name(document, alert.signature)), figure(alert.distance.to_double(), 2), figure(degrees, 0),
       alert.ttc ? figure(alert.ttc->to_double(), 1) : "\u2013", figure(alert.confidence.to_double(), 2));
 }

@@ -10,7 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kLengthDecimals = 6;  ///< a micrometre: far below any model's error, and short to read
 constexpr std::size_t kSmallestRing = 3;
 
 Json ring_json(LinearRing ring, bool counter_clockwise) {

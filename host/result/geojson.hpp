@@ -7,6 +7,9 @@
 
 namespace fencepost::host {
 
+/// of lengths in m: a micrometre, far below any model's error, and short to read
+inline constexpr int kLengthDecimals = 6;
+
 /// Polygon or MultiPolygon; null when nothing with an area is left. Rings are closed and turned the GeoJSON way (outer
 /// counter-clockwise, holes clockwise) whichever way they come.
 nlohmann::ordered_json to_geojson(const MultiPolygon& geometry);

@@ -13,7 +13,7 @@ namespace fencepost::host {
 namespace {
 
 const char* level_colour(record::AlertLevel level) {
-  constexpr std::array<const char*, 4> kColours = {"\x1b[2m", "\x1b[36m", "\x1b[33m", "\x1b[1;31m"};
+  constexpr std::array<const char*, 5> kColours = {"\x1b[2m", "\x1b[36m", "\x1b[33m", "\x1b[1;31m", "\x1b[1;35m"};
   return kColours[static_cast<std::size_t>(level)];
 }
 
@@ -36,7 +36,8 @@ std::string alert_sentence(const ResultDocument& document, const record::AlertRe
     const std::size_t word = std::min(sentence.find(' '), sentence.size());
     sentence = level_colour(alert.level) + sentence.substr(0, word) + "\x1b[0m" + sentence.substr(word);
   }
-  return fmt::format("{:>9.3f} s  {}  (object {})", alert.t.to_double(), sentence, alert.id);
+  const std::string of = alert.id == record::kNoObject ? "guard" : fmt::format("object {}", alert.id);
+  return fmt::format("{:>9.3f} s  {}  ({})", alert.t.to_double(), sentence, of);
 }
 
 std::string alert_list(const ResultDocument& document, const TextOptions& options) {

@@ -11,7 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr int kLengthDecimals = 6;
 constexpr int kRecordDecimals = 4;  ///< what the record stream carries
 constexpr int kRatioDecimals = 4;
 
@@ -69,6 +68,15 @@ Json object_json(const ObjectResult& object) {
 }
 
 Json alert_json(const record::AlertReport& alert) {
+  if (alert.level == record::AlertLevel::kBlind) {
+    return {{"t", rounded(alert.t.to_double(), kRecordDecimals)},
+            {"level", record::name(alert.level)},
+            {"id", alert.id},
+            {"bearing", nullptr},
+            {"distance", nullptr},
+            {"ttc", nullptr},
+            {"confidence", nullptr}};
+  }
   return {{"t", rounded(alert.t.to_double(), kRecordDecimals)},
           {"level", record::name(alert.level)},
           {"id", alert.id},

@@ -36,7 +36,7 @@ Stages stages_of_a_loop(const Stages& more) {
   Stages stages = {{"turn", "image::Robot::work("}, {"line", "::handle_line("}, {"input", "::process("},
                    {"predict", "::predict<"},       {"see", "recon::observe("}, {"pose", "::correct<"},
                    {"models", "::update_models<"},  {"hybrid", "::fit<"},       {"digest", "::chain_digest("},
-                   {"alerts", "::watch_path("}};
+                   {"guard", "GuardCore::look("},   {"alerts", "::watch_path("}};
   stages.insert(stages.end(), more.begin(), more.end());
   return stages;
 }

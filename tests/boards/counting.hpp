@@ -30,8 +30,8 @@ using Counts = std::map<std::string, StageCount>;
 using Stages = std::vector<std::pair<std::string, std::string>>;
 
 /// What all images have: "input" is all that a frame sets in motion, and of that "predict" where objects should be,
-/// "see" the blobs' ends, "pose" the pose correction, "models" and "hybrid", "digest", "alerts"; beside it "line", the
-/// console and its records, and the loop's whole "turn". `more` are the board's own.
+/// "see" the blobs' ends, "pose" the pose correction, "models" and "hybrid", "digest", "guard", "alerts"; beside it
+/// "line", the console and its records, and the loop's whole "turn". `more` are the board's own.
 Stages stages_of_a_loop(const Stages& more = {});
 
 /// Of a symbol, in hexadecimal digits. Throws std::runtime_error where the image has none of that name.

@@ -27,7 +27,7 @@ class Approach {
     ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
     ASSERT_TRUE(bench.await_camera()) << bench.said();
     SceneStream stream;
-    stream.calibration = {line_of(desk_camera()), line_of(record::Signature{1, {0xd0, 0x20, 0x20}, "red"})};
+    stream.calibration = {line_of(level_pixy2()), line_of(record::Signature{1, {0xd0, 0x20, 0x20}, "red"})};
     ASSERT_TRUE(bench.start_log(stream)) << bench.said();
     drive(kApproach);
     ASSERT_NE(bench.said().find("$FPALR,"), std::string::npos) << bench.said();

@@ -34,6 +34,19 @@ inline constexpr std::size_t kMaxWaitingFrames = 4;
 /// Between two samples farther apart odometry is not interpolated. Contract.
 inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 
+// --- a robot that stands ---
+
+/// 10 um, urad. A robot that has moved by no more stands where it stood; kStrays exposures in a row that are farther
+/// off are no wavering of its odometry. By design, for odometry that wavers by 5 mm and half a degree.
+inline constexpr std::int32_t kStandingNear = 2000;
+inline constexpr std::int32_t kStandingTurn = 35'000;
+inline constexpr std::uint8_t kStrays = 3;
+/// It stands once it has done so for this long: one that drives is not taken for one that stands. By design.
+inline constexpr base::Duration kStood = base::milliseconds(500);
+/// px. What is at least so large in the image, both ways, is clearly seen: the next frame from the same place shows it,
+/// too. Five sigmas of an edge on either side. By design.
+inline constexpr std::int16_t kClearPixels = 12;
+
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
 /// px of a camera with kNoiseColumns columns or more. With fewer, a pixel is wider than the ragged edge of a segment,

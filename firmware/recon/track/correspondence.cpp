@@ -109,6 +109,11 @@ bool overlaps(const Prediction& prediction, const Observation& seen) {
          seen.left_column < std::max(prediction.left.at, prediction.right.at);
 }
 
+bool stands_behind(const Observation& seen, const Prediction& prediction) {
+  const PredictedLine& foot = prediction.bottom;
+  return foot.sigma > 0 && is_edge(seen.bottom) && seen.box.y2 < foot.at - kFootSigmas * foot.sigma;
+}
+
 bool shows_both(const Prediction& left, const Prediction& right, const Observation& seen) {
   if (!(left.depth > 0 || right.depth > 0) || !left.possible || !right.possible) return false;
   if (seen.no_edge()) return false;

@@ -24,6 +24,9 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Observation& seen);
+/// True if the blob's foot was seen, and so much higher in the image than the predicted one that what it shows is
+/// farther: it hides nothing of the object. False where rows tell nothing.
+bool stands_behind(const Observation& seen, const Prediction& prediction);
 
 /// True if the blob is two objects of one signature that touch in the image: its ends are those of a left and of a
 /// right object, and neither alone would be so wide. The distance of one of them must be known; the other one, without,

@@ -87,7 +87,7 @@ class Matcher {
   /// May something in the image stand before the object, as predicted?
   [[nodiscard]] bool may_be_hidden(std::size_t o) const {
     for (const Observation& seen : observations_) {
-      if (overlaps(predictions_[o], seen)) return true;
+      if (overlaps(predictions_[o], seen) && !stands_behind(seen, predictions_[o])) return true;
     }
     return false;
   }
@@ -171,7 +171,10 @@ class Matcher {
     const std::size_t blobs = observations_.size();
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs; ++b) {
-        const bool may = predictions_[o].possible && predictions_[o].signature == observations_[b].signature;
+        // A blob without an edge of its own fits anything before it, so its foot decides.
+        const bool background = observations_[b].no_edge() && stands_behind(observations_[b], predictions_[o]);
+        const bool may =
+            predictions_[o].possible && predictions_[o].signature == observations_[b].signature && !background;
         costs_[o * blobs + b] = may ? match_cost(predictions_[o], observations_[b]) : kImpossible;
       }
     }

@@ -38,6 +38,7 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.u32(id);
   hash.u8(signature);
   hash.u8(confirmed ? 1 : 0);
+  hash.u8(clear ? 1 : 0);
   hash.u8(static_cast<std::uint8_t>(left));
   hash.u8(static_cast<std::uint8_t>(right));
   hash.u8(relocations);
@@ -48,7 +49,7 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.i64(last_seen.raw);
   hash.u16(history.bits);
   hash.u8(history.length);
-  hash.u16(missed_in_a_row);
+  hash.u16(missed_for);
   hash.u8(waiting);
   hash.u8(outline_confidence);
   hash.f32(presence);

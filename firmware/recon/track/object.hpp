@@ -37,6 +37,7 @@ struct ObjectCore {
   std::uint32_t id = 0;  ///< 0: free slot
   std::uint8_t signature = 0;
   bool confirmed = false;
+  bool clear = false;     ///< the last sighting was large enough that the same view must show it again
   End left = End::kSeen;  ///< of the last sighting
   End right = End::kSeen;
   std::uint8_t relocations = 0;  ///< of the local frame; 0: its place is a guess
@@ -46,8 +47,9 @@ struct ObjectCore {
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;
-  std::uint16_t missed_in_a_row = 0;  ///< frames in which it should have been seen and was not, since the last sighting
-  std::uint8_t waiting = 0;           ///< sightings since the last one that the models took; a new object's count more
+  std::uint16_t missed_for =
+      0;                     ///< ticks of 0.1 ms in which it should have been seen and was not, since it was seen last
+  std::uint8_t waiting = 0;  ///< sightings since the last one that the models took; a new object's count more
   std::uint8_t outline_confidence = kNoOutline;  ///< quantised, of the hybrid's outline; kNoOutline: there is none yet
   float presence = 1;                            ///< running share of expected sightings that came
   MapPoint origin;                               ///< of the local frame of all models
@@ -61,6 +63,8 @@ struct ObjectCore {
 
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return relocations > 0; }
+  /// It should have been seen again and again and was not: it is not there, or not where it was.
+  [[nodiscard]] bool refuted() const { return missed_for >= kRefutedMissing.raw; }
   /// An end of it was outside the image or hidden when it was seen last.
   [[nodiscard]] bool cut_off() const { return !is_edge(left) || !is_edge(right); }
   /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one
@@ -74,7 +78,7 @@ struct ObjectCore {
     left = left_end;
     right = right_end;
     last_seen = t;
-    missed_in_a_row = 0;
+    missed_for = 0;
     ++views;
     if (waiting < 0xFF) ++waiting;
   }

@@ -44,8 +44,11 @@ class ObjectTable {
     evicted_ = 0;
   }
 
-  void start_frame(base::Time exposure) {
+  /// `stands_since`: see Standing.
+  void start_frame(base::Time exposure, base::Time stands_since) {
+    stands_since_ = stands_since;
     events_.clear();
+    elapsed_ = std::min(exposure - exposure_, kMissedByOneFrame);
     exposure_ = exposure;
   }
 
@@ -95,9 +98,14 @@ class ObjectTable {
         report(EventKind::kMoved, o);
       }
       object.track(seen.left, seen.right, exposure_);
+      object.clear = is_clear(seen.box);
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);
     }
+  }
+
+  static bool is_clear(const Box& box) {
+    return box.x2 - box.x1 + 1 >= kClearPixels && box.y2 - box.y1 + 1 >= kClearPixels;
   }
 
   void count_missing(const MatcherType& matcher) {
@@ -105,12 +113,14 @@ class ObjectTable {
       ObjectType& object = objects_[o];
       const Prediction& prediction = matcher.prediction(o);
       if (!object.used() || matcher.seen(o) || !prediction.possible) continue;
-      if (!prediction.expected && object.confirmed) continue;
+      const bool expected = prediction.expected || (object.clear && object.last_seen > stands_since_);
+      if (!expected && object.confirmed) continue;
       if (matcher.may_be_hidden(o)) continue;
       object.history.push(false);
-      if (!prediction.expected) continue;
+      if (!expected) continue;
       object.presence -= kPresenceGain * object.presence;
-      if (object.missed_in_a_row < 0xFFFF) ++object.missed_in_a_row;
+      const std::int64_t missed = std::min<std::int64_t>(object.missed_for + elapsed_.raw, 0xFFFF);
+      object.missed_for = static_cast<std::uint16_t>(missed);
     }
   }
 
@@ -204,7 +214,7 @@ class ObjectTable {
       const ObjectType& object = objects_[o];
       if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
       const bool once = object.views == 1 && has_better_namesake(o);
-      const bool refuted = object.missed_in_a_row >= kRefutingMisses && object.views < kFewViews;
+      const bool refuted = object.refuted() && object.views < kFewViews;
       if (once || refuted) end(o, EventKind::kDeleted, matcher);
     }
   }
@@ -235,6 +245,8 @@ class ObjectTable {
   Objects objects_{};
   ObjectEvents<kObjects> events_;
   base::Time exposure_;  ///< of the current frame
+  base::Time stands_since_;
+  base::Duration elapsed_;  ///< since the frame before; at most what one frame may say of an object that it misses
   std::uint32_t next_id_ = 1;
   std::uint32_t evicted_ = 0;
 };

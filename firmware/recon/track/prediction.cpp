@@ -32,6 +32,11 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Cyl
   }
 }
 
+// What has its foot below the image may be below it as a whole. Where rows tell nothing, columns decide.
+bool foot_inside(const CameraModel& camera, const PredictedLine& bottom) {
+  return bottom.sigma == 0 || bottom.at + kFootSigmas * bottom.sigma < camera.rows - 1 - kBorderPixels;
+}
+
 // Sigma of a tangent, rad.
 float sigma_of(const TouchPoint& touch, float heading) {
   return std::sqrt(touch.variance / touch.at.squaredNorm() + heading * heading);
@@ -59,7 +64,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
   const float near_square = middle.squaredNorm();
-  prediction.expected = u_left > border && u_right < columns - border &&
+  prediction.expected = foot_inside(camera, prediction.bottom) && u_left > border && u_right < columns - border &&
                         near_square > kNearestExpected * kNearestExpected &&
                         near_square < kFarthestExpected * kFarthestExpected;
   return prediction;

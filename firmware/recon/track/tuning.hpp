@@ -62,9 +62,13 @@ inline constexpr int kContradictingFrames = 10;
 inline constexpr std::uint8_t kMaxRelocations = 4;
 /// Presence is averaged over about this many expected sightings, as its inverse. By design.
 inline constexpr float kPresenceGain = 1.0F / 8.0F;
-/// frames in a row in which an object should have been seen and was not: it is no longer believed in. Less: alerts end
-/// when a camera misses; more: ghosts. On which study was not kept.
-inline constexpr std::uint16_t kRefutingMisses = 12;
+/// An object that should have been seen for so long and was not, by at least five frames, is no longer believed in.
+/// Less: alerts end when a camera misses; more: ghosts.
+inline constexpr base::Duration kRefutedMissing = base::milliseconds(500);
+inline constexpr base::Duration kMissedByOneFrame{kRefutedMissing.raw / 5};
+/// sigmas. The predicted row of a foot is inside the image if it is with so many to spare, and a blob stands clearly
+/// behind it if its foot is so many higher. By design.
+inline constexpr int kFootSigmas = 2;
 /// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
 /// it stays, and only its alerts stop. On which study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;

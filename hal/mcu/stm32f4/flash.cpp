@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kFirstSector = 1;
 constexpr std::uint32_t kFirstAddress = 0x0800'4000;
-constexpr std::uint32_t kMaxPolls = 30'000'000;  // 0.5 s for an erasure, of a loop of some cycles
+constexpr std::uint32_t kMaxFlashPolls = 30'000'000;  // 0.5 s for an erasure, of a loop of some cycles
 
 // The controller is locked again whatever happens in between.
 class Unlocked {
@@ -26,7 +26,7 @@ class Unlocked {
 };
 
 bool settled() {
-  for (std::uint32_t i = 0; i < kMaxPolls; ++i) {
+  for (std::uint32_t i = 0; i < kMaxFlashPolls; ++i) {
     const std::uint32_t status = reg(kFlashStatus);
     if ((status & kFlashBusy) == 0) return (status & kFlashErrors) == 0;
   }

@@ -37,7 +37,7 @@ TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
       << bench.said();
   EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
   bench.clear();
-  bench.console().send(line_of(desk_camera()));
+  bench.console().send(line_of(level_pixy2()));
   bench.console().send(line_of(record::Signature{1, {0xd0, 0x20, 0x20}, "red"}));
   for (std::uint32_t i = 0; i < 160; ++i) {
     const double x = 0.005 * i;

@@ -107,7 +107,7 @@ TEST(ConsoleLog, InputsOverTheConsoleAreInTheLog) {
     desk.link.type(line_of(*script.camera[i].answer));
     if (i == 100) desk.link.type("set confirm.k 2\r");
     if (i == 150) {
-      sensor::CameraIntrinsics camera = desk_camera();
+      sensor::CameraIntrinsics camera = level_pixy2();
       camera.latency = base::Duration::nearest(0.04);
       desk.link.type(line_of(camera));
       camera.latency = base::Duration::nearest(0.06);

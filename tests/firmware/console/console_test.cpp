@@ -255,7 +255,7 @@ TEST(Console, LeavesTheFieldsOfOtherRecordsUnread) {
 
 TEST(Console, CalibrationAndSignaturesComeAsRecords) {
   Desk<> desk;
-  sensor::CameraIntrinsics camera = desk_camera();
+  sensor::CameraIntrinsics camera = level_pixy2();
   camera.model = "nxtcam";
   EXPECT_EQ(desk.type(line_of(camera)), "");
   EXPECT_TRUE(desk.memory().calibration.intrinsics == camera);
@@ -288,7 +288,7 @@ TEST(Console, PlotModeIsANumberLineTenTimesASecond) {
     ++lines;
   }
   EXPECT_NEAR(static_cast<double>(lines), 40, 2);
-  EXPECT_NE(said.find("dist_cm:90,bear_deg:0,level:1\r\n"), std::string::npos) << said;
+  EXPECT_NE(said.find("dist_cm:90,bear_deg:0,level:1,camera:4,odometry:4\r\n"), std::string::npos) << said;
 }
 
 // An answer never comes as one lump: the queue of a small robot holds a kilobyte, and the log needs it.
@@ -318,7 +318,7 @@ TEST(Console, RandomBytesNeverBreakIt) {
                                "reset\n",
                                line_of(desk_odometry(1.0)),
                                line_of(desk_frame(1.0, 1)),
-                               line_of(desk_camera()),
+                               line_of(level_pixy2()),
                                "$FPODO,,0.1,0.2,0.3*1234\r\n"};
   Desk<> desk(Mode::kText, desk_approach(500));
   for (int round = 0; round < 3000; ++round) {

@@ -15,6 +15,7 @@ using base::Radians;
 record::AlertReport alert(record::AlertLevel level, double distance, double degrees) {
   record::AlertReport report;
   report.level = level;
+  report.id = 7;
   report.signature = 3;
   report.distance = Metres::nearest(distance);
   report.bearing = Radians::nearest(degrees * 3.14159265 / 180);
@@ -36,20 +37,39 @@ TEST(Text, IsASentenceThatAPersonUnderstands) {
   EXPECT_EQ(sentence(alert(record::AlertLevel::kClear, 12.3449, 180), "red"), "CLEAR   red  12.34 m  behind\r\n");
 }
 
+TEST(Text, WhatIsNoObjectIsSomething) {
+  record::AlertReport stop = alert(record::AlertLevel::kStop, 0.24, 0);
+  stop.id = record::kNoObject;
+  EXPECT_EQ(sentence(stop, "red"), "STOP    something red  0.24 m  ahead\r\n");
+  EXPECT_EQ(sentence(stop, ""), "STOP    something  0.24 m  ahead\r\n");
+}
+
 TEST(Text, RoundsTheBearingToDegrees) {
   EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.49), "x").find("ahead"), std::string::npos);
   EXPECT_NE(sentence(alert(record::AlertLevel::kStop, 1, 2.51), "x").find("3 deg left"), std::string::npos);
 }
 
+TEST(Text, BlindIsSaidWithItsReasonAndClearedInWords) {
+  std::array<char, console::kMaxSentence> out{};
+  const std::size_t size = console::describe_blind(alert::Blindness::kCameraLate, out);
+  EXPECT_EQ(std::string(out.data(), size), "BLIND   no frame comes from the camera\r\n");
+  record::AlertReport report;
+  report.level = record::AlertLevel::kBlind;
+  EXPECT_EQ(sentence(report, ""), "BLIND   what is ahead cannot be known\r\n");
+  report.level = record::AlertLevel::kClear;
+  EXPECT_EQ(sentence(report, ""), "CLEAR   it sees again\r\n");
+}
+
 std::string plot(const std::optional<console::Nearest>& nearest, record::AlertLevel level) {
   std::array<char, console::kMaxSentence> out{};
-  return {out.data(), console::describe_plot(nearest, level, out)};
+  const record::Heartbeat beat{{}, level, sensor::LinkState::kSilent, sensor::LinkState::kOk};
+  return {out.data(), console::describe_plot(nearest, beat, out)};
 }
 
 TEST(Text, PlotLinesAreNamesAndNumbers) {
   const console::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
-  EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2\r\n");
-  EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0\r\n");
+  EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2,camera:1,odometry:4\r\n");
+  EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0,camera:1,odometry:4\r\n");
 }
 
 TEST(Text, ARejectedRecordIsNamedWithTheReason) {

@@ -29,7 +29,7 @@ TEST(Keeper, RestoresSettingsCalibrationAndSignatures) {
   Flash flash;
   Desk desk(flash);
   const std::string fresh = all_of(desk.memory());
-  sensor::CameraIntrinsics camera = test::desk_camera();
+  sensor::CameraIntrinsics camera = test::level_pixy2();
   camera.mount.x = base::Metres::nearest(0.0712);
   camera.mount.pitch.reset();
   desk.pipeline().set_camera(camera);
@@ -63,7 +63,7 @@ TEST(Keeper, WritesOnlyWhatHasChanged) {
 TEST(Keeper, CalibrationOfACameraOfAnotherSizeIsPassedOver) {
   Flash flash;
   Desk desk(flash);
-  sensor::CameraIntrinsics camera = test::desk_camera();
+  sensor::CameraIntrinsics camera = test::level_pixy2();
   camera.width = 160;
   desk.pipeline().set_camera(camera);
   EXPECT_TRUE(desk.keeper.keep());

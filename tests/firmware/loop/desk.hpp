@@ -11,6 +11,7 @@
 
 #include "firmware/loop/loop.hpp"
 #include "hal/fake/scripted_source.hpp"
+#include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
@@ -53,20 +54,6 @@ struct Script {
   std::vector<fake::CameraStep> camera;
 };
 
-inline sensor::CameraIntrinsics desk_camera() {
-  sensor::CameraIntrinsics camera;
-  camera.model = "pixy2";
-  camera.width = 316;
-  camera.height = 208;
-  camera.fx = camera.fy = base::Pixels2::nearest(273.6);
-  camera.cx = base::Pixels2::nearest(157.5);
-  camera.cy = base::Pixels2::nearest(103.5);
-  camera.mount.z = base::Metres::nearest(0.12);
-  camera.mount.pitch = base::Radians{0};
-  camera.latency = base::Duration::nearest(0.05);
-  return camera;
-}
-
 inline sensor::OdometrySample desk_odometry(double t, double x = 0) {
   return {base::Time::nearest(t), base::Metres::nearest(x), {}, {}};
 }
@@ -104,7 +91,7 @@ class Desk {
                 const loop::CannedStream& canned = loop::canned_stream<Profile>())
       : script_(std::move(script)), loop_(*memory_, camera_, odometry_, link, mode, canned) {
     loop_.pipeline().start_run(header);
-    loop_.pipeline().set_camera(desk_camera());
+    loop_.pipeline().set_camera(level_pixy2());
     loop_.pipeline().set_signature({1, {0xd0, 0x20, 0x20}, "red"});
   }
 

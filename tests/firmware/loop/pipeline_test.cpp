@@ -9,6 +9,7 @@
 #include "firmware/loop/loop.hpp"
 #include "firmware/record/stream_reader.hpp"
 #include "hal/fake/scripted_source.hpp"
+#include "tests/firmware/level_pixy2.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -17,20 +18,6 @@ using base::Metres;
 using base::Time;
 using console::Mode;
 using console::Refusal;
-
-sensor::CameraIntrinsics pixy(double latency = 0.05) {
-  sensor::CameraIntrinsics camera;
-  camera.model = "pixy2";
-  camera.width = 316;
-  camera.height = 208;
-  camera.fx = camera.fy = base::Pixels2::nearest(273.6);
-  camera.cx = base::Pixels2::nearest(157.5);
-  camera.cy = base::Pixels2::nearest(103.5);
-  camera.mount.z = Metres::nearest(0.12);
-  camera.mount.pitch = base::Radians{0};
-  camera.latency = base::Duration::nearest(latency);
-  return camera;
-}
 
 sensor::OdometrySample odometry(double t, double x = 0) { return {Time::nearest(t), Metres::nearest(x), {}, {}}; }
 
@@ -52,7 +39,7 @@ template <class Profile = config::Small>
 struct Bench {
   explicit Bench(Mode mode = Mode::kQuiet) : pipeline(*memory, mode) {
     pipeline.start_run(header);
-    pipeline.set_camera(pixy());
+    pipeline.set_camera(level_pixy2());
   }
   int place() {
     int placed = 0;
@@ -131,7 +118,7 @@ TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
   Bench bench;
   bench.pipeline.accept(odometry(1.00));
   bench.pipeline.accept(frame(1.06, 1));  // latency 0.05: exposed at 1.01
-  bench.pipeline.set_camera(pixy(0.02));
+  bench.pipeline.set_camera(level_pixy2(0.02));
   bench.pipeline.accept(frame(1.07, 2));  // latency 0.02: exposed at 1.05
   bench.pipeline.accept(odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
@@ -139,11 +126,11 @@ TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
   EXPECT_EQ(bench.place(), 1);
   // Only the calibrations in use are kept, two at a time. What a third one displaces is refused, not misread.
   bench.pipeline.accept(frame(1.20, 3));
-  bench.pipeline.set_camera(pixy(0.03));
-  bench.pipeline.set_camera(pixy(0.04));
+  bench.pipeline.set_camera(level_pixy2(0.03));
+  bench.pipeline.set_camera(level_pixy2(0.04));
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
   bench.pipeline.accept(frame(1.21, 4));
-  bench.pipeline.set_camera(pixy(0.05));
+  bench.pipeline.set_camera(level_pixy2(0.05));
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
   EXPECT_EQ(bench.memory->waiting.front().frame, 4U);
@@ -181,7 +168,7 @@ TEST(Pipeline, IdenticalCalibrationHasNoEffect) {
   Bench bench;
   bench.pipeline.accept(odometry(1.00));
   bench.pipeline.accept(frame(1.06, 1));
-  for (int i = 0; i < 5; ++i) bench.pipeline.set_camera(pixy());
+  for (int i = 0; i < 5; ++i) bench.pipeline.set_camera(level_pixy2());
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
   bench.pipeline.accept(odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
@@ -236,7 +223,7 @@ struct Robot {
   explicit Robot(Link& link, const std::vector<fake::OdometryStep>& o, const std::vector<fake::CameraStep>& c)
       : odometry(o), camera(c), loop(*memory, camera, odometry, link, Mode::kLog) {
     loop.pipeline().start_run(header);
-    loop.pipeline().set_camera(pixy());
+    loop.pipeline().set_camera(level_pixy2());
     loop.pipeline().set_signature({1, {0xd0, 0x20, 0x20}, "red"});
   }
   record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};

@@ -73,7 +73,7 @@ TYPED_TEST(Selftest, DependsOnNoSettingAndCountsNothing) {
   EXPECT_EQ(after.rejected, before.rejected);
   EXPECT_EQ(desk.memory().map.size(), 0U);  // a new run
   EXPECT_EQ(desk.type_line("get confirm.k").rfind("confirm.k = 1", 0), 0U);
-  EXPECT_TRUE(desk.memory().calibration.intrinsics == desk_camera());
+  EXPECT_TRUE(desk.memory().calibration.intrinsics == level_pixy2());
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest pass", 0), 0U);  // as often as you like
 }
 

@@ -297,10 +297,50 @@ TEST(Map, AnObjectThatShouldBeSeenAndIsNotLosesCredit) {
   const float before = drive.objects()[0]->confidence();
   EXPECT_GT(before, 0.15F);                                              // seen from one side only
   for (int i = 20; i < 40; ++i) drive.step({}, 0, 0.02 * i, -0.01 * i);  // still in view, but gone
-  EXPECT_EQ(drive.objects()[0]->missed_in_a_row, 20);
+  EXPECT_EQ(drive.objects()[0]->missed_for, 20'000);
   EXPECT_LT(drive.objects()[0]->confidence(), 0.2F * before);
   for (int i = 0; i < 20; ++i) drive.step({}, 0, 0, 3.0);  // looking away is no evidence
-  EXPECT_EQ(drive.objects()[0]->missed_in_a_row, 20);
+  EXPECT_EQ(drive.objects()[0]->missed_for, 20'000);
+}
+
+// Its foot below the image, a post may be out of sight as a whole: that is no evidence.
+TEST(Map, AnObjectBelowTheImageIsNotMissed) {
+  const std::vector<Post> posts = {{1, 1.0, 0.0, 0.06}};
+  Drive<config::Small> drive;
+  for (int i = 0; i <= 20; ++i) drive.step(posts, 0.03 * i, 0.01 * (i % 3), 0);
+  for (int i = 0; i < 40; ++i) drive.step({}, 0.68, 0, 0);  // its front is 0.26 m ahead; feet leave the image at 0.32 m
+  EXPECT_EQ(drive.objects()[0]->missed_for, 0);
+  for (int i = 0; i < 10; ++i) drive.step({}, 0.4, 0, 0);
+  EXPECT_TRUE(drive.objects()[0]->refuted());
+}
+
+// Only what is nearer hides: a post that stands behind the place shows that the place is free.
+TEST(Map, WhatStandsBehindAnObjectDoesNotHideIt) {
+  Drive<config::Small> drive;
+  for (int i = 0; i <= 20; ++i) drive.step({{1, 1.0, 0.0, 0.06}}, 0.02 * i, 0.02 * (i % 5), 0);
+  for (int i = 0; i < 10; ++i) drive.step({{2, 1.9, 0.0, 0.06}}, 0.4, 0, 0);
+  EXPECT_TRUE(drive.objects()[0]->refuted());
+  Drive<config::Small> hidden;
+  for (int i = 0; i <= 20; ++i) hidden.step({{1, 1.0, 0.0, 0.06}}, 0.02 * i, 0.02 * (i % 5), 0);
+  for (int i = 0; i < 10; ++i) hidden.step({{2, 0.8, 0.0, 0.06}}, 0.4, 0, 0);
+  EXPECT_EQ(hidden.objects()[0]->missed_for, 0);
+}
+
+// Half a second and at least five frames, at any rate.
+TEST(Map, AMissingObjectIsRefutedInTimeNotInFrames) {
+  for (const int ticks : {200, 1000, 2000}) {
+    Drive<config::Small> drive;
+    for (int i = 0; i <= 20; ++i) drive.step({{1, 1.0, 0.0, 0.06}}, 0.02 * i, 0.02 * (i % 5), 0);
+    sensor::BlobFrame last = drive.look({}, 0.4, 0, 0);
+    int frames = 0;
+    for (; !drive.objects()[0]->refuted() && frames < 100; ++frames) {
+      last.frame = drive.frame++;
+      last.t.raw += ticks;
+      drive.take(last, 0.4, 0, 0);
+    }
+    EXPECT_LE(frames, std::max(5, 5000 / ticks)) << ticks;
+    EXPECT_GE(frames, std::max(5, 5000 / ticks - 4)) << ticks;  // the first of them comes later than the others
+  }
 }
 
 TEST(Map, HeightBandFollowsFromTheRows) {

@@ -84,7 +84,7 @@ TEST(Encode, RefusesValuesThatAReaderWouldReject) {
   EXPECT_NE(encoded(OdometrySample{{9'999'990'000}, {10'000'000}, {-10'000'000}, {10'000'000}}), "");
   EXPECT_EQ(encoded(Header{2, "", "", "", ""}), "");
   EXPECT_EQ(encoded(sensor::CameraIntrinsics{}), "") << "no size, no focal length";
-  EXPECT_EQ(encoded(AlertReport{{}, static_cast<AlertLevel>(4), 0, 0, {}, {}, {}, {}}), "");
+  EXPECT_EQ(encoded(AlertReport{{}, static_cast<AlertLevel>(5), 0, 0, {}, {}, {}, {}}), "");
   EXPECT_EQ(encoded(AlertReport{{}, AlertLevel::kStop, 0, 0, {}, {}, base::Duration{-1}, {}}), "");
   sensor::BlobFrame frame;
   ASSERT_TRUE(frame.blobs.push_back({1, 5, 0, 4, 0, {}, {}, 0, {}}));

@@ -15,8 +15,9 @@
 
 namespace fencepost::record {
 
-using AnyRecord = std::variant<Header, sensor::CameraIntrinsics, Signature, sensor::OdometrySample, sensor::BlobFrame,
-                               Position, ObjectReport, AlertReport, DigestReport, LinkReport, StatusReport, Setting>;
+using AnyRecord =
+    std::variant<Header, sensor::CameraIntrinsics, Signature, sensor::OdometrySample, sensor::BlobFrame, Position,
+                 ObjectReport, AlertReport, DigestReport, LinkReport, StatusReport, Setting, Heartbeat>;
 
 /// "FPODO,..." to "$FPODO,...*CRC", without a line end.
 inline std::string sealed(std::string_view body) {

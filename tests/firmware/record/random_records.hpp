@@ -55,7 +55,7 @@ class RandomRecords {
     return blob;
   }
 
-  AnyRecord any() { return any(static_cast<Kind>(below(12))); }
+  AnyRecord any() { return any(static_cast<Kind>(below(kKinds))); }
 
   AnyRecord any(Kind kind) {
     switch (kind) {
@@ -72,6 +72,9 @@ class RandomRecords {
       case Kind::kLink: return LinkReport{time(), text(), static_cast<sensor::LinkState>(below(5)), text()};
       case Kind::kStatus: return StatusReport{time(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32(), u32()};
       case Kind::kSetting: return Setting{text(), text()};
+      case Kind::kHeartbeat:
+        return Heartbeat{time(), static_cast<AlertLevel>(below(5)), static_cast<sensor::LinkState>(below(5)),
+                         static_cast<sensor::LinkState>(below(5))};
     }
     return Header{};
   }
@@ -134,6 +137,7 @@ class RandomRecords {
   }
 
   AlertReport alert() {
+    if (chance(5)) return {time(), AlertLevel::kBlind, u32(), u8(), {}, {}, {}, {}};
     AlertReport alert{time(),      static_cast<AlertLevel>(below(4)), u32(), u8(), heading(), {i32(0, 30'000'000)}, {},
                       confidence()};
     if (chance(2)) alert.ttc = base::Duration{between(0, 9'999'990'000)};

@@ -45,6 +45,13 @@ TEST(AlertList, IsOneSentenceEach) {
             "    1.100 s  STOP    red  0.24 m  12 deg right  (object 1)\n");
 }
 
+TEST(AlertList, NamesTheGuard) {
+  ResultDocument d = small_document();
+  d.alerts.resize(1);
+  d.alerts[0].id = record::kNoObject;
+  EXPECT_EQ(alert_list(d), "    1.000 s  WARN    something red  0.40 m  6 deg left  in 1.1 s  (guard)\n");
+}
+
 TEST(AlertList, ColourOnlyOnRequest) {
   EXPECT_EQ(alert_list(small_document()).find('\x1b'), std::string::npos);
   EXPECT_NE(alert_list(small_document(), {.colour = true, .changes_only = false}).find('\x1b'), std::string::npos);

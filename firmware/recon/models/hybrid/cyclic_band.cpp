@@ -1,13 +1,12 @@
 #include "firmware/recon/models/hybrid/cyclic_band.hpp"
 
+#include "firmware/recon/models/hybrid/tuning.hpp"
+
 namespace fencepost::recon {
 namespace {
 
 constexpr std::size_t kA = kRing - 2;  // the two unknowns that close the ring
 constexpr std::size_t kB = kRing - 1;
-
-// A pivot below this share of its own diagonal is rounding: float has 24 bits.
-constexpr float kLeastPivot = 2e-6F;
 
 }  // namespace
 

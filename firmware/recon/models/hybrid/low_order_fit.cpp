@@ -9,10 +9,7 @@
 namespace fencepost::recon {
 namespace {
 
-// A pivot below this share of its own diagonal is rounding.
-constexpr float kLeastPivot = 2e-6F;
-
-constexpr SpreadPrior kSpreadPrior{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
+constexpr SpreadPrior kLowOrderSpread{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
 
 std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
 
@@ -124,7 +121,7 @@ void LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
   solve_lower(matrix_, correction);
   solve_upper(matrix_, correction);
   for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
-  if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kSpreadPrior);
+  if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kLowOrderSpread);
 }
 
 template <std::size_t kOrder>

@@ -10,7 +10,7 @@
 namespace fencepost::recon {
 namespace {
 
-constexpr SpreadPrior kSpreadPrior{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
+constexpr SpreadPrior kSupportSpread{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
 
 std::size_t next(std::size_t k) { return (k + 1) % kRing; }
 std::size_t previous(std::size_t k) { return (k + kRing - 1) % kRing; }
@@ -89,7 +89,7 @@ void SupportFit::finish_pass(bool learn_spread) {
   for (std::size_t k = 0; k < kRing; ++k) offsets_[k] += band_.rhs[k];
   measure();
   if (!learn_spread || tangents_ < kTangentsForSpread) return;
-  spread_ = sums_.learnt(kSpreadPrior);
+  spread_ = sums_.learnt(kSupportSpread);
 }
 
 void SupportFit::measure() {

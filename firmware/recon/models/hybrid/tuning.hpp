@@ -45,6 +45,11 @@ inline constexpr float kOverruled = 0.5F;
 /// views that a cluster remembers; older ones fade. algorithms.md sec. 5.2.
 inline constexpr float kMostViews = 30.0F;
 
+// --- solvers (cyclic_band, low_order_fit) ---
+
+/// share of its own diagonal below which a pivot is rounding: float has 24 bits. By design.
+inline constexpr float kLeastPivot = 2e-6F;
+
 // --- the series of low order (low_order_fit) ---
 
 /// m, sigma of the local origin as the centre. algorithms.md sec. 5.3.

@@ -1,0 +1,126 @@
+#include "firmware/alert/front_alert.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "firmware/recon/guard/floor_camera.hpp"
+
+namespace fencepost::alert {
+
+using recon::guard::Front;
+using record::AlertLevel;
+
+namespace {
+
+constexpr float kMillimetres = 1000;
+constexpr std::int32_t kReach = 4000;  // mm
+
+// Within so many mm of the robot's origin, squared, a front calls for a level.
+struct Limit {
+  std::int32_t square = 0;
+  unsigned frames = 0;  // of the fronts within it
+
+  void set(float distance) {
+    const std::int32_t reach = recon::guard::nearest_whole(kMillimetres * distance, kReach);
+    square = reach * reach;
+  }
+  void add(const Front& front, std::int32_t distance_square) {
+    if (distance_square <= square) frames |= front.frames;
+  }
+  [[nodiscard]] bool reached() const { return recon::guard::enough_frames(frames); }
+};
+
+struct Limits {
+  Limit stop;
+  Limit warn;
+
+  Limits(const AlertRules& rules, const RobotPath& path, float slack) {
+    const float speed = std::fabs(path.motion.forward);
+    const bool closing = speed > kStanding;
+    const float until_next_look = closing ? kLookSeconds * speed : 0.0F;
+    const auto soon = [&](float ttc) { return closing ? path.body_radius + slack * ttc * speed : 0.0F; };
+    stop.set(std::max(slack * rules.stop + kFrontDoubt + until_next_look, soon(rules.ttc_stop)));
+    warn.set(std::max(slack * rules.warn, soon(rules.ttc_warn)));
+  }
+  void add(const Front& front, std::int32_t distance_square) {
+    stop.add(front, distance_square);
+    warn.add(front, distance_square);
+  }
+  [[nodiscard]] AlertLevel level() const {
+    if (stop.reached()) return AlertLevel::kStop;
+    return warn.reached() ? AlertLevel::kWarn : AlertLevel::kClear;
+  }
+};
+
+float confidence_of(const Front& front) {
+  constexpr float kFramesKept = 8;
+  constexpr std::int64_t kCounts = recon::guard::kRefutedAfter.raw / recon::guard::kDoubtTicks;
+  constexpr auto kRefuted = static_cast<float>(kCounts);
+  const float doubt = std::min(1.0F, static_cast<float>(front.doubt) / kRefuted);
+  return static_cast<float>(__builtin_popcount(front.frames)) / kFramesKept * (1 - doubt);
+}
+
+}  // namespace
+
+FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
+                      const RobotPath& path, const AlertRules& rules) {
+  using recon::guard::nearest_whole;
+  constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;
+  const SweptArea area(path, kUnsureMargin);
+  Limits due(rules, path, 1.0F);
+  Limits held(rules, path, kHysteresis);
+  const std::int32_t robot_x = (robot.position.x - origin.x) / kUnits;
+  const std::int32_t robot_y = (robot.position.y - origin.y) / kUnits;
+  const std::int32_t cosine = nearest_whole(recon::guard::kOne * robot.heading.x());
+  const std::int32_t sine = nearest_whole(recon::guard::kOne * robot.heading.y());
+  const Front* nearest = nullptr;
+  std::int32_t nearest_x = 0;
+  std::int32_t nearest_y = 0;
+  const std::int32_t widest = std::max(held.stop.square, held.warn.square);
+  std::int32_t least = widest;
+  bool confirmed = false;
+  for (const Front& front : fronts) {
+    const std::int32_t dx = front.x - robot_x;
+    const std::int32_t dy = front.y - robot_y;
+    if (dx > kReach || dx < -kReach || dy > kReach || dy < -kReach) continue;
+    const std::int32_t x = (cosine * dx + sine * dy) >> recon::guard::kSlopeBits;
+    const std::int32_t y = (cosine * dy - sine * dx) >> recon::guard::kSlopeBits;
+    if (!area.contains(x, y)) continue;
+    const std::int32_t square = x * x + y * y;
+    due.add(front, square);
+    held.add(front, square);
+    // A point of a single frame may be noise: the nearest one that several have seen, if there is one.
+    const bool enough = recon::guard::enough_frames(front.frames);
+    if ((confirmed && !enough) || (confirmed == enough && square > least) || square > widest) continue;
+    confirmed = enough;
+    least = square;
+    nearest = &front;
+    nearest_x = x;
+    nearest_y = y;
+  }
+  FrontAhead ahead;
+  ahead.due = due.level();
+  ahead.held = held.level();
+  if (nearest == nullptr) return ahead;
+  Obstacle& obstacle = ahead.nearest;
+  obstacle.known = true;
+  obstacle.toward = recon::Vec2{static_cast<float>(nearest_x), static_cast<float>(nearest_y)} / kMillimetres;
+  obstacle.distance = std::sqrt(obstacle.toward.squaredNorm());
+  obstacle.in_path.emplace();
+  set_closing(path, obstacle);
+  ahead.signature = nearest->signature;
+  ahead.confidence = confidence_of(*nearest);
+  return ahead;
+}
+
+std::optional<AlertLevel> judge(AlertState& state, const FrontAhead& front, AlertLevel others, const AlertRules& rules,
+                                base::Time now) {
+  const AlertLevel due = front.due > others ? front.due : std::min(front.due, state.level);
+  const AlertLevel before = state.level;
+  const std::optional<AlertLevel> level = follow(state, due, front.held, rules, now);
+  const bool repeat = level == before;
+  return repeat && others >= before ? std::nullopt : level;
+}
+
+}  // namespace fencepost::alert

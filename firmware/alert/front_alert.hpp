@@ -1,0 +1,34 @@
+// What the guard's points say of the floor that the robot is about to sweep: the alert of "something", with object id
+// 0.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/alert/alerts.hpp"
+#include "firmware/alert/swept_area.hpp"
+#include "firmware/recon/guard/guard.hpp"
+
+namespace fencepost::alert {
+
+/// Robot frame.
+struct FrontAhead {
+  record::AlertLevel due = record::AlertLevel::kClear;   ///< what the thresholds call for
+  record::AlertLevel held = record::AlertLevel::kClear;  ///< the same, thresholds widened by the hysteresis
+  Obstacle nearest;  ///< the nearest point in the area; not known if there is none near enough to warn
+  std::uint8_t signature = 0;
+  float confidence = 0;  ///< in [0, 1]: the share of the last frames that saw it, less what looked past it
+};
+
+/// `robot`: by odometry alone, as the guard's points.
+FrontAhead see_fronts(std::span<const recon::guard::Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
+                      const RobotPath& path, const AlertRules& rules);
+
+/// Updates the guard's state and returns the level to report now, if any. `others`: the highest level in force for any
+/// object. What an object's alert says already is not said twice: this one rises only above it. What it has said stays
+/// until the fronts themselves are farther, but is not repeated while an object says as much.
+std::optional<record::AlertLevel> judge(AlertState& state, const FrontAhead& front, record::AlertLevel others,
+                                        const AlertRules& rules, base::Time now);
+
+}  // namespace fencepost::alert

@@ -1,0 +1,130 @@
+#include "firmware/alert/sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "firmware/alert/tuning.hpp"
+
+namespace fencepost::alert {
+namespace {
+
+constexpr std::int64_t kTicksPerMs = base::Duration::kPerUnit / 1000;
+
+std::uint32_t hash_of(const recon::WaitingFrame& frame) {
+  std::uint32_t hash = 0;
+  const auto add = [&hash](std::int32_t value) { hash = hash * 31 + static_cast<std::uint32_t>(value) + 1; };
+  for (const recon::WaitingBlob& blob : frame.blobs.view()) {
+    add(blob.signature);
+    for (const std::int16_t edge : {blob.box.x1, blob.box.y1, blob.box.x2, blob.box.y2}) add(edge);
+  }
+  return hash;
+}
+
+// By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the
+// image, the one that says most.
+float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, float moved, float turned) {
+  float shift = 0;
+  for (const recon::WaitingBlob& blob : frame.blobs.view()) {
+    const recon::Sides cut = recon::cut_by_border(camera, blob.box);
+    if (!cut.left || !cut.right) shift = std::max(shift, turned * camera.fx);
+    if (cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
+    const float drop = recon::drop_per_depth(camera, camera.cx, recon::bottom_edge(blob.box));
+    if (drop > 0) shift = std::max(shift, moved * camera.fy * drop * drop / camera.height);
+  }
+  return shift;
+}
+
+}  // namespace
+
+void Rhythm::beat(base::Time t) {
+  if (begun_) {
+    const std::int64_t passed =
+        std::clamp<std::int64_t>(last_.since(t).raw / kTicksPerMs, 0, kOverdueMost.raw / kTicksPerMs);
+    const std::int64_t step = passed - interval_;
+    interval_ = static_cast<std::uint16_t>(interval_ == 0 ? passed : interval_ + step / 8);
+  }
+  begun_ = true;
+  last_ = base::Stamp(t);
+}
+
+bool Rhythm::overdue(base::Time now, bool standing) const {
+  const base::Duration usual{interval_ * kTicksPerMs * kOverdueQuarters / 4};
+  const base::Duration least = standing ? kOverdueStanding : kOverdueLeast;
+  return begun_ && last_.since(now) > std::clamp(usual, least, kOverdueMost);
+}
+
+void Sight::start(base::Time t) {
+  started_ = true;
+  started_at_ = base::Stamp(t);
+}
+
+void Sight::odometry_came(const sensor::OdometrySample& sample) {
+  if (odometry_.begun()) {
+    const float seconds = static_cast<float>((sample.t - told_.t).raw) / static_cast<float>(base::Duration::kPerUnit);
+    const auto metres = [](std::int32_t raw) {
+      return static_cast<float>(raw) / static_cast<float>(base::Metres::kPerUnit);
+    };
+    const float moved =
+        std::max(std::fabs(metres(sample.x.raw - told_.x.raw)), std::fabs(metres(sample.y.raw - told_.y.raw)));
+    // The short way round.
+    constexpr std::int32_t kTurn = 62'832;
+    const std::int32_t turn = std::abs(sample.heading.raw - told_.heading.raw) % kTurn;
+    const float turned = static_cast<float>(std::min(turn, kTurn - turn)) / static_cast<float>(base::Radians::kPerUnit);
+    if (moved > kStepJump + kFastest * seconds || turned > kTurnJump + kFastestTurn * seconds) {
+      jumped_ = true;
+      jumped_at_ = base::Stamp(sample.t);
+    }
+  }
+  odometry_.beat(sample.t);
+  told_ = sample;
+}
+
+void Sight::frame_came(base::Time t) { frames_.beat(t); }
+
+void Sight::frame_used(const recon::WaitingFrame& frame, const recon::CameraModel& camera,
+                       const recon::MapPose& odometry) {
+  used_.beat(frame.t);
+  const std::uint32_t boxes = hash_of(frame);
+  if (boxes != 0) blobs_at_ = base::Stamp(frame.t);
+  if (boxes != boxes_ || boxes == 0) {
+    boxes_ = boxes;
+    same_since_ = base::Stamp(frame.t);
+    same_from_ = odometry;
+    frozen_ = false;
+    return;
+  }
+  if (frozen_ || same_since_.since(frame.t) < kFrozenFor) return;
+  const float moved = std::sqrt(recon::offset_from(same_from_.position, odometry.position).squaredNorm());
+  const float turned = std::fabs(1e-6F * static_cast<float>(odometry.heading - same_from_.heading));
+  frozen_ = expected_shift(frame, camera, moved, turned) >= kFrozenShift;
+}
+
+bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < kJumpDoubt; }
+
+Blindness Sight::blindness(base::Time now, bool standing) const {
+  const base::Duration grace = standing ? kOverdueStanding : kOverdueLeast;
+  const bool begins = !started_ || started_at_.since(now) <= grace;
+  if (!begins && !frames_.begun()) return Blindness::kNoCamera;
+  if (!begins && !odometry_.begun()) return Blindness::kNoOdometry;
+  if (frames_.overdue(now, standing)) return Blindness::kCameraLate;
+  if (odometry_.overdue(now, standing)) return Blindness::kOdometryLate;
+  if (jumped_lately(now)) return Blindness::kJump;
+  if (used_.overdue(now, standing) || (!begins && !used_.begun())) return Blindness::kFramesUnused;
+  return frozen_ ? Blindness::kFrozen : Blindness::kNone;
+}
+
+sensor::LinkState Sight::camera_state(base::Time now, bool standing) const {
+  if (!frames_.begun()) return sensor::LinkState::kAbsent;
+  if (frames_.overdue(now, standing)) return sensor::LinkState::kSilent;
+  if (!used_.begun() || used_.overdue(now, standing) || frozen_) return sensor::LinkState::kUnready;
+  return boxes_ == 0 && blobs_at_.since(now) >= kEmptyAfter ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
+}
+
+sensor::LinkState Sight::odometry_state(base::Time now, bool standing) const {
+  if (!odometry_.begun()) return sensor::LinkState::kAbsent;
+  if (odometry_.overdue(now, standing)) return sensor::LinkState::kSilent;
+  return jumped_lately(now) ? sensor::LinkState::kUnready : sensor::LinkState::kOk;
+}
+
+}  // namespace fencepost::alert

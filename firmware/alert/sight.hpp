@@ -1,0 +1,81 @@
+// Can the robot know what is ahead? Judged from the times and the contents of its inputs alone, so that a replay judges
+// as the robot did; what a driver knows of its cable is in FPLNK.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+#include "hal/base/stamp.hpp"
+#include "hal/sensor/link_state.hpp"
+#include "hal/sensor/odometry.hpp"
+
+namespace fencepost::alert {
+
+/// How often a kind of input comes, and whether the next one is overdue.
+class Rhythm {
+ public:
+  void beat(base::Time t);
+  [[nodiscard]] bool begun() const { return begun_; }
+  /// `standing`: nothing comes nearer by the robot's own motion, so there is more time. Never, before the first.
+  [[nodiscard]] bool overdue(base::Time now, bool standing) const;
+
+ private:
+  bool begun_ = false;
+  std::uint16_t interval_ = 0;  ///< ms, smoothed
+  base::Stamp last_;
+};
+
+/// Why the robot cannot know what is ahead; the first that applies.
+enum class Blindness : std::uint8_t {
+  kNone,
+  kNoCamera,    ///< no frame has come yet
+  kNoOdometry,  ///< no sample has come yet
+  kCameraLate,  ///< frames came and come no more
+  kOdometryLate,
+  kFramesUnused,  ///< frames come and are refused
+  kFrozen,        ///< frames come that do not change although the robot moves
+  kJump,          ///< odometry tells a motion that no robot makes
+};
+
+/// Everything about one run's inputs that this needs.
+class Sight {
+ public:
+  /// The run begins.
+  void start(base::Time t);
+  void odometry_came(const sensor::OdometrySample& sample);
+  /// A frame was accepted.
+  void frame_came(base::Time t);
+  /// It was placed in the map. `odometry`: where the robot was when it was exposed.
+  void frame_used(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose& odometry);
+
+  /// `standing`: by the latest odometry. When a run has just begun, nothing is overdue yet.
+  [[nodiscard]] Blindness blindness(base::Time now, bool standing) const;
+  /// Nothing has been seen yet in this run: whatever may be ahead.
+  [[nodiscard]] bool nothing_seen() const { return !used_.begun(); }
+
+  /// For the heartbeat: absent (nothing yet), silent (no more), unready (of no use), empty (nothing to see), ok.
+  [[nodiscard]] sensor::LinkState camera_state(base::Time now, bool standing) const;
+  [[nodiscard]] sensor::LinkState odometry_state(base::Time now, bool standing) const;
+
+ private:
+  [[nodiscard]] bool jumped_lately(base::Time now) const;
+
+  bool started_ = false;
+  bool jumped_ = false;
+  bool frozen_ = false;
+  Rhythm frames_;
+  Rhythm used_;
+  Rhythm odometry_;
+  base::Stamp started_at_;
+  base::Stamp jumped_at_;
+  base::Stamp blobs_at_;         ///< the last frame with a blob
+  std::uint32_t boxes_ = 0;      ///< hash of the last frame's; 0: it had none
+  base::Stamp same_since_;       ///< when they became what they are,
+  recon::MapPose same_from_;     ///< and where the robot was then
+  sensor::OdometrySample told_;  ///< the latest
+};
+
+}  // namespace fencepost::alert

@@ -1,0 +1,96 @@
+#include "firmware/recon/guard/floor_camera.hpp"
+
+#include <algorithm>
+
+#include "firmware/recon/guard/tuning.hpp"
+
+namespace fencepost::recon::guard {
+namespace {
+
+// Wider images than four focal lengths are no pinhole camera's: products stay inside 32 bits.
+constexpr float kWidest = 4;
+constexpr std::int32_t kWidestSlope = 2 * kOne - 1;
+constexpr std::int32_t kSteepest = 4 * kOne;
+constexpr float kHighest = 4000;                 // mm
+constexpr std::int32_t kFarthestScale = 64'000;  // 2^-4 mm
+
+// The factor f with f (1 + k1 f^2 r^2) = 1 that undoes the distortion, by c = k1 r^2: the series' coefficients are
+// (3n)! / (n! (2n+1)!), and it converges up to 4/27. Stronger distortion counts as the strongest that it holds.
+std::int32_t undistortion(std::int32_t c) {
+  constexpr std::int32_t kStrongest = 2294;  // 0.14
+  c = std::clamp(c, -kStrongest, kStrongest);
+  constexpr std::int32_t kUnit = 1 << 10;
+  std::int32_t sum = 55 * kUnit - ((273 * c) >> 4);
+  sum = 12 * kUnit - times(sum, c);
+  sum = 3 * kUnit - times(sum, c);
+  sum = kUnit - times(sum, c);
+  return kOne - ((sum * c) >> 10);
+}
+
+}  // namespace
+
+std::int32_t nearest_whole(float value, std::int32_t limit) {
+  const auto most = static_cast<float>(limit);
+  const float kept = std::clamp(value, -most, most);
+  return static_cast<std::int32_t>(kept < 0 ? kept - 0.5F : kept + 0.5F);
+}
+
+FloorCamera::FloorCamera(const CameraModel& camera) {
+  const float height = 1000 * camera.height;
+  const bool pinhole =
+      static_cast<float>(camera.width) < kWidest * camera.fx && static_cast<float>(camera.rows) < kWidest * camera.fy;
+  if (!camera.pitch_known || !(height >= 1) || height > kHighest || !pinhole) return;
+  usable_ = true;
+  centre_u_ = nearest_whole(16 * camera.cx);
+  centre_v_ = nearest_whole(16 * camera.cy);
+  constexpr float kInverse = 1 << 22;
+  const float per_px_y = kInverse / camera.fy;
+  per_px_x_ = nearest_whole(camera.fx == camera.fy ? per_px_y : kInverse / camera.fx);
+  per_px_y_ = nearest_whole(per_px_y);
+  constexpr auto kUnit = static_cast<float>(kOne);
+  k1_ = nearest_whole(kUnit * camera.k1, kOne);
+  pitch_cos_ = nearest_whole(kUnit * camera.pitch.x());
+  pitch_sin_ = nearest_whole(kUnit * camera.pitch.y());
+  height_ = nearest_whole(16 * height);
+  per_row_ = nearest_whole(0.25F * per_px_y / height, 5000);
+  find_limits(camera.width, camera.rows);
+}
+
+FloorPoint FloorCamera::at(std::int32_t twice_u, std::int32_t twice_v) const {
+  const auto normalised = [](std::int32_t px, std::int32_t per_px) {
+    return std::clamp((px * per_px) >> 12, -kWidestSlope, kWidestSlope);
+  };
+  std::int32_t x = normalised(8 * twice_u - centre_u_, per_px_x_);
+  std::int32_t y = normalised(8 * twice_v - centre_v_, per_px_y_);
+  if (k1_ != 0) {
+    const std::int32_t square = ((x * x) >> kSlopeBits) + ((y * y) >> kSlopeBits);
+    const std::int32_t factor = undistortion(times(square, k1_));
+    x = times(x, factor);
+    y = times(y, factor);
+  }
+  const std::int32_t drop = pitch_sin_ + times(y, pitch_cos_);
+  const std::int32_t forward = pitch_cos_ - times(y, pitch_sin_);
+  FloorPoint point;
+  if (forward <= 0) return point;
+  const std::int32_t across = pitch_sin_ == 0 ? x : (x << kSlopeBits) / forward;
+  point.slope = std::clamp(-across, -kSteepest, kSteepest);
+  if (drop <= 0) return point;
+  const std::int32_t scale = (height_ << kSlopeBits) / drop;
+  if (scale < kFarthestScale) point.depth = times(scale, forward) >> 4;
+  return point;
+}
+
+// The foot of what is there appears between the middle row and the last one that the border does not cut.
+void FloorCamera::find_limits(std::int32_t columns, std::int32_t rows) {
+  const std::int32_t low = 2 * rows - 5;
+  const std::int32_t left = 2 * kSidePixels;
+  const std::int32_t right = 2 * (columns - 1 - kSidePixels);
+  const FloorPoint low_left = at(left, low);
+  const FloorPoint low_right = at(right, low);
+  const std::int32_t nearest = std::max({at(columns, low).depth, low_left.depth, low_right.depth});
+  nearest_visible_ = nearest + (nearest >> 4);
+  leftmost_visible_ = std::min(low_left.slope, at(left, rows).slope);
+  rightmost_visible_ = std::max(low_right.slope, at(right, rows).slope);
+}
+
+}  // namespace fencepost::recon::guard

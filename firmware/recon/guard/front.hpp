@@ -1,0 +1,31 @@
+// Where the foot of something was seen: a point of the floor, without a notion of what stands there.
+#pragma once
+
+#include <cstdint>
+
+namespace fencepost::recon::guard {
+
+/// Eight bytes. Place in mm from the store's origin, odometry's axes.
+struct Front {
+  std::int16_t x = 0;
+  std::int16_t y = 0;
+  std::uint8_t frames =
+      0;  ///< a bit for each of the last eight frames, in turn, that supported it: which, not how often
+  std::uint8_t doubt = 0;  ///< for how long frames have looked past it, less its support; kDoubtTicks each
+  std::uint8_t seen = 0;   ///< when it was supported last, counts of kSeenTicks modulo 256
+  std::uint8_t signature = 0;
+};
+static_assert(sizeof(Front) == 8);
+
+/// Ticks of 0.1 ms.
+inline constexpr int kDoubtTicks = 32;
+inline constexpr int kSeenTicks = 2048;
+
+/// At least kFrames of these eight: it takes three, and counting all of them costs more.
+constexpr bool enough_frames(unsigned frames) {
+  frames &= frames - 1;
+  frames &= frames - 1;
+  return frames != 0;
+}
+
+}  // namespace fencepost::recon::guard

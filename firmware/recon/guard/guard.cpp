@@ -1,0 +1,331 @@
+#include "firmware/recon/guard/guard.hpp"
+
+#include <algorithm>
+
+#include "firmware/recon/guard/floor_camera.hpp"
+#include "hal/base/trig.hpp"
+
+namespace fencepost::recon::guard {
+namespace {
+
+constexpr std::int32_t kUnitsPerMillimetre = kMapUnitsPerMetre / 1000;
+constexpr std::int32_t kRefutes = static_cast<std::int32_t>(kRefutedAfter.raw / kDoubtTicks) / 3 * 3;
+constexpr std::int32_t kMostElapsed = kRefutes / 3;
+constexpr std::int32_t kOldest = 200;  // kSeenTicks: an older front counts as no older
+constexpr auto kUnconfirmedAge = static_cast<std::int32_t>(kUnconfirmed.raw / kSeenTicks);
+constexpr auto kRememberedAge = static_cast<std::int32_t>(kFootRemembered.raw / kSeenTicks);
+static_assert(kRefutes <= 0xFF && kFrames == 3);
+
+// A place on the floor as the camera has it, mm.
+struct Place {
+  std::int32_t depth = 0;
+  std::int32_t left = 0;
+};
+
+// Where the lens is in the store's frame, and how it is turned.
+struct Lens {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t axis_x = kOne;
+  std::int32_t axis_y = 0;
+
+  [[nodiscard]] Place see(const Front& front) const {
+    const std::int32_t dx = front.x - x;
+    const std::int32_t dy = front.y - y;
+    return {(axis_x * dx + axis_y * dy) >> kSlopeBits, (axis_x * dy - axis_y * dx) >> kSlopeBits};
+  }
+  void put(const Place& place, Front& front) const {
+    constexpr std::int32_t kHalf = kOne / 2;
+    const std::int32_t dx = (axis_x * place.depth - axis_y * place.left + kHalf) >> kSlopeBits;
+    const std::int32_t dy = (axis_y * place.depth + axis_x * place.left + kHalf) >> kSlopeBits;
+    front.x = static_cast<std::int16_t>(x + dx);
+    front.y = static_cast<std::int16_t>(y + dy);
+  }
+};
+
+Lens lens_of(const CameraModel& camera, const MapPose& odometry, const MapPoint& origin) {
+  const base::SinCos heading = base::sincos_urad(odometry.heading);
+  const Vec2 robot{heading.cos, heading.sin};
+  const Vec2 axis = rotated(robot, camera.yaw);
+  const Vec2 mount = rotated(robot, camera.position);
+  Lens lens;
+  lens.x = (odometry.position.x - origin.x) / kUnitsPerMillimetre + nearest_whole(1000 * mount.x(), 4000);
+  lens.y = (odometry.position.y - origin.y) / kUnitsPerMillimetre + nearest_whole(1000 * mount.y(), 4000);
+  lens.axis_x = nearest_whole(static_cast<float>(kOne) * axis.x());
+  lens.axis_y = nearest_whole(static_cast<float>(kOne) * axis.y());
+  return lens;
+}
+
+// A set of places across the view, kSpacing wide each; those beyond half of 32 to a side count as the outermost.
+class Cells {
+ public:
+  void add(std::int32_t from, std::int32_t to) {
+    for (std::int32_t cell = index(from); cell <= index(to); ++cell) bits_ |= 1U << cell;
+  }
+  void remove(std::int32_t from, std::int32_t to) {
+    for (std::int32_t cell = index(from); cell <= index(to); ++cell) bits_ &= ~(1U << cell);
+  }
+  [[nodiscard]] bool empty() const { return bits_ == 0; }
+  /// Takes one out; its middle.
+  std::int32_t take() {
+    const int cell = __builtin_ctz(bits_);
+    bits_ &= bits_ - 1;
+    return (cell - kHalf) * kSpacing + kSpacing / 2;
+  }
+
+ private:
+  static constexpr std::int32_t kHalf = 16;
+  static std::int32_t index(std::int32_t left) {
+    return std::clamp((left >> kSpacingLog2) + kHalf, std::int32_t{0}, 2 * kHalf - 1);
+  }
+  std::uint32_t bits_ = 0;
+};
+
+// The foot of one blob: a line across the view at one depth, for a box tells no more.
+struct FootLine {
+  bool cut = false;    // by the image's lower border: nearer than that
+  bool faint = false;  // so little of it is above that border that the next frame may not show it
+  std::uint8_t signature = 0;
+  std::int32_t depth = 0;    // where the foot is, or leaves the image
+  std::int32_t past = 0;     // points nearer than this are looked past
+  std::int32_t nearest = 0;  // points from here to `farthest` are supported
+  std::int32_t farthest = 0;
+  std::int32_t left = 0;  // slopes of the ends, with the edges' slack
+  std::int32_t right = 0;
+  std::int32_t line = 0;       // mm: depth at which new points are put,
+  std::int32_t line_left = 0;  // and from where to where
+  std::int32_t line_right = 0;
+  Cells wanted;  // of the line, without a point
+
+  // Is the place in the blob's columns, or less than `beside` mm from them?
+  [[nodiscard]] bool covers(const Place& place, std::int32_t beside = 0) const {
+    return place.left <= times(place.depth, left) + beside && place.left >= times(place.depth, right) - beside;
+  }
+  // It goes on below the image, and the place would be close beside it: were the place its own, it would be wider.
+  [[nodiscard]] bool ends_before(const Place& place) const {
+    return cut && !faint && place.depth > 0 && place.depth <= farthest && covers(place, kSpacing);
+  }
+  [[nodiscard]] bool supports(const Place& place) const {
+    if (place.depth > farthest || place.depth < nearest) return false;
+    if (cut) return !faint && covers(place);
+    return place.left <= line_left + kSideSlack && place.left >= line_right - kSideSlack;
+  }
+};
+
+using FootLines = base::FixedVector<FootLine, sensor::kMaxBlobs>;
+
+FootLine foot_line(const FloorCamera& floor, const CameraModel& camera, const WaitingBlob& blob) {
+  const Box& box = blob.box;
+  const Sides sides = cut_by_border(camera, box);
+  const FloorPoint left = floor.at(2 * box.x1 - 1, 2 * box.y2 + 1);
+  const FloorPoint right = floor.at(2 * box.x2 + 1, 2 * box.y2 + 1);
+  FootLine foot;
+  foot.cut = sides.bottom;
+  foot.faint = foot.cut && box.y2 - box.y1 + 1 < kClearPixels;
+  foot.signature = blob.signature;
+  foot.depth = std::min(left.depth, right.depth);
+  // One pixel at depth 1: kEdgePixels either side.
+  const std::int32_t slack = kEdgePixels * floor.width_of_column(kOne);
+  foot.left = left.slope + slack;
+  foot.right = right.slope - slack;
+  const std::int32_t row = floor.depth_of_row(std::min(foot.depth, kForgotten));
+  foot.past = foot.depth - (kPastSlack + ((kPastRows * row) >> 2));
+  const std::int32_t support = kSupportSlack + ((kSupportRows * row) >> 2);
+  foot.nearest = foot.cut ? 0 : foot.depth - support;
+  foot.farthest = foot.depth + support;
+  foot.line = foot.depth;
+  if (foot.cut) foot.line = (foot.depth * (sides.left && sides.right ? kUnseenFootOfAll : kUnseenFoot)) >> 4;
+  if (foot.depth > kFarthest) return foot;
+  const std::int32_t beyond = foot.cut ? 0 : kBeyondSide;
+  foot.line_left = times(foot.line, left.slope) + (sides.left ? beyond : 0);
+  foot.line_right = times(foot.line, right.slope) - (sides.right ? beyond : 0);
+  foot.wanted.add(foot.line_right, foot.line_left);
+  return foot;
+}
+
+enum class Verdict : std::uint8_t { kUnknown, kSupported, kUnsure, kRefuted };
+
+// What the frame says of a point.
+class Judgement {
+ public:
+  Judgement(const FloorCamera& floor, FootLines& feet) : floor_(floor), feet_(feet) {}
+
+  /// `remembered`: it was supported shortly before; `seen_from_here`: and from where the robot still stands.
+  Verdict of(Place& place, std::uint8_t& signature, bool remembered, bool seen_from_here) {
+    bool hidden = false;
+    bool ends_before = false;
+    bool unsure = feet_.full();  // a camera tells no more blobs than these: one that is missing may be there
+    for (FootLine& foot : feet_) {
+      if (foot.cut && remembered) guess_nothing_beside(place, foot);
+      if (foot.supports(place)) return support(foot, place, signature);
+      ends_before = ends_before || (foot.signature == signature && foot.ends_before(place));
+      if (place.depth < foot.past && !foot.cut) continue;
+      if (hidden || !foot.covers(place)) continue;
+      (place.depth > foot.depth || foot.cut ? hidden : unsure) = true;
+    }
+    if (hidden) return Verdict::kUnknown;
+    if (!seen_from_here && !(ends_before && inside_columns(place)) && !must_be_visible(place)) return Verdict::kUnknown;
+    return unsure ? Verdict::kUnsure : Verdict::kRefuted;
+  }
+
+ private:
+  // Of a blob whose foot is below the image nothing is guessed where its foot was seen before.
+  static void guess_nothing_beside(const Place& place, FootLine& foot) {
+    if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth >> kCutReachLog2) ||
+        !foot.covers(place, kSpacing))
+      return;
+    const std::int32_t left = place.left * foot.line / place.depth;  // in the same columns, at the line's depth
+    foot.wanted.remove(left - kSpacing, left + kSpacing);
+  }
+
+  static Verdict support(FootLine& foot, Place& place, std::uint8_t& signature) {
+    signature = foot.signature;
+    if (foot.cut) return Verdict::kSupported;
+    constexpr std::int32_t kReach = 6;
+    foot.wanted.remove(place.left - kReach, place.left + kReach);
+    const std::int32_t step = foot.depth - place.depth;
+    if (step >= kLeastStep || step <= -kLeastStep) place.depth += step / 2;
+    return Verdict::kSupported;
+  }
+
+  [[nodiscard]] bool must_be_visible(const Place& place) const {
+    return place.depth >= floor_.nearest_visible() && inside_columns(place);
+  }
+  [[nodiscard]] bool inside_columns(const Place& place) const {
+    return place.left <= times(place.depth, floor_.leftmost_visible()) &&
+           place.left >= times(place.depth, floor_.rightmost_visible());
+  }
+
+  const FloorCamera& floor_;
+  FootLines& feet_;
+};
+
+// How little a point is worth: the farther the less, and less again behind and while few frames have seen it.
+std::int32_t uselessness(const Place& place, bool confirmed) {
+  const std::int32_t aside = place.left < 0 ? -place.left : place.left;
+  const std::int32_t along = place.depth < 0 ? -2 * place.depth : place.depth;
+  return std::max(along, 2 * aside) + (confirmed ? 0 : kFarthest / 4);
+}
+
+}  // namespace
+
+void GuardCore::pass_time(std::span<Front> fronts, base::Time t) {
+  const base::Duration since = has_looked_ ? looked_at_.since(t) : base::Duration{0};
+  const bool long_ago = since.raw > kOldest * kSeenTicks;
+  elapsed_ =
+      static_cast<std::uint8_t>(since.raw >= kMostElapsed * kDoubtTicks ? kMostElapsed : since.raw / kDoubtTicks);
+  has_looked_ = true;
+  looked_at_ = base::Stamp(t);
+  now_ = static_cast<std::uint8_t>(static_cast<std::uint64_t>(t.raw) / kSeenTicks);
+  ++turn_;
+  for (Front& front : fronts) {
+    const auto age = static_cast<std::uint8_t>(now_ - front.seen);
+    if (long_ago || age > kOldest) front.seen = static_cast<std::uint8_t>(now_ - kOldest);
+  }
+}
+
+// The origin stays near the robot, by whole millimetres.
+void GuardCore::follow(std::span<Front> fronts, const MapPoint& robot) {
+  constexpr std::int32_t kReach = 8000;  // mm
+  const std::int32_t x = (robot.x - origin_.x) / kUnitsPerMillimetre;
+  const std::int32_t y = (robot.y - origin_.y) / kUnitsPerMillimetre;
+  if (x <= kReach && x >= -kReach && y <= kReach && y >= -kReach) return;
+  origin_.x += x * kUnitsPerMillimetre;
+  origin_.y += y * kUnitsPerMillimetre;
+  constexpr std::int32_t kEdge = 32'000;
+  for (Front& front : fronts) {
+    front.x = static_cast<std::int16_t>(std::clamp(front.x - x, -kEdge, kEdge));
+    front.y = static_cast<std::int16_t>(std::clamp(front.y - y, -kEdge, kEdge));
+  }
+}
+
+std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
+                            const MapPose& odometry, base::Time stands_since) {
+  const FloorCamera floor(camera);
+  if (!floor.usable()) return size_;
+  const base::Time t = frame.t - camera.latency;
+  pass_time(store.first(size_), t);
+  follow(store.first(size_), odometry.position);
+  const Lens lens = lens_of(camera, odometry, origin_);
+  FootLines feet;
+  for (const WaitingBlob& blob : frame.blobs) static_cast<void>(feet.push_back(foot_line(floor, camera, blob)));
+
+  const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));
+  // In whole counts: what was supported in the one in which the robot came to stand may have been seen on its way.
+  const std::int64_t stood = std::min<std::int64_t>(t.raw / kSeenTicks - stands_since.raw / kSeenTicks, kOldest);
+  const bool counts_unsure = turn_ % kUnsureFrames == 0;
+  Judgement judgement(floor, feet);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    Front front = store[i];
+    Place place = lens.see(front);
+    if (std::max(std::max(place.depth, -place.depth), std::max(place.left, -place.left)) > kForgotten) continue;
+    const auto age = static_cast<std::uint8_t>(now_ - front.seen);
+    const std::int32_t depth = place.depth;
+    switch (judgement.of(place, front.signature, age <= kRememberedAge, age < stood)) {
+      case Verdict::kSupported:
+        front.frames |= bit;
+        front.seen = now_;
+        front.doubt = static_cast<std::uint8_t>(std::max(0, front.doubt - 2 * elapsed_));
+        if (place.depth != depth) lens.put(place, front);
+        break;
+      case Verdict::kUnsure:
+        if (counts_unsure) front.doubt = static_cast<std::uint8_t>(std::min(0xFF, front.doubt + elapsed_));
+        break;
+      case Verdict::kRefuted: front.doubt = static_cast<std::uint8_t>(std::min(0xFF, front.doubt + elapsed_)); break;
+      case Verdict::kUnknown: break;
+    }
+    if (front.doubt >= kRefutes || (age > kUnconfirmedAge && !enough_frames(front.frames))) continue;
+    store[kept++] = front;
+  }
+
+  int replaced = 0;
+  for (FootLine& foot : feet) {
+    while (!foot.wanted.empty()) {
+      const std::int32_t left = std::clamp(foot.wanted.take(), foot.line_right, foot.line_left);
+      const Place place{foot.line, left};
+      Front front;
+      lens.put(place, front);
+      front.frames = bit;
+      front.seen = now_;
+      front.signature = foot.signature;
+      if (kept < store.size()) {
+        store[kept++] = front;
+        continue;
+      }
+      if (replaced == kMostReplaced) break;
+      std::size_t worst = kept;
+      std::int32_t most = uselessness(place, false);
+      for (std::size_t i = 0; i < kept; ++i) {
+        const std::int32_t useless = uselessness(lens.see(store[i]), enough_frames(store[i].frames));
+        if (useless <= most) continue;
+        most = useless;
+        worst = i;
+      }
+      if (worst == kept) continue;
+      store[worst] = front;
+      ++replaced;
+    }
+  }
+  return kept;
+}
+
+void GuardCore::hash_part(base::Fnv1a64& hash, std::span<const Front> fronts, std::uint32_t turn) const {
+  constexpr std::size_t kPart = 4;
+  hash.u8(size_);
+  hash.i32(origin_.x);
+  hash.i32(origin_.y);
+  if (fronts.empty()) return;
+  const std::size_t parts = (fronts.size() + kPart - 1) / kPart;
+  const std::size_t first = turn % parts * kPart;
+  for (const Front& front : fronts.subspan(first, std::min(kPart, fronts.size() - first))) {
+    hash.u16(static_cast<std::uint16_t>(front.x));
+    hash.u16(static_cast<std::uint16_t>(front.y));
+    hash.u8(front.frames);
+    hash.u8(front.doubt);
+    hash.u8(front.seen);
+    hash.u8(front.signature);
+  }
+}
+
+}  // namespace fencepost::recon::guard

@@ -1,0 +1,73 @@
+// The guard beside the map: where the feet of blobs were seen, as points on the floor. No object, no identity and no
+// model: it knows a wall of which no end was ever seen as well as a post, and what the map has just lost. A later frame
+// that looks past a point refutes it; what is below the image or beside it stays as it was.
+//
+// In: frames as the camera sent them, and the robot's pose by odometry alone, for a corrected one may jump. Needs the
+// camera's pitch and height. It believes rows as they are: what does not stand on the floor is nearer than it says, and
+// of a foot behind something nearer it knows the upper bound.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/guard/front.hpp"
+#include "firmware/recon/guard/tuning.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+#include "hal/base/fnv1a.hpp"
+#include "hal/base/stamp.hpp"
+
+namespace fencepost::recon::guard {
+
+/// The same for all capacities.
+class GuardCore {
+ public:
+  [[nodiscard]] MapPoint origin() const { return origin_; }
+
+ protected:
+  /// The fronts of this frame, and what it says of those known before. Returns the number of points then.
+  [[gnu::noinline]] std::size_t look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
+                                     const MapPose& odometry, base::Time stands_since);
+  void hash_part(base::Fnv1a64& hash, std::span<const Front> fronts, std::uint32_t turn) const;
+
+  std::uint8_t size_ = 0;
+
+ private:
+  void follow(std::span<Front> fronts, const MapPoint& robot);
+  void pass_time(std::span<Front> fronts, base::Time t);
+
+  MapPoint origin_;
+  base::Stamp looked_at_;
+  bool has_looked_ = false;
+  std::uint8_t turn_ = 0;     ///< frames, modulo 256
+  std::uint8_t now_ = 0;      ///< kSeenTicks modulo 256
+  std::uint8_t elapsed_ = 0;  ///< since the last frame, in kDoubtTicks, at most a third of what refutes
+};
+
+template <std::size_t kCapacity>
+class Guard : public GuardCore {
+ public:
+  static_assert(kCapacity < 0xFF);
+
+  /// Nothing was seen yet: a new run, or another calibration.
+  void clear() { static_cast<GuardCore&>(*this) = {}; }
+
+  /// `odometry`: where the robot was at the exposure; since when it has stood there, see Standing.
+  void look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry, base::Time stands_since) {
+    size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, odometry, stands_since));
+  }
+
+  [[nodiscard]] std::span<const Front> fronts() const { return {fronts_.data(), size_}; }
+
+  /// One part in turn: `turn` counts frames.
+  void hash(base::Fnv1a64& hash, std::uint32_t turn) const { hash_part(hash, fronts(), turn); }
+
+ private:
+  std::array<Front, kCapacity> fronts_{};
+};
+
+static_assert(sizeof(Guard<64>) <= 560, "with the state of its alert 600 bytes in all");
+
+}  // namespace fencepost::recon::guard

@@ -1,0 +1,74 @@
+// Numbers of the guard that were chosen and not derived. "Alert study": tests/studies/alerts, level 2, seeds 1 to
+// 1,000. "Flat": there values of about half and twice changed the stops in time (940 obstacles) by no more than one,
+// and the false ones by no more than three; the round number is kept. "By design": no study was made for the value.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/base/units.hpp"
+
+namespace fencepost::recon::guard {
+
+// --- where a front is ---
+
+/// mm. Points of one front are so far apart: no strip of floor that is this wide passes between two of them. A power
+/// of two. By design.
+inline constexpr int kSpacingLog2 = 6;
+inline constexpr std::int32_t kSpacing = 1 << kSpacingLog2;
+/// mm along the optical axis. A front that is farther is not kept: its row says little. By design.
+inline constexpr std::int32_t kFarthest = 1500;
+/// mm. What is farther from the robot is forgotten: what odometry drifts on such a way is less than the margin of a
+/// robot. By design.
+inline constexpr std::int32_t kForgotten = 2000;
+/// Sixteenths of the depth at which a foot leaves the image where it might be if it was never seen; the second if the
+/// blob fills the image from side to side. More: late stops at what was never seen whole; less: false ones (14: two
+/// fewer in 81 minutes). Alert study; the second is flat.
+inline constexpr std::int32_t kUnseenFoot = 12;
+inline constexpr std::int32_t kUnseenFootOfAll = 10;
+/// mm by which a front goes on beyond the side of the image that cuts it. More: false stops in corridors; less: late
+/// ones at walls. Flat.
+inline constexpr std::int32_t kBeyondSide = 64;
+
+// --- which sighting means which point ---
+
+/// A sighting supports a point that is off in depth by no more than so many mm and quarters of a row, besides. More:
+/// two things count as one; less: doubles, and false stops (6 quarters: 11 more in 81 minutes). Alert study.
+inline constexpr std::int32_t kSupportSlack = 15;
+inline constexpr std::int32_t kSupportRows = 10;
+/// A blob whose foot is farther than a point by so much more looks past the point. More: stale points; less: noise
+/// refutes. By design: a row and 5 mm beyond what supports.
+inline constexpr std::int32_t kPastSlack = 20;
+inline constexpr std::int32_t kPastRows = 14;
+/// px on either side by which a blob may be narrower than what it shows. By design.
+inline constexpr std::int32_t kEdgePixels = 2;
+/// mm to the side. By design.
+inline constexpr std::int32_t kSideSlack = 16;
+/// px from the image's sides within which nothing has to be visible. By design.
+inline constexpr std::int32_t kSidePixels = 4;
+/// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
+inline constexpr std::int32_t kLeastStep = 4;
+
+// --- how long ---
+
+/// A point at which frames have looked past for so long, in at least three of them, is gone. Support counts twice
+/// against it. More: stale alerts; less: alerts that end because a camera misses a blob. Flat.
+inline constexpr base::Duration kRefutedAfter = base::milliseconds(300);
+/// Where frames neither support a point nor look past it although it should be visible, one of so many counts. A
+/// power of two. By design.
+inline constexpr unsigned kUnsureFrames = 8;
+/// A point that fewer than kFrames different frames have supported is forgotten after so long without support. More:
+/// noise below the image adds up; less: slow cameras see nothing. Flat.
+inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
+/// As a power of 1/2, the share of the depth at which feet leave the image by which such a foot may have been farther
+/// when it was seen last. Flat.
+inline constexpr std::int32_t kCutReachLog2 = 3;
+/// A foot that was seen so shortly before it left the image is remembered. Flat.
+inline constexpr base::Duration kFootRemembered = base::milliseconds(2000);
+/// Different frames that must have seen what the robot is told of. More: late stops; less: noise stops. By design: as
+/// confirm.k.
+inline constexpr int kFrames = 3;
+
+/// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
+inline constexpr int kMostReplaced = 8;
+
+}  // namespace fencepost::recon::guard

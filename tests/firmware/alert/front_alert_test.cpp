@@ -1,0 +1,163 @@
+#include "firmware/alert/front_alert.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using alert::FrontAhead;
+using recon::guard::Front;
+using record::AlertLevel;
+
+/// Of points in mm ahead of a robot at the origin.
+class Fronts : public testing::Test {
+ protected:
+  void put(int x, int y, unsigned frames = 0xFF, unsigned signature = 1) {
+    fronts_.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::uint8_t>(frames), 0,
+                       0, static_cast<std::uint8_t>(signature)});
+  }
+  FrontAhead see() const {
+    return see_fronts(fronts_, {}, alert::RobotPlace(robot_), path_, alert::AlertRules(settings_));
+  }
+  std::vector<Front> fronts_;
+  recon::MapPose robot_;
+  alert::RobotPath path_;
+  config::Settings settings_;
+};
+
+TEST_F(Fronts, NearInTheWayWarnsAndStops) {
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  put(510, 0);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  put(490, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  put(265, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  put(261, 0);  // 0.25 m and three sigmas of the pose
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+}
+
+TEST_F(Fronts, BesideTheWaySaysNothing) {
+  put(240, 125);
+  put(240, -125);
+  put(-200, 0);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  EXPECT_FALSE(see().nearest.known);
+}
+
+TEST_F(Fronts, TheHysteresisHolds) {
+  put(560, 0);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  EXPECT_EQ(see().held, AlertLevel::kWarn);
+  put(290, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  EXPECT_EQ(see().held, AlertLevel::kStop);
+}
+
+// At 0.5 m/s the next look is 0.05 m nearer, and 0.8 s before contact of the body, 0.1 m wide to a side, is 0.5 m.
+TEST_F(Fronts, ComesSoonWhenTheRobotIsFast) {
+  path_.motion.forward = 0.5F;
+  put(502, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  put(498, 0);
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  EXPECT_NEAR(see().nearest.ttc, (0.498F - 0.1F) / 0.5F, 1e-3F);
+}
+
+TEST_F(Fronts, WhatIsBehindMattersToARobotThatReverses) {
+  put(-240, 0);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  path_.motion.forward = -0.05F;
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  EXPECT_NEAR(std::fabs(see().nearest.bearing()), base::kPi, 1e-3F);
+}
+
+// Three different frames: of one point, or of several that stand for one front.
+TEST_F(Fronts, TakesThreeFrames) {
+  put(240, 0, 0b1);
+  put(240, 60, 0b1);
+  put(245, -60, 0b10);
+  put(230, -90, 0b11);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  put(245, 30, 0b10000);
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+}
+
+// Thresholds see the robot, not the run's origin.
+TEST_F(Fronts, AreSeenFromWhereTheRobotIs) {
+  robot_.position = {300'000, -100'000};  // 3 m, -1 m
+  robot_.heading = 1'570'796;
+  put(3000, -1000 + 240, 0xFF, 4);
+  const FrontAhead front = see();
+  EXPECT_EQ(front.due, AlertLevel::kStop);
+  EXPECT_NEAR(front.nearest.distance, 0.240F, 2e-3F);
+  EXPECT_NEAR(front.nearest.bearing(), 0, 1e-2F);
+  EXPECT_EQ(front.signature, 4);
+  EXPECT_EQ(front.confidence, 1);
+}
+
+TEST_F(Fronts, TheNearestIsOneThatSeveralFramesHaveSeen) {
+  put(400, 50, 0xFF, 1);
+  put(380, -50, 0b1, 2);
+  EXPECT_EQ(see().signature, 1);
+  EXPECT_NEAR(see().nearest.distance, 0.403F, 2e-3F);
+  fronts_[0].doubt = static_cast<std::uint8_t>(recon::guard::kRefutedAfter.raw / recon::guard::kDoubtTicks / 2);
+  EXPECT_NEAR(see().confidence, 0.5F, 0.02F);
+}
+
+FrontAhead front_of(AlertLevel due, AlertLevel held) {
+  FrontAhead front;
+  front.due = due;
+  front.held = held;
+  front.nearest.known = true;
+  return front;
+}
+
+class JudgeFront : public testing::Test {
+ protected:
+  std::optional<AlertLevel> at(int ms, AlertLevel due, AlertLevel held, AlertLevel others) {
+    return judge(state_, front_of(due, held), others, alert::AlertRules(settings_), base::Time{ms * 10});
+  }
+  alert::AlertState state_;
+  config::Settings settings_;
+};
+
+TEST_F(JudgeFront, SaysWhatNoObjectSays) {
+  EXPECT_EQ(at(0, AlertLevel::kStop, AlertLevel::kStop, AlertLevel::kStop), std::nullopt);
+  EXPECT_FALSE(state_.in_force());
+  EXPECT_EQ(at(10, AlertLevel::kStop, AlertLevel::kStop, AlertLevel::kWarn), AlertLevel::kStop);
+}
+
+// Once said it stays, whatever the objects say, until the fronts themselves are farther.
+TEST_F(JudgeFront, StaysUntilItEases) {
+  EXPECT_EQ(at(0, AlertLevel::kWarn, AlertLevel::kWarn, AlertLevel::kClear), AlertLevel::kWarn);
+  EXPECT_EQ(at(10, AlertLevel::kStop, AlertLevel::kStop, AlertLevel::kStop), std::nullopt);
+  EXPECT_EQ(state_.level, AlertLevel::kWarn);
+  for (int ms = 20; ms < 1000; ms += 10) {
+    at(ms, AlertLevel::kWarn, AlertLevel::kWarn, AlertLevel::kStop);
+    EXPECT_EQ(state_.level, AlertLevel::kWarn) << ms;
+  }
+  std::optional<AlertLevel> said;
+  for (int ms = 1000; !said && ms < 2000; ms += 10) {
+    said = at(ms, AlertLevel::kClear, AlertLevel::kClear, AlertLevel::kStop);
+    if (said == AlertLevel::kWarn) said.reset();  // a repetition
+    EXPECT_TRUE(!said || ms == 1300) << ms;
+  }
+  EXPECT_EQ(said, AlertLevel::kClear);
+}
+
+TEST_F(JudgeFront, RepeatsAtTheRate) {
+  int stops = 0;
+  for (int ms = 0; ms < 2000; ms += 10) {
+    stops += at(ms, AlertLevel::kStop, AlertLevel::kStop, AlertLevel::kClear).has_value() ? 1 : 0;
+  }
+  EXPECT_EQ(stops, 10);
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,203 @@
+// Whether the robot can know what is ahead, from its inputs' times and contents.
+#include "firmware/alert/sight.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/firmware/level_pixy2.hpp"
+#include "tests/firmware/recon/guard/flat_world.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using alert::Blindness;
+using sensor::LinkState;
+
+/// Frames at `rate` and odometry at 50 samples a second; what is turned off stays away.
+class Inputs {
+ public:
+  explicit Inputs(double rate = 10) : rate_(rate) { sight.start(base::Time::nearest(0)); }
+
+  void run(double seconds) {
+    for (const double end = t + seconds - 1e-9; t < end;) {
+      t += 0.02;
+      x += 0.02 * speed;
+      heading += 0.02 * turn;
+      if (odometry_on) sight.odometry_came(sample());
+      if (t - last_frame_ < 1 / rate_ - 1e-6) continue;
+      last_frame_ = t;
+      if (camera_on) sight.frame_came(now());
+      if (camera_on && used) sight.frame_used(view(), camera, recon::to_map_pose(sample()));
+    }
+  }
+
+  [[nodiscard]] base::Time now() const { return base::Time::nearest(t); }
+  [[nodiscard]] bool standing() const { return speed == 0 && turn == 0; }
+  [[nodiscard]] Blindness blindness() const { return sight.blindness(now(), standing()); }
+  [[nodiscard]] LinkState camera_state() const { return sight.camera_state(now(), standing()); }
+  [[nodiscard]] LinkState odometry_state() const { return sight.odometry_state(now(), standing()); }
+  /// Seconds until it is blind for that reason; kNever if it does not become so.
+  static constexpr double kNever = 10;
+  double seconds_until(Blindness reason) {
+    const double from = t;
+    while (blindness() != reason && t - from < kNever) run(0.02);
+    return std::min(t - from, kNever);
+  }
+
+  alert::Sight sight;
+  recon::CameraModel camera = recon::make_camera_model(level_pixy2());
+  bool camera_on = true;
+  bool odometry_on = true;
+  bool used = true;
+  bool frozen = false;
+  std::vector<FlatFront> world = {{0.9, -0.2, 0.2, 1}};
+  double speed = 0.3;
+  double turn = 0;
+  double t = 0;
+  double x = 0;
+  double heading = 0;
+
+ private:
+  [[nodiscard]] sensor::OdometrySample sample() const {
+    return {now(), base::Metres::nearest(x), {}, base::Radians::nearest(heading)};
+  }
+  recon::WaitingFrame view() {
+    if (!frozen) seen_ = flat_view(world, x, 0, t, 1);
+    seen_.t = now();
+    return recon::make_waiting(seen_, 0);
+  }
+
+  double rate_;
+  double last_frame_ = -1;
+  sensor::BlobFrame seen_;
+};
+
+TEST(Sight, IsFineWhileBothSensorsAreHeard) {
+  for (const double rate : {4.0, 10.0, 12.5, 50.0}) {
+    Inputs inputs(rate);
+    for (int i = 0; i < 100; ++i) {
+      inputs.run(0.02);
+      ASSERT_EQ(inputs.blindness(), Blindness::kNone) << rate << " frames/s at " << inputs.t << " s";
+    }
+    EXPECT_EQ(inputs.camera_state(), LinkState::kOk);
+    EXPECT_EQ(inputs.odometry_state(), LinkState::kOk);
+  }
+}
+
+TEST(Sight, ASilentCameraIsSaidInTime) {
+  for (const double rate : {10.0, 12.5, 50.0}) {
+    Inputs inputs(rate);
+    inputs.run(1.5);
+    inputs.camera_on = false;
+    EXPECT_LE(inputs.seconds_until(Blindness::kCameraLate), 0.3) << rate;
+    EXPECT_EQ(inputs.camera_state(), LinkState::kSilent);
+    inputs.camera_on = true;
+    inputs.run(1 / rate);
+    EXPECT_EQ(inputs.blindness(), Blindness::kNone) << "it is back";
+  }
+}
+
+TEST(Sight, OneFrameLessIsNoBlindness) {
+  Inputs inputs(10);
+  inputs.run(1);
+  inputs.camera_on = false;
+  inputs.run(0.1);
+  inputs.camera_on = true;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(inputs.blindness(), Blindness::kNone);
+    inputs.run(0.02);
+  }
+}
+
+TEST(Sight, AStandingRobotHasMoreTime) {
+  Inputs inputs;
+  inputs.speed = 0;
+  inputs.run(1);
+  inputs.camera_on = false;
+  const double seconds = inputs.seconds_until(Blindness::kCameraLate);
+  EXPECT_GT(seconds, 0.8);
+  EXPECT_LE(seconds, 1.1);
+}
+
+TEST(Sight, SilentOdometryIsSaidInTime) {
+  Inputs inputs;
+  inputs.run(1);
+  inputs.odometry_on = false;
+  EXPECT_LE(inputs.seconds_until(Blindness::kOdometryLate), 0.3);
+  EXPECT_EQ(inputs.odometry_state(), LinkState::kSilent);
+}
+
+TEST(Sight, ASensorThatNeverSpokeIsMissed) {
+  Inputs camera;
+  camera.camera_on = false;
+  EXPECT_EQ(camera.camera_state(), LinkState::kAbsent);
+  EXPECT_TRUE(camera.sight.nothing_seen());
+  EXPECT_LE(camera.seconds_until(Blindness::kNoCamera), 0.3);
+  Inputs odometry;
+  odometry.odometry_on = false;
+  odometry.used = false;
+  EXPECT_EQ(odometry.odometry_state(), LinkState::kAbsent);
+  EXPECT_LE(odometry.seconds_until(Blindness::kNoOdometry), 0.3);
+}
+
+TEST(Sight, FramesThatAreRefusedAreNoSight) {
+  Inputs inputs;
+  inputs.run(1);
+  inputs.used = false;
+  EXPECT_LE(inputs.seconds_until(Blindness::kFramesUnused), 0.3);
+  EXPECT_EQ(inputs.camera_state(), LinkState::kUnready);
+}
+
+TEST(Sight, AFrozenCameraIsFoundByTheMotionThatItDoesNotShow) {
+  Inputs straight;
+  straight.run(1);
+  straight.frozen = true;
+  EXPECT_LE(straight.seconds_until(Blindness::kFrozen), 0.5);
+  EXPECT_EQ(straight.camera_state(), LinkState::kUnready);
+  straight.frozen = false;
+  straight.run(0.2);
+  EXPECT_EQ(straight.blindness(), Blindness::kNone);
+  Inputs turning;
+  turning.speed = 0;
+  turning.turn = 0.5;
+  turning.run(0.2);
+  turning.frozen = true;
+  EXPECT_LE(turning.seconds_until(Blindness::kFrozen), 0.3);
+}
+
+TEST(Sight, WhatCannotChangeIsNotFrozen) {
+  Inputs standing;
+  standing.speed = 0;
+  EXPECT_EQ(standing.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nothing moves";
+  Inputs empty;
+  empty.world.clear();
+  EXPECT_EQ(empty.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nothing is there";
+  EXPECT_EQ(empty.camera_state(), LinkState::kEmpty);
+  Inputs before_a_wall;
+  before_a_wall.world = {{0.12, -5, 5, 1}};
+  before_a_wall.speed = 0;
+  before_a_wall.turn = 0.05;
+  before_a_wall.run(0.5);
+  before_a_wall.frozen = true;
+  EXPECT_EQ(before_a_wall.seconds_until(Blindness::kFrozen), Inputs::kNever) << "it fills the image";
+}
+
+TEST(Sight, OdometryThatJumpsIsNotBelieved) {
+  Inputs inputs;
+  inputs.run(1);
+  inputs.x += 0.5;
+  inputs.run(0.02);
+  EXPECT_EQ(inputs.blindness(), Blindness::kJump);
+  EXPECT_EQ(inputs.odometry_state(), LinkState::kUnready);
+  inputs.run(0.6);
+  EXPECT_EQ(inputs.blindness(), Blindness::kNone);
+  inputs.heading += 3;
+  inputs.run(0.02);
+  EXPECT_EQ(inputs.blindness(), Blindness::kJump);
+  inputs.run(0.6);
+  inputs.heading -= 6.2832;
+  inputs.run(0.02);
+  EXPECT_EQ(inputs.blindness(), Blindness::kNone) << "headings may wrap";
+}
+
+}  // namespace
+}  // namespace fencepost::test

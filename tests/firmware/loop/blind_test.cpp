@@ -1,0 +1,176 @@
+// A robot that cannot know what is ahead says so in every mode, and when it can again; the heartbeat goes on; and a
+// replay of the log says the same.
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/loop/loop.hpp"
+#include "firmware/record/stream_reader.hpp"
+#include "tests/firmware/level_pixy2.hpp"
+#include "tests/firmware/recon/guard/flat_world.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using record::AlertLevel;
+using sensor::LinkState;
+
+template <class Item>
+struct Sensor {
+  std::deque<Item> items;
+  base::Result<Item> poll(base::Time /*now*/) {
+    if (items.empty()) return base::Error::kNotReady;
+    const Item item = items.front();
+    items.pop_front();
+    return item;
+  }
+  [[nodiscard]] static LinkState link() { return LinkState::kOk; }
+  [[nodiscard]] static std::uint32_t dropped() { return 0; }
+  [[nodiscard]] bool stamped_here() const { return here; }
+  bool here = true;
+};
+
+/// Takes all that is said.
+struct Listener {
+  std::string text;
+  static base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
+  base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) {
+    text.append(bytes.begin(), bytes.end());
+    return bytes.size();
+  }
+};
+
+struct Records {
+  std::vector<record::AlertReport> alerts;
+  std::vector<record::Heartbeat> beats;
+  void accept(const record::AlertReport& report) { alerts.push_back(report); }
+  void accept(const record::Heartbeat& beat) { beats.push_back(beat); }
+  template <class Record>
+  void accept(const Record& /*not asked for*/) {}
+};
+
+/// A robot whose loop turns a hundred times a second, with 10 frames and 50 samples of odometry in each.
+class BlindRobot {
+ public:
+  explicit BlindRobot(console::Mode mode) : loop(*memory, camera, odometry, link, mode) {
+    loop.pipeline().start_run(header_);
+    loop.pipeline().set_camera(level_pixy2());
+  }
+
+  void run(double seconds) {
+    for (const double end = t + seconds - 1e-9; t < end;) {
+      t += 0.01;
+      x += 0.01 * speed;
+      const int turn = static_cast<int>(std::lround(t * 100));
+      const base::Time now = base::Time::nearest(t);
+      if (odometry_on && turn % 2 == 0) odometry.items.push_back({now, base::Metres::nearest(x), {}, {}});
+      if (camera_on && turn % 10 == 0) camera.items.push_back(flat_view({{3, -0.2, 0.2, 1}}, x, 0, t, number_++));
+      loop.step(now);
+    }
+  }
+  [[nodiscard]] Records records() const {
+    Records records;
+    std::array<char, record::StreamReader::kBuffer> buffer{};
+    record::StreamReader reader(buffer);
+    reader.push(link.text, records);
+    return records;
+  }
+
+  using Profile = config::Small;
+  std::unique_ptr<loop::Memory<Profile>> memory = std::make_unique<loop::Memory<Profile>>();
+  Sensor<sensor::BlobFrame> camera;
+  Sensor<sensor::OdometrySample> odometry;
+  Listener link;
+  loop::Loop<Profile, Sensor<sensor::BlobFrame>, Sensor<sensor::OdometrySample>, Listener> loop;
+  bool camera_on = true;
+  bool odometry_on = true;
+  double speed = 0.2;
+  double t = 0;
+  double x = 0;
+
+ private:
+  record::Header header_{1, "fencepost", "0.0.0", "test", "small"};
+  std::uint32_t number_ = 0;
+};
+
+TEST(Blind, NeverOfAHealthyRobotWhoseHeartBeatsTenTimesASecond) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(10);
+  const Records records = robot.records();
+  for (const record::AlertReport& alert : records.alerts) EXPECT_NE(alert.level, AlertLevel::kBlind);
+  EXPECT_NEAR(static_cast<double>(records.beats.size()), 100, 2);
+  ASSERT_GT(records.beats.size(), 10U);
+  EXPECT_EQ(records.beats.front().level, AlertLevel::kBlind) << "nothing has been seen yet";
+  EXPECT_EQ(records.beats.back().level, AlertLevel::kClear);
+  EXPECT_EQ(records.beats.back().camera, LinkState::kOk);
+  EXPECT_EQ(records.beats.back().odometry, LinkState::kOk);
+}
+
+TEST(Blind, IsSaidOfASilentCameraAndTakenBack) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(2);
+  robot.camera_on = false;
+  robot.run(1);
+  const Records silent = robot.records();
+  ASSERT_FALSE(silent.alerts.empty());
+  EXPECT_EQ(silent.alerts.front().level, AlertLevel::kBlind);
+  EXPECT_EQ(silent.alerts.front().id, record::kNoObject);
+  EXPECT_LE(silent.alerts.front().t.to_double(), 2.3);
+  EXPECT_EQ(silent.beats.back().level, AlertLevel::kBlind);
+  EXPECT_EQ(silent.beats.back().camera, LinkState::kSilent);
+  robot.camera_on = true;
+  robot.run(0.2);
+  const Records back = robot.records();
+  EXPECT_EQ(back.alerts.back().level, AlertLevel::kClear);
+  EXPECT_EQ(back.alerts.back().id, record::kNoObject);
+}
+
+TEST(Blind, IsSaidWhenBothAreSilentAndStreamTimeWouldStandStill) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(2);
+  robot.camera_on = robot.odometry_on = false;
+  robot.run(2);
+  const Records records = robot.records();
+  ASSERT_FALSE(records.alerts.empty());
+  EXPECT_LE(records.alerts.front().t.to_double(), 2.3);
+  EXPECT_GE(records.beats.back().t.to_double(), 3.8) << "the heart beats on";
+  EXPECT_EQ(records.beats.back().odometry, LinkState::kSilent);
+}
+
+TEST(Blind, IsSaidOfARobotThatHasNeverSeenAnything) {
+  BlindRobot robot(console::Mode::kText);
+  robot.camera_on = robot.odometry_on = false;
+  robot.run(2);
+  EXPECT_NE(robot.link.text.find("BLIND   the camera has sent no frame yet\r\n"), std::string::npos) << robot.link.text;
+}
+
+TEST(Blind, AStreamOfAnotherClockStandsStillWithItsSender) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.camera.here = robot.odometry.here = false;
+  robot.run(2);
+  robot.camera_on = robot.odometry_on = false;
+  robot.run(2);
+  EXPECT_LE(robot.records().beats.back().t.to_double(), 2.01);
+}
+
+TEST(Blind, IsSaidInEachMode) {
+  for (const console::Mode mode : {console::Mode::kText, console::Mode::kPlot}) {
+    BlindRobot robot(mode);
+    robot.run(2);
+    robot.camera_on = false;
+    robot.run(0.5);
+    const char* said =
+        mode == console::Mode::kText ? "BLIND   no frame comes from the camera\r\n" : "level:4,camera:1,odometry:4\r\n";
+    EXPECT_NE(robot.link.text.find(said), std::string::npos) << robot.link.text;
+    robot.camera_on = true;
+    robot.run(0.5);
+    const char* after = mode == console::Mode::kText ? "CLEAR   it sees again\r\n" : "level:0,camera:4,odometry:4\r\n";
+    EXPECT_NE(robot.link.text.rfind(after), std::string::npos) << robot.link.text;
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,121 @@
+#include "firmware/recon/guard/floor_camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "firmware/recon/guard/tuning.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::guard::FloorCamera;
+using recon::guard::FloorPoint;
+using recon::guard::kOne;
+
+sensor::CameraIntrinsics pixy(double pitch = 0, double k1 = 0, double height = 0.12) {
+  sensor::CameraIntrinsics camera;
+  camera.width = 316;
+  camera.height = 208;
+  camera.fx = camera.fy = base::Pixels2::nearest(273.6);
+  camera.cx = base::Pixels2::nearest(157.5);
+  camera.cy = base::Pixels2::nearest(103.5);
+  camera.k1 = base::Ratio4::nearest(k1);
+  camera.mount.z = base::Metres::nearest(height);
+  camera.mount.pitch = base::Radians::nearest(pitch);
+  return camera;
+}
+
+FloorCamera floor_of(const sensor::CameraIntrinsics& camera) { return FloorCamera(recon::make_camera_model(camera)); }
+
+// Level: 80 rows below the horizon the ray falls 80 / 273.6 m a metre: 0.12 m in 410 mm. 40 columns to the left of the
+// middle it goes 40 / 273.6 of that to the left.
+TEST(FloorCamera, MeetsTheFloorWhereTheRayDoes) {
+  const FloorCamera floor = floor_of(pixy());
+  ASSERT_TRUE(floor.usable());
+  const FloorPoint point = floor.at(2 * 117 + 1, 2 * 183 + 1);
+  EXPECT_NEAR(point.depth, 410, 1);
+  EXPECT_NEAR(point.slope / double{kOne}, 40 / 273.6, 1e-3);
+}
+
+TEST(FloorCamera, AboveTheHorizonNothingIsOnTheFloor) {
+  const FloorCamera floor = floor_of(pixy());
+  EXPECT_EQ(floor.at(100, 2 * 103).depth, FloorPoint::kNowhere);
+  EXPECT_EQ(floor.at(100, 2 * 20).depth, FloorPoint::kNowhere);
+  EXPECT_EQ(floor.at(100, 2 * 105).depth, FloorPoint::kNowhere) << "22 m away is nowhere";
+}
+
+// Everywhere on the floor, with pitch and distortion, as the floats of the camera model say.
+TEST(FloorCamera, AgreesWithTheCameraModel) {
+  for (const double pitch : {-0.1, 0.0, 0.05, 0.3}) {
+    for (const double k1 : {-0.25, -0.1, 0.0, 0.1}) {
+      const recon::CameraModel camera = recon::make_camera_model(pixy(pitch, k1));
+      const FloorCamera floor(camera);
+      for (int u = 0; u <= 316; u += 20) {
+        for (int v = 40; v <= 208; v += 8) {
+          const auto x = static_cast<float>(u), y = static_cast<float>(v);
+          const float drop = recon::drop_per_depth(camera, x, y);
+          if (drop * 1.5F < 0.12F) continue;  // farther than 1.5 m
+          const recon::Vec2 direction = recon::ground_direction(camera, x, y);
+          const FloorPoint point = floor.at(2 * u, 2 * v);
+          const double depth = 120 / static_cast<double>(drop);
+          EXPECT_NEAR(point.depth, depth, 2 + 0.01 * depth) << u << " " << v << " pitch " << pitch << " k1 " << k1;
+          EXPECT_NEAR(point.slope / double{kOne}, direction.y() / direction.x(), 0.012) << u << " " << v;
+        }
+      }
+    }
+  }
+}
+
+// The last row that the border does not cut ends at 205.5: 102 / 273.6 m a metre, 322 mm, and a sixteenth.
+TEST(FloorCamera, KnowsWhatItMustSee) {
+  const FloorCamera floor = floor_of(pixy());
+  EXPECT_NEAR(floor.nearest_visible(), 342, 2);
+  EXPECT_NEAR(floor.leftmost_visible() / double{kOne}, (157.5 - recon::guard::kSidePixels) / 273.6, 2e-3);
+  EXPECT_NEAR(floor.rightmost_visible() / double{kOne}, (157.5 - 315 + recon::guard::kSidePixels) / 273.6, 2e-3);
+}
+
+// At 0.5 m a row is 0.25 / (273.6 * 0.12) m = 7.6 mm, a column 500 / 273.6 mm.
+TEST(FloorCamera, KnowsWhatAPixelIsWorth) {
+  const FloorCamera floor = floor_of(pixy());
+  EXPECT_NEAR(floor.depth_of_row(500), 7.6, 1);
+  EXPECT_NEAR(floor.width_of_column(500), 1.8, 1);
+}
+
+TEST(FloorCamera, SaysWhenRowsTellNothing) {
+  sensor::CameraIntrinsics unknown = pixy();
+  unknown.mount.pitch.reset();
+  EXPECT_FALSE(floor_of(unknown).usable());
+  EXPECT_FALSE(floor_of(pixy(0, 0, 0)).usable());
+  EXPECT_FALSE(floor_of(pixy(0, 0, 5)).usable());
+  sensor::CameraIntrinsics wide = pixy();
+  wide.fx = base::Pixels2::nearest(60);
+  EXPECT_FALSE(floor_of(wide).usable());
+}
+
+// Whatever a calibration may be, no integer overflows (run with the sanitizers).
+TEST(FloorCamera, HoldsAnyCalibration) {
+  for (const double focal : {80.0, 300.0, 20'000.0}) {
+    for (const double k1 : {-3.0, 3.0}) {
+      for (const double pitch : {-1.5, 1.5, 3.1}) {
+        for (const double height : {0.0015, 0.3, 3.9}) {
+          sensor::CameraIntrinsics camera = pixy(pitch, k1, height);
+          camera.fx = camera.fy = base::Pixels2::nearest(focal);
+          const FloorCamera floor = floor_of(camera);
+          for (int u = -2; u < 640; u += 9) {
+            for (int v = -2; v < 420; v += 9) {
+              const FloorPoint point = floor.at(u, v);
+              EXPECT_GE(point.depth, 0);
+              EXPECT_LE(point.depth, FloorPoint::kNowhere);
+              EXPECT_LE(std::abs(point.slope), 4 * kOne);
+              EXPECT_GE(floor.depth_of_row(std::min(point.depth, recon::guard::kForgotten)), 0);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::test
