@@ -196,6 +196,7 @@ class Judge {
     std::map<std::uint32_t, AlertLevel> level;
     for (const record::AlertReport& alert : verdict_.alerts) level[alert.id] = alert.level;
     for (const host::ObjectResult& object : verdict_.objects) level.erase(object.id);
+    level.erase(record::kNoObject);
     verdict_.stale = static_cast<unsigned>(std::count_if(
         level.begin(), level.end(), [](const auto& entry) { return entry.second != AlertLevel::kClear; }));
   }

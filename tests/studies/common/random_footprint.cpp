@@ -7,11 +7,6 @@
 #include "host/geometry/rings.hpp"
 
 namespace fencepost::test {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
 
 host::LinearRing random_footprint(Dice& dice) {
   const double size = dice.between(0.06, 0.26);
@@ -24,7 +19,7 @@ host::LinearRing random_footprint(Dice& dice) {
     case 1: {
       host::LinearRing ring;
       for (int i = 0; i < 3; ++i) {
-        const double angle = 2 * kPi * i / 3 + dice.between(-0.25, 0.25);
+        const double angle = 2 * std::numbers::pi * i / 3 + dice.between(-0.25, 0.25);
         ring.push_back({size / 1.8 * std::cos(angle), size / 1.8 * std::sin(angle)});
       }
       return ring;

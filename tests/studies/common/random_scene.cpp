@@ -11,8 +11,6 @@
 namespace fencepost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Disc {
   host::Point center;
   double radius;
@@ -22,7 +20,7 @@ void set_noise(host::Scene& scene, int level) {
   if (level == 0) return;
   scene.noise.edge_px = level == 1 ? 1.0 : 1.5;
   scene.noise.pose_xy = level == 1 ? 0.002 : 0.005;
-  scene.noise.pose_heading = (level == 1 ? 0.2 : 0.5) * kPi / 180;
+  scene.noise.pose_heading = (level == 1 ? 0.2 : 0.5) * std::numbers::pi / 180;
   if (level == 1) return;
   scene.noise.loss_probability = 0.05;
   scene.noise.growth_probability = 0.02;
@@ -41,7 +39,7 @@ host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise)
   std::vector<Disc> placed;
   for (int tries = 0; static_cast<int>(placed.size()) < objects && tries < 5000; ++tries) {
     const host::LinearRing ring = random_footprint(dice);
-    const double angle = dice.between(0, 2 * kPi);
+    const double angle = dice.between(0, 2 * std::numbers::pi);
     const double away = 0.35 * std::sqrt(dice.between(0, 1));
     const Disc disc{{away * std::cos(angle), away * std::sin(angle)}, radius_of(ring)};
     const bool free = std::none_of(placed.begin(), placed.end(), [&](const Disc& other) {
@@ -54,7 +52,7 @@ host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise)
     object.name = "object " + std::to_string(placed.size());
     object.signature = colours == Colours::kAllTheSame ? 1 : static_cast<std::uint8_t>(placed.size());
     object.height_m = dice.between(0.05, 0.2);
-    object.footprint = host::moved({ring, {}}, dice.between(0, 2 * kPi), disc.center);
+    object.footprint = host::moved({ring, {}}, dice.between(0, 2 * std::numbers::pi), disc.center);
     if (colours == Colours::kAllDifferent || placed.size() == 1) {
       scene.signatures.push_back({object.signature, "colour " + std::to_string(object.signature), {200, 40, 40}});
     }
@@ -63,7 +61,7 @@ host::Scene random_scene(unsigned seed, int objects, Colours colours, int noise)
   host::ArcPath arc;
   arc.radius = dice.between(0.8, 1.1);
   arc.start = dice.between(0, 6);
-  arc.sweep = 2 * kPi * 74 / 75;
+  arc.sweep = 2 * std::numbers::pi * 74 / 75;
   arc.views = 75;
   scene.path = arc;
   return scene;

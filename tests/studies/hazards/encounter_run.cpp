@@ -1,0 +1,93 @@
+#include "tests/studies/hazards/encounter_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/simulate/truth.hpp"
+#include "tests/firmware/record/lines.hpp"
+#include "tests/studies/hazards/truth.hpp"
+
+namespace fencepost::test {
+namespace {
+
+/// How far along its route the robot is. Its brake is the listener.
+class Progress {
+ public:
+  Progress(bool obeys, const Listener& listener) : obeys_(obeys), listener_(listener) {}
+
+  /// Steps up to t, with what has been said by now.
+  double at(double t) {
+    const auto index = static_cast<std::size_t>(std::max(0.0, t / kTruthStep) + kRounding);
+    while (steps_.size() <= index + 1) step();
+    const double share = std::max(0.0, t / kTruthStep - static_cast<double>(index));
+    return steps_[index] + share * (steps_[index + 1] - steps_[index]);
+  }
+  [[nodiscard]] const std::vector<double>& steps() const { return steps_; }
+
+ private:
+  static constexpr double kRounding = 1e-6;
+
+  void step() {
+    const bool told = obeys_ && listener_.says_stop();
+    told_for_ = told == braking_ ? 0 : told_for_ + kTruthStep;
+    if (told_for_ >= kReaction) braking_ = told;
+    pace_ = std::clamp(pace_ + (braking_ ? -1 : 1) * kTruthStep / kBraking, 0.0, 1.0);
+    steps_.push_back(steps_.back() + pace_ * kTruthStep);
+  }
+
+  bool obeys_;
+  const Listener& listener_;
+  bool braking_ = false;
+  double told_for_ = 0;  ///< s, the opposite of what the brake does
+  double pace_ = 1;      ///< of the route's speed
+  std::vector<double> steps_ = {0};
+};
+
+}  // namespace
+
+History run_encounter(const Encounter& encounter, Listener& listener) {
+  History history;
+  history.shown.resize(encounter.scene.objects.size());
+  history.end = encounter.seconds;
+  Progress progress(encounter.obeys, listener);
+  Truth truth(encounter);
+  const std::string told = encounter.told ? line_of(*encounter.told) : "";
+  host::Driven driven;
+  driven.duration = encounter.seconds;
+  driven.pose = [&](double t) {
+    host::TimedPose pose = encounter.route.at(progress.at(t));
+    pose.t = t;
+    return pose;
+  };
+  driven.ended = [&](double t) {
+    if (!truth.touches(t, progress.at(t))) return false;
+    history.end = t;
+    return true;
+  };
+  Wire wire(encounter.outage);
+  const auto hear = [&](std::string_view sent) {
+    const std::string_view line = wire.carry(sent);
+    if (line.empty()) return;
+    listener.hear(!told.empty() && line.starts_with("$FPCAM,") ? std::string_view(told) : line);
+  };
+  const auto watch = [&](const host::FrameTruth& frame) {
+    for (std::size_t o = 0; o < history.shown.size(); ++o) {
+      const auto is_of = [&](const host::BlobTruth& blob) { return blob.object == o; };
+      if (std::any_of(frame.blobs.begin(), frame.blobs.end(), is_of)) {
+        history.shown[o].push_back(frame.frame.t.to_double());
+      }
+    }
+  };
+  const auto summary = host::simulate_driven(encounter.scene, driven, hear, watch);
+  if (!summary.ok()) throw std::runtime_error(summary.error());
+  listener.finish();
+  progress.at(history.end);
+  history.progress = progress.steps();
+  history.alerts = listener.alerts();
+  history.objects = listener.objects();
+  history.complaints = listener.complaints();
+  return history;
+}
+
+}  // namespace fencepost::test

@@ -1,0 +1,9 @@
+#include "tests/studies/hazards/cell.hpp"
+
+namespace fencepost::test {
+
+std::vector<Family> families() {
+  return {walls(), corridors(), approaches(), movers(), obeying(), removal(), bases(), turning(), blind()};
+}
+
+}  // namespace fencepost::test

@@ -1,0 +1,72 @@
+// Feet that are not on the floor or not seen, and a camera that is not as the robot was told.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "tests/studies/hazards/scenery.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct Wrong {
+  double base = 0;    ///< m above the floor
+  bool grey = false;  ///< an untrained box hides its foot
+  double pitch = 0;   ///< degrees, true minus told
+  double lens = 1;    ///< focal length, told over true
+};
+
+// Who says that the calibration cannot be right has kept its promise. Told nothing wrong, nobody complains in these
+// scenes.
+bool complains_of_camera(const History& history) { return !history.complaints.empty(); }
+
+Outcome meet(const Wrong& wrong, unsigned seed, const Conditions& conditions) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  Dice dice(seed);
+  Encounter met;
+  met.scene = bare_scene(seed, conditions);
+  met.scene.noise.pitch_error = wrong.pitch * kDegree;
+  const host::TimedPose start = random_start(dice);
+  const double ahead = dice.between(0.9, 1.4);
+  const double left = dice.between(-0.05, 0.05);
+  host::SceneObject block = random_block(dice, start, ahead, left);
+  block.base = wrong.base;
+  met.scene.objects = {block};
+  if (wrong.grey) {
+    host::SceneObject grey = thing("grey", 0, 0.04, box_at(relative(start, ahead - 0.02, left), 0.02, 0.4));
+    grey.trained = false;
+    met.scene.objects.push_back(grey);
+  }
+  if (wrong.lens != 1) {
+    met.told = met.scene.camera;
+    met.told->fx = met.told->fy = base::Pixels2::nearest(wrong.lens * met.scene.camera.fx.to_double());
+  }
+  const double standing = dice.between(0.2, 1);
+  const double speed = dice.between(0.1, 0.4);
+  met.route = Route(start, {{standing, 0, 0}, {1, speed, 0}});
+  met.seconds = standing + ahead / speed;
+  Outcome outcome;
+  const Judged run = run_cell(met, conditions);
+  judge_approached(run, 0, outcome);
+  judge_false_stops(run, outcome);
+  if (wrong.lens != 1 && complains_of_camera(run.history)) outcome.kept = outcome.asked;
+  return outcome;
+}
+
+}  // namespace
+
+Family bases() {
+  Family family{"bases", "stop in force from 0.25 m to the contact; lens: or a complaint", "first stop, m", {}};
+  const auto add = [&](std::string scene, const Wrong& wrong) {
+    family.cells.push_back({std::move(scene), {97, {}}, [wrong](unsigned seed, const Conditions& conditions) {
+                              return meet(wrong, seed, conditions);
+                            }});
+  };
+  for (const int base : {0, 3, 5, 8}) add(fmt::format("{} cm above the floor", base), {.base = base / 100.0});
+  add("foot behind a grey box", {.grey = true});
+  for (const double pitch : {-2, -1, 1, 2}) add(fmt::format("true pitch {:+} degrees", pitch), {.pitch = pitch});
+  add("lens told 1.45 times too long", {.lens = 1.45});
+  return family;
+}
+
+}  // namespace fencepost::test
