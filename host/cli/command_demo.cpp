@@ -45,7 +45,7 @@ Exit run(const std::string& output) {
   return Exit::kDone;
 }
 
-Action configure(CLI::App& app) {
+Action configure_demo(CLI::App& app) {
   const auto output = std::make_shared<std::string>("fencepost-demo.html");
   app.add_option("-o,--output", *output, "where to write the report; default: fencepost-demo.html")
       ->type_name("FILE.html");
@@ -59,7 +59,7 @@ Command demo_command() {
           "the bundled recording: alerts, objects and a report, no robot needed",
           "  fencepost demo\n"
           "  fencepost demo -o /tmp/demo.html\n",
-          configure,
+          configure_demo,
           {}};
 }
 

@@ -8,7 +8,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-Action configure(CLI::App& app) {
+Action configure_emulate(CLI::App& app) {
   const auto request = std::make_shared<EmulateRequest>();
   app.add_option("DEVICE... SCENE|LOG", request->words,
                  "devices, each KIND[:PLACE][,option=value...], then a scene (JSON) or a log; - is standard input")
@@ -48,7 +48,7 @@ Command emulate_command() {
           "  fencepost emulate cmucam4:tcp:7000 run.log --verbose\n\n"
           "Devices (PLACE: nothing or pty; a path, a link to the pty; tcp:[HOST:]PORT; of can an interface):\n" +
               devices::help_for(devices::Use::kEmulated),
-          configure,
+          configure_emulate,
           {}};
 }
 

@@ -17,7 +17,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct EvaluateRequest {
   std::vector<std::string> logs;
   std::vector<std::string> scenes;
   std::string camera;
@@ -41,7 +41,7 @@ std::string scene_beside(const std::string& log) {
   throw Failure(Exit::kUnreadable, log + ": no scene " + scene + " beside it; name it with --scene SCENE");
 }
 
-void pair_up(Request& request) {
+void pair_up(EvaluateRequest& request) {
   if (request.scenes.empty()) {
     for (const std::string& log : request.logs) request.scenes.push_back(scene_beside(log));
   }
@@ -78,7 +78,7 @@ void keep_models(Evaluation& evaluation, const std::vector<std::string>& names) 
   }
 }
 
-Evaluation evaluate_pair(const Request& request, std::size_t pair) {
+Evaluation evaluate_pair(const EvaluateRequest& request, std::size_t pair) {
   const Scene scene = read_scene(request.scenes[pair]);
   const std::string name = input_name(request.logs[pair]);
   EvaluateOutcome outcome = evaluate(read_input(request.logs[pair]), name, scene, request.options);
@@ -96,7 +96,7 @@ bool exceeds(const SummaryRow& row, const char* what, const Mean& mean, std::opt
   return true;
 }
 
-Exit judge(const Request& request, const Summary& summary) {
+Exit judge(const EvaluateRequest& request, const Summary& summary) {
   if (!request.max_recklessness && !request.max_paranoia) return Exit::kDone;
   bool exceeded = false;
   bool measured = false;
@@ -110,7 +110,7 @@ Exit judge(const Request& request, const Summary& summary) {
   return exceeded || !measured ? Exit::kCheckFailed : Exit::kDone;
 }
 
-Exit run(Request request) {
+Exit run(EvaluateRequest request) {
   pair_up(request);
   std::vector<std::uint32_t>& views = request.options.views;
   std::sort(views.begin(), views.end());
@@ -125,8 +125,8 @@ Exit run(Request request) {
   return judge(request, summary);
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_evaluate(CLI::App& app) {
+  const auto request = std::make_shared<EvaluateRequest>();
   app.add_option("LOG", request->logs, "recorded streams; - is standard input")->required();
   app.add_option("--scene", request->scenes, "the truth, one for each LOG; default: X.json beside X.log")
       ->type_name("SCENE")
@@ -166,7 +166,7 @@ Command evaluate_command() {
           "  fencepost evaluate run.log --scene scene.json\n"
           "  fencepost evaluate runs/*.log --views 2,8,75 --json\n"
           "  fencepost evaluate run.log --model clip --max-recklessness 0.05\n",
-          configure,
+          configure_evaluate,
           {}};
 }
 

@@ -13,14 +13,14 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct ImportRequest {
   std::string source;
   std::string truth;
   std::string output = "-";
   MrclamOptions mrclam;
 };
 
-Exit finish(const ImportResult& imported, const Request& request) {
+Exit finish(const ImportResult& imported, const ImportRequest& request) {
   if (!imported.ok()) throw Failure(Exit::kUnreadable, imported.error().message());
   if (!request.truth.empty()) {
     if (!imported->truth)
@@ -35,12 +35,12 @@ Exit finish(const ImportResult& imported, const Request& request) {
   return Exit::kDone;
 }
 
-void add_outputs(CLI::App& app, Request& request) {
+void add_outputs(CLI::App& app, ImportRequest& request) {
   app.add_option("--truth", request.truth, "also write what is known of the world, as a scene")->type_name("FILE");
   app.add_option("-o,--output", request.output, "where to write the log; default: standard output")->type_name("LOG");
 }
 
-Exit run_mrclam(const Request& request) {
+Exit run_mrclam(const ImportRequest& request) {
   if (is_standard_output(request.output) && is_standard_output(request.truth)) {
     throw Failure(Exit::kUsage, "the log and --truth cannot both be standard output; name a file with -o");
   }
@@ -51,7 +51,7 @@ Exit run_mrclam(const Request& request) {
 }
 
 Action configure_mrclam(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ImportRequest>();
   static const std::map<std::string, PoseSource> kPoses = {{"truth", PoseSource::kTruth},
                                                            {"odometry", PoseSource::kOdometry}};
   app.add_option("DIR", request->source, "the folder with RobotN_*.dat, Barcodes.dat and Landmark_Groundtruth.dat")
@@ -71,7 +71,7 @@ Action configure_mrclam(CLI::App& app) {
 }
 
 Action configure_rings(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ImportRequest>();
   app.add_option("CSV", request->source, "bearing intervals, one view a line")->required();
   add_outputs(app, *request);
   return [request] { return finish(import_rings(request->source), *request); };

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct PaperRequest {
   std::string log;
   std::string scene;
   std::string output = "fencepost-paper";
@@ -38,7 +38,7 @@ void prepare(const std::string& folder) {
 }
 
 /// The recorded run, if one was named.
-std::optional<PaperRun> recorded_run(const Request& request) {
+std::optional<PaperRun> recorded_run(const PaperRequest& request) {
   if (request.log.empty() && request.scene.empty()) return std::nullopt;
   if (request.log.empty() || request.scene.empty()) {
     throw Failure(Exit::kUsage, "--log and --scene belong together: a run, and the truth about it");
@@ -56,7 +56,7 @@ std::vector<PaperFile> make_page(const PaperOptions& options, const std::string&
   }
 }
 
-Exit run(const Request& request) {
+Exit run(const PaperRequest& request) {
   PaperOptions options = request.options;
   options.run = recorded_run(request);
   prepare(request.output);
@@ -71,8 +71,8 @@ Exit run(const Request& request) {
   return Exit::kDone;
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_paper(CLI::App& app) {
+  const auto request = std::make_shared<PaperRequest>();
   request->options.generator = "fencepost " FENCEPOST_VERSION;
   app.add_option(
          "-o,--output", request->output,
@@ -101,7 +101,7 @@ Command paper_command() {
           "  fencepost paper -o paper\n"
           "  fencepost paper -o paper-7 --seed 7 --scenes 10\n"
           "  fencepost paper -o blocks --log blocks.log --scene blocks.json\n",
-          configure,
+          configure_paper,
           {}};
 }
 

@@ -22,7 +22,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct RecordRequest {
   std::string port;
   std::string camera;
   std::string odometry;
@@ -38,9 +38,11 @@ struct Request {
   std::optional<double> seconds;
 };
 
-[[nodiscard]] bool of_devices(const Request& request) { return !request.camera.empty() || !request.odometry.empty(); }
+[[nodiscard]] bool of_devices(const RecordRequest& request) {
+  return !request.camera.empty() || !request.odometry.empty();
+}
 
-void check_devices(const Request& request) {
+void check_devices(const RecordRequest& request) {
   if (request.camera.empty() || request.odometry.empty()) {
     throw Failure(Exit::kUsage, "a recording of devices needs both --camera and --odometry");
   }
@@ -53,7 +55,7 @@ void check_devices(const Request& request) {
   }
 }
 
-void check_usage(const Request& request) {
+void check_usage(const RecordRequest& request) {
   if (of_devices(request)) {
     check_devices(request);
   } else if (request.port.empty()) {
@@ -84,9 +86,9 @@ std::string default_name() {
   return name;
 }
 
-std::string file_name(const Request& request) { return request.output.empty() ? default_name() : request.output; }
+std::string file_name(const RecordRequest& request) { return request.output.empty() ? default_name() : request.output; }
 
-std::unique_ptr<BytePort> open_port(const Request& request) {
+std::unique_ptr<BytePort> open_port(const RecordRequest& request) {
   if (request.port == "-") return std::make_unique<StandardInput>();
   Place place{PlaceKind::kTty, request.port};
   if (request.port.starts_with("tcp:")) {
@@ -102,12 +104,12 @@ std::unique_ptr<BytePort> open_port(const Request& request) {
 }
 
 /// The empty line terminates a partly typed one.
-std::string greeting(const Request& request) {
+std::string greeting(const RecordRequest& request) {
   if (request.no_command || request.port == "-") return {};
   return "\rmode " + request.mode + "\r" + (request.reset ? "reset\r" : "");
 }
 
-RecorderSettings recorder_settings(const Request& request) {
+RecorderSettings recorder_settings(const RecordRequest& request) {
   RecorderSettings settings;
   settings.port_name = request.port == "-" ? "standard input" : request.port;
   settings.greeting = greeting(request);
@@ -141,7 +143,7 @@ Exit exit_code(const RecordingEnd& end) {
   return end.signal == 0 || end.signal == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }
 
-Exit record_console(const Request& request) {
+Exit record_console(const RecordRequest& request) {
   const linux::MonotonicClock clock;
   StopSignals signals;
   const std::unique_ptr<BytePort> port = open_port(request);
@@ -169,7 +171,7 @@ Exit record_console(const Request& request) {
   return exit_code(end);
 }
 
-Exit run(const Request& request) {
+Exit run(const RecordRequest& request) {
   check_usage(request);
   if (!of_devices(request)) return record_console(request);
   return record_devices({.camera = request.camera,
@@ -182,8 +184,8 @@ Exit run(const Request& request) {
                          .seconds = request.seconds});
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_record(CLI::App& app) {
+  const auto request = std::make_shared<RecordRequest>();
   app.add_option("PORT", request->port, "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input");
   app.add_option("--camera", request->camera, "instead of PORT: a camera of this machine, as `run` takes it")
       ->type_name("DEV");
@@ -213,7 +215,7 @@ Command record_command() {
           "  fencepost record tcp:robot.local:2000 -o run.log --seconds 60 -q\n"
           "  fencepost record --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --robot robot.json\n"
           "  ssh robot cat /dev/ttyACM0 | fencepost record - -o run.log\n",
-          configure,
+          configure_record,
           {}};
 }
 

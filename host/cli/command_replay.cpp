@@ -14,7 +14,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct ReplayRequest {
   std::string log;
   std::string camera;
   std::string write_log;
@@ -24,7 +24,7 @@ struct Request {
   ReplayOptions options;
 };
 
-void check_usage(const Request& request) {
+void check_usage(const ReplayRequest& request) {
   if (request.log == "-" && request.camera == "-") {
     throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
   }
@@ -59,7 +59,7 @@ Exit judge(const CheckOutcome& check) {
   return Exit::kDone;
 }
 
-Exit run(Request request) {
+Exit run(ReplayRequest request) {
   check_usage(request);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   if (!request.pose_noise.empty()) {
@@ -75,8 +75,8 @@ Exit run(Request request) {
   return request.options.check ? judge(outcome.check) : Exit::kDone;
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_replay(CLI::App& app) {
+  const auto request = std::make_shared<ReplayRequest>();
   app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
@@ -110,7 +110,7 @@ Command replay_command() {
           "  fencepost replay run.log\n"
           "  fencepost replay run.log --json | jq '.objects[0].models.clip.geometry'\n"
           "  fencepost replay robot.log --check\n",
-          configure,
+          configure_replay,
           {}};
 }
 

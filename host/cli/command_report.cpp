@@ -10,7 +10,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct ReportRequest {
   std::string log;
   std::string scene;
   std::string camera;
@@ -24,7 +24,7 @@ std::string default_output(const std::string& log) {
   return std::filesystem::path(log).stem().string() + ".html";
 }
 
-Exit run(Request request) {
+Exit run(ReportRequest request) {
   if ((request.log == "-") + (request.scene == "-") + (request.camera == "-") > 1) {
     throw Failure(Exit::kUsage, "only one of LOG, --scene and --camera can be standard input");
   }
@@ -42,8 +42,8 @@ Exit run(Request request) {
   return Exit::kDone;
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_report(CLI::App& app) {
+  const auto request = std::make_shared<ReportRequest>();
   app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
   app.add_option("--scene", request->scene, "the truth: drawn hatched, and every model is measured against it")
       ->type_name("SCENE");
@@ -64,7 +64,7 @@ Command report_command() {
           "a picture of a run as one HTML file",
           "  fencepost report run.log\n"
           "  fencepost report approach.log --scene approach.json -o approach.html\n",
-          configure,
+          configure_report,
           {}};
 }
 

@@ -16,7 +16,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct RunRequest {
   std::string camera;
   std::string odometry;
   std::string console = "-";
@@ -31,13 +31,13 @@ struct Request {
   bool wait = false;
 };
 
-ConsoleSpec console_of(const Request& request) {
+ConsoleSpec console_of(const RunRequest& request) {
   const auto spec = parse_console(request.console);
   if (!spec.ok()) throw Failure(Exit::kUsage, spec.error());
   return *spec;
 }
 
-console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
+console::Mode mode_of(const RunRequest& request, const ConsoleSpec& console) {
   for (std::size_t i = 0; i < console::kModes; ++i) {
     if (request.mode == console::name(static_cast<console::Mode>(i))) return static_cast<console::Mode>(i);
   }
@@ -46,7 +46,7 @@ console::Mode mode_of(const Request& request, const ConsoleSpec& console) {
   return people ? console::Mode::kText : console::Mode::kLog;
 }
 
-RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
+RunPlan plan_of(const RunRequest& request, const ConsoleSpec& console) {
   RunPlan plan;
   plan.robot = read_robot(request.robot);
   plan.profile = request.profile;
@@ -58,7 +58,7 @@ RunPlan plan_of(const Request& request, const ConsoleSpec& console) {
   return plan;
 }
 
-RunLogSettings log_of(const Request& request) {
+RunLogSettings log_of(const RunRequest& request) {
   RunLogSettings settings;
   settings.path = request.log;
   settings.overwrite = request.force;
@@ -104,7 +104,7 @@ Exit exit_of(const RunSummary& summary) {
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
-Exit run(const Request& request) {
+Exit run(const RunRequest& request) {
   const ConsoleSpec console_spec = console_of(request);
   const DevicePair named = {device_of(request.camera, devices::Use::kCamera),
                             device_of(request.odometry, devices::Use::kOdometry)};
@@ -125,8 +125,8 @@ Exit run(const Request& request) {
   return exit_of(summary);
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_run(CLI::App& app) {
+  const auto request = std::make_shared<RunRequest>();
   app.add_option("--camera", request->camera, "which camera, and where: KIND:PLACE[,option=value...]")
       ->type_name("DEV")
       ->required();
@@ -163,7 +163,7 @@ Command run_command() {
       "  fencepost run --camera console --odometry console < run.log\n\n"
       "Cameras (KIND, then where it is, then options):\n" +
           devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),
-      configure,
+      configure_run,
       {}};
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct SegmentRequest {
   std::vector<std::string> images;
   std::string poses;
   std::string camera;
@@ -50,7 +50,7 @@ BackgroundRule parse_background(const std::string& text) {
   return rule;
 }
 
-std::vector<record::Signature> given_signatures(const Request& request) {
+std::vector<record::Signature> given_signatures(const SegmentRequest& request) {
   if (!request.signatures.empty() && !request.colours.empty()) {
     throw Failure(Exit::kUsage, "--signatures and --colour cannot go together; add the colour to the file");
   }
@@ -64,7 +64,7 @@ std::vector<record::Signature> given_signatures(const Request& request) {
   return signatures;
 }
 
-std::string poses_of(const Request& request) {
+std::string poses_of(const SegmentRequest& request) {
   if (!request.poses.empty()) return request.poses;
   std::error_code ignored;
   const std::string& first = request.images.front();
@@ -80,7 +80,7 @@ void show_progress(std::size_t done, std::size_t all) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-SegmentHooks hooks_for(const Request& request, const std::vector<View>& views) {
+SegmentHooks hooks_for(const SegmentRequest& request, const std::vector<View>& views) {
   SegmentHooks hooks;
   hooks.progress = show_progress;
   if (request.labelled.empty()) return hooks;
@@ -134,7 +134,7 @@ void say_table(const PosesTable& table, const ImageList& list) {
   for (const std::string& column : table.unused_columns) say("column " + column + " of " + table.file + " is not used");
 }
 
-Exit run(Request request) {
+Exit run(SegmentRequest request) {
   try {
     request.options.classes.background = parse_background(request.background);
     request.options.classes.signatures = given_signatures(request);
@@ -159,7 +159,7 @@ Exit run(Request request) {
   return Exit::kDone;
 }
 
-void add_looks(CLI::App& app, Request& request) {
+void add_looks(CLI::App& app, SegmentRequest& request) {
   app.add_option("--signatures", request.signatures, "colours to look for: a scene, or $FPSIG lines; default: found")
       ->type_name("FILE");
   app.add_option("--colour,--color", request.colours, "the same on the command line, numbered from 1")
@@ -196,8 +196,8 @@ void add_knobs(CLI::App& app, SegmentOptions& options) {
       ->check(CLI::Range(0, 32767));
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_segment(CLI::App& app) {
+  const auto request = std::make_shared<SegmentRequest>();
   app.add_option("IMAGES", request->images, "a folder, or PNG and JPEG files")->required();
   app.add_option("--camera", request->camera,
                  "their calibration: a scene, its \"camera\", or a file with the $FPCAM line")
@@ -220,7 +220,7 @@ Command segment_command() {
           "images and poses as a record stream",
           "  fencepost segment photos --camera camera.json -o run.log\n"
           "  fencepost segment photos --camera camera.json --debug-images found | fencepost replay -\n",
-          configure,
+          configure_segment,
           {}};
 }
 

@@ -12,7 +12,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-struct Request {
+struct SimulateRequest {
   std::string scene;
   std::string output = "-";
 };
@@ -27,7 +27,7 @@ void say_summary(const SimulationSummary& summary) {
   }
 }
 
-Exit run(const Request& request) {
+Exit run(const SimulateRequest& request) {
   const Scene scene = read_scene(request.scene);
   std::string log;
   const auto summary = simulate(scene, [&](std::string_view line) { log += line; });
@@ -37,8 +37,8 @@ Exit run(const Request& request) {
   return Exit::kDone;
 }
 
-Action configure(CLI::App& app) {
-  const auto request = std::make_shared<Request>();
+Action configure_simulate(CLI::App& app) {
+  const auto request = std::make_shared<SimulateRequest>();
   app.add_option("SCENE", request->scene, "a scene file (JSON); - is standard input")->required();
   app.add_option("-o,--output", request->output, "where to write the log; default: standard output")->type_name("LOG");
   return [request] { return run(*request); };
@@ -51,7 +51,7 @@ Command simulate_command() {
           "the record stream of a robot in a scene",
           "  fencepost simulate scene.json -o scene.log\n"
           "  fencepost simulate scene.json | fencepost replay -\n",
-          configure,
+          configure_simulate,
           {}};
 }
 

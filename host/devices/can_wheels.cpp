@@ -11,7 +11,7 @@ Rows can_wheels();
 namespace {
 
 // Any; a count of 0.1 mm is easy to read.
-constexpr emulate::WheelShape kWheels{0.0001, 0.235};
+constexpr emulate::WheelShape kCanWheels{0.0001, 0.235};
 
 class CanPort final : public host::AwaitedPort<host::Port, linux::Can> {
  public:
@@ -29,7 +29,7 @@ linux::CanFilter filter_of(const can_wheels::Signal& signal) {
   return filter;
 }
 
-std::unique_ptr<host::OdometryDevice> open(const Opening& opening) {
+std::unique_ptr<host::OdometryDevice> open_can_wheels(const Opening& opening) {
   const auto& mapping = opening.robot.can;
   if (!mapping) {
     throw host::DeviceFailure{true, opening.spec.where() +
@@ -53,7 +53,7 @@ std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& spec, const emulate
 }  // namespace
 
 Rows can_wheels() {
-  std::vector<Option> options = wheel_options(0, kWheels);
+  std::vector<Option> options = wheel_options(0, kCanWheels);
   options.push_back(
       {"layout", Words{{"canopen", "talon"}}, "canopen", "TPDO1 of nodes 5 and 6, or status 2 of devices 3 and 4"});
   return {{.name = "can",
@@ -62,12 +62,12 @@ Rows can_wheels() {
            .live = Live{.places = {PlaceKind::kCan},
                         .options = {},
                         .unready = "one wheel is missing, or its frames are too short: check \"can\" in the robot file",
-                        .driver = OdometryDriver{open}},
+                        .driver = OdometryDriver{open_can_wheels}},
            .emulated = Emulated{.tells = "counts, each 20 ms",
                                 .options = options,
                                 .describe = emulate::describe_can,
                                 .make = make,
-                                .wheels = kWheels,
+                                .wheels = kCanWheels,
                                 .places = {PlaceKind::kCan}}}};
 }
 

@@ -13,8 +13,8 @@ namespace {
 using cmucam::Dialect;
 using emulate::CmuCamModel;
 
-constexpr std::uint32_t kBaud = 115'200;
-constexpr std::uint32_t kBaud4 = 19'200;
+constexpr std::uint32_t kCmucamBaud = 115'200;
+constexpr std::uint32_t kCmucam4Baud = 19'200;
 constexpr double kRate = 17;
 constexpr double kRate4 = 30;
 
@@ -29,7 +29,7 @@ const Dialect& dialect3(const DeviceSpec& spec) { return high(spec) ? cmucam::kC
 const Dialect& dialect4(const DeviceSpec& /*spec*/) { return cmucam::kCmuCam4; }
 
 template <const Dialect& (*DialectOf)(const DeviceSpec&)>
-std::unique_ptr<host::CameraDevice> open(const Opening& opening) {
+std::unique_ptr<host::CameraDevice> open_cmucam(const Opening& opening) {
   if (opening.robot.windows.empty()) {
     throw host::DeviceFailure{true, opening.spec.where() +
                                         " tracks no colour yet: name them in a --robot file, for example "
@@ -43,7 +43,7 @@ std::unique_ptr<host::CameraDevice> open(const Opening& opening) {
 }
 
 template <const Dialect& (*DialectOf)(const DeviceSpec&)>
-std::optional<sensor::CameraIntrinsics> profile(const DeviceSpec& spec) {
+std::optional<sensor::CameraIntrinsics> cmucam_profile(const DeviceSpec& spec) {
   return cmucam::nominal_intrinsics(DialectOf(spec), {});
 }
 
@@ -64,7 +64,7 @@ Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double r
           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
                        .options = options,
                        .unready = "it is being set up, or of another kind",
-                       .driver = CameraDriver{open<DialectOf>, profile<DialectOf>}},
+                       .driver = CameraDriver{open_cmucam<DialectOf>, cmucam_profile<DialectOf>}},
           .emulated = Emulated{.tells = "one box over all that lies inside the colour window",
                                .options = {line_baud(delivered_baud)},
                                .describe = emulate::describe_text,
@@ -78,10 +78,10 @@ Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double r
 Rows cmucam() {
   const Option resolution = {"resolution", Words{{"low", "high"}}, "low"};
   const Option imager = {"imager", Words{{"ov6620", "ov7620"}}, "ov6620"};
-  return {row<dialect1, CmuCamModel::kOne>(1, cmucam::kCmuCam1, kBaud, kRate, {}),
-          row<dialect2, CmuCamModel::kTwo>(2, cmucam::kCmuCam2, kBaud, kRate, {resolution, imager}),
-          row<dialect3, CmuCamModel::kThree>(3, cmucam::kCmuCam3, kBaud, kRate, {resolution}),
-          row<dialect4, CmuCamModel::kFour>(4, cmucam::kCmuCam4, kBaud4, kRate4, {})};
+  return {row<dialect1, CmuCamModel::kOne>(1, cmucam::kCmuCam1, kCmucamBaud, kRate, {}),
+          row<dialect2, CmuCamModel::kTwo>(2, cmucam::kCmuCam2, kCmucamBaud, kRate, {resolution, imager}),
+          row<dialect3, CmuCamModel::kThree>(3, cmucam::kCmuCam3, kCmucamBaud, kRate, {resolution}),
+          row<dialect4, CmuCamModel::kFour>(4, cmucam::kCmuCam4, kCmucam4Baud, kRate4, {})};
 }
 
 }  // namespace fencepost::devices

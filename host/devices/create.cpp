@@ -12,16 +12,16 @@ namespace {
 
 using emulate::CreateModel;
 
-constexpr std::uint32_t kBaud1 = 57'600;
-constexpr std::uint32_t kBaud2 = 115'200;
+constexpr std::uint32_t kCreate1Baud = 57'600;
+constexpr std::uint32_t kCreate2Baud = 115'200;
 
 constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
 // Create: Open Interface specification.
-constexpr emulate::WheelShape kWheels{metres(odometry::kCreate2Wheels.left_pm_per_count),
-                                      metres(odometry::kCreate2Wheels.track_pm)};
+constexpr emulate::WheelShape kCreateWheels{metres(odometry::kCreate2Wheels.left_pm_per_count),
+                                            metres(odometry::kCreate2Wheels.track_pm)};
 
 template <create::Model Model>
-std::unique_ptr<host::OdometryDevice> open(const Opening& opening) {
+std::unique_ptr<host::OdometryDevice> open_create(const Opening& opening) {
   create::Config config;
   config.model = Model;
   config.wheels = opening.robot.wheels.over(config.wheels);
@@ -44,21 +44,21 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
                        .options = {baud(delivered_baud), {"mode", Words{{"passive", "safe", "full"}}, "passive"}},
                        .unready = "what comes is no sensor stream: check the baud and the model",
-                       .driver = OdometryDriver{open<Model>}},
+                       .driver = OdometryDriver{open_create<Model>}},
           .emulated = Emulated{.tells = tells,
-                               .options = wheel_options(delivered_baud, kWheels),
+                               .options = wheel_options(delivered_baud, kCreateWheels),
                                .describe = emulate::describe_create,
                                .make = make<Emulation>,
-                               .wheels = kWheels},
+                               .wheels = kCreateWheels},
           .images = {name}};
 }
 
 }  // namespace
 
 Rows create() {
-  return {row<create::Model::kCreate1, CreateModel::kOne>("create1", "iRobot Create", kBaud1,
+  return {row<create::Model::kCreate1, CreateModel::kOne>("create1", "iRobot Create", kCreate1Baud,
                                                           "whole mm and degrees since the last reading"),
-          row<create::Model::kCreate2, CreateModel::kTwo>("create2", "Create 2, Roomba 600", kBaud2, "counts")};
+          row<create::Model::kCreate2, CreateModel::kTwo>("create2", "Create 2, Roomba 600", kCreate2Baud, "counts")};
 }
 
 }  // namespace fencepost::devices

@@ -14,10 +14,11 @@ namespace {
 
 using enum PlaceKind;
 
-constexpr std::uint32_t kBaud = 9'600;
+constexpr std::uint32_t kHuskylensBaud = 9'600;
 
-struct OnI2c {
-  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), stream(*bus, address) {}
+struct HuskylensOnI2c {
+  HuskylensOnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address)
+      : bus(std::move(port)), stream(*bus, address) {}
   [[nodiscard]] host::Port& port() const { return *bus; }
 
   std::unique_ptr<host::I2cPort> bus;
@@ -25,14 +26,14 @@ struct OnI2c {
   huskylens::Camera<wire::I2cStream<host::I2cPort>> driver{stream};
 };
 
-std::unique_ptr<host::CameraDevice> open(const Opening& opening) {
+std::unique_ptr<host::CameraDevice> open_huskylens(const Opening& opening) {
   if (opening.spec.place.kind != kI2c) return camera_on_line<huskylens::Camera<host::BytePort>>(opening);
   const auto address = static_cast<std::uint8_t>(opening.spec.number("address"));
-  return std::make_unique<host::PortedCamera<OnI2c>>(kLookedAt, host::open_i2c(opening.spec.place.name, opening.port()),
-                                                     address);
+  return std::make_unique<host::PortedCamera<HuskylensOnI2c>>(
+      kLookedAt, host::open_i2c(opening.spec.place.name, opening.port()), address);
 }
 
-std::optional<sensor::CameraIntrinsics> profile(const DeviceSpec& /*spec*/) { return huskylens::kProfile; }
+std::optional<sensor::CameraIntrinsics> huskylens_profile(const DeviceSpec& /*spec*/) { return huskylens::kProfile; }
 
 }  // namespace
 
@@ -41,11 +42,11 @@ Rows huskylens() {
            .about = "HuskyLens 1; its lens is a guess: calibrate",
            .role = Role::kCamera,
            .live = Live{.places = {kTty, kTcp, kI2c},
-                        .options = {baud(kBaud), address(huskylens::kAddress)},
+                        .options = {baud(kHuskylensBaud), address(huskylens::kAddress)},
                         .unready = "it has learned no colour, is busy, or shows a menu",
-                        .driver = CameraDriver{open, profile}},
+                        .driver = CameraDriver{open_huskylens, huskylens_profile}},
            .emulated = Emulated{.tells = "blocks of learned colours; no arrows",
-                                .options = {line_baud(kBaud)},
+                                .options = {line_baud(kHuskylensBaud)},
                                 .describe = emulate::describe_huskylens,
                                 .make = [](const DeviceSpec&,
                                            const emulate::Colours&) -> std::unique_ptr<emulate::DeviceModel> {

@@ -17,7 +17,7 @@ using enum PlaceKind;
 constexpr std::uint32_t kBluetoothBaud = 115'200;  // what a serial port of Bluetooth is set to does not matter
 constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
 // The wheel and the track of the set's first robot.
-constexpr emulate::WheelShape kWheels{metres(odometry::per_count({56.0, 360.0})), 0.112};
+constexpr emulate::WheelShape kNxtWheels{metres(odometry::per_count({56.0, 360.0})), 0.112};
 
 class BrickOdometry final : public host::OdometryDevice {
  public:
@@ -49,7 +49,7 @@ std::shared_ptr<host::SharedBrick> open_brick(const DeviceSpec& spec, bool wait)
   return std::make_shared<host::SerialBrick>(host::open_line(spec.place, spec.number("baud"), request));
 }
 
-std::unique_ptr<host::OdometryDevice> open(const Opening& opening) {
+std::unique_ptr<host::OdometryDevice> open_nxt(const Opening& opening) {
   nxt::TachoOptions options;
   options.left_port = static_cast<std::uint8_t>(opening.spec.option("left").front() - 'A');
   options.right_port = static_cast<std::uint8_t>(opening.spec.option("right").front() - 'A');
@@ -65,12 +65,12 @@ emulate::WheelShape wheels(const DeviceSpec& spec) { return {spec.real("tick"), 
 
 Emulated brick() {
   return {.tells = "degrees of motors B (left) and C",
-          .options = wheel_options(0, kWheels),
+          .options = wheel_options(0, kNxtWheels),
           .describe = emulate::describe_nxt,
           .make = [](const DeviceSpec& spec,
                      const emulate::Colours&) { return emulate::make_nxt_model(wheels(spec), std::nullopt); },
           .asked = true,
-          .wheels = kWheels};
+          .wheels = kNxtWheels};
 }
 
 Emulated brick_with_camera() {
@@ -97,7 +97,7 @@ Rows nxt() {
       .live = Live{.places = {kUsb, kTty, kTcp},
                    .options = {baud(kBluetoothBaud), serial(), {"left", motors, "B"}, {"right", motors, "C"}},
                    .unready = "its motors do not answer: check left= and right=",
-                   .driver = OdometryDriver{open, open_brick}},
+                   .driver = OdometryDriver{open_nxt, open_brick}},
       .emulated = brick()};
   Row with_camera = {.name = "nxtcam:nxt",
                      .about = "LEGO NXT with an NXTCam",

@@ -16,11 +16,11 @@ namespace {
 using enum PlaceKind;
 using Camera = std::unique_ptr<host::CameraDevice>;
 
-constexpr std::uint32_t kBaud = 115'200;
+constexpr std::uint32_t kNxtcamBaud = 115'200;
 constexpr const char* kTeach = "teach it colours with the maker's program";
 
-struct OnI2c {
-  OnI2c(std::unique_ptr<host::I2cPort> port, const nxtcam::Options& options, std::uint8_t address)
+struct NxtcamOnI2c {
+  NxtcamOnI2c(std::unique_ptr<host::I2cPort> port, const nxtcam::Options& options, std::uint8_t address)
       : bus(std::move(port)), driver(*bus, options, address) {}
   [[nodiscard]] host::Port& port() const { return *bus; }
 
@@ -49,7 +49,7 @@ class BehindBrick final : public host::CameraDevice {
   nxtcam::Camera<nxt::SensorPort> camera_;
 };
 
-Camera open(const Opening& opening) {
+Camera open_nxtcam(const Opening& opening) {
   const DeviceSpec& spec = opening.spec;
   if (spec.place.kind == kTty || spec.place.kind == kTcp) {
     return camera_on_line<nxtcam::SerialCamera<host::BytePort>>(opening);
@@ -59,8 +59,8 @@ Camera open(const Opening& opening) {
   options.lock_buffer = spec.option("lock") == "on";
   const auto address = static_cast<std::uint8_t>(spec.number("address"));
   if (spec.place.kind == kI2c) {
-    return std::make_unique<host::PortedCamera<OnI2c>>(kLookedAt, host::open_i2c(spec.place.name, opening.port()),
-                                                       options, address);
+    return std::make_unique<host::PortedCamera<NxtcamOnI2c>>(kLookedAt, host::open_i2c(spec.place.name, opening.port()),
+                                                             options, address);
   }
   if (!opening.brick) {
     throw host::DeviceFailure{true,
@@ -79,7 +79,7 @@ Camera open_v5(const Opening& opening) {
 
 Camera open_avrcam(const Opening& opening) { return camera_on_line<nxtcam::SerialCamera<host::BytePort>>(opening); }
 
-std::optional<sensor::CameraIntrinsics> profile(const DeviceSpec& /*spec*/) { return nxtcam::kProfile; }
+std::optional<sensor::CameraIntrinsics> nxtcam_profile(const DeviceSpec& /*spec*/) { return nxtcam::kProfile; }
 std::optional<sensor::CameraIntrinsics> v5_profile(const DeviceSpec& /*spec*/) { return nxtcam::kV5Profile; }
 std::optional<sensor::CameraIntrinsics> avrcam_profile(const DeviceSpec& /*spec*/) {
   sensor::CameraIntrinsics profile = nxtcam::kProfile;
@@ -89,7 +89,7 @@ std::optional<sensor::CameraIntrinsics> avrcam_profile(const DeviceSpec& /*spec*
 
 Emulated avrcam_dialect() {
   return {.tells = "even columns",
-          .options = {line_baud(kBaud)},
+          .options = {line_baud(kNxtcamBaud)},
           .describe = emulate::describe_avrcam,
           .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_nxtcam_model(); },
           .image = image_of(nxtcam::kProfile, {8, 8, 0, 7}, 30)};
@@ -103,13 +103,13 @@ Rows nxtcam() {
       .about = "NXTCam v1 to v4; v5 over I2C",
       .role = Role::kCamera,
       .live = Live{.places = {kI2c, kNxt, kTty, kTcp},
-                   .options = {baud(kBaud),
+                   .options = {baud(kNxtcamBaud),
                                address(nxtcam::kDefaultAddress, {kI2c, kNxt}),
                                {"port", Whole{1, 4}, "1", "of the brick", {kNxt}},
                                {"map", Words{{"on", "off"}}, "on", "check of the colour map", {kI2c, kNxt}},
                                {"lock", Words{{"off", "on"}}, "off", "of the buffer, later v4", {kI2c, kNxt}}},
                    .unready = kTeach,
-                   .driver = CameraDriver{open, profile}},
+                   .driver = CameraDriver{open_nxtcam, nxtcam_profile}},
       .emulated = avrcam_dialect(),
       .images = {"nxtcam", "nxtcam_i2c"}};
   Row v5 = {
@@ -117,13 +117,13 @@ Rows nxtcam() {
       .about = "the line inside an NXTCam v5",
       .role = Role::kCamera,
       .live = Live{.places = {kTty, kTcp},
-                   .options = {baud(kBaud),
+                   .options = {baud(kNxtcamBaud),
                                {"silence", Words{{"lost", "empty"}}, "lost", "what it means if nothing comes at all"}},
                    .unready = kTeach,
                    .driver = CameraDriver{open_v5, v5_profile}},
       .emulated =
           Emulated{.tells = "nothing for an image without blobs",
-                   .options = {line_baud(kBaud)},
+                   .options = {line_baud(kNxtcamBaud)},
                    .describe = emulate::describe_nxtcam5,
                    .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_nxtcam5_model(); },
                    .image = image_of(nxtcam::kV5Profile, {}, 30)}};
@@ -131,7 +131,7 @@ Rows nxtcam() {
                 .about = "AVRcam",
                 .role = Role::kCamera,
                 .live = Live{.places = {kTty, kTcp},
-                             .options = {baud(kBaud)},
+                             .options = {baud(kNxtcamBaud)},
                              .unready = kTeach,
                              .driver = CameraDriver{open_avrcam, avrcam_profile}},
                 .emulated = avrcam_dialect()};

@@ -15,11 +15,11 @@ namespace {
 using enum PlaceKind;
 using Camera = std::unique_ptr<host::CameraDevice>;
 
-constexpr std::uint32_t kBaud = 19'200;
-constexpr std::uint8_t kAddress = 0x54;  // Pixy2 documentation, porting guide
+constexpr std::uint32_t kPixy2Baud = 19'200;
+constexpr std::uint8_t kPixy2Address = 0x54;  // Pixy2 documentation, porting guide
 
-struct OnI2c {
-  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), stream(*bus, address) {}
+struct Pixy2OnI2c {
+  Pixy2OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), stream(*bus, address) {}
   [[nodiscard]] host::Port& port() const { return *bus; }
 
   std::unique_ptr<host::I2cPort> bus;
@@ -27,8 +27,8 @@ struct OnI2c {
   pixy2::Camera<wire::I2cStream<host::I2cPort>> driver{stream};
 };
 
-struct OnUsb {
-  explicit OnUsb(std::unique_ptr<host::BytePort> port) : pipe(std::move(port)) {}
+struct Pixy2OnUsb {
+  explicit Pixy2OnUsb(std::unique_ptr<host::BytePort> port) : pipe(std::move(port)) {}
   [[nodiscard]] host::Port& port() const { return *pipe; }
 
   std::unique_ptr<host::BytePort> pipe;
@@ -36,33 +36,33 @@ struct OnUsb {
   pixy2::Camera<pixy2::ChirpLink<host::BytePort>> driver{chirp};
 };
 
-using OnLine = Ported<pixy2::Camera<host::BytePort>>;
+using Pixy2OnLine = Ported<pixy2::Camera<host::BytePort>>;
 
-Camera open(const Opening& opening) {
+Camera open_pixy2(const Opening& opening) {
   const DeviceSpec& spec = opening.spec;
   switch (spec.place.kind) {
     case kI2c: {
       const auto address = static_cast<std::uint8_t>(spec.number("address"));
-      return std::make_unique<host::PortedCamera<OnI2c>>(kLookedAt, host::open_i2c(spec.place.name, opening.port()),
-                                                         address);
+      return std::make_unique<host::PortedCamera<Pixy2OnI2c>>(kLookedAt,
+                                                              host::open_i2c(spec.place.name, opening.port()), address);
     }
     case kSpi:
-      return std::make_unique<host::PortedCamera<OnLine>>(
+      return std::make_unique<host::PortedCamera<Pixy2OnLine>>(
           kLookedAt, host::open_spi(spec.place.name, spec.number("hertz"), opening.port()));
     case kUsb:
-      return std::make_unique<host::PortedCamera<OnUsb>>(kAsked,
-                                                         host::open_pixy_pipe(spec.option("serial"), opening.port()));
+      return std::make_unique<host::PortedCamera<Pixy2OnUsb>>(
+          kAsked, host::open_pixy_pipe(spec.option("serial"), opening.port()));
     case kTty:
     case kTcp:
     case kNxt:
     case kCan:
     case kNone: break;
   }
-  return std::make_unique<host::PortedCamera<OnLine>>(kAsked, open_line(opening));
+  return std::make_unique<host::PortedCamera<Pixy2OnLine>>(kAsked, open_line(opening));
 }
 
 template <const sensor::CameraIntrinsics& Profile>
-std::optional<sensor::CameraIntrinsics> profile(const DeviceSpec& /*spec*/) {
+std::optional<sensor::CameraIntrinsics> pixy2_profile(const DeviceSpec& /*spec*/) {
   return Profile;
 }
 
@@ -72,15 +72,15 @@ Row row(const char* name, const char* about) {
           .about = about,
           .role = Role::kCamera,
           .live = Live{.places = {kTty, kTcp, kI2c, kSpi, kUsb},
-                       .options = {baud(kBaud),
-                                   address(kAddress),
+                       .options = {baud(kPixy2Baud),
+                                   address(kPixy2Address),
                                    {"hertz", Whole{10'000, 2'000'000}, "2000000", "of the clock", {kSpi}},
                                    serial()},
                        .unready = "it starts, runs another program, or its button is held",
-                       .driver = CameraDriver{open, profile<Profile>}},
+                       .driver = CameraDriver{open_pixy2, pixy2_profile<Profile>}},
           .emulated =
               Emulated{.tells = "",
-                       .options = {line_baud(kBaud)},
+                       .options = {line_baud(kPixy2Baud)},
                        .describe = emulate::describe_pixy2,
                        .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_pixy2_model(); },
                        .image = image_of(Profile, {.first_signature = 1, .last_signature = 7}, 61),

@@ -10,9 +10,9 @@ Rows records();
 
 namespace {
 
-constexpr std::uint32_t kBaud = 115'200;
+constexpr std::uint32_t kRecordsBaud = 115'200;
 
-std::unique_ptr<host::OdometryDevice> open(const Opening& opening) {
+std::unique_ptr<host::OdometryDevice> open_records(const Opening& opening) {
   const bool own = opening.spec.option("stamp") == "own";
   return odometry_on_line<serial::Pump<host::BytePort, host::RecordsSession>>(
       opening, own ? host::RecordStamp::kOwn : host::RecordStamp::kArrival);
@@ -26,13 +26,13 @@ Rows records() {
        .about = "`$FPODO` lines of another controller",
        .role = Role::kOdometry,
        .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
-                    .options = {baud(kBaud),
+                    .options = {baud(kRecordsBaud),
                                 {"stamp", Words{{"arrival", "own"}}, "arrival", "our clock, or theirs if it is ours"}},
                     .unready = "what comes is no $FPODO: check the baud and what the other end sends",
-                    .driver = OdometryDriver{open}},
+                    .driver = OdometryDriver{open_records}},
        .emulated =
            Emulated{.tells = "lines without time, as a robot's own controller prints them",
-                    .options = {line_baud(kBaud)},
+                    .options = {line_baud(kRecordsBaud)},
                     .describe = emulate::describe_text,
                     .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_records_model(); }}}};
 }

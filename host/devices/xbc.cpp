@@ -10,7 +10,7 @@ Rows xbc();
 
 namespace {
 
-constexpr std::uint32_t kBaud = 38'400;
+constexpr std::uint32_t kXbcBaud = 38'400;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ Rows xbc() {
            .about = "XBC, with fencepost_xbc.ic running on it",
            .role = Role::kCamera,
            .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
-                        .options = {baud(kBaud)},
+                        .options = {baud(kXbcBaud)},
                         .unready = "start fencepost_xbc.ic on it, of this version",
                         .driver = CameraDriver{[](const Opening& opening) {
                                                  return camera_on_line<xbc::Xbc<host::BytePort>>(opening,
@@ -31,7 +31,7 @@ Rows xbc() {
            // Two blobs a channel is what fencepost_xbc.ic sends.
            .emulated =
                Emulated{.tells = "",
-                        .options = {line_baud(kBaud)},
+                        .options = {line_baud(kXbcBaud)},
                         .describe = emulate::describe_text,
                         .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_xbc_model(); },
                         .image = image_of(xbc::nominal_intrinsics({}), {6, 2, 1, 3}, 15)},

@@ -7,7 +7,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::size_t kHeader = 4;
+constexpr std::size_t kMessageHeader = 4;
 constexpr std::size_t kLongestCommand = 8;  ///< bytes of data; more is taken for noise
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kCommand = 3;
@@ -33,17 +33,17 @@ Bytes NxtCam5::take(std::uint8_t byte, base::Time now) {
   received_.push_back(byte);
   if (received_[0] != 0x55) received_.clear();
   if (received_.size() == 2 && received_[1] != 0xAA) received_.clear();
-  if (received_.size() < kHeader) return {};
+  if (received_.size() < kMessageHeader) return {};
   if (received_[2] > kLongestCommand) {
     received_.clear();
     return {};
   }
-  if (received_.size() < kHeader + 1U + received_[2]) return {};
+  if (received_.size() < kMessageHeader + 1U + received_[2]) return {};
   return obey(std::exchange(received_, {}));
 }
 
 Bytes NxtCam5::obey(const Bytes& message) {
-  const Bytes body(message.begin() + kHeader, message.end() - 1);
+  const Bytes body(message.begin() + kMessageHeader, message.end() - 1);
   if (framed(message[3], body) != message) return {};
   if (message[3] == kCommand && body == Bytes{'E'}) tracking_ = true;
   return message[3] == kVersion ? framed(kVersion, {'5', '.', '0', '1'}) : Bytes{};

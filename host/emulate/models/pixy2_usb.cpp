@@ -8,7 +8,7 @@ namespace fencepost::emulate {
 namespace {
 
 constexpr std::size_t kTransfer = 64;
-constexpr std::size_t kHeader = 12;
+constexpr std::size_t kChirpHeader = 12;
 
 }  // namespace
 
@@ -50,8 +50,8 @@ Pixy2Usb::Bytes Pixy2Usb::answer(const Bytes& transfer, base::Time now) {
   }
   if (!initialised_) return {};
   if (transfer[4] == 0xA0) {
-    const std::string name(transfer.begin() + kHeader + 1,
-                           std::find(transfer.begin() + kHeader + 1, transfer.end(), 0));
+    const std::string name(transfer.begin() + kChirpHeader + 1,
+                           std::find(transfer.begin() + kChirpHeader + 1, transfer.end(), 0));
     const bool known = name == "ser_packet";
     const auto filler = static_cast<std::uint8_t>(known ? 0 : 0xFF);
     return message(0x60, 0xFFFF, {known ? kProcedure : filler, filler, filler, filler});
