@@ -61,8 +61,7 @@ std::size_t describe(const record::AlertReport& alert, std::string_view name, st
   Sentence sentence(out);
   sentence.put(word(alert.level)).pad_to(kNameColumn);
   const bool of_object = alert.id != record::kNoObject;
-  const bool saw_nothing = alert.level == record::AlertLevel::kClear && alert.distance.raw == 0;
-  if (!of_object && saw_nothing) return sentence.put("it sees again").end();
+  if (!alert.has_place()) return sentence.put("it sees again").end();
   if (!of_object) sentence.put("something");
   if (!name.empty()) {
     sentence.put(of_object ? "" : " ").put(name);

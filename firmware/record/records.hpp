@@ -120,6 +120,12 @@ struct AlertReport {
   std::optional<base::Duration> ttc;  ///< time to contact; empty when not closing
   base::Ratio2 confidence;
   friend constexpr bool operator==(const AlertReport&, const AlertReport&) = default;
+
+  /// It says where something is or was; not so at level blind, nor where a robot says that it is blind no more.
+  [[nodiscard]] constexpr bool has_place() const {
+    if (level == AlertLevel::kBlind) return false;
+    return id != kNoObject || level != AlertLevel::kClear || distance.raw != 0;
+  }
 };
 
 /// FPALV: the robot is at work, ten times a second of stream time. `level` is the highest in force until now; the

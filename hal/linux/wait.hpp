@@ -10,6 +10,10 @@
 
 namespace fencepost::linux {
 
+/// A program that was kept from its inputs for so long says that its machine was busy: longer than a frame of most
+/// cameras lasts, so what was seen then has the wrong place.
+inline constexpr base::Duration kNotedDelay = base::milliseconds(30);
+
 /// Refilled for each wait, since descriptors come and go with their devices.
 class WaitSet {
  public:

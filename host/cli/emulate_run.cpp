@@ -9,6 +9,7 @@
 #include <map>
 
 #include "firmware/record/encode.hpp"
+#include "hal/linux/wait.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -19,9 +20,6 @@
 
 namespace fencepost::host::cli {
 namespace {
-
-/// From here on a host notices.
-constexpr base::Duration kNotedDelay = base::milliseconds(30);
 
 namespace emulate = fencepost::emulate;
 using devices::DeviceSpec;
@@ -244,7 +242,7 @@ Exit emulate(const EmulateRequest& request) {
   for (std::size_t i = 0; i < devices.size(); ++i) tell(devices[i].name + " on " + server.place(i));
   const bool finished = server.run([] { return interrupted != 0; });
   if (interrupted == SIGINT) leave_interrupted_line();
-  if (server.late() >= kNotedDelay) {
+  if (server.late() >= linux::kNotedDelay) {
     say(fmt::format("this machine was busy: the devices were up to {:.0f} ms late, as real ones are not",
                     1000 * server.late().to_double()));
   }

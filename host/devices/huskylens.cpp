@@ -1,7 +1,6 @@
 // HuskyLens 1.
 #include "drivers/huskylens/huskylens.hpp"
 
-#include "drivers/wire/i2c_stream.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/emulate/models/huskylens.hpp"
@@ -16,21 +15,9 @@ using enum PlaceKind;
 
 constexpr std::uint32_t kHuskylensBaud = 9'600;
 
-struct HuskylensOnI2c {
-  HuskylensOnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address)
-      : bus(std::move(port)), stream(*bus, address) {}
-  [[nodiscard]] host::Port& port() const { return *bus; }
-
-  std::unique_ptr<host::I2cPort> bus;
-  wire::I2cStream<host::I2cPort> stream;
-  huskylens::Camera<wire::I2cStream<host::I2cPort>> driver{stream};
-};
-
 std::unique_ptr<host::CameraDevice> open_huskylens(const Opening& opening) {
-  if (opening.spec.place.kind != kI2c) return camera_on_line<huskylens::Camera<host::BytePort>>(opening);
-  const auto address = static_cast<std::uint8_t>(opening.spec.number("address"));
-  return std::make_unique<host::PortedCamera<HuskylensOnI2c>>(
-      kLookedAt, host::open_i2c(opening.spec.place.name, opening.port()), address);
+  if (opening.spec.place.kind == kI2c) return camera_on_i2c<huskylens::Camera<I2cLink>>(opening);
+  return camera_on_line<huskylens::Camera<host::BytePort>>(opening);
 }
 
 std::optional<sensor::CameraIntrinsics> huskylens_profile(const DeviceSpec& /*spec*/) { return huskylens::kProfile; }

@@ -1,7 +1,6 @@
 // Pixy2 and Pixy2.1.
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
-#include "drivers/wire/i2c_stream.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/emulate/models/camera_adapters.hpp"
@@ -18,15 +17,6 @@ using Camera = std::unique_ptr<host::CameraDevice>;
 constexpr std::uint32_t kPixy2Baud = 19'200;
 constexpr std::uint8_t kPixy2Address = 0x54;  // Pixy2 documentation, porting guide
 
-struct Pixy2OnI2c {
-  Pixy2OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), stream(*bus, address) {}
-  [[nodiscard]] host::Port& port() const { return *bus; }
-
-  std::unique_ptr<host::I2cPort> bus;
-  wire::I2cStream<host::I2cPort> stream;
-  pixy2::Camera<wire::I2cStream<host::I2cPort>> driver{stream};
-};
-
 struct Pixy2OnUsb {
   explicit Pixy2OnUsb(std::unique_ptr<host::BytePort> port) : pipe(std::move(port)) {}
   [[nodiscard]] host::Port& port() const { return *pipe; }
@@ -41,11 +31,7 @@ using Pixy2OnLine = Ported<pixy2::Camera<host::BytePort>>;
 Camera open_pixy2(const Opening& opening) {
   const DeviceSpec& spec = opening.spec;
   switch (spec.place.kind) {
-    case kI2c: {
-      const auto address = static_cast<std::uint8_t>(spec.number("address"));
-      return std::make_unique<host::PortedCamera<Pixy2OnI2c>>(kLookedAt,
-                                                              host::open_i2c(spec.place.name, opening.port()), address);
-    }
+    case kI2c: return camera_on_i2c<pixy2::Camera<I2cLink>>(opening);
     case kSpi:
       return std::make_unique<host::PortedCamera<Pixy2OnLine>>(
           kLookedAt, host::open_spi(spec.place.name, spec.number("hertz"), opening.port()));

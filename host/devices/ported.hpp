@@ -1,9 +1,11 @@
 // Drivers on ports, as rows open them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
+#include "drivers/wire/i2c_stream.hpp"
 #include "host/devices/device_spec.hpp"
 #include "host/live/device.hpp"
 #include "host/live/open_port.hpp"
@@ -28,6 +30,25 @@ struct Ported {
   std::unique_ptr<Port> own_port;
   Driver driver;
 };
+
+/// The same on an I2C bus, at an address.
+using I2cLink = wire::I2cStream<host::I2cPort>;
+template <class Driver>
+struct OnI2c {
+  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), link(*bus, address) {}
+  [[nodiscard]] host::Port& port() const { return *bus; }
+
+  std::unique_ptr<host::I2cPort> bus;
+  I2cLink link;
+  Driver driver{link};
+};
+
+template <class Driver>
+std::unique_ptr<host::CameraDevice> camera_on_i2c(const Opening& opening) {
+  const auto address = static_cast<std::uint8_t>(opening.spec.number("address"));
+  return std::make_unique<host::PortedCamera<OnI2c<Driver>>>(
+      kLookedAt, host::open_i2c(opening.spec.place.name, opening.port()), address);
+}
 
 /// The port of a device at a tty or on tcp.
 inline std::unique_ptr<host::BytePort> open_line(const Opening& opening) {

@@ -204,9 +204,6 @@ class Run {
   RunSummary summary_;
 };
 
-/// Longer than a frame of most cameras lasts: what was seen then has the wrong place.
-constexpr base::Duration kNotedStall = base::milliseconds(30);
-
 std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -230,7 +227,7 @@ std::string RunSummary::sentence() const {
                                  counted(counters.frames, "frame"), counted(counters.odometry, "odometry sample"),
                                  refused_in(counters), counters.rejected, counted(alerts, "alert"));
   if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
-  if (stalled >= kNotedStall) {
+  if (stalled >= linux::kNotedDelay) {
     text += fmt::format("\nthis machine was busy: inputs waited for up to {:.0f} ms", 1000 * stalled.to_double());
   }
   text += fmt::format("\ndigest {:016x}", digest);

@@ -5,11 +5,6 @@
 
 namespace fencepost::host {
 
-bool has_place(const record::AlertReport& alert) {
-  if (alert.level == record::AlertLevel::kBlind) return false;
-  return alert.id != record::kNoObject || alert.level != record::AlertLevel::kClear || alert.distance.raw != 0;
-}
-
 TimeRange time_range(const ResultDocument& document) {
   std::vector<double> times;
   if (!document.path.empty()) times = {document.path.front().t, document.path.back().t};

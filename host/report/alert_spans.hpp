@@ -26,9 +26,6 @@ struct TimeRange {
   double begin = 0;
   double end = 0;
 };
-/// Is it about something somewhere? Blindness and its end are not.
-bool has_place(const record::AlertReport& alert);
-
 TimeRange time_range(const ResultDocument& document);
 
 /// One series per object that ever raised an alert, by id. A level holds until the object's next record, at most

@@ -19,7 +19,7 @@ std::string headline_figure(const std::string& value, const std::string& what) {
 std::string closest(const ResultDocument& document) {
   std::optional<base::Metres> nearest;
   for (const record::AlertReport& alert : document.alerts) {
-    if (has_place(alert) && (!nearest || alert.distance < *nearest)) nearest = alert.distance;
+    if (alert.has_place() && (!nearest || alert.distance < *nearest)) nearest = alert.distance;
   }
   return nearest ? figure(nearest->to_double(), 2) + " m" : "\u2013";
 }

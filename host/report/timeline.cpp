@@ -56,7 +56,7 @@ std::string draw_strip(const TimeAxis& axis, const AlertSeries& series, double t
 std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, double top) {
   std::vector<const record::AlertReport*> placed;
   std::copy_if(series.records.begin(), series.records.end(), std::back_inserter(placed),
-               [](const auto* alert) { return has_place(*alert); });
+               [](const auto* alert) { return alert->has_place(); });
   if (placed.empty()) return {};
   const auto nearest = *std::min_element(placed.begin(), placed.end(),
                                          [](const auto* a, const auto* b) { return a->distance < b->distance; });

@@ -68,22 +68,15 @@ Json object_json(const ObjectResult& object) {
 }
 
 Json alert_json(const record::AlertReport& alert) {
-  if (alert.level == record::AlertLevel::kBlind) {
-    return {{"t", rounded(alert.t.to_double(), kRecordDecimals)},
-            {"level", record::name(alert.level)},
-            {"id", alert.id},
-            {"bearing", nullptr},
-            {"distance", nullptr},
-            {"ttc", nullptr},
-            {"confidence", nullptr}};
-  }
+  const bool blind = alert.level == record::AlertLevel::kBlind;
+  const auto told = [blind](double value, int decimals) { return blind ? Json(nullptr) : rounded(value, decimals); };
   return {{"t", rounded(alert.t.to_double(), kRecordDecimals)},
           {"level", record::name(alert.level)},
           {"id", alert.id},
-          {"bearing", rounded(alert.bearing.to_double(), kRecordDecimals)},
-          {"distance", rounded(alert.distance.to_double(), kRecordDecimals)},
+          {"bearing", told(alert.bearing.to_double(), kRecordDecimals)},
+          {"distance", told(alert.distance.to_double(), kRecordDecimals)},
           {"ttc", alert.ttc ? rounded(alert.ttc->to_double(), kRecordDecimals) : Json(nullptr)},
-          {"confidence", rounded(alert.confidence.to_double(), kRatioDecimals)}};
+          {"confidence", told(alert.confidence.to_double(), kRatioDecimals)}};
 }
 
 }  // namespace

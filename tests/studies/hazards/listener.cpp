@@ -17,11 +17,7 @@ class Robot final : public Listener {
   Robot(const std::string& profile, const std::vector<record::Setting>& settings)
       : profile_(profile),
         settings_(settings),
-        log_({{},
-              [this](const record::AlertReport& alert) { say(alert); },
-              [](const auto&) {},
-              [](const auto&) {},
-              [](const auto&) {}}),
+        log_({.alert = [this](const record::AlertReport& alert) { say(alert); }}),
         runner_(host::make_runner(profile, [this](std::string_view bytes) { log_.hear(bytes); })) {
     if (!runner_) throw std::runtime_error("no profile " + profile + "; there are " + std::string(host::kProfileNames));
   }

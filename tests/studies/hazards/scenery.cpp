@@ -69,4 +69,20 @@ Judged run_cell(const Encounter& encounter, const Conditions& conditions) {
   return {encounter, *listener};
 }
 
+void drive_towards(Dice& dice, const host::TimedPose& start, double ahead, Encounter& encounter) {
+  const double standing = dice.between(0.2, 1);
+  const double speed = dice.between(0.1, 0.4);
+  encounter.route = Route(start, {{standing, 0, 0}, {1, speed, 0}});
+  encounter.seconds = standing + ahead / speed;
+}
+
+Outcome meet_nothing(const Encounter& encounter, const Conditions& conditions) {
+  Outcome outcome;
+  const Judged run = run_cell(encounter, conditions);
+  judge_no_stop(run, outcome);
+  judge_false_stops(run, outcome);
+  outcome.measures.push_back(outcome.false_stops);
+  return outcome;
+}
+
 }  // namespace fencepost::test

@@ -41,10 +41,7 @@ Outcome meet(const Wrong& wrong, unsigned seed, const Conditions& conditions) {
     met.told = met.scene.camera;
     met.told->fx = met.told->fy = base::Pixels2::nearest(wrong.lens * met.scene.camera.fx.to_double());
   }
-  const double standing = dice.between(0.2, 1);
-  const double speed = dice.between(0.1, 0.4);
-  met.route = Route(start, {{standing, 0, 0}, {1, speed, 0}});
-  met.seconds = standing + ahead / speed;
+  drive_towards(dice, start, ahead, met);
   Outcome outcome;
   const Judged run = run_cell(met, conditions);
   judge_approached(run, 0, outcome);
