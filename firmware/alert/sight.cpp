@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "firmware/alert/tuning.hpp"
 
@@ -21,16 +20,28 @@ std::uint32_t hash_of(const recon::WaitingFrame& frame) {
   return hash;
 }
 
+// m and rad, both without a sign.
+struct Step {
+  float moved = 0;
+  float turned = 0;
+};
+
+Step step_between(const recon::MapPose& from, const recon::MapPose& to) {
+  const std::int64_t turn = recon::short_way(std::int64_t{to.heading} - from.heading);
+  return {std::sqrt(recon::offset_from(from.position, to.position).squaredNorm()),
+          std::fabs(1e-6F * static_cast<float>(turn))};
+}
+
 // By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the
 // image, the one that says most.
-float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, float moved, float turned) {
+float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Step& step) {
   float shift = 0;
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {
     const recon::Sides cut = recon::cut_by_border(camera, blob.box);
-    if (!cut.left || !cut.right) shift = std::max(shift, turned * camera.fx);
+    if (!cut.left || !cut.right) shift = std::max(shift, step.turned * camera.fx);
     if (cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
     const float drop = recon::drop_per_depth(camera, camera.cx, recon::bottom_edge(blob.box));
-    if (drop > 0) shift = std::max(shift, moved * camera.fy * drop * drop / camera.height);
+    if (drop > 0) shift = std::max(shift, step.moved * camera.fy * drop * drop / camera.height);
   }
   return shift;
 }
@@ -60,24 +71,18 @@ void Sight::start(base::Time t) {
 }
 
 void Sight::odometry_came(const sensor::OdometrySample& sample) {
+  const recon::MapPose pose = recon::to_map_pose(sample);
   if (odometry_.begun()) {
-    const float seconds = static_cast<float>((sample.t - told_.t).raw) / static_cast<float>(base::Duration::kPerUnit);
-    const auto metres = [](std::int32_t raw) {
-      return static_cast<float>(raw) / static_cast<float>(base::Metres::kPerUnit);
-    };
-    const float moved =
-        std::max(std::fabs(metres(sample.x.raw - told_.x.raw)), std::fabs(metres(sample.y.raw - told_.y.raw)));
-    // The short way round.
-    constexpr std::int32_t kTurn = 62'832;
-    const std::int32_t turn = std::abs(sample.heading.raw - told_.heading.raw) % kTurn;
-    const float turned = static_cast<float>(std::min(turn, kTurn - turn)) / static_cast<float>(base::Radians::kPerUnit);
-    if (moved > kStepJump + kFastest * seconds || turned > kTurnJump + kFastestTurn * seconds) {
+    const float seconds =
+        static_cast<float>(odometry_.since_last(sample.t).raw) / static_cast<float>(base::Duration::kPerUnit);
+    const Step step = step_between(told_, pose);
+    if (step.moved > kStepJump + kFastest * seconds || step.turned > kTurnJump + kFastestTurn * seconds) {
       jumped_ = true;
       jumped_at_ = base::Stamp(sample.t);
     }
   }
   odometry_.beat(sample.t);
-  told_ = sample;
+  told_ = pose;
 }
 
 void Sight::frame_came(base::Time t) { frames_.beat(t); }
@@ -95,9 +100,7 @@ void Sight::frame_used(const recon::WaitingFrame& frame, const recon::CameraMode
     return;
   }
   if (frozen_ || same_since_.since(frame.t) < kFrozenFor) return;
-  const float moved = std::sqrt(recon::offset_from(same_from_.position, odometry.position).squaredNorm());
-  const float turned = std::fabs(1e-6F * static_cast<float>(odometry.heading - same_from_.heading));
-  frozen_ = expected_shift(frame, camera, moved, turned) >= kFrozenShift;
+  frozen_ = expected_shift(frame, camera, step_between(same_from_, odometry)) >= kFrozenShift;
 }
 
 bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < kJumpDoubt; }

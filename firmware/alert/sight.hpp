@@ -19,6 +19,8 @@ class Rhythm {
  public:
   void beat(base::Time t);
   [[nodiscard]] bool begun() const { return begun_; }
+  /// Once begun.
+  [[nodiscard]] base::Duration since_last(base::Time t) const { return last_.since(t); }
   /// `standing`: nothing comes nearer by the robot's own motion, so there is more time. Never, before the first.
   [[nodiscard]] bool overdue(base::Time now, bool standing) const;
 
@@ -71,11 +73,11 @@ class Sight {
   Rhythm odometry_;
   base::Stamp started_at_;
   base::Stamp jumped_at_;
-  base::Stamp blobs_at_;         ///< the last frame with a blob
-  std::uint32_t boxes_ = 0;      ///< hash of the last frame's; 0: it had none
-  base::Stamp same_since_;       ///< when they became what they are,
-  recon::MapPose same_from_;     ///< and where the robot was then
-  sensor::OdometrySample told_;  ///< the latest
+  base::Stamp blobs_at_;      ///< the last frame with a blob
+  std::uint32_t boxes_ = 0;   ///< hash of the last frame's; 0: it had none
+  base::Stamp same_since_;    ///< when they became what they are,
+  recon::MapPose same_from_;  ///< and where the robot was then
+  recon::MapPose told_;       ///< by the latest sample
 };
 
 }  // namespace fencepost::alert

@@ -168,6 +168,12 @@ TEST(Sight, WhatCannotChangeIsNotFrozen) {
   Inputs standing;
   standing.speed = 0;
   EXPECT_EQ(standing.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nothing moves";
+  Inputs wavering;  // where headings wrap
+  wavering.speed = 0;
+  wavering.heading = 3.14155;
+  wavering.run(1);
+  wavering.heading = -3.14155;
+  EXPECT_EQ(wavering.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nor there";
   Inputs empty;
   empty.world.clear();
   EXPECT_EQ(empty.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nothing is there";
