@@ -29,10 +29,10 @@ record::AlertReport report_alert(const recon::ObjectCore& object, const alert::O
                                  record::AlertLevel level, base::Time now);
 /// Of the guard: object id 0. Needs a front.
 record::AlertReport report_alert(const alert::FrontAhead& front, record::AlertLevel level, base::Time now);
-/// For an object that has ended, or a front that is gone: the bearing and distance of the last report, with confidence
-/// 0.
 /// Nothing is known of what is ahead.
 record::AlertReport report_blind(base::Time now);
+/// For an object that has ended, or a front that is gone: the bearing and distance of the last report, with confidence
+/// 0.
 record::AlertReport report_clear(std::uint32_t id, const alert::AlertState& last, base::Time now);
 
 }  // namespace fencepost::console

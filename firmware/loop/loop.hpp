@@ -93,8 +93,8 @@ class Loop {
   // Time passes by this robot's clock, also before the first input, unless all inputs come over the console: then it is
   // the sender's time, and stands still when that is silent.
   void pass_time(base::Time now) {
-    const bool clocked = pipeline_.has_clock() || sensor::stamped_here(camera_) || sensor::stamped_here(odometry_);
-    if (!pipeline_.has_clock() && clocked) pipeline_.set_clock(now);
+    const bool stamped = sensor::stamped_here(camera_) || sensor::stamped_here(odometry_);
+    if (stamped && !pipeline_.has_clock()) pipeline_.set_clock(now);
     pipeline_.pass_time(now);
   }
 

@@ -33,11 +33,11 @@ class PathWatch {
   /// Judges all objects as the robot sees them now. Without odometry there is only one thing to say.
   [[gnu::noinline]] void watch_path(base::Time now) {
     m_.run.watched_at = base::Stamp(now);
-    const bool blind = watch_sight(now);
+    const alert::AlertRules rules(m_.settings);
+    const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
     const alert::RobotPath path = path_ahead();
     const alert::RobotPlace robot(robot_pose(m_));
-    const alert::AlertRules rules(m_.settings);
     std::optional<alert::Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
@@ -105,12 +105,11 @@ class PathWatch {
   }
 
   // True: the robot cannot know what is ahead, which is said until it can.
-  bool watch_sight(base::Time now) {
+  bool watch_sight(const alert::AlertRules& rules, base::Time now) {
     const alert::Blindness reason = blindness(now);
     if (reason == alert::Blindness::kNone) return false;
     alert::AlertState& state = m_.front_alert;
-    const base::Duration rate{base::Time::kPerUnit / m_.settings.raw(config::Key::kAlertRate)};
-    const base::Duration interval = standing() ? alert::kStandingBlind : rate;
+    const base::Duration interval = standing() ? alert::kStandingBlind : rules.repeat;
     if (state.level == record::AlertLevel::kBlind && state.reported_at.since(now) < interval) return true;
     state = {};
     state.level = record::AlertLevel::kBlind;

@@ -230,9 +230,12 @@ class Pipeline {
 
  private:
   void advance(base::Time t) {
-    if (!m_.run.time) m_.run.sight.start(t);
-    if (!m_.run.time) m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = m_.run.beat_at = base::Stamp(t);
-    if (!m_.run.time || t > *m_.run.time) m_.run.time = t;
+    if (!m_.run.time) {
+      m_.run.sight.start(t);
+      m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = m_.run.beat_at = base::Stamp(t);
+      m_.run.time = t;
+    }
+    if (t > *m_.run.time) m_.run.time = t;
   }
   void advance_frame(base::Time t) {
     advance(t);

@@ -83,21 +83,12 @@ class Reporter {
   }
 
   void alert(const record::AlertReport& report) {
-    journal_or_drop(report);
-    if (!m_.console.alerts) return;
-    if (shown_in(console::Mode::kLog)) put_or_drop(report);
-    if (!shown_in(console::Mode::kText)) return;
-    say([&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
+    emit(report, [&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
   }
 
   /// The same, of which a person is told the reason.
   void blind(alert::Blindness reason, base::Time now) {
-    const record::AlertReport report = console::report_blind(now);
-    journal_or_drop(report);
-    if (!m_.console.alerts) return;
-    if (shown_in(console::Mode::kLog)) put_or_drop(report);
-    if (shown_in(console::Mode::kText))
-      say([&](std::span<char> room) { return console::describe_blind(reason, room); });
+    emit(console::report_blind(now), [reason](std::span<char> room) { return console::describe_blind(reason, room); });
   }
 
   /// A line for plotters is due.
@@ -179,6 +170,15 @@ class Reporter {
   }
 
  private:
+  // A switched-off console is told nothing; the journal has it all the same.
+  template <class Sentence>
+  void emit(const record::AlertReport& report, Sentence&& sentence) {
+    journal_or_drop(report);
+    if (!m_.console.alerts) return;
+    if (shown_in(console::Mode::kLog)) put_or_drop(report);
+    if (shown_in(console::Mode::kText)) say(sentence);
+  }
+
   template <class Words>
   [[gnu::noinline]] bool send_link(const Words& words, sensor::LinkState state, base::Time now) {
     if (std::string_view(words.device).empty()) return true;
