@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/floor_frame.hpp"
 
 namespace fencepost::alert {
 
@@ -22,7 +22,7 @@ struct Limit {
   unsigned frames = 0;  // of the fronts within it
 
   void set(float distance) {
-    const std::int32_t reach = recon::guard::nearest_whole(kMillimetres * distance, kReach);
+    const std::int32_t reach = recon::nearest_whole(kMillimetres * distance, kReach);
     square = reach * reach;
   }
   void add(const Front& front, std::int32_t distance_square) {
@@ -65,15 +65,14 @@ float confidence_of(const Front& front) {
 
 FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
                       const RobotPath& path, const AlertRules& rules) {
-  using recon::guard::nearest_whole;
+  using recon::nearest_whole;
   constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;
   const SweptArea area(path, kUnsureMargin);
   Limits due(rules, path, 1.0F);
   Limits held(rules, path, kHysteresis);
-  const std::int32_t robot_x = (robot.position.x - origin.x) / kUnits;
-  const std::int32_t robot_y = (robot.position.y - origin.y) / kUnits;
-  const std::int32_t cosine = nearest_whole(recon::guard::kOne * robot.heading.x());
-  const std::int32_t sine = nearest_whole(recon::guard::kOne * robot.heading.y());
+  const recon::FloorFrame here{(robot.position.x - origin.x) / kUnits, (robot.position.y - origin.y) / kUnits,
+                               nearest_whole(recon::kSlopeOne * robot.heading.x()),
+                               nearest_whole(recon::kSlopeOne * robot.heading.y())};
   const Front* nearest = nullptr;
   std::int32_t nearest_x = 0;
   std::int32_t nearest_y = 0;
@@ -81,11 +80,10 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   std::int32_t least = widest;
   bool confirmed = false;
   for (const Front& front : fronts) {
-    const std::int32_t dx = front.x - robot_x;
-    const std::int32_t dy = front.y - robot_y;
+    const std::int32_t dx = front.x - here.x;
+    const std::int32_t dy = front.y - here.y;
     if (dx > kReach || dx < -kReach || dy > kReach || dy < -kReach) continue;
-    const std::int32_t x = (cosine * dx + sine * dy) >> recon::guard::kSlopeBits;
-    const std::int32_t y = (cosine * dy - sine * dx) >> recon::guard::kSlopeBits;
+    const auto [x, y] = here.see(front.x, front.y);
     if (!area.contains(x, y)) continue;
     const std::int32_t square = x * x + y * y;
     due.add(front, square);

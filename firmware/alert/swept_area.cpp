@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "firmware/alert/tuning.hpp"
-#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/floor_frame.hpp"
 #include "firmware/recon/guard/tuning.hpp"
 
 namespace fencepost::alert {
 
 SweptArea::SweptArea(const RobotPath& path, float less) : ways_(path.motion) {
-  using recon::guard::nearest_whole;
+  using recon::nearest_whole;
   constexpr float kMillimetres = 1000;
   half_width_ = std::max(nearest_whole(kMillimetres * (path.half_width - less)), recon::guard::kSpacing / 2);
   if (!ways_.arc) return;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/floor_frame.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon::guard {
@@ -16,26 +16,14 @@ constexpr auto kUnconfirmedAge = static_cast<std::int32_t>(kUnconfirmed.raw / kS
 constexpr auto kRememberedAge = static_cast<std::int32_t>(kFootRemembered.raw / kSeenTicks);
 static_assert(kRefutes <= 0xFF && kFrames == 3);
 
-// A place on the floor as the camera has it, mm.
-struct Place {
-  std::int32_t depth = 0;
-  std::int32_t left = 0;
-};
+using Place = FloorPlace;
 
-// Where the lens is in the store's frame, and how it is turned.
-struct Lens {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  std::int32_t axis_x = kOne;
-  std::int32_t axis_y = 0;
-
-  [[nodiscard]] Place see(const Front& front) const {
-    const std::int32_t dx = front.x - x;
-    const std::int32_t dy = front.y - y;
-    return {(axis_x * dx + axis_y * dy) >> kSlopeBits, (axis_x * dy - axis_y * dx) >> kSlopeBits};
-  }
+// The lens in the store's frame.
+struct Lens : FloorFrame {
+  using FloorFrame::see;
+  [[nodiscard]] Place see(const Front& front) const { return see(front.x, front.y); }
   void put(const Place& place, Front& front) const {
-    constexpr std::int32_t kHalf = kOne / 2;
+    constexpr std::int32_t kHalf = kSlopeOne / 2;
     const std::int32_t dx = (axis_x * place.depth - axis_y * place.left + kHalf) >> kSlopeBits;
     const std::int32_t dy = (axis_y * place.depth + axis_x * place.left + kHalf) >> kSlopeBits;
     front.x = static_cast<std::int16_t>(x + dx);
@@ -51,8 +39,8 @@ Lens lens_of(const CameraModel& camera, const MapPose& odometry, const MapPoint&
   Lens lens;
   lens.x = (odometry.position.x - origin.x) / kUnitsPerMillimetre + nearest_whole(1000 * mount.x(), 4000);
   lens.y = (odometry.position.y - origin.y) / kUnitsPerMillimetre + nearest_whole(1000 * mount.y(), 4000);
-  lens.axis_x = nearest_whole(static_cast<float>(kOne) * axis.x());
-  lens.axis_y = nearest_whole(static_cast<float>(kOne) * axis.y());
+  lens.axis_x = nearest_whole(static_cast<float>(kSlopeOne) * axis.x());
+  lens.axis_y = nearest_whole(static_cast<float>(kSlopeOne) * axis.y());
   return lens;
 }
 
@@ -114,18 +102,18 @@ struct FootLine {
 
 using FootLines = base::FixedVector<FootLine, sensor::kMaxBlobs>;
 
-FootLine foot_line(const FloorCamera& floor, const CameraModel& camera, const WaitingBlob& blob) {
+FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
+  const FloorCamera& floor = camera.floor;
   const Box& box = blob.box;
   const Sides sides = cut_by_border(camera, box);
-  const FloorPoint left = floor.at(2 * box.x1 - 1, 2 * box.y2 + 1);
-  const FloorPoint right = floor.at(2 * box.x2 + 1, 2 * box.y2 + 1);
+  const auto [left, right] = floor.at(2 * box.x1 - 1, 2 * box.x2 + 1, 2 * box.y2 + 1);
   FootLine foot;
   foot.cut = sides.bottom;
   foot.faint = foot.cut && box.y2 - box.y1 + 1 < kClearPixels;
   foot.signature = blob.signature;
   foot.depth = std::min(left.depth, right.depth);
   // One pixel at depth 1: kEdgePixels either side.
-  const std::int32_t slack = kEdgePixels * floor.width_of_column(kOne);
+  const std::int32_t slack = kEdgePixels * floor.width_of_column(kSlopeOne);
   foot.left = left.slope + slack;
   foot.right = right.slope - slack;
   const std::int32_t row = floor.depth_of_row(std::min(foot.depth, kForgotten));
@@ -241,20 +229,19 @@ void GuardCore::follow(std::span<Front> fronts, const MapPoint& robot) {
 
 std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
                             const MapPose& odometry, base::Time stands_since) {
-  const FloorCamera floor(camera);
-  if (!floor.usable()) return size_;
+  if (!camera.floor.usable()) return size_;
   const base::Time t = frame.t - camera.latency;
   pass_time(store.first(size_), t);
   follow(store.first(size_), odometry.position);
   const Lens lens = lens_of(camera, odometry, origin_);
   FootLines feet;
-  for (const WaitingBlob& blob : frame.blobs) static_cast<void>(feet.push_back(foot_line(floor, camera, blob)));
+  for (const WaitingBlob& blob : frame.blobs) static_cast<void>(feet.push_back(foot_line(camera, blob)));
 
   const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));
   // In whole counts: what was supported in the one in which the robot came to stand may have been seen on its way.
   const std::int64_t stood = std::min<std::int64_t>(t.raw / kSeenTicks - stands_since.raw / kSeenTicks, kOldest);
   const bool counts_unsure = turn_ % kUnsureFrames == 0;
-  Judgement judgement(floor, feet);
+  Judgement judgement(camera.floor, feet);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     Front front = store[i];

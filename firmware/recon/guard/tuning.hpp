@@ -43,8 +43,6 @@ inline constexpr std::int32_t kPastRows = 14;
 inline constexpr std::int32_t kEdgePixels = 2;
 /// mm to the side. By design.
 inline constexpr std::int32_t kSideSlack = 16;
-/// px from the image's sides within which nothing has to be visible. By design.
-inline constexpr std::int32_t kSidePixels = 4;
 /// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
 inline constexpr std::int32_t kLeastStep = 4;
 

@@ -36,6 +36,7 @@ CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
   camera.rows = static_cast<std::int16_t>(intrinsics.height);
   camera.latency = intrinsics.latency;
   camera.edge_px = nominal_edge_noise(camera.width);
+  camera.floor = FloorCamera(camera);
   return camera;
 }
 

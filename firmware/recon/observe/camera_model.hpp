@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/recon/geometry.hpp"
+#include "firmware/recon/observe/floor_camera.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
@@ -27,6 +28,7 @@ struct CameraModel {
   std::int16_t width = 2;
   std::int16_t rows = 2;
   base::Duration latency;
+  FloorCamera floor;  ///< the same numbers, for the floor
 };
 
 /// px, sigma of a box edge of a camera with so many columns, where nothing better is known.

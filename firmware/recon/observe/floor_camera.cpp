@@ -1,16 +1,17 @@
-#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/observe/floor_camera.hpp"
 
 #include <algorithm>
 
-#include "firmware/recon/guard/tuning.hpp"
+#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 
-namespace fencepost::recon::guard {
+namespace fencepost::recon {
 namespace {
 
 // Wider images than four focal lengths are no pinhole camera's: products stay inside 32 bits.
 constexpr float kWidest = 4;
-constexpr std::int32_t kWidestSlope = 2 * kOne - 1;
-constexpr std::int32_t kSteepest = 4 * kOne;
+constexpr std::int32_t kWidestSlope = 2 * kSlopeOne - 1;
+constexpr std::int32_t kSteepest = 4 * kSlopeOne;
 constexpr float kHighest = 4000;                 // mm
 constexpr std::int32_t kFarthestScale = 64'000;  // 2^-4 mm
 
@@ -24,16 +25,14 @@ std::int32_t undistortion(std::int32_t c) {
   sum = 12 * kUnit - times(sum, c);
   sum = 3 * kUnit - times(sum, c);
   sum = kUnit - times(sum, c);
-  return kOne - ((sum * c) >> 10);
+  return kSlopeOne - ((sum * c) >> 10);
+}
+
+std::int32_t normalised(std::int32_t px, std::int32_t per_px) {
+  return std::clamp((px * per_px) >> 12, -kWidestSlope, kWidestSlope);
 }
 
 }  // namespace
-
-std::int32_t nearest_whole(float value, std::int32_t limit) {
-  const auto most = static_cast<float>(limit);
-  const float kept = std::clamp(value, -most, most);
-  return static_cast<std::int32_t>(kept < 0 ? kept - 0.5F : kept + 0.5F);
-}
 
 FloorCamera::FloorCamera(const CameraModel& camera) {
   const float height = 1000 * camera.height;
@@ -47,8 +46,8 @@ FloorCamera::FloorCamera(const CameraModel& camera) {
   const float per_px_y = kInverse / camera.fy;
   per_px_x_ = nearest_whole(camera.fx == camera.fy ? per_px_y : kInverse / camera.fx);
   per_px_y_ = nearest_whole(per_px_y);
-  constexpr auto kUnit = static_cast<float>(kOne);
-  k1_ = nearest_whole(kUnit * camera.k1, kOne);
+  constexpr auto kUnit = static_cast<float>(kSlopeOne);
+  k1_ = nearest_whole(kUnit * camera.k1, kSlopeOne);
   pitch_cos_ = nearest_whole(kUnit * camera.pitch.x());
   pitch_sin_ = nearest_whole(kUnit * camera.pitch.y());
   height_ = nearest_whole(16 * height);
@@ -56,10 +55,23 @@ FloorCamera::FloorCamera(const CameraModel& camera) {
   find_limits(camera.width, camera.rows);
 }
 
+FloorCamera::Row FloorCamera::row_at(std::int32_t y) const {
+  const std::int32_t drop = pitch_sin_ + times(y, pitch_cos_);
+  Row row;
+  row.forward = pitch_cos_ - times(y, pitch_sin_);
+  if (row.forward <= 0 || drop <= 0) return row;
+  const std::int32_t scale = (height_ << kSlopeBits) / drop;
+  if (scale < kFarthestScale) row.depth = times(scale, row.forward) >> 4;
+  return row;
+}
+
+FloorPoint FloorCamera::on(const Row& row, std::int32_t x) const {
+  if (row.forward <= 0) return {};
+  const std::int32_t across = pitch_sin_ == 0 ? x : (x << kSlopeBits) / row.forward;
+  return {row.depth, std::clamp(-across, -kSteepest, kSteepest)};
+}
+
 FloorPoint FloorCamera::at(std::int32_t twice_u, std::int32_t twice_v) const {
-  const auto normalised = [](std::int32_t px, std::int32_t per_px) {
-    return std::clamp((px * per_px) >> 12, -kWidestSlope, kWidestSlope);
-  };
   std::int32_t x = normalised(8 * twice_u - centre_u_, per_px_x_);
   std::int32_t y = normalised(8 * twice_v - centre_v_, per_px_y_);
   if (k1_ != 0) {
@@ -68,16 +80,14 @@ FloorPoint FloorCamera::at(std::int32_t twice_u, std::int32_t twice_v) const {
     x = times(x, factor);
     y = times(y, factor);
   }
-  const std::int32_t drop = pitch_sin_ + times(y, pitch_cos_);
-  const std::int32_t forward = pitch_cos_ - times(y, pitch_sin_);
-  FloorPoint point;
-  if (forward <= 0) return point;
-  const std::int32_t across = pitch_sin_ == 0 ? x : (x << kSlopeBits) / forward;
-  point.slope = std::clamp(-across, -kSteepest, kSteepest);
-  if (drop <= 0) return point;
-  const std::int32_t scale = (height_ << kSlopeBits) / drop;
-  if (scale < kFarthestScale) point.depth = times(scale, forward) >> 4;
-  return point;
+  return on(row_at(y), x);
+}
+
+FloorCamera::Pair FloorCamera::at(std::int32_t twice_left, std::int32_t twice_right, std::int32_t twice_v) const {
+  if (k1_ != 0) return {at(twice_left, twice_v), at(twice_right, twice_v)};
+  const Row row = row_at(normalised(8 * twice_v - centre_v_, per_px_y_));
+  return {on(row, normalised(8 * twice_left - centre_u_, per_px_x_)),
+          on(row, normalised(8 * twice_right - centre_u_, per_px_x_))};
 }
 
 // The foot of what is there appears between the middle row and the last one that the border does not cut.
@@ -93,4 +103,4 @@ void FloorCamera::find_limits(std::int32_t columns, std::int32_t rows) {
   rightmost_visible_ = std::max(low_right.slope, at(right, rows).slope);
 }
 
-}  // namespace fencepost::recon::guard
+}  // namespace fencepost::recon

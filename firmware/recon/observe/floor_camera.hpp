@@ -4,19 +4,11 @@
 
 #include <cstdint>
 
-#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/floor_frame.hpp"
 
-namespace fencepost::recon::guard {
+namespace fencepost::recon {
 
-/// Directions, cosines and slopes are counts of 2^-14.
-inline constexpr int kSlopeBits = 14;
-inline constexpr std::int32_t kOne = 1 << kSlopeBits;
-
-/// a b of which b is a slope.
-constexpr std::int32_t times(std::int32_t a, std::int32_t slope) { return (a * slope) >> kSlopeBits; }
-
-/// Nearest whole number; what is out of range comes out at +-limit.
-std::int32_t nearest_whole(float value, std::int32_t limit = 1 << 24);
+struct CameraModel;
 
 /// A ray that falls to the floor. Level camera frame: x along the optical axis, y to the left; mm on the floor.
 struct FloorPoint {
@@ -27,12 +19,19 @@ struct FloorPoint {
 
 class FloorCamera {
  public:
+  FloorCamera() = default;
   explicit FloorCamera(const CameraModel& camera);
 
   /// The camera's pitch and height are known and its numbers are within what these integers hold.
   [[nodiscard]] bool usable() const { return usable_; }
   /// Where the ray meets the floor; pixel coordinates in halves, for edges lie between pixels.
   [[nodiscard]] FloorPoint at(std::int32_t twice_u, std::int32_t twice_v) const;
+  /// The same of two pixels of one row.
+  struct Pair {
+    FloorPoint left;
+    FloorPoint right;
+  };
+  [[nodiscard]] Pair at(std::int32_t twice_left, std::int32_t twice_right, std::int32_t twice_v) const;
   /// mm of depth that a row is worth at a depth of at most 4 m.
   [[nodiscard]] std::int32_t depth_of_row(std::int32_t depth) const { return ((depth * depth >> 4) * per_row_) >> 16; }
   /// mm across that a column is worth at a depth.
@@ -44,6 +43,13 @@ class FloorCamera {
   [[nodiscard]] std::int32_t rightmost_visible() const { return rightmost_visible_; }
 
  private:
+  /// Of all rays at one undistorted row.
+  struct Row {
+    std::int32_t forward = 0;
+    std::int32_t depth = FloorPoint::kNowhere;
+  };
+  [[nodiscard]] Row row_at(std::int32_t y) const;
+  [[nodiscard]] FloorPoint on(const Row& row, std::int32_t x) const;
   void find_limits(std::int32_t columns, std::int32_t rows);
 
   bool usable_ = false;
@@ -52,7 +58,7 @@ class FloorCamera {
   std::int32_t per_px_x_ = 0;  ///< 2^-22 of the focal length's inverse
   std::int32_t per_px_y_ = 0;
   std::int32_t k1_ = 0;
-  std::int32_t pitch_cos_ = kOne;
+  std::int32_t pitch_cos_ = kSlopeOne;
   std::int32_t pitch_sin_ = 0;
   std::int32_t height_ = 0;   ///< 2^-4 mm
   std::int32_t per_row_ = 0;  ///< 2^20 / (f h), 1 / mm
@@ -61,4 +67,4 @@ class FloorCamera {
   std::int32_t rightmost_visible_ = 0;
 };
 
-}  // namespace fencepost::recon::guard
+}  // namespace fencepost::recon

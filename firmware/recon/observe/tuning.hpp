@@ -23,6 +23,8 @@ inline constexpr int kTouchPixels = 5;
 inline constexpr int kBesidePixels = 8;
 /// columns. Within this of the border an end of any blob is ambiguous. On which study was not kept.
 inline constexpr int kBorderColumns = 5;
+/// px from the image's sides within which nothing has to be visible. By design.
+inline constexpr std::int32_t kSidePixels = 4;
 /// px. Bottom rows that differ by no more do not tell which object is nearer. By design.
 inline constexpr int kSameRowPixels = 1;
 

@@ -1,17 +1,18 @@
-#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/observe/floor_camera.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "firmware/recon/guard/tuning.hpp"
+#include "firmware/recon/observe/camera_model.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 
 namespace fencepost::test {
 namespace {
 
-using recon::guard::FloorCamera;
-using recon::guard::FloorPoint;
-using recon::guard::kOne;
+using recon::FloorCamera;
+using recon::FloorPoint;
+using recon::kSlopeOne;
 
 sensor::CameraIntrinsics pixy(double pitch = 0, double k1 = 0, double height = 0.12) {
   sensor::CameraIntrinsics camera;
@@ -35,7 +36,7 @@ TEST(FloorCamera, MeetsTheFloorWhereTheRayDoes) {
   ASSERT_TRUE(floor.usable());
   const FloorPoint point = floor.at(2 * 117 + 1, 2 * 183 + 1);
   EXPECT_NEAR(point.depth, 410, 1);
-  EXPECT_NEAR(point.slope / double{kOne}, 40 / 273.6, 1e-3);
+  EXPECT_NEAR(point.slope / double{kSlopeOne}, 40 / 273.6, 1e-3);
 }
 
 TEST(FloorCamera, AboveTheHorizonNothingIsOnTheFloor) {
@@ -60,7 +61,7 @@ TEST(FloorCamera, AgreesWithTheCameraModel) {
           const FloorPoint point = floor.at(2 * u, 2 * v);
           const double depth = 120 / static_cast<double>(drop);
           EXPECT_NEAR(point.depth, depth, 2 + 0.01 * depth) << u << " " << v << " pitch " << pitch << " k1 " << k1;
-          EXPECT_NEAR(point.slope / double{kOne}, direction.y() / direction.x(), 0.012) << u << " " << v;
+          EXPECT_NEAR(point.slope / double{kSlopeOne}, direction.y() / direction.x(), 0.012) << u << " " << v;
         }
       }
     }
@@ -71,8 +72,8 @@ TEST(FloorCamera, AgreesWithTheCameraModel) {
 TEST(FloorCamera, KnowsWhatItMustSee) {
   const FloorCamera floor = floor_of(pixy());
   EXPECT_NEAR(floor.nearest_visible(), 342, 2);
-  EXPECT_NEAR(floor.leftmost_visible() / double{kOne}, (157.5 - recon::guard::kSidePixels) / 273.6, 2e-3);
-  EXPECT_NEAR(floor.rightmost_visible() / double{kOne}, (157.5 - 315 + recon::guard::kSidePixels) / 273.6, 2e-3);
+  EXPECT_NEAR(floor.leftmost_visible() / double{kSlopeOne}, (157.5 - recon::kSidePixels) / 273.6, 2e-3);
+  EXPECT_NEAR(floor.rightmost_visible() / double{kSlopeOne}, (157.5 - 315 + recon::kSidePixels) / 273.6, 2e-3);
 }
 
 // At 0.5 m a row is 0.25 / (273.6 * 0.12) m = 7.6 mm, a column 500 / 273.6 mm.
@@ -107,8 +108,8 @@ TEST(FloorCamera, HoldsAnyCalibration) {
               const FloorPoint point = floor.at(u, v);
               EXPECT_GE(point.depth, 0);
               EXPECT_LE(point.depth, FloorPoint::kNowhere);
-              EXPECT_LE(std::abs(point.slope), 4 * kOne);
-              EXPECT_GE(floor.depth_of_row(std::min(point.depth, recon::guard::kForgotten)), 0);
+              EXPECT_LE(std::abs(point.slope), 4 * kSlopeOne);
+              EXPECT_GE(floor.depth_of_row(std::min(point.depth, 2000)), 0);
             }
           }
         }
