@@ -84,6 +84,15 @@ CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, con
   return solve_equations(supported, lens);
 }
 
+// Do they contradict an estimate that was made without them?
+bool agree(const NormalEquations& rows, const CylinderEstimate& from_edges) {
+  const float weight = rows.information.rr;
+  const Vec2 mean_normal{rows.information.xr / weight, rows.information.yr / weight};
+  const float residual = rows.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
+  const float variance = 1.0F / weight + from_edges.covariance.along(mean_normal);
+  return residual * residual <= kRowGate * kRowGate * variance;
+}
+
 void hash_symmetric(base::Fnv1a64& hash, const Symmetric3& m) {
   for (const float value : {m.xx, m.xy, m.yy, m.xr, m.yr, m.rr}) hash.f32(value);
 }
@@ -167,6 +176,9 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     const float weight = novelty / (row.variance + shape_variance(noise));
     rows_.add(front.normal, front.bound, weight);
     row_count_ += novelty;
+    if (is_edge(sighting.bottom.end)) {
+      trend_.add(lens, sighting.center, row.depth / sighting.center.dot(sighting.axis), novelty / row.variance);
+    }
   }
 }
 
@@ -198,19 +210,32 @@ void Cylinder::scale_edges(float factor) {
   false_depth_ *= factor;
 }
 
-void Cylinder::solve(const Vec2& lens) {
+void Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) {
+  trend_.judge();
   const CylinderEstimate from_edges = solve_equations(edges_, lens);
-  if (!(row_count_ > 0) || (edges_know(from_edges, lens) && !rows_agree(from_edges))) {
+  const NormalEquations rows = believed_rows(noise);
+  if (!(rows.information.rr > 0) || (edges_know(from_edges, lens) && !agree(rows, from_edges))) {
     estimate_ = from_edges;
     return;
   }
-  NormalEquations both = rows_;
-  both.scale(row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F);
+  NormalEquations both = rows;
   both.add(edges_);
   estimate_ = solve_equations(both, lens);
   if (!seen_whole_ && views_ < kViewsToGuess) return;
   if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusSigma);
   if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusGuess);
+}
+
+NormalEquations Cylinder::believed_rows(const MeasurementNoise& noise) const {
+  NormalEquations rows;
+  if (trend_.verdict() == RowVerdict::kTooFar) {
+    const RowTrend::Front front = trend_.front();
+    rows.add(front.plane.normal, front.plane.bound, 1 / (front.variance + shape_variance(noise)));
+    return rows;
+  }
+  rows = rows_;
+  if (row_count_ > kIndependentRows) rows.scale(kIndependentRows / row_count_);
+  return rows;
 }
 
 bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const {
@@ -220,18 +245,10 @@ bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) 
   return variance * false_depth_ * kTrueDepth < 1.0F;
 }
 
-bool Cylinder::rows_agree(const CylinderEstimate& from_edges) const {
-  const float weight = rows_.information.rr;
-  const Vec2 mean_normal{rows_.information.xr / weight, rows_.information.yr / weight};
-  const float residual = rows_.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
-  const float share = row_count_ > kIndependentRows ? kIndependentRows / row_count_ : 1.0F;
-  const float variance = 1.0F / (weight * share) + from_edges.covariance.along(mean_normal);
-  return residual * residual <= kRowGate * kRowGate * variance;
-}
-
 void Cylinder::move_origin(const Vec2& shift) {
   edges_.move_origin(shift);
   rows_.move_origin(shift);
+  trend_.move_origin(shift);
   estimate_.center -= shift;
 }
 
@@ -239,6 +256,7 @@ void Cylinder::hash(base::Fnv1a64& hash) const {
   hash_equations(hash, edges_);
   hash_equations(hash, rows_);
   hash.f32(row_count_);
+  trend_.hash(hash);
   hash.f32(agreement_);
   hash.f32(false_depth_);
   hash.u8(views_);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "firmware/recon/geometry.hpp"
+#include "firmware/recon/models/row_trend.hpp"
 #include "firmware/recon/observe/sighting.hpp"
 #include "hal/base/fnv1a.hpp"
 
@@ -80,13 +81,15 @@ class Cylinder {
   void add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise);
 
   /// Solves for the current estimate. `lens` is the last lens position, for the parallax test.
-  void solve(const Vec2& lens);
+  void solve(const Vec2& lens, const MeasurementNoise& noise);
 
   void move_origin(const Vec2& shift);
   void hash(base::Fnv1a64& hash) const;
 
   [[nodiscard]] const CylinderEstimate& estimate() const { return estimate_; }
   [[nodiscard]] float row_count() const { return row_count_; }
+  /// Whether the object's rows are to be believed.
+  [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
 
  private:
@@ -96,11 +99,13 @@ class Cylinder {
   void scale_edges(float factor);
   /// The edges alone know the distance, and not only because noise looks like parallax.
   [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
-  [[nodiscard]] bool rows_agree(const CylinderEstimate& from_edges) const;
+  /// What rows say, or what their trend makes of it.
+  [[nodiscard]] NormalEquations believed_rows(const MeasurementNoise& noise) const;
 
   NormalEquations edges_;
   NormalEquations rows_;
   float row_count_ = 0;
+  RowTrend trend_;
   float false_depth_ = 0;    ///< what noisy directions add to edges_' information on the distance, 1/m^2
   std::uint8_t views_ = 0;   ///< counted as far as kViewsToGuess
   bool seen_whole_ = false;  ///< a view had both ends

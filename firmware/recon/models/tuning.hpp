@@ -54,6 +54,17 @@ inline constexpr float kRowGate = 3.0F;
 /// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the
 /// distance. On which study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
+/// Rows are judged by how fast their depths shrink while the robot comes nearer, once the noise lets that be known to
+/// this share. More: sooner, and more often wrong; less: later. Hazard table (bases).
+inline constexpr float kTrendSigma = 0.05F;
+/// Odometry, the focal length and the line's own straightness: one sigma of the same share. By design.
+inline constexpr float kTravelError = 0.02F;
+/// sigmas and share beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
+inline constexpr float kTrendGate = 3.0F;
+inline constexpr float kLeastTrend = 0.08F;
+/// What is farther off than this is no depth of anything. By design.
+inline constexpr float kLeastFall = 0.3F;
+inline constexpr float kLeastTrueShare = 0.4F;
 /// share of the distance: the distance is unknown while its sigma exceeds it. By design.
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;
 /// m. A larger radius is a contradiction, not an obstacle of a small robot. By design.

@@ -158,13 +158,15 @@ struct Object : ObjectCore {
     const Vec2 lens = sighting.lens_from(origin);
     const float weight = cylinder.first_views() == 0 ? 1.0F : novelty(lens);
     cylinder.add(sighting, origin, weight, noise);
-    cylinder.solve(lens);
+    cylinder.solve(lens, noise);
     band.add(sighting, origin);
     last_lens = lens;
     last_bearing = sighting.center;
     waiting = 0;
     if (cylinder.estimate().ok() && must_relocate()) relocate();
-    for_each_model([&](auto& model) { model.add({sighting, origin, weight, noise}); });
+    Sighting believed = sighting;
+    believed.lens_height *= cylinder.row_trend().nearer();
+    for_each_model([&](auto& model) { model.add({believed, origin, weight, noise}); });
   }
 
   /// Parts of the state of which a frame hashes one: the core, then those of the models.

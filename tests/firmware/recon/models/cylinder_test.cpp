@@ -18,7 +18,7 @@ constexpr double kRadius = 0.06;
 
 void add(Cylinder& cylinder, const recon::Sighting& sighting, float novelty = 1) {
   cylinder.add(sighting, {0, 0}, novelty, {});
-  cylinder.solve(sighting.lens_from({0, 0}));
+  cylinder.solve(sighting.lens_from({0, 0}), {});
 }
 
 // The bottom row of an object that stands on the floor, as its nearest point shows it.
@@ -181,8 +181,8 @@ TEST(Cylinder, MovingTheOriginChangesNothing) {
     if (++i == 10) break;
   }
   moved_origin.move_origin(shift);
-  moved_origin.solve(Vec2{0, 0} - shift);
-  here.solve({0, 0});
+  moved_origin.solve(Vec2{0, 0} - shift, {});
+  here.solve({0, 0}, {});
   ASSERT_TRUE(here.estimate().ok());
   EXPECT_NEAR(moved_origin.estimate().center.x() + shift.x(), here.estimate().center.x(), 1e-5F);
   EXPECT_NEAR(moved_origin.estimate().center.y() + shift.y(), here.estimate().center.y(), 1e-5F);
