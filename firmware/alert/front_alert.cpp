@@ -13,7 +13,6 @@ using record::AlertLevel;
 
 namespace {
 
-constexpr float kMillimetres = 1000;
 constexpr std::int32_t kReach = 4000;  // mm
 
 // Within so many mm of the robot's origin, squared, a front calls for a level.
@@ -22,7 +21,7 @@ struct Limit {
   unsigned frames = 0;  // of the fronts within it
 
   void set(float distance) {
-    const std::int32_t reach = recon::nearest_whole(kMillimetres * distance, kReach);
+    const std::int32_t reach = recon::nearest_whole(recon::kMillimetresPerMetre * distance, kReach);
     square = reach * reach;
   }
   void add(const Front& front, std::int32_t distance_square) {
@@ -103,7 +102,8 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   if (nearest == nullptr) return ahead;
   Obstacle& obstacle = ahead.nearest;
   obstacle.known = true;
-  obstacle.toward = recon::Vec2{static_cast<float>(nearest_x), static_cast<float>(nearest_y)} / kMillimetres;
+  obstacle.toward =
+      recon::Vec2{static_cast<float>(nearest_x), static_cast<float>(nearest_y)} / recon::kMillimetresPerMetre;
   obstacle.distance = std::sqrt(obstacle.toward.squaredNorm());
   obstacle.in_path.emplace();
   set_closing(path, obstacle);

@@ -76,10 +76,10 @@ std::size_t describe(const record::AlertReport& alert, std::string_view name, st
 }
 
 std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, std::span<char> out) {
-  constexpr std::int64_t kPerCentimetre = 100;
+  constexpr std::int64_t kTicksPerCentimetre = 100;
   Sentence sentence(out);
   if (nearest) {
-    sentence.put("dist_cm:").number(divide_rounded(nearest->distance.raw, kPerCentimetre));
+    sentence.put("dist_cm:").number(divide_rounded(nearest->distance.raw, kTicksPerCentimetre));
     sentence.put(",bear_deg:").number(whole_degrees(nearest->bearing)).put(",");
   }
   sentence.put("level:").number(static_cast<std::int64_t>(beat.level));

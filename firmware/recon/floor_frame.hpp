@@ -11,6 +11,8 @@ namespace fencepost::recon {
 inline constexpr int kSlopeBits = 14;
 inline constexpr std::int32_t kSlopeOne = 1 << kSlopeBits;
 
+inline constexpr float kMillimetresPerMetre = 1000;
+
 /// a b of which b is a slope.
 constexpr std::int32_t times(std::int32_t a, std::int32_t slope) { return (a * slope) >> kSlopeBits; }
 

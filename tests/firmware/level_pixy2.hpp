@@ -1,5 +1,5 @@
-// The camera of most tests of the loop: a Pixy2's, level, 12 cm above the floor, over the robot's origin. Feet leave the
-// image at 0.32 m.
+// The camera of most tests of the loop: a Pixy2's, level, 12 cm above the floor, over the robot's origin. Feet leave
+// the image at 0.32 m.
 #pragma once
 
 #include "hal/sensor/camera.hpp"

@@ -46,6 +46,16 @@ class Tidy(unittest.TestCase):
         self.source.write_text("int fact(int x) { return x < 2 ? 1 : x * fact(x - 1); }\n")
         self.assertIn("misc-no-recursion", self.run_tidy()[1])
 
+    def test_a_fault_is_found_where_sources_are_compiled_together(self):
+        self.source.write_text("double half(int x) { return x / 2; }\n")
+        unit = self.root / "Unity/unity_0_cxx.cxx"
+        unit.parent.mkdir()
+        unit.write_text(f'#include "{self.source}"\n')
+        self.describe([unit])
+        status, output = self.run_tidy()
+        self.assertEqual(status, 1)
+        self.assertIn("a.cpp:1:", output)
+
     def test_a_source_that_is_not_built_is_found(self):
         self.source.write_text("")
         self.describe([])
