@@ -62,11 +62,13 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
 void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
                         const RobotPath& path, Obstacle& obstacle);
 
-/// Alert model: the hybrid where it is known well, else the cylinder.
+/// Alert model: the hybrid where it is known well, else the cylinder; and the cylinder where the rows that both were
+/// made with have turned out too far, for only that takes them back.
 template <class Profile>
 Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const RobotPath& path) {
   Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, path);
-  if (obstacle.known && object.hybrid().ok()) {
+  const bool rows_were_wrong = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
+  if (obstacle.known && object.hybrid().ok() && !rows_were_wrong) {
     measure_by_outline(object.hybrid().outline(), object.hybrid().origin, robot, path, obstacle);
   }
   return obstacle;

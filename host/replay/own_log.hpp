@@ -17,11 +17,11 @@ class OwnLog {
  public:
   /// Any of them may be missing.
   struct Listeners {
-    std::function<void(std::string_view)> line;  ///< each line, line end included
-    std::function<void(const record::AlertReport&)> alert;
-    std::function<void(const record::ObjectReport&)> object;
-    std::function<void(const record::DigestReport&)> digest;
-    std::function<void(const record::Heartbeat&)> heartbeat;
+    std::function<void(std::string_view)> line{};  ///< each line, line end included
+    std::function<void(const record::AlertReport&)> alert{};
+    std::function<void(const record::ObjectReport&)> object{};
+    std::function<void(const record::DigestReport&)> digest{};
+    std::function<void(const record::Heartbeat&)> heartbeat{};
   };
 
   explicit OwnLog(Listeners listeners) : listeners_(std::move(listeners)) {}

@@ -176,7 +176,7 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     const float weight = novelty / (row.variance + shape_variance(noise));
     rows_.add(front.normal, front.bound, weight);
     row_count_ += novelty;
-    if (is_edge(sighting.bottom.end)) {
+    if (is_edge(sighting.bottom.end) && std::fabs(cross(sighting.axis, sighting.center)) < kAheadForTrend) {
       trend_.add(lens, sighting.center, row.depth / sighting.center.dot(sighting.axis), novelty / row.variance);
     }
   }

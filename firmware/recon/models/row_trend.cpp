@@ -10,6 +10,11 @@ namespace fencepost::recon {
 
 void RowTrend::add(const Vec2& lens, const Vec2& bearing, float range, float weight) {
   if (weight_ > 0) travelled_ += bearing.dot(lens - lens_);
+  // From another side the foot is another point of the object.
+  if (!(weight_ > 0) || std::fabs(cross(first_bearing_, bearing)) > kSameSide) {
+    weight_ = travel_ = travel_square_ = range_ = travel_range_ = travelled_ = 0;
+    first_bearing_ = bearing;
+  }
   lens_ = lens;
   bearing_ = bearing;
   const float weighted = weight * travelled_;
@@ -25,13 +30,13 @@ void RowTrend::judge() {
   scale_ = 1;
   if (!(weight_ > 0)) return;
   const float spread = this->spread();
-  // As well known as it has to be, noise and the robot's own error together.
-  if (!(spread * kTrendSigma * kTrendSigma > 1)) return;
+  if (!(spread > kLeastSpread)) return;
   const float fall = (travel_ * range_ / weight_ - travel_range_) / spread;
-  const float sigma = std::sqrt(1 / spread + kTravelError * kTravelError);
+  // Of noise; of a foot that is another point of the object from elsewhere; of the robot's own error.
+  const float sigma = std::sqrt((1 + kFootWanders * kFootWanders * weight_) / spread + kTravelError * kTravelError);
   const float off = fall - 1;
   if (std::fabs(off) <= std::max(kTrendGate * sigma, kLeastTrend)) {
-    verdict_ = RowVerdict::kTrue;
+    if (sigma < kTrendSigma) verdict_ = RowVerdict::kTrue;
     return;
   }
   verdict_ = off > 0 ? RowVerdict::kTooFar : RowVerdict::kTooNear;
@@ -51,6 +56,7 @@ void RowTrend::hash(base::Fnv1a64& hash) const {
   for (const float value : {weight_, travel_, travel_square_, range_, travel_range_, travelled_}) hash.f32(value);
   hash_vec(hash, lens_);
   hash_vec(hash, bearing_);
+  hash_vec(hash, first_bearing_);
   hash.u8(static_cast<std::uint8_t>(verdict_));
   if (verdict_ != RowVerdict::kUnknown) hash.f32(scale_);
 }

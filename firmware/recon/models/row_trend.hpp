@@ -55,6 +55,7 @@ class RowTrend {
   float travelled_ = 0;  ///< at the latest sighting
   Vec2 lens_{0, 0};      ///< of that
   Vec2 bearing_{1, 0};
+  Vec2 first_bearing_{1, 0};
   float scale_ = 1;
   RowVerdict verdict_ = RowVerdict::kUnknown;
 };

@@ -54,14 +54,24 @@ inline constexpr float kRowGate = 3.0F;
 /// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the
 /// distance. On which study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
-/// Rows are judged by how fast their depths shrink while the robot comes nearer, once the noise lets that be known to
-/// this share. More: sooner, and more often wrong; less: later. Hazard table (bases).
-inline constexpr float kTrendSigma = 0.05F;
+/// Rows are judged by how fast their depths shrink while the robot comes nearer: they are true once that is known to
+/// this share. By design.
+inline constexpr float kTrendSigma = 0.06F;
+/// m. By so much a foot wanders on the object while the robot passes it. Hazard table (bases; approaches for false
+/// stops).
+inline constexpr float kFootWanders = 0.004F;
+/// Sine of the bearing within which rows are judged: what is aside is passed, and its nearest point is not where the
+/// middle of its box shows. By design.
+inline constexpr float kAheadForTrend = 0.25F;
+/// Sine of the angle by which the object may be seen from another side. By design.
+inline constexpr float kSameSide = 0.2F;
+/// Weighted square of the way, as 1 / sigma^2 of that share, below which nothing is judged. By design.
+inline constexpr float kLeastSpread = 10;
 /// Odometry, the focal length and the line's own straightness: one sigma of the same share. By design.
 inline constexpr float kTravelError = 0.02F;
 /// sigmas and share beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
-inline constexpr float kTrendGate = 3.0F;
-inline constexpr float kLeastTrend = 0.08F;
+inline constexpr float kTrendGate = 4.0F;
+inline constexpr float kLeastTrend = 0.10F;
 /// What is farther off than this is no depth of anything. By design.
 inline constexpr float kLeastFall = 0.3F;
 inline constexpr float kLeastTrueShare = 0.4F;
