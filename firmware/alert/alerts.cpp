@@ -19,7 +19,8 @@ float margin_of(const Obstacle& obstacle, const InPath& way, float stop) {
 // Within the stop distance now, with the margin, or before the path is judged again.
 bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float slack) {
   const float until_next_look = obstacle.closing ? obstacle.closing_speed * kLookSeconds : 0.0F;
-  return obstacle.distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
+  const float distance = obstacle.distance - obstacle.overhang;
+  return distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ bool credible(const recon::ObjectCore& object) { return object.confirmed && !obj
 
 AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack) {
   if (!obstacle.known) return AlertLevel::kClear;
-  const auto near = [&](float distance) { return obstacle.distance <= slack * distance; };
+  const auto near = [&](float distance) { return obstacle.distance - obstacle.overhang <= slack * distance; };
   const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
   if (!obstacle.in_path) return near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
   if (must_stop(obstacle, *obstacle.in_path, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;

@@ -43,7 +43,8 @@ struct AlertRules {
 
 /// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
 /// anything else as near as alert.warn is worth a notice. A stop is early rather than late: what is known badly counts
-/// as nearer than it seems, and so does what will be there before the path is watched again.
+/// as nearer than it seems, and so does what will be there before the path is watched again. All distances are moved by
+/// the obstacle's overhang.
 record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
 /// Updates a state and returns the level to report now, if any: a rise to `due` at once, a repeat of warn and stop at

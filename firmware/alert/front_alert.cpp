@@ -15,17 +15,20 @@ namespace {
 
 constexpr std::int32_t kReach = 4000;  // mm
 
-// Within so many mm of the robot's origin, squared, a front calls for a level.
+// Within so many mm of the robot's origin, squared, a front calls for a level: ahead, and behind.
 struct Limit {
-  std::int32_t square = 0;
+  std::array<std::int32_t, 2> squares{};
   unsigned frames = 0;  // of the fronts within it
 
-  void set(float distance) {
-    const std::int32_t reach = recon::nearest_whole(recon::kMillimetresPerMetre * distance, kReach);
-    square = reach * reach;
+  void set(float distance, const Overhang& overhang) {
+    squares = {square_of(distance + overhang.ahead), square_of(distance + overhang.behind)};
   }
-  void add(const Front& front, std::int32_t distance_square) {
-    if (distance_square <= square) frames |= front.frames;
+  void add(const Front& front, std::int32_t distance_square, bool behind) {
+    if (distance_square <= squares[behind ? 1 : 0]) frames |= front.frames;
+  }
+  static std::int32_t square_of(float distance) {
+    const std::int32_t reach = recon::nearest_whole(recon::kMillimetresPerMetre * distance, kReach);
+    return reach * reach;
   }
   [[nodiscard]] bool reached() const { return recon::guard::enough_frames(frames); }
 };
@@ -34,17 +37,20 @@ struct Limits {
   Limit stop;
   Limit warn;
 
-  Limits(const AlertRules& rules, const RobotPath& path, float slack) {
+  Limits(const AlertRules& rules, const RobotPath& path, const Overhang& overhang, float slack) {
     const float speed = std::fabs(path.motion.forward);
     const bool closing = speed > kStanding;
     const float until_next_look = closing ? kLookSeconds * speed : 0.0F;
     const auto soon = [&](float ttc) { return closing ? path.body_radius + slack * ttc * speed : 0.0F; };
-    stop.set(std::max(slack * rules.stop + kFrontDoubt + until_next_look, soon(rules.ttc_stop)));
-    warn.set(std::max(slack * rules.warn, soon(rules.ttc_warn)));
+    stop.set(std::max(slack * rules.stop + kFrontDoubt + until_next_look, soon(rules.ttc_stop)), overhang);
+    warn.set(std::max(slack * rules.warn, soon(rules.ttc_warn)), overhang);
   }
-  void add(const Front& front, std::int32_t distance_square) {
-    stop.add(front, distance_square);
-    warn.add(front, distance_square);
+  void add(const Front& front, std::int32_t distance_square, bool behind) {
+    stop.add(front, distance_square, behind);
+    warn.add(front, distance_square, behind);
+  }
+  [[nodiscard]] std::int32_t widest(bool behind) const {
+    return std::max(stop.squares[behind ? 1 : 0], warn.squares[behind ? 1 : 0]);
   }
   [[nodiscard]] AlertLevel level() const {
     if (stop.reached()) return AlertLevel::kStop;
@@ -67,16 +73,16 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   using recon::nearest_whole;
   constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;
   const SweptArea area(path, kUnsureMargin);
-  Limits due(rules, path, 1.0F);
-  Limits held(rules, path, kHysteresis);
+  Limits due(rules, path, area.overhang(), 1.0F);
+  Limits held(rules, path, area.overhang(), kHysteresis);
   const recon::FloorFrame here{(robot.position.x - origin.x) / kUnits, (robot.position.y - origin.y) / kUnits,
                                nearest_whole(recon::kSlopeOne * robot.heading.x()),
                                nearest_whole(recon::kSlopeOne * robot.heading.y())};
   const Front* nearest = nullptr;
   std::int32_t nearest_x = 0;
   std::int32_t nearest_y = 0;
-  const std::int32_t widest = std::max(held.stop.square, held.warn.square);
-  std::int32_t least = widest;
+  const std::array<std::int32_t, 2> widest = {held.widest(false), held.widest(true)};
+  std::int32_t least = std::max(widest[0], widest[1]);
   bool confirmed = false;
   for (const Front& front : fronts) {
     const std::int32_t dx = front.x - here.x;
@@ -85,11 +91,13 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
     const auto [x, y] = here.see(front.x, front.y);
     if (!area.contains(x, y)) continue;
     const std::int32_t square = x * x + y * y;
-    due.add(front, square);
-    held.add(front, square);
+    const bool behind = x < 0;
+    due.add(front, square, behind);
+    held.add(front, square, behind);
     // A point of a single frame may be noise: the nearest one that several have seen, if there is one.
     const bool enough = recon::guard::enough_frames(front.frames);
-    if ((confirmed && !enough) || (confirmed == enough && square > least) || square > widest) continue;
+    if ((confirmed && !enough) || (confirmed == enough && square > least)) continue;
+    if (square > widest[behind ? 1 : 0]) continue;
     confirmed = enough;
     least = square;
     nearest = &front;

@@ -11,9 +11,17 @@ namespace {
 
 using recon::Vec2;
 
+// A round end touches when it has come so near; a straight one when what is that far along its way is at its edge.
 void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   if (!obstacle.closing) return;
-  obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
+  const float speed = std::fabs(path.motion.forward);
+  const float edge = path.motion.forward > 0 ? path.front : path.rear;
+  if (edge > 0) {
+    const float along = obstacle.distance * obstacle.closing_speed / speed;
+    obstacle.ttc = std::max(0.0F, along - edge) / speed;
+  } else {
+    obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
+  }
 }
 
 void set_closing(const RobotPath& path, float range, Obstacle& obstacle) {
@@ -22,33 +30,12 @@ void set_closing(const RobotPath& path, float range, Obstacle& obstacle) {
   set_time_to_contact(path, obstacle);
 }
 
-// Is the disc (center, radius), robot frame, in the strip of half width w that the motion sweeps?
-bool swept(const Vec2& center, float radius, const RobotPath& path) {
-  const Ways ways(path.motion);
-  const bool on_a_way = center.x() > 0 ? ways.ahead : ways.behind;
-  if (!on_a_way && !(center.squaredNorm() < radius * radius)) return false;
-  if (ways.straight && std::fabs(center.y()) - radius <= path.half_width) return true;
-  if (!ways.arc) return false;
-  const float arc_radius = path.motion.forward / path.motion.turn;  // signed: positive turns left
-  const Vec2 pivot{0, arc_radius};
-  const float from_pivot = std::sqrt((center - pivot).squaredNorm());
-  return std::fabs(from_pivot - std::fabs(arc_radius)) - radius <= path.half_width;
-}
-
 // Of the distance to the point that is nearest to who is at -away from the middle, m.
 float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float range) {
   return range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
 }
 
 }  // namespace
-
-Ways::Ways(const recon::Motion& motion) : ahead(motion.forward > -kSurelyMoving), behind(motion.forward < -kStanding) {
-  const float speed = std::fabs(motion.forward);
-  const float turn = std::fabs(motion.turn);
-  arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
-  if (speed < kSurelyMoving && turn < kSurelyTurning) arc = false;
-  straight = !arc || speed < kSurelyMoving;
-}
 
 RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
   const base::SinCos direction = base::sincos_urad(pose.heading);
@@ -61,7 +48,7 @@ void set_closing(const RobotPath& path, Obstacle& obstacle) {
   set_closing(path, std::sqrt(obstacle.toward.squaredNorm()), obstacle);
 }
 
-Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path) {
+Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
   const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
@@ -72,8 +59,9 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.cut_off = object.cut_off();
-  if (swept(center, cylinder.radius, path)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
-  set_closing(path, range, obstacle);
+  obstacle.overhang = swept.overhang(center);
+  if (swept.touches(center, cylinder.radius)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
+  set_closing(swept.path(), range, obstacle);
   return obstacle;
 }
 

@@ -3,26 +3,10 @@
 
 #include <optional>
 
-#include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/alert/swept_area.hpp"
 #include "firmware/recon/track/object.hpp"
 
 namespace fencepost::alert {
-
-/// The strip of floor that the robot is about to sweep.
-struct RobotPath {
-  recon::Motion motion;
-  float half_width = 0.15F;  ///< half the robot's width plus the margin, m
-  float body_radius = 0.1F;  ///< from the robot's origin to where it touches, m: half its width
-};
-
-/// Which ways lead on from here, as far as the robot's motion tells.
-struct Ways {
-  explicit Ways(const recon::Motion& motion);
-  bool ahead = true;
-  bool behind = false;
-  bool straight = true;
-  bool arc = false;  ///< with the radius forward / turn, positive to the left
-};
 
 /// Computed only for an obstacle in the robot's path.
 struct InPath {
@@ -38,6 +22,7 @@ struct Obstacle {
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing
+  float overhang = 0;       ///< m, see Overhang: by so much the robot's thresholds of distance are moved
   std::optional<InPath> in_path;
 
   /// rad, of the nearest point
@@ -55,7 +40,7 @@ struct RobotPlace {
 };
 
 /// Alert model: the cylinder.
-Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const RobotPath& path);
+Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept);
 
 /// The same obstacle with the distance to `outline` and its uncertainty there, in the local frame at `origin`, if that
 /// is known well. Where it reaches to the side, and so what is in the path, stays the cylinder's.
@@ -65,11 +50,11 @@ void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origi
 /// Alert model: the hybrid where it is known well, else the cylinder; and the cylinder where the rows that both were
 /// made with have turned out too far, for only that takes them back.
 template <class Profile>
-Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const RobotPath& path) {
-  Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, path);
+Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const SweptByBody& swept) {
+  Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, swept);
   const bool rows_were_wrong = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
   if (obstacle.known && object.hybrid().ok() && !rows_were_wrong) {
-    measure_by_outline(object.hybrid().outline(), object.hybrid().origin, robot, path, obstacle);
+    measure_by_outline(object.hybrid().outline(), object.hybrid().origin, robot, swept.path(), obstacle);
   }
   return obstacle;
 }

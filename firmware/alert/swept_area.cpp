@@ -1,32 +1,105 @@
 #include "firmware/alert/swept_area.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "firmware/alert/tuning.hpp"
 #include "firmware/recon/floor_frame.hpp"
 #include "firmware/recon/guard/tuning.hpp"
 
 namespace fencepost::alert {
+namespace {
 
-SweptArea::SweptArea(const RobotPath& path, float less) : ways_(path.motion) {
-  using recon::nearest_whole;
-  constexpr float kMillimetres = 1000;
-  half_width_ = std::max(nearest_whole(kMillimetres * (path.half_width - less)), recon::guard::kSpacing / 2);
-  if (!ways_.arc) return;
-  const std::int32_t radius = nearest_whole(kMillimetres * path.motion.forward / path.motion.turn);
-  twice_radius_ = 2 * radius;
-  const std::int32_t twice = std::abs(twice_radius_);
-  outer_ = half_width_ * (half_width_ + twice);
-  inner_ = 2 * half_width_ < twice ? half_width_ * (half_width_ - twice) : -(radius * radius);
+// Signed, positive to the left.
+float radius_of(const RobotPath& path, const Ways& ways) {
+  return ways.arc || ways.spins ? path.motion.forward / path.motion.turn : 0.0F;
 }
 
-bool SweptArea::contains(std::int32_t x, std::int32_t y) const {
-  if (x == 0 || !(x > 0 ? ways_.ahead : ways_.behind)) return false;
-  if (ways_.straight && y <= half_width_ && y >= -half_width_) return true;
-  if (!ways_.arc) return false;
-  const std::int32_t beyond = x * x + y * (y - twice_radius_);
-  return beyond <= outer_ && beyond >= inner_;
+bool turns_around_itself(const RobotPath& path, const Ways& ways, float radius) {
+  return path.has_corners() && (ways.spins || (ways.arc && radius < path.body_radius));
+}
+
+float overhang_of(const RobotPath& path, float length, bool leads) {
+  if (!(length > 0)) return 0;
+  const float half = path.body_radius;
+  const float reach = leads ? length : std::sqrt(length * length + half * half);
+  return std::max(0.0F, reach - half);
+}
+
+std::int32_t whole_mm2(float square_metres) {
+  constexpr float kSquareMillimetres = 1e6F;
+  constexpr std::int32_t kMost = 1 << 28;
+  return recon::nearest_whole(kSquareMillimetres * square_metres, kMost);
+}
+
+}  // namespace
+
+Ways::Ways(const recon::Motion& motion) : ahead(motion.forward > -kSurelyMoving), behind(motion.forward < -kStanding) {
+  const float speed = std::fabs(motion.forward);
+  const float turn = std::fabs(motion.turn);
+  arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
+  if (speed < kSurelyMoving && turn < kSurelyTurning) arc = false;
+  straight = !arc || speed < kSurelyMoving;
+  spins = turn >= kSurelyTurning && turn * kTightestArc >= speed;
+}
+
+Overhang::Overhang(const RobotPath& path, const Ways& ways)
+    : ahead(overhang_of(path, path.front, ways.ahead && !ways.spins)),
+      behind(overhang_of(path, path.rear, ways.behind && !ways.spins)) {}
+
+// The corner is sqrt(side^2 + length^2) from the pivot, where the side is radius + half the width.
+Corners::Corners(const RobotPath& path, float margin, float length_m, float radius) : length(length_m) {
+  if (!(length > 0)) return;
+  const float side = radius + path.body_radius;
+  out = std::sqrt(side * side + length * length) - side;
+  square = length * length + 2 * margin * out;
+}
+
+SweptArea::SweptArea(const RobotPath& path, float less) : sweep_(path), overhang_(path, sweep_.ways) {
+  using recon::nearest_whole;
+  constexpr float kMillimetres = 1000;
+  const float half_width = path.half_width - less;
+  const float radius = radius_of(path, sweep_.ways);
+  sweep_.twice_radius = 2 * nearest_whole(kMillimetres * radius);
+  sweep_.around = turns_around_itself(path, sweep_.ways, std::fabs(radius));
+  bounds_ = sweep_.ring(std::max(nearest_whole(kMillimetres * half_width), recon::guard::kSpacing / 2));
+  if (!path.has_corners()) return;
+  const float margin = half_width - path.body_radius;
+  const auto add = [&](float length, SweptBounds<std::int32_t>::End& end) {
+    const Corners corners(path, margin, length, std::fabs(radius));
+    end.beside = nearest_whole(kMillimetres * std::max(0.0F, length - margin));
+    end.passed = nearest_whole(kMillimetres * length);
+    end.outer += whole_mm2(corners.square);
+  };
+  add(path.front, bounds_.front);
+  add(path.rear, bounds_.rear);
+  bounds_.outer = std::max(bounds_.front.outer, bounds_.rear.outer);
+}
+
+SweptByBody::SweptByBody(const RobotPath& path) : path_(path), sweep_(path), overhang_(path, sweep_.ways) {
+  const float radius = radius_of(path, sweep_.ways);
+  sweep_.twice_radius = 2 * radius;
+  sweep_.around = turns_around_itself(path, sweep_.ways, std::fabs(radius));
+  if (!path.has_corners()) return;
+  const float margin = path.half_width - path.body_radius;
+  front_ = Corners(path, margin, path.front, std::fabs(radius));
+  rear_ = Corners(path, margin, path.rear, std::fabs(radius));
+}
+
+// A disc is a point, and the margin is wider by its radius.
+bool SweptByBody::touches(const recon::Vec2& center, float radius) const {
+  if (center.squaredNorm() < radius * radius) return true;
+  SweptBounds<float> bounds = sweep_.ring(path_.half_width + radius);
+  if (path_.has_corners()) {
+    const float margin = path_.half_width - path_.body_radius + radius;
+    const auto add = [&](const Corners& corners, SweptBounds<float>::End& end) {
+      if (!(corners.length > 0)) return;
+      end.beside = std::max(0.0F, corners.length - margin);
+      end.passed = corners.length + radius;
+      end.outer += corners.square + 2 * radius * corners.out;
+    };
+    add(front_, bounds.front);
+    add(rear_, bounds.rear);
+    bounds.outer = std::max(bounds.front.outer, bounds.rear.outer);
+  }
+  return sweep_.holds(center.x(), center.y(), bounds);
 }
 
 }  // namespace fencepost::alert

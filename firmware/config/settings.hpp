@@ -17,6 +17,8 @@ enum class Key : std::uint8_t {
   kAlertNotice,
   kAlertTtcStop,
   kAlertTtcWarn,
+  kRobotFront,
+  kRobotRear,
   kRobotWidth,
   kRobotMargin,
   kConfirmK,
@@ -26,7 +28,7 @@ enum class Key : std::uint8_t {
   kCorrectDrift,
   kCorrectPose,
 };
-inline constexpr std::size_t kKeys = 13;
+inline constexpr std::size_t kKeys = 15;
 
 /// The unit of settings that are on or off.
 inline constexpr std::string_view kSwitch = "on|off";
@@ -48,6 +50,8 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"alert.notice", "m", 2, 100, 0, 1000, "in the path and this near: notice"},
     {"alert.ttc_stop", "s", 1, 8, 0, 600, "in the path and this soon: stop"},
     {"alert.ttc_warn", "s", 1, 20, 0, 600, "in the path and this soon: warn"},
+    {"robot.front", "m", 2, 0, 0, 500, "from the origin to the front; 0: half the width"},
+    {"robot.rear", "m", 2, 0, 0, 500, "from the origin to the rear; 0: half the width"},
     {"robot.width", "m", 2, 20, 2, 500, "across the wheels"},
     {"robot.margin", "m", 2, 5, 0, 500, "kept free on either side"},
     {"confirm.k", "", 0, 3, 1, 16, "sightings that confirm an object"},

@@ -37,13 +37,14 @@ class PathWatch {
     const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
     const alert::RobotPath path = path_ahead();
+    const alert::SweptByBody swept(path);
     const alert::RobotPlace robot(robot_pose(m_));
     std::optional<alert::Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
-      const alert::Obstacle obstacle = see_obstacle(object, robot, path);
+      const alert::Obstacle obstacle = see_obstacle(object, robot, swept);
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
       if (level) emit(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
@@ -85,6 +86,8 @@ class PathWatch {
     path.motion = m_.poses.motion(kMotionSpan);
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
+    path.front = m_.settings.number(config::Key::kRobotFront);
+    path.rear = m_.settings.number(config::Key::kRobotRear);
     return path;
   }
 

@@ -166,12 +166,23 @@ class SettingReader {
   std::vector<std::pair<std::string, std::string>> taken_;
 };
 
+std::string metres_text(int hundredths) {
+  const std::string cents = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + (cents.size() < 2 ? ".0" : ".") + cents;
+}
+
 void read_settings(const nlohmann::json& value, const JsonNode& root, SettingReader& reader) {
   if (const auto robot = root.find("robot")) {
-    robot->expect_keys({"width"});
-    if (const auto width = robot->find("width")) {
-      static_cast<void>(width->number(0.02, 5, "m"));
-      reader.set(*width, "robot.width", value.at("robot").at("width").dump());
+    const RobotBody body = read_robot_body(*robot);
+    for (const std::string key : {"front", "rear", "width"}) {
+      if (const auto member = robot->find(key)) reader.set(*member, "robot." + key, value.at("robot").at(key).dump());
+    }
+    if (!body.footprint.empty()) {
+      const BodyRectangle rectangle = rectangle_around(body.footprint);
+      const JsonNode footprint = robot->at("footprint");
+      reader.set(footprint, "robot.front", metres_text(rectangle.front));
+      reader.set(footprint, "robot.rear", metres_text(rectangle.rear));
+      reader.set(footprint, "robot.width", metres_text(rectangle.width));
     }
   }
   const auto settings = root.find("settings");

@@ -75,10 +75,7 @@ Scene read_scene(const json& value) {
   Scene scene;
   if (const auto seed = root.find("seed")) scene.seed = seed->unsigned_integer();
   read_camera(root.at("camera"), scene);
-  if (const auto robot = root.find("robot")) {
-    robot->expect_keys({"width"});
-    scene.robot_width = robot->number_or("width", scene.robot_width, 0.01, 10, "m");
-  }
+  if (const auto robot = root.find("robot")) scene.robot = read_robot_body(*robot);
   const JsonNode signatures = root.at("signatures");
   const std::size_t signature_count = signatures.size(0, "signatures");
   for (std::size_t i = 0; i < signature_count; ++i) scene.signatures.push_back(read_signature(signatures.at(i)));

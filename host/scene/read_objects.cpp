@@ -43,6 +43,12 @@ void check_validity(const JsonNode& node, const Polygon& polygon) {
 
 }  // namespace
 
+LinearRing read_outline(const JsonNode& node) {
+  LinearRing ring = read_ring(node);
+  check_validity(node, {ring, {}});
+  return ring;
+}
+
 Polygon read_footprint(const JsonNode& node) {
   if (node.has("circle")) return read_circle(node);
   node.expect_keys({"type", "coordinates"});

@@ -11,6 +11,10 @@ SceneSignature read_signature(const JsonNode& node);
 SceneObject read_object(const JsonNode& node, std::size_t index);
 /// Polygon (closed or open rings, holes allowed) or {"circle": [x, y, r]}; valid, oriented, rings open.
 Polygon read_footprint(const JsonNode& node);
+/// A list of corners, closed or open; valid, in the order that is written, open.
+LinearRing read_outline(const JsonNode& node);
+/// "robot": front, rear and width, or a footprint.
+RobotBody read_robot_body(const JsonNode& node);
 void read_path(const JsonNode& node, Scene& scene);
 /// Of an object: poses.
 std::vector<TimedPose> read_object_path(const JsonNode& node);

@@ -10,6 +10,7 @@
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
 #include "host/geometry/polygon.hpp"
+#include "host/scene/robot_body.hpp"
 
 namespace fencepost::host {
 
@@ -85,7 +86,7 @@ struct Scene {
   sensor::CameraIntrinsics camera;
   double rate = 50;  ///< frames/s
   int max_blobs = 16;
-  double robot_width = 0.2;
+  RobotBody robot;
   std::vector<SceneSignature> signatures;
   std::vector<SceneObject> objects;
   std::variant<std::monostate, ArcPath, WaypointPath, PosesPath> path;

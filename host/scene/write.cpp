@@ -51,6 +51,15 @@ json footprint_json(const Polygon& footprint) {
   return {{"type", "Polygon"}, {"coordinates", rings}};
 }
 
+json robot_json(const RobotBody& body) {
+  if (!body.footprint.empty()) return {{"footprint", ring_json(body.footprint)}};
+  json out = json::object();
+  if (body.front) out["front"] = *body.front;
+  if (body.rear) out["rear"] = *body.rear;
+  out["width"] = body.width.value_or(0.2);
+  return out;
+}
+
 json path_json(const ArcPath& arc) {
   return {{"type", "arc"},
           {"center", {arc.center.x, arc.center.y}},
@@ -127,7 +136,7 @@ std::string hex(sensor::Rgb rgb) {
 
 std::string write_scene(const Scene& scene) {
   json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene)}};
-  root["robot"] = {{"width", scene.robot_width}};
+  root["robot"] = robot_json(scene.robot);
   root["signatures"] = json::array();
   for (const SceneSignature& s : scene.signatures) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});

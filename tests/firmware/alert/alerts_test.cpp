@@ -43,6 +43,19 @@ TEST(AlertLevel, FollowsDistanceTimeAndPath) {
   EXPECT_EQ(level(Obstacle{}), AlertLevel::kClear);
 }
 
+TEST(AlertLevel, DistancesAreMovedByTheOverhang) {
+  const config::Settings defaults;
+  const auto level = [&](Obstacle obstacle) {
+    obstacle.overhang = 0.2F;
+    return alert::level_for(obstacle, alert::AlertRules(defaults), 1.0F);
+  };
+  EXPECT_EQ(level(in_path(0.45F)), AlertLevel::kStop);
+  EXPECT_EQ(level(in_path(0.70F)), AlertLevel::kWarn);
+  EXPECT_EQ(level(in_path(0.71F)), AlertLevel::kNotice);
+  EXPECT_EQ(level(in_path(1.21F)), AlertLevel::kClear);
+  EXPECT_EQ(level(closing(3.0F, 2.1F)), AlertLevel::kClear) << "times know the body already";
+}
+
 TEST(AlertLevel, FollowsTheSettings) {
   config::Settings settings;
   ASSERT_FALSE(settings.set("alert.stop", "0.40").has_value());

@@ -77,6 +77,37 @@ TEST_F(Fronts, WhatIsBehindMattersToARobotThatReverses) {
   EXPECT_NEAR(std::fabs(see().nearest.bearing()), base::kPi, 1e-3F);
 }
 
+// Half the width is 0.1 m: ahead everything is 0.15 m farther, behind 0.2 m.
+TEST_F(Fronts, ALongBodyMovesTheThresholds) {
+  path_.front = 0.25F;
+  path_.rear = 0.30F;
+  put(415, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  put(411, 0);
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  EXPECT_NEAR(see().nearest.distance, 0.411F, 2e-3F) << "from the origin, as ever";
+  fronts_.clear();
+  path_.motion.forward = -0.09F;
+  put(-475, 0);
+  EXPECT_EQ(see().due, AlertLevel::kWarn);
+  put(-470, 0);
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  EXPECT_NEAR(see().nearest.ttc, (0.470F - 0.3F) / 0.09F, 1e-2F);
+}
+
+TEST_F(Fronts, WhatACornerHitsStops) {
+  path_.front = 0.08F;
+  path_.rear = 0.22F;
+  put(-150, 150);
+  EXPECT_EQ(see().due, AlertLevel::kClear) << "beside the tail, outside of the margin";
+  path_.motion.turn = -0.6F;
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  path_.motion.forward = 0.15F;  // 0.25 m to the right
+  EXPECT_EQ(see().due, AlertLevel::kStop);
+  path_.motion.turn = 0.6F;
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+}
+
 // Three different frames: of one point, or of several that stand for one front.
 TEST_F(Fronts, TakesThreeFrames) {
   put(240, 0, 0b1);

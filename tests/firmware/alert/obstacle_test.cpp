@@ -14,7 +14,7 @@ using alert::Obstacle;
 using alert::RobotPath;
 
 alert::Obstacle see_obstacle(const recon::ObjectCore& object, const recon::MapPose& pose, const RobotPath& path) {
-  return alert::see_obstacle(object, alert::RobotPlace(pose), path);
+  return alert::see_obstacle(object, alert::RobotPlace(pose), alert::SweptByBody(path));
 }
 
 RobotPath driving(float forward, float turn = 0) {
@@ -41,7 +41,7 @@ constexpr float kWidth = 0.3F;
 // 1 m away, so its front is at 0.95 m; the cylinder's is at 0.9 m.
 TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
   const alert::RobotPlace robot({{0, 0}, 0});
-  const Obstacle cylinder = alert::see_obstacle(known_object(1.0, 0, 0.1), robot, driving(0.2F));
+  const Obstacle cylinder = alert::see_obstacle(known_object(1.0, 0, 0.1), robot, alert::SweptByBody(driving(0.2F)));
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = cylinder;
   alert::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
@@ -59,7 +59,7 @@ TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
 TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
   const alert::RobotPlace robot({{0, 0}, 0});
   const BoxOutline box(kDepth, kWidth, 0.004F);
-  Obstacle seen = alert::see_obstacle(known_object(1.0, 0.5, 0.1), robot, driving(0.2F));
+  Obstacle seen = alert::see_obstacle(known_object(1.0, 0.5, 0.1), robot, alert::SweptByBody(driving(0.2F)));
   alert::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
   EXPECT_FALSE(seen.in_path);
@@ -118,6 +118,49 @@ TEST(Obstacle, ACurvedPathFollowsTheArc) {
   EXPECT_TRUE(see_obstacle(known_object(1.2, 0.0, 0.05), {{0, 0}, 0}, driving(0.2F, 0)).in_path);
   // Mirror image: turning right.
   EXPECT_TRUE(see_obstacle(known_object(0.707, -0.293, 0.05), {{0, 0}, 0}, driving(0.2F, -0.2F)).in_path);
+}
+
+RobotPath with_body(RobotPath path, float front, float rear) {
+  path.front = front;
+  path.rear = rear;
+  return path;
+}
+
+TEST(Obstacle, ALongNoseTouchesSooner) {
+  const Obstacle seen = see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, with_body(driving(0.2F), 0.4F, 0.05F));
+  EXPECT_NEAR(seen.distance, 0.9F, 2e-3F) << "from the origin, as ever";
+  EXPECT_NEAR(seen.ttc, (0.9F - 0.4F) / 0.2F, 0.02F);
+  EXPECT_NEAR(seen.overhang, 0.3F, 1e-5F);
+  const Obstacle plain = see_obstacle(known_object(1.0, 0, 0.1), {{0, 0}, 0}, driving(0.2F));
+  EXPECT_EQ(plain.overhang, 0);
+  EXPECT_NEAR(plain.ttc, (0.9F - 0.1F) / 0.2F, 0.02F);
+}
+
+// A straight front is at a post off its middle when it is at its middle: 0.49 m ahead along the way, not 0.5 m away.
+TEST(Obstacle, AStraightFrontTouchesAllAlongItsEdge) {
+  const Obstacle seen = see_obstacle(known_object(0.49, 0.1, 0.02), {{0, 0}, 0}, with_body(driving(0.2F), 0.3F, 0.05F));
+  EXPECT_NEAR(seen.ttc, (0.49F * 0.48F / 0.5F - 0.3F) / 0.2F, 0.02F);
+}
+
+TEST(Obstacle, ReversingTowardsWhatIsBehindIsJudgedFromTheRear) {
+  const Obstacle seen = see_obstacle(known_object(-0.6, 0, 0.1), {{0, 0}, 0}, with_body(driving(-0.2F), 0.1F, 0.3F));
+  ASSERT_TRUE(seen.in_path);
+  ASSERT_TRUE(seen.closing);
+  EXPECT_NEAR(seen.ttc, (0.5F - 0.3F) / 0.2F, 0.02F);
+  EXPECT_NEAR(seen.overhang, 0.2F, 1e-5F);
+}
+
+// Beside the tail that swings out to it, and beside the robot that spins.
+TEST(Obstacle, WhatACornerHitsIsInThePath) {
+  const auto post = known_object(-0.2, -0.18, 0.03);
+  const auto seen = [&](float forward, float turn, float rear) {
+    return see_obstacle(post, {{0, 0}, 0}, with_body(driving(forward, turn), 0.1F, rear)).in_path.has_value();
+  };
+  EXPECT_TRUE(seen(0.2F, 0.5F, 0.3F));
+  EXPECT_FALSE(seen(0.2F, -0.5F, 0.3F)) << "that side draws away";
+  EXPECT_FALSE(seen(0.2F, 0.5F, 0.1F)) << "behind the body";
+  EXPECT_TRUE(seen(0, 0.5F, 0.3F));
+  EXPECT_FALSE(seen(0, 0.5F, 0.1F)) << "the corners' circle is too small";
 }
 
 TEST(Obstacle, WithoutAnEstimateNothingIsKnown) {

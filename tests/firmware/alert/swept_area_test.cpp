@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace fencepost::test {
 namespace {
@@ -80,6 +82,163 @@ TEST(SweptArea, IsWhatTheDistanceFromThePivotSays) {
           EXPECT_EQ(area.contains(x, y), off < 0) << radius << " " << half_width << " " << x << " " << y;
         }
       }
+    }
+  }
+}
+
+using alert::SweptByBody;
+
+// 0.2 m wide, margin 0.05 m.
+RobotPath body_of(float front, float rear, float forward, float turn = 0) {
+  RobotPath path = path_of(forward, turn);
+  path.front = front;
+  path.rear = rear;
+  return path;
+}
+
+TEST(Footprint, StraightOnIsTheBodyAndWhatIsAheadOfIt) {
+  const SweptArea area(body_of(0.3F, 0.2F, 0.2F), 0);
+  EXPECT_TRUE(area.contains(900, 149));
+  EXPECT_FALSE(area.contains(900, 151));
+  EXPECT_TRUE(area.contains(-190, 140)) << "beside the tail, in the margin";
+  EXPECT_FALSE(area.contains(-201, 140)) << "passed";
+  const SweptArea back(body_of(0.3F, 0.2F, -0.2F), 0);
+  EXPECT_TRUE(back.contains(-900, 149));
+  EXPECT_TRUE(back.contains(290, 140));
+  EXPECT_FALSE(back.contains(301, 0));
+}
+
+TEST(Footprint, OfWidthAloneIsRound) {
+  for (const float turn : {0.0F, 0.5F, 2.0F}) {
+    const SweptArea area(body_of(0, 0, 0.1F, turn), 0);
+    EXPECT_FALSE(area.contains(-10, 120)) << turn;
+    EXPECT_FALSE(area.contains(-10, -120)) << turn;
+    EXPECT_EQ(area.overhang().ahead, 0);
+    EXPECT_EQ(area.overhang().behind, 0);
+  }
+}
+
+// On a circle of 0.35 m to the left the rear's outer corner is sqrt(0.45^2 + 0.3^2) = 0.541 m from the pivot, 0.091 m
+// farther than the side. With the margin 0.591 m: beside the tail 0.2 m behind, to y = 0.35 - sqrt(0.591^2 - 0.2^2).
+TEST(Footprint, TheTailSwingsOut) {
+  const SweptArea area(body_of(0.1F, 0.3F, 0.2F, 0.2F / 0.35F), 0);
+  EXPECT_TRUE(area.contains(-200, -204));
+  EXPECT_FALSE(area.contains(-200, -208));
+  EXPECT_FALSE(area.contains(-301, -120)) << "behind its corner";
+  EXPECT_FALSE(area.contains(-200, 130)) << "the inner side draws away";
+  EXPECT_TRUE(area.contains(541, 350 + 20)) << "a quarter of a circle on, the corner comes by";
+  const SweptArea right(body_of(0.1F, 0.3F, 0.2F, -0.2F / 0.35F), 0);
+  EXPECT_TRUE(right.contains(-200, 204));
+  EXPECT_FALSE(right.contains(-200, 208));
+  EXPECT_FALSE(SweptArea(body_of(0.1F, 0.1F, 0.2F, 0.2F / 0.35F), 0).contains(-101, -160)) << "a short tail";
+}
+
+// sqrt(0.35^2 + 0.25^2) + 0.05 = 0.480 m from the pivot; the side goes to 0.4 m.
+TEST(Footprint, TheNoseSwingsOutAheadOfTheRobot) {
+  const SweptArea area(body_of(0.25F, 0.05F, 0.25F, 1), 0);
+  EXPECT_TRUE(area.contains(330, 250 - 345));
+  EXPECT_TRUE(area.contains(475, 250));
+  EXPECT_FALSE(area.contains(485, 250));
+  EXPECT_FALSE(SweptArea(path_of(0.25F, 1), 0).contains(475, 250));
+  EXPECT_FALSE(area.contains(100, -180)) << "beside the body: the nose has passed, the tail is short";
+  const SweptArea back(body_of(0.05F, 0.25F, -0.25F, -1), 0);  // the mirror image
+  EXPECT_TRUE(back.contains(-475, 250));
+  EXPECT_FALSE(back.contains(-100, -180));
+}
+
+// The corners' circle: sqrt(0.3^2 + 0.1^2) + 0.05 = 0.366 m.
+TEST(Footprint, SpinningSweepsACircle) {
+  for (const float turn : {0.5F, -0.5F}) {
+    const SweptArea area(body_of(0.1F, 0.3F, 0, turn), 0);
+    EXPECT_TRUE(area.contains(0, 365));
+    EXPECT_TRUE(area.contains(-250, -265));
+    EXPECT_TRUE(area.contains(-365, 0));
+    EXPECT_FALSE(area.contains(-370, 0));
+    EXPECT_FALSE(area.contains(0, 370));
+  }
+  EXPECT_FALSE(SweptArea(body_of(0.1F, 0.3F, 0, 0.1F), 0).contains(0, 300)) << "odometry that wavers is no spin";
+  EXPECT_FALSE(SweptArea(path_of(0, 0.5F), 0).contains(0, 120)) << "a round body stays where it is";
+}
+
+TEST(Footprint, ThresholdsMoveByWhatReachesBeyondHalfTheWidth) {
+  const auto overhang = [](float front, float rear, float forward, float turn) {
+    return SweptArea(body_of(front, rear, forward, turn), 0).overhang();
+  };
+  EXPECT_NEAR(overhang(0.3F, 0.2F, 0.2F, 0).ahead, 0.2, 1e-5);
+  EXPECT_NEAR(overhang(0.3F, 0.2F, 0.2F, 0).behind, std::hypot(0.2, 0.1) - 0.1, 1e-5) << "a corner may swing out";
+  EXPECT_NEAR(overhang(0.3F, 0.2F, -0.2F, 0).behind, 0.1, 1e-5);
+  EXPECT_NEAR(overhang(0.3F, 0.2F, 0, 1).ahead, std::hypot(0.3, 0.1) - 0.1, 1e-5);
+  EXPECT_EQ(overhang(0.05F, 0, 0.2F, 0).ahead, 0) << "a short nose brings no stop later than alert.stop";
+}
+
+// m from a rectangle around the origin, robot frame.
+double from_body(const RobotPath& path, double x, double y) {
+  const double ahead = std::max({x - double{path.front}, -double{path.rear} - x, 0.0});
+  const double aside = std::max(std::fabs(y) - double{path.body_radius}, 0.0);
+  return std::hypot(ahead, aside);
+}
+
+// The nearest that the body comes to a place within the next 60 degrees or 0.6 m of its motion.
+double nearest_on_the_way(const RobotPath& path, double x, double y) {
+  const double forward = double{path.motion.forward};
+  const double turn = double{path.motion.turn};
+  const double seconds = std::min(1.05 / std::max(1e-9, std::fabs(turn)), 0.6 / std::max(1e-9, std::fabs(forward)));
+  double least = 1;
+  for (int i = 0; i <= 200; ++i) {
+    const double t = seconds * i / 200;
+    const double heading = turn * t;
+    const double half = heading / 2;
+    const double chord = forward * t * (std::fabs(half) > 1e-9 ? std::sin(half) / half : 1);
+    const double dx = x - chord * std::cos(half);
+    const double dy = y - chord * std::sin(half);
+    least = std::min(least, from_body(path, std::cos(heading) * dx + std::sin(heading) * dy,
+                                      std::cos(heading) * dy - std::sin(heading) * dx));
+  }
+  return least;
+}
+
+// Whatever the body comes to touch is in the area; bodies with corners at both ends.
+TEST(Footprint, HoldsWhatTheBodyMeets) {
+  int met = 0;
+  for (const auto& [front, rear] : {std::pair{0.3F, 0.05F}, {0.05F, 0.3F}, {0.2F, 0.2F}, {0.01F, 0.01F}}) {
+    for (const auto& [forward, turn] :
+         {std::pair{0.2F, 0.0F}, {-0.2F, 0.0F}, {0.2F, 0.5F}, {0.2F, -1.1F}, {-0.2F, 0.8F}, {-0.2F, -1.2F},
+          {0.2F, 2.0F}, {0.04F, 0.2F}, {0.0F, 0.5F}, {0.02F, -0.5F}}) {
+      const RobotPath path = body_of(front, rear, forward, turn);
+      const SweptArea points(path, 0);
+      const SweptByBody discs(path);
+      for (int x = -700; x <= 700; x += 28) {
+        for (int y = -700; y <= 700; y += 28) {
+          if (from_body(path, 1e-3 * x, 1e-3 * y) < 0.06) continue;  // it is there now
+          const double nearest = nearest_on_the_way(path, 1e-3 * x, 1e-3 * y);
+          const auto where = [&] {
+            return testing::Message() << front << " " << rear << ", " << forward << " " << turn << ": " << x << " " << y;
+          };
+          if (nearest < 0.001) EXPECT_TRUE(points.contains(x, y)) << where();
+          const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
+          if (nearest < 0.05) EXPECT_TRUE(discs.touches(center, 0.05F)) << where();
+          met += nearest < 0.001 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 1000);
+}
+
+// A disc is a point with a wider margin.
+TEST(Footprint, DiscsAndPointsAgree) {
+  for (const auto& [forward, turn] : {std::pair{0.2F, 0.0F}, {0.2F, 0.7F}, {-0.2F, 0.9F}, {0.0F, 0.5F}}) {
+    for (const float rear : {0.0F, 0.2F}) {
+      const SweptArea points(body_of(rear, rear, forward, turn), 0);
+      const SweptByBody discs(body_of(rear, rear, forward, turn));
+      int different = 0;
+      for (int x = -500; x <= 500; x += 11) {
+        for (int y = -500; y <= 500; y += 11) {
+          const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
+          different += points.contains(x, y) != discs.touches(center, 0) ? 1 : 0;
+        }
+      }
+      EXPECT_LE(different, 10) << forward << " " << turn << " " << rear;  // rounding at the border
     }
   }
 }

@@ -33,6 +33,8 @@ TEST(Console, Help) {
             "  alert.notice    1.00  0.00..10.00 m in the path and this near: notice\r\n"
             "  alert.ttc_stop   0.8  0.0..60.0 s   in the path and this soon: stop\r\n"
             "  alert.ttc_warn   2.0  0.0..60.0 s   in the path and this soon: warn\r\n"
+            "  robot.front     0.00  0.00..5.00 m  from the origin to the front; 0: half the width\r\n"
+            "  robot.rear      0.00  0.00..5.00 m  from the origin to the rear; 0: half the width\r\n"
             "  robot.width     0.20  0.02..5.00 m  across the wheels\r\n"
             "  robot.margin    0.05  0.00..5.00 m  kept free on either side\r\n"
             "  confirm.k          3  1..16         sightings that confirm an object\r\n"

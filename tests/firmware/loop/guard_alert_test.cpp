@@ -37,13 +37,15 @@ class Drive {
     pipeline.set_camera(level_pixy2());
   }
 
-  /// For `seconds` at `speed` m/s along x.
-  void go(double seconds, double speed, const std::vector<FlatFront>& world) {
+  /// For `seconds` at `speed` m/s along x, turning at `turn` rad/s.
+  void go(double seconds, double speed, const std::vector<FlatFront>& world, double turn = 0) {
     const auto steps = static_cast<int>(std::lround(seconds * 100));
     for (int i = 0; i < steps; ++i) {
       t += 0.01;
-      x += 0.01 * speed;
-      pipeline.accept(sensor::OdometrySample{base::Time::nearest(t), base::Metres::nearest(x), {}, {}});
+      heading += 0.01 * turn;
+      x += 0.01 * speed * std::cos(heading);
+      pipeline.accept(sensor::OdometrySample{base::Time::nearest(t), base::Metres::nearest(x), {},
+                                             base::Radians::nearest(heading)});
       if (t - last_frame_ > 1 / rate_ - 1e-6) {
         last_frame_ = t;
         on_their_way_.push_back(flat_view(world, x, 0, t + 0.05, number_++));
@@ -82,6 +84,7 @@ class Drive {
   Alerts alerts;
   double t = 0;
   double x = 0;
+  double heading = 0;
 
  private:
   double rate_;
@@ -112,6 +115,38 @@ TEST(GuardAlert, AWallWiderThanTheViewStopsTheRobotInTime) {
       EXPECT_TRUE(last.ttc.has_value());
       EXPECT_EQ(last.confidence.raw, 100);
     }
+  }
+}
+
+// robot.width says nothing of a nose of 0.4 m: without robot.front it stops at 0.25 m from the origin, in the wall.
+TEST(GuardAlert, StopsBeforeTheNoseTouches) {
+  for (const double speed : {0.05, 0.2}) {
+    Drive robot;
+    ASSERT_FALSE(robot.pipeline.set("robot.front", "0.4"));
+    robot.go(0.40 / speed, speed, {kWall});
+    EXPECT_EQ(robot.highest(), AlertLevel::kWarn) << speed;
+    robot.go(0.06 / speed, speed, {kWall});
+    ASSERT_EQ(robot.highest(), AlertLevel::kStop) << "0.54 m from the origin, 0.14 m from the nose, at " << speed;
+    const record::AlertReport& last = robot.alerts.all.back();
+    EXPECT_NEAR(last.distance.to_double(), 1.0 - robot.x, 0.04);
+    EXPECT_NEAR(last.ttc->to_double(), (1.0 - robot.x - 0.4) / speed, 0.05 / speed);
+  }
+}
+
+// Turned round before the wall, it backs towards what it does not see any more.
+TEST(GuardAlert, StopsWhenTheRearReachesTheWallBehind) {
+  for (const bool told : {true, false}) {
+    Drive robot;
+    if (told) ASSERT_FALSE(robot.pipeline.set("robot.rear", "0.3"));
+    robot.go(2, 0.2, {kWall});               // 0.6 m before it
+    robot.go(3.14159 / 1.5, 0, {}, 1.5);
+    robot.go(0.7, 0, {});
+    ASSERT_EQ(robot.highest(), AlertLevel::kClear);
+    robot.go(0.5, -0.2, {});
+    EXPECT_NE(robot.highest(), AlertLevel::kStop) << "0.5 m";
+    robot.go(0.35, -0.2, {});  // 0.43 m from the origin, 0.13 m from the rear
+    EXPECT_EQ(robot.highest() == AlertLevel::kStop, told);
+    if (told) EXPECT_NEAR(std::fabs(robot.alerts.all.back().bearing.to_double()), 3.14, 0.5);
   }
 }
 

@@ -13,7 +13,7 @@ TEST(Settings, StartWithTheDocumentedDefaults) {
   const Settings settings;
   const std::pair<Key, std::string_view> defaults[] = {
       {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},  {Key::kAlertNotice, "1.00"}, {Key::kAlertTtcStop, "0.8"},
-      {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotWidth, "0.20"}, {Key::kRobotMargin, "0.05"}, {Key::kConfirmK, "3"},
+      {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotFront, "0.00"}, {Key::kRobotRear, "0.00"}, {Key::kRobotWidth, "0.20"}, {Key::kRobotMargin, "0.05"}, {Key::kConfirmK, "3"},
       {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},     {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"},
       {Key::kCorrectPose, "off"}};
   static_assert(std::size(defaults) == config::kKeys);
@@ -31,6 +31,17 @@ TEST(Settings, TakeEveryKeyWithinItsRangeOnly) {
     EXPECT_EQ(settings.set(entry.name, "3.5"), std::nullopt) << entry.name;  // whole numbers round to 4
     EXPECT_FALSE(settings == Settings{}) << entry.name;
   }
+}
+
+TEST(Settings, EndsOfTheRobotAreToldInHundredthsOfAMetre) {
+  Settings settings;
+  for (const char* key : {"robot.front", "robot.rear"}) {
+    EXPECT_EQ(settings.set(key, "0.01"), std::nullopt) << key;
+    EXPECT_EQ(settings.set(key, "5"), std::nullopt) << key;
+    EXPECT_EQ(settings.set(key, "5.01"), SettingError::kOutOfRange) << key;
+    EXPECT_EQ(settings.set(key, "-0.01"), SettingError::kOutOfRange) << key;
+  }
+  EXPECT_FLOAT_EQ(settings.number(Key::kRobotFront), 5);
 }
 
 TEST(Settings, SwitchesAreOnOrOff) {

@@ -127,6 +127,25 @@ TEST(RobotFile, ReadsSettings) {
   EXPECT_EQ(robot.settings, expected);
 }
 
+TEST(RobotFile, ReadsTheEndsOfTheRobot) {
+  const RobotFile robot = read(R"({"robot": {"front": 0.12, "rear": 0.3, "width": 0.24}})");
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"robot.front", "0.12"}, {"robot.rear", "0.3"}, {"robot.width", "0.24"}};
+  EXPECT_EQ(robot.settings, expected);
+}
+
+// Rounded outwards, as wide to the left as to the right.
+TEST(RobotFile, AFootprintBecomesTheRectangleAroundIt) {
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"robot.front", "0.25"}, {"robot.rear", "0.07"}, {"robot.width", "0.25"}};
+  EXPECT_EQ(read(R"({"robot": {"footprint": [[0.25, 0], [-0.061, 0.1], [-0.061, -0.121]]}})").settings, expected);
+  EXPECT_EQ(read(R"({"robot": {"footprint": [[0.25, 0], [-0.061, 0.1], [-0.061, -0.121], [0.25, 0]]}})").settings,
+            expected);
+  EXPECT_EQ(read(R"({"robot": {"footprint": [[0, 0.005], [-0.29, 0.005], [-0.29, -0.005], [0, -0.005]]}})").settings,
+            (std::vector<std::pair<std::string, std::string>>{
+                {"robot.front", "0.01"}, {"robot.rear", "0.29"}, {"robot.width", "0.02"}}));
+}
+
 TEST(RobotFile, TheDocumentsExampleIsOne) {
   std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/doc/live.md");
   const std::string document{std::istreambuf_iterator<char>(file), {}};
@@ -134,7 +153,7 @@ TEST(RobotFile, TheDocumentsExampleIsOne) {
   const RobotFile robot = read(document.substr(begin, document.find("```", begin) - begin));
   EXPECT_EQ(robot.camera.mount->z.raw, 1'200);
   EXPECT_EQ(robot.windows.size(), 1U);
-  EXPECT_EQ(robot.settings.size(), 3U);
+  EXPECT_EQ(robot.settings.size(), 5U);
   EXPECT_EQ(robot.wheels.counter_bits, 16);
   ASSERT_TRUE(robot.can.has_value());
   EXPECT_EQ(robot.can->wheels.right_pm_per_count, -445'000'000);
@@ -174,6 +193,22 @@ TEST(RobotFile, SaysWhatIsWrongWhereAndWhatToDo) {
       {R"({"settings": {"alert.stopp": 1}})", "/settings/alert.stopp: there is no setting"},
       {R"({"settings": {"alert.stop": 11}})", "/settings/alert.stop: \"11\" is not possible"},
       {R"({"robot": {"width": "wide"}})", "/robot/width: must be a number"},
+      {R"({"robot": {"width": 6}})", "/robot/width: \"6\" is not possible"},
+      {R"({"robot": {"front": 0}})", "/robot/front: 0 is out of range"},
+      {R"({"robot": {"rear": -0.1}})", "/robot/rear: -0.1 is out of range"},
+      {R"({"robot": {"nose": 0.1}})", "/robot/nose: unknown key"},
+      {R"({"robot": {"width": 0.2, "footprint": [[0.1, 0.1], [-0.1, 0.1], [0, -0.1]]}})",
+       "/robot/footprint: says the same as front, rear and width"},
+      {R"({"robot": {"footprint": [[0.1, 0.1], [-0.1, 0.1]]}})", "/robot/footprint: has 2 corners"},
+      {R"({"robot": {"footprint": [[0.1, 0.1], [-0.1, 0.1], [0.1, 0.1]]}})",
+       "/robot/footprint: has fewer than three different corners"},
+      {R"({"robot": {"footprint": [[0.1, 0.1], [-0.1, -0.1], [0.1, -0.1], [-0.1, 0.1]]}})",
+       "/robot/footprint: the outline crosses or touches itself at (0, 0)"},
+      {R"({"robot": {"footprint": [[0.1, 0], [-0.1, 0], [0, 0]]}})", "/robot/footprint: "},
+      {R"({"robot": {"footprint": [[6, 0.1], [-0.1, 0.1], [0, -0.1]]}})", "/robot/footprint/0/0: 6 is out of range"},
+      {R"({"robot": {"footprint": [[0.1, 0.1], [-0.1, 3], [0, -0.1]]}})", "/robot/footprint/1/1: 3 is out of range"},
+      {R"({"robot": {"footprint": [[0.3, 0.1], [0.1, 0.1], [0.2, -0.1]]}})",
+       "/robot/footprint: the robot's origin is not inside or level with it"},
   };
   for (const auto& [text, message] : kBad) {
     const auto robot = parse_robot(text, "robot.json");

@@ -21,7 +21,7 @@ TEST(Scene, ReadsEveryPart) {
   EXPECT_EQ(scene.camera.mount.yaw.raw, 1000);
   ASSERT_TRUE(scene.camera.mount.pitch.has_value());
   EXPECT_EQ(scene.camera.latency.raw, 500);
-  EXPECT_EQ(scene.robot_width, 0.25);
+  EXPECT_EQ(scene.robot.width, 0.25);
   ASSERT_EQ(scene.signatures.size(), 2U);
   EXPECT_EQ(scene.signatures[0].rgb, (sensor::Rgb{0xd0, 0x20, 0x20}));
   ASSERT_EQ(scene.objects.size(), 2U);
@@ -128,6 +128,26 @@ TEST(Scene, WrittenScenesReadBackTheSame) {
     EXPECT_EQ(second->camera, first->camera);
     EXPECT_EQ(second->noise.edge_px, first->noise.edge_px);
     EXPECT_EQ(second->path.index(), first->path.index());
+  }
+}
+
+TEST(Scene, TheRobotHasEndsOrAFootprint) {
+  const auto with = [](const std::string& robot) {
+    return parse_scene(replaced(valid_scene(), R"("robot": {"width": 0.25})", "\"robot\": " + robot), "s");
+  };
+  const LoadedScene ends = with(R"({"front": 0.2, "width": 0.3})");
+  ASSERT_TRUE(ends.ok()) << ends.error().message();
+  EXPECT_EQ(ends->robot.front, 0.2);
+  EXPECT_FALSE(ends->robot.rear.has_value());
+  const LoadedScene outline = with(R"({"footprint": [[0.2, 0], [-0.1, 0.1], [-0.1, -0.1]]})");
+  ASSERT_TRUE(outline.ok()) << outline.error().message();
+  EXPECT_EQ(outline->robot.footprint.size(), 3U);
+  for (const LoadedScene& scene : {ends, outline}) {
+    const LoadedScene again = parse_scene(write_scene(*scene), "s");
+    ASSERT_TRUE(again.ok()) << again.error().message();
+    EXPECT_EQ(again->robot.front, scene->robot.front);
+    EXPECT_EQ(again->robot.width, scene->robot.width);
+    EXPECT_EQ(again->robot.footprint.size(), scene->robot.footprint.size());
   }
 }
 

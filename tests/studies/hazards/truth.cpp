@@ -98,7 +98,8 @@ bool RunTruth::stop_is_right(double t, double grace) const {
   for (std::size_t object = 0; object < encounter_.scene.objects.size(); ++object) {
     const auto meets = meets_in(object, t, limits.margin + grace);
     if (!meets) continue;
-    if (distance(object, t) <= kNearly * limits.stop) return true;
+    const double near = kNearly * limits.stop;
+    if (distance(object, t) <= near || clearance(object, t) <= near - limits.half_width) return true;
     const bool moves = !encounter_.scene.objects[object].path.empty();
     if (*meets <= (moves ? kNearlyOfMovers : kNearly) * limits.ttc_stop) return true;
   }

@@ -86,9 +86,10 @@ struct Turn {
   double left = 0;
   double radius = 0;  ///< m, positive: to the left
   double rate = 0;    ///< rad/s, on the spot, where there is no radius
+  bool back = false;  ///< reversing
 };
 
-Outcome turn_by_post(const Reach& reach, const Turn& turn, Dice& dice, unsigned seed, const Conditions& conditions) {
+Encounter turn_by_post(const Reach& reach, const Turn& turn, Dice& dice, unsigned seed, const Conditions& conditions) {
   constexpr double kDrive = 0.8;  // m
   Encounter met = with_body(reach, seed, conditions);
   const host::TimedPose start = random_start(dice);
@@ -96,10 +97,11 @@ Outcome turn_by_post(const Reach& reach, const Turn& turn, Dice& dice, unsigned 
   const double height = dice.between(0.1, 0.2);
   met.scene.objects = {thing("post", random_colour(dice), height, box_at(post, 2 * kPost, 2 * kPost))};
   const double speed = dice.between(0.1, 0.3);
-  const Leg last = turn.radius != 0 ? Leg{1, speed, speed / turn.radius} : Leg{1, 0, turn.rate};
+  const double last_speed = turn.back ? -speed : speed;
+  const Leg last = turn.radius != 0 ? Leg{1, last_speed, last_speed / turn.radius} : Leg{1, 0, turn.rate};
   met.route = Route(start, {{0.5, 0, 0}, {kDrive / speed, speed, 0}, last});
   met.seconds = met.route.last_leg() + std::numbers::pi / std::abs(last.turn_rate);
-  return judge_body(met, conditions);
+  return met;
 }
 
 double random_side(Dice& dice) { return dice.below(2) == 0 ? 1 : -1; }
@@ -111,7 +113,8 @@ Outcome spin(unsigned seed, const Conditions& conditions) {
   const double gap = dice.between(0.02, 0.06);
   const double rate = -side * dice.between(0.5, 1.0);
   const double behind = dice.between(0.13, 0.17);
-  return turn_by_post(kTail, {-behind, side * (kWidth / 2 + gap + kPost), 0, rate}, dice, seed, conditions);
+  const Turn turn{-behind, side * (kWidth / 2 + gap + kPost), 0, rate};
+  return judge_body(turn_by_post(kTail, turn, dice, seed, conditions), conditions);
 }
 
 // Its tightest curve: the tail swings out by sqrt(0.35^2 + 0.22^2) - 0.35 = 6 cm.
@@ -120,7 +123,8 @@ Outcome swing_tail(unsigned seed, const Conditions& conditions) {
   const double side = random_side(dice);
   const double gap = dice.between(0.01, 0.03);
   const double behind = dice.between(0.13, 0.17);
-  return turn_by_post(kTail, {-behind, side * (kWidth / 2 + gap + kPost), -side * kRadius, 0}, dice, seed, conditions);
+  const Turn turn{-behind, side * (kWidth / 2 + gap + kPost), -side * kRadius};
+  return judge_body(turn_by_post(kTail, turn, dice, seed, conditions), conditions);
 }
 
 // The nose's outer corner goes along a circle of sqrt(0.35^2 + 0.25^2) = 0.43 m, 8 cm outside of the wheels' side.
@@ -131,20 +135,61 @@ Outcome swing_nose(unsigned seed, const Conditions& conditions) {
   const double radius = corner - dice.between(0.01, 0.05) + kPost;
   const double along = dice.between(0.9, 1.4);  // rad of the curve
   const Turn turn{radius * std::sin(along), side * (kRadius - radius * std::cos(along)), side * kRadius, 0};
-  return turn_by_post(kNose, turn, dice, seed, conditions);
+  return judge_body(turn_by_post(kNose, turn, dice, seed, conditions), conditions);
+}
+
+// Backs off on its tightest curve: now the nose swings out, by sqrt(0.35^2 + 0.25^2) - 0.35 = 8 cm.
+Outcome swing_back(unsigned seed, const Conditions& conditions) {
+  Dice dice(seed);
+  const double side = random_side(dice);
+  const double gap = dice.between(0.01, 0.03);
+  const double ahead = dice.between(0.16, 0.20);
+  const Turn turn{ahead, side * (kWidth / 2 + gap + kPost), -side * kRadius, 0, true};
+  return judge_body(turn_by_post(kNose, turn, dice, seed, conditions), conditions);
+}
+
+// The same turns beside a post that no corner reaches, with its margin and what grazes: nothing to say.
+Outcome turn_freely(const Turn& turn, Dice& dice, unsigned seed, const Conditions& conditions) {
+  const Encounter met = turn_by_post(kTail, turn, dice, seed, conditions);
+  Outcome outcome;
+  const Judged run = run_cell(met, conditions);
+  judge_no_stop(run, outcome);
+  judge_false_stops(run, outcome);
+  outcome.measures.push_back(outcome.false_stops);
+  return outcome;
+}
+
+Outcome spin_freely(unsigned seed, const Conditions& conditions) {
+  Dice dice(seed);
+  const double side = random_side(dice);
+  const double gap = dice.between(0.32, 0.45);
+  const double rate = -side * dice.between(0.5, 1.0);
+  return turn_freely({-dice.between(0, 0.2), side * (kWidth / 2 + gap + kPost), 0, rate}, dice, seed, conditions);
+}
+
+Outcome swing_freely(unsigned seed, const Conditions& conditions) {
+  Dice dice(seed);
+  const double side = random_side(dice);
+  const double gap = dice.between(0.16, 0.25);
+  const Turn turn{-dice.between(0, 0.2), side * (kWidth / 2 + gap + kPost), -side * kRadius};
+  return turn_freely(turn, dice, seed, conditions);
 }
 
 }  // namespace
 
 Family turning() {
   return {"turning",
-          "stop in force for the last 0.5 s before the contact of a body that is told as robot.front, .rear and .width",
+          "stop in force for the last 0.5 s before the contact of a body that is told as robot.front, .rear and .width; no stop"
+          "where nothing is reached",
           "first stop, s before the contact",
           {{"backing into a block after a turn of 180 degrees", {95, 1}, reverse},
            {"spinning on the spot, a post beside the tail", {95, 1}, spin},
            {"tight curve, a post beside the tail that swings out", {95, 1}, swing_tail},
            {"a nose of 0.25 m, straight into a block", {95, 1}, drive_nose},
-           {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose}}};
+           {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose},
+           {"backing off on a tight curve, a post beside the nose that swings out", {95, 1}, swing_back},
+           {"spinning on the spot, a post out of reach: no stop", {95, 1}, spin_freely},
+           {"tight curve, a post that the tail does not reach: no stop", {95, 1}, swing_freely}}};
 }
 
 }  // namespace fencepost::test

@@ -1,0 +1,30 @@
+// The robot's body and how it moves.
+#pragma once
+
+#include "firmware/recon/observe/pose_history.hpp"
+
+namespace fencepost::alert {
+
+/// Robot frame: origin midway between the wheels, x forward, y left. An end whose length is told is straight, with a
+/// corner on either side; one that is not is a half circle of the body's width.
+struct RobotPath {
+  recon::Motion motion;
+  float half_width = 0.15F;  ///< half the robot's width plus the margin, m
+  float body_radius = 0.1F;  ///< half its width, m
+  float front = 0;           ///< from the origin to the front's corners, m; 0: not told
+  float rear = 0;            ///< likewise, to the rear's
+
+  [[nodiscard]] bool has_corners() const { return front > 0 || rear > 0; }
+};
+
+/// Which ways lead on from here, as far as the robot's motion tells.
+struct Ways {
+  explicit Ways(const recon::Motion& motion);
+  bool ahead = true;
+  bool behind = false;
+  bool straight = true;
+  bool arc = false;    ///< with the radius forward / turn, positive to the left
+  bool spins = false;  ///< on the spot or nearly so, on the same radius
+};
+
+}  // namespace fencepost::alert
