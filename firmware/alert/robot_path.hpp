@@ -5,6 +5,13 @@
 
 namespace fencepost::alert {
 
+/// How the robot went when it surely moved last. One that stands because it was told to may go on so.
+struct LastWay {
+  bool back = false;
+  bool turning = false;
+  void follow(const recon::Motion& motion);
+};
+
 /// Robot frame: origin midway between the wheels, x forward, y left. An end whose length is told is straight, with a
 /// corner on either side; one that is not is a half circle of the body's width.
 struct RobotPath {
@@ -13,18 +20,20 @@ struct RobotPath {
   float body_radius = 0.1F;  ///< half its width, m
   float front = 0;           ///< from the origin to the front's corners, m; 0: not told
   float rear = 0;            ///< likewise, to the rear's
+  LastWay last;              ///< counts for a body with corners
 
   [[nodiscard]] bool has_corners() const { return front > 0 || rear > 0; }
 };
 
 /// Which ways lead on from here, as far as the robot's motion tells.
 struct Ways {
-  explicit Ways(const recon::Motion& motion);
+  explicit Ways(const RobotPath& path);
   bool ahead = true;
   bool behind = false;
   bool straight = true;
-  bool arc = false;    ///< with the radius forward / turn, positive to the left
-  bool spins = false;  ///< on the spot or nearly so, on the same radius
+  bool arc = false;
+  bool spins = false;  ///< on the spot or nearly so
+  float radius = 0;    ///< m, of an arc or a spin, positive to the left
 };
 
 }  // namespace fencepost::alert

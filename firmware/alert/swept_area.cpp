@@ -7,13 +7,8 @@
 namespace fencepost::alert {
 namespace {
 
-// Signed, positive to the left.
-float radius_of(const RobotPath& path, const Ways& ways) {
-  return ways.arc || ways.spins ? path.motion.forward / path.motion.turn : 0.0F;
-}
-
-bool turns_around_itself(const RobotPath& path, const Ways& ways, float radius) {
-  return path.has_corners() && (ways.spins || (ways.arc && radius < path.body_radius));
+bool turns_around_itself(const RobotPath& path, const Ways& ways) {
+  return path.has_corners() && (ways.spins || (ways.arc && std::fabs(ways.radius) < path.body_radius));
 }
 
 float overhang_of(const RobotPath& path, float length, bool leads) {
@@ -31,13 +26,27 @@ std::int32_t whole_mm2(float square_metres) {
 
 }  // namespace
 
-Ways::Ways(const recon::Motion& motion) : ahead(motion.forward > -kSurelyMoving), behind(motion.forward < -kStanding) {
+void LastWay::follow(const recon::Motion& motion) {
   const float speed = std::fabs(motion.forward);
   const float turn = std::fabs(motion.turn);
+  const bool moves = speed >= kSurelyMoving;
+  if (moves) back = motion.forward < 0;
+  if (moves || turn >= kSpinning) turning = turn >= kSurelyTurning;
+}
+
+Ways::Ways(const RobotPath& path)
+    : ahead(path.motion.forward > -kSurelyMoving), behind(path.motion.forward < -kStanding) {
+  const float speed = std::fabs(path.motion.forward);
+  const float turn = std::fabs(path.motion.turn);
+  const bool slow = speed < kSurelyMoving;
   arc = speed > kStanding && turn * kTightestArc < speed && turn * kFlattestArc > speed;
-  if (speed < kSurelyMoving && turn < kSurelyTurning) arc = false;
-  straight = !arc || speed < kSurelyMoving;
+  if (slow && turn < kSurelyTurning) arc = false;
+  straight = !arc || slow;
   spins = turn >= kSurelyTurning && turn * kTightestArc >= speed;
+  if (arc || spins) radius = path.motion.forward / path.motion.turn;
+  if (!slow) return;
+  if (path.last.back && path.rear > 0) behind = true;
+  if (path.last.turning && path.has_corners() && !arc) spins = true;
 }
 
 Overhang::Overhang(const RobotPath& path, const Ways& ways)
@@ -56,14 +65,14 @@ SweptArea::SweptArea(const RobotPath& path, float less) : sweep_(path), overhang
   using recon::nearest_whole;
   constexpr float kMillimetres = 1000;
   const float half_width = path.half_width - less;
-  const float radius = radius_of(path, sweep_.ways);
-  sweep_.twice_radius = 2 * nearest_whole(kMillimetres * radius);
-  sweep_.around = turns_around_itself(path, sweep_.ways, std::fabs(radius));
+  const float radius = std::fabs(sweep_.ways.radius);
+  sweep_.twice_radius = 2 * nearest_whole(kMillimetres * sweep_.ways.radius);
+  sweep_.around = turns_around_itself(path, sweep_.ways);
   bounds_ = sweep_.ring(std::max(nearest_whole(kMillimetres * half_width), recon::guard::kSpacing / 2));
   if (!path.has_corners()) return;
   const float margin = half_width - path.body_radius;
   const auto add = [&](float length, SweptBounds<std::int32_t>::End& end) {
-    const Corners corners(path, margin, length, std::fabs(radius));
+    const Corners corners(path, margin, length, radius);
     end.beside = nearest_whole(kMillimetres * std::max(0.0F, length - margin));
     end.passed = nearest_whole(kMillimetres * length);
     end.outer += whole_mm2(corners.square);
@@ -74,13 +83,13 @@ SweptArea::SweptArea(const RobotPath& path, float less) : sweep_(path), overhang
 }
 
 SweptByBody::SweptByBody(const RobotPath& path) : path_(path), sweep_(path), overhang_(path, sweep_.ways) {
-  const float radius = radius_of(path, sweep_.ways);
-  sweep_.twice_radius = 2 * radius;
-  sweep_.around = turns_around_itself(path, sweep_.ways, std::fabs(radius));
+  const float radius = std::fabs(sweep_.ways.radius);
+  sweep_.twice_radius = 2 * sweep_.ways.radius;
+  sweep_.around = turns_around_itself(path, sweep_.ways);
   if (!path.has_corners()) return;
   const float margin = path.half_width - path.body_radius;
-  front_ = Corners(path, margin, path.front, std::fabs(radius));
-  rear_ = Corners(path, margin, path.rear, std::fabs(radius));
+  front_ = Corners(path, margin, path.front, radius);
+  rear_ = Corners(path, margin, path.rear, radius);
 }
 
 // A disc is a point, and the margin is wider by its radius.

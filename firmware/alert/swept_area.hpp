@@ -56,7 +56,7 @@ struct SweptBounds {
 /// What both units have in common.
 template <class Number>
 struct Sweep {
-  explicit Sweep(const RobotPath& path) : ways(path.motion) {}
+  explicit Sweep(const RobotPath& path) : ways(path) {}
 
   [[nodiscard]] bool holds(Number x, Number y, const SweptBounds<Number>& bounds) const {
     if (around && beyond(x, y) <= bounds.outer) return true;
@@ -76,7 +76,7 @@ struct Sweep {
   }
 
   Ways ways;
-  bool around = false;  ///< the pivot is in the body, which has corners
+  bool around = false;      ///< the pivot is in the body, which has corners
   Number twice_radius = 0;  ///< of the way of the robot's origin, positive to the left
 
  private:

@@ -70,6 +70,10 @@ inline constexpr float kNotTurning = 0.05F;
 inline constexpr float kSurelyMoving = 0.08F;
 /// rad/s. Slow as that, it has an arc only if it turns so fast: half a degree of wavering is less. By design.
 inline constexpr float kSurelyTurning = 0.15F;
+/// rad/s, of a robot that hardly drives. It surely spins, and what it stands beside then is in its way until it drives
+/// on. More: one that stops in a slow spin is told that its way is free; less: odometry that wavers turns a robot that
+/// stands. By design: twice kSurelyTurning.
+inline constexpr float kSpinning = 0.3F;
 /// m, radii between which a path is an arc: tighter, the robot turns on the spot; flatter, it drives straight. By
 /// design.
 inline constexpr float kTightestArc = 0.15F;

@@ -42,6 +42,7 @@ struct Run {
   std::optional<base::Time> last_frame;  ///< t of the latest frame
   const record::Header* header = nullptr;
   alert::Sight sight;
+  alert::LastWay last_way;
   std::optional<base::Duration> behind;  ///< of stream time to this robot's clock, if that stamps any input
   base::Stamp watched_at;
   base::Stamp beat_at;  ///< of the last heartbeat

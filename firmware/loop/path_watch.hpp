@@ -36,6 +36,7 @@ class PathWatch {
     const alert::AlertRules rules(m_.settings);
     const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
+    m_.run.last_way.follow(m_.poses.motion(kMotionSpan));
     const alert::RobotPath path = path_ahead();
     const alert::SweptByBody swept(path);
     const alert::RobotPlace robot(robot_pose(m_));
@@ -88,6 +89,7 @@ class PathWatch {
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
     path.front = m_.settings.number(config::Key::kRobotFront);
     path.rear = m_.settings.number(config::Key::kRobotRear);
+    path.last = m_.run.last_way;
     return path;
   }
 

@@ -160,6 +160,27 @@ TEST(Footprint, SpinningSweepsACircle) {
   EXPECT_FALSE(SweptArea(path_of(0, 0.5F), 0).contains(0, 120)) << "a round body stays where it is";
 }
 
+// Told to stop, it stands; what it would have met is still in its way.
+TEST(Footprint, ARobotThatStandsMayGoOnAsItWent) {
+  RobotPath path = body_of(0.1F, 0.3F, 0, 0);
+  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0));
+  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
+  path.last.follow({-0.2F, 0});
+  EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
+  EXPECT_TRUE(SweptArea(path, 0).contains(400, 0)) << "or ahead";
+  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
+  path.last.follow({0.03F, 0.04F});  // wavers
+  EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
+  path.last.follow({0, 0.5F});
+  EXPECT_TRUE(SweptArea(path, 0).contains(-200, 200));
+  path.last.follow({0.2F, 0});
+  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0));
+  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
+  path = body_of(0, 0, 0, 0);
+  path.last = {true, true};
+  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0)) << "robot.width alone";
+}
+
 TEST(Footprint, ThresholdsMoveByWhatReachesBeyondHalfTheWidth) {
   const auto overhang = [](float front, float rear, float forward, float turn) {
     return SweptArea(body_of(front, rear, forward, turn), 0).overhang();
@@ -201,9 +222,16 @@ double nearest_on_the_way(const RobotPath& path, double x, double y) {
 TEST(Footprint, HoldsWhatTheBodyMeets) {
   int met = 0;
   for (const auto& [front, rear] : {std::pair{0.3F, 0.05F}, {0.05F, 0.3F}, {0.2F, 0.2F}, {0.01F, 0.01F}}) {
-    for (const auto& [forward, turn] :
-         {std::pair{0.2F, 0.0F}, {-0.2F, 0.0F}, {0.2F, 0.5F}, {0.2F, -1.1F}, {-0.2F, 0.8F}, {-0.2F, -1.2F},
-          {0.2F, 2.0F}, {0.04F, 0.2F}, {0.0F, 0.5F}, {0.02F, -0.5F}}) {
+    for (const auto& [forward, turn] : {std::pair{0.2F, 0.0F},
+                                        {-0.2F, 0.0F},
+                                        {0.2F, 0.5F},
+                                        {0.2F, -1.1F},
+                                        {-0.2F, 0.8F},
+                                        {-0.2F, -1.2F},
+                                        {0.2F, 2.0F},
+                                        {0.04F, 0.2F},
+                                        {0.0F, 0.5F},
+                                        {0.02F, -0.5F}}) {
       const RobotPath path = body_of(front, rear, forward, turn);
       const SweptArea points(path, 0);
       const SweptByBody discs(path);
@@ -212,7 +240,8 @@ TEST(Footprint, HoldsWhatTheBodyMeets) {
           if (from_body(path, 1e-3 * x, 1e-3 * y) < 0.06) continue;  // it is there now
           const double nearest = nearest_on_the_way(path, 1e-3 * x, 1e-3 * y);
           const auto where = [&] {
-            return testing::Message() << front << " " << rear << ", " << forward << " " << turn << ": " << x << " " << y;
+            return testing::Message() << front << " " << rear << ", " << forward << " " << turn << ": " << x << " "
+                                      << y;
           };
           if (nearest < 0.001) EXPECT_TRUE(points.contains(x, y)) << where();
           const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));

@@ -12,10 +12,11 @@ using config::Settings;
 TEST(Settings, StartWithTheDocumentedDefaults) {
   const Settings settings;
   const std::pair<Key, std::string_view> defaults[] = {
-      {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},  {Key::kAlertNotice, "1.00"}, {Key::kAlertTtcStop, "0.8"},
-      {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotFront, "0.00"}, {Key::kRobotRear, "0.00"}, {Key::kRobotWidth, "0.20"}, {Key::kRobotMargin, "0.05"}, {Key::kConfirmK, "3"},
-      {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},     {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"},
-      {Key::kCorrectPose, "off"}};
+      {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},   {Key::kAlertNotice, "1.00"},
+      {Key::kAlertTtcStop, "0.8"}, {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotFront, "0.00"},
+      {Key::kRobotRear, "0.00"},   {Key::kRobotWidth, "0.20"},  {Key::kRobotMargin, "0.05"},
+      {Key::kConfirmK, "3"},       {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},
+      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"}, {Key::kCorrectPose, "off"}};
   static_assert(std::size(defaults) == config::kKeys);
   for (const auto& [key, text] : defaults) EXPECT_EQ(settings.text(key).view(), text) << config::info(key).name;
 }

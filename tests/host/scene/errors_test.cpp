@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"\"camera\": {", "\"camra\": {", "/camra", "unknown key", "did you mean \"camera\"?"},
         Fault{"\"robot\": {\"width\": 0.25}", "\"robot\": {\"width\": 0}", "/robot/width", "out of range", "m"},
         Fault{"\"robot\": {\"width\": 0.25}", "\"robot\": {\"front\": -1}", "/robot/front", "out of range", "m"},
-        Fault{"\"robot\": {\"width\": 0.25}", "\"robot\": {\"footprint\": [[0, 0]]}", "/robot/footprint", "has 1 corners",
-              "at least 3"},
+        Fault{"\"robot\": {\"width\": 0.25}", "\"robot\": {\"footprint\": [[0, 0]]}", "/robot/footprint",
+              "has 1 corners", "at least 3"},
         Fault{"\"robot\": {\"width\": 0.25}", "\"robot\": [1]", "/robot", "must be an object", "{"}));
 
 INSTANTIATE_TEST_SUITE_P(

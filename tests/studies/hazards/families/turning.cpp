@@ -67,7 +67,7 @@ Outcome drive_nose(unsigned seed, const Conditions& conditions) {
 }
 
 // Drives up to a block, turns round and backs into it.
-Outcome reverse(unsigned seed, const Conditions& conditions) {
+Encounter back_into_block(unsigned seed, const Conditions& conditions) {
   Dice dice(seed);
   Encounter met = with_body(kTail, seed, conditions);
   const host::TimedPose start = random_start(dice);
@@ -77,7 +77,24 @@ Outcome reverse(unsigned seed, const Conditions& conditions) {
   const double back = dice.between(0.1, 0.25);
   met.route = Route(start, {{0.5, 0, 0}, {2, 0.2, 0}, {std::numbers::pi / 1.5, 0, turn_rate}, {1, -back, 0}});
   met.seconds = met.route.last_leg() + (ahead - 0.4) / back;
-  return judge_body(met, conditions);
+  return met;
+}
+
+Outcome reverse(unsigned seed, const Conditions& conditions) {
+  return judge_body(back_into_block(seed, conditions), conditions);
+}
+
+// It stands when it is told to, ten seconds long, with the block behind it.
+Outcome reverse_and_obey(unsigned seed, const Conditions& conditions) {
+  constexpr double kWithin = 0.3;  // m of the origin
+  Encounter met = back_into_block(seed, conditions);
+  met.obeys = true;
+  met.seconds += 10;
+  Outcome outcome;
+  const Judged run = run_cell(met, conditions);
+  judge_silence(run, 0, kWithin, outcome);
+  judge_false_stops(run, outcome);
+  return outcome;
 }
 
 // Drives 0.8 m and turns then; a post, seen ahead before, stands `ahead` and `left` of where it turns (m).
@@ -178,18 +195,19 @@ Outcome swing_freely(unsigned seed, const Conditions& conditions) {
 }  // namespace
 
 Family turning() {
-  return {"turning",
-          "stop in force for the last 0.5 s before the contact of a body that is told as robot.front, .rear and .width; no stop"
-          "where nothing is reached",
-          "first stop, s before the contact",
-          {{"backing into a block after a turn of 180 degrees", {95, 1}, reverse},
-           {"spinning on the spot, a post beside the tail", {95, 1}, spin},
-           {"tight curve, a post beside the tail that swings out", {95, 1}, swing_tail},
-           {"a nose of 0.25 m, straight into a block", {95, 1}, drive_nose},
-           {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose},
-           {"backing off on a tight curve, a post beside the nose that swings out", {95, 1}, swing_back},
-           {"spinning on the spot, a post out of reach: no stop", {95, 1}, spin_freely},
-           {"tight curve, a post that the tail does not reach: no stop", {95, 1}, swing_freely}}};
+  return {
+      "turning",
+      "stop in force for the last 0.5 s before the contact of a body that is told as robot.front, .rear and .width; "
+      "no stop where nothing is reached",
+      "first stop, s before the contact",
+      {{"backing into a block after a turn of 180 degrees", {95, 1}, reverse},
+       {"spinning on the spot, a post beside the tail", {95, 1}, spin},
+       {"tight curve, a post beside the tail that swings out", {95, 1}, swing_tail},
+       {"a nose of 0.25 m, straight into a block", {95, 1}, drive_nose},
+       {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose},
+       {"backing off on a tight curve, a post beside the nose that swings out", {95, 1}, swing_back},
+       {"spinning on the spot, a post out of reach: no stop", {95, 1}, spin_freely},
+       {"tight curve, a post that the tail does not reach: no stop", {95, 1}, swing_freely}}};
 }
 
 }  // namespace fencepost::test
