@@ -11,16 +11,17 @@ namespace {
 
 using recon::Vec2;
 
-// A round end touches when it has come so near; a straight one when what is that far along its way is at its edge.
+// What is straight ahead of a straight end touches when it is at the edge, the rest when it has come so near.
 void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   if (!obstacle.closing) return;
   const float speed = std::fabs(path.motion.forward);
   const float edge = path.motion.forward > 0 ? path.front : path.rear;
-  if (edge > 0) {
+  if (edge > 0 && std::fabs(obstacle.toward.y()) <= path.half_width) {
     const float along = obstacle.distance * obstacle.closing_speed / speed;
     obstacle.ttc = std::max(0.0F, along - edge) / speed;
   } else {
-    obstacle.ttc = std::max(0.0F, obstacle.distance - path.body_radius) / obstacle.closing_speed;
+    const float reach = edge > 0 ? edge : path.body_radius;
+    obstacle.ttc = std::max(0.0F, obstacle.distance - reach) / obstacle.closing_speed;
   }
 }
 

@@ -142,6 +142,14 @@ TEST(Obstacle, AStraightFrontTouchesAllAlongItsEdge) {
   EXPECT_NEAR(seen.ttc, (0.49F * 0.48F / 0.5F - 0.3F) / 0.2F, 0.02F);
 }
 
+// Half a circle on, beside the robot now: its edge is level with the post, and does not touch it for long.
+TEST(Obstacle, WhatIsFarAlongACurveIsNotSoonThere) {
+  const RobotPath path = with_body(driving(0.2F, 0.5F), 0.1F, 0.2F);
+  const Obstacle seen = see_obstacle(known_object(0.05, 0.8, 0.05), {{0, 0}, 0}, path);
+  ASSERT_TRUE(seen.in_path && seen.closing);
+  EXPECT_GT(seen.ttc, 3);
+}
+
 TEST(Obstacle, ReversingTowardsWhatIsBehindIsJudgedFromTheRear) {
   const Obstacle seen = see_obstacle(known_object(-0.6, 0, 0.1), {{0, 0}, 0}, with_body(driving(-0.2F), 0.1F, 0.3F));
   ASSERT_TRUE(seen.in_path);

@@ -243,9 +243,13 @@ TEST(Footprint, HoldsWhatTheBodyMeets) {
             return testing::Message() << front << " " << rear << ", " << forward << " " << turn << ": " << x << " "
                                       << y;
           };
-          if (nearest < 0.001) EXPECT_TRUE(points.contains(x, y)) << where();
+          if (nearest < 0.001) {
+            EXPECT_TRUE(points.contains(x, y)) << where();
+          }
           const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
-          if (nearest < 0.05) EXPECT_TRUE(discs.touches(center, 0.05F)) << where();
+          if (nearest < 0.05) {
+            EXPECT_TRUE(discs.touches(center, 0.05F)) << where();
+          }
           met += nearest < 0.001 ? 1 : 0;
         }
       }

@@ -137,7 +137,9 @@ TEST(GuardAlert, StopsBeforeTheNoseTouches) {
 TEST(GuardAlert, StopsWhenTheRearReachesTheWallBehind) {
   for (const bool told : {true, false}) {
     Drive robot;
-    if (told) ASSERT_FALSE(robot.pipeline.set("robot.rear", "0.3"));
+    if (told) {
+      ASSERT_FALSE(robot.pipeline.set("robot.rear", "0.3"));
+    }
     robot.go(2, 0.2, {kWall});  // 0.6 m before it
     robot.go(3.14159 / 1.5, 0, {}, 1.5);
     robot.go(0.7, 0, {});
@@ -148,7 +150,9 @@ TEST(GuardAlert, StopsWhenTheRearReachesTheWallBehind) {
     EXPECT_EQ(robot.highest() == AlertLevel::kStop, told);
     robot.go(5, 0, {});
     EXPECT_EQ(robot.highest() == AlertLevel::kStop, told) << "it obeyed";
-    if (told) EXPECT_NEAR(std::fabs(robot.alerts.all.back().bearing.to_double()), 3.14, 0.5);
+    if (told) {
+      EXPECT_NEAR(std::fabs(robot.alerts.all.back().bearing.to_double()), 3.14, 0.5);
+    }
   }
 }
 
