@@ -70,6 +70,7 @@ SweptArea::SweptArea(const RobotPath& path, float less) : sweep_(path), overhang
   sweep_.around = turns_around_itself(path, sweep_.ways);
   bounds_ = sweep_.ring(std::max(nearest_whole(kMillimetres * half_width), recon::guard::kSpacing / 2));
   if (!path.has_corners()) return;
+  bounds_.middle = nearest_whole(kMillimetres * 0.5F * path.body_radius);
   const float margin = half_width - path.body_radius;
   const auto add = [&](float length, SweptBounds<std::int32_t>::End& end) {
     const Corners corners(path, margin, length, radius);
@@ -97,6 +98,7 @@ bool SweptByBody::touches(const recon::Vec2& center, float radius) const {
   if (center.squaredNorm() < radius * radius) return true;
   SweptBounds<float> bounds = sweep_.ring(path_.half_width + radius);
   if (path_.has_corners()) {
+    bounds.middle = 0.5F * path_.body_radius;
     const float margin = path_.half_width - path_.body_radius + radius;
     const auto add = [&](const Corners& corners, SweptBounds<float>::End& end) {
       if (!(corners.length > 0)) return;

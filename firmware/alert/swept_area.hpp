@@ -47,7 +47,8 @@ struct SweptBounds {
     Number outer = 0;   ///< like `outer`, of this end's corners alone
   };
   Number half_width = 0;
-  Number inner = 0;  ///< bounds of what is |place - pivot|^2 - radius^2 in the ring
+  Number middle = 0;  ///< nearer to the body's middle line, behind the origin, nothing can be: it was seen wrong
+  Number inner = 0;   ///< bounds of what is |place - pivot|^2 - radius^2 in the ring
   Number outer = 0;
   End front;
   End rear;
@@ -87,6 +88,7 @@ struct Sweep {
                             const typename SweptBounds<Number>::End& nose,
                             const typename SweptBounds<Number>::End& tail) const {
     if (x <= -tail.passed) return false;
+    if (x <= 0 && y < bounds.middle && y > -bounds.middle) return false;
     if (ways.straight && y <= bounds.half_width && y >= -bounds.half_width) return true;
     if (!ways.arc) return false;
     // Beside the body only the tail comes by; on the inner side it draws away.

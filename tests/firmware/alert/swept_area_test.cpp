@@ -102,6 +102,7 @@ TEST(Footprint, StraightOnIsTheBodyAndWhatIsAheadOfIt) {
   EXPECT_FALSE(area.contains(900, 151));
   EXPECT_TRUE(area.contains(-190, 140)) << "beside the tail, in the margin";
   EXPECT_FALSE(area.contains(-201, 140)) << "passed";
+  EXPECT_FALSE(area.contains(-100, 49)) << "nothing can be in the body";
   const SweptArea back(body_of(0.3F, 0.2F, -0.2F), 0);
   EXPECT_TRUE(back.contains(-900, 149));
   EXPECT_TRUE(back.contains(290, 140));
