@@ -259,6 +259,48 @@ TEST(Footprint, HoldsWhatTheBodyMeets) {
   EXPECT_GT(met, 1000);
 }
 
+// The disc (x, y, radius) meets a round robot's strip, by distances.
+bool meets_strip(const RobotPath& path, const alert::Ways& ways, double x, double y, double radius) {
+  if (std::hypot(x, y) < radius) return true;
+  if (!(x > 0 ? ways.ahead : ways.behind)) return false;
+  const double reach = double{path.half_width} + radius;
+  if (ways.straight && std::fabs(y) <= reach) return true;
+  if (!ways.arc) return false;
+  const double pivot = double{path.motion.forward} / double{path.motion.turn};
+  return std::fabs(std::hypot(x, y - pivot) - std::fabs(pivot)) <= reach;
+}
+
+TEST(Footprint, OfWidthAloneSweepsAStrip) {
+  for (const auto& [forward, turn] : {std::pair{0.0F, 0.0F},
+                                      {0.0F, 1.0F},
+                                      {0.2F, 0.0F},
+                                      {-0.2F, 0.0F},
+                                      {0.2F, 0.7F},
+                                      {-0.3F, 0.9F},
+                                      {0.05F, 0.2F},
+                                      {-0.05F, 0.2F},
+                                      {0.5F, -0.02F},
+                                      {0.3F, 3.0F}}) {
+    const RobotPath path = path_of(forward, turn);
+    const alert::Ways ways(path);
+    const SweptByBody discs(path);
+    int different = 0;
+    for (int x = -1000; x <= 1000; x += 17) {
+      for (int y = -1000; y <= 1000; y += 17) {
+        for (const float radius : {0.0F, 0.05F, 0.3F}) {
+          if (x == 0) continue;
+          const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
+          const bool meets = meets_strip(path, ways, 1e-3 * x, 1e-3 * y, double{radius});
+          different += discs.touches(center, radius) != meets ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_LE(different, 2) << forward << " " << turn;  // rounding at the border
+    EXPECT_EQ(discs.overhang({1, 0}), 0);
+    EXPECT_EQ(discs.overhang({-1, 0}), 0);
+  }
+}
+
 // A disc is a point with a wider margin.
 TEST(Footprint, DiscsAndPointsAgree) {
   for (const auto& [forward, turn] : {std::pair{0.2F, 0.0F}, {0.2F, 0.7F}, {-0.2F, 0.9F}, {0.0F, 0.5F}}) {

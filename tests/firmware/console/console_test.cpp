@@ -180,7 +180,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 27 + 6 + 13 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 29 + 6 + 15 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }
