@@ -62,20 +62,20 @@ Corners::Corners(const RobotPath& path, float margin, float length_m, float radi
 }
 
 SweptArea::SweptArea(const RobotPath& path, float less) : sweep_(path), overhang_(path, sweep_.ways) {
+  using recon::kMillimetresPerMetre;
   using recon::nearest_whole;
-  constexpr float kMillimetres = 1000;
   const float half_width = path.half_width - less;
   const float radius = std::fabs(sweep_.ways.radius);
-  sweep_.twice_radius = 2 * nearest_whole(kMillimetres * sweep_.ways.radius);
+  sweep_.twice_radius = 2 * nearest_whole(kMillimetresPerMetre * sweep_.ways.radius);
   sweep_.around = turns_around_itself(path, sweep_.ways);
-  bounds_ = sweep_.ring(std::max(nearest_whole(kMillimetres * half_width), recon::guard::kSpacing / 2));
+  bounds_ = sweep_.ring(std::max(nearest_whole(kMillimetresPerMetre * half_width), recon::guard::kSpacing / 2));
   if (!path.has_corners()) return;
-  bounds_.middle = nearest_whole(kMillimetres * 0.5F * path.body_radius);
+  bounds_.middle = nearest_whole(kMillimetresPerMetre * 0.5F * path.body_radius);
   const float margin = half_width - path.body_radius;
   const auto add = [&](float length, SweptBounds<std::int32_t>::End& end) {
     const Corners corners(path, margin, length, radius);
-    end.beside = nearest_whole(kMillimetres * std::max(0.0F, length - margin));
-    end.passed = nearest_whole(kMillimetres * length);
+    end.beside = nearest_whole(kMillimetresPerMetre * std::max(0.0F, length - margin));
+    end.passed = nearest_whole(kMillimetresPerMetre * length);
     end.outer += whole_mm2(corners.square);
   };
   add(path.front, bounds_.front);
