@@ -20,11 +20,11 @@ constexpr std::int32_t kFarthestScale = 64'000;  // 2^-4 mm
 std::int32_t undistortion(std::int32_t c) {
   constexpr std::int32_t kStrongest = 2294;  // 0.14
   c = std::clamp(c, -kStrongest, kStrongest);
-  constexpr std::int32_t kUnit = 1 << 10;
-  std::int32_t sum = 55 * kUnit - ((273 * c) >> 4);
-  sum = 12 * kUnit - times(sum, c);
-  sum = 3 * kUnit - times(sum, c);
-  sum = kUnit - times(sum, c);
+  constexpr std::int32_t kSeriesUnit = 1 << 10;
+  std::int32_t sum = 55 * kSeriesUnit - ((273 * c) >> 4);
+  sum = 12 * kSeriesUnit - times(sum, c);
+  sum = 3 * kSeriesUnit - times(sum, c);
+  sum = kSeriesUnit - times(sum, c);
   return kSlopeOne - ((sum * c) >> 10);
 }
 
@@ -46,10 +46,10 @@ FloorCamera::FloorCamera(const CameraModel& camera) {
   const float per_px_y = kInverse / camera.fy;
   per_px_x_ = nearest_whole(camera.fx == camera.fy ? per_px_y : kInverse / camera.fx);
   per_px_y_ = nearest_whole(per_px_y);
-  constexpr auto kUnit = static_cast<float>(kSlopeOne);
-  k1_ = nearest_whole(kUnit * camera.k1, kSlopeOne);
-  pitch_cos_ = nearest_whole(kUnit * camera.pitch.x());
-  pitch_sin_ = nearest_whole(kUnit * camera.pitch.y());
+  constexpr auto kSlopesInOne = static_cast<float>(kSlopeOne);
+  k1_ = nearest_whole(kSlopesInOne * camera.k1, kSlopeOne);
+  pitch_cos_ = nearest_whole(kSlopesInOne * camera.pitch.x());
+  pitch_sin_ = nearest_whole(kSlopesInOne * camera.pitch.y());
   height_ = nearest_whole(16 * height);
   per_row_ = nearest_whole(0.25F * per_px_y / height, 5000);
   find_limits(camera.width, camera.rows);

@@ -268,7 +268,9 @@ TEST(Guard, FollowsTheRobotFarFromTheStart) {
 
 TEST(Guard, WithoutPitchItKnowsNothing) {
   Bench bench;
-  bench.camera.pitch_known = false;
+  sensor::CameraIntrinsics unmeasured = level_pixy2();
+  unmeasured.mount.pitch.reset();
+  bench.camera = recon::make_camera_model(unmeasured);
   for (int i = 0; i < 5; ++i) bench.look({kPost});
   EXPECT_TRUE(bench.guard.fronts().empty());
 }

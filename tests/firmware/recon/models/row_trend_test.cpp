@@ -20,9 +20,9 @@ constexpr float kFocal = 270;     // px
 constexpr float kHeight = 0.12F;  // m, of the lens
 
 // A robot that drives straight at an object from `from` m on; rows say `told` times the true range, with noise.
-class Drive {
+class StraightDrive {
  public:
-  explicit Drive(float told) : told_(told) {}
+  explicit StraightDrive(float told) : told_(told) {}
 
   void to(float range, int views) {
     for (int i = 1; i <= views; ++i) {
@@ -47,7 +47,7 @@ class Drive {
 };
 
 TEST(RowTrend, RowsOfWhatStandsOnTheFloorAreTrue) {
-  Drive drive(1);
+  StraightDrive drive(1);
   drive.to(0.95F, 20);
   EXPECT_EQ(drive.trend.verdict(), RowVerdict::kUnknown) << "after 5 cm nobody can tell";
   drive.to(0.3F, 60);
@@ -57,7 +57,7 @@ TEST(RowTrend, RowsOfWhatStandsOnTheFloorAreTrue) {
 
 // 3 cm of 12: rows say 4/3 of the range.
 TEST(RowTrend, FindsWhatStandsOnABase) {
-  Drive drive(4.0F / 3);
+  StraightDrive drive(4.0F / 3);
   drive.to(0.5F, 60);
   ASSERT_EQ(drive.trend.verdict(), RowVerdict::kTooFar);
   EXPECT_NEAR(drive.trend.nearer(), 0.75F, 0.06F);
@@ -68,7 +68,7 @@ TEST(RowTrend, FindsWhatStandsOnABase) {
 }
 
 TEST(RowTrend, SaysThatRowsAreTooNearButDoesNotActOnIt) {
-  Drive drive(0.75F);
+  StraightDrive drive(0.75F);
   drive.to(0.4F, 60);
   EXPECT_EQ(drive.trend.verdict(), RowVerdict::kTooNear);
   EXPECT_GT(drive.trend.scale(), 1.2F);
@@ -76,13 +76,13 @@ TEST(RowTrend, SaysThatRowsAreTooNearButDoesNotActOnIt) {
 }
 
 TEST(RowTrend, ARobotThatStandsOrTurnsOnTheSpotLearnsNothing) {
-  Drive drive(4.0F / 3);
+  StraightDrive drive(4.0F / 3);
   for (int i = 0; i < 500; ++i) drive.see(0.5F, unit(0.001 * i));
   EXPECT_EQ(drive.trend.verdict(), RowVerdict::kUnknown);
 }
 
 TEST(RowTrend, MovingTheOriginChangesNothing) {
-  Drive drive(4.0F / 3);
+  StraightDrive drive(4.0F / 3);
   drive.to(0.5F, 60);
   const recon::HalfPlane before = drive.trend.front().plane;
   const Vec2 shift{0.25F, -0.5F};
