@@ -36,6 +36,64 @@ inline constexpr Margin kCutOff{4.0F, 0.4F};
 inline constexpr float kFrontDoubt = 0.012F;
 inline constexpr float kUnsureMargin = 0.03F;
 
+// --- what comes closer by itself (looming); hazard table, families movers and approaches, seeds 1 to 200, where
+// nothing else is said ---
+
+/// quarters of a row, mm: sigma of a foot's row, and of a depth besides. More: late stops; less: noise moves. By
+/// design.
+inline constexpr std::int32_t kRowSigma = 6;
+inline constexpr std::int32_t kDepthSigma = 6;
+/// quarters of a column: sigma of a width. By design.
+inline constexpr std::int32_t kColumnSigma = 9;
+/// Sigmas squared beyond which a depth is not believed, and so many in a row begin anew. By design.
+inline constexpr std::int32_t kDepthGate = 16;
+inline constexpr std::uint8_t kMostStrays = 3;
+/// mm^2/s^3. By how much a thing's own speed may change by chance. More: slow ones are found late; less: what brakes or
+/// starts is followed late.
+inline constexpr std::int32_t kUnsteady = 10'000;
+/// mm^2/s^2, of a thing seen for the first time. By design: 1 m/s.
+inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
+/// mm/s to the side that something seen once may have. By design.
+inline constexpr std::int32_t kFastestThing = 1500;
+/// 2^-14. A box may be off to the side by so much besides half of its width. By design.
+inline constexpr std::int32_t kSideGate = 600;
+/// It comes by itself if its own speed is more than so many sigmas, so many mm/s, and sixteenths of the robot's speed
+/// (a foot above the floor, or a pitch told wrong, seems to move with the robot), in so many frames in a row. More:
+/// late stops; less: false ones.
+inline constexpr std::int32_t kSureSigmas = 3;
+inline constexpr std::int32_t kStillSigmas = 2;  ///< once it is known to come
+inline constexpr std::int32_t kLeastOwn = 60;
+inline constexpr std::int32_t kOwnShare = 6;
+inline constexpr std::uint8_t kSureFrames = 3;
+/// mm/s. A slower robot stands, and what is known but for its scale counts. By design.
+inline constexpr std::int32_t kRobotStands = 30;
+/// Frames over which the robot's speed is averaged. By design.
+inline constexpr std::int32_t kSpeedFrames = 8;
+/// Sightings that the direction and its change are taken from: as many as fit into the span. More: what turns is
+/// followed late; less: what passes beside stops the robot. By design.
+inline constexpr base::Duration kDirectionSpan = base::milliseconds(700);
+inline constexpr std::int32_t kLeastSightings = 6;
+inline constexpr std::int32_t kMostSightings = 32;
+/// Sightings over which a width is averaged. By design.
+inline constexpr std::int32_t kWidthSightings = 8;
+/// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. By design.
+inline constexpr std::int32_t kFarthestFollowed = 3000;
+inline constexpr std::int32_t kLeastDepth = 50;
+/// px and mm: what a camera without a known pitch shows is followed from this many columns on, as if it were so wide.
+/// By design.
+inline constexpr std::int16_t kLeastColumns = 10;
+inline constexpr std::int32_t kGuessedWidth = 100;
+/// A thing that is not seen for so long is forgotten; what comes on below the image later; what is seen, but not
+/// how far it is, later still; and all after a pause. By design.
+inline constexpr base::Duration kUnseen = base::milliseconds(300);
+inline constexpr base::Duration kComesUnseen = base::milliseconds(900);
+inline constexpr base::Duration kUnmeasured = base::milliseconds(2000);
+inline constexpr base::Duration kTrackForgotten = base::milliseconds(500);
+/// The time to contact counts as shorter by so many sigmas, at most by so much of alert.ttc_stop. More: false stops;
+/// less: late ones.
+inline constexpr float kEarlySigmas = 2;
+inline constexpr float kMostEarly = 0.4F;
+
 /// An input is overdue after this many of its usual intervals (in quarters), but not sooner than the least time and not
 /// later than the most; a standing robot has longer. More: blind unsaid; less: blind said of a camera that skips a
 /// frame. The least is what safety.md promises, less a turn of the loop. By design.

@@ -18,6 +18,7 @@ struct Micro {
   static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kFronts = 64;         ///< points of the guard, 8 bytes each
+  static constexpr std::size_t kTracks = 4;          ///< things that may move by themselves, 32 bytes each
   static constexpr std::size_t kPoses = 24;          ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
   static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
@@ -39,6 +40,7 @@ struct Small {
   static constexpr std::size_t kModelTurns = 2;
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kFronts = 64;
+  static constexpr std::size_t kTracks = 8;
   static constexpr std::size_t kPoses = 64;
   static constexpr std::size_t kOutputBytes = 4096;
   static constexpr std::size_t kJournalBytes = 0;
@@ -60,6 +62,7 @@ struct Full {
   static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kFronts = 64;
+  static constexpr std::size_t kTracks = 8;
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;

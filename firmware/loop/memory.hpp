@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "firmware/alert/front_alert.hpp"
+#include "firmware/alert/looming.hpp"
 #include "firmware/alert/sight.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
@@ -67,7 +68,8 @@ struct Memory {
   config::Settings settings;
   recon::MeasurementNoise noise;
   std::array<alert::AlertState, Profile::kObjects> alerts{};
-  alert::AlertState front_alert;  ///< of what is no object: the guard's, or that nothing can be seen
+  alert::Looming<Profile::kTracks> looming;
+  alert::AlertState front_alert;  ///< of what is no object: the guard's, what comes by itself, or nothing can be seen
   std::array<ReportState, Profile::kObjects> reports{};
   console::Counters counters;
   LinkWatches links;

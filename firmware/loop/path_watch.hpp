@@ -52,7 +52,7 @@ class PathWatch {
       const bool nearer = !nearest || obstacle.distance < nearest->distance;
       if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
     }
-    const alert::FrontAhead front = fronts_ahead(path, rules);
+    const alert::FrontAhead front = fronts_ahead(path, rules, now);
     if (!blind) watch_fronts(front, rules, highest, now);
     const bool nearer = !nearest || front.nearest.distance < nearest->distance;
     if (front.nearest.known && m_.front_alert.in_force() && nearer) nearest = front.nearest;
@@ -123,10 +123,14 @@ class PathWatch {
     return true;
   }
 
-  // The guard knows odometry's frame only.
-  [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPath& path, const alert::AlertRules& rules) const {
+  // What stands, by the guard, which knows odometry's frame only, and what comes by itself.
+  [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPath& path, const alert::AlertRules& rules,
+                                               base::Time now) const {
     const auto& guard = m_.map.guard();
-    return see_fronts(guard.fronts(), guard.origin(), alert::RobotPlace(m_.poses.latest()), path, rules);
+    const alert::RobotPlace robot(m_.poses.latest());
+    const recon::CameraModel& camera = m_.calibration.models[m_.calibration.current];
+    return more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
+                       m_.looming.ahead(camera, path, rules, now));
   }
 
   // A robot that was blind judges anew, and says so if there is nothing else to say.

@@ -42,6 +42,7 @@ class Pipeline {
     finish();
     m_.map.clear();
     m_.poses.clear();
+    m_.looming.clear();
     m_.alerts.fill({});
     m_.front_alert = {};
     m_.reports.fill({});
@@ -63,6 +64,7 @@ class Pipeline {
       while (waits_with(calibration.current)) refuse_waiting();
     }
     if (calibration.known) m_.map.recalibrated();
+    m_.looming.clear();
     calibration.known = true;
     calibration.intrinsics = intrinsics;
     calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
@@ -154,6 +156,7 @@ class Pipeline {
       return true;
     }
     m_.run.sight.frame_used(frame, m_.calibration.models[frame.camera], *pose);
+    m_.looming.look(frame, m_.calibration.models[frame.camera], &*pose);
     reconstruct(frame, *pose);
     watch_.follow_objects(frame.t);
     placed(frame);
@@ -283,6 +286,9 @@ class Pipeline {
   void refuse(console::Refusal reason) { ++m_.counters.refused[static_cast<std::size_t>(reason)]; }
   void refuse_waiting(console::Refusal reason = console::Refusal::kNoPose) {
     if (!m_.run.testing) refuse(reason);
+    // Where the robot was is not known: what comes closer is seen without it.
+    const recon::WaitingFrame& frame = m_.waiting[0];
+    m_.looming.look(frame, m_.calibration.models[frame.camera], nullptr);
     m_.waiting.pop_front();
   }
 

@@ -143,10 +143,10 @@ Encounter ball_ahead() {
   return met;
 }
 
-Outcome rolled(std::vector<record::AlertReport> alerts) {
+Outcome rolled(std::vector<record::AlertReport> alerts, double before = kBefore) {
   const Encounter met = ball_ahead();
   Outcome outcome;
-  judge_contact(Judged(met, made(met, 3.7, std::move(alerts))), 0, outcome);
+  judge_contact(Judged(met, made(met, 3.7, std::move(alerts))), 0, outcome, before);
   return outcome;
 }
 
@@ -159,6 +159,8 @@ TEST(Contact, AStopIsDueHalfASecondBefore) {
   EXPECT_EQ(late.kept, 0U);
   EXPECT_NEAR(late.measures[0], 3.69 - 3.3, 0.011);
   EXPECT_EQ(rolled({}).measures[0], 0);
+  EXPECT_EQ(rolled({alert(3.1, AlertLevel::kStop)}, 0.58).kept, 1U);
+  EXPECT_EQ(rolled({alert(3.1, AlertLevel::kStop)}, 0.6).kept, 0U);
 }
 
 TEST(FalseStops, WhatComesByItselfMayBeAnnouncedTwoSecondsAhead) {

@@ -74,11 +74,11 @@ void judge_approached(const Judged& run, std::size_t object, Outcome& outcome) {
   outcome.measures.push_back(began ? run.truth.distance(object, *began) : 0);
 }
 
-void judge_contact(const Judged& run, std::size_t object, Outcome& outcome) {
+void judge_contact(const Judged& run, std::size_t object, Outcome& outcome, double before) {
   const std::optional<double> contact = run.truth.contact(object);
   if (!contact) return;
-  if (frames_before(run.history, object, *contact - kBefore) < static_cast<unsigned>(AlertLimits{}.confirm_k)) return;
-  const std::optional<double> began = judge_stop(run, *contact - kBefore, *contact, outcome);
+  if (frames_before(run.history, object, *contact - before) < static_cast<unsigned>(AlertLimits{}.confirm_k)) return;
+  const std::optional<double> began = judge_stop(run, *contact - before, *contact, outcome);
   outcome.measures.push_back(began ? *contact - *began : 0);
 }
 

@@ -52,9 +52,10 @@ unsigned frames_before(const History& history, std::size_t object, double t);
 /// end of the run; only then, if it is the margin alone that would touch. Measures the distance at which the stop
 /// began, m; 0: never. Not asked if fewer than k frames had shown it, or if it was as near from the beginning.
 void judge_approached(const Judged& run, std::size_t object, Outcome& outcome);
-/// The body touches the object at last: a stop is due kBefore before. Measures how long before it began, s; 0: never.
-void judge_contact(const Judged& run, std::size_t object, Outcome& outcome);
+/// The body touches the object at last: a stop is due `before` s before. Measures how long before it began, s; 0:
+/// never.
 inline constexpr double kBefore = 0.5;
+void judge_contact(const Judged& run, std::size_t object, Outcome& outcome, double before = kBefore);
 /// No stop at all.
 void judge_no_stop(const Judged& run, Outcome& outcome);
 /// Of an obedient robot: no contact, and once it has been told stop, a warn or a stop in force while it is within

@@ -10,7 +10,8 @@
 namespace fencepost::test {
 namespace {
 
-constexpr double kBeyond = 1;  // m, a thing rolls on past the robot
+constexpr double kBeyond = 1;       // m, a thing rolls on past the robot
+constexpr double kAnnounced = 0.6;  // s, before the contact
 
 // From `from` straight to `to` at that speed, starting at t.
 std::vector<host::TimedPose> roll(double t, const host::TimedPose& from, const host::TimedPose& to, double speed) {
@@ -26,7 +27,7 @@ host::SceneObject ball(Dice& dice, const host::TimedPose& at) {
 Outcome judge_mover(const Encounter& met, const Conditions& conditions) {
   Outcome outcome;
   const Judged run = run_cell(met, conditions);
-  judge_contact(run, 0, outcome);
+  judge_contact(run, 0, outcome, kAnnounced);
   judge_false_stops(run, outcome);
   return outcome;
 }
@@ -116,7 +117,7 @@ Outcome crossing_ball(unsigned seed, const Conditions& conditions) {
 Family movers() {
   Family family{
       "movers",
-      "stop in force for the last 0.5 s before the contact; leader: none; crossing: none, and one object at most",
+      "stop in force for the last 0.6 s before the contact; leader: none; crossing: none, and one object at most",
       "first stop, s before the contact; leader: stops; crossing: objects at the end",
       {}};
   for (const double speed : {0.3, 0.5, 1.0, 1.5}) {

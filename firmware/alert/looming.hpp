@@ -1,0 +1,91 @@
+// What comes closer by itself: how near things are and how fast each of them moves on its own, by the fall of the foot
+// of its box and by the growth of its width. No object and no model: that of the map stands still.
+//
+// Each thing is followed from frame to frame by two small filters, in integers: depth and own speed towards the lens (a
+// Kalman filter, for a row is worth the more metres the farther the foot is), and direction and its change (least
+// squares over the last sightings). Odometry takes the robot's own motion out. While it is silent all that comes nearer
+// counts as coming by itself: the time to contact is right, who moves is not known.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/alert/front_alert.hpp"
+#include "firmware/alert/tuning.hpp"
+#include "firmware/recon/guard/floor_camera.hpp"
+#include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/recon/observe/pose_history.hpp"
+#include "hal/base/stamp.hpp"
+
+namespace fencepost::alert {
+
+/// One thing that is followed. Level camera frame of the latest frame, x along the axis, y to the left.
+struct LoomingTrack {
+  std::int32_t depth_variance = 0;  ///< mm^2
+  std::int32_t covariance = 0;      ///< of depth and speed, mm^2/s
+  std::int32_t speed_variance = 0;  ///< mm^2/s^2
+  std::uint16_t depth = 0;          ///< of the foot, 2^-4 mm; 0: at the lens or behind it
+  std::int16_t speed = 0;           ///< its own, towards the lens along the axis, mm/s
+  std::int16_t slope = 0;           ///< of its middle, 2^-14
+  std::int16_t across = 0;          ///< its own speed to the left, mm/s
+  std::uint16_t width = 0;          ///< mm; 0: not known yet
+  std::uint16_t unseen = 0;         ///< 2^-10 s since the last sighting
+  std::uint8_t signature = 0;
+  std::uint8_t sightings = 0;   ///< that the direction is known by; 0: a free slot
+  std::uint8_t sure = 0;        ///< frames in a row in which it came closer by itself
+  std::uint8_t unmeasured = 0;  ///< 2^-6 s since neither foot nor width told how far it is
+  bool low : 1 = false;         ///< its foot was below the image when it was seen last
+  bool guessed : 1 = false;     ///< its width was never seen together with its foot: depth and speed have a scale alone
+  std::uint8_t strays : 4 = 0;  ///< sightings in a row that the filter does not believe
+
+  [[nodiscard]] bool used() const { return sightings != 0; }
+  [[nodiscard]] bool comes() const { return sure >= kSureFrames; }
+};
+static_assert(sizeof(LoomingTrack) <= 32, "eight of them, or four on the smallest part");
+
+/// The same for all capacities.
+class LoomingCore {
+ protected:
+  /// `odometry`: where the robot was at the exposure; null while that is not known.
+  [[gnu::noinline]] void look(std::span<LoomingTrack> tracks, const recon::WaitingFrame& frame,
+                              const recon::CameraModel& camera, const recon::MapPose* odometry);
+  [[nodiscard]] FrontAhead ahead(std::span<const LoomingTrack> tracks, const recon::CameraModel& camera,
+                                 const RobotPath& path, const AlertRules& rules, base::Time now) const;
+
+ private:
+  base::Stamp looked_at_;         ///< exposure of the latest frame
+  recon::MapPose odometry_;       ///< and where the robot was then
+  std::int16_t robot_speed_ = 0;  ///< mm/s, smoothed, without its sign
+  bool has_looked_ = false;
+  bool has_odometry_ = false;
+};
+
+template <std::size_t kTracks>
+class Looming : public LoomingCore {
+ public:
+  /// Nothing was seen yet: a new run, or another calibration.
+  void clear() { *this = {}; }
+
+  /// One frame, as the camera sent it. `odometry`: null while it is silent.
+  void look(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose* odometry) {
+    LoomingCore::look(tracks_, frame, camera, odometry);
+  }
+
+  /// What is due for the things that come closer by themselves and will meet the robot on `path`.
+  [[nodiscard]] FrontAhead ahead(const recon::CameraModel& camera, const RobotPath& path, const AlertRules& rules,
+                                 base::Time now) const {
+    return LoomingCore::ahead(tracks_, camera, path, rules, now);
+  }
+
+  [[nodiscard]] std::span<const LoomingTrack> tracks() const { return tracks_; }
+
+ private:
+  std::array<LoomingTrack, kTracks> tracks_{};
+};
+
+/// Of two things ahead the one that calls for more; of the same the one that is met first.
+FrontAhead more_urgent(const FrontAhead& one, const FrontAhead& other);
+
+}  // namespace fencepost::alert
