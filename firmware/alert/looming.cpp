@@ -218,6 +218,24 @@ void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   }
 }
 
+// Any way. What is not surely its own motion stays in the map.
+void count_moved(LoomingTrack& track, std::int32_t robot_speed, std::int32_t robot_turn) {
+  const std::int32_t depth = track.depth >> kDepthBits;
+  const std::int32_t along = std::abs(std::int32_t{track.speed});
+  const std::int32_t across = std::abs(std::int32_t{track.across});
+  const std::int32_t turning = robot_turn * depth >> (kSlopeBits + kTurnShareLog2);
+  const std::int32_t least = std::max(kLeastMoved, kMovedShare * robot_speed >> 4);
+  const bool surely_along = 4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance && along > least;
+  const bool surely_across =
+      track.sightings >= kMovedSightings && across > least + turning + (depth >> kMovedDepthShareLog2);
+  if (!track.guessed && (surely_along || surely_across)) {
+    // What crosses is soon gone.
+    track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));
+  } else if (track.moved > 0) {
+    --track.moved;
+  }
+}
+
 void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   track = {};
   std::int32_t depth = seen.depth;
@@ -239,16 +257,19 @@ void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   track.sightings = 1;
 }
 
-void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::int32_t robot_speed) {
+void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::int32_t robot_speed,
+          std::int32_t robot_turn) {
   const std::int32_t since = std::max(std::int32_t{track.unseen}, std::int32_t{1});
   track.unseen = 0;
   track.low = seen.low;
+  // At the border a box that has lost a piece seems whole, and farther away.
+  track.whole = static_cast<std::uint8_t>(seen.whole() ? std::min(track.whole + 1, 3) : 0) & 3U;
   Belief belief = Belief::kTaken;
   bool measured = true;
   if (seen.depth > 0) {
     if (track.guessed) return begin(track, floor, seen);
     belief = take_depth(track, seen.depth, seen.sigma);
-  } else if (!seen.hidden && seen.whole() && track.width > 0) {
+  } else if (!seen.hidden && track.whole >= kWholeSightings && track.width > 0) {
     // Its width says how far it is.
     const std::int32_t expected = std::max(track.depth >> kDepthBits, kLeastDepth);
     const std::int32_t sigma = kColumnSigma * expected / (4 * seen.columns) + kDepthSigma;
@@ -269,6 +290,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::
   }
   std::int32_t middle = 0;
   if (find_middle(track, seen, middle)) take_direction(track, middle, since);
+  if (seen.depth > 0) count_moved(track, robot_speed, robot_turn);
   if (!measured) return;
   track.unmeasured = 0;
   count_sure(track, robot_speed);
@@ -367,8 +389,8 @@ FrontAhead judge_track(const LoomingTrack& track, const Meeting& meeting, const 
 
 }  // namespace
 
-void LoomingCore::look(std::span<LoomingTrack> tracks, const recon::WaitingFrame& frame,
-                       const recon::CameraModel& camera, const recon::MapPose* odometry) {
+void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& frame, const recon::CameraModel& camera,
+                       const recon::MapPose* odometry) {
   const base::Time t = frame.t - camera.latency;
   const base::Duration since = has_looked_ ? looked_at_.since(t) : base::Duration{0};
   if (since > kTrackForgotten) std::fill(tracks.begin(), tracks.end(), LoomingTrack{});
@@ -376,9 +398,11 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, const recon::WaitingFrame
   step.time = std::max(std::int32_t{1}, whole_time(since));
   if (odometry != nullptr && has_odometry_) follow_odometry(odometry_, *odometry, camera, step);
   const bool other_scale = (odometry != nullptr) != has_odometry_;
-  robot_speed_ =
-      to_int16(robot_speed_ +
-               ((std::abs(step.forward) << (kSecondBits - kDepthBits)) / step.time - robot_speed_) / kSpeedFrames);
+  const auto smooth = [&](std::int16_t& rate, std::int32_t moved, int bits) {
+    rate = to_int16(rate + ((moved << bits) / step.time - rate) / kSpeedFrames);
+  };
+  smooth(robot_speed_, step.forward, kSecondBits - kDepthBits);
+  smooth(robot_turn_, step.turn, kSecondBits);
   if (odometry == nullptr) robot_speed_ = 0;
   has_looked_ = true;
   looked_at_ = base::Stamp(t);
@@ -414,7 +438,8 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, const recon::WaitingFrame
     }
     if (best == nullptr) break;
     owner[box] = best;
-    take(*best, floor, boxes[box], robot_speed_);
+    take(*best, floor, boxes[box], std::abs(robot_speed_), std::abs(robot_turn_));
+    frame.blobs[box].moves = has_odometry_ && best->moves();
   }
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     if (owner[b] != nullptr || !worth_following(floor, boxes[b])) continue;

@@ -33,23 +33,26 @@ struct LoomingTrack {
   std::uint16_t width = 0;          ///< mm; 0: not known yet
   std::uint16_t unseen = 0;         ///< 2^-10 s since the last sighting
   std::uint8_t signature = 0;
-  std::uint8_t sightings = 0;   ///< that the direction is known by; 0: a free slot
-  std::uint8_t sure = 0;        ///< frames in a row in which it came closer by itself
+  std::uint8_t sightings = 0;  ///< that the direction is known by; 0: a free slot
+  std::uint8_t sure = 0;       ///< frames in a row in which it came closer by itself
+  std::uint8_t moved = 0;      ///< frames in which it moved by itself, in any direction, less those in which it did not
   std::uint8_t unmeasured = 0;  ///< 2^-6 s since neither foot nor width told how far it is
   bool low : 1 = false;         ///< its foot was below the image when it was seen last
   bool guessed : 1 = false;     ///< its width was never seen together with its foot: depth and speed have a scale alone
-  std::uint8_t strays : 4 = 0;  ///< sightings in a row that the filter does not believe
+  std::uint8_t whole : 2 = 0;   ///< sightings in a row with both ends in the image, at most 3
+  std::uint8_t strays : 2 = 0;  ///< sightings in a row that the filter does not believe
 
   [[nodiscard]] bool used() const { return sightings != 0; }
   [[nodiscard]] bool comes() const { return sure >= kSureFrames; }
+  [[nodiscard]] bool moves() const { return moved >= kMovedFrames; }
 };
 static_assert(sizeof(LoomingTrack) <= 32, "eight of them, or four on the smallest part");
 
 /// The same for all capacities.
 class LoomingCore {
  protected:
-  /// `odometry`: where the robot was at the exposure; null while that is not known.
-  [[gnu::noinline]] void look(std::span<LoomingTrack> tracks, const recon::WaitingFrame& frame,
+  /// `odometry`: where the robot was at the exposure; null while that is not known. Blobs of what moves are marked.
+  [[gnu::noinline]] void look(std::span<LoomingTrack> tracks, recon::WaitingFrame& frame,
                               const recon::CameraModel& camera, const recon::MapPose* odometry);
   [[nodiscard]] FrontAhead ahead(std::span<const LoomingTrack> tracks, const recon::CameraModel& camera,
                                  const RobotPath& path, const AlertRules& rules, base::Time now) const;
@@ -58,6 +61,7 @@ class LoomingCore {
   base::Stamp looked_at_;         ///< exposure of the latest frame
   recon::MapPose odometry_;       ///< and where the robot was then
   std::int16_t robot_speed_ = 0;  ///< mm/s, smoothed, without its sign
+  std::int16_t robot_turn_ = 0;   ///< 2^-14 rad/s, likewise
   bool has_looked_ = false;
   bool has_odometry_ = false;
 };
@@ -68,8 +72,8 @@ class Looming : public LoomingCore {
   /// Nothing was seen yet: a new run, or another calibration.
   void clear() { *this = {}; }
 
-  /// One frame, as the camera sent it. `odometry`: null while it is silent.
-  void look(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose* odometry) {
+  /// One frame, as the camera sent it. `odometry`: null while it is silent. Blobs of what moves by itself are marked.
+  void look(recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose* odometry) {
     LoomingCore::look(tracks_, frame, camera, odometry);
   }
 

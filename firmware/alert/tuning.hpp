@@ -64,7 +64,20 @@ inline constexpr std::int32_t kSureSigmas = 3;
 inline constexpr std::int32_t kStillSigmas = 2;  ///< once it is known to come
 inline constexpr std::int32_t kLeastOwn = 60;
 inline constexpr std::int32_t kOwnShare = 6;
-inline constexpr std::uint8_t kSureFrames = 3;
+inline constexpr std::uint8_t kSureFrames = 4;
+/// It moves by itself, so that it is no part of the map, if its own speed along the axis is more than so many sigmas,
+/// or its speed across is known by so many sightings; and if either is more than so many mm/s and so many sixteenths of
+/// the robot's speed, and across more by powers of 1/2 of the depth each second and of what the robot turns; in so many
+/// frames more than not, and then at most three times as many. More: ghosts; less: what stands has no model.
+inline constexpr std::int32_t kMovedSigmas = 3;  ///< halves
+inline constexpr std::uint8_t kMovedSightings = 6;
+inline constexpr std::int32_t kLeastMoved = 70;
+inline constexpr std::int32_t kMovedShare = 10;
+inline constexpr int kMovedDepthShareLog2 = 3;
+inline constexpr int kTurnShareLog2 = 3;
+inline constexpr int kMovedFrames = 8;
+/// A width tells a distance after so many sightings in a row with both ends. By design.
+inline constexpr std::uint8_t kWholeSightings = 2;
 /// mm/s. A slower robot stands, and what is known but for its scale counts. By design.
 inline constexpr std::int32_t kRobotStands = 30;
 /// Frames over which the robot's speed is averaged. By design.

@@ -287,7 +287,7 @@ class Pipeline {
   void refuse_waiting(console::Refusal reason = console::Refusal::kNoPose) {
     if (!m_.run.testing) refuse(reason);
     // Where the robot was is not known: what comes closer is seen without it.
-    const recon::WaitingFrame& frame = m_.waiting[0];
+    recon::WaitingFrame& frame = m_.waiting[0];
     m_.looming.look(frame, m_.calibration.models[frame.camera], nullptr);
     m_.waiting.pop_front();
   }

@@ -72,6 +72,7 @@ class Cells {
 // The foot of one blob: a line across the view at one depth, for a box tells no more.
 struct FootLine {
   bool cut = false;    // by the image's lower border: nearer than that
+  bool moves = false;  // by itself: it leaves no points where it was
   bool faint = false;  // so little of it is above that border that the next frame may not show it
   std::uint8_t signature = 0;
   std::int32_t depth = 0;    // where the foot is, or leaves the image
@@ -93,8 +94,12 @@ struct FootLine {
   [[nodiscard]] bool ends_before(const Place& place) const {
     return cut && !faint && place.depth > 0 && place.depth <= farthest && covers(place, kSpacing);
   }
+  // It moves, and the place is where it may have been: visible or not, nothing needs to stand there.
+  [[nodiscard]] bool left_behind(const Place& place) const {
+    return moves && !cut && place.depth > 0 && place.depth < past && covers(place, kSpacing);
+  }
   [[nodiscard]] bool supports(const Place& place) const {
-    if (place.depth > farthest || place.depth < nearest) return false;
+    if (moves || place.depth > farthest || place.depth < nearest) return false;
     if (cut) return !faint && covers(place);
     return place.left <= line_left + kSideSlack && place.left >= line_right - kSideSlack;
   }
@@ -109,6 +114,7 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
   const auto [left, right] = floor.at(2 * box.x1 - 1, 2 * box.x2 + 1, 2 * box.y2 + 1);
   FootLine foot;
   foot.cut = sides.bottom;
+  foot.moves = blob.moves;
   foot.faint = foot.cut && box.y2 - box.y1 + 1 < kClearPixels;
   foot.signature = blob.signature;
   foot.depth = std::min(left.depth, right.depth);
@@ -123,7 +129,7 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
   foot.farthest = foot.depth + support;
   foot.line = foot.depth;
   if (foot.cut) foot.line = (foot.depth * (sides.left && sides.right ? kUnseenFootOfAll : kUnseenFoot)) >> 4;
-  if (foot.depth > kFarthest) return foot;
+  if (foot.depth > kFarthest || foot.moves) return foot;
   const std::int32_t beyond = foot.cut ? 0 : kBeyondSide;
   foot.line_left = times(foot.line, left.slope) + (sides.left ? beyond : 0);
   foot.line_right = times(foot.line, right.slope) - (sides.right ? beyond : 0);
@@ -141,16 +147,19 @@ class Judgement {
   /// `remembered`: it was supported shortly before; `seen_from_here`: and from where the robot still stands.
   Verdict of(Place& place, std::uint8_t& signature, bool remembered, bool seen_from_here) {
     bool hidden = false;
+    bool left_behind = false;
     bool ends_before = false;
     bool unsure = feet_.full();  // a camera tells no more blobs than these: one that is missing may be there
     for (FootLine& foot : feet_) {
       if (foot.cut && remembered) guess_nothing_beside(place, foot);
       if (foot.supports(place)) return support(foot, place, signature);
+      left_behind = left_behind || (foot.signature == signature && foot.left_behind(place));
       ends_before = ends_before || (foot.signature == signature && foot.ends_before(place));
       if (place.depth < foot.past && !foot.cut) continue;
       if (hidden || !foot.covers(place)) continue;
       (place.depth > foot.depth || foot.cut ? hidden : unsure) = true;
     }
+    if (left_behind) return Verdict::kRefuted;
     if (hidden) return Verdict::kUnknown;
     if (!seen_from_here && !(ends_before && inside_columns(place)) && !must_be_visible(place)) return Verdict::kUnknown;
     return unsure ? Verdict::kUnsure : Verdict::kRefuted;

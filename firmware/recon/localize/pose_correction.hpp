@@ -36,7 +36,7 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
                              const MeasurementNoise& noise);
 
 /// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
-/// distance can at least be guessed, is a landmark until it ends or its models begin again.
+/// distance can at least be guessed, is a landmark until it ends, moves or its models begin again.
 template <class Profile>
 class PoseCorrection {
  public:
@@ -94,6 +94,7 @@ class PoseCorrection {
     for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
+      if (matcher.observation_of(next_).moves) continue;
       const Sighting seen = make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.observation_of(next_));
       apply(objects, next_, seen, lens_pose(pose(), camera), noise);
       ++turns;
@@ -112,8 +113,8 @@ class PoseCorrection {
     }
     for (std::size_t o = 0; o < kLandmarks; ++o) {
       const ObjectCore& object = table.objects()[o];
-      if (filter_.landmark(o).used() || !object.used() || object.views < kViewsForLandmark || !matcher.seen(o))
-        continue;
+      const bool may_be = object.used() && !object.moving && object.views >= kViewsForLandmark;
+      if (filter_.landmark(o).used() || !may_be || !matcher.seen(o)) continue;
       const Sighting seen = make_sighting(camera, lens_pose(pose(), camera), matcher.observation_of(o));
       const LandmarkGuess guess = guess_of(object, seen, noise);
       if (guess.radius > 0) add_landmark(filter_.view(), o, guess);

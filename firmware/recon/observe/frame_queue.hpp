@@ -16,6 +16,7 @@ namespace fencepost::recon {
 struct WaitingBlob {
   Box box;
   std::uint8_t signature = 0;
+  bool moves = false;  ///< by itself: what was found out about it, the camera does not say so
 };
 
 /// Blobs are in canonical order (signature, x1, y1, x2, y2): the order in which a camera lists them never matters.

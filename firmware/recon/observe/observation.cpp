@@ -36,6 +36,7 @@ void observe(std::span<const WaitingBlob> blobs, const CameraModel& camera, Obse
     const Sides border = near_border(blobs[b].box, camera.width);
     observation.left = end_of(!is_edge(observation.left) || hidden.left, beside.left || border.left);
     observation.right = end_of(!is_edge(observation.right) || hidden.right, beside.right || border.right);
+    observation.moves = blobs[b].moves;
     if (hidden.bottom) observation.bottom = End::kLowerBound;
     static_cast<void>(observations.push_back(observation));
   }

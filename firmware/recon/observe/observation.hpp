@@ -24,6 +24,7 @@ constexpr bool is_edge(End end) { return end == End::kSeen || end == End::kAmbig
 struct Observation {
   Box box;  ///< px, as the camera sent it
   std::uint8_t signature = 0;
+  bool moves = false;  ///< by itself, see WaitingBlob
   End left = End::kLowerBound;
   End right = End::kLowerBound;
   End top = End::kLowerBound;

@@ -38,6 +38,7 @@ struct ObjectCore {
   std::uint8_t signature = 0;
   bool confirmed = false;
   bool clear = false;     ///< the last sighting was large enough that the same view must show it again
+  bool moving = false;    ///< by itself, when it was seen last: its models know that sighting alone
   End left = End::kSeen;  ///< of the last sighting
   End right = End::kSeen;
   std::uint8_t relocations = 0;  ///< of the local frame; 0: its place is a guess

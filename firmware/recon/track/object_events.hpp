@@ -11,7 +11,7 @@ namespace fencepost::recon {
 /// Ids are never used again within a run, so nobody has to compare slots: an id that has ended is gone for good.
 enum class EventKind : std::uint8_t {
   kBorn,     ///< `id` has begun, tentative
-  kMoved,    ///< its models began again elsewhere: they were of something else. `id` goes on
+  kMoved,    ///< its models began again elsewhere: they were of something else, or it moves. `id` goes on
   kMerged,   ///< ended: the same object as `other`, which goes on
   kDivided,  ///< ended: it was two objects, which are born anew
   kEvicted,  ///< ended: the table was full and another one needed its place

@@ -64,6 +64,7 @@ class ObjectTable {
   void tidy(MatcherType& matcher, Confirmation confirmation) {
     count_pieces(matcher);
     end_doubles(matcher);
+    end_trails(matcher);
     end_refuted(matcher);
     confirm(confirmation);
   }
@@ -93,10 +94,12 @@ class ObjectTable {
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
       compare_ends(object, matcher.prediction(o), seen);
-      if (object.contradicted()) {
+      // Sightings of what moves do not meet in one place.
+      if (object.contradicted() || seen.moves) {
         object.restart(make_sighting(camera, lens, seen), exposure_);
         report(EventKind::kMoved, o);
       }
+      object.moving = seen.moves;
       object.track(seen.left, seen.right, exposure_);
       object.clear = is_clear(seen.box);
       object.history.push(true);
@@ -142,6 +145,7 @@ class ObjectTable {
       ObjectType& object = objects_[slot];
       object.begin(next_id_++, seen.signature, make_sighting(camera, lens, seen), exposure_);
       if (next_id_ == 0) next_id_ = 1;
+      object.moving = seen.moves;
       object.confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
       object.track(seen.left, seen.right, exposure_);
       object.history.push(true);
@@ -202,6 +206,19 @@ class ObjectTable {
         if (!stand_in_one_place(objects_[a], objects_[b])) continue;
         const std::size_t kept = weight(objects_[a]) >= weight(objects_[b]) ? a : b;
         end(kept == a ? b : a, EventKind::kMerged, matcher, objects_[kept].id);
+      }
+    }
+  }
+  // What moves was taken for something that stands, until it was known to move: what was seen of that colour shortly
+  // before, a few times and now no more, was it.
+  void end_trails(MatcherType& matcher) {
+    for (std::size_t a = 0; a < kObjects; ++a) {
+      if (!objects_[a].used() || !objects_[a].moving || !matcher.seen(a)) continue;
+      for (std::size_t b = 0; b < kObjects; ++b) {
+        const ObjectType& other = objects_[b];
+        if (!other.used() || other.signature != objects_[a].signature || matcher.seen(b)) continue;
+        const bool few = other.views < kFewViews || other.moving;
+        if (few && exposure_ - other.last_seen < kTrail) end(b, EventKind::kMerged, matcher, objects_[a].id);
       }
     }
   }

@@ -96,6 +96,7 @@ bool are_alike(const Observation& one, const Observation& other) {
 void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const PiecePair& pair) {
   Box& joined = blobs[pair.left].box;
   const Box& other = blobs[pair.right].box;
+  blobs[pair.left].moves = blobs[pair.left].moves || blobs[pair.right].moves;
   joined.x2 = other.x2;
   joined.y1 = std::min(joined.y1, other.y1);
   joined.y2 = std::max(joined.y2, other.y2);

@@ -52,7 +52,8 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float px_per_radian = camera.fx * middle.squaredNorm() / (middle.x() * middle.x());
   const float left_sigma = px_per_radian * sigma_of(seen.left, noise.heading);
   const float right_sigma = px_per_radian * sigma_of(seen.right, noise.heading);
-  const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
+  float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
+  if (object.moving) slack += camera.fx * kMovesBetween / std::max(kNearestExpected, seen.depth);
   const float left_tolerance = slack + kGateSigmas * left_sigma;
   const float right_tolerance = slack + kGateSigmas * right_sigma;
   prediction.left = {whole_pixels(u_left), whole_pixels(std::max(1.0F, left_sigma))};

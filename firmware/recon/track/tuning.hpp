@@ -20,6 +20,9 @@ inline constexpr float kGateSigmas = 3.0F;
 inline constexpr float kGateWidthShare = 0.5F;
 /// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. On which study was not kept.
 inline constexpr float kHiddenRadians = 0.26F;
+/// m. What moves by itself may be so far from where it was seen last. More: swaps; less: doubles. By design: 1.5 m/s at
+/// 20 frames/s.
+inline constexpr float kMovesBetween = 0.08F;
 /// px. Rows are off by so much besides what distance and pitch explain: whole pixels, rounded edges. By design.
 inline constexpr float kRowPixels = 1.5F;
 /// views. The height band is worth a prediction from here on. By design.
@@ -72,6 +75,9 @@ inline constexpr int kFootSigmas = 2;
 /// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
 /// it stays, and only its alerts stop. On which study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;
+/// An object that was seen so shortly before something of its colour was known to move may have been that. More:
+/// objects that stand are forgotten; less: ghosts. By design.
+inline constexpr base::Duration kTrail = base::milliseconds(1500);
 /// A confirmed object out of sight for longer makes room in a full table. By design.
 inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
 /// An object is kept for so long whatever contradicts it. By design.

@@ -109,5 +109,71 @@ TYPED_TEST(LoomingAlert, EndsWithARun) {
   for (const alert::LoomingTrack& track : ball.memory->looming.tracks()) EXPECT_FALSE(track.used());
 }
 
+/// A robot and one thing, both at constant speed; the highest level said, and the objects that the map has in the end.
+template <class Profile>
+struct Passing {
+  Passing(double robot_speed, double x, double y, double speed_x, double speed_y, double seconds) {
+    pipeline.start_run(header);
+    pipeline.set_camera(level_pixy2());
+    for (int i = 1; i * 0.02 < seconds; ++i) {
+      const double t = i * 0.02;
+      pipeline.accept(sensor::OdometrySample{base::Time::nearest(t), base::Metres::nearest(robot_speed * t), {}, {}});
+      const double seen = t - 0.05;
+      // Boxes that stay exactly as they are would be a frozen camera's.
+      const double side = y + speed_y * seen + (i % 8 < 4 ? 0.004 : -0.004);
+      if (i % 2 == 0) {
+        const FlatFront front{x + speed_x * seen, side - 0.05, side + 0.05};
+        pipeline.accept(flat_view({front}, robot_speed * seen, 0, t, static_cast<std::uint32_t>(i)));
+      }
+      while (pipeline.place_next_frame()) {
+      }
+      pipeline.watch_without_frames();
+      highest = std::max(highest, memory->front_alert.level);
+      for (const alert::AlertState& state : memory->alerts) highest = std::max(highest, state.level);
+    }
+    for (const auto& object : memory->map.slots()) objects += object.used() && object.confirmed ? 1 : 0;
+  }
+  std::unique_ptr<loop::Memory<Profile>> memory = std::make_unique<loop::Memory<Profile>>();
+  loop::Pipeline<Profile> pipeline{*memory, console::Mode::kQuiet};
+  record::Header header{1, "fencepost", "0.0.0", "test", Profile::kName};
+  AlertLevel highest = AlertLevel::kClear;
+  int objects = 0;
+};
+
+// It is one object that goes with it, and leaves no points behind.
+TYPED_TEST(LoomingAlert, ALeaderAtEqualSpeedDoesNotStopTheRobot) {
+  for (const double speed : {0.1, 0.2, 0.3}) {
+    const Passing<TypeParam> leader(speed, 0.5, 0, speed, 0, 10);
+    EXPECT_LT(leader.highest, AlertLevel::kStop) << speed << " m/s";
+    EXPECT_EQ(leader.objects, 1) << speed << " m/s";
+    for (const auto& object : leader.memory->map.slots()) {
+      if (!object.used() || !object.cylinder.estimate().ok()) continue;
+      const double x = object.origin.x * 1e-5 + static_cast<double>(object.cylinder.estimate().center.x());
+      EXPECT_NEAR(x, 0.5 + 10 * speed, 0.15) << speed << " m/s";
+    }
+  }
+}
+
+TYPED_TEST(LoomingAlert, WhatCrossesLeavesOneObjectAtMost) {
+  for (const double speed : {0.3, 0.6}) {
+    const Passing<TypeParam> ball(0, 0.9, 1.0, 0, -speed, 2.0 / speed);
+    EXPECT_LT(ball.highest, AlertLevel::kStop) << speed << " m/s";
+    EXPECT_LE(ball.objects, 1) << speed << " m/s";
+  }
+}
+
+// What stands is not taken for what moves, however the robot drives at it.
+TYPED_TEST(LoomingAlert, APostThatIsPassedStaysInTheMap) {
+  for (const double speed : {0.1, 0.3}) {
+    const Passing<TypeParam> post(speed, 1.5, 0.3, 0, 0, 0.8 / speed);
+    EXPECT_EQ(post.objects, 1) << speed << " m/s";
+    for (const auto& object : post.memory->map.slots()) {
+      if (!object.used()) continue;
+      EXPECT_FALSE(object.moving) << speed << " m/s";
+      EXPECT_GT(object.views, 20U) << speed << " m/s";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fencepost::test

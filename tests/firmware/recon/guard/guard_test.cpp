@@ -266,6 +266,24 @@ TEST(Guard, FollowsTheRobotFarFromTheStart) {
   }
 }
 
+// What moves by itself leaves no points, and takes those that it left before it was known to: also where they are below
+// the image now. Those of another colour stay.
+TEST(Guard, WhatMovesLeavesNothingBehind) {
+  Bench bench;
+  const FlatFront other{0.34, -0.05, 0.05, 2};
+  for (int i = 0; i < 3; ++i) bench.look({{0.34, -0.05, 0.05}, other});
+  ASSERT_GT(bench.points_of(other), 1);
+  for (int i = 0; i < 6; ++i) {
+    recon::WaitingFrame frame =
+        recon::make_waiting(flat_view({{0.5 + 0.02 * i, -0.05, 0.05}}, 0.1, 0, bench.t, bench.number++), 0);
+    frame.blobs[0].moves = true;
+    bench.guard.look(frame, bench.camera, pose_at(0.1), base::Time::nearest(bench.t));
+    bench.t += 0.1;
+  }
+  ASSERT_FALSE(bench.guard.fronts().empty());
+  for (const Front& front : bench.guard.fronts()) EXPECT_EQ(front.signature, 2);
+}
+
 TEST(Guard, WithoutPitchItKnowsNothing) {
   Bench bench;
   sensor::CameraIntrinsics unmeasured = level_pixy2();
