@@ -82,8 +82,9 @@ void predict(LoomingTrack& track, const Step& step) {
   track.depth_variance = bounded(track.depth_variance + ((lost - 2 * track.covariance) * dt >> kSecondBits));
   track.covariance = bounded(track.covariance - lost);
   track.speed_variance = bounded(track.speed_variance + (kUnsteady * dt >> kSecondBits));
-  track.unseen = static_cast<std::uint16_t>(std::min(track.unseen + dt, 0xFFFF));
-  track.unmeasured = static_cast<std::uint8_t>(std::min(track.unmeasured + std::max(dt >> 4, 1), 0xFF));
+  track.unseen = static_cast<std::uint16_t>(std::min<std::int32_t>(track.unseen + dt, 0xFFFF));
+  track.unmeasured =
+      static_cast<std::uint8_t>(std::min<std::int32_t>(track.unmeasured + std::max<std::int32_t>(dt >> 4, 1), 0xFF));
 }
 
 // A box as the filters take it.
@@ -148,7 +149,7 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
 constexpr std::int32_t kNotIt = INT32_MAX;
 std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
   if (seen.signature != track.signature) return kNotIt;
-  const std::int32_t depth = std::max(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
   const std::int32_t half = seen.across() / 2;
   const std::int32_t aside = std::abs(seen.middle() - track.slope);
   // What has just been seen for the first time may move any way.
@@ -166,7 +167,7 @@ enum class Belief : std::uint8_t { kTaken, kStray };
 // The Kalman filter's part: a depth with its sigma. By rows and columns, which are its inverse, errors are the same
 // either way: the difference is taken there.
 Belief take_depth(LoomingTrack& track, std::int32_t depth, std::int32_t sigma) {
-  const std::int32_t expected = std::max(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
   const std::int32_t off = std::clamp((depth - expected) * expected / depth, -kMostDepth, kMostDepth);
   const std::int32_t variance = track.depth_variance + std::min(sigma * sigma, kMostVariance);
   if (off * off / kDepthGate > variance) return Belief::kStray;
@@ -199,7 +200,7 @@ bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& midd
   middle = seen.middle();
   if (seen.whole()) return true;
   if ((seen.left_cut && seen.right_cut) || track.width == 0) return false;
-  const std::int32_t depth = std::max(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
   const std::int32_t half = (track.width << (kSlopeBits - 1)) / depth;
   middle = seen.left_cut ? seen.right + half : seen.left - half;
   return true;
@@ -271,7 +272,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::
     belief = take_depth(track, seen.depth, seen.sigma);
   } else if (!seen.hidden && track.whole >= kWholeSightings && track.width > 0) {
     // Its width says how far it is.
-    const std::int32_t expected = std::max(track.depth >> kDepthBits, kLeastDepth);
+    const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
     const std::int32_t sigma = kColumnSigma * expected / (4 * seen.columns) + kDepthSigma;
     belief = take_depth(track, std::max(seen.depth_of(track.width), kLeastDepth), sigma);
   } else {
@@ -284,7 +285,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::
   }
   track.strays = 0;
   if (seen.depth > 0 && seen.whole()) {
-    const std::int32_t width = seen.width_at(std::max(track.depth >> kDepthBits, kLeastDepth));
+    const std::int32_t width = seen.width_at(std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth));
     const std::int32_t share = std::min(std::int32_t{track.sightings} + 1, kWidthSightings);
     track.width = static_cast<std::uint16_t>(track.width == 0 ? width : track.width + (width - track.width) / share);
   }
