@@ -9,11 +9,10 @@
 
 namespace fencepost::alert {
 
-using recon::guard::FloorCamera;
-using recon::guard::FloorPoint;
-using recon::guard::kOne;
-using recon::guard::kSlopeBits;
-using recon::guard::nearest_whole;
+using recon::FloorCamera;
+using recon::kSlopeBits;
+using recon::kSlopeOne;
+using recon::nearest_whole;
 
 namespace {
 
@@ -59,7 +58,7 @@ void follow_odometry(const recon::MapPose& from, const recon::MapPose& to, const
   constexpr std::int32_t kFarthestStep = 1000 << kDepthBits;
   step.forward = nearest_whole(kUnits * seen.x(), kFarthestStep);
   step.left = nearest_whole(kUnits * seen.y(), kFarthestStep);
-  step.turn = nearest_whole(static_cast<float>(kOne) * turn, kOne / 2);
+  step.turn = nearest_whole(static_cast<float>(kSlopeOne) * turn, kSlopeOne / 2);
 }
 
 // Where the thing should be now, if it moves on as it did.
@@ -75,7 +74,7 @@ void predict(LoomingTrack& track, const Step& step) {
     slope -= step.turn + ((slope * slope >> kSlopeBits) * step.turn >> kSlopeBits);
   }
   depth -= nearer;
-  slope += (slope * nearer + aside * kOne) / std::max(depth, kLeastDepth << kDepthBits);
+  slope += (slope * nearer + aside * kSlopeOne) / std::max(depth, kLeastDepth << kDepthBits);
   track.depth = to_depth(depth);
   track.slope = to_int16(slope);
   const std::int32_t lost = track.speed_variance * dt >> kSecondBits;
@@ -113,7 +112,7 @@ struct Seen {
 
 // Slopes of a camera of which only the focal length is known.
 std::int32_t slope_of(const recon::CameraModel& camera, float u) {
-  return nearest_whole(static_cast<float>(kOne) * (camera.cx - u) / camera.fx, 2 * kOne);
+  return nearest_whole(static_cast<float>(kSlopeOne) * (camera.cx - u) / camera.fx, 2 * kSlopeOne);
 }
 
 Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon::WaitingFrame& frame,
@@ -134,8 +133,7 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
     seen.right = slope_of(camera, recon::right_edge(box));
     return seen;
   }
-  const FloorPoint left = floor.at(2 * box.x1 - 1, 2 * box.y2 + 1);
-  const FloorPoint right = floor.at(2 * box.x2 + 1, 2 * box.y2 + 1);
+  const auto [left, right] = floor.at(2 * box.x1 - 1, 2 * box.x2 + 1, 2 * box.y2 + 1);
   seen.left = left.slope;
   seen.right = right.slope;
   const std::int32_t depth = std::min(left.depth, right.depth);
@@ -186,7 +184,7 @@ Belief take_depth(LoomingTrack& track, std::int32_t depth, std::int32_t sigma) {
 // Least squares over the last sightings: as many as kDirectionSpan holds.
 void take_direction(LoomingTrack& track, std::int32_t slope, std::int32_t time) {
   const std::int32_t n = track.sightings + 1;
-  const std::int32_t off = std::clamp(slope - track.slope, -kOne / 2, kOne / 2);
+  const std::int32_t off = std::clamp(slope - track.slope, -kSlopeOne / 2, kSlopeOne / 2);
   const std::int32_t weights = n * (n + 1);
   track.slope = to_int16(track.slope + off * 2 * (2 * n - 1) / weights);
   const std::int32_t aside = off * (track.depth >> kDepthBits) >> kSlopeBits;  // mm
@@ -332,7 +330,7 @@ struct Meeting {
 
 Meeting meeting_of(const LoomingTrack& track, const recon::CameraModel& camera, const RobotPath& path, float since,
                    bool own_motion_known) {
-  constexpr float kPerSlope = 1.0F / kOne;
+  constexpr float kPerSlope = 1.0F / kSlopeOne;
   constexpr float kMetres = 0.001F;
   const float slope = kPerSlope * track.slope;
   const float depth = kMetres / (1 << kDepthBits) * track.depth;
@@ -417,7 +415,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
   }
   if (frame.blobs.empty()) return;
 
-  const FloorCamera floor(camera);
+  const FloorCamera& floor = camera.floor;
   base::FixedVector<Seen, sensor::kMaxBlobs> boxes;
   for (std::size_t b = 0; b < frame.blobs.size(); ++b) static_cast<void>(boxes.push_back(see(floor, camera, frame, b)));
   // Each box goes to the thing that it is most like, if no other box is more like that.

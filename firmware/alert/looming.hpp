@@ -14,7 +14,6 @@
 
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/tuning.hpp"
-#include "firmware/recon/guard/floor_camera.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
 #include "hal/base/stamp.hpp"

@@ -39,6 +39,7 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.u8(signature);
   hash.u8(confirmed ? 1 : 0);
   hash.u8(clear ? 1 : 0);
+  hash.u8(moving ? 1 : 0);
   hash.u8(static_cast<std::uint8_t>(left));
   hash.u8(static_cast<std::uint8_t>(right));
   hash.u8(relocations);
