@@ -25,10 +25,10 @@ bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float sl
 
 }  // namespace
 
-AlertRules::AlertRules(const config::Settings& settings)
-    : stop(settings.number(Key::kAlertStop)),
-      warn(settings.number(Key::kAlertWarn)),
-      notice(settings.number(Key::kAlertNotice)),
+AlertRules::AlertRules(const config::Settings& settings, float caution)
+    : stop(caution * settings.number(Key::kAlertStop)),
+      warn(caution * settings.number(Key::kAlertWarn)),
+      notice(caution * settings.number(Key::kAlertNotice)),
       ttc_stop(settings.number(Key::kAlertTtcStop)),
       ttc_warn(settings.number(Key::kAlertTtcWarn)),
       repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}

@@ -29,7 +29,8 @@ struct AlertState {
 
 /// The settings as numbers to compare with, once for all objects.
 struct AlertRules {
-  explicit AlertRules(const config::Settings& settings);
+  /// Distances are widened by `caution` >= 1.
+  explicit AlertRules(const config::Settings& settings, float caution = 1);
   float stop;      ///< m
   float warn;      ///< m
   float notice;    ///< m

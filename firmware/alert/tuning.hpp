@@ -150,4 +150,18 @@ inline constexpr float kSpinning = 0.3F;
 inline constexpr float kTightestArc = 0.15F;
 inline constexpr float kFlattestArc = 50.0F;
 
+// --- doubts about the camera ---
+
+/// Objects whose rows are wrong to the same side before the camera is to blame: fewer may stand on bases. By design.
+inline constexpr unsigned kDoubtfulObjects = 3;
+/// And their mean factor: nearer than told, and farther, which noise feigns more easily and which only makes alerts
+/// come early. Less: complaints about ragged feet; more: two degrees of pitch, which make 1.45 or 1.5, are missed.
+/// Hazard table (cameras), seeds 1 to 40, levels 2 and 3.
+inline constexpr float kLeastNearer = 1.25F;
+inline constexpr float kLeastFarther = 1.45F;
+/// Alerts widen their distances by what the doubt says, at most by this. By design.
+inline constexpr float kMostCaution = 2.0F;
+/// Counts of 0.01: a factor is told anew once it has changed by as much. Less: the same said again. By design.
+inline constexpr std::int32_t kDoubtStep = 10;
+
 }  // namespace fencepost::alert

@@ -2,6 +2,7 @@
 
 #include "firmware/console/reports.hpp"
 #include "firmware/console/sentence.hpp"
+#include "firmware/console/text.hpp"
 
 namespace fencepost::console {
 namespace {
@@ -78,7 +79,8 @@ std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<c
     case 2: put_frames(s, facts.counters); break;
     case 3: put_records(s, facts.counters); break;
     case 4: put_robot(s, facts); break;
-    default: put_map(s, facts); break;
+    case 5: put_map(s, facts); break;
+    default: return describe_calibration(facts.doubt, out);
   }
   return s.end();
 }

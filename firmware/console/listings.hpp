@@ -30,9 +30,13 @@ struct StatusFacts {
   std::uint32_t confirmed = 0;
   std::uint32_t capacity = 0;
   std::uint64_t digest = 0;
+  record::CalibrationDoubt doubt{};
 };
 
-inline constexpr std::size_t kStatusLines = 6;
+/// One more while there is a doubt about the camera.
+constexpr std::size_t status_lines(const record::CalibrationDoubt& doubt) {
+  return doubt.doubt == record::Doubt::kNone ? 6 : 7;
+}
 std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<char> out);
 
 std::size_t write_objects_head(std::span<char> out);

@@ -1,5 +1,7 @@
 #include "firmware/console/text.hpp"
 
+#include <algorithm>
+
 #include "firmware/console/quote.hpp"
 #include "firmware/console/sentence.hpp"
 #include "firmware/record/text.hpp"
@@ -49,7 +51,37 @@ std::string_view explain(record::Reject reason) {
   return "";
 }
 
+void put_doubt(Sentence& s, const record::CalibrationDoubt& said) {
+  constexpr std::int64_t kOne = base::Ratio2::kPerUnit;
+  const bool more = said.factor.raw >= kOne;
+  const std::int64_t factor = more ? said.factor.raw : divide_rounded(kOne * kOne, std::max(said.factor.raw, 1));
+  switch (said.doubt) {
+    case record::Doubt::kNone: s.put("nothing speaks against its calibration any more"); return;
+    case record::Doubt::kRows:
+      s.put("check the camera's pitch and height: things are ").number(factor, base::Ratio2::kDecimals);
+      s.put(more ? " times nearer than it tells" : " times farther than it tells");
+      return;
+    case record::Doubt::kLens:
+      s.put("check the focal length, or the wheels' track: the lens seems told ");
+      s.number(factor, base::Ratio2::kDecimals).put(more ? " times too long" : " times too short");
+      return;
+  }
+}
+
 }  // namespace
+
+std::size_t describe(const record::CalibrationDoubt& doubt, std::span<char> out) {
+  Sentence sentence(out);
+  sentence.put("CAMERA").pad_to(kNameColumn);
+  put_doubt(sentence, doubt);
+  return sentence.end();
+}
+
+std::size_t describe_calibration(const record::CalibrationDoubt& doubt, std::span<char> out) {
+  Sentence sentence(out);
+  put_doubt(sentence, doubt);
+  return sentence.end();
+}
 
 std::size_t describe_blind(alert::Blindness reason, std::span<char> out) {
   return Sentence(out).put(word(record::AlertLevel::kBlind)).pad_to(kNameColumn).put(explain(reason)).end();
@@ -75,7 +107,8 @@ std::size_t describe(const record::AlertReport& alert, std::string_view name, st
   return sentence.end();
 }
 
-std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, std::span<char> out) {
+std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, record::Doubt doubt,
+                          std::span<char> out) {
   constexpr std::int64_t kTicksPerCentimetre = 100;
   Sentence sentence(out);
   if (nearest) {
@@ -84,7 +117,9 @@ std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::H
   }
   sentence.put("level:").number(static_cast<std::int64_t>(beat.level));
   sentence.put(",camera:").number(static_cast<std::int64_t>(beat.camera));
-  return sentence.put(",odometry:").number(static_cast<std::int64_t>(beat.odometry)).end();
+  sentence.put(",odometry:").number(static_cast<std::int64_t>(beat.odometry));
+  if (doubt != record::Doubt::kNone) sentence.put(",doubt:").number(static_cast<std::int64_t>(doubt));
+  return sentence.end();
 }
 
 std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out) {

@@ -22,6 +22,11 @@ std::size_t describe(const record::AlertReport& alert, std::string_view name, st
 /// "BLIND   no frame comes from the camera\r\n". Without a reason: what a log tells of such an alert.
 std::size_t describe_blind(alert::Blindness reason, std::span<char> out);
 
+/// What to check: "check the camera's pitch and height: things are 1.31 times nearer than it tells". A line in mode
+/// text, "CAMERA  check ...\r\n", and a part of `status`.
+std::size_t describe(const record::CalibrationDoubt& doubt, std::span<char> out);
+std::size_t describe_calibration(const record::CalibrationDoubt& doubt, std::span<char> out);
+
 /// The obstacle nearest to the robot.
 struct Nearest {
   base::Metres distance;
@@ -30,8 +35,10 @@ struct Nearest {
 
 /// "dist_cm:83,bear_deg:-12,level:2,camera:4,odometry:4\r\n": what serial plotters read. Degrees to the left are
 /// positive; level 0 to 4 (clear to blind) is the highest in force, the states 0 to 4 are absent to ok. Without a
-/// nearest obstacle there are only these.
-std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, std::span<char> out);
+/// nearest obstacle there are only these. While there is a doubt about the camera, "doubt:1" (rows) or 2 (lens)
+/// follows.
+std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, record::Doubt doubt,
+                          std::span<char> out);
 
 /// "error: $FPODO rejected: ...": why a line that starts with $FP was not used.
 std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out);

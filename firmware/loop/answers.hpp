@@ -49,7 +49,7 @@ class Answers {
     switch (answer.reply) {
       case Reply::kHelp: return answer.line >= console::kHelpLines;
       case Reply::kAllSettings: return answer.line >= config::kKeys;
-      case Reply::kStatus: return answer.line >= console::kStatusLines;
+      case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said());
       case Reply::kObjects: return next_used(answer.line - 1U) == Profile::kObjects;
       case Reply::kMap: return m_.poses.empty() || answer.line >= console::kMapLines;
       default: return true;
@@ -93,6 +93,7 @@ class Answers {
     }
     facts.capacity = Profile::kObjects;
     facts.digest = m_.map.digest();
+    facts.doubt = m_.camera_doubt.said();
     return facts;
   }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/alert/camera_doubt.hpp"
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/looming.hpp"
 #include "firmware/alert/sight.hpp"
@@ -70,6 +71,7 @@ struct Memory {
   std::array<alert::AlertState, Profile::kObjects> alerts{};
   alert::Looming<Profile::kTracks> looming;
   alert::AlertState front_alert;  ///< of what is no object: the guard's, what comes by itself, or nothing can be seen
+  alert::CameraDoubt camera_doubt;
   std::array<ReportState, Profile::kObjects> reports{};
   console::Counters counters;
   LinkWatches links;
@@ -91,11 +93,12 @@ inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
                                   600 &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
-/// Lines that one input may put into the logs, at most: the calibration, the input, then for each frame that waited for
-/// it digest, pose, alerts and reports of the objects, at last alerts without a frame, heartbeats, status and links.
+/// Lines that one input may put into the logs, at most: the calibration and what is thought of it, the input, then for
+/// each frame that waited for it digest, pose, alerts and reports of the objects, at last alerts without a frame,
+/// heartbeats, status and links.
 template <class Profile>
 inline constexpr std::size_t kLinesOfOneInput = [] {
-  constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys;
+  constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys + 1;
   // Clears of the ended, an alert and a report of each object; the guard's alert.
   constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects + 1;
   return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 1 + 5;

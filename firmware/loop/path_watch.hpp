@@ -30,10 +30,17 @@ class PathWatch {
     }
   }
 
+  /// After a frame: can the camera be as the robot was told?
+  [[gnu::noinline]] void judge_camera(base::Time now) {
+    alert::RowVotes votes;
+    for (const recon::ObjectCore& object : m_.map.slots()) votes.add(object);
+    if (m_.camera_doubt.judge(votes, m_.map.lens_check().error(), now)) reporter_.camera_doubt();
+  }
+
   /// Judges all objects as the robot sees them now. Without odometry there is only one thing to say.
   [[gnu::noinline]] void watch_path(base::Time now) {
     m_.run.watched_at = base::Stamp(now);
-    const alert::AlertRules rules(m_.settings);
+    const alert::AlertRules rules(m_.settings, m_.camera_doubt.caution());
     const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
     m_.run.last_way.follow(m_.poses.motion(kMotionSpan));

@@ -45,6 +45,7 @@ class Pipeline {
     m_.looming.clear();
     m_.alerts.fill({});
     m_.front_alert = {};
+    m_.camera_doubt = {};
     m_.reports.fill({});
     const record::Header* header = m_.run.header;
     m_.run = {};
@@ -65,6 +66,7 @@ class Pipeline {
     }
     if (calibration.known) m_.map.recalibrated();
     m_.looming.clear();
+    if (m_.camera_doubt.forget(m_.run.time.value_or(base::Time{}))) reporter_.camera_doubt();
     calibration.known = true;
     calibration.intrinsics = intrinsics;
     calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
@@ -159,6 +161,7 @@ class Pipeline {
     m_.looming.look(frame, m_.calibration.models[frame.camera], &*pose);
     reconstruct(frame, *pose);
     watch_.follow_objects(frame.t);
+    if (!m_.run.testing) watch_.judge_camera(frame.t);
     placed(frame);
     watch_.watch_path(frame.t);
     reporter_.digest(frame.frame);

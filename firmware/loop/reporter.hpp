@@ -49,11 +49,13 @@ class Reporter {
   /// Reports and inputs yield to an answer that has waited too long.
   [[nodiscard]] bool yields() const { return m_.console.turns_without_room >= kTurnsBeforeYield; }
 
-  /// The calibration's records in the order in which they are sent: header, camera, signatures, settings.
+  /// The calibration's records in the order in which they are sent: header, camera, signatures, settings, and what the
+  /// robot thinks of it.
   static constexpr std::size_t kHeaderRecord = 0;
   static constexpr std::size_t kCameraRecord = 1;
   static constexpr std::size_t kSignatureRecords = 2;
   [[nodiscard]] std::size_t setting_records() const { return kSignatureRecords + m_.signatures.size(); }
+  [[nodiscard]] std::size_t doubt_record() const { return setting_records() + config::kKeys; }
 
   /// The records after one that has changed are sent again, too: cheaper than to remember which of them did.
   void resend_from(std::size_t record) {
@@ -75,7 +77,7 @@ class Reporter {
   /// the calibration that it is used with.
   void calibration() {
     if (!logs()) return;
-    while (m_.run.next_record < setting_records() + config::kKeys) {
+    while (m_.run.next_record <= doubt_record()) {
       if (!calibration_record(m_.run.next_record)) return;
       ++m_.run.next_record;
     }
@@ -91,6 +93,13 @@ class Reporter {
     emit(console::report_blind(now), [reason](std::span<char> room) { return console::describe_blind(reason, room); });
   }
 
+  /// What is thought of the camera's calibration has changed. Its record goes before the next input.
+  void camera_doubt() {
+    resend_from(doubt_record());
+    if (!shown_in(console::Mode::kText)) return;
+    say([&](std::span<char> room) { return console::describe(m_.camera_doubt.said(), room); });
+  }
+
   /// A line for plotters is due.
   [[nodiscard]] bool plots(base::Time now) const {
     return shown_in(console::Mode::kPlot) && m_.console.plotted_at.since(now) >= kPlotInterval;
@@ -99,7 +108,8 @@ class Reporter {
     std::optional<console::Nearest> nearest;
     if (obstacle) nearest = console::nearest_of(*obstacle);
     m_.console.plotted_at = base::Stamp(beat.t);
-    say([&](std::span<char> room) { return console::describe_plot(nearest, beat, room); });
+    const record::Doubt doubt = m_.camera_doubt.said().doubt;
+    say([&](std::span<char> room) { return console::describe_plot(nearest, beat, doubt, room); });
   }
 
   void digest(std::uint32_t frame) {
@@ -200,6 +210,7 @@ class Reporter {
     }
     if (index == kCameraRecord) return !m_.calibration.known || put_in_logs(m_.calibration.intrinsics);
     if (index < setting_records()) return put_in_logs(m_.signatures[index - kSignatureRecords]);
+    if (index == doubt_record()) return !m_.camera_doubt.spoke() || put_in_logs(m_.camera_doubt.said());
     const auto key = static_cast<config::Key>(index - setting_records());
     return put_in_logs(record::Setting{config::info(key).name, m_.settings.text(key)});
   }

@@ -4,7 +4,8 @@
 //   each object seen in the frame: who it is, its views, its estimate;
 //   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
 //   since which exposure the robot stands;
-//   of the guard beside the map: how many points it has, and four of them in turn.
+//   of the guard beside the map: how many points it has, and four of them in turn;
+//   of the check of the lens: one of its four parts in turn.
 //   while the pose is corrected: the pose's covariance, and the landmark of that slot with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "firmware/recon/digest.hpp"
+#include "firmware/recon/localize/lens_check.hpp"
 #include "firmware/recon/localize/pose_correction.hpp"
 #include "firmware/recon/models/hybrid/outline_fitter.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
@@ -23,6 +24,7 @@ class Map {
     fitter_.clear();
     correction_.clear();
     guard_.clear();
+    lens_check_.clear();
     standing_ = {};
     frames_ = 0;
     digest_ = base::Fnv1a64::kOffsetBasis;
@@ -48,14 +50,23 @@ class Map {
     fitter_.fit(table_);
     table_.tidy(matcher_, confirmation);
     correction_.follow(table_, matcher_, camera, noise);
+    lens_check_.look(table_, matcher_, camera, lens, odometry);
     chain_digest(frame, pose);
     return outcome;
   }
 
-  /// Frames come with another calibration from now on: what the guard has by this one may be wrong.
-  void recalibrated() { guard_.clear(); }
+  /// Frames come with another calibration from now on: what was learned by this one of the camera and
+  /// of the floor before the robot may be wrong.
+  void recalibrated() {
+    guard_.clear();
+    lens_check_.clear();
+    table_.recalibrated();
+  }
   /// Beside the objects: where the feet of blobs were seen, in the frame of odometry alone.
   [[nodiscard]] const guard::Guard<Profile::kFronts>& guard() const { return guard_; }
+
+  /// Whether the focal length is what the robot was told.
+  [[nodiscard]] const LensCheck& lens_check() const { return lens_check_; }
 
   /// Where the robot is in the map, by odometry and all corrections so far.
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return correction_.corrected(odometry); }
@@ -90,6 +101,7 @@ class Map {
     if (turn.used()) turn.hash_part(hash, frames_ / kObjects % ObjectType::kHashParts);
     hash_standing(hash, standing_);
     hash_guard(hash, guard_, frames_);
+    lens_check_.hash(hash, frames_);
     if (correction_.running()) hash_filter(hash, correction_.filter(), frames_ % kObjects);
     ++frames_;
     digest_ = hash.value();
@@ -100,6 +112,7 @@ class Map {
   OutlineFitter<Profile> fitter_;
   PoseCorrection<Profile> correction_;
   guard::Guard<Profile::kFronts> guard_;
+  LensCheck lens_check_;
   Standing standing_;
   std::uint32_t frames_ = 0;
   std::uint64_t digest_ = base::Fnv1a64::kOffsetBasis;

@@ -20,6 +20,7 @@ inline constexpr NumberField kPitch{-15'708, 15'708, 4};             // +-90 deg
 inline constexpr NumberField kLatency{0, 100'000, 4};                // 10 s: more is milliseconds by mistake
 inline constexpr NumberField kDistortion{-100'000, 100'000, 4};      // +-10: lenses have less than 1
 inline constexpr NumberField kConfidence{0, 100, 2};                 // 0..1
+inline constexpr NumberField kFactor{1, 10'000, 2};                  // 0.01..100
 inline constexpr NumberField kPixel{-32'768, 32'767, 0};
 inline constexpr NumberField kCentroid{-327'680, 327'670, 1};
 inline constexpr NumberField kPrincipalPoint{-3'276'800, 3'276'700, 2};
@@ -141,6 +142,13 @@ void walk(Fields& fields, Record& r) {
   fields.word(r.level, AlertLevel::kBlind);
   fields.word(r.camera, sensor::LinkState::kOk);
   fields.word(r.odometry, sensor::LinkState::kOk);
+}
+
+template <class Fields, Is<CalibrationDoubt> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number(r.t.raw, kTime);
+  fields.word(r.doubt, Doubt::kLens);
+  fields.number(r.factor.raw, kFactor);
 }
 
 template <class Fields, Is<DigestReport> Record>

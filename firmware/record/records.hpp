@@ -31,6 +31,7 @@ enum class Kind : std::uint8_t {
   kStatus,
   kSetting,
   kHeartbeat,
+  kCalibrationDoubt,
 };
 
 /// FPHDR: starts a run; all state resets.
@@ -136,6 +137,31 @@ struct Heartbeat {
   sensor::LinkState camera = sensor::LinkState::kAbsent;
   sensor::LinkState odometry = sensor::LinkState::kAbsent;
   friend constexpr bool operator==(const Heartbeat&, const Heartbeat&) = default;
+};
+
+/// What of the calibration cannot be right.
+enum class Doubt : std::uint8_t {
+  kNone,
+  kRows,  ///< pitch or height of the camera: the rows of most feet say a wrong depth
+  kLens,  ///< focal length of the camera, or track of the wheels: what it sees does not turn as they say
+};
+
+constexpr std::string_view name(Doubt doubt) {
+  switch (doubt) {
+    case Doubt::kNone: return "none";
+    case Doubt::kRows: return "rows";
+    case Doubt::kLens: return "lens";
+  }
+  return "none";
+}
+
+/// FPCAL: what the robot thinks of its camera's calibration, from t on. `factor` is what follows from the calibration
+/// over what was found, of depths by rows or of the focal length: above 1, things are nearer than they seem by it.
+struct CalibrationDoubt {
+  base::Time t;
+  Doubt doubt = Doubt::kNone;
+  base::Ratio2 factor{base::Ratio2::kPerUnit};
+  friend constexpr bool operator==(const CalibrationDoubt&, const CalibrationDoubt&) = default;
 };
 
 /// FPDIG: state digest after that frame.

@@ -41,7 +41,9 @@ std::string text_result(const ResultDocument& result, const std::string& output)
   TextOptions text;
   text.colour = is_standard_output(output) && colour_on_stdout();
   const std::string alerts = alert_list(result, text);
-  return alerts + (alerts.empty() ? "" : "\n") + object_table(result, text) + "\n" + summary_line(result);
+  const std::string doubts = calibration_list(result);
+  return alerts + (alerts.empty() ? "" : "\n") + object_table(result, text) + "\n" + doubts +
+         (doubts.empty() ? "" : "\n") + summary_line(result);
 }
 
 Exit judge(const CheckOutcome& check) {
@@ -81,7 +83,8 @@ Action configure_replay(CLI::App& app) {
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_flag("--json", request->json, "write the result document instead of text");
-  app.add_flag("--check", request->options.check, "compare logged FPOBJ, FPALR and FPDIG with our own; exit 1 if not");
+  app.add_flag("--check", request->options.check,
+               "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if not");
   app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
   app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
   app.add_option("--frames", request->options.frames, "stop after the N-th frame record")

@@ -22,6 +22,7 @@ class OwnLog {
     std::function<void(const record::ObjectReport&)> object{};
     std::function<void(const record::DigestReport&)> digest{};
     std::function<void(const record::Heartbeat&)> heartbeat{};
+    std::function<void(const record::CalibrationDoubt&)> doubt{};  ///< again with each repetition of the calibration
   };
 
   explicit OwnLog(Listeners listeners) : listeners_(std::move(listeners)) {}
@@ -41,6 +42,7 @@ class OwnLog {
   void accept(const record::ObjectReport& object) { tell(listeners_.object, object); }
   void accept(const record::DigestReport& digest) { tell(listeners_.digest, digest); }
   void accept(const record::Heartbeat& beat) { tell(listeners_.heartbeat, beat); }
+  void accept(const record::CalibrationDoubt& doubt) { tell(listeners_.doubt, doubt); }
   template <class Record>
   void accept(const Record&) {}
 

@@ -21,8 +21,8 @@ class Replay {
       : options_(options),
         own_log_({options.log, [this](const auto& alert) { hear_alert(alert); },
                   [this](const auto& object) { check_.own(object); },
-                  [this](const auto& digest) { check_.own(digest); }, [this](const auto& beat) { check_.own(beat); }}) {
-  }
+                  [this](const auto& digest) { check_.own(digest); }, [this](const auto& beat) { check_.own(beat); },
+                  [this](const auto& doubt) { hear_doubt(doubt); }}) {}
 
   ReplayOutcome run(std::string_view bytes, const std::string& name) {
     for (const char byte : bytes) {
@@ -75,6 +75,7 @@ class Replay {
   void accept(const record::ObjectReport& report) { compare(report); }
   void accept(const record::AlertReport& report) { compare(report); }
   void accept(const record::DigestReport& report) { compare(report); }
+  void accept(const record::CalibrationDoubt& report) { compare(report); }
   template <class Record>
   void accept(const Record&) {}
 
@@ -108,6 +109,7 @@ class Replay {
     path_.clear();
     signatures_.clear();
     outcome_.result.alerts.clear();
+    outcome_.result.calibration.clear();
     runner_->observe(options_.observer);
     if (options_.pose_noise) runner_->assume(*options_.pose_noise);
     runner_->start_run({record::kStreamFormat, "fencepost", FENCEPOST_VERSION, "host", std::string_view(profile_)});
@@ -150,6 +152,18 @@ class Replay {
     }
     std::array<char, console::kMaxSentence> sentence{};
     const std::size_t size = console::describe(alert, name, sentence);
+    if (size >= 2) options_.text({sentence.data(), size - 2});
+  }
+
+  // Repetitions are left out, sentences come when it changes.
+  void hear_doubt(const record::CalibrationDoubt& doubt) {
+    check_.own(doubt);
+    std::vector<record::CalibrationDoubt>& heard = outcome_.result.calibration;
+    if (!heard.empty() && heard.back() == doubt) return;
+    heard.push_back(doubt);
+    if (!options_.text) return;
+    std::array<char, console::kMaxSentence> sentence{};
+    const std::size_t size = console::describe(doubt, sentence);
     if (size >= 2) options_.text({sentence.data(), size - 2});
   }
 

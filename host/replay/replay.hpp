@@ -22,7 +22,7 @@ struct ReplayOptions {
   std::optional<double> to;
   std::optional<std::uint64_t> frames;         ///< stop after the N-th accepted frame record
   std::optional<PoseNoise> pose_noise;         ///< default: of a robot that drives, 4 mm and 7 mrad
-  bool check = false;                          ///< compare logged FPOBJ, FPALR and FPDIG with our own
+  bool check = false;                          ///< compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
   RunObserver* observer = nullptr;             ///< called for each frame that the map accepts
@@ -42,7 +42,7 @@ struct Unreadable {
 struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
-  std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful pitch: one sentence each
+  std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful camera: one sentence each
   std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame
 };
 

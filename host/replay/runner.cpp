@@ -5,6 +5,7 @@
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
+#include "host/result/text.hpp"
 #include "host/scene/pitch_note.hpp"
 
 namespace fencepost::host {
@@ -93,9 +94,19 @@ class ProfileRunner final : public Runner {
  private:
   void step(base::Time now) {
     loop_.step(now);
+    note_doubt(memory_->camera_doubt.said().doubt);
     const std::span<const char> lines = memory_->journal.waiting();
     log_({lines.data(), lines.size()});
     memory_->journal.taken(lines.size());
+  }
+
+  // Once for each time that it begins; by how much is in the log.
+  void note_doubt(record::Doubt doubt) {
+    if (doubt == noted_) return;
+    noted_ = doubt;
+    if (doubt == record::Doubt::kNone) return;
+    const std::string note = calibration_sentence(memory_->camera_doubt.said());
+    if (std::ranges::find(complaints_, note) == complaints_.end()) complaints_.push_back(note);
   }
 
   // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.
@@ -139,6 +150,9 @@ class ProfileRunner final : public Runner {
       const recon::HeightRange band = object.band.at(cylinder.center, cylinder.radius);
       result.z_min = static_cast<double>(band.z_min);
       result.z_max = static_cast<double>(band.z_max);
+      // Rows that tell a depth too great see a foot above the floor, or what hides it.
+      const bool raised = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
+      if (raised && band.bottom_known) result.base = result.z_min;
     }
     result.models = models_of(object);
     return result;
@@ -152,6 +166,7 @@ class ProfileRunner final : public Runner {
   std::function<void(std::string_view)> log_;
   loop::Loop<Profile, LogCamera, LogOdometry, NoConsole> loop_;
   std::vector<std::string> complaints_;
+  record::Doubt noted_ = record::Doubt::kNone;
   RunObserver* observer_ = nullptr;
 };
 

@@ -34,6 +34,7 @@ struct ObjectResult {
   double z_max = 0;
   double confidence = 0;
   std::vector<ModelResult> models;
+  double base = 0;  ///< m, of its foot, or of what hides it, above the floor; 0 unless its rows speak against the floor
 };
 
 struct PoseResult {
@@ -69,10 +70,11 @@ struct ResultDocument {
   LogCounts log;
   std::uint64_t digest = 0;
   std::string profile;
-  std::optional<PoseResult> pose;           ///< the last one
-  std::vector<ObjectResult> objects;        ///< every state
-  std::vector<record::AlertReport> alerts;  ///< in order of time
-  std::vector<PoseResult> path;             ///< every odometry sample; drawn by the report, not part of the JSON
+  std::optional<PoseResult> pose;                     ///< the last one
+  std::vector<ObjectResult> objects;                  ///< every state
+  std::vector<record::AlertReport> alerts;            ///< in order of time
+  std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
+  std::vector<PoseResult> path;  ///< every odometry sample; drawn by the report, not part of the JSON
   std::vector<record::Signature> signatures;
 };
 

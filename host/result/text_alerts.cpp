@@ -52,6 +52,20 @@ std::string alert_list(const ResultDocument& document, const TextOptions& option
   return list;
 }
 
+std::string calibration_sentence(const record::CalibrationDoubt& doubt) {
+  std::array<char, console::kMaxSentence> buffer{};
+  const std::size_t size = console::describe_calibration(doubt, buffer);
+  return {buffer.data(), size < 2 ? 0 : size - 2};
+}
+
+std::string calibration_list(const ResultDocument& document) {
+  std::string list;
+  for (const record::CalibrationDoubt& doubt : document.calibration) {
+    list += fmt::format("{:>9.3f} s  {}\n", doubt.t.to_double(), calibration_sentence(doubt));
+  }
+  return list;
+}
+
 std::string summary_line(const ResultDocument& document) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
     return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight

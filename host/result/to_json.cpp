@@ -4,6 +4,7 @@
 
 #include "host/result/geojson.hpp"
 #include "host/result/lookup.hpp"
+#include "host/result/text.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -63,6 +64,7 @@ Json object_json(const ObjectResult& object) {
           {"views", object.views},
           {"z_min", rounded(object.z_min, kLengthDecimals)},
           {"z_max", rounded(object.z_max, kLengthDecimals)},
+          {"base", rounded(object.base, kLengthDecimals)},
           {"confidence", rounded(object.confidence, kRatioDecimals)},
           {"models", std::move(models)}};
 }
@@ -79,6 +81,13 @@ Json alert_json(const record::AlertReport& alert) {
           {"confidence", told(alert.confidence.to_double(), kRatioDecimals)}};
 }
 
+Json doubt_json(const record::CalibrationDoubt& doubt) {
+  return {{"t", rounded(doubt.t.to_double(), kRecordDecimals)},
+          {"doubt", record::name(doubt.doubt)},
+          {"factor", rounded(doubt.factor.to_double(), kRatioDecimals)},
+          {"says", calibration_sentence(doubt)}};
+}
+
 }  // namespace
 
 std::string to_json(const ResultDocument& document) {
@@ -86,10 +95,12 @@ std::string to_json(const ResultDocument& document) {
   for (const ObjectResult& object : document.objects) objects.push_back(object_json(object));
   Json alerts = Json::array();
   for (const record::AlertReport& alert : document.alerts) alerts.push_back(alert_json(alert));
+  Json calibration = Json::array();
+  for (const record::CalibrationDoubt& doubt : document.calibration) calibration.push_back(doubt_json(doubt));
   const Json json = {
-      {"format", kFormat},           {"log", log_json(document.log)},    {"digest", digest_text(document.digest)},
-      {"profile", document.profile}, {"pose", pose_json(document.pose)}, {"objects", std::move(objects)},
-      {"alerts", std::move(alerts)}};
+      {"format", kFormat},           {"log", log_json(document.log)},        {"digest", digest_text(document.digest)},
+      {"profile", document.profile}, {"pose", pose_json(document.pose)},     {"objects", std::move(objects)},
+      {"alerts", std::move(alerts)}, {"calibration", std::move(calibration)}};
   // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

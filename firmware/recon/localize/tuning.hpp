@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "hal/base/units.hpp"
+
 namespace fencepost::recon {
 
 // --- landmarks ---
@@ -50,5 +52,41 @@ inline constexpr float kDriftTurning = 1.0F;
 /// rad and m, sigmas of corrected poses for the models: what is left of the pose's error. algorithms.md sec. 7.
 inline constexpr float kCorrectedHeading = 0.0105F;
 inline constexpr float kCorrectedPosition = 0.006F;
+
+// --- the check of the lens ---
+
+/// urad of heading between the frames that are compared. More: objects leave the image before; less: the noise of
+/// headings and edges counts more. By design.
+inline constexpr std::int32_t kLensTurn = 150'000;
+/// urad for each 0.1 ms, 0.15 rad/s: slower, odometry's rounding is a share of what it tells. By design.
+inline constexpr std::int32_t kLensLeastRate = 15;
+/// Between two frames; after a longer gap nothing is compared. By design.
+inline constexpr base::Duration kLensLongestStep = base::milliseconds(500);
+/// A latency told wrongly by so much (s) must not change a turn by more than this share, which it does while the robot
+/// turns faster or slower than before. By design.
+inline constexpr float kLensLatency = 0.05F;
+inline constexpr float kLensUnsteady = 0.1F;
+/// share of the turn that the lens's own way may make, for the object's distance may be wrong, and m, nearer than which
+/// the lens's place on the robot matters too much. By design.
+inline constexpr float kLensMostParallax = 0.25F;
+inline constexpr float kLensNearest = 0.3F;
+/// A sample off by more than this factor is something else's. By design.
+inline constexpr float kLensMostOff = 2.5F;
+/// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. By
+/// design.
+inline constexpr float kLensSampleSigma = 0.015F;
+/// Samples, and objects followed (or one twice), before anything is said; and samples at which half is forgotten. By
+/// design.
+inline constexpr std::uint8_t kLensLeastSamples = 4;
+inline constexpr std::uint8_t kLensObjects = 2;
+inline constexpr std::uint8_t kLensMostSamples = 64;
+/// The focal length is wrong from this factor and so many sigmas on, and right again below these. Less: complaints
+/// about lenses that do no harm, and about wheels. Hazard table (bases).
+struct LensGate {
+  float factor;
+  float sigmas;
+};
+inline constexpr LensGate kLensWrong{1.15F, 5.0F};
+inline constexpr LensGate kLensRight{1.10F, 3.0F};
 
 }  // namespace fencepost::recon

@@ -84,6 +84,8 @@ class Cylinder {
   void solve(const Vec2& lens, const MeasurementNoise& noise);
 
   void move_origin(const Vec2& shift);
+  /// Rows come from another calibration from now on: whether they are to be believed is not known.
+  void recalibrated() { trend_ = {}; }
   void hash(base::Fnv1a64& hash) const;
 
   [[nodiscard]] const CylinderEstimate& estimate() const { return estimate_; }

@@ -44,6 +44,11 @@ class ObjectTable {
     evicted_ = 0;
   }
 
+  /// Frames come with another calibration from now on: rows are judged anew.
+  void recalibrated() {
+    for (ObjectType& object : objects_) object.cylinder.recalibrated();
+  }
+
   /// `stands_since`: see Standing.
   void start_frame(base::Time exposure, base::Time stands_since) {
     stands_since_ = stands_since;

@@ -60,16 +60,38 @@ TEST(Text, BlindIsSaidWithItsReasonAndClearedInWords) {
   EXPECT_EQ(sentence(report, ""), "CLEAR   it sees again\r\n");
 }
 
-std::string plot(const std::optional<console::Nearest>& nearest, record::AlertLevel level) {
+std::string plot(const std::optional<console::Nearest>& nearest, record::AlertLevel level,
+                 record::Doubt doubt = record::Doubt::kNone) {
   std::array<char, console::kMaxSentence> out{};
   const record::Heartbeat beat{{}, level, sensor::LinkState::kSilent, sensor::LinkState::kOk};
-  return {out.data(), console::describe_plot(nearest, beat, out)};
+  return {out.data(), console::describe_plot(nearest, beat, doubt, out)};
 }
 
 TEST(Text, PlotLinesAreNamesAndNumbers) {
   const console::Nearest right{Metres::nearest(0.834), Radians::nearest(-0.21)};
   EXPECT_EQ(plot(right, record::AlertLevel::kWarn), "dist_cm:83,bear_deg:-12,level:2,camera:1,odometry:4\r\n");
   EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear), "level:0,camera:1,odometry:4\r\n");
+}
+
+TEST(Text, PlotLinesTellOfADoubtAboutTheCameraWhileThereIsOne) {
+  EXPECT_EQ(plot(std::nullopt, record::AlertLevel::kClear, record::Doubt::kLens),
+            "level:0,camera:1,odometry:4,doubt:2\r\n");
+}
+
+TEST(Text, ADoubtAboutTheCameraSaysWhatToCheck) {
+  std::array<char, console::kMaxSentence> out{};
+  const auto said = [&](record::Doubt doubt, std::int32_t factor) {
+    return std::string(out.data(), console::describe(record::CalibrationDoubt{{}, doubt, {factor}}, out));
+  };
+  EXPECT_EQ(said(record::Doubt::kRows, 131),
+            "CAMERA  check the camera's pitch and height: things are 1.31 times nearer than it tells\r\n");
+  EXPECT_EQ(said(record::Doubt::kRows, 80),
+            "CAMERA  check the camera's pitch and height: things are 1.25 times farther than it tells\r\n");
+  EXPECT_EQ(said(record::Doubt::kLens, 145),
+            "CAMERA  check the focal length, or the wheels' track: the lens seems told 1.45 times too long\r\n");
+  EXPECT_EQ(said(record::Doubt::kLens, 1),
+            "CAMERA  check the focal length, or the wheels' track: the lens seems told 100.00 times too short\r\n");
+  EXPECT_EQ(said(record::Doubt::kNone, 100), "CAMERA  nothing speaks against its calibration any more\r\n");
 }
 
 TEST(Text, ARejectedRecordIsNamedWithTheReason) {

@@ -1,4 +1,5 @@
-// The six lines that the stream's contract gives as examples: these bytes, these values, both ways.
+// The six lines that the stream's contract gives as examples, and one of each later kind: these bytes, these values,
+// both ways.
 #include <gtest/gtest.h>
 
 #include "firmware/record/decode.hpp"
@@ -42,6 +43,7 @@ std::vector<Golden> golden_lines() {
       {"$FPFRM,12.3800,618,0*6329", sensor::BlobFrame{{123'800}, 618, {}}},
       {"$FPALR,12.3800,warn,3,1,0.2094,0.2400,1.1000,0.93*417C",
        AlertReport{{123'800}, AlertLevel::kWarn, 3, 1, {2'094}, {2'400}, base::Duration{11'000}, {93}}},
+      {"$FPCAL,12.3800,rows,1.31*C903", CalibrationDoubt{{123'800}, Doubt::kRows, {131}}},
   };
 }
 

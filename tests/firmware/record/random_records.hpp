@@ -75,6 +75,7 @@ class RandomRecords {
       case Kind::kHeartbeat:
         return Heartbeat{time(), static_cast<AlertLevel>(below(5)), static_cast<sensor::LinkState>(below(5)),
                          static_cast<sensor::LinkState>(below(5))};
+      case Kind::kCalibrationDoubt: return CalibrationDoubt{time(), static_cast<Doubt>(below(3)), {i32(1, 10'000)}};
     }
     return Header{};
   }

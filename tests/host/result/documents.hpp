@@ -41,6 +41,7 @@ inline ResultDocument small_document() {
   ObjectResult unknown{2, 9, record::ObjectState::kTentative, 1, 0.0, 0.0, 0.5, {}};
   unknown.models = {silent_model("cylinder"), silent_model("carve"), silent_model("clip")};
   d.objects = {red, unknown};
+  d.objects[0].base = 0.03;
 
   using base::Time;
   record::AlertReport warn{Time::nearest(1.0),
@@ -60,6 +61,7 @@ inline ResultDocument small_document() {
                            std::nullopt,
                            base::Ratio2::nearest(0.93)};
   d.alerts = {warn, stop};
+  d.calibration = {{Time::nearest(0.9), record::Doubt::kRows, base::Ratio2::nearest(1.31)}};
   return d;
 }
 

@@ -71,5 +71,11 @@ TEST(SummaryLine, CountsAndIdentifies) {
             "2 objects (1 confirmed), 2 alerts, 5 frames, profile full, digest 0123456789abcdef\n");
 }
 
+TEST(CalibrationList, WhatWasThoughtOfTheCalibrationIsListed) {
+  EXPECT_EQ(calibration_list(small_document()),
+            "    0.900 s  check the camera's pitch and height: things are 1.31 times nearer than it tells\n");
+  EXPECT_EQ(calibration_list({}), "");
+}
+
 }  // namespace
 }  // namespace fencepost::host

@@ -48,6 +48,7 @@ Family movers();
 Family obeying();
 Family removal();
 Family bases();
+Family cameras();
 Family turning();
 Family blind();
 

@@ -3,7 +3,7 @@
 namespace fencepost::test {
 
 std::vector<Family> families() {
-  return {walls(), corridors(), approaches(), movers(), obeying(), removal(), bases(), turning(), blind()};
+  return {walls(), corridors(), approaches(), movers(), obeying(), removal(), bases(), cameras(), turning(), blind()};
 }
 
 }  // namespace fencepost::test

@@ -1,0 +1,113 @@
+// Is the focal length what the robot was told? While it turns, a thing that stands moves across the image by as much as
+// the robot has turned. Told too long, the lens makes angles of pixels that are too small, and things seem to turn too
+// little; told too short, too much. Wheels whose track is told wrongly give the same picture: no camera tells them
+// apart.
+//
+// One object at a time is followed, frame by frame. After each kLensTurn of the heading its direction is compared with
+// where it was, less what the lens's own way makes of it, by the object's distance. What moves by itself contradicts
+// the others, or itself when the robot turns the other way, and is forgotten in time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/recon/observe/sighting.hpp"
+#include "firmware/recon/track/object.hpp"
+#include "hal/base/fnv1a.hpp"
+#include "hal/base/stamp.hpp"
+#include "hal/base/units.hpp"
+
+namespace fencepost::recon {
+
+class LensCheck {
+ public:
+  /// Nothing is known: a new run, or another calibration.
+  void clear() { *this = LensCheck(); }
+
+  /// Looks at one frame. `odometry`: where the robot was at the exposure by odometry alone, for a corrected heading
+  /// has the camera's error in it; `lens`: in the map, where the objects are. cost: next to nothing but in a
+  /// frame that ends one turn of kLensTurn and begins the next one.
+  template <class Table, class Matcher>
+  void look(const Table& table, const Matcher& matcher, const CameraModel& camera, const LensPose& lens,
+            const MapPose& odometry) {
+    const bool turns = turn(odometry.heading, table.exposure());
+    if (!turns || !shows(table, matcher, slot_)) id_ = 0;
+    if (!turns) return;
+    const bool begins = id_ == 0;
+    if (begins && !choose(table, matcher)) return;
+    if (!begins && !turned_on(odometry.heading)) return;
+    take(table.objects()[slot_], matcher.observation_of(slot_), camera, lens, odometry, begins);
+  }
+
+  /// The focal length as told is wrong by so much that it matters, and surely.
+  [[nodiscard]] bool wrong() const { return wrong_; }
+  /// What it is over the true one then.
+  [[nodiscard]] std::optional<float> error() const { return wrong_ ? std::optional(told_over_true()) : std::nullopt; }
+  /// The focal length as told over the true one, as far as is known; 1 as long as nothing is.
+  [[nodiscard]] float told_over_true() const;
+
+  /// One part in turn: `turn` counts frames.
+  void hash(base::Fnv1a64& hash, std::uint32_t turn) const;
+
+ private:
+  // Confirmed, where it is known, and in this frame seen from end to end.
+  template <class Table, class Matcher>
+  [[nodiscard]] bool may_follow(const Table& table, const Matcher& matcher, std::size_t slot) const {
+    if (!matcher.seen(slot)) return false;
+    const ObjectCore& object = table.objects()[slot];
+    return object.confirmed && !object.cut_off() && object.placed() && object.cylinder.estimate().ok();
+  }
+  template <class Table, class Matcher>
+  [[nodiscard]] bool shows(const Table& table, const Matcher& matcher, std::size_t slot) const {
+    return id_ != 0 && may_follow(table, matcher, slot) && table.objects()[slot].id == id_;
+  }
+  // Each in turn: one that moves is not followed alone.
+  template <class Table, class Matcher>
+  bool choose(const Table& table, const Matcher& matcher) {
+    for (std::size_t i = 0; i < Table::kObjects; ++i) {
+      slot_ = static_cast<std::uint8_t>(slot_ + 1U < Table::kObjects ? slot_ + 1U : 0U);
+      if (!may_follow(table, matcher, slot_)) continue;
+      id_ = table.objects()[slot_].id;
+      return true;
+    }
+    return false;
+  }
+
+  // What one frame shows of the object that is followed.
+  struct View {
+    Vec2 bearing{1, 0};  // of its middle, unit, axes of the level camera
+    float distance = 0;  // m, from the lens to its middle
+  };
+
+  bool turn(std::int32_t heading, base::Time exposure);
+  [[nodiscard]] bool turned_on(std::int32_t heading) const;
+  [[gnu::noinline]] void take(const ObjectCore& object, const Observation& seen, const CameraModel& camera,
+                              const LensPose& lens, const MapPose& odometry, bool begins);
+  void compare(const View& view, const CameraModel& camera, const MapPose& odometry);
+  void learn(float turned, float told);
+  void judge();
+
+  // Sums over samples, rad^2: by how much the robot turned against the object, by how much that moved as told.
+  float turned_square_ = 0;
+  float turned_told_ = 0;
+  float told_square_ = 0;
+
+  // The frame that the next one is compared with.
+  MapPose then_;
+  View view_;
+  float rate_ = 0;  // rad/s
+
+  float rate_now_ = 0;
+  std::int32_t heading_ = 0;  // of the latest frame, urad
+  base::Stamp exposure_;
+  std::uint32_t id_ = 0;  // of the object that is followed; 0: none
+  std::uint8_t slot_ = 0;
+  std::uint8_t samples_ = 0;
+  std::uint8_t objects_ = 0;  // how often one was followed that gave a sample, up to kLensObjects
+  bool fresh_ : 1 = true;     // the one that is followed has given none yet
+  bool wrong_ : 1 = false;
+};
+
+static_assert(sizeof(LensCheck) < 64);
+
+}  // namespace fencepost::recon
