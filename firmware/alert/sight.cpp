@@ -21,12 +21,12 @@ std::uint32_t hash_of(const recon::WaitingFrame& frame) {
 }
 
 // m and rad, both without a sign.
-struct Step {
+struct Displacement {
   float moved = 0;
   float turned = 0;
 };
 
-Step step_between(const recon::MapPose& from, const recon::MapPose& to) {
+Displacement displacement_between(const recon::MapPose& from, const recon::MapPose& to) {
   const std::int64_t turn = recon::short_way(std::int64_t{to.heading} - from.heading);
   return {std::sqrt(recon::offset_from(from.position, to.position).squaredNorm()),
           std::fabs(1e-6F * static_cast<float>(turn))};
@@ -34,14 +34,14 @@ Step step_between(const recon::MapPose& from, const recon::MapPose& to) {
 
 // By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the
 // image, the one that says most.
-float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Step& step) {
+float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Displacement& by) {
   float shift = 0;
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {
     const recon::Sides cut = recon::cut_by_border(camera, blob.box);
-    if (!cut.left || !cut.right) shift = std::max(shift, step.turned * camera.fx);
+    if (!cut.left || !cut.right) shift = std::max(shift, by.turned * camera.fx);
     if (cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
     const float drop = recon::drop_per_depth(camera, camera.cx, recon::bottom_edge(blob.box));
-    if (drop > 0) shift = std::max(shift, step.moved * camera.fy * drop * drop / camera.height);
+    if (drop > 0) shift = std::max(shift, by.moved * camera.fy * drop * drop / camera.height);
   }
   return shift;
 }
@@ -75,7 +75,7 @@ void Sight::odometry_came(const sensor::OdometrySample& sample) {
   if (odometry_.begun()) {
     const float seconds =
         static_cast<float>(odometry_.since_last(sample.t).raw) / static_cast<float>(base::Duration::kPerUnit);
-    const Step step = step_between(told_, pose);
+    const Displacement step = displacement_between(told_, pose);
     if (step.moved > kStepJump + kFastest * seconds || step.turned > kTurnJump + kFastestTurn * seconds) {
       jumped_ = true;
       jumped_at_ = base::Stamp(sample.t);
@@ -100,7 +100,7 @@ void Sight::frame_used(const recon::WaitingFrame& frame, const recon::CameraMode
     return;
   }
   if (frozen_ || same_since_.since(frame.t) < kFrozenFor) return;
-  frozen_ = expected_shift(frame, camera, step_between(same_from_, odometry)) >= kFrozenShift;
+  frozen_ = expected_shift(frame, camera, displacement_between(same_from_, odometry)) >= kFrozenShift;
 }
 
 bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < kJumpDoubt; }
