@@ -61,6 +61,19 @@ void follow_odometry(const recon::MapPose& from, const recon::MapPose& to, const
   step.turn = nearest_whole(static_cast<float>(kSlopeOne) * turn, kSlopeOne / 2);
 }
 
+// The robot's own motion of late, in the camera's frame.
+struct Robot {
+  Robot(std::int32_t forward, std::int32_t left, std::int32_t turning) : speed(std::abs(forward)) {
+    const std::int32_t aside = std::abs(left);
+    const bool no_turn = std::abs(turning) < kRobotStraight;
+    straight = no_turn && 4 * aside < speed + 4 * kRobotWavers;
+    stands = no_turn && speed < kRobotWavers && aside < kRobotWavers;
+  }
+  std::int32_t speed = 0;  // mm/s, along the camera's axis
+  bool straight = false;
+  bool stands = false;
+};
+
 // Where the thing should be now, if it moves on as it did.
 void predict(LoomingTrack& track, const Step& step) {
   const std::int32_t dt = step.time;
@@ -217,16 +230,19 @@ void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   }
 }
 
-// Any way. What is not surely its own motion stays in the map.
-void count_moved(LoomingTrack& track, std::int32_t robot_speed, std::int32_t robot_turn) {
+// What is not surely its own motion stays in the map: to the side only as a robot that stands sees it, for then nobody
+// else has turned; along the axis only as one that drives straight does, of what is whole and ahead: what is passed
+// leaves the image piece by piece, and its nearest point with it.
+void count_moved(LoomingTrack& track, const Robot& robot) {
   const std::int32_t depth = track.depth >> kDepthBits;
   const std::int32_t along = std::abs(std::int32_t{track.speed});
   const std::int32_t across = std::abs(std::int32_t{track.across});
-  const std::int32_t turning = robot_turn * depth >> (kSlopeBits + kTurnShareLog2);
-  const std::int32_t least = std::max(kLeastMoved, kMovedShare * robot_speed >> 4);
-  const bool surely_along = 4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance && along > least;
+  const std::int32_t share = track.speed > 0 ? kNearingShare : kMovedShare;
+  const bool ahead = track.whole >= kWholeSightings && std::abs(std::int32_t{track.slope}) < kAheadSlope;
+  const bool surely_along = ahead && robot.straight && along > std::max(kLeastMoved, share * robot.speed >> 4) &&
+                            4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance;
   const bool surely_across =
-      track.sightings >= kMovedSightings && across > least + turning + (depth >> kMovedDepthShareLog2);
+      robot.stands && track.sightings >= kMovedSightings && across > kLeastMoved + (depth >> kMovedDepthShareLog2);
   if (!track.guessed && (surely_along || surely_across)) {
     // What crosses is soon gone.
     track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));
@@ -256,8 +272,7 @@ void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   track.sightings = 1;
 }
 
-void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::int32_t robot_speed,
-          std::int32_t robot_turn) {
+void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const Robot& robot) {
   const std::int32_t since = std::max(std::int32_t{track.unseen}, std::int32_t{1});
   track.unseen = 0;
   track.low = seen.low;
@@ -289,10 +304,10 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, std::
   }
   std::int32_t middle = 0;
   if (find_middle(track, seen, middle)) take_direction(track, middle, since);
-  if (seen.depth > 0) count_moved(track, robot_speed, robot_turn);
+  if (seen.depth > 0) count_moved(track, robot);
   if (!measured) return;
   track.unmeasured = 0;
-  count_sure(track, robot_speed);
+  count_sure(track, robot.speed);
 }
 
 // What is near enough that its growth can matter, and not a part of something nearer.
@@ -401,8 +416,10 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
     rate = to_int16(rate + ((moved << bits) / step.time - rate) / kSpeedFrames);
   };
   smooth(robot_speed_, step.forward, kSecondBits - kDepthBits);
+  smooth(robot_aside_, step.left, kSecondBits - kDepthBits);
   smooth(robot_turn_, step.turn, kSecondBits);
   if (odometry == nullptr) robot_speed_ = 0;
+  const Robot robot(robot_speed_, robot_aside_, robot_turn_);
   has_looked_ = true;
   looked_at_ = base::Stamp(t);
   has_odometry_ = odometry != nullptr;
@@ -437,7 +454,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
     }
     if (best == nullptr) break;
     owner[box] = best;
-    take(*best, floor, boxes[box], std::abs(robot_speed_), std::abs(robot_turn_));
+    take(*best, floor, boxes[box], robot);
     frame.blobs[box].moves = has_odometry_ && best->moves();
   }
   for (std::size_t b = 0; b < boxes.size(); ++b) {

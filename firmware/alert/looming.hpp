@@ -60,6 +60,7 @@ class LoomingCore {
   base::Stamp looked_at_;         ///< exposure of the latest frame
   recon::MapPose odometry_;       ///< and where the robot was then
   std::int16_t robot_speed_ = 0;  ///< mm/s, smoothed, without its sign
+  std::int16_t robot_aside_ = 0;  ///< mm/s to the left, likewise
   std::int16_t robot_turn_ = 0;   ///< 2^-14 rad/s, likewise
   bool has_looked_ = false;
   bool has_odometry_ = false;

@@ -66,15 +66,21 @@ inline constexpr std::int32_t kLeastOwn = 60;
 inline constexpr std::int32_t kOwnShare = 6;
 inline constexpr std::uint8_t kSureFrames = 4;
 /// It moves by itself, so that it is no part of the map, if its own speed along the axis is more than so many sigmas,
-/// or its speed across is known by so many sightings; and if either is more than so many mm/s and so many sixteenths of
-/// the robot's speed, and across more by powers of 1/2 of the depth each second and of what the robot turns; in so many
-/// frames more than not, and then at most three times as many. More: ghosts; less: what stands has no model.
+/// or its speed across is known by so many sightings; and if that is more than so many mm/s and so many sixteenths of
+/// the robot's speed, or across by so much more as a power of 1/2 of the depth each second; in so many frames more than
+/// not, and then at most three times as many. The robot does not turn by more than so much (2^-14 rad/s) meanwhile.
+/// More: ghosts; less: what stands has no model.
 inline constexpr std::int32_t kMovedSigmas = 3;  ///< halves
 inline constexpr std::uint8_t kMovedSightings = 6;
 inline constexpr std::int32_t kLeastMoved = 70;
 inline constexpr std::int32_t kMovedShare = 10;
+/// The same of what comes nearer: rows that are told wrongly make all that stands do so (a foot at half the lens's
+/// height: at the robot's own speed), and only what stands can tell. Hazard table (bases, cameras).
+inline constexpr std::int32_t kNearingShare = 24;
 inline constexpr int kMovedDepthShareLog2 = 3;
-inline constexpr int kTurnShareLog2 = 3;
+inline constexpr std::int32_t kRobotStraight = 2500;
+inline constexpr std::int32_t kRobotWavers = 60;   ///< mm/s, of a robot that stands: odometry is noisy
+inline constexpr std::int32_t kAheadSlope = 2500;  ///< 2^-14: that is ahead
 inline constexpr int kMovedFrames = 8;
 /// A width tells a distance after so many sightings in a row with both ends. By design.
 inline constexpr std::uint8_t kWholeSightings = 2;

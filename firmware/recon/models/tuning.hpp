@@ -62,9 +62,9 @@ inline constexpr float kTrendSigma = 0.06F;
 inline constexpr float kFootWanders = 0.004F;
 /// Sine of the bearing within which rows are judged: what is aside is passed, and its nearest point is not where the
 /// middle of its box shows. By design.
-inline constexpr float kAheadForTrend = 0.25F;
+inline constexpr float kAheadForTrend = 0.35F;
 /// Sine of the angle by which the object may be seen from another side. By design.
-inline constexpr float kSameSide = 0.2F;
+inline constexpr float kSameSide = 0.25F;
 /// Weighted square of the way, as 1 / sigma^2 of that share, below which nothing is judged. By design.
 inline constexpr float kLeastSpread = 10;
 /// Odometry, the focal length and the line's own straightness: one sigma of the same share. By design.
