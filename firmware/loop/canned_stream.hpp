@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x4e4136aa80d7cddf;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x17b99b14cfbff78f;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x082f3ca9db826e03;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc21a30b6d6ecb0ba;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xf14cfc1c94bab8dc;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xe6f46364bb898fb3;
 
 template <class Profile>
 CannedStream canned_stream() {
