@@ -54,7 +54,8 @@ std::string_view explain(record::Reject reason) {
 void put_doubt(Sentence& s, const record::CalibrationDoubt& said) {
   constexpr std::int64_t kOne = base::Ratio2::kPerUnit;
   const bool more = said.factor.raw >= kOne;
-  const std::int64_t factor = more ? said.factor.raw : divide_rounded(kOne * kOne, std::max(said.factor.raw, 1));
+  const std::int64_t factor =
+      more ? said.factor.raw : divide_rounded(kOne * kOne, std::max<std::int64_t>(said.factor.raw, 1));
   switch (said.doubt) {
     case record::Doubt::kNone: s.put("nothing speaks against its calibration any more"); return;
     case record::Doubt::kRows:
