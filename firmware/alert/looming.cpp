@@ -99,18 +99,18 @@ void predict(LoomingTrack& track, const Step& step) {
       static_cast<std::uint8_t>(std::min<std::int32_t>(track.unmeasured + std::max<std::int32_t>(dt >> 4, 1), 0xFF));
 }
 
-// A box as the filters take it.
+// A box as the filters take it. Small: sixteen of them are on the stack.
 struct Seen {
-  std::int32_t depth = 0;  // mm, of the foot; 0: it is not seen
-  std::int32_t sigma = 0;  // mm, of that depth
-  std::int32_t left = 0;   // slopes of the ends
+  std::int32_t left = 0;  // slopes of the ends
   std::int32_t right = 0;
-  bool left_cut = false;
-  bool right_cut = false;
-  bool low = false;     // its foot is below the image
-  bool hidden = false;  // or behind something nearer
+  std::int16_t depth = 0;  // mm, of the foot; 0: it is not seen
+  std::int16_t sigma = 0;  // mm, of that depth
   std::int16_t columns = 0;
   std::uint8_t signature = 0;
+  bool left_cut : 1 = false;
+  bool right_cut : 1 = false;
+  bool low : 1 = false;     // its foot is below the image
+  bool hidden : 1 = false;  // or behind something nearer
 
   [[nodiscard]] bool whole() const { return !left_cut && !right_cut; }
   [[nodiscard]] std::int32_t middle() const { return (left + right) / 2; }
@@ -151,8 +151,8 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
   seen.right = right.slope;
   const std::int32_t depth = std::min(left.depth, right.depth);
   if (seen.low || seen.hidden || depth > kMostDepth) return seen;
-  seen.depth = std::max(depth, kLeastDepth);
-  seen.sigma = (kRowSigma * floor.depth_of_row(seen.depth) >> 2) + kDepthSigma;
+  seen.depth = to_int16(std::max(depth, kLeastDepth));
+  seen.sigma = to_int16((kRowSigma * floor.depth_of_row(seen.depth) >> 2) + kDepthSigma);
   return seen;
 }
 
@@ -168,8 +168,8 @@ std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
       track.sightings > 1 ? 0 : (kFastestThing * track.unseen << (kSlopeBits - kSecondBits)) / depth;
   if (aside > half + kSideGate + may) return kNotIt;
   if (seen.depth == 0) return aside;
-  const std::int32_t off = std::abs(seen.depth - depth);
-  if (4 * off > 3 * std::max(seen.depth, depth)) return kNotIt;
+  const std::int32_t off = std::abs(std::int32_t{seen.depth} - depth);
+  if (4 * off > 3 * std::max<std::int32_t>(seen.depth, depth)) return kNotIt;
   return aside + (off << kSlopeBits) / (4 * depth);
 }
 

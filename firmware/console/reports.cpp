@@ -68,14 +68,14 @@ record::ObjectReport report_object(const recon::ObjectCore& object, const alert:
 }
 
 record::Position report_pose(const recon::MapPose& pose, const recon::PoseSigma& sigma, base::Time t) {
-  constexpr std::int32_t kMicroradiansPerUnit = 1'000'000 / base::Radians::kPerUnit;
-  constexpr std::int32_t kHalf = kMicroradiansPerUnit / 2;
+  constexpr std::int32_t kMicroradians = 1'000'000 / base::Radians::kPerUnit;
+  constexpr std::int32_t kHalf = kMicroradians / 2;
   constexpr std::int32_t kEdge = 10'000'000;
   record::Position position;
   position.t = t;
   position.x = map_coordinate(pose.position.x, 0);
   position.y = map_coordinate(pose.position.y, 0);
-  const std::int32_t heading = (pose.heading + (pose.heading < 0 ? -kHalf : kHalf)) / kMicroradiansPerUnit;
+  const std::int32_t heading = (pose.heading + (pose.heading < 0 ? -kHalf : kHalf)) / kMicroradians;
   position.heading = base::Radians{std::clamp(heading, -kEdge, kEdge)};
   position.sigma_xy = metres(sigma.position);
   position.sigma_heading = radians(sigma.heading);
