@@ -436,7 +436,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
   base::FixedVector<Seen, sensor::kMaxBlobs> boxes;
   for (std::size_t b = 0; b < frame.blobs.size(); ++b) static_cast<void>(boxes.push_back(see(floor, camera, frame, b)));
   // Each box goes to the thing that it is most like, if no other box is more like that.
-  std::array<const LoomingTrack*, sensor::kMaxBlobs> owner{};
+  std::array<bool, sensor::kMaxBlobs> taken{};
   for (;;) {
     LoomingTrack* best = nullptr;
     std::size_t box = 0;
@@ -444,7 +444,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
     for (LoomingTrack& track : tracks) {
       if (!track.used() || track.unseen == 0) continue;
       for (std::size_t b = 0; b < boxes.size(); ++b) {
-        if (owner[b] != nullptr) continue;
+        if (taken[b]) continue;
         const std::int32_t cost = unlikeness(track, boxes[b]);
         if (cost >= least) continue;
         least = cost;
@@ -453,12 +453,12 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
       }
     }
     if (best == nullptr) break;
-    owner[box] = best;
+    taken[box] = true;
     take(*best, floor, boxes[box], robot);
     frame.blobs[box].moves = has_odometry_ && best->moves();
   }
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    if (owner[b] != nullptr || !worth_following(floor, boxes[b])) continue;
+    if (taken[b] || !worth_following(floor, boxes[b])) continue;
     LoomingTrack* const slot = slot_for(tracks, boxes[b].depth);
     if (slot != nullptr) begin(*slot, floor, boxes[b]);
   }
