@@ -33,7 +33,8 @@ class Approach {
     ASSERT_NE(bench.said().find("$FPALR,"), std::string::npos) << bench.said();
   }
 
-  /// 50 samples and 25 frames a second, which the slowest board keeps up with; `spoil(line)` may change or drop what is sent.
+  /// 50 samples and 25 frames a second, which the slowest board keeps up with; `spoil(line)` may change or drop what is
+  /// sent.
   void drive(double seconds, bool frames = true, bool odometry = true) {
     for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
       const double x = std::min(kSpeed * t_, kSpeed * kApproach + 0.002 * (t_ - kApproach));
