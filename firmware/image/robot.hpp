@@ -18,9 +18,6 @@ namespace fencepost::image {
 using Profile = config::FENCEPOST_PROFILE;
 using Console = std::remove_reference_t<decltype(board::console())>;
 
-inline const record::Header kHeader = {record::kStreamFormat, "fencepost", FENCEPOST_VERSION, board::kTarget,
-                                       Profile::kName};
-
 class Robot {
  public:
   Robot()
@@ -32,13 +29,13 @@ class Robot {
     board::start(FENCEPOST_CONSOLE_BAUD);
     Camera::start();
     Odometry::start();
-    pipeline().start_run(kHeader);
+    pipeline().start_run(header_);
     loop_.set_note(FENCEPOST_NOTE);
     if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.start();
-    const BootFacts facts{kHeader, board::take_reset_reason(), board::take_panic()};
+    const BootFacts facts{header_, board::take_reset_reason(), board::take_panic()};
     for (std::size_t n = 0; n < kBootLines; ++n) {
       pipeline().reporter().say([&](std::span<char> room) { return write_boot_line(n, facts, room); });
     }
@@ -73,6 +70,7 @@ class Robot {
   }
   loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
 
+  record::Header header_{record::kStreamFormat, "fencepost", FENCEPOST_VERSION, board::kTarget, Profile::kName};
   loop::Memory<Profile> memory_;
   Camera camera_{memory_.counters};
   Odometry odometry_{memory_.counters};

@@ -26,13 +26,17 @@ inline void change_bits(std::uint32_t address, std::uint32_t mask, std::uint32_t
   reg(address) = (reg(address) & ~mask) | value;
 }
 
-/// Polls until `bits` are set, at most so many times; false if they never were. No wait is unbounded: emulators leave
-/// registers out, crystals fail.
-inline bool await_bits(std::uint32_t address, std::uint32_t bits, std::uint32_t looks) {
+/// Polls until the bits of `mask` are those of `value`, at most so many times; false if they never were. No wait is
+/// unbounded: emulators leave registers out, crystals fail.
+inline bool await_mask(std::uint32_t address, std::uint32_t mask, std::uint32_t value, std::uint32_t looks) {
   for (; looks > 0; --looks) {
-    if ((reg(address) & bits) == bits) return true;
+    if ((reg(address) & mask) == value) return true;
   }
   return false;
+}
+/// Until all of `bits` are set.
+inline bool await_bits(std::uint32_t address, std::uint32_t bits, std::uint32_t looks) {
+  return await_mask(address, bits, bits, looks);
 }
 
 }  // namespace fencepost::mcu

@@ -98,9 +98,16 @@ class ImageDepths(worst_case.Depths):
         return super().outside(function, path)
 
 
+def board_of(build):
+    """That of the build's first image."""
+    cache = (pathlib.Path(build) / "CMakeCache.txt").read_text()
+    return re.search(r"^FENCEPOST_BOARD:\w+=(\w+)$", cache, re.MULTILINE).group(1)
+
+
 def stack(elf, build, context_words):
-    # Images of other choices lie beside this one, with functions of the same names.
-    depths = ImageDepths(worst_case.read_graph(build, without="fencepost_image_"), other_names(elf))
+    # Images of other choices and boards lie beside this one, with functions of the same names.
+    others = rf"fencepost_program_|fencepost_board_(?!{board_of(build)}\.dir)"
+    depths = ImageDepths(worst_case.read_graph(build, without=others), other_names(elf))
     names = {worst_case.short(title): title for title in depths.frames}
     missing = [root for root in STARTS if root not in names]
     if missing:

@@ -31,11 +31,11 @@ def of_link_time(graph_file):
 
 
 def read_graph(folder, without=None):
-    """Of all objects below `folder`, but for those in folders whose names begin with `without`. Objects that are
+    """Of all objects below `folder`, but for those in folders whose names match the pattern `without`. Objects that are
     optimised when they are linked have their graph beside the program; one beside them is of an older build."""
     frames, kinds, calls, labels = {}, {}, {}, {}
     files = sorted(file for file in pathlib.Path(folder).rglob("*.ci")
-                   if not (without and any(part.startswith(without) for part in file.parts)) and not of_link_time(file))
+                   if not (without and any(re.match(without, part) for part in file.parts)) and not of_link_time(file))
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:

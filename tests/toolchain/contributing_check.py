@@ -19,6 +19,12 @@ def boards(root):
     return sorted(p.parent.name for p in root.glob("hal/boards/*/board.hpp") if p.parent.name != "template")
 
 
+def siblings(root):
+    """Boards that have pins alone: the rest is another's."""
+    folders = (p.parent for p in root.glob("hal/boards/*/pins.hpp"))
+    return sorted(p.name for p in folders if not (p / "board.hpp").is_file())
+
+
 def settings(root):
     text = (root / "firmware/config/settings.hpp").read_text(encoding="utf-8")
     return re.findall(r'^\s*\{"([a-z_.]+)", ', text, re.MULTILINE)
@@ -37,7 +43,7 @@ def cameras(root):
 
 
 # The word of a list, and what there is of it.
-KINDS = {"BOARD": boards, "CAMERA": cameras, "MODEL": models, "SETTING": settings}
+KINDS = {"BOARD": boards, "SIBLING": siblings, "CAMERA": cameras, "MODEL": models, "SETTING": settings}
 
 
 def lists_in(text):

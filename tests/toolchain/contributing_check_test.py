@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from contributing_check import boards, cameras, check, models, settings
+from contributing_check import boards, cameras, check, models, settings, siblings
 
 DOCUMENT = """# Contributing
 ## Commits
@@ -63,6 +63,12 @@ class ContributingCheck(unittest.TestCase):
         self.assertEqual(cameras(self.root), ["pixy2"])
         self.write(".github/CONTRIBUTING.md", "## Add a camera: CAMERA\n| new | `host/emulate/models/CAMERA.cpp` | |\n")
         self.assertIn("CAMERA pixy2: there is no host/emulate/models/pixy2.cpp", self.faults({"CAMERA": cameras}))
+
+    def test_a_board_of_pins_alone_is_a_sibling(self):
+        self.write("hal/boards/f405/pins.hpp", "")
+        self.write("hal/boards/pyboard/pins.hpp", "")
+        self.assertEqual(siblings(self.root), ["pyboard"])
+        self.assertEqual(boards(self.root), ["f405", "pico"])
 
     def test_a_file_that_is_missing_is_found(self):
         (self.root / "tests/f405/f405.hpp").unlink()

@@ -1,5 +1,6 @@
 #include "hal/boards/microbit/board.hpp"
 
+#include "hal/boards/microbit/pins.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
@@ -12,15 +13,11 @@ namespace {
 
 namespace part = mcu::nrf51;
 
-// Schematic of the BBC micro:bit v1.3B.
-constexpr part::Pin kConsoleSends{24};
-constexpr part::Pin kConsoleReceives{25};
-constexpr part::Pin kBusClock{0};
-constexpr part::Pin kBusData{30};
-// A pixel shines where its row is high and its column low: three rows of nine, P0.13 to 15 by P0.04 to 12.
-constexpr part::Pin kFirstRow{13};
-constexpr std::uint32_t kFirstColumn = 4;
-constexpr std::uint32_t kColumns = 9;
+using microbit::kBusClock;
+using microbit::kBusData;
+using microbit::kConsoleReceives;
+using microbit::kConsoleSends;
+using microbit::kFirstRow;
 
 constexpr unsigned kHalfASecond = 19;  // 2^19 us
 
@@ -34,8 +31,8 @@ constinit Flash the_flash;
 void start_led() {
   kFirstRow.drive(false);
   kFirstRow.make_output();
-  for (std::uint32_t i = 0; i < kColumns; ++i) {
-    const part::Pin column{kFirstColumn + i};
+  for (std::uint32_t i = 0; i < microbit::kColumns; ++i) {
+    const part::Pin column{microbit::kFirstColumn + i};
     column.drive(i != 0);
     column.make_output();
   }

@@ -1,5 +1,6 @@
 #include "hal/boards/pico/board.hpp"
 
+#include "hal/boards/pico/pins.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/rp2040/clocks.hpp"
 #include "hal/mcu/rp2040/panic.hpp"
@@ -12,10 +13,7 @@ namespace {
 
 namespace part = mcu::rp2040;
 
-constexpr part::UartWiring kConsole = {part::kUart0, part::kResetUart0, part::kInterruptUart0, {0}, {1}};
-constexpr part::UartWiring kCamera = {part::kUart1, part::kResetUart1, part::kInterruptUart1, {4}, {5}};
-constexpr part::I2cWiring kI2c = {part::kI2c0, part::kResetI2c0, part::kInterruptI2c0, {8}, {9}};
-constexpr part::Pin kLight = {25};
+using pico::kWiring;
 
 part::Clocks clocks;
 mcu::ResetReason reason;
@@ -37,17 +35,17 @@ void start(std::uint32_t console_baud) {
   the_clock.start(clocks.reference);
   reason = part::read_reset_reason();
   part::start_watchdog();
-  kLight.make_output();
-  console_line.start(kConsole, clocks.core, console_baud);
+  kWiring.light.make_output();
+  console_line.start(kWiring.console, clocks.core, console_baud);
   if (clocks.usb) usb_line.start();
 }
 
-void start_camera(std::uint32_t baud) { camera_line.start(kCamera, clocks.core, baud); }
+void start_camera(std::uint32_t baud) { camera_line.start(kWiring.camera, clocks.core, baud); }
 void start_base(std::uint32_t baud) { start_camera(baud); }
-void start_i2c() { the_i2c.start(kI2c, clocks.core); }
+void start_i2c() { the_i2c.start(kWiring.i2c, clocks.core); }
 void start_encoders() {
-  left.start({10}, {11});
-  right.start({12}, {13});
+  left.start(kWiring.left.a, kWiring.left.b);
+  right.start(kWiring.right.a, kWiring.right.b);
   mcu::cortex_m::enable_interrupt(part::kInterruptPins);
 }
 
@@ -66,7 +64,7 @@ std::optional<mcu::Panic> take_panic() { return part::take_panic(); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
-  kLight.drive((the_clock.microseconds() & kFlash) == 0);
+  kWiring.light.drive((the_clock.microseconds() & kFlash) == 0);
 }
 void idle() {
   mcu::cortex_m::sleep_unless([] { return console_line.waiting() || usb_line.waiting() || camera_line.waiting(); });

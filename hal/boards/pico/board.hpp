@@ -35,19 +35,20 @@ void start_encoders();
 void start_i2c();
 
 Clock& clock();
-Console& console();  ///< UART0: GP0 sends, GP1 receives; and USB
-Link& camera();      ///< UART1: GP4 sends, GP5 receives
-Link& base();        ///< the same line: for a wheel base, where the camera is on the I2C bus
-I2c& i2c();          ///< I2C0: GP8 data, GP9 clock
+// Their pins: pins.hpp.
+Console& console();  ///< a serial line, and USB
+Link& camera();
+Link& base();  ///< the same line: for a wheel base, where the camera is on the I2C bus
+I2c& i2c();
 Flash& flash();
-/// Left wheel: GP10 and GP11. Right wheel: GP12 and GP13. Modulo 2^kEncoderBits.
+/// Modulo 2^kEncoderBits.
 std::uint32_t left_count();
 std::uint32_t right_count();
 
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
-/// The green light (GP25) flashes once a second while the loop runs.
+/// The green light flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

@@ -10,6 +10,13 @@ namespace fencepost::mcu::cortex_m {
 
 inline void enable_interrupt(std::uint32_t number) { reg(kNvicEnable + 4 * (number / 32)) = 1U << (number % 32); }
 
+/// The core's own timer: an interrupt a millisecond, which wakes the loop. `core_hz`: what the core runs at, in fact.
+inline void start_ticks(std::uint32_t core_hz) {
+  reg(kSysTickReload) = core_hz / 1000 - 1;
+  reg(kSysTickCurrent) = 0;
+  reg(kSysTickControl) = kSysTickEnable | kSysTickInterrupt | kSysTickCoreClock;
+}
+
 /// Interrupts are held off during its lifetime. Keep it short: bytes are lost meanwhile.
 class InterruptsHeld {
  public:

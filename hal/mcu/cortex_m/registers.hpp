@@ -15,13 +15,15 @@ inline constexpr std::uint32_t kSysTickCoreClock = 1U << 2;
 
 inline constexpr std::uint32_t kNvicEnable = 0xE000E100;   // B3.4.4, a bit an interrupt, 32 a word
 inline constexpr std::uint32_t kNvicDisable = 0xE000E180;  // B3.4.5
+inline constexpr std::uint32_t kNvicForget = 0xE000E280;   // B3.4.7: no longer pending
 
 inline constexpr std::uint32_t kInterruptControl = 0xE000ED04;  // ICSR, B3.2.4: active exception in bits 8..0
-inline constexpr std::uint32_t kSysTickPending = 1U << 26;
-inline constexpr std::uint32_t kVectorTable = 0xE000ED08;    // VTOR, B3.2.5
-inline constexpr std::uint32_t kResetControl = 0xE000ED0C;   // AIRCR, B3.2.6
-inline constexpr std::uint32_t kResetRequest = 0x05FA'0004;  // the key and SYSRESETREQ
+inline constexpr std::uint32_t kForgetCorePending = (1U << 25) | (1U << 27);  // SysTick's and PendSV's
+inline constexpr std::uint32_t kVectorTable = 0xE000ED08;                     // VTOR, B3.2.5
+inline constexpr std::uint32_t kResetControl = 0xE000ED0C;                    // AIRCR, B3.2.6
+inline constexpr std::uint32_t kResetRequest = 0x05FA'0004;                   // the key and SYSRESETREQ
 
+inline constexpr std::uint32_t kProtection = 0xE000ED94;         // MPU_CTRL, Armv7-M B3.5.5
 inline constexpr std::uint32_t kCoprocessorAccess = 0xE000ED88;  // CPACR, Armv7-M B3.2.20
 inline constexpr std::uint32_t kFullFloatAccess = 0xFU << 20;    // CP10 and CP11
 

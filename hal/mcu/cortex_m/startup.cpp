@@ -1,20 +1,61 @@
 #include "hal/mcu/startup.hpp"
 
+#include <cstdint>
+
 #include "hal/mcu/cortex_m/core.hpp"
 
 extern "C" [[noreturn]] void reset_handler();
 
+#if __ARM_ARCH >= 7
+extern "C" const std::uint32_t image_vectors[];  // of the linker's
+#endif
+
+namespace {
+
+#if __ARM_ARCH >= 7
+// A boot loader that jumps here has reset nothing: its interrupts may be on, pending, and its table in force.
+void take_interrupts_over() {
+  namespace core = fencepost::mcu::cortex_m;
+  using fencepost::mcu::reg;
+  constexpr std::uint32_t kWords = 8;  // of 32 interrupts; what the part lacks ignores it
+  reg(core::kSysTickControl) = 0;
+  for (std::uint32_t word = 0; word < kWords; ++word) {
+    reg(core::kNvicDisable + 4 * word) = 0xFFFF'FFFF;
+    reg(core::kNvicForget + 4 * word) = 0xFFFF'FFFF;
+  }
+  reg(core::kInterruptControl) = core::kForgetCorePending;
+  reg(core::kProtection) = 0;
+  reg(core::kVectorTable) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(image_vectors));
+  asm volatile("dsb\n\tisb" ::: "memory");
+}
+#endif
+
+}  // namespace
+
 void prepare_core() {
+#if __ARM_ARCH >= 7
+  take_interrupts_over();
+#endif
 #if defined(__ARM_FP)
   namespace core = fencepost::mcu::cortex_m;
   fencepost::mcu::set_bits(core::kCoprocessorAccess, core::kFullFloatAccess);
   asm volatile("dsb\n\tisb" ::: "memory");
 #endif
+  asm volatile("cpsie i" ::: "memory");
 }
 
-// The core has loaded the stack pointer from the vector table; a boot loader that jumped here may not have.
+// The core has loaded the stack pointer from the vector table; a boot loader that jumped here may not have, and may
+// have been on its other stack.
 [[gnu::naked]] void reset_handler() {
   asm volatile(
+      "cpsid i\n\t"
+#if __ARM_ARCH >= 7
+      "movs r0, #0\n\t"
+      "msr control, r0\n\t"
+      "isb\n\t"
+      "msr basepri, r0\n\t"
+      "cpsie f\n\t"
+#endif
       "ldr r0, =image_stack_top\n\t"
       "mov sp, r0\n\t"
       "bl fencepost_start\n\t");

@@ -4,21 +4,30 @@
 #include <cstdint>
 
 #include "hal/mcu/register.hpp"
+#include "hal/mcu/stm32f4/clocks.hpp"
 #include "hal/mcu/stm32f4/pin.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
 
 namespace fencepost::mcu::stm32f4 {
 
+/// Timers 3, 4 and 5 have their pins on this function.
+inline constexpr std::uint32_t kEncoderFunction = 2;
+
+struct EncoderWiring {
+  std::uint32_t timer = 0;
+  std::uint32_t enable_bit = 0;  ///< in kRccApb1Enable
+  Pin a;                         ///< its channel 1
+  Pin b;                         ///< channel 2
+};
+
 class Encoder {
  public:
-  /// `timer_enable`: its bit in kRccApb1Enable. Timers 3 and 4 have 16 bits and their pins on function 2.
-  constexpr Encoder(std::uint32_t timer, std::uint32_t timer_enable, Pin a, Pin b)
-      : timer_(timer), timer_enable_(timer_enable), a_(a), b_(b) {}
+  constexpr explicit Encoder(const EncoderWiring& wiring) : wiring_(wiring), timer_(wiring.timer) {}
 
   void start() const {
-    set_bits(kRccApb1Enable, timer_enable_);
-    a_.connect(2);
-    b_.connect(2);
+    enable_clock(kRccApb1Enable, wiring_.enable_bit);
+    wiring_.a.connect(kEncoderFunction);
+    wiring_.b.connect(kEncoderFunction);
     reg(timer_ + kTimerInputs) = kInputsFiltered;
     reg(timer_ + kTimerPolarity) = 0;
     reg(timer_ + kTimerReload) = 0xFFFF;
@@ -29,10 +38,8 @@ class Encoder {
   [[nodiscard]] std::uint32_t count() const { return reg(timer_ + kTimerCount) & 0xFFFFU; }
 
  private:
+  EncoderWiring wiring_;
   std::uint32_t timer_;
-  std::uint32_t timer_enable_;
-  Pin a_;
-  Pin b_;
 };
 
 }  // namespace fencepost::mcu::stm32f4

@@ -2,43 +2,39 @@
 
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/free_wires.hpp"
+#include "hal/mcu/stm32f4/clocks.hpp"
 
 namespace fencepost::mcu::stm32f4 {
 namespace {
 
-constexpr std::uint32_t kPinFunction = 4;  // datasheet table 9: I2C1..3
-constexpr std::uint32_t kBusHz = 100'000;
+// Between 88 and 100 kHz the set-up time of a repeated start is too short (errata ES0182).
+constexpr std::uint32_t kBusHz = 80'000;
 
-// At least 5 us at 168 MHz: half a period of the bus.
+// 5 us at least, at 168 MHz: half a period of a bus at 100 kHz.
 void pause() {
   for (int i = 0; i < 300; ++i) asm volatile("nop");
-}
-
-void take_wire(Pin pin) {
-  pin.drive(true);
-  pin.make_open_output();
 }
 
 }  // namespace
 
 void I2cRegisters::restart() const {
   write(kI2cControl1, 0);
-  take_wire(clock);
-  take_wire(data);
+  clock.make_open_output();
+  data.make_open_output();
   free_wires(clock, data, [] { pause(); });
-  clock.connect_open(kPinFunction);
-  data.connect_open(kPinFunction);
+  clock.connect_open(kI2cFunction);
+  data.connect_open(kI2cFunction);
   write(kI2cControl1, kI2cReset);
   write(kI2cControl1, 0);
-  write(kI2cControl2, bus_hz / 1'000'000);  // 27.6.2: the bus's clock, MHz
-  write(kI2cClock, bus_hz / (2 * kBusHz));  // 27.6.8: half a period
-  write(kI2cRise, bus_hz / 1'000'000 + 1);  // 27.6.9: 1000 ns, and one
+  write(kI2cControl2, bus_hz / 1'000'000);                     // 27.6.2: the bus's clock, MHz
+  write(kI2cClock, (bus_hz + 2 * kBusHz - 1) / (2 * kBusHz));  // 27.6.8: half a period
+  write(kI2cRise, bus_hz / 1'000'000 + 1);                     // 27.6.9: 1000 ns, and one
   write(kI2cControl1, kI2cEnable);
 }
 
 void I2c::start(std::uint32_t bus_hz) {
   registers().bus_hz = bus_hz;
-  set_bits(kRccApb1Enable, kI2c1Clock);
+  enable_clock(kRccApb1Enable, kI2c1Clock);
   registers().restart();
   cortex_m::enable_interrupt(kInterruptI2c1Event);
   cortex_m::enable_interrupt(kInterruptI2c1Error);

@@ -9,6 +9,9 @@
 
 namespace fencepost::mcu::stm32f4 {
 
+/// Of its pins (datasheet table 9).
+inline constexpr std::uint32_t kI2cFunction = 4;
+
 struct I2cRegisters {
   Pin clock;
   Pin data;
@@ -16,7 +19,7 @@ struct I2cRegisters {
 
   [[nodiscard]] static std::uint32_t read(std::uint32_t offset) { return reg(kI2c1 + offset); }
   static void write(std::uint32_t offset, std::uint32_t value) { reg(kI2c1 + offset) = value; }
-  /// Reset, wires freed, 100 kHz: what a Pixy2 and an NXTCam both can. Not from an interrupt: it takes 0.2 ms.
+  /// Reset, wires freed, 80 kHz: what a Pixy2 and an NXTCam both can. Not from an interrupt: it takes 0.2 ms.
   void restart() const;
 };
 

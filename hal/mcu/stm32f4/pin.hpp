@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "hal/mcu/register.hpp"
+#include "hal/mcu/stm32f4/clocks.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
 
 namespace fencepost::mcu::stm32f4 {
@@ -12,6 +13,7 @@ struct Pin {
   char port = 'A';
   std::uint32_t number = 0;
 
+  [[nodiscard]] constexpr bool operator==(const Pin&) const = default;
   [[nodiscard]] std::uint32_t address() const { return kPortA + kPortStride * static_cast<std::uint32_t>(port - 'A'); }
   /// The pin becomes that of a peripheral: alternate functions by table 9 of the datasheet. Pulled up, so that a line
   /// with nothing on it is quiet.
@@ -27,16 +29,19 @@ struct Pin {
     connect(function);
     set_bits(address() + kPortOpen, 1U << number);
   }
-  /// Driven by hand, open drain.
+  /// Driven by hand, open drain; released at first.
   void make_open_output() const {
     turn_on();
+    drive(true);
     set_bits(address() + kPortOpen, 1U << number);
     change_bits(address() + kPortPull, 0x3U << (2 * number), kPullUp << (2 * number));
-    make_output();
+    change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));
   }
   [[nodiscard]] bool high() const { return (reg(address() + kPortInput) & (1U << number)) != 0; }
-  void make_output() const {
+  /// Driven by hand, at first as said: its level is there before the pin drives.
+  void make_output(bool high) const {
     turn_on();
+    drive(high);
     change_bits(address() + kPortMode, 0x3U << (2 * number), kModeOutput << (2 * number));
   }
   void drive(bool high) const { reg(address() + kPortSet) = 1U << (number + (high ? 0U : 16U)); }
@@ -44,7 +49,7 @@ struct Pin {
   void pull_down(bool down) const { drive(!down); }
 
  private:
-  void turn_on() const { set_bits(kRccAhb1Enable, 1U << static_cast<std::uint32_t>(port - 'A')); }
+  void turn_on() const { enable_clock(kRccAhb1Enable, 1U << static_cast<std::uint32_t>(port - 'A')); }
 };
 
 }  // namespace fencepost::mcu::stm32f4

@@ -6,15 +6,15 @@
 
 namespace fencepost::mcu::stm32f4 {
 
-void Uart::start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud) {
-  base_ = wiring.base;
-  set_bits(wiring.enable_register, wiring.enable_bit);
-  wiring.transmit.connect(wiring.function);
-  wiring.receive.connect(wiring.function);
+void Uart::start(const UartWiring& wiring, const Clocks& clocks, std::uint32_t baud) {
+  base_ = wiring.part.base;
+  enable_clock(wiring.part.enable_register, wiring.part.enable_bit);
+  wiring.transmit.connect(wiring.part.function);
+  wiring.receive.connect(wiring.part.function);
   bytes_a_millisecond_ = (baud + 9'999) / 10'000;  // ten bits a byte
-  reg(base_ + kUsartBaud) = (clock_hz + baud / 2) / baud;
+  reg(base_ + kUsartBaud) = (wiring.part.hz(clocks) + baud / 2) / baud;
   reg(base_ + kUsartControl) = kUsartEnable | kUsartReceive | kUsartSend | kUsartReceiveInterrupt;
-  cortex_m::enable_interrupt(wiring.interrupt);
+  cortex_m::enable_interrupt(wiring.part.interrupt);
 }
 
 base::Result<std::size_t> Uart::write(std::span<const std::uint8_t> out) {

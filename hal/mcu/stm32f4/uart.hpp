@@ -7,26 +7,42 @@
 #include "hal/base/result.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/mcu/rings.hpp"
+#include "hal/mcu/stm32f4/clocks.hpp"
 #include "hal/mcu/stm32f4/pin.hpp"
+#include "hal/mcu/stm32f4/registers.hpp"
 
 namespace fencepost::mcu::stm32f4 {
 
-/// What the part and the board's wiring say of one line.
-struct UartWiring {
+/// One of the part's serial lines.
+struct UartPart {
   std::uint32_t base = 0;
   std::uint32_t enable_register = 0;  ///< in the clock control
   std::uint32_t enable_bit = 0;
   std::uint32_t interrupt = 0;
-  std::uint32_t function = 7;  ///< of its pins: 7 for USART1..3
+  std::uint32_t function = 0;  ///< of its pins (datasheet table 9)
+
+  [[nodiscard]] constexpr std::uint32_t hz(const Clocks& clocks) const {
+    return enable_register == kRccApb1Enable ? clocks.apb1 : clocks.apb2;
+  }
+};
+inline constexpr UartPart kUsart1Part = {kUsart1, kRccApb2Enable, kUsart1Clock, kInterruptUsart1, 7};
+inline constexpr UartPart kUsart2Part = {kUsart2, kRccApb1Enable, kUsart2Clock, kInterruptUsart2, 7};
+inline constexpr UartPart kUsart3Part = {kUsart3, kRccApb1Enable, kUsart3Clock, kInterruptUsart3, 7};
+inline constexpr UartPart kUart4Part = {kUart4, kRccApb1Enable, kUart4Clock, kInterruptUart4, 8};
+inline constexpr UartPart kUsart6Part = {kUsart6, kRccApb2Enable, kUsart6Clock, kInterruptUsart6, 8};
+
+/// And the board's pins for it.
+struct UartWiring {
+  UartPart part;
   Pin transmit;
   Pin receive;
 };
 
 class Uart {
  public:
-  /// Called once, before anything else here. `clock_hz`: of the line's bus. The wiring is not a constructor's: an
-  /// object that begins with zeros costs no flash.
-  void start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud);
+  /// Called once, before anything else here. The wiring is not a constructor's: an object that begins with zeros costs
+  /// no flash.
+  void start(const UartWiring& wiring, const Clocks& clocks, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);

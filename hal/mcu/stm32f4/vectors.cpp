@@ -10,6 +10,8 @@ void i2c1_error_interrupt();
 void usart1_interrupt();
 void usart2_interrupt();
 void usart3_interrupt();
+void uart4_interrupt();
+void usart6_interrupt();
 }
 
 namespace fencepost::mcu::stm32f4 {
@@ -22,6 +24,8 @@ using cortex_m::of_interrupt;
                                                     of_interrupt(kInterruptI2c1Error, i2c1_error_interrupt),
                                                     of_interrupt(kInterruptUsart1, usart1_interrupt),
                                                     of_interrupt(kInterruptUsart2, usart2_interrupt),
-                                                    of_interrupt(kInterruptUsart3, usart3_interrupt)});
+                                                    of_interrupt(kInterruptUsart3, usart3_interrupt),
+                                                    of_interrupt(kInterruptUart4, uart4_interrupt),
+                                                    of_interrupt(kInterruptUsart6, usart6_interrupt)});
 
 }  // namespace fencepost::mcu::stm32f4

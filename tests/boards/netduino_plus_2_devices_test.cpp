@@ -1,5 +1,5 @@
-// The STM32F405 images of other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the two-wire
-// bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
+// The Netduino Plus 2's images of other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the
+// two-wire bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
 // tests/firmware/image.
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "host/emulate/models/camera_adapters.hpp"
 #include "host/emulate/models/wheel_adapters.hpp"
 #include "tests/boards/bench.hpp"
-#include "tests/boards/f405.hpp"
 #include "tests/boards/faults.hpp"
+#include "tests/boards/netduino_plus_2.hpp"
 #include "tests/boards/scenes.hpp"
 
 namespace fencepost::test {
@@ -19,10 +19,10 @@ namespace {
 // Open Interface specification of the Create 2: wheels of 72 mm, 508.8 counts a revolution.
 constexpr emulate::WheelShape kCreate2 = {0.072 * std::numbers::pi / 508.8, 0.235};
 
-// The Create on USART3 is the odometry; the camera's line is slower, and its two colours share its frames.
-BoardUnderTest f405_on_create() {
-  BoardUnderTest board = f405({}, "fencepost-cmucam4-create2");
-  board.base = 2;
+// The Create on UART4 is the odometry; the camera's line is slower, and its two colours share its frames.
+BoardUnderTest netduino_on_create() {
+  BoardUnderTest board = netduino_plus_2({}, "fencepost-cmucam4-create2");
+  board.base = 3;
   board.camera_pace = 1'920;
   board.frames_share = 0.3;
   board.camera_device = [] {
@@ -34,17 +34,17 @@ BoardUnderTest f405_on_create() {
   return board;
 }
 
-TEST(F405Devices, ReplaysABoxSeenByACmucamOnACreate) {
+TEST(NetduinoDevices, ReplaysABoxSeenByACmucamOnACreate) {
   sensor::CameraMount mount;
   mount.x = base::Metres::nearest(0.05);
   mount.z = base::Metres::nearest(0.12);
   mount.pitch = base::Radians{0};
-  expect_scene_replays(f405_on_create(), "small",
+  expect_scene_replays(netduino_on_create(), "small",
                        box_beside_the_way(cmucam::nominal_intrinsics(cmucam::kCmuCam4, mount)));
 }
 
-TEST(F405Devices, TellsOfACreateThatIsUnpluggedAndBack) {
-  Bench bench(f405_on_create());
+TEST(NetduinoDevices, TellsOfACreateThatIsUnpluggedAndBack) {
+  Bench bench(netduino_on_create());
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   ASSERT_TRUE(bench.await("odometry works\r\n")) << bench.said();
   ASSERT_TRUE(bench.obey("mode log", "$FPLNK,")) << bench.said();
@@ -57,8 +57,8 @@ TEST(F405Devices, TellsOfACreateThatIsUnpluggedAndBack) {
 }
 
 // Its bytes as fast as the emulator takes them; good frames of the Create come afterwards.
-TEST(F405Devices, SurvivesGarbageFromItsWheelBase) {
-  Bench bench(f405_on_create());
+TEST(NetduinoDevices, SurvivesGarbageFromItsWheelBase) {
+  Bench bench(netduino_on_create());
   ASSERT_TRUE(bench.await("odometry works\r\n")) << bench.said();
   bench.unplug_base(true);
   expect_takes_garbage(bench, {&bench.base_line()}, kFifteenSecondsOfBytes / 3);
@@ -69,11 +69,13 @@ TEST(F405Devices, SurvivesGarbageFromItsWheelBase) {
   EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
 }
 
-class F405TwoWire : public ::testing::TestWithParam<const char*> {};
+class NetduinoTwoWire : public ::testing::TestWithParam<const char*> {};
 
 // Encoders are told by their count, which stays zero.
-TEST_P(F405TwoWire, GoesOnWithACameraBusThatHangs) { expect_survives_hung_camera_bus(f405({}, GetParam())); }
-INSTANTIATE_TEST_SUITE_P(Cameras, F405TwoWire,
+TEST_P(NetduinoTwoWire, GoesOnWithACameraBusThatHangs) {
+  expect_survives_hung_camera_bus(netduino_plus_2({}, GetParam()));
+}
+INSTANTIATE_TEST_SUITE_P(Cameras, NetduinoTwoWire,
                          ::testing::Values("fencepost-pixy2_i2c-encoders", "fencepost-nxtcam_i2c-create1"));
 
 }  // namespace

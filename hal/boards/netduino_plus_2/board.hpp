@@ -1,23 +1,24 @@
-// STM32F405 boards: Netduino Plus 2, pyboard 1.x, Feather F405. What every board offers: hal/boards/README.md.
+// Boards with an STM32F405: Netduino Plus 2, pyboard, Feather F405. They differ in their pins.hpp alone; a program that
+// includes this is compiled once for all of them. What every board offers: hal/boards/README.md.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-#include "hal/mcu/cortex_m/systick_clock.hpp"
 #include "hal/mcu/reset.hpp"
 #include "hal/mcu/stm32f4/encoder.hpp"
 #include "hal/mcu/stm32f4/flash.hpp"
 #include "hal/mcu/stm32f4/i2c.hpp"
+#include "hal/mcu/stm32f4/timer_clock.hpp"
 #include "hal/mcu/stm32f4/uart.hpp"
 
 namespace fencepost::board {
 
-inline constexpr std::string_view kTarget = "f405";
+extern const std::string_view kTarget;
 inline constexpr int kEncoderBits = 16;
 
-using Clock = mcu::cortex_m::SysTickClock;
+using Clock = mcu::stm32f4::TimerClock;
 using Link = mcu::stm32f4::Uart;
 using I2c = mcu::stm32f4::I2c;
 using Flash = mcu::stm32f4::Flash;
@@ -31,18 +32,19 @@ void start_encoders();
 void start_i2c();
 
 Clock& clock();
-Link& console();  ///< USART2: PA2 sends, PA3 receives
-Link& camera();   ///< USART1: PA9 sends, PA10 receives
-Link& base();     ///< USART3: PB10 sends, PB11 receives; a wheel base such as a Create
-I2c& i2c();       ///< I2C1: PB8 clock, PB9 data; a Pixy2 or NXTCam
+Link& console();
+Link& camera();
+Link& base();  ///< a wheel base such as a Create
+I2c& i2c();    ///< a Pixy2 or NXTCam
 Flash& flash();
-/// Left wheel: PA6 and PA7. Right wheel: PB6 and PB7. Modulo 2^kEncoderBits.
+/// Modulo 2^kEncoderBits.
 std::uint32_t left_count();
 std::uint32_t right_count();
 
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
+/// The light flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

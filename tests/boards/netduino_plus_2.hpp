@@ -1,4 +1,5 @@
-// The STM32F405 image in QEMU: serial lines are USART1 (camera), USART2 (console), USART3 (base).
+// The Netduino Plus 2's image in QEMU: serial lines are USART1 to 3, UART4 and 5, USART6: the
+// console is the second, the base the fourth, the camera the sixth.
 #pragma once
 
 #include "tests/boards/qemu.hpp"
@@ -6,15 +7,15 @@
 namespace fencepost::test {
 
 /// `image`: of its build folder. 125 million instructions a second are 1.34 cycles each.
-inline BoardUnderTest f405(std::vector<std::string> more = {}, const std::string& image = "fencepost") {
-  constexpr std::size_t kControl = 3;
+inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, const std::string& image = "fencepost") {
+  constexpr std::size_t kControl = 6;
   BoardUnderTest board;
-  board.name = "f405";
+  board.name = "netduino_plus_2";
   board.lines = kControl + 1;
-  board.camera = 0;
+  board.camera = 5;
   board.console = 1;
   board.command = [more = std::move(more), image](const std::vector<std::string>& sockets) {
-    const QemuBoard qemu{"netduinoplus2", image_of("f405", image) + ".elf", "systick_interrupt", 3, more};
+    const QemuBoard qemu{"netduinoplus2", image_of("netduino_plus_2", image) + ".elf", "systick_interrupt", 3, more};
     std::vector<std::string> words = qemu_command(qemu, sockets.at(kControl));
     words.insert(words.end(), {"-monitor", "none"});
     for (std::size_t n = 0; n < kControl; ++n) words.insert(words.end(), {"-serial", "unix:" + sockets.at(n)});

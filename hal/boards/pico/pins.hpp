@@ -1,0 +1,22 @@
+// Raspberry Pi Pico. Sources: its datasheet, chapter 2.1 (pinout); functions by the RP2040 datasheet, 2.19.2.
+#pragma once
+
+#include "hal/boards/pico/wiring.hpp"
+#include "hal/mcu/rp2040/registers.hpp"
+
+namespace fencepost::board::pico {
+
+namespace part = mcu::rp2040;
+
+inline constexpr Wiring kWiring = {
+    .target = "pico",
+    .console = {part::kUart0, part::kResetUart0, part::kInterruptUart0, {0}, {1}},
+    .camera = {part::kUart1, part::kResetUart1, part::kInterruptUart1, {4}, {5}},
+    .i2c = {part::kI2c0, part::kResetI2c0, part::kInterruptI2c0, {8}, {9}},
+    .left = {{10}, {11}},
+    .right = {{12}, {13}},
+    .light = {25},
+    .stop = {15},
+};
+
+}  // namespace fencepost::board::pico

@@ -1,0 +1,28 @@
+// What differs between boards with an RP2040: names and pins. Each board's is in its pins.hpp.
+#pragma once
+
+#include <string_view>
+
+#include "hal/mcu/rp2040/i2c.hpp"
+#include "hal/mcu/rp2040/pin.hpp"
+#include "hal/mcu/rp2040/uart.hpp"
+
+namespace fencepost::board {
+
+struct EncoderPins {
+  mcu::rp2040::Pin a;
+  mcu::rp2040::Pin b;
+};
+
+struct Wiring {
+  std::string_view target;          ///< in the header of each log
+  mcu::rp2040::UartWiring console;  ///< beside USB
+  mcu::rp2040::UartWiring camera;   ///< or a wheel base
+  mcu::rp2040::I2cWiring i2c;
+  EncoderPins left;
+  EncoderPins right;
+  mcu::rp2040::Pin light;  ///< an LED, on while high
+  mcu::rp2040::Pin stop;   ///< kept free for an output that stops the motors; low from reset on by the part itself
+};
+
+}  // namespace fencepost::board

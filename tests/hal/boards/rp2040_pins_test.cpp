@@ -1,0 +1,68 @@
+// The pins of boards with an RP2040 against what their makers say of them.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/boards/pico/pins.hpp"
+#include "tests/hal/boards/pin_table.hpp"
+
+namespace fencepost::test {
+namespace {
+
+namespace rp2040 = mcu::rp2040;
+
+using Faults = std::vector<std::string>;
+
+std::string name(rp2040::Pin pin) { return "GP" + std::to_string(pin.number); }
+
+void add_line(std::vector<PinUse>& uses, const std::string& what, const rp2040::UartWiring& line) {
+  const std::string of = line.base == rp2040::kUart0 ? "UART0" : "UART1";
+  uses.push_back({what + " sends", name(line.transmit), of + "_TX", rp2040::kFunctionUart});
+  uses.push_back({what + " receives", name(line.receive), of + "_RX", rp2040::kFunctionUart});
+}
+
+std::vector<PinUse> uses_of(const board::Wiring& wiring) {
+  std::vector<PinUse> uses;
+  add_line(uses, "console", wiring.console);
+  add_line(uses, "camera", wiring.camera);
+  const std::string bus = wiring.i2c.base == rp2040::kI2c0 ? "I2C0" : "I2C1";
+  uses.push_back({"bus data", name(wiring.i2c.data), bus + "_SDA", rp2040::kFunctionI2c});
+  uses.push_back({"bus clock", name(wiring.i2c.clock), bus + "_SCL", rp2040::kFunctionI2c});
+  uses.push_back({"left a", name(wiring.left.a)});
+  uses.push_back({"left b", name(wiring.left.b)});
+  uses.push_back({"right a", name(wiring.right.a)});
+  uses.push_back({"right b", name(wiring.right.b)});
+  uses.push_back({"light", name(wiring.light), {}, 0, "led"});
+  uses.push_back({"stop", name(wiring.stop)});
+  return uses;
+}
+
+Faults faults_of(const std::string& table, const board::Wiring& wiring) {
+  return PinTable(table, "rp2040_functions").faults(uses_of(wiring));
+}
+
+TEST(Rp2040Pins, PicoHasItsPinsRight) { EXPECT_EQ(faults_of("pico", board::pico::kWiring), Faults{}); }
+
+TEST(Rp2040Pins, TheDocumentHasThePins) {
+  const PinTable table("pico", "");
+  for (const PinUse& use : uses_of(board::pico::kWiring)) {
+    const std::string header = table.header(use.pin);
+    std::string row = "| " + use.what + " | " + use.pin;
+    row += header.empty() ? " |" : ", pin " + header + " |";
+    EXPECT_TRUE(document_has(row)) << row;
+  }
+}
+
+TEST(Rp2040Pins, FindsAPinOfTheOtherBusAndOneThatIsNotThere) {
+  board::Wiring wiring = board::pico::kWiring;
+  wiring.i2c.data = {6};
+  wiring.stop = {24};
+  const Faults expected = {"bus data: function 3 of GP6 is I2C1_SDA, not I2C0_SDA", "stop: GP24 is USB VBUS",
+                           "stop: GP24 is not on the header"};
+  EXPECT_EQ(faults_of("pico", wiring), expected);
+}
+
+}  // namespace
+}  // namespace fencepost::test
