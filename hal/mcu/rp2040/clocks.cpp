@@ -10,15 +10,30 @@ constexpr std::uint32_t kCrystalHz = 12'000'000;
 constexpr std::uint32_t kRingHz = 6'500'000;
 constexpr std::uint32_t kMaxPolls = 200'000;  // the crystal takes 1 ms, a PLL some 0.1 ms
 
-bool start_crystal() {
+// All of this is inlined: it runs in the flash, too, where the rest of the program is not there yet.
+[[gnu::always_inline]] inline bool start_crystal() {
   reg(kXoscStartup) = 47;  // * 256 / 12 MHz: 1 ms (2.16.3)
   reg(kXoscControl) = kXoscEnable1To15MHz;
   return await_bits(kXoscStatus, kXoscStable, kMaxPolls);
 }
 
+// A debugger resets the core alone: nothing may run on a PLL that is going to be reset. The reference clock goes on,
+// whatever it runs on.
+[[gnu::always_inline]] inline void leave_plls() {
+  reg(kClockSysResuscitate) = 0;
+  lower_bits(kClockSysControl, kSysFromAuxiliary);
+  static_cast<void>(await_bits(kClockSysSelected, 1U << kSysFromReference, kMaxPolls));
+  reg(kClockSysControl) = 0;
+  reg(kClockUsbControl) = 0;
+  reg(kClockPeriControl) = 0;
+  reg(kClockRefDivider) = kUndivided;
+  reg(kClockSysDivider) = kUndivided;
+  reg(kClockUsbDivider) = kUndivided;
+}
+
 // 12 MHz * feedback / first / second; the oscillator in between within 750 and 1600 MHz (2.18.2).
-bool start_pll(std::uint32_t pll, std::uint32_t reset, std::uint32_t feedback, std::uint32_t first,
-               std::uint32_t second) {
+[[gnu::always_inline]] inline bool start_pll(std::uint32_t pll, std::uint32_t reset, std::uint32_t feedback,
+                                             std::uint32_t first, std::uint32_t second) {
   bring_up(reset);
   reg(pll + kPllControl) = 1;
   reg(pll + kPllFeedback) = feedback;
@@ -29,24 +44,38 @@ bool start_pll(std::uint32_t pll, std::uint32_t reset, std::uint32_t feedback, s
   return true;
 }
 
+[[gnu::always_inline]] inline bool start_reference_clock() {
+  leave_plls();
+  if (!start_crystal()) return false;
+  reg(kClockRefControl) = kRefFromCrystal;
+  return await_bits(kClockRefSelected, 1U << kRefFromCrystal, kMaxPolls);
+}
+
+// 1500 MHz in between.
+[[gnu::always_inline]] inline bool start_core_clock() {
+  if (!start_pll(kPllSys, kResetPllSys, 125, 6, 2)) return false;
+  reg(kClockSysControl) = kSysFromAuxiliary;
+  return await_bits(kClockSysSelected, 1U << kSysFromAuxiliary, kMaxPolls);
+}
+
 }  // namespace
 
 Clocks start_clocks() {
   Clocks clocks{kRingHz, kRingHz, false};
-  if (start_crystal()) {
-    reg(kClockRefControl) = kRefFromCrystal;
-    static_cast<void>(await_bits(kClockRefSelected, 1U << kRefFromCrystal, kMaxPolls));
+  if (start_reference_clock()) {
     clocks = {kCrystalHz, kCrystalHz, false};
-    if (start_pll(kPllSys, kResetPllSys, 125, 6, 2)) {  // 1500 MHz
-      reg(kClockSysControl) = kSysFromAuxiliary;
-      static_cast<void>(await_bits(kClockSysSelected, 1U << kSysFromAuxiliary, kMaxPolls));
-      clocks.core = 125'000'000;
-    }
+    if (start_core_clock()) clocks.core = 125'000'000;
     clocks.usb = start_pll(kPllUsb, kResetPllUsb, 100, 5, 5);  // 1200 MHz
     if (clocks.usb) reg(kClockUsbControl) = kClockEnable;
   }
   reg(kClockPeriControl) = kClockEnable;
   return clocks;
+}
+
+extern "C" {
+[[gnu::section(".loader"), gnu::flatten, gnu::used]] void fencepost_hurry() {
+  if (start_reference_clock()) static_cast<void>(start_core_clock());
+}
 }
 
 }  // namespace fencepost::mcu::rp2040

@@ -12,9 +12,15 @@ struct Clocks {
   bool usb = false;             ///< the 48 MHz are there
 };
 
-/// Where the crystal does not start, the part continues with its ring oscillator at some 6.5 MHz (2.17): the loop runs,
-/// baud rates may be wrong by a third. Where a PLL does not lock it runs at the crystal's 12 MHz, with correct baud
-/// rates.
+/// From whatever state a debugger or a loader has left. Where the crystal does not start, the part continues with its
+/// ring oscillator at some 6.5 MHz (2.17): the loop runs, baud rates may be wrong by a third. Where a PLL does not lock
+/// it runs at the crystal's 12 MHz, with correct baud rates.
 Clocks start_clocks();
+
+extern "C" {
+/// The core's clock alone, by code in the flash: what copies the program takes 0.1 s then, and 1.5 s from the ring
+/// oscillator.
+void fencepost_hurry();
+}
 
 }  // namespace fencepost::mcu::rp2040

@@ -4,9 +4,11 @@ extern "C" {
 [[noreturn]] void load_program();
 }
 
-// The symbols are image.ld's. Runs in the flash, the rest of the code is not there yet.
+// The symbols are image.ld's; fencepost_hurry is that of clocks.cpp. Runs in the flash, the rest of the code is not
+// there yet.
 [[gnu::naked, gnu::section(".loader"), gnu::used]] void load_program() {
   asm volatile(
+      "bl fencepost_hurry\n\t"
       "ldr r0, =image_program_source\n\t"
       "ldr r1, =image_program_begin\n\t"
       "ldr r2, =image_program_end\n\t"

@@ -50,11 +50,17 @@ inline constexpr std::uint32_t kPllSecondShift = 12;
 
 // Clock generators, 2.15.7.
 inline constexpr std::uint32_t kClockRefControl = 0x4000'8030;
+inline constexpr std::uint32_t kClockRefDivider = 0x4000'8034;   // in 256ths
 inline constexpr std::uint32_t kClockRefSelected = 0x4000'8038;  // one bit a source
 inline constexpr std::uint32_t kClockSysControl = 0x4000'803C;
+inline constexpr std::uint32_t kClockSysDivider = 0x4000'8040;
 inline constexpr std::uint32_t kClockSysSelected = 0x4000'8044;
 inline constexpr std::uint32_t kClockPeriControl = 0x4000'8048;
 inline constexpr std::uint32_t kClockUsbControl = 0x4000'8054;
+inline constexpr std::uint32_t kClockUsbDivider = 0x4000'8058;
+inline constexpr std::uint32_t kClockSysResuscitate = 0x4000'8078;  // what to do when it stops
+inline constexpr std::uint32_t kSysFromReference = 0;
+inline constexpr std::uint32_t kUndivided = 1U << 8;
 inline constexpr std::uint32_t kRefFromCrystal = 2;
 inline constexpr std::uint32_t kSysFromAuxiliary = 1;  // which is PLL_SYS after reset
 inline constexpr std::uint32_t kClockEnable = 1U << 11;
@@ -85,6 +91,7 @@ inline constexpr std::uint32_t kTickEnable = 1U << 9;
 inline constexpr std::uint32_t kTimerAlarm0 = 0x4005'4010;
 inline constexpr std::uint32_t kTimerRawHigh = 0x4005'4024;
 inline constexpr std::uint32_t kTimerRawLow = 0x4005'4028;
+inline constexpr std::uint32_t kTimerDebugPause = 0x4005'402C;  // while a debugger holds a core; on after a reset
 inline constexpr std::uint32_t kTimerInterrupts = 0x4005'4034;
 inline constexpr std::uint32_t kTimerInterruptEnable = 0x4005'4038;
 

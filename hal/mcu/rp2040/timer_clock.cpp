@@ -18,6 +18,7 @@ void set_alarm() { reg(kTimerAlarm0) = reg(kTimerRawLow) + kMillisecond; }
 void TimerClock::start(std::uint32_t reference_hz) {
   reg(kWatchdogTick) = (reference_hz / 1'000'000) | kTickEnable;
   bring_up(kResetTimer);
+  reg(kTimerDebugPause) = 0;  // or time stands still after a debugger has left
   reg(kTimerInterruptEnable) = kAlarm;
   cortex_m::enable_interrupt(kInterruptTimer0);
   set_alarm();

@@ -2,7 +2,7 @@
 //
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
-// has been sent. Others: `power`, `run-pin`, `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera
+// has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera
 // gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
 // answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
@@ -52,6 +52,7 @@ const commands = {
   },
   power: () => pico.start('power'),
   'run-pin': () => pico.start('run'),
+  probe: () => pico.resetCore(),
   fault: () => pico.rom.fault(),
   hang: () => pico.rom.hang(),
   usb: (what) => ({

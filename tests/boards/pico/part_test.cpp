@@ -71,6 +71,15 @@ TEST_F(PicoPart, TellsOnceWhereTheLastRunDied) {
   EXPECT_NE(bench.said().find("reset: reset pin\r\npanic: none"), std::string::npos) << bench.said();
 }
 
+// It resets the core alone: the clocks run on PLLs, the timer may stand still. tests/boards/pico/rules.mjs says where
+// that would hang the part.
+TEST_F(PicoPart, StartsAfterADebugProbe) {
+  restart("probe");
+  EXPECT_TRUE(bench.obey("version", "for pico")) << bench.said();
+  restart("probe");
+  EXPECT_TRUE(bench.obey("selftest", "selftest pass")) << bench.said();
+}
+
 TEST_F(PicoPart, TheWatchdogEndsAnEndlessLoop) {
   bench.clear();
   machine->command("hang");

@@ -1,6 +1,7 @@
 // A Raspberry Pi Pico with our program in its flash: rp2040js, and what the part has around it.
 import { LogLevel, ConsoleLogger, RP2040 } from 'rp2040js';
 import { BootRom } from './boot_rom.mjs';
+import { Rules } from './rules.mjs';
 import { SerialLine } from './serial_line.mjs';
 import { TwoWire } from './two_wire.mjs';
 import { checkBoot2 } from './uf2.mjs';
@@ -39,10 +40,25 @@ export class Pico {
     if (how === 'power') mcu.sram.forEach((_, i) => (mcu.sram[i] = (i * 2654435761) >>> 24));
     else mcu.sram.set(before.sram);
     this.wire(how, watchdog);
+    this.rules = new Rules(mcu);
     checkBoot2(mcu.flash);
+    this.boot();
+  }
+
+  /** What the boot ROM does. */
+  boot() {
+    const { mcu } = this;
     mcu.sram.set(mcu.flash.subarray(0, 256), kBoot2 - 0x20000000);
     mcu.core.PC = kBoot2;
     mcu.core.SP = kRom;
+  }
+
+  /** A debug probe resets the core alone: clocks and peripherals go on as they are. */
+  resetCore() {
+    const { mcu } = this;
+    mcu.core = new mcu.core.constructor(mcu);
+    this.rules.watchCore();
+    this.boot();
   }
 
   wire(how, oldWatchdog) {

@@ -1,0 +1,72 @@
+// What the RP2040 forbids and an emulator bears: a program that does it ends the run. Sections of the RP2040 datasheet.
+const kReset = 0x0;
+const kNormal = 0;
+const kClear = 3;
+const kTarget = 0x04; // of the I2C master
+const kDebugPause = 0x2c; // of the timer
+const kTable = 0x10000100; // behind the boot stage
+const kTimerInterrupt = 16;
+
+// Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
+const kGated = {
+  0x40044: 3, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x4002c: 13, 0x40054: 21, 0x40034: 22, 0x40038: 23, 0x50110: 24,
+};
+const kPllSys = 12;
+const kPllUsb = 13;
+
+export class Rules {
+  constructor(mcu) {
+    this.mcu = mcu;
+    this.held = 0x1ffffff; // in reset, all of them after power-on
+    this.paused = 3; // the timer, while a debugger holds a core: so after its reset (4.6.5)
+    this.watch(0x4000c, (offset, value, how) => this.reset(offset, value, how));
+    this.watch(0x40044, (offset, value) => offset === kTarget && this.target(value & 0x3ff));
+    this.watch(0x40054, (offset, value) => offset === kDebugPause && (this.paused = value));
+    for (const [place, bit] of Object.entries(kGated)) {
+      this.watch(place, () => this.expect(!((this.held >>> bit) & 1), `written to 0x${Number(place).toString(16)}000 in reset`));
+    }
+    this.watchCore();
+  }
+
+  expect(right, what) {
+    if (!right) throw Error(`RP2040: ${what}`);
+  }
+
+  /** `see` each write before it is done. */
+  watch(place, see) {
+    const peripheral = this.mcu.peripherals[place];
+    const write = peripheral.writeUint32Atomic.bind(peripheral);
+    peripheral.writeUint32Atomic = (offset, value, how) => {
+      see(offset, value, how);
+      write(offset, value, how);
+    };
+  }
+
+  // The core may be exchanged.
+  watchCore() {
+    const { core } = this.mcu;
+    const enter = core.exceptionEntry.bind(core);
+    core.exceptionEntry = (number) => {
+      this.expect(core.VTOR === kTable, `exception ${number} by a vector table at 0x${core.VTOR.toString(16)}`);
+      this.expect(number !== kTimerInterrupt || this.paused === 0, 'the timer stops while a debugger holds a core');
+      enter(number);
+    };
+  }
+
+  // 2.14.2, 2.18: what a clock comes from must not be reset.
+  reset(offset, value, how) {
+    if (offset !== kReset) return;
+    const after = how === kNormal ? value : how === kClear ? this.held & ~value : this.held | value;
+    const begins = (bit) => ((after & ~this.held) >>> bit) & 1;
+    const { clocks } = this.mcu;
+    this.expect(!begins(kPllSys) || !(clocks.sysCtrl & 1), 'PLL_SYS is reset while the core runs on it');
+    this.expect(!begins(kPllUsb) || !(clocks.usbCtrl & (1 << 11)), 'PLL_USB is reset while USB runs on it');
+    this.held = after;
+    if (begins(21)) this.paused = 3;
+  }
+
+  // 4.3.17, IC_TAR: reserved addresses are not sent to.
+  target(address) {
+    this.expect(address > 0x07 && address < 0x78, `the I2C master cannot speak to the reserved address ${address}`);
+  }
+}
