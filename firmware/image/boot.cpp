@@ -30,11 +30,10 @@ void put_panic(console::Sentence& s, const std::optional<mcu::Panic>& panic) {
 
 std::size_t write_boot_line(std::size_t n, const BootFacts& facts, std::span<char> out) {
   console::Sentence s(out);
-  const record::Header& header = facts.header;
   switch (n) {
     case 0:
-      s.put(header.product.view()).put(" ").put(header.version.view()).put(" for ").put(header.target.view());
-      s.put(", profile ").put(header.profile.view());
+      s.put(kProduct).put(" ").put(facts.version).put(" for ").put(facts.target);
+      s.put(", profile ").put(facts.profile);
       break;
     case 1: s.put("reset: ").put(mcu::name(facts.panic ? mcu::ResetReason::kPanic : facts.reason)); break;
     case 2: put_panic(s, facts.panic); break;

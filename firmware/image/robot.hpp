@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "firmware/config/profile.hpp"
@@ -18,6 +19,10 @@ namespace fencepost::image {
 using Profile = config::FENCEPOST_PROFILE;
 using Console = std::remove_reference_t<decltype(board::console())>;
 
+// Of this file alone: the boards of one part give their name when the program begins, and inline that would be guarded.
+// NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
+const record::Header kHeader = {record::kStreamFormat, kProduct, FENCEPOST_VERSION, board::kTarget, Profile::kName};
+
 class Robot {
  public:
   Robot()
@@ -25,20 +30,20 @@ class Robot {
         keeper_(pipeline(), board::flash()),
         panel_(pipeline()) {}
 
-  void start() {
+  // Not inlined: what it needs of the stack is free again when the loop turns.
+  [[gnu::noinline]] void start() {
     board::start(FENCEPOST_CONSOLE_BAUD);
     Camera::start();
     Odometry::start();
-    pipeline().start_run(header_);
+    pipeline().start_run(kHeader);
     loop_.set_note(FENCEPOST_NOTE);
     if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
     keeper_.restore();
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.start();
-    const BootFacts facts{header_, board::take_reset_reason(), board::take_panic()};
-    for (std::size_t n = 0; n < kBootLines; ++n) {
-      pipeline().reporter().say([&](std::span<char> room) { return write_boot_line(n, facts, room); });
-    }
+    facts_.reason = board::take_reset_reason();
+    facts_.panic = board::take_panic();
+    say_facts(kBootLines);
   }
 
   void turn() {
@@ -52,6 +57,7 @@ class Robot {
     const std::uint32_t began = board::clock().microseconds();
     board::feed_watchdog();
     loop_.step(board::clock().now());
+    if (opened(board::console())) say_facts(kBootLines - 1);  // it is ready, and was
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
       pipeline().reporter().say([](std::span<char> room) { return not_kept(room); });
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
@@ -59,6 +65,18 @@ class Robot {
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;
+  }
+
+  void say_facts(std::size_t lines) {
+    for (std::size_t n = 0; n < lines; ++n) {
+      pipeline().reporter().say([&](std::span<char> room) { return write_boot_line(n, facts_, room); });
+    }
+  }
+  /// Somebody has come to the console who has not heard how it started.
+  template <class Link>
+  static bool opened([[maybe_unused]] Link& link) {
+    if constexpr (requires { link.take_opened(); }) return link.take_opened();
+    return false;
   }
 
   /// Turns between two checks for changed settings, which compare some hundred bytes; the loop turns at least a
@@ -70,7 +88,7 @@ class Robot {
   }
   loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
 
-  record::Header header_{record::kStreamFormat, "fencepost", FENCEPOST_VERSION, board::kTarget, Profile::kName};
+  BootFacts facts_{FENCEPOST_VERSION, board::kTarget, Profile::kName, mcu::ResetReason::kUnknown, std::nullopt};
   loop::Memory<Profile> memory_;
   Camera camera_{memory_.counters};
   Odometry odometry_{memory_.counters};

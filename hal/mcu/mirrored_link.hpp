@@ -55,6 +55,10 @@ class MirroredLink {
     return mirror(optional_, fixed_.write(out), out);
   }
 
+  /// Once, after somebody has come to the optional link: what was said before was not heard there.
+  [[nodiscard]] bool take_opened() requires requires(Optional& link) { link.take_opened(); }
+  { return optional_.take_opened(); }
+
  private:
   template <class Link>
   base::Result<std::size_t> read_from(Link& link, std::span<std::uint8_t> in) {

@@ -59,6 +59,13 @@ inline void arm(std::uint32_t endpoint, Direction direction, std::size_t size, b
   asm volatile("nop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop");
   reg(control) = word | kBufferAvailable;
 }
+/// Takes a buffer back; false if the controller has used it already.
+inline bool withdraw(std::uint32_t endpoint, Direction direction) {
+  const std::uint32_t control = buffer_control(endpoint, direction);
+  const bool unused = (reg(control) & kBufferAvailable) != 0;
+  reg(control) = 0;
+  return unused;
+}
 inline void stall(std::uint32_t endpoint) {
   reg(buffer_control(endpoint, kIn)) = kBufferStall;
   reg(buffer_control(endpoint, kOut)) = kBufferStall;

@@ -50,6 +50,7 @@ inline constexpr std::array<std::uint8_t, 20> kName = {20,  3, 'F', 0, 'e', 0, '
                                                        'e', 0, 'p', 0, 'o', 0, 's', 0, 't', 0};
 
 // Requests: USB 2.0 table 9-4; PSTN table 13.
+inline constexpr std::uint8_t kClearFeature = 1;
 inline constexpr std::uint8_t kSetAddress = 5;
 inline constexpr std::uint8_t kGetDescriptor = 6;
 inline constexpr std::uint8_t kGetConfiguration = 8;

@@ -13,6 +13,7 @@ namespace {
 
 // A packet of less than 64 bytes ends a transfer (USB 2.0 5.8.3): hosts then hand it on at once.
 constexpr std::size_t kShort = usb::kPacket - 1;
+constexpr std::uint16_t kToHost = 0x80;  // in an endpoint's address
 
 }  // namespace
 
@@ -53,8 +54,13 @@ void UsbSerial::on_interrupt() {
   }
   if ((what & ~kUsbTellSuspend) != 0) suspended_ = false;
   if ((what & kUsbTellResume) != 0) lower_bits(kUsbSieStatus, kUsbResumed);
+  // What is done was done before a request that has come meanwhile: of the one before it.
+  take_buffers();
   if ((what & kUsbTellBusReset) != 0) bus_reset();
   if ((what & kUsbTellSetup) != 0) take_setup();
+}
+
+void UsbSerial::take_buffers() {
   const std::uint32_t buffers = reg(kUsbBufferStatus);
   lower_bits(kUsbBufferStatus, buffers);
   if ((buffers & usb::buffer_bit(0, usb::kIn)) != 0) control_sent();
@@ -77,17 +83,17 @@ void UsbSerial::take_setup() {
   const std::uint32_t first = reg(kUsbMemory);
   const std::uint32_t second = reg(kUsbMemory + 4);
   const Setup setup = {static_cast<std::uint8_t>(first & 0xFF), static_cast<std::uint8_t>((first >> 8) & 0xFF),
-                       static_cast<std::uint16_t>(first >> 16), static_cast<std::uint16_t>(second >> 16)};
+                       static_cast<std::uint16_t>(first >> 16), static_cast<std::uint16_t>(second & 0xFFFF),
+                       static_cast<std::uint16_t>(second >> 16)};
   if (!obey(setup)) refuse();
 }
 
 bool UsbSerial::obey(const Setup& setup) {
   constexpr std::uint8_t kFromDevice = 0x80;
+  constexpr std::uint8_t kOfEndpoint = 0x02;
   const bool of_class = (setup.type & 0x60) == 0x20;
   if (of_class && setup.request == usb::kSetControlLineState) {
-    const bool ready = (setup.value & 1U) != 0;
-    if (!ready) close();
-    ready_ = ready;
+    set_ready((setup.value & 1U) != 0);
   } else if (of_class && setup.request == usb::kSetLineCoding) {
     line_coding_due_ = true;
     usb::arm(0, usb::kOut, usb::kPacket, true);
@@ -99,6 +105,8 @@ bool UsbSerial::obey(const Setup& setup) {
     address_ = static_cast<std::uint8_t>(setup.value & 0x7F);
   } else if (setup.type == 0 && setup.request == usb::kSetConfiguration) {
     configure();
+  } else if (setup.type == kOfEndpoint && setup.request == usb::kClearFeature) {
+    clear_halt(setup.index);
   } else if (setup.type == kFromDevice) {
     return describe(setup);
   } else if ((setup.type & kFromDevice) != 0 || setup.length != 0) {
@@ -139,12 +147,33 @@ void UsbSerial::configure() {
   ask_for_data();
 }
 
-// The port is closed, or was: a program that opens it starts afresh.
+void UsbSerial::set_ready(bool ready) {
+  if (!ready) close();
+  if (ready && !ready_) opened_ = true;
+  ready_ = ready;
+}
+
+// The port is closed, or was: a program that opens it starts afresh. A packet that nobody has fetched is taken back,
+// and its number in the sequence is the next one's.
 void UsbSerial::close() {
   ready_ = false;
+  if (sending_ && usb::withdraw(usb::kDataEndpoint, usb::kIn)) second_in_ = !second_in_;
   sending_ = false;
   std::uint8_t byte = 0;
   while (rings_.next(byte)) {
+  }
+}
+
+// The sequence begins anew (USB 2.0 9.4.5), that of a packet that waits, too.
+void UsbSerial::clear_halt(std::uint16_t endpoint) {
+  if (endpoint == (kToHost | usb::kDataEndpoint)) {
+    const bool again = sending_ && usb::withdraw(usb::kDataEndpoint, usb::kIn);
+    if (again) usb::arm(usb::kDataEndpoint, usb::kIn, packet_, false);
+    second_in_ = again;
+  } else if (endpoint == usb::kDataEndpoint) {
+    const bool again = asking_ && usb::withdraw(usb::kDataEndpoint, usb::kOut);
+    if (again) usb::arm(usb::kDataEndpoint, usb::kOut, usb::kPacket, false);
+    second_out_ = again;
   }
 }
 
@@ -215,6 +244,7 @@ void UsbSerial::send_data() {
   while (count < packet.size() && rings_.next(packet[count])) ++count;
   if (count == 0) return;
   sending_ = true;
+  packet_ = count;
   usb::fill(usb::kDataEndpoint, usb::kIn, std::span(packet).first(count));
   usb::arm(usb::kDataEndpoint, usb::kIn, count, second_in_);
   second_in_ = !second_in_;

@@ -25,6 +25,12 @@ class UsbSerial {
   [[nodiscard]] std::size_t room() const { return open() ? rings_.room() : 0; }
   [[nodiscard]] bool open() const { return configured_ && ready_ && !suspended_; }
   [[nodiscard]] bool waiting() const { return rings_.waiting(); }
+  /// Once, after a program has opened it.
+  [[nodiscard]] bool take_opened() {
+    const bool opened = opened_;
+    if (opened) opened_ = false;
+    return opened;
+  }
 
   /// The controller's interrupt.
   void on_interrupt();
@@ -34,15 +40,19 @@ class UsbSerial {
     std::uint8_t type = 0;
     std::uint8_t request = 0;
     std::uint16_t value = 0;
+    std::uint16_t index = 0;
     std::uint16_t length = 0;
   };
 
+  void take_buffers();
   void bus_reset();
   void take_setup();
   [[nodiscard]] bool obey(const Setup& setup);
   [[nodiscard]] bool describe(const Setup& setup);
   void configure();
+  void set_ready(bool ready);
   void close();
+  void clear_halt(std::uint16_t endpoint);
 
   void answer(std::span<const std::uint8_t> bytes, std::size_t wanted);
   void answer_more();
@@ -59,6 +69,7 @@ class UsbSerial {
   volatile bool configured_ = false;
   volatile bool ready_ = false;  ///< the other side's program is
   volatile bool suspended_ = false;
+  volatile bool opened_ = false;
 
   // Of the control pipe, in one request.
   std::span<const std::uint8_t> answer_;
@@ -69,6 +80,7 @@ class UsbSerial {
 
   bool asking_ = false;  ///< for data; else the ring had no room
   bool sending_ = false;
+  std::size_t packet_ = 0;  ///< bytes of what is being sent
   bool second_in_ = false;  ///< the next packet is a DATA1
   bool second_out_ = false;
   std::array<std::uint8_t, 7> line_coding_ = {0x00, 0xC2, 0x01, 0x00, 0, 0, 8};  ///< 115200 8N1, and of no effect

@@ -68,6 +68,56 @@ TEST_F(PicoConsole, IsNotHeldUpByAPortThatIsClosedOrNeverRead) {
   EXPECT_NE(usb_says("version").find("for pico"), std::string::npos);
 }
 
+// It has closed the port while a packet waited, which goes back: the next one has its number in the sequence.
+TEST_F(PicoConsole, LosesNothingAfterAPortWasClosedUnread) {
+  const std::string facts = "fencepost 0.1.0 for pico, profile small\r\nreset: power on\r\npanic: none\r\n";
+  computer("plug");
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(usb_says("version"), "");
+    computer("block");
+    EXPECT_TRUE(bench.obey("version", "for pico"));
+    computer("close");
+    computer("open");
+    static_cast<void>(usb.take());
+    computer("unblock");
+    EXPECT_EQ(usb.take(), facts) << i;
+  }
+}
+
+TEST_F(PicoConsole, GoesOnAfterAHaltWasCleared) {
+  computer("plug");
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos) << i;
+    computer("clear-in");
+    computer("clear-out");
+  }
+  EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos);
+  computer("block");
+  EXPECT_TRUE(bench.obey("version", "for pico"));
+  computer("clear-in");
+  static_cast<void>(usb.take());
+  computer("unblock");
+  EXPECT_TRUE(usb.take().starts_with("fencepost 0.1.0 for pico")) << "the packet that waited begins the sequence";
+}
+
+// A buffer's end and the next request at the same time: the descriptors are still whole.
+TEST_F(PicoConsole, IsFoundWhenItsInterruptComesLate) {
+  computer("late");
+  computer("plug");
+  EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos);
+}
+
+// Nobody could have heard it when it was said.
+TEST_F(PicoConsole, TellsOfTheLastRunWhenItsPortIsOpened) {
+  bench.clear();
+  machine->command("fault");
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  computer("plug");
+  const std::string said = usb.take();
+  EXPECT_NE(said.find("reset: panic\r\npanic: exception 3 at 2000"), std::string::npos) << said;
+  EXPECT_EQ(said.find("READY"), std::string::npos) << said;
+}
+
 // A thousand records at once are more than its queues hold: USB waits for the program, nothing is lost.
 TEST_F(PicoConsole, TakesAsMuchAtOnceAsAComputerSends) {
   computer("plug");

@@ -2,7 +2,7 @@
 //
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
-// has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock`; `camera
+// has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`; `camera
 // gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
 // answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
@@ -62,6 +62,9 @@ const commands = {
     close: () => pico.usb.open(false),
     block: () => pico.usb.block(true),
     unblock: () => pico.usb.block(false),
+    late: () => pico.usb.late(),
+    'clear-in': () => pico.usb.clear('in'),
+    'clear-out': () => pico.usb.clear('out'),
   })[what](),
   camera: (what) => (pico.bus.there = what === 'back'),
   turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),

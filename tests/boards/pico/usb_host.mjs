@@ -3,8 +3,15 @@ import { USBCDC } from 'rp2040js';
 
 const kSieStatus = 0x50;
 const kSuspended = 1 << 4;
+const kControlIn = 0x80; // buffer control of endpoint 0, in
 const kDataIn = 0x90; // buffer control of endpoint 2, in
+const kDataOut = 0x94; // out
+const kAvailable = 1 << 10;
+const kData1 = 1 << 13;
 const kPacket = 64;
+const kEndpoints = { in: 0x82, out: 0x02 };
+const kSendNanos = 10e3;
+const kLateNanos = 50e3;
 
 export class UsbHost {
   constructor(mcu, send) {
@@ -13,13 +20,16 @@ export class UsbHost {
     this.coming = [];
     this.asked = null;
     this.blocked = false;
-    this.held = [];
+    this.held = 0;
+    this.wanted = []; // of the packets that are on their way: is it the next one of the sequence?
+    this.sequence = { in: 0, out: 0 };
+    this.sending = []; // endpoints whose packets are on the wire
     this.usb.onUSBEnabled = () => {}; // nobody is there
     this.mendEmulator();
   }
 
-  // Where rp2040js differs from the part: it does not know the status bit of a host that is asleep, and it takes what the
-  // device sends at once, wanted or not.
+  // Where rp2040js differs from the part: it does not know the status bit of a host that is asleep, it takes what the
+  // device sends at once, wanted or not, and says that it is sent before it is.
   mendEmulator() {
     const { usb } = this;
     const write = usb.writeUint32.bind(usb);
@@ -29,15 +39,77 @@ export class UsbHost {
     };
     const update = usb.DPRAMUpdated.bind(usb);
     usb.DPRAMUpdated = (offset, value) => {
-      if (offset === kDataIn && this.blocked) this.held.push(value);
-      else update(offset, value);
+      if (offset === kDataIn && this.blocked) this.held = value;
+      else if (offset === kDataIn) this.fetch(value);
+      else if (offset === kDataOut) this.beAsked(value);
+      else {
+        if (offset === kControlIn) this.expectFree(0, value);
+        update(offset, value);
+      }
     };
     this.update = update;
+    const ready = usb.indicateBufferReady.bind(usb);
+    const sent = usb.rp2040.clock.createAlarm(() => this.sending.splice(0).forEach((endpoint) => ready(endpoint, false)));
+    usb.indicateBufferReady = (endpoint, out) => {
+      if (out) return ready(endpoint, out);
+      this.sending.push(endpoint);
+      return sent.schedule(kSendNanos);
+    };
+  }
+
+  // The controller has the buffer until something has come.
+  beAsked(value) {
+    this.asked = null;
+    this.update(kDataOut, value);
+    this.usb.rp2040.usbDPRAMView.setUint32(kDataOut, value, true);
+  }
+
+  expectFree(endpoint, value) {
+    if (value & kAvailable && this.sending.includes(endpoint)) {
+      throw Error(`USB: a packet of endpoint ${endpoint} is written over before it is sent`);
+    }
+  }
+
+  // A packet with the number of the one before is taken for that one again, and thrown away (USB 2.0 8.6).
+  fetch(value) {
+    this.expectFree(2, value);
+    if (value & kAvailable) {
+      const next = !!(value & kData1) === !!this.sequence.in;
+      this.wanted.push(next);
+      if (next) this.sequence.in ^= 1;
+    }
+    this.update(kDataIn, value);
+  }
+
+  /** Its interrupts come so late that several things have happened. */
+  late() {
+    const { usb } = this;
+    const check = usb.checkInterrupts.bind(usb);
+    const later = usb.rp2040.clock.createAlarm(() => {
+      waiting = false;
+      check();
+    });
+    let waiting = false;
+    usb.checkInterrupts = () => {
+      if (!usb.intStatus) check();
+      else if (!waiting) {
+        waiting = true;
+        later.schedule(kLateNanos);
+      }
+    };
+  }
+
+  /** CLEAR_FEATURE(ENDPOINT_HALT), `which`: in or out. Both sides begin to count anew. */
+  clear(which) {
+    this.sequence[which] = 0;
+    this.usb.sendSetupPacket(Uint8Array.from([0x02, 1, 0, 0, kEndpoints[which], 0, 0, 0]));
   }
 
   plug() {
     this.cdc = new USBCDC(this.usb);
-    this.cdc.onSerialData = (bytes) => this.send(bytes);
+    this.cdc.onSerialData = (bytes) => this.wanted.shift() && this.send(bytes);
+    this.sequence = { in: 0, out: 0 };
+    this.wanted = [];
     this.usb.onEndpointRead = (endpoint, size) => {
       if (endpoint !== this.cdc.outEndpoint) return;
       this.asked = Math.min(size, kPacket);
@@ -59,7 +131,8 @@ export class UsbHost {
 
   block(blocked) {
     this.blocked = blocked;
-    if (!blocked) this.held.splice(0).forEach((value) => this.update(kDataIn, value));
+    if (!blocked) this.fetch(this.held);
+    this.held = 0;
   }
 
   come(bytes) {
@@ -69,6 +142,11 @@ export class UsbHost {
 
   giveWhatCame() {
     if (this.asked === null || !this.coming.length) return;
+    const control = this.usb.rp2040.usbDPRAMView.getUint32(kDataOut, true);
+    this.usb.rp2040.usbDPRAMView.setUint32(kDataOut, control & ~kAvailable, true);
+    const expected = control & kData1 ? 1 : 0;
+    if (expected !== this.sequence.out) throw Error(`USB: DATA${this.sequence.out} is sent, DATA${expected} awaited`);
+    this.sequence.out ^= 1;
     const bytes = Uint8Array.from(this.coming.splice(0, this.asked));
     this.asked = null;
     this.usb.endpointReadDone(this.cdc.outEndpoint, bytes);
