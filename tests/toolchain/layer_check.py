@@ -30,6 +30,8 @@ ROOMS = {
     "hal/boards/netduino_plus_2": "hal/mcu/* hal/template",
     "hal/boards/feather_f405": "hal/boards/netduino_plus_2",
     "hal/boards/pyboard": "hal/boards/netduino_plus_2",
+    "hal/boards/pico": "hal/mcu/* hal/template",
+    "hal/boards/xrp": "hal/boards/pico",
     "drivers/serial": "hal/bus hal/sensor",
     "drivers/wire": "drivers/serial",
     "drivers/odometry": "hal/sensor",

@@ -1,19 +1,23 @@
 #include "hal/boards/pico/board.hpp"
 
-#include "hal/boards/pico/pins.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/rp2040/clocks.hpp"
 #include "hal/mcu/rp2040/panic.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
 #include "hal/mcu/rp2040/reset_reason.hpp"
 #include "hal/mcu/rp2040/watchdog.hpp"
+#include FENCEPOST_PINS
 
+// Compiled once for each board with this part; FENCEPOST_PINS is the board's pins.hpp, FENCEPOST_BOARD_NAME its folder.
 namespace fencepost::board {
+
+using FENCEPOST_BOARD_NAME::kWiring;
+
+constinit const std::string_view kTarget = kWiring.target;
+
 namespace {
 
 namespace part = mcu::rp2040;
-
-using pico::kWiring;
 
 part::Clocks clocks;
 mcu::ResetReason reason;
@@ -35,7 +39,7 @@ void start(std::uint32_t console_baud) {
   the_clock.start(clocks.reference);
   reason = part::read_reset_reason();
   part::start_watchdog();
-  kWiring.light.make_output();
+  if (kWiring.light) kWiring.light->make_output();
   console_line.start(kWiring.console, clocks.core, console_baud);
   if (clocks.usb) usb_line.start();
 }
@@ -64,7 +68,7 @@ std::optional<mcu::Panic> take_panic() { return part::take_panic(); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
-  kWiring.light.drive((the_clock.microseconds() & kFlash) == 0);
+  if (kWiring.light) kWiring.light->drive((the_clock.microseconds() & kFlash) == 0);
 }
 void idle() {
   mcu::cortex_m::sleep_unless([] { return console_line.waiting() || usb_line.waiting() || camera_line.waiting(); });

@@ -1,5 +1,6 @@
-// Raspberry Pi Pico: RP2040, 125 MHz, 264 KB of memory, of whose two cores one is used. What every board offers:
-// hal/boards/README.md. The console is on USB and on a serial line at the same time.
+// Boards with an RP2040, 125 MHz, 264 KB of memory, of whose two cores one is used: Raspberry Pi Pico, XRP. They differ
+// in their pins.hpp alone. What every board offers: hal/boards/README.md. The console is on USB and on a serial line at
+// the same time.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@
 
 namespace fencepost::board {
 
-inline constexpr std::string_view kTarget = "pico";
+extern const std::string_view kTarget;
 inline constexpr int kEncoderBits = 16;
 
 using Clock = mcu::rp2040::TimerClock;
@@ -48,7 +49,7 @@ std::uint32_t right_count();
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
-/// The green light flashes once a second while the loop runs.
+/// The light, if there is one, flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.
 void idle();

@@ -15,7 +15,7 @@ inline constexpr Wiring kWiring = {
     .i2c = {part::kI2c0, part::kResetI2c0, part::kInterruptI2c0, {8}, {9}},
     .left = {{10}, {11}},
     .right = {{12}, {13}},
-    .light = {25},
+    .light = part::Pin{25},
     .stop = {15},
 };
 

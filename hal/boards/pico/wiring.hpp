@@ -1,6 +1,7 @@
 // What differs between boards with an RP2040: names and pins. Each board's is in its pins.hpp.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "hal/mcu/rp2040/i2c.hpp"
@@ -21,8 +22,8 @@ struct Wiring {
   mcu::rp2040::I2cWiring i2c;
   EncoderPins left;
   EncoderPins right;
-  mcu::rp2040::Pin light;  ///< an LED, on while high
-  mcu::rp2040::Pin stop;   ///< kept free for an output that stops the motors; low from reset on by the part itself
+  std::optional<mcu::rp2040::Pin> light;  ///< an LED, on while high
+  mcu::rp2040::Pin stop;  ///< kept free for an output that stops the motors; low from reset on by the part itself
 };
 
 }  // namespace fencepost::board

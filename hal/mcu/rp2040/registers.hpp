@@ -18,6 +18,7 @@ inline void lower_bits(std::uint32_t address, std::uint32_t bits) { reg(address 
 inline constexpr std::uint32_t kResets = 0x4000'C000;
 inline constexpr std::uint32_t kResetsDone = kResets + 0x08;
 inline constexpr std::uint32_t kResetI2c0 = 1U << 3;
+inline constexpr std::uint32_t kResetI2c1 = 1U << 4;
 inline constexpr std::uint32_t kResetIoBank0 = 1U << 5;
 inline constexpr std::uint32_t kResetPadsBank0 = 1U << 8;
 inline constexpr std::uint32_t kResetPllSys = 1U << 12;
@@ -134,6 +135,7 @@ inline constexpr std::uint32_t kUartSendInterrupt = 1U << 5;
 
 // I2C master, 4.3.17.
 inline constexpr std::uint32_t kI2c0 = 0x4004'4000;
+inline constexpr std::uint32_t kI2c1 = 0x4004'8000;
 inline constexpr std::uint32_t kI2cControl = 0x00;
 inline constexpr std::uint32_t kI2cTarget = 0x04;
 inline constexpr std::uint32_t kI2cData = 0x10;
@@ -213,6 +215,7 @@ inline constexpr std::uint32_t kInterruptPins = 13;
 inline constexpr std::uint32_t kInterruptUart0 = 20;
 inline constexpr std::uint32_t kInterruptUart1 = 21;
 inline constexpr std::uint32_t kInterruptI2c0 = 23;
+inline constexpr std::uint32_t kInterruptI2c1 = 24;
 
 /// A peripheral comes out of reset; bounded, it takes some cycles.
 inline void bring_up(std::uint32_t peripherals) {

@@ -20,6 +20,7 @@ using cortex_m::of_interrupt;
     cortex_m::make_vector_table<26>(
         load_program, {of_interrupt(kInterruptTimer0, timer_interrupt), of_interrupt(kInterruptUsb, usb_interrupt),
                        of_interrupt(kInterruptPins, pins_interrupt), of_interrupt(kInterruptUart0, uart0_interrupt),
-                       of_interrupt(kInterruptUart1, uart1_interrupt), of_interrupt(kInterruptI2c0, i2c_interrupt)});
+                       of_interrupt(kInterruptUart1, uart1_interrupt), of_interrupt(kInterruptI2c0, i2c_interrupt),
+                       of_interrupt(kInterruptI2c1, i2c_interrupt)});
 
 }  // namespace fencepost::mcu::rp2040

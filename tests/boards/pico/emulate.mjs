@@ -74,8 +74,8 @@ const commands = {
   }) + '\n'),
 };
 
-// Two channels a wheel, a quarter of a period apart; A leads forwards.
-const kWheels = [[10, 11], [12, 13]];
+// Two channels a wheel, a quarter of a period apart; A leads forwards. The XRP's have their own pins.
+const kWheels = image.includes('xrp') ? [[4, 5], [13, 12]] : [[10, 11], [12, 13]];
 const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const quarters = [0, 0];
 function turn(counts, microseconds) {

@@ -50,6 +50,18 @@ TEST_F(PicoWheels, CountsItsWheels) {
   EXPECT_TRUE(bench.obey("status", "robot x 0.00 m, y 0.00 m, heading 90 deg")) << bench.said();
 }
 
+// The Pico's program on the XRP's pins.
+TEST(XrpWheels, CountsItsWheels) {
+  EmulatedPico* machine = nullptr;
+  Bench bench(pico(&machine, "fencepost-xrp-pixy2_i2c-encoders"));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_NE(bench.said().find("fencepost 0.1.0 for xrp"), std::string::npos) << bench.said();
+  machine->command("turn 1440 1440 300");
+  bench.pump();
+  bench.run(0.1);
+  EXPECT_TRUE(bench.obey("status", "robot x 0.20 m, y 0.00 m, heading 0 deg")) << bench.said();
+}
+
 // As hal/boards/README.md says: 20,000 edges a second of each wheel, while camera and console are at work. To and fro,
 // for a wheel as fast as that is taken for a fault.
 TEST_F(PicoWheels, LosesNoCountAtTheHighestRate) {

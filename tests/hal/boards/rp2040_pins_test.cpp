@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/boards/pico/pins.hpp"
+#include "hal/boards/xrp/pins.hpp"
 #include "tests/hal/boards/pin_table.hpp"
 
 namespace fencepost::test {
@@ -34,7 +35,7 @@ std::vector<PinUse> uses_of(const board::Wiring& wiring) {
   uses.push_back({"left b", name(wiring.left.b)});
   uses.push_back({"right a", name(wiring.right.a)});
   uses.push_back({"right b", name(wiring.right.b)});
-  uses.push_back({"light", name(wiring.light), {}, 0, "led"});
+  if (wiring.light) uses.push_back({"light", name(*wiring.light), {}, 0, "led"});
   uses.push_back({"stop", name(wiring.stop)});
   return uses;
 }
@@ -44,6 +45,15 @@ Faults faults_of(const std::string& table, const board::Wiring& wiring) {
 }
 
 TEST(Rp2040Pins, PicoHasItsPinsRight) { EXPECT_EQ(faults_of("pico", board::pico::kWiring), Faults{}); }
+TEST(Rp2040Pins, XrpHasItsPinsRight) { EXPECT_EQ(faults_of("xrp", board::xrp::kWiring), Faults{}); }
+
+TEST(Rp2040Pins, TheDocumentHasThePinsOfTheXrp) {
+  const PinTable table("xrp", "");
+  for (const PinUse& use : uses_of(board::xrp::kWiring)) {
+    const std::string row = "| " + use.what + " | " + use.pin + ", " + table.header(use.pin) + " |";
+    EXPECT_TRUE(document_has(row)) << row;
+  }
+}
 
 TEST(Rp2040Pins, TheDocumentHasThePins) {
   const PinTable table("pico", "");
