@@ -223,6 +223,12 @@ class Pipeline {
   [[nodiscard]] const Reporter<Profile>& reporter() const { return reporter_; }
   [[nodiscard]] std::optional<base::Time> stream_time() const { return m_.run.time; }
   [[nodiscard]] bool has_clock() const { return m_.run.behind.has_value(); }
+  /// What is in force now, whether it has been said yet or not. A robot that tests itself sees nothing else.
+  [[nodiscard]] record::Heartbeat in_force() const {
+    record::Heartbeat beat = watch_.heartbeat(m_.run.time.value_or(base::Time{}));
+    if (m_.run.testing) beat.level = record::AlertLevel::kBlind;
+    return beat;
+  }
 
   // What a screen shows, see view::MapSource.
   static constexpr std::size_t kObjects = Profile::kObjects;

@@ -3,8 +3,6 @@
 #include <linux/can.h>
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
-#include <net/if.h>
-#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 
@@ -13,6 +11,8 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+
+#include "hal/linux/can_socket.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -26,21 +26,6 @@ constexpr can_err_mask_t kErrors = CAN_ERR_MASK & ~static_cast<can_err_mask_t>(C
 
 /// Two megabytes hold seconds of a full bus, where the kernel allows them.
 constexpr int kReceiveBuffer = 2'000'000;
-
-std::string remedy(int error, const std::string& interface) {
-  switch (error) {
-    case ENODEV: return "plug the adapter in; 'ip link show type can' lists what is there";
-    case ENETDOWN: return "set it up with 'sudo ip link set " + interface + " up type can bitrate 500000'";
-    case EAFNOSUPPORT:
-    case EPROTONOSUPPORT: return "this kernel lacks SocketCAN; try 'sudo modprobe can-raw'";
-    case EINVAL: return "an interface name has 1 to 15 characters, such as can0";
-    default: return "see 'ip -details link show " + interface + "' and the end of 'dmesg'";
-  }
-}
-
-Problem problem_with(const std::string& interface, int error) {
-  return failure(kWhat, interface, error, remedy(error, interface));
-}
 
 template <class T>
 int set_option(int fd, int level, int option, const T& value) {
@@ -69,28 +54,12 @@ int set_options(int fd, const std::vector<CanFilter>& filters) {
   return set_option(fd, SOL_SOCKET, SO_TIMESTAMP, 1);
 }
 
-// bind() takes an interface that is down, and would then receive nothing.
-int bind_if_up(int fd, const std::string& interface) {
-  ifreq request{};
-  if (interface.empty() || interface.size() >= sizeof request.ifr_name) return EINVAL;
-  std::memcpy(request.ifr_name, interface.data(), interface.size());
-  if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) return errno;
-  if ((static_cast<unsigned>(request.ifr_flags) & static_cast<unsigned>(IFF_UP)) == 0) return ENETDOWN;
-  if (::ioctl(fd, SIOCGIFINDEX, &request) != 0) return errno;
-  sockaddr_can address{};
-  address.can_family = AF_CAN;
-  address.can_ifindex = request.ifr_ifindex;
-  const void* anything = &address;
-  return ::bind(fd, static_cast<const sockaddr*>(anything), sizeof address) == 0 ? 0 : errno;
-}
-
 Opened<Descriptor> open_socket(const CanSettings& settings) {
-  Descriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
-  if (!socket.open()) return problem_with(settings.interface, errno);
-  if (const int error = set_options(socket.get(), settings.filters); error != 0)
-    return problem_with(settings.interface, error);
-  if (const int error = bind_if_up(socket.get(), settings.interface); error != 0)
-    return problem_with(settings.interface, error);
+  int error = 0;
+  Descriptor socket = make_can_socket(error);
+  if (error == 0) error = set_options(socket.get(), settings.filters);
+  if (error == 0) error = bind_can_if_up(socket.get(), settings.interface);
+  if (error != 0) return can_problem(kWhat, settings.interface, error);
   return socket;
 }
 

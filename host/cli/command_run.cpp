@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "hal/linux/gpio_line.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
@@ -11,7 +12,10 @@
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/devices/tables.hpp"
+#include "host/live/alert_command.hpp"
+#include "host/live/can_alert.hpp"
 #include "host/live/run.hpp"
+#include "host/live/stop_line.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -24,6 +28,9 @@ struct RunRequest {
   std::string log;
   std::string mode;
   std::string profile = "full";
+  std::string on_alert;
+  std::string stop_gpio;
+  std::string alert_can;
   PartOptions parts;
   std::optional<double> seconds;
   std::optional<std::uint64_t> frames;
@@ -98,6 +105,52 @@ bool typed_at(const RunPlan& plan) {
   return plan.console_is_people && is_terminal(STDIN_FILENO) && is_terminal(STDOUT_FILENO);
 }
 
+using Outputs = std::vector<std::unique_ptr<AlertOutput>>;
+
+/// What is asked for outside of the console, checked before anything is opened.
+struct OutputSpecs {
+  std::optional<StopLineSpec> line;
+  std::optional<CanAlertSpec> can;
+};
+
+OutputSpecs output_specs_of(const RunRequest& request) {
+  OutputSpecs specs;
+  if (!request.stop_gpio.empty()) {
+    const auto line = parse_stop_line(request.stop_gpio);
+    if (!line.ok()) throw Failure(Exit::kUsage, line.error());
+    specs.line = *line;
+  }
+  if (!request.alert_can.empty()) {
+    const auto can = parse_can_alert(request.alert_can);
+    if (!can.ok()) throw Failure(Exit::kUsage, can.error());
+    specs.can = *can;
+  }
+  return specs;
+}
+
+/// Before devices are opened: they have threads, and a robot whose camera is missing must stand.
+void add_stop_line(Outputs& outputs, const StopLineSpec& spec) {
+  auto line = linux::open_gpio_line({spec.chip, spec.line, spec.active_high});
+  if (!line) throw Failure(Exit::kDevice, line.problem());
+  auto held = StopLine::hold(std::move(*line), spec.active_high, spec.chip + ":" + spec.line);
+  if (!held) throw Failure(Exit::kDevice, held.problem());
+  outputs.push_back(std::move(*held));
+}
+
+void add_can(Outputs& outputs, const CanAlertSpec& spec, bool wait) {
+  try {
+    outputs.push_back(std::make_unique<CanAlert>(spec, open_frame_sink(spec, wait)));
+  } catch (const DeviceFailure& failure) {
+    throw Failure(Exit::kDevice, failure.message + ", or --wait for it");
+  }
+}
+
+std::vector<AlertOutput*> borrowed(const Outputs& outputs) {
+  std::vector<AlertOutput*> all;
+  for (const auto& output : outputs) all.push_back(output.get());
+  return all;
+}
+
 Exit exit_of(const RunSummary& summary) {
   if (summary.log_failed || summary.output_failed) return Exit::kDevice;
   const bool interrupted = summary.end == RunSummary::End::kInterrupted && StopSignals::caught() != SIGTERM;
@@ -110,16 +163,21 @@ Exit run(const RunRequest& request) {
                             device_of(request.odometry, devices::Use::kOdometry)};
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
+  const OutputSpecs wanted = output_specs_of(request);
   const StopSignals signals;
   const linux::MonotonicClock clock;
+  Outputs outputs;
+  if (wanted.line) add_stop_line(outputs, *wanted.line);
   Devices devices = open_devices_of(named, plan.robot, clock, request.wait);
   const auto console = open(console_spec, request.wait);
   const std::unique_ptr<WriteBehind> log = request.log.empty() ? nullptr : open_run_log(log_settings, clock.now());
+  if (wanted.can) add_can(outputs, *wanted.can, request.wait);
+  if (!request.on_alert.empty()) outputs.push_back(std::make_unique<AlertCommand>(request.on_alert));
   say_what_is_assumed(plan, devices);
   if (typed_at(plan)) say("type help for the commands; Ctrl-C ends the run");
   const RunSummary summary =
       run_live(plan, {clock, devices, *console, log.get(), [](std::string_view text) { say(text); },
-                      StopSignals::caught(), signals.descriptor()});
+                      StopSignals::caught(), signals.descriptor(), borrowed(outputs)});
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
   return exit_of(summary);
@@ -143,6 +201,18 @@ Action configure_run(CLI::App& app) {
   request->parts.add_to(app);
   app.add_flag("--force", request->force, "overwrite an existing log");
   app.add_flag("--wait", request->wait, "wait for devices that are not there yet, instead of ending with exit code 4");
+  app.add_option("--on-alert", request->on_alert,
+                 "at each change of the alert level in force, run CMD by the shell: $1 is the level, FENCEPOST_LEVEL, "
+                 "_ID, _COLOUR, _DISTANCE, _BEARING, _TTC, _CAMERA, _ODOMETRY and _TIME tell all of it")
+      ->type_name("CMD");
+  app.add_option("--stop-gpio", request->stop_gpio,
+                 "a GPIO line that stops the motors while it is low, and is high only while the robot may drive: "
+                 "CHIP:LINE[,active-high]")
+      ->type_name("LINE");
+  app.add_option("--alert-can", request->alert_can,
+                 "send the alert in force as a CAN frame, at each change and every 100 ms: INTERFACE[:ID], "
+                 "ID 120 by default (share/can/fencepost_alert.dbc)")
+      ->type_name("IF");
   app.add_option("--profile", request->profile, "capacities; default: full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_option("--frames", request->frames, "stop after the N-th frame record")->type_name("N")->check(positive());
@@ -160,6 +230,9 @@ Command run_command() {
       "  fencepost run --camera nxtcam:nxt,port=1 --odometry nxt:usb --wait\n"
       "  fencepost run --camera pixy2.1:/dev/i2c-1 --odometry can:can0 --robot robot.json --log run.log --log-size "
       "64M\n"
+      "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --on-alert './motors \"$1\"'\n"
+      "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry can:can0 --robot robot.json --stop-gpio gpiochip0:17 "
+      "--alert-can can0\n"
       "  fencepost run --camera console --odometry console < run.log\n\n"
       "Cameras (KIND, then where it is, then options):\n" +
           devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),

@@ -61,6 +61,10 @@ static_assert(sensor::BlobCamera<CameraDevice>);
 class OdometryDevice : public Device {
  public:
   virtual base::Result<sensor::OdometrySample> poll(base::Time now) = 0;
+  /// Of a base that drives by itself: whether it may, once a turn of the loop; it obeys at once.
+  virtual void allow_motion(bool /*allowed*/, base::Time /*now*/) {}
+  /// The run is over: a base that drives stands.
+  virtual void stand(base::Time /*now*/) {}
 };
 static_assert(sensor::OdometrySource<OdometryDevice>);
 

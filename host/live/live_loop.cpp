@@ -112,6 +112,7 @@ class ProfileLoop final : public LiveLoop {
     memory_->counters.loop_us_max = std::max(memory_->counters.loop_us_max, microseconds);
   }
 
+  [[nodiscard]] record::Heartbeat in_force() const override { return loop_.pipeline().in_force(); }
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] std::uint64_t frames_logged() const override {

@@ -42,6 +42,8 @@ class LiveLoop {
   /// The longest turn so far, for FPSTA.
   virtual void note_turn(std::uint32_t microseconds) = 0;
 
+  /// What is in force now.
+  [[nodiscard]] virtual record::Heartbeat in_force() const = 0;
   [[nodiscard]] virtual const console::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
   /// FPFRM records in the log so far.

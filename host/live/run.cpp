@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "firmware/loop/motion_permit.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/live/log_keeper.hpp"
 
@@ -42,6 +43,7 @@ class Run {
     while (!ended(more)) {
       const base::Time before = parts_.clock.now();
       more = turn();
+      show_alert();
       note_stall(parts_.clock.now() - before);
       if (!more) wait();
     }
@@ -65,6 +67,7 @@ class Run {
     const auto took = std::chrono::steady_clock::now() - before;
     loop_->note_turn(static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(took).count()));
     say_link_news();
+    follow_alerts();
     parts_.devices.camera->console_gave(loop_->frames_logged());
     parts_.devices.odometry->console_gave(loop_->counters().odometry);
     write_log(now);
@@ -82,6 +85,37 @@ class Run {
     const std::size_t taken = log_.take(lines, now);
     count_alerts(lines.substr(0, taken));
     loop_->journal_taken(taken);
+    followed_ -= std::min(followed_, taken);
+  }
+
+  // Before the log takes them: a slow disk must not hold up a stop.
+  void follow_alerts() {
+    if (parts_.outputs.empty()) return;
+    const std::span<const char> waiting = loop_->journal();
+    alerts_.take(std::string_view(waiting.data(), waiting.size()).substr(followed_));
+    followed_ = waiting.size();
+  }
+
+  void show_alert() {
+    const base::Time now = parts_.clock.now();
+    AlertNow alert;
+    alert.beat = loop_->in_force();
+    alert.may_move = permit_.judge(alert.beat, {parts_.devices.camera->link(), parts_.devices.odometry->link()}, now);
+    parts_.devices.odometry->allow_motion(alert.may_move, now);
+    if (parts_.outputs.empty()) return;
+    alerts_.complete(alert);
+    for (AlertOutput* output : parts_.outputs) output->show(alert, now);
+    say_output_news();
+  }
+  void end_outputs() {
+    parts_.devices.odometry->stand(parts_.clock.now());
+    for (AlertOutput* output : parts_.outputs) output->end(parts_.clock.now());
+    say_output_news();
+  }
+  void say_output_news() {
+    for (AlertOutput* output : parts_.outputs) {
+      for (const std::string& sentence : output->news()) parts_.say(sentence);
+    }
   }
 
   void count_alerts(std::string_view lines) {
@@ -122,6 +156,7 @@ class Run {
     const base::Duration patience = std::min(parts_.devices.camera->patience(), parts_.devices.odometry->patience());
     base::Time deadline = parts_.clock.now() + patience;
     if (log_.behind() || loop_->output_waits()) deadline = std::min(deadline, parts_.clock.now() + kSoon);
+    if (!parts_.outputs.empty()) deadline = std::min(deadline, parts_.clock.now() + kShowInterval);
     if (plan_.duration) deadline = std::min(deadline, begun_ + *plan_.duration);
     static_cast<void>(set.wait_until(parts_.clock, deadline));
     note_stall(parts_.clock.now() - deadline);
@@ -173,6 +208,7 @@ class Run {
 
   void finish() {
     loop_->finish();
+    end_outputs();
     summary_.time = parts_.clock.now() - begun_;
     flush_console();
     finish_log();
@@ -201,6 +237,9 @@ class Run {
   LogKeeper log_;
   bool said_lost_ = false;
   bool said_stuck_ = false;
+  AlertFollower alerts_;
+  std::size_t followed_ = 0;  ///< bytes of the journal
+  loop::MotionPermit permit_;
   RunSummary summary_;
 };
 

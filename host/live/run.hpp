@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hal/linux/clock.hpp"
+#include "host/live/alert_now.hpp"
 #include "host/live/console_port.hpp"
 #include "host/live/device.hpp"
 #include "host/live/live_loop.hpp"
@@ -37,6 +39,7 @@ struct RunParts {
   std::function<void(std::string_view)> say;      ///< messages for people, a line each
   const volatile std::sig_atomic_t& interrupted;  ///< not 0: stop
   int interrupted_descriptor = -1;                ///< readable then; -1: an interrupt is seen a little later
+  std::vector<AlertOutput*> outputs = {};         ///< what follows the alert in force, beside console and log
 };
 
 struct RunSummary {

@@ -28,9 +28,11 @@ class LiveRun : public testing::Test {
   }
 
   void write(const std::string& name, const std::string& text) { host::testing::spill(folder.path() / name, text); }
-  void start(const std::string& camera, const std::string& odometry) {
-    run.emplace(folder, std::vector<std::string>{"run", "--camera", camera, "--odometry", odometry, "--robot",
-                                                 "robot.json", "--log", "run.log", "--mode", "quiet", "--wait"});
+  void start(const std::string& camera, const std::string& odometry, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"run",        "--camera", camera,    "--odometry", odometry, "--robot",
+                                      "robot.json", "--log",    "run.log", "--mode",     "quiet",  "--wait"};
+    words.insert(words.end(), more.begin(), more.end());
+    run.emplace(folder, words);
   }
   [[nodiscard]] std::string log() const { return host::testing::slurp(folder.path() / "run.log"); }
   [[nodiscard]] bool logs(const std::string& part, std::size_t times = 1) const {

@@ -1,10 +1,12 @@
 // `fencepost run` with wheels on the kernel's own SocketCAN, played by canplayer and by `fencepost emulate`.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 
+#include "hal/linux/can.hpp"
 #include "host/emulate/models/can_wheels.hpp"
 #include "host/emulate/models/wheel_adapters.hpp"
 #include "host/emulate/scene/feed.hpp"
@@ -73,13 +75,13 @@ class RunOnCan : public LiveRun {
   }
   void TearDown() override { shell("ip link delete vcan0"); }
 
-  void emulate(std::vector<std::string> devices) {
+  void emulate(std::vector<std::string> devices, const std::vector<std::string>& options = {}) {
     std::vector<std::string> words = {"emulate"};
     words.insert(words.end(), devices.begin(), devices.end());
     words.insert(words.end(), {"scene.json", "--loop"});  // however slow the processor is, there are pictures
     emulator.emplace(far, words);
     ASSERT_TRUE(emulator->says("pixy2 on cam")) << emulator->err();
-    start("pixy2:" + (far.path() / "cam").string(), "can:vcan0");
+    start("pixy2:" + (far.path() / "cam").string(), "can:vcan0", options);
     ASSERT_TRUE(emulator->says("time begins")) << emulator->err() << run->err();
   }
   void play(const std::string& candump) {
@@ -128,6 +130,56 @@ TEST_F(RunOnCan, FollowsEmulatedWheelsThroughTheInterfaceGoingDown) {
   EXPECT_EQ(said(kGone), 1U) << run->err();
   emulator->signal(SIGINT);
   emulator->wait();
+}
+
+/// What another node hears of the alert.
+class Listener {
+ public:
+  explicit Listener(std::uint32_t id)
+      : can_(linux::Can::open({"vcan0", {{id, 0x1FFF'FFFF, false}}}, linux::MonotonicClock())) {
+    EXPECT_TRUE(can_.ok());
+  }
+  std::vector<bus::CanFrame> heard() {
+    while (true) {
+      const base::Result<bus::CanFrame> frame = can_->receive();
+      if (!frame) return all_;
+      all_.push_back(*frame);
+    }
+  }
+
+ private:
+  linux::Opened<linux::Can> can_;
+  std::vector<bus::CanFrame> all_;
+};
+
+bool may_move(const bus::CanFrame& frame) { return (frame.data[0] & 8U) != 0; }
+unsigned level(const bus::CanFrame& frame) { return frame.data[0] & 7U; }
+
+TEST_F(RunOnCan, TellsTheAlertOnTheSameBus) {
+  Listener listener(0x123);
+  emulate({"can:vcan0", "pixy2:cam"}, {"--alert-can", "vcan0:123"});
+  expect_flow("at first");
+  EXPECT_TRUE(host::testing::eventually([&] {
+    const auto frames = listener.heard();
+    return !frames.empty() && may_move(frames.back());
+  })) << run->err();
+  run->signal(SIGINT);
+  EXPECT_EQ(run->wait(), 130) << run->err();
+  const std::vector<bus::CanFrame> frames = listener.heard();
+  ASSERT_GT(frames.size(), 20U);
+  EXPECT_EQ(level(frames.front()), 4U) << "blind, until the first picture";
+  EXPECT_FALSE(may_move(frames.front()));
+  EXPECT_EQ(level(frames.back()), 4U) << "and at the end";
+  EXPECT_FALSE(may_move(frames.back()));
+  base::Duration longest;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].data[7], static_cast<std::uint8_t>(frames[i - 1].data[7] + 1)) << "counted";
+    longest = std::max(longest, *frames[i].received - *frames[i - 1].received);
+  }
+  RecordProperty("longest_ms", static_cast<int>(1000 * longest.to_double()));
+  std::printf("longest pause between two frames: %.0f ms\n", 1000 * longest.to_double());
+  // On a processor that emulates another one; the desk's test of the same code holds it to 100 ms.
+  EXPECT_LE(longest, base::milliseconds(500));
 }
 
 }  // namespace

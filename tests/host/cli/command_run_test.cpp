@@ -390,6 +390,110 @@ TEST_F(CommandRun, ARecordedStreamWaitsForTheDisk) {
   EXPECT_EQ(count(log, "$FPODO,"), static_cast<std::size_t>(kSamples)) << run.err();
 }
 
+// Blind until the first frame is used, then clear, notice and what follows; and blind again when nobody looks any more.
+TEST_F(CommandRun, RunsACommandAtEachChangeOfTheLevel) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet", "--on-alert",
+                                  "echo $1 $FENCEPOST_ID $FENCEPOST_COLOUR >> levels; echo shown"}));
+  ASSERT_TRUE(eventually([&] { return slurp(folder.path() / "levels").find("notice ") != std::string::npos; }));
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << run.err();
+  const std::string levels = slurp(folder.path() / "levels");
+  EXPECT_TRUE(std::regex_match(levels, std::regex("blind\nclear\n(.*\n)*notice \\d+ red\n(.*\n)*blind\n"))) << levels;
+  EXPECT_TRUE(run.out().empty()) << "its output is none of the run's: " << run.out();
+  EXPECT_NE(run.err().find("shown\n"), std::string::npos);
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, ACommandThatHangsOrFailsCostsTheLoopNothing) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet", "--on-alert",
+                                  "echo $1 >> levels; if [ $1 = clear ]; then sleep 100; else exit 7; fi"}));
+  ASSERT_TRUE(run.says("the command for level blind ended with exit code 7")) << run.err();
+  ASSERT_TRUE(eventually([&] { return slurp(folder.path() / "levels").find("clear") != std::string::npos; }));
+  const std::size_t frames = count(log(), "$FPFRM,");
+  ASSERT_TRUE(logs("$FPFRM,", frames + 20));
+  EXPECT_EQ(run.err().find("was killed"), std::string::npos) << "it went on meanwhile: " << run.err();
+  ASSERT_TRUE(run.says("the command for level clear still ran after 2.0 s and was killed")) << run.err();
+  run.signal(SIGTERM);
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(run.err().find("silent"), std::string::npos) << run.err();
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+#ifdef FENCEPOST_FAKE_GPIOD
+/// The program's libgpiod is the test's: its levels are lines of the file `levels`, "SECONDS LEVEL".
+class CommandRunWithALine : public CommandRun {
+ protected:
+  [[nodiscard]] Process start() const {
+    ::setenv("LD_PRELOAD", FENCEPOST_FAKE_GPIOD, 1);
+    ::setenv("FAKE_GPIO", file("levels").c_str(), 1);
+    ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 0);
+    const std::vector<std::string> words =
+        on_devices({"--log", "run.log", "--mode", "quiet", "--stop-gpio", "gpiochip0:3"});
+    return Process(folder, words);
+  }
+  void TearDown() override { ::unsetenv("LD_PRELOAD"); }
+  /// The levels so far, without repetitions: "010".
+  [[nodiscard]] std::string levels() const {
+    std::ifstream file(folder.path() / "levels");
+    std::string all;
+    double time = 0;
+    for (std::string level; file >> time >> level;) {
+      if (all.empty() || all.back() != level.front()) all += level;
+    }
+    return all;
+  }
+  [[nodiscard]] bool goes_through(const std::string& expected) const {
+    return eventually([&] { return levels().starts_with(expected); });
+  }
+};
+
+TEST_F(CommandRunWithALine, IsHighOnlyWhileBothSensorsWork) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run = start();
+  ASSERT_TRUE(goes_through("01")) << levels() << run.err();
+  camera.device().unplug();
+  ASSERT_TRUE(goes_through("010")) << levels();
+  camera.device().plug();
+  ASSERT_TRUE(goes_through("0101")) << levels();
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << run.err();
+  EXPECT_EQ(levels(), "01010") << "at the end, too";
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRunWithALine, StaysLowWithoutACameraAndFallsWhenTheProgramIsKilled) {
+  FakeCreate wheels(file("wheels"));
+  {
+    Process missing = start();
+    EXPECT_EQ(missing.wait(), 4);
+    EXPECT_EQ(levels(), "0");
+  }
+  FakePixy camera(file("camera"));
+  Process run = start();
+  ASSERT_TRUE(goes_through("01")) << levels() << run.err();
+  run.signal(SIGKILL);
+  run.wait();
+  EXPECT_TRUE(goes_through("010")) << levels();
+}
+
+TEST_F(CommandRunWithALine, FallsWhileTheProgramIsHeldUp) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run = start();
+  ASSERT_TRUE(goes_through("01")) << levels() << run.err();
+  run.signal(SIGSTOP);
+  EXPECT_TRUE(goes_through("010")) << levels();
+  run.signal(SIGCONT);
+  EXPECT_TRUE(goes_through("0101")) << levels();
+  EXPECT_EQ(run.end(SIGTERM), 0) << run.err();
+}
+#endif
+
 TEST_F(CommandRun, NeedsNoStandardStreams) {
   FakeCreate wheels(file("wheels"));
   const Outcome run = shell(folder,
@@ -419,6 +523,8 @@ TEST_F(CommandRun, SaysWhatIsWrongWithItsArguments) {
       {"--camera console --odometry can:can0", "add \"can\" to a --robot file"},
       {"--camera nxtcam:nxt --odometry console", "add --odometry nxt:usb"},
       {"--camera pixy2:/dev/x --odometry create2:/dev/x", "cannot both have that port"},
+      {"--camera console --odometry console --stop-gpio 17", "such as gpiochip0:17"},
+      {"--camera console --odometry console --alert-can can0:12", "such as can0 or can0:120"},
   };
   for (const auto& [arguments, message] : kWrong) {
     const Outcome run = shell(folder, "fencepost run " + arguments);

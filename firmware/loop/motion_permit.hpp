@@ -1,0 +1,38 @@
+// May the robot drive? What an output that releases motors follows: of a board's STOP pin, of a Linux machine's line
+// and frame, and of a wheel base that drives. Where anything is not known, the answer is no.
+#pragma once
+
+#include <optional>
+
+#include "firmware/console/links.hpp"
+#include "firmware/record/records.hpp"
+#include "hal/base/units.hpp"
+
+namespace fencepost::loop {
+
+/// Three heartbeats: if stream time stands still for longer, the loop is not live, whatever its last words were.
+inline constexpr base::Duration kLive = base::milliseconds(300);
+
+/// It delivers; that it sees nothing now is no fault.
+constexpr bool works(sensor::LinkState state) {
+  return state == sensor::LinkState::kOk || state == sensor::LinkState::kEmpty;
+}
+
+class MotionPermit {
+ public:
+  /// `beat`: what is in force now. `links`: what the drivers know of their cables, which is sooner than the stream does
+  /// where the robot stands. `now`: this robot's clock.
+  [[nodiscard]] bool judge(const record::Heartbeat& beat, const console::Links& links, base::Time now) {
+    if (!passed_ || beat.t != t_) passed_ = now;
+    t_ = beat.t;
+    const bool live = now - *passed_ <= kLive;
+    const bool sees = works(beat.camera) && works(beat.odometry) && works(links.camera) && works(links.odometry);
+    return live && sees && beat.level < record::AlertLevel::kStop;
+  }
+
+ private:
+  base::Time t_;                      ///< of the stream, when it was last judged
+  std::optional<base::Time> passed_;  ///< when it last passed, by this robot's clock
+};
+
+}  // namespace fencepost::loop

@@ -1,0 +1,60 @@
+// A command of the user, run at each change of the alert level in force.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/live/alert_now.hpp"
+
+namespace fencepost::host {
+
+/// Started on a thread of its own, one at a time: while one runs the newest change waits, and takes the place of one
+/// that waited. One that runs for longer than `longest` is killed, lest a stop wait behind it for ever.
+class AlertCommand final : public AlertOutput {
+ public:
+  static constexpr std::chrono::milliseconds kLongest{2'000};
+
+  /// `line` is for /bin/sh: `$1` in it is the level, the environment has the rest (`environment_of`). Its standard
+  /// input is empty, its output goes to standard error.
+  explicit AlertCommand(std::string line, std::chrono::milliseconds longest = kLongest);
+  /// Waits for the one that runs and for the one that waits.
+  ~AlertCommand() override;
+  AlertCommand(const AlertCommand&) = delete;
+  AlertCommand& operator=(const AlertCommand&) = delete;
+
+  void show(const AlertNow& alert, base::Time now) override;
+  /// Once more with level blind, unless it was told to stop or to be blind; and waits.
+  void end(base::Time now) override;
+  std::vector<std::string> news() override;
+
+ private:
+  void push(const AlertNow& alert);
+  void work();
+  /// Runs it to its end. What went wrong, without the level; empty if nothing did.
+  [[nodiscard]] std::string run(const AlertNow& alert) const;
+  [[nodiscard]] int await(int pid) const;
+  void note(const std::string& fault, record::AlertLevel level);
+
+  const std::string line_;
+  const std::chrono::milliseconds longest_;
+  std::optional<record::AlertLevel> level_;  ///< that was last pushed
+
+  std::mutex mutex_;  ///< of what follows, up to `thread_`
+  std::condition_variable changed_;
+  std::optional<AlertNow> due_;
+  bool busy_ = false;
+  bool stop_ = false;
+  std::string last_fault_;
+  std::vector<std::string> news_;
+  std::thread thread_;  ///< last, so that it starts when the others are there
+};
+
+/// "FENCEPOST_LEVEL=stop" and the others, in the order of live.md. What is not known is empty.
+std::vector<std::string> environment_of(const AlertNow& alert);
+
+}  // namespace fencepost::host

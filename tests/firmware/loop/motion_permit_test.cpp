@@ -1,0 +1,52 @@
+// When a robot may drive.
+#include "firmware/loop/motion_permit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fencepost::loop {
+namespace {
+
+using record::AlertLevel;
+using sensor::LinkState;
+
+constexpr base::Time at_ms(std::int64_t ms) { return base::Time{} + base::milliseconds(ms); }
+
+record::Heartbeat beat(AlertLevel level, LinkState camera = LinkState::kOk, LinkState odometry = LinkState::kOk) {
+  return {at_ms(100), level, camera, odometry};
+}
+bool judged(const record::Heartbeat& beat, const console::Links& links = {LinkState::kOk, LinkState::kOk}) {
+  return MotionPermit().judge(beat, links, at_ms(5'000));
+}
+
+TEST(MotionPermit, BelowStopWithBothSensorsAtWork) {
+  EXPECT_TRUE(judged(beat(AlertLevel::kClear)));
+  EXPECT_TRUE(judged(beat(AlertLevel::kNotice)));
+  EXPECT_TRUE(judged(beat(AlertLevel::kWarn)));
+  EXPECT_FALSE(judged(beat(AlertLevel::kStop)));
+  EXPECT_FALSE(judged(beat(AlertLevel::kBlind)));
+}
+
+TEST(MotionPermit, AnEmptyViewIsNoFault) {
+  EXPECT_TRUE(judged(beat(AlertLevel::kClear, LinkState::kEmpty), {LinkState::kEmpty, LinkState::kEmpty}));
+  for (const LinkState state : {LinkState::kAbsent, LinkState::kSilent, LinkState::kUnready}) {
+    EXPECT_FALSE(judged(beat(AlertLevel::kClear, state))) << name(state);
+    EXPECT_FALSE(judged(beat(AlertLevel::kClear, LinkState::kOk, state))) << name(state);
+    EXPECT_FALSE(judged(beat(AlertLevel::kClear), {state, LinkState::kOk})) << name(state);
+    EXPECT_FALSE(judged(beat(AlertLevel::kClear), {LinkState::kOk, state})) << name(state);
+  }
+}
+
+// By the robot's own clock: a stream whose sender died stands still.
+TEST(MotionPermit, EndsWhenStreamTimeStandsStill) {
+  MotionPermit permit;
+  const console::Links links{LinkState::kOk, LinkState::kOk};
+  record::Heartbeat now = beat(AlertLevel::kClear);
+  EXPECT_TRUE(permit.judge(now, links, at_ms(1'000)));
+  EXPECT_TRUE(permit.judge(now, links, at_ms(1'300)));
+  EXPECT_FALSE(permit.judge(now, links, at_ms(1'301)));
+  now.t = at_ms(50);  // a new run begins at 0
+  EXPECT_TRUE(permit.judge(now, links, at_ms(1'400)));
+}
+
+}  // namespace
+}  // namespace fencepost::loop
