@@ -1,5 +1,7 @@
 #include "drivers/create/session.hpp"
 
+#include <array>
+
 #include "hal/base/trig.hpp"
 
 namespace fencepost::create {
@@ -11,6 +13,8 @@ constexpr std::uint8_t kTriesToPadding = 2;
 
 /// 33 frames.
 constexpr base::Duration kPatience = base::milliseconds(500);
+/// A command may be damaged on its way, and nothing acknowledges it.
+constexpr base::Duration kSteerAgain = base::milliseconds(100);
 /// No robot restarts faster.
 constexpr base::Duration kShortestStart = base::milliseconds(1'000);
 
@@ -18,6 +22,7 @@ constexpr base::Duration kShortestStart = base::milliseconds(1'000);
 constexpr std::uint8_t kStart = 0x80;
 constexpr std::uint8_t kSafe = 0x83;
 constexpr std::uint8_t kFull = 0x84;
+constexpr std::uint8_t kDrive = 0x89;
 constexpr std::uint8_t kStream = 0x94;
 
 StreamLayout layout_of(Model model) {
@@ -100,6 +105,11 @@ void Session::take_distance() {
 
 void Session::step(base::Time now) {
   if (now - heard_at_ > kPatience) heard_ = false;
+  ask_if_due(now);
+  steer(now);
+}
+
+void Session::ask_if_due(base::Time now) {
   if (begun_ && now < deadline_) return;
   if (begun_ && streaming_) decoder_.forget_rule();
   streaming_ = false;
@@ -129,7 +139,35 @@ void Session::ask_for_stream(base::Time now) {
   (void)outbox_.put(bytes.view());  // no room: the line is blocked; the next step retries
 }
 
+// A robot whose wheels are not heard of is not driven on.
+void Session::steer(base::Time now) {
+  if (!motion_) return;
+  const Motion wanted = allowed_ && streaming_ ? *motion_ : Motion{};
+  if (steered_ == wanted && now - steered_at_ < kSteerAgain) return;
+  if (!put(wanted)) return;
+  steered_ = wanted;
+  steered_at_ = now;
+}
+
+bool Session::put(const Motion& motion) {
+  const auto high = [](std::int16_t value) {
+    return static_cast<std::uint8_t>(static_cast<std::uint16_t>(value) >> 8U);
+  };
+  const auto low = [](std::int16_t value) { return static_cast<std::uint8_t>(value & 0xFF); };
+  const std::array<std::uint8_t, 5> bytes = {kDrive, high(motion.velocity_mm_s), low(motion.velocity_mm_s),
+                                             high(motion.radius_mm), low(motion.radius_mm)};
+  return outbox_.put(bytes);
+}
+
+void Session::stand() {
+  if (!motion_) return;
+  motion_.reset();
+  (void)put({});
+  (void)outbox_.put(std::array{kStart});
+}
+
 void Session::link_lost() {
+  steered_.reset();
   begun_ = streaming_ = heard_ = false;
   tries_ = 0;
   outbox_.clear();

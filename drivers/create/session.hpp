@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "drivers/create/stream_decoder.hpp"
@@ -19,6 +20,17 @@ enum class Model : std::uint8_t {
 
 /// The robot's operating mode. Passive is enough to read; driving needs one of the others.
 enum class Mode : std::uint8_t { kPassive, kSafe, kFull };
+
+/// What the command Drive takes; the robot clips both.
+struct Motion {
+  static constexpr std::int16_t kStraight = 0x7FFF;
+  static constexpr std::int16_t kOnTheSpotLeft = 1;
+  static constexpr std::int16_t kOnTheSpotRight = -1;
+
+  std::int16_t velocity_mm_s = 0;      ///< of the robot's middle, -500 to 500
+  std::int16_t radius_mm = kStraight;  ///< of the circle, -2000 to 2000, positive to the left; or one of the above
+  friend constexpr bool operator==(const Motion&, const Motion&) = default;
+};
 
 struct Config {
   Model model = Model::kCreate2;
@@ -51,13 +63,24 @@ class Session {
   /// False when there is no room now.
   [[nodiscard]] bool command(std::span<const std::uint8_t> bytes) { return bytes.size() <= 8 && outbox_.put(bytes); }
 
+  /// From now on the robot is driven, as long as it is allowed to and the stream comes; else it is told to stand. In
+  /// mode passive the robot does not obey. Until the first call nothing is ever sent that moves it, or stops it.
+  void drive(const Motion& motion) { motion_ = motion; }
+  /// At first it is not allowed.
+  void allow_motion(bool allowed) { allowed_ = allowed; }
+  /// At the end: it stands, and its motors are its own again (mode passive). Needs one more poll to be sent.
+  void stand();
+
   /// kUnready: bytes come, but no good frame for half a second (baud rate, another program's stream).
   [[nodiscard]] sensor::LinkState link() const;
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] const StreamDecoder& decoder() const { return decoder_; }
 
  private:
+  void ask_if_due(base::Time now);
   void ask_for_stream(base::Time now);
+  void steer(base::Time now);
+  [[nodiscard]] bool put(const Motion& motion);
   void take_counts();
   void take_distance();
   [[nodiscard]] bool may_have_restarted(base::Duration silence) const;
@@ -68,7 +91,11 @@ class Session {
   odometry::DifferentialDrive wheels_;
   odometry::ArcIntegrator pose_;
   std::int64_t degrees_ = 0;
-  serial::Outbox<48> outbox_;
+  serial::Outbox<64> outbox_;
+  std::optional<Motion> motion_;   ///< that is asked for
+  std::optional<Motion> steered_;  ///< that was sent last
+  base::Time steered_at_;
+  bool allowed_ = false;
   bool begun_ = false;
   bool streaming_ = false;
   bool heard_ = false;

@@ -54,6 +54,12 @@ class Pump {
     return latest_;
   }
 
+  /// Sends what the session has to say by now, without waiting for the next poll.
+  void push(base::Time now) {
+    session_.step(now);
+    write();
+  }
+
   [[nodiscard]] sensor::LinkState link() const { return absent_ ? sensor::LinkState::kAbsent : session_.link(); }
   [[nodiscard]] std::uint32_t dropped() const requires requires(const Conversation& session) { session.dropped(); }
   { return session_.dropped(); }

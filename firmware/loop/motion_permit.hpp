@@ -35,4 +35,17 @@ class MotionPermit {
   std::optional<base::Time> passed_;  ///< when it last passed, by this robot's clock
 };
 
+/// May a base that drives by itself go? One that stopped before something would else creep up to it in jerks, since what
+/// it stands before is not coming closer: it goes on when nothing warns any more.
+class DrivePermit {
+ public:
+  [[nodiscard]] bool judge(bool may_move, record::AlertLevel level) {
+    going_ = may_move && (going_ || level < record::AlertLevel::kWarn);
+    return going_;
+  }
+
+ private:
+  bool going_ = false;
+};
+
 }  // namespace fencepost::loop

@@ -20,15 +20,42 @@ constexpr double metres(std::int64_t picometres) { return static_cast<double>(pi
 constexpr emulate::WheelShape kCreateWheels{metres(odometry::kCreate2Wheels.left_pm_per_count),
                                             metres(odometry::kCreate2Wheels.track_pm)};
 
+using Wheels = Ported<create::Create<host::BytePort>>;
+
+/// With `drive` it goes straight on while the robot may drive.
+class CreateDevice final : public host::PortedDevice<host::OdometryDevice, Wheels> {
+ public:
+  CreateDevice(const Opening& opening, const create::Config& config, std::int16_t velocity)
+      : PortedDevice(kTalks, open_line(opening), config) {
+    if (velocity != 0) stack_.driver.session().drive({velocity, create::Motion::kStraight});
+  }
+  base::Result<sensor::OdometrySample> poll(base::Time now) override { return stack_.driver.poll(now); }
+  void allow_motion(bool allowed, base::Time now) override {
+    stack_.driver.session().allow_motion(allowed);
+    if (std::exchange(allowed_, allowed) && !allowed) stack_.driver.push(now);
+  }
+  void stand(base::Time now) override {
+    stack_.driver.session().stand();
+    stack_.driver.push(now);
+  }
+
+ private:
+  bool allowed_ = false;
+};
+
+create::Mode mode_of(const std::string& word, bool drives) {
+  if (word == "full") return create::Mode::kFull;
+  return word == "safe" || drives ? create::Mode::kSafe : create::Mode::kPassive;
+}
+
 template <create::Model Model>
 std::unique_ptr<host::OdometryDevice> open_create(const Opening& opening) {
+  const auto velocity = static_cast<std::int16_t>(opening.spec.number("drive"));
   create::Config config;
   config.model = Model;
   config.wheels = opening.robot.wheels.over(config.wheels);
-  const std::string mode = opening.spec.option("mode");
-  if (mode == "safe") config.mode = create::Mode::kSafe;
-  if (mode == "full") config.mode = create::Mode::kFull;
-  return odometry_on_line<create::Create<host::BytePort>>(opening, config);
+  config.mode = mode_of(opening.spec.option("mode"), velocity != 0);
+  return std::make_unique<CreateDevice>(opening, config, velocity);
 }
 
 template <CreateModel Model>
@@ -42,7 +69,11 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
           .about = about,
           .role = Role::kOdometry,
           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
-                       .options = {baud(delivered_baud), {"mode", Words{{"passive", "safe", "full"}}, "passive"}},
+                       .options = {baud(delivered_baud),
+                                   {"mode", Words{{"passive", "safe", "full"}}, "passive",
+                                    "of the robot; others may drive it in safe and full"},
+                                   {"drive", Whole{1, 500, true}, "0",
+                                    "mm/s straight on while the robot may drive; mode safe"}},
                        .unready = "what comes is no sensor stream: check the baud and the model",
                        .driver = OdometryDriver{open_create<Model>}},
           .emulated = Emulated{.tells = tells,

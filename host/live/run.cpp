@@ -101,7 +101,7 @@ class Run {
     AlertNow alert;
     alert.beat = loop_->in_force();
     alert.may_move = permit_.judge(alert.beat, {parts_.devices.camera->link(), parts_.devices.odometry->link()}, now);
-    parts_.devices.odometry->allow_motion(alert.may_move, now);
+    parts_.devices.odometry->allow_motion(drive_.judge(alert.may_move, alert.beat.level), now);
     if (parts_.outputs.empty()) return;
     alerts_.complete(alert);
     for (AlertOutput* output : parts_.outputs) output->show(alert, now);
@@ -240,6 +240,7 @@ class Run {
   AlertFollower alerts_;
   std::size_t followed_ = 0;  ///< bytes of the journal
   loop::MotionPermit permit_;
+  loop::DrivePermit drive_;
   RunSummary summary_;
 };
 

@@ -1,6 +1,8 @@
 #include "host/emulate/models/create.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fencepost::emulate {
 namespace {
@@ -15,7 +17,34 @@ constexpr int kStream = 148;
 constexpr int kQueryList = 149;
 constexpr int kPauseResume = 150;
 
+// Of packet 35.
+constexpr int kOff = 0;
+constexpr int kPassive = 1;
+constexpr int kSafeMode = 2;
+constexpr int kFullMode = 3;
+
+constexpr int kFastest = 500;         // mm/s
+constexpr int kWidestRadius = 2'000;  // mm
+constexpr double kTrack = 235;        // mm
+constexpr double kMillimetresPerCount = std::numbers::pi * 72.0 / 508.8;
+
 int at(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
+
+int signed_at(std::string_view bytes, std::size_t i) {
+  return static_cast<std::int16_t>(256 * at(bytes, i) + at(bytes, i + 1));
+}
+
+// The Open Interface's special radii: straight, and on the spot to the right and to the left.
+CreateDevice::Speeds speeds_of(int velocity, int radius) {
+  velocity = std::clamp(velocity, -kFastest, kFastest);
+  if (radius == 0x7FFF || radius == -0x8000) return {velocity, velocity};
+  if (radius == -1) return {velocity, -velocity};
+  if (radius == 1) return {-velocity, velocity};
+  radius = std::clamp(radius, -kWidestRadius, kWidestRadius);
+  if (radius == 0) return {velocity, velocity};
+  const double share = kTrack / 2 / radius;
+  return {static_cast<int>(std::lround(velocity * (1 - share))), static_cast<int>(std::lround(velocity * (1 + share)))};
+}
 
 std::string big_endian(std::uint16_t value) { return {static_cast<char>(value >> 8), static_cast<char>(value & 0xFF)}; }
 
@@ -31,9 +60,11 @@ std::uint16_t whole(double& amount) {
 std::string CreateDevice::power_up() {
   pending_.clear();
   stream_.clear();
-  mode_ = 0;
+  set_mode(kOff);
+  driven_ = false;
   streaming_ = false;
   left_ = right_ = 0;
+  left_rest_ = right_rest_ = 0;
   mm_ = degrees_ = 0;
   return {};
 }
@@ -46,6 +77,40 @@ void CreateDevice::roll(int left, int right) {
 void CreateDevice::move(double mm, double degrees) {
   mm_ += mm;
   degrees_ += degrees;
+}
+
+void CreateDevice::drive_on(double seconds) {
+  const auto turn = [seconds](int speed, double& rest) {
+    rest += speed * seconds / kMillimetresPerCount;
+    const double counts = std::trunc(rest);
+    rest -= counts;
+    return static_cast<int>(counts);
+  };
+  const int left = turn(speeds_.left, left_rest_);
+  roll(left, turn(speeds_.right, right_rest_));
+  const double mm = (speeds_.left + speeds_.right) / 2.0 * seconds;
+  move(mm, (speeds_.right - speeds_.left) * seconds / kTrack * 180 / std::numbers::pi);
+}
+
+void CreateDevice::lift() {
+  if (mode_ == kSafeMode) set_mode(kPassive);
+}
+
+// Only in safe and full does it go as it was told.
+void CreateDevice::set_mode(int mode) {
+  mode_ = mode;
+  if (mode < kSafeMode) speeds_ = {};
+}
+
+void CreateDevice::obey_drive() {
+  if (mode_ < kSafeMode) return;
+  driven_ = true;
+  if (at(pending_, 0) == kDrive) {
+    speeds_ = speeds_of(signed_at(pending_, 1), signed_at(pending_, 3));
+  } else {
+    speeds_ = {std::clamp(signed_at(pending_, 3), -kFastest, kFastest),
+               std::clamp(signed_at(pending_, 1), -kFastest, kFastest)};
+  }
 }
 
 std::string CreateDevice::feed(std::string_view bytes) {
@@ -74,10 +139,11 @@ std::size_t CreateDevice::arguments_wanted() const {
 
 std::string CreateDevice::obey() {
   const int opcode = at(pending_, 0);
-  if (opcode == kStart) mode_ = 1;
-  if (mode_ == 0) return {};
-  if (opcode == kSafe) mode_ = 2;
-  if (opcode == kFull) mode_ = 3;
+  if (opcode == kStart) set_mode(kPassive);
+  if (mode_ == kOff) return {};
+  if (opcode == kSafe) set_mode(kSafeMode);
+  if (opcode == kFull) set_mode(kFullMode);
+  if (opcode == kDrive || opcode == kDriveDirect) obey_drive();
   if (opcode == kSensors) return value_of(at(pending_, 1));
   if (opcode == kPauseResume) streaming_ = at(pending_, 1) == 1;
   if (opcode != kStream && opcode != kQueryList) return {};

@@ -25,12 +25,28 @@ class CreateDevice {
   void roll(int left, int right);
   /// The robot has moved, in mm and degrees (Create 1), fractions kept until read.
   void move(double mm, double degrees);
+  /// It drives as it was told for so long; not before it was told for the first time. Its wheels are those of a Create
+  /// 2, on which the counts of both models' motions are based.
+  void drive_on(double seconds);
+  /// A wheel drops or a cliff is seen: out of mode safe the robot falls back to passive, and stands.
+  void lift();
+  /// Of its wheels, mm/s, as it was told.
+  struct Speeds {
+    int left = 0;
+    int right = 0;
+    friend bool operator==(const Speeds&, const Speeds&) = default;
+  };
+  [[nodiscard]] Speeds speeds() const { return speeds_; }
+  /// Somebody has driven it since it was switched on.
+  [[nodiscard]] bool driven() const { return driven_; }
   [[nodiscard]] int mode() const { return mode_; }
   [[nodiscard]] bool streaming() const { return streaming_; }
 
  private:
   [[nodiscard]] std::size_t arguments_wanted() const;
   std::string obey();
+  void set_mode(int mode);
+  void obey_drive();
   std::string value_of(int id);
 
   CreateModel model_;
@@ -43,6 +59,10 @@ class CreateDevice {
   std::uint16_t right_ = 0;
   double mm_ = 0;
   double degrees_ = 0;
+  Speeds speeds_;
+  bool driven_ = false;
+  double left_rest_ = 0;  ///< of a count
+  double right_rest_ = 0;
 };
 
 }  // namespace fencepost::emulate

@@ -34,7 +34,9 @@ class CreateAdapter final : public DeviceModel {
     used_ = used_ || device_.streaming() || !reply.empty();
     return {reply.begin(), reply.end()};
   }
+  // A robot that is driven goes its own way, not the scene's.
   void roll(const Travel& travel) override {
+    if (device_.driven()) return;
     const std::int64_t left = counts_of(travel.left(wheels_.track), wheels_.tick);
     const std::int64_t right = counts_of(travel.right(wheels_.track), wheels_.tick);
     device_.roll(static_cast<int>(left - left_), static_cast<int>(right - right_));
@@ -46,6 +48,7 @@ class CreateAdapter final : public DeviceModel {
   [[nodiscard]] std::optional<base::Time> next() const override { return next_; }
   Bytes step(base::Time) override {
     next_ = next_ + kPeriod;
+    device_.drive_on(kPeriod.to_double());
     const std::string frame = device_.frame();
     return {frame.begin(), frame.end()};
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "hal/fake/scripted_link.hpp"
@@ -160,6 +162,111 @@ TEST(CreateSession, CarriesCommandsOfWhoeverDrives) {
   (void)driver.poll({20});
   const std::string sent(link.written().begin(), link.written().end());
   EXPECT_EQ(sent, test::hex_text("80 84 94 02 2B 2C 91 00 64 00 64"));
+}
+
+/// What a session sends after its start, with a robot that streams: the commands alone.
+class Driven : public ::testing::Test {
+ protected:
+  explicit Driven(Mode mode = Mode::kSafe) : rig(config_of(Model::kCreate2, mode), CreateModel::kTwo) { rig.run(100); }
+  Session& session() { return rig.driver.session(); }
+  [[nodiscard]] CreateDevice::Speeds speeds() const { return rig.device.speeds(); }
+  Rig rig;
+};
+
+/// Bytes of the Open Interface's specification: opcode 137, velocity and radius with the high byte first.
+TEST(CreateDrive, IsSentAsTheOpenInterfaceSays) {
+  const std::pair<Motion, const char*> kBytes[] = {
+      {{200, Motion::kStraight}, "89 00 C8 7F FF"},
+      {{-200, 500}, "89 FF 38 01 F4"},  // the specification's example: backwards, turning left
+      {{100, Motion::kOnTheSpotLeft}, "89 00 64 00 01"},
+      {{100, Motion::kOnTheSpotRight}, "89 00 64 FF FF"},
+      {{500, -2'000}, "89 01 F4 F8 30"},
+  };
+  const auto frame = test::bytes_of(test::hex_text("13 06 2B 00 00 2C 00 00 A3"));
+  for (const auto& [motion, bytes] : kBytes) {
+    const std::array<fake::LinkStep, 2> script = {{{{}, base::Error::kNotReady}, {frame, {}}}};
+    fake::ScriptedLink<64> link(script);
+    Create<fake::ScriptedLink<64>> driver(link, config_of(Model::kCreate2, Mode::kSafe));
+    driver.session().drive(motion);
+    driver.session().allow_motion(true);
+    for (std::int64_t t = 0; t <= 20; t += 5) (void)driver.poll({t});
+    const std::string sent(link.written().begin(), link.written().end());
+    EXPECT_TRUE(sent.ends_with(test::hex_text(bytes))) << bytes;
+  }
+}
+
+TEST_F(Driven, NothingMovesItUnlessAskedFor) {
+  session().allow_motion(true);
+  rig.run(3'000);
+  EXPECT_FALSE(rig.device.driven());
+  EXPECT_EQ(rig.device.mode(), 2) << "safe, for whoever drives it otherwise";
+}
+
+TEST_F(Driven, DrivesOnlyWhileItMay) {
+  session().drive({200, Motion::kStraight});
+  rig.run(200);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{0, 0})) << "not yet allowed";
+  session().allow_motion(true);
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{200, 200}));
+  session().allow_motion(false);
+  rig.driver.push(rig.clock.now());
+  rig.run(2);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{0, 0}));
+  session().allow_motion(true);
+  session().drive({200, Motion::kOnTheSpotLeft});
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{-200, 200}));
+}
+
+TEST_F(Driven, ACommandThatWasLostIsSentAgain) {
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true);
+  rig.run(20);
+  (void)rig.device.feed(test::hex_text("89 00 64 7F FF"));  // as if ours had been damaged
+  EXPECT_EQ(speeds().left, 100);
+  rig.run(130);
+  EXPECT_EQ(speeds().left, 200);
+}
+
+// Counts that do not come are motion that nobody knows.
+TEST_F(Driven, StandsWhenTheStreamStops) {
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true);
+  rig.run(100);
+  EXPECT_EQ(speeds().left, 200);
+  (void)rig.device.feed(test::hex_text("96 00"));
+  int slowest = 200;
+  for (int ms = 0; ms < 600; ++ms) {
+    rig.run(1);
+    slowest = std::min(slowest, speeds().left);
+  }
+  EXPECT_EQ(slowest, 0);
+  EXPECT_EQ(speeds().left, 200) << "it was asked for again, and came";
+}
+
+TEST_F(Driven, PickedUpItStandsAndStaysSo) {
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true);
+  rig.run(100);
+  rig.device.lift();
+  EXPECT_EQ(speeds().left, 0);
+  rig.run(2'000);
+  EXPECT_EQ(speeds().left, 0) << "commands are nothing to a robot in passive";
+  EXPECT_EQ(rig.device.mode(), 1);
+}
+
+TEST_F(Driven, AtTheEndItStandsInPassive) {
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true);
+  rig.run(100);
+  session().stand();
+  rig.driver.push(rig.clock.now());
+  rig.run(2);
+  EXPECT_EQ(speeds().left, 0);
+  EXPECT_EQ(rig.device.mode(), 1);
+  rig.run(500);
+  EXPECT_EQ(speeds().left, 0) << "and is not told to go on";
 }
 
 TEST(CreateSession, BytesThatAreNoStreamAreUnready) {

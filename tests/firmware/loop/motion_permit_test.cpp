@@ -48,5 +48,15 @@ TEST(MotionPermit, EndsWhenStreamTimeStandsStill) {
   EXPECT_TRUE(permit.judge(now, links, at_ms(1'400)));
 }
 
+TEST(DrivePermit, WhoStoppedGoesOnWhenNothingWarns) {
+  DrivePermit permit;
+  EXPECT_FALSE(permit.judge(false, AlertLevel::kBlind));
+  EXPECT_TRUE(permit.judge(true, AlertLevel::kNotice));
+  EXPECT_TRUE(permit.judge(true, AlertLevel::kWarn)) << "a warning stops nobody";
+  EXPECT_FALSE(permit.judge(false, AlertLevel::kStop));
+  EXPECT_FALSE(permit.judge(true, AlertLevel::kWarn)) << "it stands: no closer, and still there";
+  EXPECT_TRUE(permit.judge(true, AlertLevel::kClear));
+}
+
 }  // namespace
 }  // namespace fencepost::loop

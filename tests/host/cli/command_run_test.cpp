@@ -423,6 +423,68 @@ TEST_F(CommandRun, ACommandThatHangsOrFailsCostsTheLoopNothing) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
+/// A Create that `run` drives straight at the post, and a camera that sees the way it comes.
+class CommandRunDriving : public CommandRun {
+ protected:
+  [[nodiscard]] Process start() const {
+    return Process(
+        folder, {"run", "--camera", "pixy2:" + file("camera"), "--odometry", "create2:" + file("wheels") + ",drive=200",
+                 "--robot", "robot.json", "--log", "run.log", "--mode", "quiet"});
+  }
+  /// Of the odometry in `text`, m.
+  static std::vector<double> ways(const std::string& text) {
+    std::vector<double> all;
+    for (std::size_t at = text.find("$FPODO,"); at != std::string::npos; at = text.find("$FPODO,", at + 1))
+      all.push_back(std::stod(text.substr(text.find(',', at + 7) + 1)));
+    return all;
+  }
+  FakeCreate wheels{file("wheels")};
+  FakePixy camera{file("camera"), [this](base::Time) { return wheels.driven_way(); }};
+};
+
+TEST_F(CommandRunDriving, StopsAtTheStopAndStands) {
+  Process run = start();
+  ASSERT_TRUE(eventually([&] { return wheels.speed() == 200; })) << run.err();
+  ASSERT_TRUE(eventually([&] { return wheels.speed() == 0; })) << run.err();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(wheels.speed(), 0);
+  EXPECT_GT(wheels.driven_way(), 0.3) << "it drove";
+  EXPECT_LT(wheels.driven_way(), 0.85) << "its front is half of 0.2 m before it, and the post 1 m ahead";
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << run.err();
+  const std::string text = log();
+  const std::size_t stop = text.find(",stop,");
+  ASSERT_NE(stop, std::string::npos);
+  const std::vector<double> before = ways(text.substr(0, stop));
+  const std::vector<double> after = ways(text.substr(stop));
+  ASSERT_GT(after.size(), 10U);
+  // 200 mm/s: a frame of the stream on its way, the stop on its way, a count.
+  EXPECT_LT(after.back() - before.back(), 0.2 * 0.05) << "within 50 ms of the record";
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRunDriving, StandsWhileTheCameraIsAwayAndAtTheEnd) {
+  Process run = start();
+  ASSERT_TRUE(eventually([&] { return wheels.speed() == 200; })) << run.err();
+  camera.device().unplug();
+  ASSERT_TRUE(eventually([&] { return wheels.speed() == 0; })) << run.err();
+  camera.device().plug();
+  ASSERT_TRUE(eventually([&] { return wheels.speed() == 200; })) << run.err();
+  EXPECT_EQ(wheels.mode(), 2);
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << run.err();
+  EXPECT_TRUE(eventually([&] { return wheels.speed() == 0 && wheels.mode() == 1; })) << "it stands, in passive";
+}
+
+TEST_F(CommandRun, DrivesNothingUnlessAskedTo) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--log", "run.log", "--frames", "60"}));
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_EQ(wheels.mode(), 1) << "passive";
+  EXPECT_EQ(wheels.driven_way(), 0);
+}
+
 #ifdef FENCEPOST_FAKE_GPIOD
 /// The program's libgpiod is the test's: its levels are lines of the file `levels`, "SECONDS LEVEL".
 class CommandRunWithALine : public CommandRun {

@@ -6,6 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -70,19 +71,24 @@ class FakeDevice {
   std::thread thread_;
 };
 
+/// How far the robot has come: 0.04 m/s for 20 s, then it stands; or as its wheels were driven.
+using Way = std::function<double(base::Time)>;
+inline double scripted_way(base::Time now) { return std::min(now.to_double(), 20.0) * 0.04; }
+
 /// A red post 0.1 m wide, its front 1 m ahead of where the robot starts; the camera is above the robot's middle.
-/// 50 frames a second, 0.04 m/s for 20 s, then it stands.
+/// 50 frames a second.
 class FakePixy {
  public:
-  explicit FakePixy(const std::string& path)
-      : device_(path, [this](const std::string& heard, base::Time now) { return turn(heard, now); }) {}
+  explicit FakePixy(const std::string& path, Way way = scripted_way)
+      : way_(std::move(way)),
+        device_(path, [this](const std::string& heard, base::Time now) { return turn(heard, now); }) {}
   FakeDevice& device() { return device_; }
 
  private:
   std::string turn(const std::string& heard, base::Time now) {
     if (now >= next_frame_) {
       next_frame_ = now + base::milliseconds(20);
-      camera_.show({post(std::min(now.to_double(), 20.0) * 0.04)});
+      camera_.show({post(way_(now))});
     }
     std::string said;
     for (const char c : heard) {
@@ -105,6 +111,7 @@ class FakePixy {
 
   emulate::Pixy2 camera_{base::Time{} - base::milliseconds(5'000)};  // has started long ago
   base::Time next_frame_;
+  Way way_;
   FakeDevice device_;  ///< last: its thread uses the others
 };
 
@@ -113,16 +120,27 @@ class FakeCreate {
   explicit FakeCreate(const std::string& path)
       : device_(path, [this](const std::string& heard, base::Time now) { return turn(heard, now); }) {}
   FakeDevice& device() { return device_; }
+  /// Somebody drives it: what its wheels do, mm/s, how far they brought it, m, and its mode.
+  [[nodiscard]] int speed() const { return speed_; }
+  [[nodiscard]] double driven_way() const { return driven_way_; }
+  [[nodiscard]] int mode() const { return mode_; }
 
  private:
   std::string turn(const std::string& heard, base::Time now) {
     if (!on_) said_ = robot_.power_up();
     on_ = true;
     std::string said = robot_.feed(heard);
+    speed_ = robot_.speeds().left;
+    mode_ = robot_.mode();
     if (now < next_frame_) return said;
     next_frame_ = now + base::milliseconds(15);
+    if (robot_.driven()) {
+      robot_.drive_on(0.015);
+      driven_way_ = driven_way_ + speed_ * 15e-6;
+      return said + robot_.frame();
+    }
     // 508.8 counts a revolution of a wheel 72 mm across.
-    const int counts = static_cast<int>(std::min(now.to_double(), 20.0) * 0.04 * 508.8 / (3.14159265 * 0.072));
+    const int counts = static_cast<int>(scripted_way(now) * 508.8 / (3.14159265 * 0.072));
     robot_.roll(counts - counts_, counts - counts_);
     counts_ = counts;
     return said + robot_.frame();
@@ -132,6 +150,9 @@ class FakeCreate {
   bool on_ = false;
   std::string said_;
   int counts_ = 0;
+  std::atomic<int> speed_ = 0;
+  std::atomic<int> mode_ = 0;
+  std::atomic<double> driven_way_ = 0;
   base::Time next_frame_;
   FakeDevice device_;
 };
