@@ -35,8 +35,8 @@ class MotionPermit {
   std::optional<base::Time> passed_;  ///< when it last passed, by this robot's clock
 };
 
-/// May a base that drives by itself go? One that stopped before something would else creep up to it in jerks, since what
-/// it stands before is not coming closer: it goes on when nothing warns any more.
+/// May a base that drives by itself go? One that stopped before something would else creep up to it in jerks, since
+/// what it stands before is not coming closer: it goes on when nothing warns any more.
 class DrivePermit {
  public:
   [[nodiscard]] bool judge(bool may_move, record::AlertLevel level) {
