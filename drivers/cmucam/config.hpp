@@ -9,7 +9,7 @@
 
 namespace fencepost::cmucam {
 
-/// A window of colours, bounds inclusive, as TC takes them: 16..240 is what the imager gives.
+/// A window of colours, bounds inclusive, in 0..255; the driver narrows it to what the camera's imager gives.
 struct ColourWindow {
   std::uint8_t signature = 0;
   std::uint8_t red_min = 0;

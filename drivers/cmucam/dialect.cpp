@@ -23,6 +23,10 @@ constexpr std::array<std::string_view, 2> kWarmUp4 = {"AG 1", "AW 1"};
 constexpr std::array<std::string_view, 3> kSetUp4 = {"AG 0", "AW 0", "PM 1"};
 
 constexpr base::Duration kThreeFramesAt17 = base::milliseconds(200);
+constexpr base::Duration kAnswersAtOnce = base::milliseconds(1'000);
+constexpr base::Duration kStartsFor2s = base::milliseconds(2'250);
+constexpr base::Duration kUsualCommand = base::milliseconds(500);
+constexpr base::Duration kReply4 = base::milliseconds(1'000);
 
 constexpr Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows,
                           std::span<const std::string_view> warm_up, std::span<const std::string_view> set_up) {
@@ -36,6 +40,8 @@ constexpr Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows
           .cy = middle(rows),
           .pixels = PixelCount::kUnknown,
           .min_confidence = 2,
+          .reset_timeout = kAnswersAtOnce,
+          .command_timeout = kUsualCommand,
           .reply_timeout = kThreeFramesAt17,
           .warm_up = warm_up,
           .set_up = set_up};
@@ -47,6 +53,7 @@ constexpr Dialect cmucam3(std::uint16_t width, std::uint16_t height, double rows
   dialect.model = "cmucam3";
   dialect.first_pixel = 0;
   dialect.pixels = PixelCount::kCount;
+  dialect.reset_timeout = kStartsFor2s;
   return dialect;
 }
 
@@ -62,6 +69,8 @@ constexpr Dialect kCmuCam1 = {.model = "cmucam1",
                               .cy = middle(143),
                               .pixels = PixelCount::kEighths,
                               .min_confidence = 8,
+                              .reset_timeout = kAnswersAtOnce,
+                              .command_timeout = kUsualCommand,
                               .reply_timeout = kThreeFramesAt17,
                               .warm_up = kWarmUpOv6620,
                               .set_up = kSetUpOv6620};
@@ -81,7 +90,11 @@ constexpr Dialect kCmuCam4 = {.model = "cmucam4",
                               .cy = middle(120),
                               .pixels = PixelCount::kByConfidence,
                               .min_confidence = 8,
-                              .reply_timeout = base::milliseconds(400),
+                              .darkest = 0,
+                              .brightest = 255,
+                              .reset_timeout = kStartsFor2s,
+                              .command_timeout = kReply4,
+                              .reply_timeout = kReply4,
                               .warm_up = kWarmUp4,
                               .set_up = kSetUp4};
 

@@ -30,7 +30,11 @@ struct Dialect {
   base::Pixels2 cy;  ///< row of the optical axis: not the middle where rows past 255 cannot be reported
   PixelCount pixels = PixelCount::kUnknown;
   std::uint8_t min_confidence = 0;  ///< below, a box is noise
-  base::Duration reply_timeout;     ///< of a packet that was asked for; at least three frames
+  std::uint8_t darkest = 16;        ///< what the imager gives, of each channel
+  std::uint8_t brightest = 240;
+  base::Duration reset_timeout;    ///< until the version text: some start anew for two seconds
+  base::Duration command_timeout;  ///< of a command's ACK
+  base::Duration reply_timeout;    ///< of a packet that was asked for; at least three frames
   /// Commands after a reset, before and after the image has settled; few, since each may be damaged on the line.
   std::span<const std::string_view> warm_up;
   std::span<const std::string_view> set_up;
@@ -49,7 +53,8 @@ extern const Dialect kCmuCam2Ov7620;
 extern const Dialect kCmuCam3;
 /// The same in high resolution: 176 columns, the first 255 of 288 rows.
 extern const Dialect kCmuCam3High;
-/// CMUcam4, firmware 1.02, 19200 Bd: ASCII only, 0-based, 160 x 120.
+/// CMUcam4, firmware 1.02, 19200 Bd: ASCII only, 0-based, 160 x 120, channels of 0 to 255. It starts anew for two
+/// seconds; the waits are those of its maker's library.
 extern const Dialect kCmuCam4;
 
 /// Nominal calibration. Field of view 44.1 x 33.7 deg is quoted for the CMUcam2's lens (teams measured 46.6 to 50 deg

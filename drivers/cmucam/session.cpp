@@ -8,9 +8,6 @@
 namespace fencepost::cmucam {
 namespace {
 
-/// A CMUcam3 boots for 2 s; the other models answer at once.
-constexpr base::Duration kResetPatience = base::milliseconds(1'000);
-constexpr base::Duration kCommandPatience = base::milliseconds(500);
 /// Without a valid reply for this long the camera has lost its set-up.
 constexpr base::Duration kTrackPatience = base::milliseconds(2'000);
 constexpr base::Duration kLongestSettle = base::milliseconds(60'000);
@@ -26,13 +23,13 @@ bool in_order(const ColourWindow& window) {
   return window.red_min <= window.red_max && window.green_min <= window.green_max && window.blue_min <= window.blue_max;
 }
 
-/// "TC r R g G b B".
+/// "TC r R g G b B", with bounds that the imager can give: a saturated red is 255 to one camera and 240 to another.
 class TrackCommand {
  public:
-  explicit TrackCommand(const ColourWindow& window) {
+  TrackCommand(const ColourWindow& window, const Dialect& dialect) {
     for (const std::uint8_t bound :
          {window.red_min, window.red_max, window.green_min, window.green_max, window.blue_min, window.blue_max}) {
-      put(bound);
+      put(std::clamp(bound, dialect.darkest, dialect.brightest));
     }
   }
   [[nodiscard]] std::string_view view() const { return text_.view(); }
@@ -88,7 +85,9 @@ bool Session::take(std::uint8_t byte, base::Time now) {
   if (event == Event::kNone || phase_ == Phase::kOff) return false;
   note_event(event);
   if (banner_ && !acked_ && (phase_ == Phase::kCommand || phase_ == Phase::kSettle || phase_ == Phase::kTrack)) {
-    begin_reset(now);  // the camera has just been switched on: its set-up is gone
+    // The camera has just been switched on: its set-up is gone. A reset would start it anew, for two seconds.
+    forget_set_up(now);
+    flush(now);
     return false;
   }
   if (event != Event::kPrompt) return false;
@@ -209,14 +208,18 @@ void Session::time_out(base::Time now) {
 }
 
 void Session::begin_reset(base::Time now) {
+  forget_set_up(now);
+  phase_ = Phase::kReset;
+  send_reset(now);
+}
+
+void Session::forget_set_up(base::Time now) {
   ++counts_.resets;
   tries_ = 0;
   step_ = 0;
   window_ = 0;
   seen_ = false;
   last_good_ = now;
-  phase_ = Phase::kReset;
-  send_reset(now);
 }
 
 void Session::send_reset(base::Time now) {
@@ -227,7 +230,7 @@ void Session::send_reset(base::Time now) {
   stored = outbox_.put(kAsciiReset) && stored;
   FENCEPOST_CHECK(stored);
   acked_ = nacked_ = banner_ = packet_ = false;
-  deadline_ = now + kResetPatience;
+  deadline_ = now + config_.dialect->reset_timeout;
 }
 
 // Asks for the version; the script continues after the reply.
@@ -236,7 +239,7 @@ void Session::flush(base::Time now) {
   phase_ = Phase::kFlush;
   window_ = 0;
   // The first CR stops a stream and terminates a partial command.
-  send("\rGV", now, kCommandPatience);
+  send("\rGV", now, config_.dialect->command_timeout);
 }
 
 void Session::next_step(base::Time now) {
@@ -251,7 +254,7 @@ void Session::next_step(base::Time now) {
     return;
   }
   phase_ = Phase::kCommand;
-  send(script_[step_], now, kCommandPatience);
+  send(script_[step_], now, config_.dialect->command_timeout);
 }
 
 void Session::ask(base::Time now) {
@@ -266,7 +269,7 @@ void Session::ask(base::Time now) {
     return;
   }
   phase_ = Phase::kTrack;
-  const TrackCommand command(config_.windows[window_]);
+  const TrackCommand command(config_.windows[window_], *config_.dialect);
   send(command.view(), now, config_.dialect->reply_timeout);
 }
 

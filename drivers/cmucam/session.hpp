@@ -68,6 +68,7 @@ class Session {
   void time_out(base::Time now);
 
   void begin_reset(base::Time now);
+  void forget_set_up(base::Time now);
   void send_reset(base::Time now);
   void flush(base::Time now);
   void next_step(base::Time now);

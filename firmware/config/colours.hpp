@@ -7,10 +7,10 @@
 
 namespace fencepost::config {
 
-/// Signature, then red, green, blue from..to. One window gets the camera's full rate, several share it.
+/// Signature, then red, green, blue from..to, in 0..255. One window gets the camera's full rate, several share it.
 inline constexpr std::array<cmucam::ColourWindow, 2> kColours = {{
-    {1, 120, 240, 16, 70, 16, 70},  // red
-    {2, 16, 70, 80, 240, 16, 90},   // green
+    {1, 120, 255, 0, 70, 0, 70},  // red
+    {2, 0, 70, 80, 255, 0, 90},   // green
 }};
 static_assert(kColours.size() <= cmucam::kMaxWindows);
 

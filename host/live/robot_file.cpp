@@ -14,8 +14,6 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kMaxPitch = 0.7;         // rad, as in scene files
 constexpr double kLongestFocus = 32'767;  // px, the stream's range
-constexpr std::uint8_t kDarkest = 16;     // what a CMUcam's imager gives, OV6620
-constexpr std::uint8_t kBrightest = 240;
 constexpr int kHalfWindow = 40;
 
 template <class Quantity>
@@ -107,7 +105,7 @@ std::vector<cmucam::ColourWindow> read_windows(const JsonNode& node) {
   return windows;
 }
 
-std::uint8_t clamped(int value) { return static_cast<std::uint8_t>(std::clamp<int>(value, kDarkest, kBrightest)); }
+std::uint8_t clamped(int value) { return static_cast<std::uint8_t>(std::clamp<int>(value, 0, 255)); }
 
 cmucam::ColourWindow window_around(const record::Signature& signature) {
   const sensor::Rgb rgb = signature.rgb;

@@ -35,14 +35,19 @@ class Pixy2Adapter final : public DeviceModel {
 
 class CmuCamAdapter final : public DeviceModel {
  public:
-  CmuCamAdapter(CmuCamModel model, Colours colours) : camera_(model), colours_(std::move(colours)) {}
+  CmuCamAdapter(CmuCamModel model, Colours colours)
+      : camera_(model), full_range_(model == CmuCamModel::kFour), colours_(std::move(colours)) {}
 
   Bytes power_up(base::Time now) override {
     next_image_ = now + kLongestPause;
-    return bytes_of(camera_.power_up());
+    Bytes said = bytes_of(camera_.power_up());
+    started_ = now + CmuCamDevice::kStart;
+    return said;
   }
-  Bytes take(std::uint8_t byte, base::Time) override {
+  Bytes take(std::uint8_t byte, base::Time now) override {
+    const bool before = camera_.starting();
     Bytes reply = bytes_of(camera_.feed({text_of(byte)}));
+    if (camera_.starting() && !before) started_ = now + CmuCamDevice::kStart;
     used_ = used_ || camera_.tracking();
     return reply;
   }
@@ -51,8 +56,11 @@ class CmuCamAdapter final : public DeviceModel {
     for (const sensor::Blob& blob : frame.blobs) spots_.push_back(spot_of(blob));
     return step(now);
   }
-  [[nodiscard]] std::optional<base::Time> next() const override { return next_image_; }
+  [[nodiscard]] std::optional<base::Time> next() const override {
+    return camera_.starting() ? std::min(next_image_, started_) : next_image_;
+  }
   Bytes step(base::Time now) override {
+    if (camera_.starting() && now >= started_) return bytes_of(camera_.finish_start());
     next_image_ = now + kLongestPause;
     return bytes_of(camera_.frame(spots_));
   }
@@ -63,8 +71,8 @@ class CmuCamAdapter final : public DeviceModel {
   // the last image.
   static constexpr base::Duration kLongestPause = base::milliseconds(150);
 
-  // 16 to 240 is what the imager gives.
-  static int level(std::uint8_t value) { return std::clamp<int>(value, 16, 240); }
+  // 16 to 240 is what the older imagers give.
+  [[nodiscard]] int level(std::uint8_t value) const { return full_range_ ? value : std::clamp<int>(value, 16, 240); }
 
   [[nodiscard]] ColouredSpot spot_of(const sensor::Blob& blob) const {
     constexpr sensor::Rgb kGrey{128, 128, 128};
@@ -74,6 +82,8 @@ class CmuCamAdapter final : public DeviceModel {
   }
 
   CmuCamDevice camera_;
+  bool full_range_;
+  base::Time started_;  ///< when a start is over
   Colours colours_;
   std::vector<ColouredSpot> spots_;
   base::Time next_image_;

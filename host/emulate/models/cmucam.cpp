@@ -136,10 +136,20 @@ void CmuCamDevice::reset() {
   reports_middle_ = true;
 }
 
+// A CMUcam3 ends the text at power-up with a CR, that of GV without.
+std::string CmuCamDevice::greeting() const {
+  return (model_ == CmuCamModel::kThree ? banner() + "\r" : banner()) + ":";
+}
+
 std::string CmuCamDevice::power_up() {
   reset();
-  // A CMUcam3 ends the text at power-up with a CR, that of GV without.
-  return (model_ == CmuCamModel::kThree ? banner() + "\r" : banner()) + ":";
+  starting_ = model_ == CmuCamModel::kThree || model_ == CmuCamModel::kFour;
+  return starting_ ? "" : greeting();
+}
+
+std::string CmuCamDevice::finish_start() {
+  starting_ = false;
+  return greeting();
 }
 
 std::string CmuCamDevice::answer(bool good, std::string_view data) const {
@@ -150,7 +160,10 @@ std::string CmuCamDevice::answer(bool good, std::string_view data) const {
 
 std::string CmuCamDevice::feed(std::string_view bytes) {
   std::string replies;
-  for (const char byte : bytes) replies += (mode_ & kRawInput) != 0 ? feed_raw(byte) : feed_byte(byte);
+  for (const char byte : bytes) {
+    if (starting_) break;
+    replies += (mode_ & kRawInput) != 0 ? feed_raw(byte) : feed_byte(byte);
+  }
   return replies;
 }
 
@@ -227,7 +240,10 @@ std::string CmuCamDevice::act(const Command& command) {
   if (command.name == "GV") return answer(true, banner());
   if (command.name == "RS") {
     const std::string acknowledged = (mode_ & kNoAck) != 0 ? "" : "ACK\r";
-    return acknowledged + ((mode_ & kRawOutput) != 0 ? "" : "\r") + power_up();
+    const std::string line_end = (mode_ & kRawOutput) != 0 ? "" : "\r";
+    reset();
+    starting_ = model_ == CmuCamModel::kFour;  // a CMUcam3's program goes on
+    return acknowledged + line_end + (starting_ ? "" : greeting());
   }
   if (command.name == "RM") mode_ = arguments[0];
   if (command.name == "PM") polled_ = arguments[0] == 1;
@@ -244,7 +260,7 @@ std::string CmuCamDevice::act(const Command& command) {
 }
 
 std::string CmuCamDevice::frame(std::span<const ColouredSpot> spots) {
-  if (!tracking_) return {};
+  if (!tracking_ || starting_) return {};
   tracking_ = !polled_;
   return packet(spots) + (polled_ ? ":" : "");
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/base/units.hpp"
+
 namespace fencepost::emulate {
 
 enum class CmuCamModel : std::uint8_t { kOne, kTwo, kThree, kFour };
@@ -30,8 +32,14 @@ class CmuCamDevice {
  public:
   explicit CmuCamDevice(CmuCamModel model) : model_(model) {}
 
+  /// A CMUcam3 and a CMUcam4 start for two seconds, in which they hear nothing; the others at once.
+  static constexpr base::Duration kStart = base::milliseconds(2'000);
+
   /// Switched on, with all settings at their defaults.
   std::string power_up();
+  /// It is starting: after kStart, `finish_start` answers what it says then.
+  [[nodiscard]] bool starting() const { return starting_; }
+  std::string finish_start();
   std::string feed(std::string_view bytes);
   /// One image has been taken: the packet, if any is due.
   std::string frame(std::span<const ColouredSpot> spots);
@@ -52,6 +60,7 @@ class CmuCamDevice {
   [[nodiscard]] std::string answer(bool good, std::string_view data = {}) const;
   [[nodiscard]] std::string banner() const;
   [[nodiscard]] std::string packet(std::span<const ColouredSpot> spots) const;
+  [[nodiscard]] std::string greeting() const;
   void reset();
 
   CmuCamModel model_;
@@ -62,6 +71,7 @@ class CmuCamDevice {
   bool polled_ = false;
   bool tracking_ = false;
   bool reports_middle_ = true;
+  bool starting_ = false;
 };
 
 }  // namespace fencepost::emulate

@@ -23,6 +23,8 @@ struct CmuCamRig : CameraRig<std::vector<emulate::ColouredSpot>> {
     link.inject(device.power_up());
   }
   void live(base::Time now) {
+    if (!device.starting()) started = now + emulate::CmuCamDevice::kStart;
+    if (device.starting() && link.powered() && now >= started) link.inject(device.finish_start());
     if (!expose(now, kImage) || !link.powered()) return;
     link.inject(device.frame(moving ? std::vector{spot_of(images)} : scene));
   }
@@ -52,6 +54,7 @@ struct CmuCamRig : CameraRig<std::vector<emulate::ColouredSpot>> {
   [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
   [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
+  base::Time started = base::Time{} + emulate::CmuCamDevice::kStart;  ///< when a start is over
   emulate::CmuCamDevice device;
   Link link;
   cmucam::CmuCam<Link> driver;

@@ -60,8 +60,8 @@ TEST(RobotFile, ACmucamsWindowsLieAroundTheColours) {
   const cmucam::ColourWindow& window = robot.windows[0];
   EXPECT_EQ(window.signature, 3);
   EXPECT_EQ(window.red_min, 208 - 40);
-  EXPECT_EQ(window.red_max, 240);
-  EXPECT_EQ(window.green_min, 16);
+  EXPECT_EQ(window.red_max, 208 + 40);
+  EXPECT_EQ(window.green_min, 0) << "32 - 40";
   EXPECT_EQ(window.green_max, 32 + 40);
   EXPECT_EQ(window.blue_min, 128 - 40);
   EXPECT_EQ(window.blue_max, 128 + 40);

@@ -20,12 +20,28 @@ TEST(EmulatedCmuCam, Versions) {
   EXPECT_EQ(one.feed("rs\r"), "ACK\r\rCMUcam v1.12\r:");
   EXPECT_EQ(one.feed("\r"), ":");
   CmuCamDevice three(CmuCamModel::kThree);
-  EXPECT_EQ(three.power_up(), "CMUcam2 v1.00 c6\r:");
+  EXPECT_EQ(three.power_up(), "");
+  EXPECT_EQ(three.finish_start(), "CMUcam2 v1.00 c6\r:");
   EXPECT_EQ(three.feed("GV\r"), test::hex_text("41 43 4B 0D 43 4D 55 63 61 6D 32 20 76 31 2E 30 30 20 63 36 3A"))
       << "no CR";
   EXPECT_EQ(three.feed("\r"), "ACK\r:");
   CmuCamDevice four(CmuCamModel::kFour);
   EXPECT_EQ(four.feed("GV\r"), "ACK\rCMUcam4 v1.02\r:");
+}
+
+// It starts for two seconds, deaf, after RS too.
+TEST(EmulatedCmuCam, ACmucam4Starts) {
+  CmuCamDevice four(CmuCamModel::kFour);
+  EXPECT_EQ(four.power_up(), "");
+  EXPECT_TRUE(four.starting());
+  EXPECT_EQ(four.feed("\rRS\r"), "");
+  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_EQ(four.feed("TC 0 255 0 255 0 255\r"), "ACK\r");
+  EXPECT_EQ(four.feed("RS\rGV\r"), "ACK\r\r");
+  EXPECT_TRUE(four.starting());
+  EXPECT_EQ(four.frame(kOneBased), "");
+  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_FALSE(four.starting());
 }
 
 TEST(EmulatedCmuCam, PacketsInBothForms) {
