@@ -54,7 +54,7 @@ extern const Dialect kCmuCam3;
 /// The same in high resolution: 176 columns, the first 255 of 288 rows.
 extern const Dialect kCmuCam3High;
 /// CMUcam4, firmware 1.02, 19200 Bd: ASCII only, 0-based, 160 x 120, channels of 0 to 255. It starts anew for two
-/// seconds; the waits are those of its maker's library.
+/// seconds; the waits for that and for ACKs are those of its maker's library.
 extern const Dialect kCmuCam4;
 
 /// Nominal calibration. Field of view 44.1 x 33.7 deg is quoted for the CMUcam2's lens (teams measured 46.6 to 50 deg

@@ -23,7 +23,7 @@ using emulate::CreateModel;
 constexpr double kSum16 = 1e-4;
 constexpr double kNoSum = 0.1;
 constexpr base::Duration kSoon = base::milliseconds(10'000);
-// A start of half a dozen waits of 200 ms, restarted when one of a hundred bytes was damaged.
+// A start of half a dozen waits of 200 ms, or of two seconds, restarted when one of a hundred bytes was damaged.
 constexpr base::Duration kLater = base::milliseconds(30'000);
 // Through the brick a start takes dozens of telegrams, each damaged as often.
 constexpr base::Duration kThroughBrick = base::milliseconds(60'000);
@@ -48,7 +48,7 @@ std::span<const HostileCase> hostile_cases() {
         hostile_case<HostileCmuCam<CmuCamModel::kOne, cmucam::kCmuCam1>, 4>("cmucam1:tty", {kNoSum, 20'000, kSoon}),
         hostile_case<HostileCmuCam<CmuCamModel::kTwo, cmucam::kCmuCam2>, 4>("cmucam2:tty", {kNoSum, 20'000, kSoon}),
         hostile_case<HostileCmuCam<CmuCamModel::kThree, cmucam::kCmuCam3>, 4>("cmucam3:tty", {kNoSum, 20'000, kSoon}),
-        hostile_case<HostileCmuCam<CmuCamModel::kFour, cmucam::kCmuCam4>, 4>("cmucam4:tty", {kNoSum, 20'000, kSoon}),
+        hostile_case<HostileCmuCam<CmuCamModel::kFour, cmucam::kCmuCam4>, 4>("cmucam4:tty", {kNoSum, 20'000, kLater}),
         hostile_case<XbcRig, 5>("xbc:tty", {kSum8, 10'000, kSoon}),
         hostile_case<HostileCreate<Model::kCreate1, CreateModel::kOne>, 5>("create1:tty", {kSum8, 150'000, kSoon}),
         hostile_case<HostileCreate<Model::kCreate2, CreateModel::kTwo>, 5>("create2:tty", {kSum8, 150'000, kSoon}),
