@@ -1,14 +1,17 @@
 // One robot: a board, its camera, its odometry, the loop and all memory. There is one of it, and nothing else.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "firmware/config/profile.hpp"
 #include "firmware/image/boot.hpp"
 #include "firmware/image/keeper.hpp"
 #include "firmware/loop/loop.hpp"
+#include "firmware/loop/motion_permit.hpp"
 #include FENCEPOST_BOARD
 #include FENCEPOST_CAMERA
 #include FENCEPOST_ODOMETRY
@@ -23,11 +26,31 @@ using Console = std::remove_reference_t<decltype(board::console())>;
 // NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
 const record::Header kHeader = {record::kStreamFormat, kProduct, FENCEPOST_VERSION, board::kTarget, Profile::kName};
 
+/// The board's flash. The loop stands still while a page is erased: so do the motors.
+struct FlashAtRest {
+  [[nodiscard]] static std::size_t size() { return board::flash().size(); }
+  [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n) { return board::flash().page(n); }
+  static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes) {
+    return board::flash().program(n, offset, bytes);
+  }
+  static bool erase(std::size_t n) {
+    board::allow_motion(false);
+    return board::flash().erase(n);
+  }
+};
+static_assert(bus::FlashPages<FlashAtRest>);
+
+/// Of a wheel base that drives by itself; others are not asked.
+template <class Base>
+void allow_base(Base& base, bool allowed) {
+  if constexpr (requires { base.session().allow_motion(allowed); }) base.session().allow_motion(allowed);
+}
+
 class Robot {
  public:
   Robot()
       : loop_(memory_, camera_, odometry_, board::console(), console::Mode::kText),
-        keeper_(pipeline(), board::flash()),
+        keeper_(pipeline(), flash_),
         panel_(pipeline()) {}
 
   // Not inlined: what it needs of the stack is free again when the loop turns.
@@ -55,8 +78,8 @@ class Robot {
   // Not inlined: its instructions are counted by that name.
   [[gnu::noinline]] void work() {
     const std::uint32_t began = board::clock().microseconds();
-    board::feed_watchdog();
     loop_.step(board::clock().now());
+    follow_alert(board::clock().now());
     if (opened(board::console())) say_facts(kBootLines - 1);  // it is ready, and was
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
       pipeline().reporter().say([](std::span<char> room) { return not_kept(room); });
@@ -65,6 +88,17 @@ class Robot {
     const std::uint32_t took = board::clock().microseconds() - began;
     std::uint32_t& longest = memory_.counters.loop_us_max;
     longest = took > longest ? took : longest;
+    board::feed_watchdog();  // a turn that did not come to its end does not
+  }
+
+  // The motors are released only while the robot may drive.
+  void follow_alert(base::Time now) {
+    if (judged_.since(now) < kJudgeEvery) return;
+    judged_ = base::Stamp(now);
+    const record::Heartbeat beat = pipeline().in_force();
+    const bool may_move = permit_.judge(beat, loop_.links(), now);
+    board::allow_motion(may_move);
+    allow_base(odometry_, drive_.judge(may_move, beat.level));
   }
 
   void say_facts(std::size_t lines) {
@@ -83,6 +117,9 @@ class Robot {
   /// thousand times a second.
   static constexpr std::uint8_t kKeepEvery = 16;
 
+  /// A stop reaches the pin within this and a turn.
+  static constexpr base::Duration kJudgeEvery = base::milliseconds(5);
+
   static std::size_t not_kept(std::span<char> room) {
     return console::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
   }
@@ -93,8 +130,12 @@ class Robot {
   Camera camera_{memory_.counters};
   Odometry odometry_{memory_.counters};
   loop::Loop<Profile, Camera, Odometry, Console> loop_;
-  Keeper<Profile, board::Flash> keeper_;
+  FlashAtRest flash_;
+  Keeper<Profile, FlashAtRest> keeper_;
   Panel<Profile> panel_;
+  loop::MotionPermit permit_;
+  loop::DrivePermit drive_;
+  base::Stamp judged_;
   std::uint8_t turns_ = 0;
 };
 

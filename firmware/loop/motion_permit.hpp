@@ -2,10 +2,9 @@
 // and frame, and of a wheel base that drives. Where anything is not known, the answer is no.
 #pragma once
 
-#include <optional>
-
 #include "firmware/console/links.hpp"
 #include "firmware/record/records.hpp"
+#include "hal/base/stamp.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::loop {
@@ -23,16 +22,18 @@ class MotionPermit {
   /// `beat`: what is in force now. `links`: what the drivers know of their cables, which is sooner than the stream does
   /// where the robot stands. `now`: this robot's clock.
   [[nodiscard]] bool judge(const record::Heartbeat& beat, const console::Links& links, base::Time now) {
-    if (!passed_ || beat.t != t_) passed_ = now;
+    if (!begun_ || beat.t != t_) passed_ = base::Stamp(now);
+    begun_ = true;
     t_ = beat.t;
-    const bool live = now - *passed_ <= kLive;
+    const bool live = passed_.since(now) <= kLive;
     const bool sees = works(beat.camera) && works(beat.odometry) && works(links.camera) && works(links.odometry);
     return live && sees && beat.level < record::AlertLevel::kStop;
   }
 
  private:
-  base::Time t_;                      ///< of the stream, when it was last judged
-  std::optional<base::Time> passed_;  ///< when it last passed, by this robot's clock
+  base::Time t_;        ///< of the stream, when it was last judged
+  base::Stamp passed_;  ///< when it last passed, by this robot's clock
+  bool begun_ = false;
 };
 
 /// May a base that drives by itself go? One that stopped before something would else creep up to it in jerks, since

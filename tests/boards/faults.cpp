@@ -13,10 +13,10 @@
 namespace fencepost::test {
 namespace {
 
-constexpr double kWithin = 1.0;          // s of the board's clock: good data to the next alert
-constexpr double kWatchdog = 2'000'000;  // us; the shortest time after which one of the boards bites
-constexpr double kSpeed = 0.16;          // m/s, towards a post whose front is a metre ahead
-constexpr double kApproach = 4;          // s
+constexpr double kWithin = 1.0;        // s of the board's clock: good data to the next alert
+constexpr double kWatchdog = 270'000;  // us; the shortest time after which one of the boards bites
+constexpr double kSpeed = 0.16;        // m/s, towards a post whose front is a metre ahead
+constexpr double kApproach = 4;        // s
 
 /// A robot that has driven up to a post and creeps on: alerts come all the time.
 class Approach {

@@ -36,6 +36,8 @@ inline mcu::ResetReason take_reset_reason() { return mcu::ResetReason::kUnknown;
 /// A fault enters the BIOS, which halts: nothing can be saved.
 inline std::optional<mcu::Panic> take_panic() { return std::nullopt; }
 
+/// There is no pin for STOP: who drives listens to the console's heartbeat.
+inline void allow_motion(bool /*allowed*/) {}
 /// There is no watchdog: a loop that hangs does so until the power is switched off.
 inline void feed_watchdog() {}
 /// Sleeps until a byte comes or a millisecond is over.

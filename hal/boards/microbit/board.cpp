@@ -18,6 +18,7 @@ using microbit::kBusData;
 using microbit::kConsoleReceives;
 using microbit::kConsoleSends;
 using microbit::kFirstRow;
+using microbit::kStop;
 
 constexpr unsigned kHalfASecond = 19;  // 2^19 us
 
@@ -41,6 +42,8 @@ void start_led() {
 }  // namespace
 
 void start(std::uint32_t console_baud) {
+  kStop.drive(false);
+  kStop.make_output();
   // The built-in oscillator is accurate to 1 to 5 %, too coarse for a serial line. Where no crystal starts it is used
   // nevertheless.
   mcu::reg(part::kStartCrystal) = part::kTrigger;
@@ -61,6 +64,7 @@ Flash& flash() { return the_flash; }
 mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
 std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
 
+void allow_motion(bool allowed) { kStop.drive(allowed); }
 void feed_watchdog() {
   part::feed_watchdog();
   kFirstRow.drive((the_clock.microseconds() >> kHalfASecond & 1U) != 0);
@@ -74,6 +78,7 @@ void idle() {
 using namespace fencepost;
 
 extern "C" {
+void fencepost_hold_motors() { board::allow_motion(false); }
 void timer_interrupt() {
   board::clock().on_interrupt();
   board::console().on_millisecond();

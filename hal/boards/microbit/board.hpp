@@ -34,6 +34,9 @@ Flash& flash();
 mcu::ResetReason take_reset_reason();
 std::optional<mcu::Panic> take_panic();
 
+/// STOP, for the enable input of a motor driver: high while the robot may drive, low from `start` on. A resistor of 10
+/// k to ground holds it while the part is in reset.
+void allow_motion(bool allowed);
 /// Also drives the heartbeat: the upper left pixel blinks once a second as long as the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.

@@ -19,7 +19,7 @@ inline constexpr part::Pin kBusData{30};
 inline constexpr part::Pin kFirstRow{13};
 inline constexpr std::uint32_t kFirstColumn = 4;
 inline constexpr std::uint32_t kColumns = 9;
-/// Kept free for an output that stops the motors: the ring 1 of the edge connector.
+/// Low stops the motors: the ring 1 of the edge connector.
 inline constexpr part::Pin kStop{2};
 
 }  // namespace fencepost::board::microbit

@@ -42,6 +42,7 @@ void serial_interrupt() {
 void start(std::uint32_t console_baud) {
   part::feed_watchdog();  // it may run already: nothing but power stops it
   clocks = part::start_clocks(kWiring.crystals);
+  kWiring.stop.make_output(false);
   part::start_watchdog();
   if (kWiring.power) kWiring.power->make_output(true);
   kWiring.light.make_output(false);
@@ -70,6 +71,7 @@ std::uint32_t right_count() { return kRight.count(); }
 mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
 std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
 
+void allow_motion(bool allowed) { kWiring.stop.drive(allowed); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
@@ -84,6 +86,7 @@ void idle() {
 using namespace fencepost;
 
 extern "C" {
+void fencepost_hold_motors() { board::allow_motion(false); }
 void systick_interrupt() {
   board::console().on_millisecond();
   board::camera().on_millisecond();

@@ -23,7 +23,7 @@ struct Wiring {
   mcu::stm32f4::EncoderWiring right;
   mcu::stm32f4::Pin light;                 ///< an LED, on while high
   std::optional<mcu::stm32f4::Pin> power;  ///< high for the power of the header's devices
-  mcu::stm32f4::Pin stop;                  ///< kept free for an output that stops the motors
+  mcu::stm32f4::Pin stop;                  ///< low stops the motors
 };
 
 }  // namespace fencepost::board

@@ -34,8 +34,10 @@ constinit part::Encoder right;
 }  // namespace
 
 void start(std::uint32_t console_baud) {
+  kWiring.stop.drive(false);  // a debugger that resets the core alone leaves the pins
   clocks = part::start_clocks();
   part::bring_up(part::kResetIoBank0 | part::kResetPadsBank0);
+  kWiring.stop.make_output();
   the_clock.start(clocks.reference);
   reason = part::read_reset_reason();
   part::start_watchdog();
@@ -65,6 +67,7 @@ std::uint32_t right_count() { return right.count() & 0xFFFFU; }
 mcu::ResetReason take_reset_reason() { return reason; }
 std::optional<mcu::Panic> take_panic() { return part::take_panic(); }
 
+void allow_motion(bool allowed) { kWiring.stop.drive(allowed); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
@@ -79,6 +82,7 @@ void idle() {
 using namespace fencepost;
 
 extern "C" {
+void fencepost_hold_motors() { board::allow_motion(false); }
 void timer_interrupt() { board::clock().tick(); }
 void usb_interrupt() { board::usb_line.on_interrupt(); }
 void pins_interrupt() {

@@ -23,7 +23,7 @@ struct Wiring {
   EncoderPins left;
   EncoderPins right;
   std::optional<mcu::rp2040::Pin> light;  ///< an LED, on while high
-  mcu::rp2040::Pin stop;  ///< kept free for an output that stops the motors; low from reset on by the part itself
+  mcu::rp2040::Pin stop;                  ///< low stops the motors; low from reset on by the part itself
 };
 
 }  // namespace fencepost::board

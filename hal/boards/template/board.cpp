@@ -28,6 +28,7 @@ Flash& flash() { return the_flash; }
 mcu::ResetReason take_reset_reason() { return mcu::ResetReason::kUnknown; }
 std::optional<mcu::Panic> take_panic() { return std::nullopt; }
 
+void allow_motion(bool /*allowed*/) {}
 void feed_watchdog() {}
 void idle() {}
 

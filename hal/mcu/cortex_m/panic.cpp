@@ -27,6 +27,7 @@ extern "C" {
 
 /// Where every unhandled exception ends. `frame`: what the core has pushed (Armv7-M B1.5.6).
 [[noreturn, gnu::used]] void fencepost_die(const std::uint32_t* frame) {
+  fencepost_hold_motors();
   fencepost_panic.mark = kMark;
   fencepost_panic.exception = reg(kInterruptControl) & 0x1FFU;
   fencepost_panic.pc = frame[6];

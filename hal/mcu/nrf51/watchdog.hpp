@@ -6,11 +6,11 @@
 
 namespace fencepost::mcu::nrf51 {
 
-/// 3 s: longer than the flash takes to erase (two times 23 ms), shorter than a person would wait. The part keeps it
-/// running through a reset by software; a debugger that halts the core halts it, too.
+/// 0.4 s: longer than the flash takes to erase (two times 23 ms), shorter than a robot that hangs may drive on. The
+/// part keeps it running through a reset by software; a debugger that halts the core halts it, too.
 inline void start_watchdog() {
   reg(kWatchdogConfig) = kWatchdogWhileAsleep;
-  reg(kWatchdogReload) = 3 * 32'768 - 1;
+  reg(kWatchdogReload) = 4 * 32'768 / 10 - 1;
   reg(kWatchdogStart) = kTrigger;
 }
 inline void feed_watchdog() { reg(kWatchdogFeed) = kWatchdogFood; }

@@ -6,6 +6,7 @@
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
 #include "hal/mcu/rp2040/rom.hpp"
+#include "hal/mcu/rp2040/watchdog.hpp"
 
 namespace fencepost::mcu::rp2040 {
 namespace {
@@ -72,6 +73,7 @@ bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint
 bool Flash::erase(std::size_t n) {
   const Access access;
   if (!access.whole()) return false;
+  const PatientWatchdog watchdog;
   access.with([&] { access.erase(offset_of(n), kSector, kSector, kEraseSector); });
   return std::ranges::all_of(page(n), [](std::uint8_t byte) { return byte == 0xFF; });
 }

@@ -19,6 +19,7 @@ constexpr std::uint32_t check(const Panic& panic) { return ~(0x50414E49U ^ panic
 extern "C" {
 /// Where every unhandled exception ends. `frame`: what the core has pushed (Armv6-M B1.5.6).
 [[noreturn, gnu::used]] void fencepost_die(const std::uint32_t* frame) {
+  fencepost_hold_motors();
   const Panic panic = {reg(cortex_m::kInterruptControl) & 0x3FU, frame[6], frame[5]};
   reg(word(0)) = panic.exception;
   reg(word(1)) = panic.pc;

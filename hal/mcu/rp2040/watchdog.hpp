@@ -13,9 +13,10 @@ namespace fencepost::mcu::rp2040 {
 inline constexpr std::uint32_t kArmedWord = kWatchdogScratch + 4 * 4;
 inline constexpr std::uint32_t kArmed = 0x66E6'CE05;
 
-/// 3 s: the timer counts two a microsecond (erratum RP2040-E1). Longer than the flash takes to erase a sector (0.4 s at
-/// most), shorter than a person would wait.
-inline constexpr std::uint32_t kWatchdogCount = 6'000'000;
+/// 0.4 s: the timer counts two a microsecond (erratum RP2040-E1). Shorter than a robot that hangs may drive on.
+inline constexpr std::uint32_t kWatchdogCount = 800'000;
+/// 3 s: the flash takes 0.4 s at most to erase a sector.
+inline constexpr std::uint32_t kPatientCount = 6'000'000;
 
 /// After the clock: it counts the same microseconds.
 inline void start_watchdog() {
@@ -25,5 +26,14 @@ inline void start_watchdog() {
   reg(kWatchdogControl) = kWatchdogEnable | kWatchdogPauses;
 }
 inline void feed_watchdog() { reg(kWatchdogLoad) = kWatchdogCount; }
+
+/// While the flash is erased; the motors are held then.
+class PatientWatchdog {
+ public:
+  PatientWatchdog() { reg(kWatchdogLoad) = kPatientCount; }
+  ~PatientWatchdog() { feed_watchdog(); }
+  PatientWatchdog(const PatientWatchdog&) = delete;
+  PatientWatchdog& operator=(const PatientWatchdog&) = delete;
+};
 
 }  // namespace fencepost::mcu::rp2040

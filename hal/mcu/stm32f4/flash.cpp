@@ -4,6 +4,7 @@
 
 #include "hal/mcu/register.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
+#include "hal/mcu/stm32f4/watchdog.hpp"
 
 namespace fencepost::mcu::stm32f4 {
 namespace {
@@ -56,6 +57,7 @@ bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint
 }
 
 bool Flash::erase(std::size_t n) {
+  const PatientWatchdog watchdog;
   const Unlocked unlocked;
   reg(kFlashControl) =
       kFlashErase | kFlashByWords | ((kFirstSector + static_cast<std::uint32_t>(n)) << kFlashSectorShift);

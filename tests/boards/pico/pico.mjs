@@ -10,6 +10,8 @@ import { UsbHost } from './usb_host.mjs';
 const kBoot2 = 0x20041f00; // where the boot ROM copies it (RP2040 datasheet 2.8.1.3)
 const kRom = 0x20042000; // its stack
 const kCycleNanos = 8; // 125 MHz
+const kStopPin = 15;
+const kHigh = 1; // of rp2040js' states of a pin; all others are low at the end of a wire with a resistor to ground
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
 
 export class Pico {
@@ -19,7 +21,12 @@ export class Pico {
     this.counter = counter;
     this.past = 0;
     this.instructions = 0;
+    this.stop = []; // [microseconds, level] of each change of the pin that stops the motors
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
+  }
+
+  noteStop(high) {
+    if ((this.stop.at(-1)?.[1] ?? 0) !== Number(high)) this.stop.push([Math.round(this.nanos / 1000), Number(high)]);
   }
 
   get nanos() {
@@ -39,6 +46,7 @@ export class Pico {
     mcu.flash.set(this.flash);
     if (how === 'power') mcu.sram.forEach((_, i) => (mcu.sram[i] = (i * 2654435761) >>> 24));
     else mcu.sram.set(before.sram);
+    this.noteStop(false); // a part in reset drives nothing
     this.wire(how, watchdog);
     this.rules = new Rules(mcu);
     checkBoot2(mcu.flash);
@@ -64,6 +72,7 @@ export class Pico {
   wire(how, oldWatchdog) {
     const { mcu } = this;
     this.rom = new BootRom(mcu);
+    mcu.gpio[kStopPin].addListener((state) => this.noteStop(state === kHigh));
     this.console = new SerialLine(mcu, 0, this.out.console);
     this.camera = new SerialLine(mcu, 1, this.out.camera);
     this.bus = new TwoWire(mcu, 0x54, this.out.camera);
@@ -94,7 +103,8 @@ export class Pico {
     while (clock.nanos < until && !this.dead) {
       if (!core.waiting) {
         if (this.counter !== null) this.counter.see(core);
-        clock.nanosCounter += core.executeInstruction() * kCycleNanos;
+        const cycles = core.executeInstruction(); // it may let time pass itself: the flash does
+        clock.nanosCounter += cycles * kCycleNanos;
         if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= clock.nanosCounter) clock.tick(0);
         this.instructions++;
       } else if (core.checkForInterrupts()) {
