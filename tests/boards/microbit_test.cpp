@@ -1,6 +1,7 @@
 // The micro:bit image in its emulator.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 #include "tests/boards/bench.hpp"
@@ -9,6 +10,7 @@
 #include "tests/boards/every_board.hpp"
 #include "tests/boards/faults.hpp"
 #include "tests/boards/microbit.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -58,21 +60,76 @@ TEST(Microbit, KeepsSettingsOverAReset) {
   EXPECT_TRUE(bench.obey("get robot.margin", "0.05")) << bench.said();
 }
 
-// Pin 13, the row of the pixel at the upper left, in the pins' output register: on and off as long as the loop turns.
+// The pins' output register, by the emulator's own console. Nothing: it has not answered in time.
+std::optional<unsigned long> pins_of(Bench& bench, double wait) {
+  static_cast<void>(bench.line(1).take());
+  bench.line(1).send("xp /1xw 0x50000504\n");
+  bench.run(wait);
+  const std::string answer = bench.line(1).take();
+  const std::size_t at = answer.find(": 0x");
+  if (at == std::string::npos) return std::nullopt;
+  return std::stoul(answer.substr(at + 4, 8), nullptr, 16);
+}
+
+// Pin 2, ring 1 of the edge connector: high only while the robot may drive.
+bool released(Bench& bench) {
+  for (int i = 0; i < 20; ++i) {
+    const auto pins = pins_of(bench, 0.005);
+    if (pins) return (*pins >> 2 & 1) != 0;
+  }
+  ADD_FAILURE() << "the emulator does not answer";
+  return false;
+}
+
+TEST(Microbit, ItsStopPinFollowsTheAlert) {
+  constexpr double kSpeed = 0.16;
+  Bench bench(microbit());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  double t = 0;
+  double looked = 0;
+  std::uint32_t number = 0;
+  const auto drive = [&](double seconds, bool sees) {
+    for (const double end = t + seconds - 1e-9; t < end; t += 0.02) {
+      bench.console().send(line_of(desk_odometry(t, kSpeed * t)));
+      if (sees && number++ % 2 == 0) bench.give(desk_frame(t, number, kSpeed * t));
+      bench.run(0.02);
+    }
+  };
+  EXPECT_FALSE(released(bench)) << "nothing has been seen";
+  bench.console().send(line_of(level_pixy2()));
+  ASSERT_TRUE(bench.obey("mode log", "mode is log"));
+  drive(1.0, true);
+  EXPECT_TRUE(released(bench)) << bench.said();
+  bench.clear();
+  for (; looked < 6 && bench.said().find(",stop,") == std::string::npos; looked += 0.02) drive(0.02, true);
+  ASSERT_NE(bench.said().find(",stop,"), std::string::npos) << "it came to a stop";
+  EXPECT_FALSE(released(bench));
+}
+
+TEST(Microbit, ItsStopPinFallsWithTheSender) {
+  Bench bench(microbit());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  bench.console().send(line_of(level_pixy2()));
+  for (int i = 0; i < 50; ++i) {
+    bench.console().send(line_of(desk_odometry(0.02 * i, 0)));
+    if (i % 2 == 0) bench.give(desk_frame(0.02 * i, static_cast<std::uint32_t>(i), 0));
+    bench.run(0.02);
+  }
+  EXPECT_TRUE(released(bench)) << bench.said();
+  // 0.3 s after the last input was used; the last lines wait in the emulator's buffers for as long.
+  bench.run(0.7);
+  EXPECT_FALSE(released(bench)) << "all its inputs come from one sender";
+}
+
+// Pin 13, the row of the pixel at the upper left: on and off as long as the loop turns.
 TEST(Microbit, BeatsItsHeart) {
   Bench bench(microbit());
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   int on = 0;
   int off = 0;
   for (int i = 0; i < 40 && (on == 0 || off == 0); ++i) {
-    static_cast<void>(bench.line(1).take());
-    bench.line(1).send("xp /1xw 0x50000504\n");
-    bench.run(0.1);
-    const std::string answer = bench.line(1).take();
-    const std::size_t at = answer.find(": 0x");
-    if (at == std::string::npos) continue;
-    const unsigned long pins = std::stoul(answer.substr(at + 4, 8), nullptr, 16);
-    ++((pins >> 13 & 1) != 0 ? on : off);
+    const auto pins = pins_of(bench, 0.1);
+    if (pins) ++((*pins >> 13 & 1) != 0 ? on : off);
   }
   EXPECT_GT(on, 0);
   EXPECT_GT(off, 0);

@@ -21,6 +21,8 @@ I2C1_CLOCK = 0x40005400 + 0x1C
 BOARDS = {"netduino_plus_2": ("fencepost.elf", 0x40004400, [25_000_000]),
           "pyboard": ("fencepost-pyboard.elf", 0x40004400, [12_000_000, 8_000_000]),
           "feather_f405": ("fencepost-feather_f405.elf", 0x40004800, [12_000_000])}
+# Low stops the motors.
+STOP = {"netduino_plus_2": ("B", 12), "pyboard": ("B", 12), "feather_f405": ("C", 2)}
 ROM = 0x1FFF0000  # the ROM's boot loader, and its vector table
 FLASH = 0x40023C00
 USB, TIMER2, USART1 = 67, 28, 37  # interrupts
@@ -112,6 +114,13 @@ def start(image, leave, crystal, seconds=0.15, part_of=Part):
     return part
 
 
+def stop_pin(part, board):
+    """Its mode, of which 1 is an output, and its level."""
+    port, n = STOP[board]
+    base = next(address for address, name in PORTS.items() if name == port)
+    return part.words.get(base, 0) >> 2 * n & 3, part.words.get(base + 0x14, 0) >> n & 1
+
+
 class DirtyStarts(unittest.TestCase):
     def expect_up(self, board, leave, crystal):
         image, line, _ = BOARDS[board]
@@ -126,6 +135,7 @@ class DirtyStarts(unittest.TestCase):
         self.assertEqual(part.clocks.core_hz(), 168_000_000)
         self.assertLess(abs(part.timer2_count() / 1e6 / (part.seconds - part.timer2[0]) - 1), 1e-3)
         self.assertGreater(part.interrupts, 50)
+        self.assertEqual(stop_pin(part, board), (1, 0), "nothing is seen yet: the motors are held")
 
     def test_every_start_of_every_board(self):
         for board, (_, _, crystals) in BOARDS.items():
@@ -191,6 +201,26 @@ class Rules(unittest.TestCase):
     def test_a_core_that_stays_on_its_pll_is_found(self):
         part = self.without(on_pll, lambda _, address, value: address == RCC + 8 and value == 0)
         self.assertIn("the pll is stopped while the core runs on it", part.faults)
+
+    def test_a_pin_that_does_not_hold_the_motors_is_found(self):
+        port = next(address for address, name in PORTS.items() if name == "B")
+        part = self.without(from_reset, lambda _, address, __: address == port)
+        self.assertEqual(stop_pin(part, "netduino_plus_2")[0], 0)
+
+    # A loop that hangs, at the clock's fastest; 0.40 s at its usual 32 kHz.
+    def test_the_watchdog_bites_in_time(self):
+        fed = []
+
+        class Hangs(Part):
+            def write_watchdog(self, value):
+                if len(fed) < 300:  # some hundred turns after the start
+                    fed.append(self.seconds)
+                    super().write_watchdog(value)
+
+        part = start("fencepost.elf", from_reset, 25_000_000, 2.0, Hangs)
+        self.assertEqual(part.stop_reason, "the watchdog has reset the part")
+        self.assertLess(part.seconds - fed[-1], 0.30)
+        self.assertGreater(part.seconds - fed[-1], 0.25)
 
     def test_a_watchdog_that_is_not_fed_is_found(self):
         part = self.without(watchdog_on, lambda _, address, value: address == IWDG)
