@@ -19,8 +19,9 @@ constexpr std::uint32_t kMaxPolls = 100'000;  // the PLL locks within 0.3 ms, a 
 bool return_to_oscillator() {
   set_bits(kRccControl, kHsiOn);
   if (!await_bits(kRccControl, kHsiOn | kHsiReady, kMaxPolls)) return false;
-  reg(kRccConfig) = 0;
+  clear_bits(kRccConfig, kSwitchMask);
   static_cast<void>(await_mask(kRccConfig, kSwitchedMask, 0, kMaxPolls));
+  reg(kRccConfig) = 0;  // not before: the buses would run as fast as the core for a moment
   clear_bits(kRccControl, kPllOn | kAudioPllOn | kWatchHse);
   static_cast<void>(await_mask(kRccControl, kPllReady, 0, kMaxPolls));
   clear_bits(kRccControl, kHseOn);

@@ -31,6 +31,7 @@ inline constexpr std::uint32_t kAudioPllOn = 1U << 26;
 inline constexpr std::uint32_t kPllFromCrystal = 1U << 22;          // in kRccPll
 inline constexpr std::uint32_t kRccForgetInterrupts = 0x00BF'0000;  // all off, their flags cleared
 inline constexpr std::uint32_t kCrystalDividedBy31 = 31U << 16;     // in kRccConfig, for the real-time clock
+inline constexpr std::uint32_t kSwitchMask = 0x3;
 inline constexpr std::uint32_t kSwitchToPll = 0x2;
 inline constexpr std::uint32_t kSwitchedMask = 0x3U << 2;
 inline constexpr std::uint32_t kSwitchedToPll = 0x2U << 2;

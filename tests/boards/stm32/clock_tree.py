@@ -72,6 +72,8 @@ class ClockTree:
         self.words[offset] = value
         if offset == CR:
             self.write_control(before, value, seconds)
+        if offset == CFGR:
+            self.check()  # the dividers change at once, the switch takes some cycles
         if offset in (CFGR, CR):
             self.switch(seconds)
 
