@@ -9,6 +9,7 @@ endif()
 foreach(drive ${drives})
   if(IS_DIRECTORY "${drive}")
     file(COPY "${IMAGE}" DESTINATION "${drive}")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env sync ERROR_QUIET OUTPUT_QUIET)  # it may be unplugged at once
     message(STATUS "${IMAGE} copied to ${drive}; the board starts it when its yellow light stops blinking")
     return()
   endif()

@@ -3,6 +3,7 @@
 foreach(drive /media/$ENV{USER}/RPI-RP2 /run/media/$ENV{USER}/RPI-RP2 /media/RPI-RP2 /mnt/RPI-RP2 /Volumes/RPI-RP2)
   if(EXISTS "${drive}/INFO_UF2.TXT")  # an empty folder is a drive that is not mounted
     file(COPY "${IMAGE}.uf2" DESTINATION "${drive}")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env sync ERROR_QUIET OUTPUT_QUIET)  # it may be unplugged at once
     message(STATUS "${IMAGE}.uf2 copied to ${drive}; the board starts it at once")
     return()
   endif()
