@@ -88,7 +88,8 @@ base::Result<StopLineSpec, std::string> parse_stop_line(std::string_view text) {
   spec.active_high = text.ends_with(kActiveHigh);
   if (spec.active_high) text.remove_suffix(kActiveHigh.size());
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size() || text.find(',') != text.npos) {
+  if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size() ||
+      text.find(',') != std::string_view::npos) {
     return "--stop-gpio " + whole + ": write CHIP:LINE[,active-high], such as gpiochip0:17; 'gpioinfo' lists them";
   }
   spec.chip = std::string(text.substr(0, colon));

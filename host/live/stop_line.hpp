@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/base/result.hpp"
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/opened.hpp"
 #include "hal/linux/output_line.hpp"
