@@ -37,14 +37,16 @@ class Map {
                          const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
     FrameOutcome outcome;
     standing_.look(odometry, frame.t - camera.latency);
-    guard_.look(frame, camera, odometry, standing_.since());
+    LensPose lens = lens_pose(odometry, camera);
+    guard_.look(frame, camera, lens, standing_.since());
     table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, drift);
-    matcher_.predict(table_.objects(), camera, lens_pose(driven, camera), noise, correction_);
+    if (driven != odometry) lens = lens_pose(driven, camera);
+    matcher_.predict(table_.objects(), camera, lens, noise, correction_);
     matcher_.observe(frame, camera, table_.objects());
     outcome.matched = matcher_.match();
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);
-    const LensPose lens = lens_pose(pose, camera);
+    if (pose != driven) lens = lens_pose(pose, camera);
     table_.update(matcher_, camera, lens, outcome);
     update_models(table_, matcher_, camera, lens, correction_.model_noise(noise));
     fitter_.fit(table_);
@@ -62,6 +64,8 @@ class Map {
     lens_check_.clear();
     table_.recalibrated();
   }
+  /// Whether the robot stands, by the latest frame.
+  [[nodiscard]] bool stands() const { return standing_.stands(); }
   /// Beside the objects: where the feet of blobs were seen, in the frame of odometry alone.
   [[nodiscard]] const guard::Guard<Profile::kFronts>& guard() const { return guard_; }
 

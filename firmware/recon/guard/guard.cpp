@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "firmware/recon/floor_frame.hpp"
-#include "hal/base/trig.hpp"
 
 namespace fencepost::recon::guard {
 namespace {
@@ -31,16 +30,12 @@ struct Lens : FloorFrame {
   }
 };
 
-Lens lens_of(const CameraModel& camera, const MapPose& odometry, const MapPoint& origin) {
-  const base::SinCos heading = base::sincos_urad(odometry.heading);
-  const Vec2 robot{heading.cos, heading.sin};
-  const Vec2 axis = rotated(robot, camera.yaw);
-  const Vec2 mount = rotated(robot, camera.position);
+Lens lens_of(const LensPose& pose, const MapPoint& origin) {
   Lens lens;
-  lens.x = (odometry.position.x - origin.x) / kUnitsPerMillimetre + nearest_whole(1000 * mount.x(), 4000);
-  lens.y = (odometry.position.y - origin.y) / kUnitsPerMillimetre + nearest_whole(1000 * mount.y(), 4000);
-  lens.axis_x = nearest_whole(static_cast<float>(kSlopeOne) * axis.x());
-  lens.axis_y = nearest_whole(static_cast<float>(kSlopeOne) * axis.y());
+  lens.x = (pose.anchor.x - origin.x) / kUnitsPerMillimetre + nearest_whole(1000 * pose.lens.x(), 4000);
+  lens.y = (pose.anchor.y - origin.y) / kUnitsPerMillimetre + nearest_whole(1000 * pose.lens.y(), 4000);
+  lens.axis_x = nearest_whole(static_cast<float>(kSlopeOne) * pose.axis.x());
+  lens.axis_y = nearest_whole(static_cast<float>(kSlopeOne) * pose.axis.y());
   return lens;
 }
 
@@ -237,12 +232,12 @@ void GuardCore::follow(std::span<Front> fronts, const MapPoint& robot) {
 }
 
 std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
-                            const MapPose& odometry, base::Time stands_since) {
+                            const LensPose& pose, base::Time stands_since) {
   if (!camera.floor.usable()) return size_;
   const base::Time t = frame.t - camera.latency;
   pass_time(store.first(size_), t);
-  follow(store.first(size_), odometry.position);
-  const Lens lens = lens_of(camera, odometry, origin_);
+  follow(store.first(size_), pose.anchor);
+  const Lens lens = lens_of(pose, origin_);
   FootLines feet;
   for (const WaitingBlob& blob : frame.blobs) static_cast<void>(feet.push_back(foot_line(camera, blob)));
 

@@ -15,7 +15,7 @@
 #include "firmware/recon/guard/front.hpp"
 #include "firmware/recon/guard/tuning.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
-#include "firmware/recon/observe/pose_history.hpp"
+#include "firmware/recon/observe/sighting.hpp"
 #include "hal/base/fnv1a.hpp"
 #include "hal/base/stamp.hpp"
 
@@ -29,7 +29,7 @@ class GuardCore {
  protected:
   /// The fronts of this frame, and what it says of those known before. Returns the number of points then.
   [[gnu::noinline]] std::size_t look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
-                                     const MapPose& odometry, base::Time stands_since);
+                                     const LensPose& pose, base::Time stands_since);
   void hash_part(base::Fnv1a64& hash, std::span<const Front> fronts, std::uint32_t turn) const;
 
   std::uint8_t size_ = 0;
@@ -54,9 +54,9 @@ class Guard : public GuardCore {
   /// Nothing was seen yet: a new run, or another calibration.
   void clear() { static_cast<GuardCore&>(*this) = {}; }
 
-  /// `odometry`: where the robot was at the exposure; since when it has stood there, see Standing.
-  void look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry, base::Time stands_since) {
-    size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, odometry, stands_since));
+  /// `pose`: where the lens was at the exposure, by odometry; since when the robot has stood there, see Standing.
+  void look(const WaitingFrame& frame, const CameraModel& camera, const LensPose& pose, base::Time stands_since) {
+    size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, pose, stands_since));
   }
 
   [[nodiscard]] std::span<const Front> fronts() const { return {fronts_.data(), size_}; }

@@ -1,5 +1,7 @@
 #include "firmware/recon/observe/pose_history.hpp"
 
+#include <limits>
+
 #include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
@@ -7,17 +9,28 @@ namespace {
 
 constexpr std::int64_t kTwoPiMicroradians = 6'283'185;
 
+constexpr bool fits_32_bits(std::int64_t value) {
+  return value <= std::numeric_limits<std::int32_t>::max() && value >= std::numeric_limits<std::int32_t>::min();
+}
+
+// Most differences are small, and a small core divides 32 bits ten times as fast as 64.
+std::int64_t quotient(std::int64_t dividend, std::int64_t divisor) {
+  if (!fits_32_bits(dividend) || !fits_32_bits(divisor)) return dividend / divisor;
+  return static_cast<std::int32_t>(dividend) / static_cast<std::int32_t>(divisor);
+}
+
 // a + (b - a) num / den, half away from zero, in integers.
 std::int32_t between(std::int32_t a, std::int64_t difference, std::int64_t num, std::int64_t den) {
   const std::int64_t product = difference * num;
   const std::int64_t half = product < 0 ? -den / 2 : den / 2;
-  return static_cast<std::int32_t>(a + (product + half) / den);
+  return static_cast<std::int32_t>(a + quotient(product + half, den));
 }
 
 }  // namespace
 
 std::int64_t short_way(std::int64_t microradians) {
-  std::int64_t wrapped = microradians % kTwoPiMicroradians;
+  const bool whole_turns = microradians >= kTwoPiMicroradians || microradians <= -kTwoPiMicroradians;
+  std::int64_t wrapped = whole_turns ? microradians % kTwoPiMicroradians : microradians;
   if (wrapped > kTwoPiMicroradians / 2) wrapped -= kTwoPiMicroradians;
   if (wrapped < -kTwoPiMicroradians / 2) wrapped += kTwoPiMicroradians;
   return wrapped;

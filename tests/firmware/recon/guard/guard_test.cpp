@@ -25,7 +25,7 @@ struct Bench {
   }
   void show(const sensor::BlobFrame& frame, double x = 0, double y = 0) {
     standing.look(pose_at(x, y), base::Time::nearest(t));
-    guard.look(recon::make_waiting(frame, 0), camera, pose_at(x, y), standing.since());
+    guard.look(recon::make_waiting(frame, 0), camera, recon::lens_pose(pose_at(x, y), camera), standing.since());
     t += 1 / rate;
     ++number;
   }
@@ -168,7 +168,9 @@ TEST(Standing, IsSinceThePlaceWasReachedAndStandsWavering) {
   const double reached = t + 0.1;
   for (int i = 0; i < 50; ++i) go(0.5 + (i % 2 == 0 ? 0.006 : -0.006));
   EXPECT_NEAR(standing.since().to_double(), reached, 0.5);
+  EXPECT_TRUE(standing.stands());
   go(0.54);
+  EXPECT_FALSE(standing.stands());
   EXPECT_NEAR(standing.since().to_double(), t, 1e-9) << "it may drive";
   go(0.5);
   EXPECT_NEAR(standing.since().to_double(), reached, 0.5) << "it did not";
@@ -277,7 +279,7 @@ TEST(Guard, WhatMovesLeavesNothingBehind) {
     recon::WaitingFrame frame =
         recon::make_waiting(flat_view({{0.5 + 0.02 * i, -0.05, 0.05}}, 0.1, 0, bench.t, bench.number++), 0);
     frame.blobs[0].moves = true;
-    bench.guard.look(frame, bench.camera, pose_at(0.1), base::Time::nearest(bench.t));
+    bench.guard.look(frame, bench.camera, recon::lens_pose(pose_at(0.1), bench.camera), base::Time::nearest(bench.t));
     bench.t += 0.1;
   }
   ASSERT_FALSE(bench.guard.fronts().empty());
