@@ -39,7 +39,8 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
   if (!obstacle.known) return AlertLevel::kClear;
   const auto near = [&](float distance) { return obstacle.distance - obstacle.overhang <= slack * distance; };
   const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
-  if (!obstacle.in_path) return near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
+  const bool may_be_there = !obstacle.guessed || obstacle.toward.x() > 0;
+  if (!obstacle.in_path) return may_be_there && near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
   if (must_stop(obstacle, *obstacle.in_path, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
   if (near(rules.warn) || soon(rules.ttc_warn)) return AlertLevel::kWarn;
   if (near(rules.notice)) return AlertLevel::kNotice;

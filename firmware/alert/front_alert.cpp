@@ -73,8 +73,10 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   using recon::nearest_whole;
   constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;
   const SweptArea area(path, kUnsureMargin);
+  const SweptArea beside(path, -kGuessedMargin);
   Limits due(rules, path, area.overhang(), 1.0F);
   Limits held(rules, path, area.overhang(), kHysteresis);
+  Limits guessed(rules, path, area.overhang(), 1 + kCutOff.most);
   const recon::FloorFrame here{(robot.position.x - origin.x) / kUnits, (robot.position.y - origin.y) / kUnits,
                                nearest_whole(recon::kSlopeOne * robot.heading.x()),
                                nearest_whole(recon::kSlopeOne * robot.heading.y())};
@@ -89,9 +91,11 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
     const std::int32_t dy = front.y - here.y;
     if (dx > kReach || dx < -kReach || dy > kReach || dy < -kReach) continue;
     const auto [x, y] = here.see(front.x, front.y);
-    if (!area.contains(x, y)) continue;
+    if (!beside.contains(x, y)) continue;
     const std::int32_t square = x * x + y * y;
     const bool behind = x < 0;
+    guessed.add(front, square, behind);
+    if (!area.contains(x, y)) continue;
     due.add(front, square, behind);
     held.add(front, square, behind);
     // A point of a single frame may be noise: the nearest one that several have seen, if there is one.
@@ -107,6 +111,7 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   FrontAhead ahead;
   ahead.due = due.level();
   ahead.held = held.level();
+  ahead.something = guessed.level() == AlertLevel::kStop;
   if (nearest == nullptr) return ahead;
   Obstacle& obstacle = ahead.nearest;
   obstacle.known = true;

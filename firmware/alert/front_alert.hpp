@@ -16,6 +16,7 @@ namespace fencepost::alert {
 struct FrontAhead {
   record::AlertLevel due = record::AlertLevel::kClear;   ///< what the thresholds call for
   record::AlertLevel held = record::AlertLevel::kClear;  ///< the same, thresholds widened by the hysteresis
+  bool something = false;                                ///< so near that an object whose place is a guess may be it
   Obstacle nearest;  ///< the nearest point in the area; not known if there is none near enough to warn
   std::uint8_t signature = 0;
   float confidence = 0;  ///< in [0, 1]: the share of the last frames that saw it, less what looked past it

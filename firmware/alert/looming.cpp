@@ -482,6 +482,7 @@ FrontAhead more_urgent(const FrontAhead& one, const FrontAhead& other) {
   if (!front.nearest.known && one.nearest.known) front = one;
   front.due = std::max(one.due, other.due);
   front.held = std::max(one.held, other.held);
+  front.something = one.something || other.something;
   return front;
 }
 

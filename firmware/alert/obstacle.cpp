@@ -60,6 +60,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.toward = center;
   obstacle.distance = std::max(0.0F, range - cylinder.radius);
   obstacle.cut_off = object.cut_off();
+  obstacle.guessed = !object.cylinder.known_whole();
   obstacle.overhang = swept.overhang(center);
   if (swept.touches(center, cylinder.radius)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
   set_closing(swept.path(), range, obstacle);

@@ -19,6 +19,7 @@ struct Obstacle {
   recon::Vec2 toward{0, 0};  ///< m, the middle of the alert model: the nearest point is on the way to it
   float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
   bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
+  bool guessed = false;      ///< it was never surely seen whole: a side of a corridor is no disc in the middle of it
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing

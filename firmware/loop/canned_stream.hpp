@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x17b99b14cfbff78f;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x476ec5f9d5965a22;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc21a30b6d6ecb0ba;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x0b26500ba3de7333;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xe6f46364bb898fb3;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x436dfce070fc1fe2;
 
 template <class Profile>
 CannedStream canned_stream() {

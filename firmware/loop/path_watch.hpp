@@ -43,23 +43,25 @@ class PathWatch {
     const alert::AlertRules rules(m_.settings, m_.camera_doubt.caution());
     const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
-    m_.run.last_way.follow(m_.poses.motion(kMotionSpan));
-    const alert::RobotPath path = path_ahead();
+    const recon::Motion motion = motion_now(now);
+    m_.run.last_way.follow(motion);
+    const alert::RobotPath path = path_ahead(motion);
     const alert::SweptByBody swept(path);
     const alert::RobotPlace robot(robot_pose(m_));
+    const alert::FrontAhead front = fronts_ahead(path, rules, now);
     std::optional<alert::Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
-      const alert::Obstacle obstacle = see_obstacle(object, robot, swept);
+      alert::Obstacle obstacle = see_obstacle(object, robot, swept);
+      if (obstacle.guessed && !front.something) obstacle.in_path.reset();
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
       if (level) emit(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
       const bool nearer = !nearest || obstacle.distance < nearest->distance;
       if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
     }
-    const alert::FrontAhead front = fronts_ahead(path, rules, now);
     if (!blind) watch_fronts(front, rules, highest, now);
     const bool nearer = !nearest || front.nearest.distance < nearest->distance;
     if (front.nearest.known && m_.front_alert.in_force() && nearer) nearest = front.nearest;
@@ -89,15 +91,22 @@ class PathWatch {
 
  private:
   // The strip of floor that the robot is about to sweep, by its latest odometry.
-  [[nodiscard]] alert::RobotPath path_ahead() const {
+  [[nodiscard]] alert::RobotPath path_ahead(const recon::Motion& motion) const {
     alert::RobotPath path;
-    path.motion = m_.poses.motion(kMotionSpan);
+    path.motion = motion;
     path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
     path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
     path.front = m_.settings.number(config::Key::kRobotFront);
     path.rear = m_.settings.number(config::Key::kRobotRear);
     path.last = m_.run.last_way;
     return path;
+  }
+
+  // Odometry that wavers takes a robot that stands nowhere.
+  [[nodiscard]] recon::Motion motion_now(base::Time now) const {
+    const bool fresh = m_.run.last_frame && now - *m_.run.last_frame < alert::kOverdueLeast;
+    if (fresh && m_.map.stands()) return {};
+    return m_.poses.motion(kMotionSpan);
   }
 
   void plot(const std::optional<alert::Obstacle>& nearest, base::Time now) {
@@ -136,8 +145,10 @@ class PathWatch {
     const auto& guard = m_.map.guard();
     const alert::RobotPlace robot(m_.poses.latest());
     const recon::CameraModel& camera = m_.calibration.models[m_.calibration.current];
-    return more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
-                       m_.looming.ahead(camera, path, rules, now));
+    alert::FrontAhead front = more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
+                                          m_.looming.ahead(camera, path, rules, now));
+    if (!camera.floor.usable()) front.something = true;  // the guard sees nothing then, and contradicts nothing
+    return front;
   }
 
   // A robot that was blind judges anew, and says so if there is nothing else to say.

@@ -159,6 +159,8 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
   const Vec2 lens = sighting.lens_from(origin);
   if (views_ < kViewsToGuess) ++views_;
   seen_whole_ = seen_whole_ || sighting.both_edges();
+  if (!known_whole())
+    whole_views_ = sighting.both_edges() ? static_cast<std::uint8_t>(whole_views_ + 1) : std::uint8_t{0};
   if (estimate_.ok() && agreement_ < kAgreementFloor) {
     scale_edges(kForgetting);
     rows_.scale(kForgetting);
@@ -210,20 +212,26 @@ void Cylinder::scale_edges(float factor) {
   false_depth_ *= factor;
 }
 
-void Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) {
+void Cylinder::solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoise& noise) {
   trend_.judge();
+  estimate_ = solve(lens, noise);
+  const bool in_front = bearing.dot(estimate_.center - lens) > 0;
+  if (estimate_.ok() && !in_front) estimate_.refusal = CylinderRefusal::kImplausible;
+}
+
+CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) const {
   const CylinderEstimate from_edges = solve_equations(edges_, lens);
   const NormalEquations rows = believed_rows(noise);
   if (!(rows.information.rr > 0) || (edges_know(from_edges, lens) && !agree(rows, from_edges))) {
-    estimate_ = from_edges;
-    return;
+    return from_edges;
   }
   NormalEquations both = rows;
   both.add(edges_);
-  estimate_ = solve_equations(both, lens);
-  if (!seen_whole_ && views_ < kViewsToGuess) return;
-  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusSigma);
-  if (!estimate_.ok()) estimate_ = solve_with_typical_radius(both, lens, kRadiusGuess);
+  CylinderEstimate estimate = solve_equations(both, lens);
+  if (!seen_whole_ && views_ < kViewsToGuess) return estimate;
+  if (!estimate.ok()) estimate = solve_with_typical_radius(both, lens, kRadiusSigma);
+  if (!estimate.ok()) estimate = solve_with_typical_radius(both, lens, kRadiusGuess);
+  return estimate;
 }
 
 NormalEquations Cylinder::believed_rows(const MeasurementNoise& noise) const {
@@ -261,6 +269,7 @@ void Cylinder::hash(base::Fnv1a64& hash) const {
   hash.f32(false_depth_);
   hash.u8(views_);
   hash.u8(seen_whole_ ? 1 : 0);
+  hash.u8(whole_views_);
   hash.u8(static_cast<std::uint8_t>(estimate_.refusal));
   if (!estimate_.ok()) return;
   hash_vec(hash, estimate_.center);

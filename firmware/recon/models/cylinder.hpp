@@ -8,6 +8,7 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/models/row_trend.hpp"
+#include "firmware/recon/models/tuning.hpp"
 #include "firmware/recon/observe/sighting.hpp"
 #include "hal/base/fnv1a.hpp"
 
@@ -80,8 +81,9 @@ class Cylinder {
   /// Adds the tangents of one view. `novelty` in (0, 1] is the weight of the view (a parked robot learns nothing new).
   void add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise);
 
-  /// Solves for the current estimate. `lens` is the last lens position, for the parallax test.
-  void solve(const Vec2& lens, const MeasurementNoise& noise);
+  /// Solves for the current estimate. `lens`: where it was last, for the parallax test; `bearing`: the direction in
+  /// which the object was seen from there, unit. It is not behind that.
+  void solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoise& noise);
 
   void move_origin(const Vec2& shift);
   /// Rows come from another calibration from now on: whether they are to be believed is not known.
@@ -93,12 +95,15 @@ class Cylinder {
   /// Whether the object's rows are to be believed.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
+  /// Several views in a row had both ends: not of something longer than the image, of which noise has taken an end.
+  [[nodiscard]] bool known_whole() const { return whole_views_ >= kViewsWhole; }
 
  private:
   void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
                 const MeasurementNoise& noise);
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
   void scale_edges(float factor);
+  [[nodiscard]] CylinderEstimate solve(const Vec2& lens, const MeasurementNoise& noise) const;
   /// The edges alone know the distance, and not only because noise looks like parallax.
   [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
   /// What rows say, or what their trend makes of it.
@@ -108,10 +113,11 @@ class Cylinder {
   NormalEquations rows_;
   float row_count_ = 0;
   RowTrend trend_;
-  float false_depth_ = 0;    ///< what noisy directions add to edges_' information on the distance, 1/m^2
-  std::uint8_t views_ = 0;   ///< counted as far as kViewsToGuess
-  bool seen_whole_ = false;  ///< a view had both ends
-  float agreement_ = 1;      ///< running mean of the inlier weights: low when the past does not explain the present
+  float false_depth_ = 0;         ///< what noisy directions add to edges_' information on the distance, 1/m^2
+  std::uint8_t views_ = 0;        ///< counted as far as kViewsToGuess
+  bool seen_whole_ = false;       ///< a view had both ends
+  std::uint8_t whole_views_ = 0;  ///< in a row, counted as far as kViewsWhole, and kept then
+  float agreement_ = 1;  ///< running mean of the inlier weights: low when the past does not explain the present
   CylinderEstimate estimate_;
 };
 

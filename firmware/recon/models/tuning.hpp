@@ -23,6 +23,11 @@ inline constexpr float kFarthestGuess = 2.5F;
 /// one, and would compete for its blobs. As many as confirm an object by default.
 inline constexpr std::uint8_t kViewsToGuess = 3;
 
+/// views in a row with both ends before an object counts as seen whole. Of a wall longer than the image noise takes an
+/// end in one view or two. More: the robot is told "something", not the object's name; less: stops between walls.
+/// Hazard table (corridors, walls, approaches), seeds 1 to 40.
+inline constexpr std::uint8_t kViewsWhole = 5;
+
 // --- novelty ---
 
 /// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view

@@ -22,10 +22,12 @@ class Standing {
       place_ = odometry;
       reached_ = exposure;
     }
-    const bool stands = strays_ == 0 && exposure - reached_ >= kStood;
-    since_ = stands ? reached_ : exposure;
+    stands_ = strays_ == 0 && exposure - reached_ >= kStood;
+    since_ = stands_ ? reached_ : exposure;
   }
 
+  /// By the latest frame.
+  [[nodiscard]] bool stands() const { return stands_; }
   /// The exposure itself while the robot moves, or may have begun to.
   [[nodiscard]] base::Time since() const { return since_; }
 
@@ -44,6 +46,7 @@ class Standing {
   MapPose place_;
   std::uint8_t strays_ = 0;
   bool started_ = false;
+  bool stands_ = false;
 };
 
 }  // namespace fencepost::recon

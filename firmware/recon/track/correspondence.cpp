@@ -92,16 +92,26 @@ bool has_middle_of(const Prediction& prediction, const Observation& seen) {
          twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
 }
 
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen) {
-  const auto count = [](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, int counts) {
+  const auto count = [counts](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(column - line.at) <= reach_of(line) + 1) return 0;
     constexpr int kMost = 100;
-    const int step = column < line.at ? -1 : 1;
+    const int step = column < line.at ? -counts : counts;
     return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
   };
   if (!(prediction.depth > 0)) return;
   if (is_edge(seen.left)) object.left_off = count(object.left_off, seen.left_column, prediction.left);
   if (is_edge(seen.right)) object.right_off = count(object.right_off, seen.right_column, prediction.right);
+}
+
+void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts) {
+  const bool jumped = stands && object.foot_row > 0 && std::abs(seen.box.y2 - object.foot_row) > kFootJump;
+  if (!jumped) {
+    object.foot_row = seen.box.y2;
+    object.foot_off = 0;
+  } else if (is_edge(seen.bottom)) {
+    object.foot_off = static_cast<std::uint8_t>(std::min(object.foot_off + counts, 0xFF));
+  }
 }
 
 bool overlaps(const Prediction& prediction, const Observation& seen) {

@@ -46,6 +46,8 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.u8(in_pieces);
   hash.u8(static_cast<std::uint8_t>(left_off));
   hash.u8(static_cast<std::uint8_t>(right_off));
+  hash.u8(foot_off);
+  hash.u16(static_cast<std::uint16_t>(foot_row));
   hash.u32(views);
   hash.i64(last_seen.raw);
   hash.u16(history.bits);

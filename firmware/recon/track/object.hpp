@@ -45,6 +45,8 @@ struct ObjectCore {
   std::uint8_t in_pieces = 0;    ///< frames in a row in which it was two blobs with nothing between them
   std::int8_t left_off = 0;  ///< frames in a row in which its left end was far off to one side; negative: to the left
   std::int8_t right_off = 0;
+  std::uint8_t foot_off = 0;  ///< frames in a row in which its foot was elsewhere although the robot stands
+  std::int16_t foot_row = 0;  ///< of the last sighting that was not
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;
@@ -71,6 +73,7 @@ struct ObjectCore {
   /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one
   /// side is a wrong pose.
   [[nodiscard]] bool contradicted() const {
+    if (foot_off >= kContradictingFrames) return true;
     return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kContradictingFrames;
   }
 
@@ -159,7 +162,7 @@ struct Object : ObjectCore {
     const Vec2 lens = sighting.lens_from(origin);
     const float weight = cylinder.first_views() == 0 ? 1.0F : novelty(lens);
     cylinder.add(sighting, origin, weight, noise);
-    cylinder.solve(lens, noise);
+    cylinder.solve(lens, sighting.center, noise);
     band.add(sighting, origin);
     last_lens = lens;
     last_bearing = sighting.center;

@@ -41,6 +41,12 @@ TEST(AlertLevel, FollowsDistanceTimeAndPath) {
   EXPECT_EQ(level(beside(0.51F)), AlertLevel::kClear);
   EXPECT_EQ(level(beside(0.1F)), AlertLevel::kNotice);  // near, but not in the way
   EXPECT_EQ(level(Obstacle{}), AlertLevel::kClear);
+  Obstacle guessed = beside(0.1F);
+  guessed.guessed = true;
+  guessed.toward = {0.1F, 0.1F};
+  EXPECT_EQ(level(guessed), AlertLevel::kNotice);
+  guessed.toward = {-0.1F, 0.1F};
+  EXPECT_EQ(level(guessed), AlertLevel::kClear) << "behind the robot nothing was ever seen";
 }
 
 TEST(AlertLevel, DistancesAreMovedByTheOverhang) {

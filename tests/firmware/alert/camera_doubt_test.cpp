@@ -117,7 +117,7 @@ TEST(CameraDoubt, CountsConfirmedObjectsByTheirRows) {
     sighting.rows_known = true;
     sighting.bottom = {static_cast<float>(0.09 / (1.0 - lens.x)), recon::End::kSeen};
     object.cylinder.add(sighting, {0, 0}, 1, {});
-    object.cylinder.solve(sighting.lens_from({0, 0}), {});
+    object.cylinder.solve(sighting.lens_from({0, 0}), sighting.center, {});
   }
   RowVotes seen;
   seen.add(object);

@@ -50,6 +50,21 @@ TEST_F(Fronts, BesideTheWaySaysNothing) {
   EXPECT_FALSE(see().nearest.known);
 }
 
+TEST_F(Fronts, ConfirmAnObjectWhosePlaceIsAGuess) {
+  put(361, 0);  // 0.25 m, by 0.4 of it more, and three sigmas of the pose
+  EXPECT_TRUE(see().something);
+  fronts_.clear();
+  put(364, 0);
+  EXPECT_FALSE(see().something);
+  fronts_.clear();
+  put(240, 165);  // beside the margin, but by no more than 2 cm
+  EXPECT_TRUE(see().something);
+  EXPECT_EQ(see().due, AlertLevel::kClear);
+  fronts_.clear();
+  put(240, 175);
+  EXPECT_FALSE(see().something);
+}
+
 TEST_F(Fronts, TheHysteresisHolds) {
   put(560, 0);
   EXPECT_EQ(see().due, AlertLevel::kClear);

@@ -15,7 +15,7 @@ inline recon::ObjectCore known_object(double x, double y, double radius) {
   for (const host::Point& lens : arc({x, y}, 1.5, 40)) {
     const recon::Sighting sighting = view_of_circle({x, y}, radius, lens).sighting;
     object.cylinder.add(sighting, object.origin, 1, {});
-    object.cylinder.solve(sighting.lens_from(object.origin), {});
+    object.cylinder.solve(sighting.lens_from(object.origin), sighting.center, {});
   }
   return object;
 }

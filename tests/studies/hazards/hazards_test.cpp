@@ -194,7 +194,7 @@ TEST(Removal, NeedsAnAlertBeforeAndNoneAfter) {
   const Encounter met = head_on();
   const auto judged = [&](std::vector<record::AlertReport> alerts) {
     Outcome outcome;
-    judge_removal(Judged(met, made(met, 8, std::move(alerts))), 4, 1, outcome);
+    judge_removal(Judged(met, made(met, 8, std::move(alerts))), 4, 1, 1, outcome);
     return outcome;
   };
   const Outcome good = judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear)});
@@ -202,6 +202,11 @@ TEST(Removal, NeedsAnAlertBeforeAndNoneAfter) {
   EXPECT_NEAR(good.measures[0], 0.9, 1e-9);
   EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(5.1, AlertLevel::kClear)}).kept, 0U);
   EXPECT_EQ(judged({}).kept, 0U) << "nothing was said that could end";
+  record::AlertReport background = alert(6, AlertLevel::kNotice);
+  background.distance = base::Metres::nearest(1.1);
+  EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear), background}).kept, 1U);
+  background.distance = base::Metres::nearest(0.9);
+  EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear), background}).kept, 0U);
   const Outcome forever = judged({alert(2, AlertLevel::kNotice)});
   EXPECT_EQ(forever.kept, 0U);
   EXPECT_NEAR(forever.measures[0], 4, 1e-9);

@@ -126,11 +126,16 @@ void judge_told(const Judged& run, double from, double until, double limit, Outc
   }
 }
 
-void judge_removal(const Judged& run, double gone, double limit, Outcome& outcome) {
+void judge_removal(const Judged& run, double gone, double limit, double background, Outcome& outcome) {
   ++outcome.asked;
-  const bool before = run.alerts.at(gone);
+  std::vector<record::AlertReport> alerts = run.history.alerts;
+  for (record::AlertReport& alert : alerts) {
+    if (alert.distance.to_double() > background) alert.level = AlertLevel::kClear;
+  }
+  const Stretches of_it(alerts, AlertLevel::kNotice);
+  const bool before = of_it.at(gone);
   double last = gone;
-  for (const Stretch& alert : run.alerts.all()) {
+  for (const Stretch& alert : of_it.all()) {
     if (alert.to > gone) last = std::max(last, std::min(alert.to, run.history.end));
   }
   outcome.measures.push_back(last - gone);

@@ -18,7 +18,7 @@ constexpr double kRadius = 0.06;
 
 void add(Cylinder& cylinder, const recon::Sighting& sighting, float novelty = 1) {
   cylinder.add(sighting, {0, 0}, novelty, {});
-  cylinder.solve(sighting.lens_from({0, 0}), {});
+  cylinder.solve(sighting.lens_from({0, 0}), sighting.center, {});
 }
 
 // The bottom row of an object that stands on the floor, as its nearest point shows it.
@@ -47,6 +47,33 @@ TEST(Cylinder, CensoredEndsAddNothing) {
     add(cylinder, s);
   }
   EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kNoEdges);
+}
+
+TEST(Cylinder, IsKnownWholeAfterFiveViewsInARowWithBothEnds) {
+  Cylinder cylinder;
+  const auto look = [&](bool whole) {
+    recon::Sighting s = view_of_circle(kCenter, kRadius, {0, 0}).sighting;
+    if (!whole) s.right.end = recon::End::kLowerBound;
+    add(cylinder, s);
+  };
+  for (int i = 0; i < 100; ++i) look(i % 5 != 4);  // a wall, of which noise takes an end
+  EXPECT_FALSE(cylinder.known_whole());
+  for (int i = 0; i < 4; ++i) look(true);
+  EXPECT_FALSE(cylinder.known_whole());
+  look(true);
+  EXPECT_TRUE(cylinder.known_whole());
+  look(false);
+  EXPECT_TRUE(cylinder.known_whole()) << "the robot has come near";
+}
+
+TEST(Cylinder, IsNeverBehindTheLensThatSeesIt) {
+  Cylinder cylinder;
+  for (int i = 0; i < 20; ++i) add(cylinder, view_of_circle(kCenter, kRadius, {0, 0.05 * i}).sighting);
+  ASSERT_TRUE(cylinder.estimate().ok());
+  cylinder.solve({0, 0}, {-1, 0}, {});
+  EXPECT_EQ(cylinder.estimate().refusal, CylinderRefusal::kImplausible);
+  cylinder.solve({0, 0}, {1, 0}, {});
+  EXPECT_TRUE(cylinder.estimate().ok());
 }
 
 TEST(Cylinder, ApproachingStraightIsEnoughWhenTheIntervalGrows) {
@@ -181,8 +208,9 @@ TEST(Cylinder, MovingTheOriginChangesNothing) {
     if (++i == 10) break;
   }
   moved_origin.move_origin(shift);
-  moved_origin.solve(Vec2{0, 0} - shift, {});
-  here.solve({0, 0}, {});
+  const Vec2 bearing = view_of_circle(kCenter, kRadius, {0, 0}).sighting.center;
+  moved_origin.solve(Vec2{0, 0} - shift, bearing, {});
+  here.solve({0, 0}, bearing, {});
   ASSERT_TRUE(here.estimate().ok());
   EXPECT_NEAR(moved_origin.estimate().center.x() + shift.x(), here.estimate().center.x(), 1e-5F);
   EXPECT_NEAR(moved_origin.estimate().center.y() + shift.y(), here.estimate().center.y(), 1e-5F);

@@ -100,7 +100,7 @@ TEST(RowTrend, PutsTheCylinderWhereItIs) {
     sighting.rows_known = true;
     sighting.bottom = {static_cast<float>(0.09 / (1.0 - lens.x)), recon::End::kSeen};
     cylinder.add(sighting, {0, 0}, 1, {});
-    cylinder.solve(sighting.lens_from({0, 0}), {});
+    cylinder.solve(sighting.lens_from({0, 0}), sighting.center, {});
   }
   ASSERT_TRUE(cylinder.estimate().ok());
   EXPECT_EQ(cylinder.row_trend().verdict(), RowVerdict::kTooFar);

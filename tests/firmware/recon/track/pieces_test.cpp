@@ -179,21 +179,41 @@ TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
 
 TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
   recon::ObjectCore object;
-  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170));
+  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), 1);
   EXPECT_EQ(object.left_off, 0);
   EXPECT_EQ(object.right_off, 3);
-  recon::compare_ends(object, expected(100, 150), blob(101, 130));
+  recon::compare_ends(object, expected(100, 150), blob(101, 130), 1);
   EXPECT_EQ(object.right_off, -1);
-  recon::compare_ends(object, expected(100, 150), blob(101, 151));
+  recon::compare_ends(object, expected(100, 150), blob(101, 151), 1);
   EXPECT_EQ(object.right_off, 0);
+  recon::compare_ends(object, expected(100, 150), blob(101, 170), 2);
+  EXPECT_EQ(object.right_off, 2) << "a slow camera's frame";
 }
 
 TEST(CompareEnds, AWrongPoseContradictsNothing) {
   recon::ObjectCore object;
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170));
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), 1);
   EXPECT_FALSE(object.contradicted());
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170));
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), 1);
   EXPECT_TRUE(object.contradicted());
+}
+
+TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
+  recon::Observation near = blob(100, 150);
+  near.box.y2 = 90;
+  recon::Observation far = near;
+  far.box.y2 = 60;
+  recon::ObjectCore object;
+  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 0 ? near : far, false, 1);
+  EXPECT_FALSE(object.contradicted()) << "the robot moves";
+  recon::compare_foot(object, near, true, 1);
+  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 9 == 8 ? near : far, true, 1);
+  EXPECT_FALSE(object.contradicted()) << "pieces were lost, and it was seen as it was";
+  recon::compare_foot(object, near, true, 1);
+  for (int i = 0; i < 9; ++i) recon::compare_foot(object, far, true, 1);
+  EXPECT_FALSE(object.contradicted());
+  recon::compare_foot(object, far, true, 1);
+  EXPECT_TRUE(object.contradicted()) << "something else is there now";
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ std::string_view name(Behind behind) {
 }
 
 Outcome take_away(Behind behind, double rate, unsigned seed, const Conditions& conditions) {
-  constexpr double kWatched = 16;  // s, afterwards
-  constexpr double kLimit = 1;     // s
+  constexpr double kWatched = 16;      // s, afterwards
+  constexpr double kLimit = 1;         // s
+  constexpr double kBackground = 0.5;  // m beyond it: an alert about something there is not about it
   Dice dice(seed);
   Encounter met;
   met.scene = bare_scene(seed, conditions, {}, rate);
@@ -42,7 +43,7 @@ Outcome take_away(Behind behind, double rate, unsigned seed, const Conditions& c
   met.seconds = gone + kWatched;
   Outcome outcome;
   const Judged run = run_cell(met, conditions);
-  judge_removal(run, gone, kLimit, outcome);
+  judge_removal(run, gone, kLimit, stands + kBackground, outcome);
   return outcome;
 }
 
