@@ -40,5 +40,5 @@ function(fencepost_image_choice camera odometry)
   target_compile_definitions(image_choice_${camera} PRIVATE
     FENCEPOST_BOARD="hal/boards/template/board.hpp"
     FENCEPOST_CAMERA="firmware/image/cameras/${camera}.hpp"
-    FENCEPOST_ODOMETRY="firmware/image/odometry/${odometry}.hpp")
+    FENCEPOST_ODOMETRY="firmware/image/odometry/${odometry}.hpp" FENCEPOST_DRIVE=100)
 endfunction()

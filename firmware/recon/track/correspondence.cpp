@@ -92,11 +92,11 @@ bool has_middle_of(const Prediction& prediction, const Observation& seen) {
          twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
 }
 
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, int counts) {
-  const auto count = [counts](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, int /*counts*/) {
+  const auto count = [](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(column - line.at) <= reach_of(line) + 1) return 0;
     constexpr int kMost = 100;
-    const int step = column < line.at ? -counts : counts;
+    const int step = column < line.at ? -1 : 1;
     return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
   };
   if (!(prediction.depth > 0)) return;

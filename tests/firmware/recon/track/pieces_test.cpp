@@ -186,8 +186,6 @@ TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
   EXPECT_EQ(object.right_off, -1);
   recon::compare_ends(object, expected(100, 150), blob(101, 151), 1);
   EXPECT_EQ(object.right_off, 0);
-  recon::compare_ends(object, expected(100, 150), blob(101, 170), 2);
-  EXPECT_EQ(object.right_off, 2) << "a slow camera's frame";
 }
 
 TEST(CompareEnds, AWrongPoseContradictsNothing) {
@@ -204,7 +202,7 @@ TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
   recon::Observation far = near;
   far.box.y2 = 60;
   recon::ObjectCore object;
-  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 0 ? near : far, false, 1);
+  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 1 ? near : far, false, 1);
   EXPECT_FALSE(object.contradicted()) << "the robot moves";
   recon::compare_foot(object, near, true, 1);
   for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 9 == 8 ? near : far, true, 1);
