@@ -27,6 +27,7 @@ using Console = std::remove_reference_t<decltype(board::console())>;
 const record::Header kHeader = {record::kStreamFormat, kProduct, FENCEPOST_VERSION, board::kTarget, Profile::kName};
 
 /// The board's flash. The loop stands still while a page is erased: so do the motors.
+// NOLINTBEGIN(readability-static-accessed-through-instance): only of the template board
 struct FlashAtRest {
   [[nodiscard]] static std::size_t size() { return board::flash().size(); }
   [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n) { return board::flash().page(n); }
@@ -38,6 +39,7 @@ struct FlashAtRest {
     return board::flash().erase(n);
   }
 };
+// NOLINTEND(readability-static-accessed-through-instance)
 static_assert(bus::FlashPages<FlashAtRest>);
 
 /// Of a wheel base that drives by itself; others are not asked.
