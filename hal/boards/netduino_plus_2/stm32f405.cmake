@@ -1,8 +1,6 @@
 # fencepost_stm32f405_board(<board> <hint>): the object library of a board with this part, whose pins.hpp is beside its
 # CMakeLists.txt. `hint`: how it is made to wait for a program.
 function(fencepost_stm32f405_board board hint)
-  set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  set(mcu ${PROJECT_SOURCE_DIR}/hal/boards/netduino_plus_2/../../mcu)
   set(target fencepost_board_${board})
   add_library(${target} OBJECT
     ${PROJECT_SOURCE_DIR}/hal/boards/netduino_plus_2/board.cpp
