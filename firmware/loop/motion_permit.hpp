@@ -12,11 +12,6 @@ namespace fencepost::loop {
 /// Three heartbeats: if stream time stands still for longer, the loop is not live, whatever its last words were.
 inline constexpr base::Duration kLive = base::milliseconds(300);
 
-/// It delivers; that it sees nothing now is no fault.
-constexpr bool works(sensor::LinkState state) {
-  return state == sensor::LinkState::kOk || state == sensor::LinkState::kEmpty;
-}
-
 class MotionPermit {
  public:
   /// `beat`: what is in force now. `links`: what the drivers know of their cables, which is sooner than the stream does
@@ -26,6 +21,7 @@ class MotionPermit {
     begun_ = true;
     t_ = beat.t;
     const bool live = passed_.since(now) <= kLive;
+    using sensor::works;
     const bool sees = works(beat.camera) && works(beat.odometry) && works(links.camera) && works(links.odometry);
     return live && sees && beat.level < record::AlertLevel::kStop;
   }

@@ -33,10 +33,7 @@ class Line {
   console::Sentence sentence_{characters_};
 };
 
-std::string_view short_name(sensor::LinkState state) {
-  const bool works = state == sensor::LinkState::kOk || state == sensor::LinkState::kEmpty;
-  return works ? "ok" : "--";
-}
+std::string_view short_name(sensor::LinkState state) { return sensor::works(state) ? "ok" : "--"; }
 
 }  // namespace
 

@@ -24,4 +24,7 @@ constexpr std::string_view name(LinkState state) {
   return "absent";
 }
 
+/// It delivers; that it sees nothing now is no fault.
+constexpr bool works(LinkState state) { return state == LinkState::kOk || state == LinkState::kEmpty; }
+
 }  // namespace fencepost::sensor

@@ -210,7 +210,7 @@ Action configure_run(CLI::App& app) {
                  "CHIP:LINE[,active-high]")
       ->type_name("LINE");
   app.add_option("--alert-can", request->alert_can,
-                 "send the alert in force as a CAN frame, at each change and every 100 ms: INTERFACE[:ID], "
+                 "send the alert in force as a CAN frame, at each change and at least every 100 ms: INTERFACE[:ID], "
                  "ID 120 by default (share/can/fencepost_alert.dbc)")
       ->type_name("IF");
   app.add_option("--profile", request->profile, "capacities; default: full")

@@ -92,7 +92,7 @@ bool has_middle_of(const Prediction& prediction, const Observation& seen) {
          twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
 }
 
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, int /*counts*/) {
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen) {
   const auto count = [](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(column - line.at) <= reach_of(line) + 1) return 0;
     constexpr int kMost = 100;

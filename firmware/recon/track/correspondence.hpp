@@ -19,10 +19,10 @@ bool covers(const Prediction& prediction, const Observation& seen);
 /// True if the blob's middle lies in the predicted interval, give or take a sigma.
 bool has_middle_of(const Prediction& prediction, const Observation& seen);
 
-/// Counts the frames in a row in which an edge that was seen is more than three sigmas off, always to the same side;
-/// this one as `counts`.
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, int counts);
+/// Counts the frames in a row in which an edge that was seen is more than three sigmas off, always to the same side.
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen);
 /// Likewise those in which the foot of what a standing robot looks at is not where it was: something else is there now.
+/// This frame as `counts`.
 void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.

@@ -98,9 +98,8 @@ class ObjectTable {
       if (!matcher.seen(o)) continue;
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
-      const int counts = elapsed_ >= kCountsTwice ? 2 : 1;
-      compare_ends(object, matcher.prediction(o), seen, counts);
-      compare_foot(object, seen, object.last_seen > stands_since_, counts);
+      compare_ends(object, matcher.prediction(o), seen);
+      compare_foot(object, seen, object.last_seen > stands_since_, elapsed_ >= kCountsTwice ? 2 : 1);
       // Sightings of what moves do not meet in one place.
       if (object.contradicted() || seen.moves) {
         object.restart(make_sighting(camera, lens, seen), exposure_);

@@ -63,8 +63,8 @@ inline constexpr std::uint8_t kDividingFrames = 2;
 inline constexpr int kContradictingFrames = 10;
 /// px by which the foot of what a standing robot looks at may waver, lost pieces left aside. By design.
 inline constexpr int kFootJump = 6;
-/// A frame that comes so long after the one before counts as two of those: what a slow camera shows is no less true. By
-/// design.
+/// A frame that comes so long after the one before counts as two for the foot: what a slow camera shows is no less
+/// true. Not for the ends: that lost landmarks of the real runs. By design.
 inline constexpr base::Duration kCountsTwice = base::milliseconds(60);
 /// relocations of an object's local frame, at most: more would be a place that no evidence settles. By design.
 inline constexpr std::uint8_t kMaxRelocations = 4;

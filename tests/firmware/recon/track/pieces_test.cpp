@@ -179,20 +179,20 @@ TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
 
 TEST(CompareEnds, CountsFramesOffToOneSideAndForgetsOnAgreement) {
   recon::ObjectCore object;
-  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170), 1);
+  for (int i = 0; i < 3; ++i) recon::compare_ends(object, expected(100, 150), blob(101, 170));
   EXPECT_EQ(object.left_off, 0);
   EXPECT_EQ(object.right_off, 3);
-  recon::compare_ends(object, expected(100, 150), blob(101, 130), 1);
+  recon::compare_ends(object, expected(100, 150), blob(101, 130));
   EXPECT_EQ(object.right_off, -1);
-  recon::compare_ends(object, expected(100, 150), blob(101, 151), 1);
+  recon::compare_ends(object, expected(100, 150), blob(101, 151));
   EXPECT_EQ(object.right_off, 0);
 }
 
 TEST(CompareEnds, AWrongPoseContradictsNothing) {
   recon::ObjectCore object;
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170), 1);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(120, 170));
   EXPECT_FALSE(object.contradicted());
-  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), 1);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170));
   EXPECT_TRUE(object.contradicted());
 }
 
