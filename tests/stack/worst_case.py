@@ -7,6 +7,7 @@ Adds up the frames along the deepest path from each root and fails on recursion,
 unknown size, on unknown outside functions, and on a root above its budget (bytes).
 """
 
+import json
 import pathlib
 import re
 import sys
@@ -25,17 +26,36 @@ def short(title):
     return title.rsplit(":", 1)[-1]
 
 
+def objects_of(graph_file):
+    return [graph_file.with_suffix(suffix) for suffix in (".obj", ".o")]
+
+
 def of_link_time(graph_file):
-    compiled = [graph_file.with_suffix(suffix) for suffix in (".obj", ".o")]
-    return any(file.exists() and b".gnu.lto_" in file.read_bytes() for file in compiled)
+    return any(file.exists() and b".gnu.lto_" in file.read_bytes() for file in objects_of(graph_file))
+
+
+def objects_built(folder):
+    """By the folder's own list of commands; nothing if it has none."""
+    database = pathlib.Path(folder, "compile_commands.json")
+    if not database.exists():
+        return None
+    commands = json.loads(database.read_text())
+    return {pathlib.Path(entry["directory"], re.search(r" -o (\S+)", entry["command"]).group(1)) for entry in commands}
 
 
 def read_graph(folder, without=None):
     """Of all objects below `folder`, but for those in folders whose names match the pattern `without`. Objects that are
-    optimised when they are linked have their graph beside the program; one beside them is of an older build."""
+    optimised when they are linked have their graph beside the program; one beside them is of an older build, and so is
+    one of an object that nothing builds any more."""
     frames, kinds, calls, labels = {}, {}, {}, {}
+    built = objects_built(folder)
+
+    def is_left_over(file):
+        return built is not None and ".ltrans" not in file.name and not built.intersection(objects_of(file))
+
     files = sorted(file for file in pathlib.Path(folder).rglob("*.ci")
-                   if not (without and any(re.match(without, part) for part in file.parts)) and not of_link_time(file))
+                   if not (without and any(re.match(without, part) for part in file.parts)) and not of_link_time(file)
+                   and not is_left_over(file))
     if not files:
         sys.exit(f"worst_case: no .ci files below {folder}: was it compiled by GCC with -fcallgraph-info=su?")
     for file in files:

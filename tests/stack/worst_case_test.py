@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The stack check can fail: each fault, planted in a small call graph, is reported."""
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -52,6 +53,16 @@ class WorstCase(unittest.TestCase):
                 pathlib.Path(folder, "x.cpp.obj").write_bytes(content)
                 done = subprocess.run([sys.executable, str(CHECK), folder, "root=16"], capture_output=True, check=False)
                 self.assertEqual(done.returncode, code, content)
+
+    def test_passes_over_the_graph_of_an_object_that_nothing_builds_any_more(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "x.cpp.ci").write_text(graph(("root", 16, "static")))
+            pathlib.Path(folder, "gone.cpp.ci").write_text(graph(("root", 16, "static"), edges=[("root", "printf")]))
+            for built, code in ((["x.cpp.obj", "gone.cpp.obj"], 1), (["x.cpp.obj"], 0)):
+                commands = [{"directory": folder, "command": f"g++ -o {file} -c x.cpp"} for file in built]
+                pathlib.Path(folder, "compile_commands.json").write_text(json.dumps(commands))
+                done = subprocess.run([sys.executable, str(CHECK), folder, "root=16"], capture_output=True, check=False)
+                self.assertEqual(done.returncode, code, built)
 
     def test_finds_a_template_where_it_is_defined(self):
         text = graph(("root", 16, "static"), ("t.cpp:_Z1tIiEvv", 100, "static"), ("u.cpp:_Z1tIiEvv", 40, "static"),
