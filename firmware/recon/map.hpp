@@ -42,7 +42,7 @@ class Map {
     table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, drift);
     if (driven != odometry) lens = lens_pose(driven, camera);
-    matcher_.predict(table_.objects(), camera, lens, noise, correction_);
+    matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, correction_);
     matcher_.observe(frame, camera, table_.objects());
     outcome.matched = matcher_.match();
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);

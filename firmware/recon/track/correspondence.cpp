@@ -124,6 +124,15 @@ bool stands_behind(const Observation& seen, const Prediction& prediction) {
   return foot.sigma > 0 && is_edge(seen.bottom) && seen.box.y2 < foot.at - kFootSigmas * foot.sigma;
 }
 
+bool stands_elsewhere(const Prediction& prediction, const Observation& seen) {
+  if (prediction.foot_row <= 0 || !is_edge(seen.bottom)) return false;
+  if (std::abs(seen.box.y2 - prediction.foot_row) <= kFootJump) return false;
+  if (prediction.refuted) return true;
+  const PredictedLine& top = prediction.top;
+  const bool same_top = top.sigma > 0 ? agrees(seen.box.y1, top) : !is_edge(seen.top);
+  return !same_top || !covers(prediction, seen);
+}
+
 bool shows_both(const Prediction& left, const Prediction& right, const Observation& seen) {
   if (!(left.depth > 0 || right.depth > 0) || !left.possible || !right.possible) return false;
   if (seen.no_edge()) return false;

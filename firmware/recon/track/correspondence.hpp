@@ -31,6 +31,10 @@ bool overlaps(const Prediction& prediction, const Observation& seen);
 /// farther: it hides nothing of the object. False where rows tell nothing.
 bool stands_behind(const Observation& seen, const Prediction& prediction);
 
+/// True if the robot has stood since it saw the object, and this blob has another foot, and another top or more to the
+/// side: a piece of the object has not. Of one that was refuted, another foot is enough.
+bool stands_elsewhere(const Prediction& prediction, const Observation& seen);
+
 /// True if the blob is two objects of one signature that touch in the image: its ends are those of a left and of a
 /// right object, and neither alone would be so wide. The distance of one of them must be known; the other one, without,
 /// must have been seen last beside it.

@@ -24,10 +24,10 @@ class Matcher {
   using Objects = std::array<ObjectType, kObjects>;
 
   /// Where each object should be in the image. `places.place_of(object, slot)`: where it is, in its local frame, if
-  /// something knows that better than its models.
+  /// something knows that better than its models. `stands_since`: see Standing.
   template <class Places>
-  [[gnu::noinline]] void predict(const Objects& objects, const CameraModel& camera, const LensPose& lens,
-                                 const MeasurementNoise& noise, Places& places) {
+  [[gnu::noinline]] void predict(const Objects& objects, base::Time stands_since, const CameraModel& camera,
+                                 const LensPose& lens, const MeasurementNoise& noise, Places& places) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
       blob_of_[o] = kNoMatch;
@@ -35,6 +35,9 @@ class Matcher {
       predictions_[o] = predict_one(objects[o], camera, lens, places.place_of(objects[o], o), noise);
       predictions_[o].signature = objects[o].signature;
       predictions_[o].confirmed = objects[o].confirmed;
+      predictions_[o].refuted = objects[o].refuted();
+      const bool from_here = objects[o].last_seen > stands_since && !objects[o].moving;
+      predictions_[o].foot_row = from_here ? objects[o].foot_row : std::int16_t{0};
     }
   }
 
@@ -172,10 +175,12 @@ class Matcher {
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs; ++b) {
         // A blob without an edge of its own fits anything before it, so its foot decides.
-        const bool background = observations_[b].no_edge() && stands_behind(observations_[b], predictions_[o]);
+        const Prediction& object = predictions_[o];
+        const Observation& seen = observations_[b];
+        const bool background = seen.no_edge() && stands_behind(seen, object);
         const bool may =
-            predictions_[o].possible && predictions_[o].signature == observations_[b].signature && !background;
-        costs_[o * blobs + b] = may ? match_cost(predictions_[o], observations_[b]) : kImpossible;
+            object.possible && object.signature == seen.signature && !background && !stands_elsewhere(object, seen);
+        costs_[o * blobs + b] = may ? match_cost(object, seen) : kImpossible;
       }
     }
   }

@@ -25,7 +25,9 @@ struct Prediction {
   PredictedLine bottom;
   std::int16_t left_tolerance = 0;  ///< px: farther off than this on average, the blob cannot be the object
   std::int16_t right_tolerance = 0;
-  float depth = 0;  ///< m along the axis to its nearest point; 0: the distance is not known
+  std::int16_t foot_row = 0;  ///< px, of the last sighting, if the robot has stood since; 0: it has not, or it may move
+  bool refuted = false;       ///< it should have been seen and was not
+  float depth = 0;            ///< m along the axis to its nearest point; 0: the distance is not known
   std::uint8_t signature = 0;
   bool confirmed = false;
   bool divided = false;   ///< it turned out to be two objects; nothing matches it

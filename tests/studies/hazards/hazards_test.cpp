@@ -191,10 +191,11 @@ TEST(Silence, CountsEachClearBeforeAnObstacle) {
 }
 
 TEST(Removal, NeedsAnAlertBeforeAndNoneAfter) {
+  constexpr std::uint8_t kColour = 1;
   const Encounter met = head_on();
   const auto judged = [&](std::vector<record::AlertReport> alerts) {
     Outcome outcome;
-    judge_removal(Judged(met, made(met, 8, std::move(alerts))), 4, 1, 1, outcome);
+    judge_removal(Judged(met, made(met, 8, std::move(alerts))), kColour, 4, 1, 1, outcome);
     return outcome;
   };
   const Outcome good = judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear)});
@@ -207,6 +208,8 @@ TEST(Removal, NeedsAnAlertBeforeAndNoneAfter) {
   EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear), background}).kept, 1U);
   background.distance = base::Metres::nearest(0.9);
   EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear), background}).kept, 0U);
+  background.signature = kColour + 1;
+  EXPECT_EQ(judged({alert(2, AlertLevel::kWarn), alert(4.9, AlertLevel::kClear), background}).kept, 1U);
   const Outcome forever = judged({alert(2, AlertLevel::kNotice)});
   EXPECT_EQ(forever.kept, 0U);
   EXPECT_NEAR(forever.measures[0], 4, 1e-9);

@@ -126,11 +126,13 @@ void judge_told(const Judged& run, double from, double until, double limit, Outc
   }
 }
 
-void judge_removal(const Judged& run, double gone, double limit, double background, Outcome& outcome) {
+void judge_removal(const Judged& run, std::uint8_t signature, double gone, double limit, double background,
+                   Outcome& outcome) {
   ++outcome.asked;
   std::vector<record::AlertReport> alerts = run.history.alerts;
   for (record::AlertReport& alert : alerts) {
-    if (alert.distance.to_double() > background) alert.level = AlertLevel::kClear;
+    const bool of_another = alert.signature != signature && alert.signature != 0;
+    if (of_another || alert.distance.to_double() > background) alert.level = AlertLevel::kClear;
   }
   const Stretches of_it(alerts, AlertLevel::kNotice);
   const bool before = of_it.at(gone);

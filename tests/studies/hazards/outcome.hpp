@@ -64,8 +64,9 @@ void judge_silence(const Judged& run, std::size_t object, double within, Outcome
 /// From `limit` after `from` until `until` a stop, or that it is blind, is in force, and `limit` later nothing any more
 /// if the run goes on so long. Measures how long it took, s.
 void judge_told(const Judged& run, double from, double until, double limit, Outcome& outcome);
-/// The object is gone from `gone` on: an alert was in force then, and none is `limit` later, but for those about what
-/// is farther than `background` (m). Measures how long they stayed, s.
-void judge_removal(const Judged& run, double gone, double limit, double background, Outcome& outcome);
+/// The object of that signature is gone from `gone` on: an alert was in force then, and none is `limit` later, but for
+/// those about another colour, or what is farther than `background` (m). Measures how long they stayed, s.
+void judge_removal(const Judged& run, std::uint8_t signature, double gone, double limit, double background,
+                   Outcome& outcome);
 
 }  // namespace fencepost::test

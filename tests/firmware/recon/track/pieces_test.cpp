@@ -214,5 +214,31 @@ TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
   EXPECT_TRUE(object.contradicted()) << "something else is there now";
 }
 
+TEST(StandsElsewhere, IsWhatHasAnotherFootAndIsNoPieceOfTheObject) {
+  recon::Prediction object = expected(100, 150);
+  object.top = {40, 2};
+  object.foot_row = 120;
+  const auto box = [](int left, int right, int top, int foot) {
+    recon::Observation seen = blob(left, right);
+    seen.top = seen.bottom = recon::End::kSeen;
+    seen.box.y1 = static_cast<std::int16_t>(top);
+    seen.box.y2 = static_cast<std::int16_t>(foot);
+    return seen;
+  };
+  EXPECT_FALSE(recon::stands_elsewhere(object, box(100, 150, 40, 118))) << "the object itself";
+  EXPECT_FALSE(recon::stands_elsewhere(object, box(100, 150, 70, 118))) << "its lower piece";
+  EXPECT_FALSE(recon::stands_elsewhere(object, box(102, 140, 41, 90))) << "its upper piece";
+  EXPECT_TRUE(recon::stands_elsewhere(object, box(102, 140, 60, 90))) << "another top";
+  EXPECT_TRUE(recon::stands_elsewhere(object, box(20, 140, 41, 90))) << "it reaches too far";
+  recon::Observation cut = box(20, 140, 60, 143);
+  cut.bottom = recon::End::kLowerBound;
+  EXPECT_FALSE(recon::stands_elsewhere(object, cut)) << "its foot was not seen";
+  object.refuted = true;
+  EXPECT_TRUE(recon::stands_elsewhere(object, box(102, 140, 41, 90))) << "the object was missing before";
+  EXPECT_FALSE(recon::stands_elsewhere(object, box(100, 150, 40, 118)));
+  object.foot_row = 0;
+  EXPECT_FALSE(recon::stands_elsewhere(object, box(20, 140, 60, 90))) << "the robot has moved";
+}
+
 }  // namespace
 }  // namespace fencepost::test

@@ -43,7 +43,7 @@ Outcome take_away(Behind behind, double rate, unsigned seed, const Conditions& c
   met.seconds = gone + kWatched;
   Outcome outcome;
   const Judged run = run_cell(met, conditions);
-  judge_removal(run, gone, kLimit, stands + kBackground, outcome);
+  judge_removal(run, block.signature, gone, kLimit, stands + kBackground, outcome);
   return outcome;
 }
 
