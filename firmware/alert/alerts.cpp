@@ -23,6 +23,13 @@ bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float sl
   return distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
+AlertLevel end(AlertState& state, base::Time now) {
+  state.level = AlertLevel::kClear;
+  state.easing = false;
+  state.reported_at = base::Stamp(now);
+  return state.level;
+}
+
 }  // namespace
 
 AlertRules::AlertRules(const config::Settings& settings, float caution)
@@ -41,6 +48,7 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
   const auto soon = [&](float seconds) { return obstacle.closing && obstacle.ttc <= slack * seconds; };
   const bool may_be_there = !obstacle.guessed || obstacle.toward.x() > 0;
   if (!obstacle.in_path) return may_be_there && near(rules.warn) ? AlertLevel::kNotice : AlertLevel::kClear;
+  if (obstacle.unbacked) return may_be_there && near(rules.notice) ? AlertLevel::kNotice : AlertLevel::kClear;
   if (must_stop(obstacle, *obstacle.in_path, rules.stop, slack) || soon(rules.ttc_stop)) return AlertLevel::kStop;
   if (near(rules.warn) || soon(rules.ttc_warn)) return AlertLevel::kWarn;
   if (near(rules.notice)) return AlertLevel::kNotice;
@@ -80,6 +88,8 @@ std::optional<AlertLevel> follow(AlertState& state, AlertLevel due, AlertLevel h
 
 std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                 const AlertRules& rules, base::Time now) {
+  // To be refuted it had to be missing for long enough: no further easing.
+  if (object.refuted() && state.in_force()) return end(state, now);
   const bool believed = credible(object);
   const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
   const bool may_hold = believed && state.in_force();

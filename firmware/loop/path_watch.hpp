@@ -55,7 +55,7 @@ class PathWatch {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
       alert::Obstacle obstacle = see_obstacle(object, robot, swept);
-      if (obstacle.guessed && !front.something) obstacle.in_path.reset();
+      obstacle.unbacked = obstacle.guessed && !front.something;
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
       if (level) emit(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);

@@ -47,6 +47,14 @@ TEST(AlertLevel, FollowsDistanceTimeAndPath) {
   EXPECT_EQ(level(guessed), AlertLevel::kNotice);
   guessed.toward = {-0.1F, 0.1F};
   EXPECT_EQ(level(guessed), AlertLevel::kClear) << "behind the robot nothing was ever seen";
+  Obstacle unbacked = in_path(0.1F);
+  unbacked.guessed = true;
+  unbacked.toward = {0.1F, 0};
+  EXPECT_EQ(level(unbacked), AlertLevel::kStop);
+  unbacked.unbacked = true;
+  EXPECT_EQ(level(unbacked), AlertLevel::kNotice) << "the guard knows nothing there";
+  unbacked.distance = 1.01F;
+  EXPECT_EQ(level(unbacked), AlertLevel::kClear);
 }
 
 TEST(AlertLevel, DistancesAreMovedByTheOverhang) {
@@ -156,8 +164,8 @@ TEST_F(Judge, UnconfirmedAndVanishedObjectsDoNotAlert) {
   object_.confirmed = true;
   EXPECT_EQ(at(10, in_path(0.1F)), AlertLevel::kStop);
   object_.missed_for = static_cast<std::uint16_t>(recon::kRefutedMissing.raw);
-  EXPECT_EQ(at(20, in_path(0.1F)), std::nullopt);
-  EXPECT_EQ(at(320, in_path(0.1F)), AlertLevel::kClear);
+  EXPECT_EQ(at(20, in_path(0.1F)), AlertLevel::kClear) << "it was missing for long enough";
+  EXPECT_EQ(at(320, in_path(0.1F)), std::nullopt);
 }
 
 // The owner of the state resets it when the object ends, see tests/firmware/loop/clear_test.cpp.
