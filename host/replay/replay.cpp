@@ -124,6 +124,7 @@ class Replay {
     result.digest = runner_->digest();
     result.profile = profile_;
     result.objects = runner_->objects();
+    result.guard = runner_->guard();
     result.path = path_;
     result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
     result.signatures = signatures_;

@@ -91,6 +91,20 @@ class ProfileRunner final : public Runner {
     return results;
   }
 
+  [[nodiscard]] std::vector<GuardPoint> guard() const override {
+    constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;  // of a millimetre
+    std::vector<GuardPoint> points;
+    const recon::MapPoint origin = memory_->map.guard().origin();
+    for (const recon::guard::Front& front : memory_->map.guard().fronts()) {
+      if (!recon::guard::enough_frames(front.frames)) continue;
+      const recon::MapPose odometry{{origin.x + front.x * kUnits, origin.y + front.y * kUnits}, 0};
+      const recon::MapPoint place = memory_->map.corrected(odometry).position;
+      points.push_back({static_cast<double>(place.x) / recon::kMapUnitsPerMetre,
+                        static_cast<double>(place.y) / recon::kMapUnitsPerMetre, front.signature});
+    }
+    return points;
+  }
+
  private:
   void step(base::Time now) {
     loop_.step(now);

@@ -38,6 +38,8 @@ class Runner {
   [[nodiscard]] virtual PoseResult pose_of(const sensor::OdometrySample& sample) const = 0;
   /// All objects with all models of the profile.
   [[nodiscard]] virtual std::vector<ObjectResult> objects() const = 0;
+  /// What the guard would alert of.
+  [[nodiscard]] virtual std::vector<GuardPoint> guard() const = 0;
   /// Signatures and settings that did not fit or could not be parsed, a doubtful pitch, and each doubt of the robot's
   /// own about its camera, one sentence each.
   [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;

@@ -44,6 +44,13 @@ struct PoseResult {
   double heading = 0;
 };
 
+/// A point of the floor in the map frame, m, where the guard knows the foot of something.
+struct GuardPoint {
+  double x = 0;
+  double y = 0;
+  std::uint8_t signature = 0;
+};
+
 /// Why a well-formed frame was not used.
 struct RefusedFrames {
   std::uint64_t no_pose = 0;
@@ -73,6 +80,7 @@ struct ResultDocument {
   std::optional<PoseResult> pose;                     ///< the last one
   std::vector<ObjectResult> objects;                  ///< every state
   std::vector<record::AlertReport> alerts;            ///< in order of time
+  std::vector<GuardPoint> guard;                      ///< at the end: those that enough frames have seen to alert
   std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
   std::vector<PoseResult> path;  ///< every odometry sample; drawn by the report, not part of the JSON
   std::vector<record::Signature> signatures;

@@ -81,6 +81,16 @@ Json alert_json(const record::AlertReport& alert) {
           {"confidence", told(alert.confidence.to_double(), kRatioDecimals)}};
 }
 
+Json guard_json(const std::vector<GuardPoint>& points) {
+  Json guard = Json::array();
+  for (const GuardPoint& point : points) {
+    guard.push_back({{"x", rounded(point.x, kLengthDecimals)},
+                     {"y", rounded(point.y, kLengthDecimals)},
+                     {"signature", point.signature}});
+  }
+  return guard;
+}
+
 Json doubt_json(const record::CalibrationDoubt& doubt) {
   return {{"t", rounded(doubt.t.to_double(), kRecordDecimals)},
           {"doubt", record::name(doubt.doubt)},
@@ -98,9 +108,9 @@ std::string to_json(const ResultDocument& document) {
   Json calibration = Json::array();
   for (const record::CalibrationDoubt& doubt : document.calibration) calibration.push_back(doubt_json(doubt));
   const Json json = {
-      {"format", kFormat},           {"log", log_json(document.log)},        {"digest", digest_text(document.digest)},
-      {"profile", document.profile}, {"pose", pose_json(document.pose)},     {"objects", std::move(objects)},
-      {"alerts", std::move(alerts)}, {"calibration", std::move(calibration)}};
+      {"format", kFormat},           {"log", log_json(document.log)},       {"digest", digest_text(document.digest)},
+      {"profile", document.profile}, {"pose", pose_json(document.pose)},    {"objects", std::move(objects)},
+      {"alerts", std::move(alerts)}, {"guard", guard_json(document.guard)}, {"calibration", std::move(calibration)}};
   // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -33,6 +34,20 @@ std::string slurp(const std::string& path) {
   return bytes.str();
 }
 std::string recording(const std::string& name) { return slurp(kRecordings + name + ".log"); }
+
+double distance_to(const host::LinearRing& ring, const host::GuardPoint& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const host::Point& a = ring[i];
+    const host::Point& b = ring[(i + 1) % ring.size()];
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double along = ((point.x - a.x) * dx + (point.y - a.y) * dy) / (dx * dx + dy * dy);
+    const double t = std::clamp(along, 0.0, 1.0);
+    nearest = std::min(nearest, std::hypot(point.x - a.x - t * dx, point.y - a.y - t * dy));
+  }
+  return nearest;
+}
 
 ReplayOptions with(const std::string& profile) {
   ReplayOptions options;
@@ -115,6 +130,22 @@ TEST(Replay, TheApproachEndsInAStopForTheRightObject) {
   for (std::size_t i = 1; i < outcome.result.alerts.size(); ++i) {
     EXPECT_GE(outcome.result.alerts[i].t, outcome.result.alerts[i - 1].t);
   }
+}
+
+TEST(Replay, TheGuardKnowsTheFeetOfWhatTheRobotDroveAt) {
+  const ReplayOutcome outcome = replay(recording("approach_stop"), "approach_stop", {});
+  const host::LoadedScene scene = host::load_scene(kRecordings + "approach_stop.json");
+  ASSERT_TRUE(scene.ok());
+  int of_the_box = 0;
+  for (const host::GuardPoint& point : outcome.result.guard) {
+    SCOPED_TRACE(std::to_string(point.x) + " " + std::to_string(point.y));
+    const auto seen = std::find_if(scene->objects.begin(), scene->objects.end(),
+                                   [&](const auto& object) { return object.signature == point.signature; });
+    ASSERT_NE(seen, scene->objects.end());
+    EXPECT_LT(distance_to(seen->footprint.outer, point), 0.03);
+    of_the_box += seen == scene->objects.begin() ? 1 : 0;
+  }
+  EXPECT_GE(of_the_box, 2);
 }
 
 TEST(Replay, TheBlocksWorldIsFound) {

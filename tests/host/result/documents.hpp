@@ -61,6 +61,7 @@ inline ResultDocument small_document() {
                            std::nullopt,
                            base::Ratio2::nearest(0.93)};
   d.alerts = {warn, stop};
+  d.guard = {{1.0, 0.05, 1}, {-0.25, 2.0, 9}};
   d.calibration = {{Time::nearest(0.9), record::Doubt::kRows, base::Ratio2::nearest(1.31)}};
   return d;
 }
