@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <ctime>
+#include <fstream>
 
+#include "tests/studies/hazards/reached.hpp"
 #include "tests/studies/hazards/table.hpp"
 
 namespace fencepost::test {
@@ -19,6 +21,8 @@ struct Request {
   std::string profile = "full";
   double rate = 0;
   bool judge = false;
+  std::string known;
+  std::string written;
   bool show = false;
 };
 
@@ -62,9 +66,54 @@ bool wanted(const Request& request, const Family& family) {
          std::find(request.families.begin(), request.families.end(), family.name) != request.families.end();
 }
 
+// What is said of cells that miss their targets.
+class Misses {
+ public:
+  explicit Misses(const std::string& known) {
+    if (!known.empty()) known_ = read_reached(known);
+  }
+
+  void take(const Family& family, const Cell& cell, const Outcome& sum) {
+    const std::string miss = missed(cell.target, sum);
+    const Reached now = reached(family, cell, sum);
+    const Reached* before = find(known_, now);
+    const std::string of = fmt::format("{}, {}: ", family.name, cell.scene);
+    if (miss.empty()) {
+      if (before != nullptr) said_ += "reached, and listed as missed: " + of + "take it off the list\n";
+      return;
+    }
+    ++count_;
+    said_ += "missed: " + of + miss + "\n";
+    missed_.push_back(now);
+    const std::string change = before == nullptr ? "never missed before" : worse(*before, now);
+    if (change.empty()) return;
+    ++grown_;
+    said_ += "worse: " + of + change + "\n";
+  }
+
+  [[nodiscard]] const std::string& said() const { return said_; }
+  [[nodiscard]] unsigned count() const { return count_; }
+  /// More than is known.
+  [[nodiscard]] unsigned grown() const { return grown_; }
+
+  void write(const std::string& path) const {
+    std::ofstream file(path);
+    file << reached_head() << '\n';
+    for (const Reached& cell : missed_) file << as_line(cell) << '\n';
+    if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+  }
+
+ private:
+  std::vector<Reached> known_;
+  std::vector<Reached> missed_;
+  std::string said_;
+  unsigned count_ = 0;
+  unsigned grown_ = 0;
+};
+
 bool run(const Request& request) {
   Conditions conditions = conditions_of(request);
-  std::vector<std::string> misses;
+  Misses misses(request.known);
   unsigned rows = 0;
   print(
       fmt::format("{} runs a cell, seeds from {} ({}; tuning 1 to {}, judging from {} on), profile {}, noise level {} "
@@ -84,16 +133,15 @@ bool run(const Request& request) {
         const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         print(row(cell, rule, request.runs.scenes, sum, took));
         ++rows;
-        const std::string miss = rule == Rule::kFencepost ? missed(cell.target, sum) : "";
-        if (!miss.empty()) misses.push_back(fmt::format("{}, {}: {}", family.name, cell.scene, miss));
+        if (rule == Rule::kFencepost) misses.take(family, cell, sum);
       }
     }
   }
   if (rows == 0) throw std::runtime_error("no cell has \"" + request.scene + "\" in its name");
-  print("\n");
-  for (const std::string& miss : misses) print("missed: " + miss + "\n");
-  print(fmt::format("{} rows, {} targets missed\n", rows, misses.size()));
-  return !request.judge || misses.empty();
+  print("\n" + misses.said());
+  print(fmt::format("{} rows, {} targets missed, {} more than known\n", rows, misses.count(), misses.grown()));
+  if (!request.written.empty()) misses.write(request.written);
+  return !request.judge || misses.grown() == 0;
 }
 
 void options(CLI::App& app, Request& request) {
@@ -114,6 +162,9 @@ void options(CLI::App& app, Request& request) {
   app.add_option("--rate", request.rate, "frames/s, in place of the cells' own")->check(CLI::PositiveNumber);
   app.add_option("--set", request.settings, "KEY=VALUE for the robot, not for its judge: plants a fault");
   app.add_flag("--judge", request.judge, "fail if Fencepost misses a target");
+  app.add_option("--known", request.known, "a file of what cells reached that miss it: only worse ones fail")
+      ->check(CLI::ExistingFile);
+  app.add_option("--write-reached", request.written, "writes such a file");
   app.add_flag("--show", request.show, "tell of each failure by its seed");
 }
 
