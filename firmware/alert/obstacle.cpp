@@ -67,13 +67,13 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   return obstacle;
 }
 
-void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
-                        const RobotPath& path, Obstacle& obstacle) {
-  if (!outline.known_well()) return;
+void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
+                        Obstacle& obstacle) {
+  if (!outline.known) return;
   std::size_t nearest = 0;
-  const float distance = outline.distance_from(recon::offset_from(origin, robot.position), nearest);
+  const float distance = outline.view.distance_from(recon::offset_from(outline.origin, robot.position), nearest);
   obstacle.distance = std::max(0.0F, distance);
-  if (obstacle.in_path) obstacle.in_path->sigma = outline.sigma(nearest);
+  if (obstacle.in_path) obstacle.in_path->sigma = outline.view.sigma(nearest);
   set_time_to_contact(path, obstacle);
 }
 

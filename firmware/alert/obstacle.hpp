@@ -44,10 +44,10 @@ struct RobotPlace {
 /// Alert model: the cylinder.
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept);
 
-/// The same obstacle with the distance to `outline` and its uncertainty there, in the local frame at `origin`, if that
-/// is known well. Where it reaches to the side, and so what is in the path, stays the cylinder's.
-void measure_by_outline(const recon::OutlineView& outline, recon::MapPoint origin, const RobotPlace& robot,
-                        const RobotPath& path, Obstacle& obstacle);
+/// The same obstacle with the distance to `outline` and its uncertainty there, if that is known well. Where it reaches
+/// to the side, and so what is in the path, stays the cylinder's.
+void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
+                        Obstacle& obstacle);
 
 /// Alert model: the hybrid where it is known well, else the cylinder; and the cylinder where the rows that both were
 /// made with have turned out too far, for only that takes them back.
@@ -56,7 +56,8 @@ Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& ro
   Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, swept);
   const bool rows_were_wrong = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
   if (obstacle.known && object.hybrid().ok() && !rows_were_wrong) {
-    measure_by_outline(object.hybrid().outline(), object.hybrid().origin, robot, swept.path(), obstacle);
+    const auto& hybrid = object.hybrid();
+    measure_by_outline({hybrid.outline(), hybrid.origin, hybrid.known_well}, robot, swept.path(), obstacle);
   }
   return obstacle;
 }

@@ -34,6 +34,8 @@ ROM_STACK = 256
 ASSEMBLY = {"__aeabi_uldivmod": (32, "fencepost_uldivmod"), "__aeabi_ldivmod": (32, "fencepost_ldivmod"),
             "__aeabi_fadd": (24, "fencepost_add"), "__aeabi_fsub": (24, "fencepost_add"),
             "__aeabi_fmul": (24, "fencepost_multiply")}
+# Beside the sums, without stack and calls.
+ASSEMBLY_LEAVES = ["__aeabi_fcmplt", "__aeabi_fcmple", "__aeabi_fcmpge", "__aeabi_fcmpgt"]
 STARTS = ["fencepost_start", "image_main"]
 INTERRUPT = re.compile(r"\w+_interrupt$")
 
@@ -84,6 +86,10 @@ class ImageDepths(worst_case.Depths):
                 self.frames[name] = frame
                 self.kinds[name] = "static"
                 self.calls.setdefault(name, set()).add(callee)
+        if "fencepost_add" in self.frames:
+            for name in ASSEMBLY_LEAVES:
+                self.frames[name] = 0
+                self.kinds[name] = "static"
 
     def outside(self, function, path):
         for name in self.same.get(worst_case.short(function), ()):

@@ -15,6 +15,10 @@ Bits __aeabi_fadd(Bits a, Bits b);
 Bits __aeabi_fsub(Bits a, Bits b);
 Bits __aeabi_fmul(Bits a, Bits b);
 Bits __aeabi_fdiv(Bits a, Bits b);
+Bits __aeabi_fcmplt(Bits a, Bits b);
+Bits __aeabi_fcmple(Bits a, Bits b);
+Bits __aeabi_fcmpge(Bits a, Bits b);
+Bits __aeabi_fcmpgt(Bits a, Bits b);
 void start();
 extern char image_stack_top;
 }
@@ -52,10 +56,18 @@ struct Operation {
   Bits (*on_board)(Bits, Bits);
   Bits (*expected)(Bits, Bits);
 };
-constexpr std::array<Operation, 4> kOperations = {{{'+', __aeabi_fadd, soft::add},
+Bits less(Bits a, Bits b) { return soft::less(a, b) ? 1 : 0; }
+Bits at_most(Bits a, Bits b) { return soft::less_or_equal(a, b) ? 1 : 0; }
+Bits at_least(Bits a, Bits b) { return at_most(b, a); }
+Bits more(Bits a, Bits b) { return less(b, a); }
+constexpr std::array<Operation, 8> kOperations = {{{'+', __aeabi_fadd, soft::add},
                                                    {'-', __aeabi_fsub, soft::subtract},
                                                    {'*', __aeabi_fmul, soft::multiply},
-                                                   {'/', __aeabi_fdiv, soft::divide}}};
+                                                   {'/', __aeabi_fdiv, soft::divide},
+                                                   {'<', __aeabi_fcmplt, less},
+                                                   {'[', __aeabi_fcmple, at_most},
+                                                   {']', __aeabi_fcmpge, at_least},
+                                                   {'>', __aeabi_fcmpgt, more}}};
 
 void tell(char sign, Bits a, Bits b, Bits got) {
   std::array<char, 32> text{};

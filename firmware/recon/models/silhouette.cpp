@@ -73,8 +73,10 @@ bool render(const CylinderEstimate& cylinder, const Vec2& lens, const LensPose& 
   if (!(bearing.x() > kSideways)) return false;
   const float sine = cylinder.radius / distance;
   const float cosine = std::sqrt(1.0F - sine * sine);
-  const Vec2 left = rotated({cosine, sine}, bearing);
-  const Vec2 right = rotated({cosine, -sine}, bearing);
+  const Vec2 along = cosine * bearing;
+  const Vec2 aside = sine * left_of(bearing);
+  const Vec2 left = along + aside;
+  const Vec2 right = along - aside;
   const float reach = distance * cosine;
   // Each end by its own uncertainty: an object seen from one side only has one good end.
   seen.left = {reach * left, cylinder.covariance.along(left_of(to_map(pose, left))) + others};

@@ -14,6 +14,9 @@ Vec2 direction_of_angle(base::Radians angle) {
   return {sc.cos, sc.sin};
 }
 
+// How far the ray at a normalised row goes along the ground for each metre along the optical axis.
+float forward_at(const CameraModel& camera, float y) { return camera.pitch.x() - y * camera.pitch.y(); }
+
 }  // namespace
 
 float nominal_edge_noise(std::int16_t columns) {
@@ -59,15 +62,24 @@ Sides cut_by_border(const CameraModel& camera, const Box& box) {
           box.y2 >= camera.rows - 1 - kBorderPixels};
 }
 
-Vec2 ground_direction(const CameraModel& camera, float u, float v) {
-  const Vec2 normalised = undistort(camera, u, v);
-  const float forward = camera.pitch.x() - normalised.y() * camera.pitch.y();
-  const Vec2 direction{forward, -normalised.x()};
+PixelRow::PixelRow(const CameraModel& camera, float v)
+    : camera_(camera), v_(v), forward_(camera.k1 == 0 ? forward_at(camera, (v - camera.cy) / camera.fy) : 0.0F) {}
+
+Vec2 PixelRow::towards(float u) const {
+  if (camera_.k1 == 0) return {forward_, -((u - camera_.cx) / camera_.fx)};
+  const Vec2 normalised = undistort(camera_, u, v_);
+  return {forward_at(camera_, normalised.y()), -normalised.x()};
+}
+
+Vec2 PixelRow::ground_direction(float u) const {
+  const Vec2 direction = towards(u);
   return direction / std::sqrt(direction.squaredNorm());
 }
 
+std::int16_t PixelRow::level_column(float u) const { return whole_pixels(column_of(camera_, towards(u))); }
+
 float drop_per_depth(const CameraModel& camera, float u, float v) {
-  const float y = undistort(camera, u, v).y();
+  const float y = camera.k1 == 0 ? (v - camera.cy) / camera.fy : undistort(camera, u, v).y();
   return (camera.pitch.y() + y * camera.pitch.x()) / (camera.pitch.x() - y * camera.pitch.y());
 }
 
@@ -75,11 +87,6 @@ std::int16_t whole_pixels(float value) {
   constexpr float kFarOutside = 30'000.0F;
   if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
   return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
-}
-
-std::int16_t level_column(const CameraModel& camera, float u, float v) {
-  const Vec2 at = undistort(camera, u, v);
-  return whole_pixels(column_of(camera, {camera.pitch.x() - at.y() * camera.pitch.y(), -at.x()}));
 }
 
 float column_of(const CameraModel& camera, const Vec2& direction) {

@@ -62,8 +62,26 @@ struct Sides {
 /// outside the image.
 Sides cut_by_border(const CameraModel& camera, const Box& box);
 
-/// The direction to a pixel position, on the ground plane: unit, level camera frame.
-Vec2 ground_direction(const CameraModel& camera, float u, float v);
+/// The pixel positions of one row: without distortion they have half of the work in common.
+class PixelRow {
+ public:
+  PixelRow(const CameraModel& camera, float v);
+  /// The direction to a pixel position, on the ground plane: unit, level camera frame.
+  [[nodiscard]] Vec2 ground_direction(float u) const;
+  /// Where a pixel position of the real camera is in the level, undistorted one: its column, whole pixels.
+  [[nodiscard]] std::int16_t level_column(float u) const;
+
+ private:
+  [[nodiscard]] Vec2 towards(float u) const;
+
+  const CameraModel& camera_;
+  float v_;
+  float forward_;  // if there is no distortion
+};
+
+inline Vec2 ground_direction(const CameraModel& camera, float u, float v) {
+  return PixelRow(camera, v).ground_direction(u);
+}
 
 /// How far the ray through a pixel position falls below the horizontal for each metre of forward depth, m/m.
 float drop_per_depth(const CameraModel& camera, float u, float v);
@@ -74,9 +92,6 @@ Vec2 undistort(const CameraModel& camera, float u, float v);
 
 /// Nearest whole pixel; far outside the image it stays inside 16 bits.
 std::int16_t whole_pixels(float value);
-
-/// Where a pixel position of the real camera is in the level, undistorted one: its column, whole pixels.
-std::int16_t level_column(const CameraModel& camera, float u, float v);
 
 /// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
 /// image when it points sideways or backwards. For prediction; distortion is left out.

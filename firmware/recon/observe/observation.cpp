@@ -13,7 +13,7 @@ End end_of(bool hidden, bool near) {
 }  // namespace
 
 Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_t signature) {
-  const float v_middle = 0.5F * static_cast<float>(box.y1 + box.y2);
+  const PixelRow middle(camera, 0.5F * static_cast<float>(box.y1 + box.y2));
   const Sides cut = cut_by_border(camera, box);
   Observation observation;
   observation.box = box;
@@ -22,8 +22,8 @@ Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_
   observation.right = end_of(cut.right, false);
   observation.top = end_of(cut.top, false);
   observation.bottom = end_of(cut.bottom, false);
-  observation.left_column = level_column(camera, left_edge(box), v_middle);
-  observation.right_column = level_column(camera, right_edge(box), v_middle);
+  observation.left_column = middle.level_column(left_edge(box));
+  observation.right_column = middle.level_column(right_edge(box));
   return observation;
 }
 

@@ -15,8 +15,8 @@ LensPose lens_pose(const MapPose& robot, const CameraModel& camera) {
 Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Observation& observation) {
   const Box& box = observation.box;
   const float u_middle = 0.5F * (left_edge(box) + right_edge(box));
-  const float v_middle = 0.5F * (top_edge(box) + bottom_edge(box));
-  const auto direction = [&](float u) { return rotated(pose.axis, ground_direction(camera, u, v_middle)); };
+  const PixelRow middle(camera, 0.5F * (top_edge(box) + bottom_edge(box)));
+  const auto direction = [&](float u) { return rotated(pose.axis, middle.ground_direction(u)); };
   Sighting sighting;
   sighting.anchor = pose.anchor;
   sighting.lens = pose.lens;

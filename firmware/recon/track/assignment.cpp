@@ -19,6 +19,7 @@ class Hungarian {
       : costs_(costs), objects_(objects), blobs_(blobs), columns_(columns) {}
 
   void place(std::size_t row) {
+    if (place_free(row)) return;
     columns_[0].row = static_cast<std::uint8_t>(row);
     std::size_t column = 0;
     for (AssignmentColumn& any : columns_) {
@@ -36,6 +37,22 @@ class Hungarian {
   }
 
  private:
+  // The cheapest column, if no other row has it: the path then ends where it begins, and most do.
+  bool place_free(std::size_t row) {
+    int least = std::numeric_limits<std::int16_t>::max();
+    std::size_t best = 0;
+    for (std::size_t j = 1; j < columns_.size(); ++j) {
+      const int reduced = cost(row, j) - columns_[j].potential;
+      if (reduced >= least) continue;
+      least = reduced;
+      best = j;
+    }
+    if (columns_[best].row != 0) return false;
+    columns_[best].row = static_cast<std::uint8_t>(row);
+    row_potential_[row] = static_cast<std::int16_t>(least);
+    return true;
+  }
+
   [[nodiscard]] int cost(std::size_t row, std::size_t column) const {
     if (column > objects_) return column - objects_ == row ? kUnmatchedCost : kForbidden;
     const std::uint8_t value = costs_[(column - 1) * blobs_ + row - 1];

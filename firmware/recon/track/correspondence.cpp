@@ -9,14 +9,17 @@
 namespace fencepost::recon {
 namespace {
 
+int reach_of(const PredictedLine& line) { return static_cast<int>(kGateSigmas) * line.sigma; }
+
 // Squared deviation in units of three sigmas, at most 1: a lost piece is no worse than that.
 float cost_of_side(std::int16_t seen, End end, const PredictedLine& line) {
   if (!is_edge(end) || line.sigma == 0) return kCostOfUnknownSide;
-  const float off = static_cast<float>(seen - line.at) / (kGateSigmas * static_cast<float>(line.sigma));
-  return std::min(1.0F, off * off);
+  const int pixels = std::abs(seen - line.at);
+  if (pixels == 0) return 0;
+  if (pixels >= reach_of(line)) return 1;
+  const float off = static_cast<float>(pixels) / static_cast<float>(reach_of(line));
+  return off * off;
 }
-
-int reach_of(const PredictedLine& line) { return static_cast<int>(kGateSigmas) * line.sigma; }
 
 bool agrees(std::int16_t seen, const PredictedLine& line) {
   return line.sigma > 0 && std::abs(seen - line.at) <= reach_of(line);
@@ -37,8 +40,21 @@ bool has_outer_end(const Prediction& prediction, std::int16_t seen, End end, con
   return !is_edge(end) || !(prediction.depth > 0) || agrees(seen, line);
 }
 
-float share_of(std::int16_t seen, std::int16_t predicted, std::int16_t tolerance) {
-  return std::fabs(static_cast<float>(seen - predicted)) / static_cast<float>(tolerance);
+// By how much an end is off, and how much it may be.
+struct OffBy {
+  std::int32_t pixels = 0;
+  std::int32_t tolerance = 1;
+  [[nodiscard]] bool within() const { return pixels <= tolerance; }
+  [[nodiscard]] float share() const { return static_cast<float>(pixels) / static_cast<float>(tolerance); }
+};
+
+// No farther off on average than their tolerances. Both ends mostly agree on that, and then nothing is divided.
+bool tolerable(const Prediction& prediction, const Observation& seen) {
+  const OffBy left{std::abs(seen.left_column - prediction.left.at), prediction.left_tolerance};
+  const OffBy right{std::abs(seen.right_column - prediction.right.at), prediction.right_tolerance};
+  if (!is_edge(seen.left)) return right.within();
+  if (!is_edge(seen.right) || left.within() == right.within()) return left.within();
+  return left.share() + right.share() <= 2;
 }
 
 // An object without a distance: possible anywhere on its bearing, likelier near where it was seen last.
@@ -61,18 +77,8 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Observation& se
 std::uint8_t match_cost(const Prediction& prediction, const Observation& seen) {
   if (!prediction.possible) return kImpossible;
   if (!(prediction.depth > 0)) return cost_on_bearing(prediction, seen);
-  float off = 0;  // in shares of the tolerances: decides whether the pair is possible
-  float ends = 0;
-  if (is_edge(seen.left)) {
-    off += share_of(seen.left_column, prediction.left.at, prediction.left_tolerance);
-    ends += 1;
-  }
-  if (is_edge(seen.right)) {
-    off += share_of(seen.right_column, prediction.right.at, prediction.right_tolerance);
-    ends += 1;
-  }
-  if (!(ends > 0)) return overlaps(prediction, seen) ? kUnknownCost : kImpossible;
-  if (!(off <= ends) && !all_but_one_agree(prediction, seen)) return kImpossible;
+  if (seen.no_edge()) return overlaps(prediction, seen) ? kUnknownCost : kImpossible;
+  if (!tolerable(prediction, seen) && !all_but_one_agree(prediction, seen)) return kImpossible;
   // In sigmas: decides which pair is better. Rows never forbid a pair: the object may hang in the air.
   const float cost = cost_of_side(seen.left_column, seen.left, prediction.left) +
                      cost_of_side(seen.right_column, seen.right, prediction.right) +
@@ -148,13 +154,14 @@ bool shows_both(const Prediction& left, const Prediction& right, const Observati
 }
 
 bool hides_end(const Prediction& nearer, const Prediction& behind, std::int16_t column, int side) {
-  if (!nearer.confirmed || !(nearer.depth > 0) || !(behind.depth > 0)) return false;
-  if (!(nearer.depth < kSameDepth * behind.depth)) return false;
+  if (!nearer.confirmed) return false;
   const PredictedLine& inner = side < 0 ? nearer.right : nearer.left;
   const PredictedLine& outer = side < 0 ? nearer.left : nearer.right;
   const int past_inner = side < 0 ? inner.at - column : column - inner.at;
   const int past_outer = side < 0 ? column - outer.at : outer.at - column;
-  return past_inner >= -(inner.sigma + 1) && past_outer > 0;
+  // Whole numbers first: most objects are elsewhere in the image.
+  if (past_inner < -(inner.sigma + 1) || past_outer <= 0) return false;
+  return nearer.depth > 0 && behind.depth > 0 && nearer.depth < kSameDepth * behind.depth;
 }
 
 }  // namespace fencepost::recon

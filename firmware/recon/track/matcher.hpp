@@ -189,9 +189,11 @@ class Matcher {
   void share_merged() {
     shared_.fill(Shared{});
     for (std::size_t b = 0; b < observations_.size(); ++b) {
+      const std::uint8_t signature = observations_[b].signature;
       for (std::size_t left = 0; left < kObjects; ++left) {
+        if (predictions_[left].signature != signature) continue;
         for (std::size_t right = 0; right < kObjects; ++right) {
-          if (may_share(left, right, b)) share(left, right, b);
+          if (predictions_[right].signature == signature && may_share(left, right, b)) share(left, right, b);
         }
       }
     }
@@ -211,11 +213,9 @@ class Matcher {
     }
   }
 
+  // All three of one signature.
   [[nodiscard]] bool may_share(std::size_t left, std::size_t right, std::size_t b) const {
-    const std::uint8_t signature = observations_[b].signature;
-    if (left == right || predictions_[left].signature != signature || predictions_[right].signature != signature) {
-      return false;
-    }
+    if (left == right) return false;
     const std::uint8_t taken = object_of_[b];
     const auto unseen = [&](std::size_t o) { return blob_of_[o] == kNoMatch && !shared_[o].any; };
     const bool one_has_it = (taken == left && unseen(right)) || (taken == right && unseen(left));

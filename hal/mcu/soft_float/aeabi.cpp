@@ -1,5 +1,5 @@
 // The compiler's names for float arithmetic (Run-time ABI for the Arm Architecture, 4.1.2), in place of its own
-// library. Floats come and go in the same registers as integers do here.
+// library; sums, products and order are in armv6m.cpp. Floats come and go in the same registers as integers do here.
 #include <cstdint>
 
 #include "hal/mcu/soft_float/float32.hpp"
@@ -12,10 +12,6 @@ Bits __aeabi_fadd(Bits a, Bits b);
 Bits __aeabi_frsub(Bits a, Bits b);
 Bits __aeabi_fdiv(Bits a, Bits b);
 int __aeabi_fcmpeq(Bits a, Bits b);
-int __aeabi_fcmplt(Bits a, Bits b);
-int __aeabi_fcmple(Bits a, Bits b);
-int __aeabi_fcmpge(Bits a, Bits b);
-int __aeabi_fcmpgt(Bits a, Bits b);
 int __aeabi_fcmpun(Bits a, Bits b);
 Bits __aeabi_i2f(std::int32_t value);
 Bits __aeabi_ui2f(std::uint32_t value);
@@ -30,10 +26,6 @@ Bits __aeabi_frsub(Bits a, Bits b) { return __aeabi_fadd(b, a ^ soft::kSign); }
 Bits __aeabi_fdiv(Bits a, Bits b) { return soft::divide(a, b); }
 
 int __aeabi_fcmpeq(Bits a, Bits b) { return soft::equal(a, b) ? 1 : 0; }
-int __aeabi_fcmplt(Bits a, Bits b) { return soft::less(a, b) ? 1 : 0; }
-int __aeabi_fcmple(Bits a, Bits b) { return soft::less_or_equal(a, b) ? 1 : 0; }
-int __aeabi_fcmpge(Bits a, Bits b) { return soft::less_or_equal(b, a) ? 1 : 0; }
-int __aeabi_fcmpgt(Bits a, Bits b) { return soft::less(b, a) ? 1 : 0; }
 int __aeabi_fcmpun(Bits a, Bits b) { return soft::unordered(a, b) ? 1 : 0; }
 
 Bits __aeabi_i2f(std::int32_t value) { return soft::from_signed(value); }

@@ -1,5 +1,5 @@
-// Sums and products of floats for an Armv6-M core: what both numbers normal give, in two thirds of the instructions
-// that a compiler needs for float32.hpp. Whatever is rare (zeros in products, denormals, infinities, NaNs, results out
+// Sums, products and order of floats for an Armv6-M core: what both numbers normal give, in two thirds of the
+// instructions that a compiler needs for float32.hpp. Whatever is rare (zeros in products, denormals, infinities, NaNs, results out
 // of range, ties) goes there with the operands as they came. The same bits: tests/boards/soft_float runs both.
 //
 // Rounding: the significand is moved down with its highest lost bit into the carry, which the addition of exponent and
@@ -221,5 +221,115 @@ multiply_slowly:
 fractions:
   .word 0x007fffff
   .size __aeabi_fmul, . - __aeabi_fmul
+)");
+
+// a < b, a > b. Two positive numbers are in the order of their bits; the larger one may be no number. A NaN
+// is in no order, of two negative numbers the one with the smaller bits is larger, zeros are equal.
+asm(R"(
+  .macro negative_or_nan
+  ldr r3, twice_infinity
+  lsls r2, r0, #1
+  cmp r2, r3
+  bhi 8f
+  lsls r2, r1, #1
+  cmp r2, r3
+  bhi 8f
+  movs r2, r0
+  ands r2, r1
+  .endm
+
+  .section .text.__aeabi_fcmplt, "ax", %progbits
+  .p2align 2
+  .thumb
+  .global __aeabi_fcmpgt
+  .type __aeabi_fcmpgt, %function
+  .thumb_func
+__aeabi_fcmpgt:
+  movs r2, r0
+  movs r0, r1
+  movs r1, r2
+  .global __aeabi_fcmplt
+  .type __aeabi_fcmplt, %function
+  .thumb_func
+__aeabi_fcmplt:
+  movs r2, r0
+  orrs r2, r1
+  bmi 1f
+  cmp r0, r1
+  bcs 8f
+  ldr r3, twice_infinity
+  lsrs r3, r3, #1
+  cmp r1, r3
+  bhi 8f
+7:
+  movs r0, #1
+  bx lr
+1:
+  negative_or_nan
+  bmi 2f
+  cmp r0, #0                      @ one is negative: the first, and not both zero?
+  bge 8f
+  lsls r2, r0, #1
+  orrs r2, r1
+  bne 7b
+8:
+  movs r0, #0
+  bx lr
+2:
+  cmp r0, r1
+  bhi 7b
+  movs r0, #0
+  bx lr
+  .size __aeabi_fcmplt, . - __aeabi_fcmplt
+)");
+
+// a <= b, a >= b
+asm(R"(
+  .section .text.__aeabi_fcmplt, "ax", %progbits
+  .p2align 1
+  .thumb
+  .global __aeabi_fcmpge
+  .type __aeabi_fcmpge, %function
+  .thumb_func
+__aeabi_fcmpge:
+  movs r2, r0
+  movs r0, r1
+  movs r1, r2
+  .global __aeabi_fcmple
+  .type __aeabi_fcmple, %function
+  .thumb_func
+__aeabi_fcmple:
+  movs r2, r0
+  orrs r2, r1
+  bmi 1f
+  cmp r0, r1
+  bhi 8f
+  ldr r3, twice_infinity
+  lsrs r3, r3, #1
+  cmp r1, r3
+  bhi 8f
+7:
+  movs r0, #1
+  bx lr
+1:
+  negative_or_nan
+  bmi 2f
+  cmp r0, #0                      @ one is negative: the first, or both are zero?
+  blt 7b
+  lsls r2, r1, #1
+  orrs r2, r0
+  beq 7b
+8:
+  movs r0, #0
+  bx lr
+2:
+  cmp r0, r1
+  bcs 7b
+  movs r0, #0
+  bx lr
+  .p2align 2
+twice_infinity:
+  .word 0xff000000
+  .size __aeabi_fcmple, . - __aeabi_fcmple
 )");
 // clang-format on

@@ -38,20 +38,24 @@ TEST(Obstacle, DistanceAndBearingAreFromTheRobotsOriginToTheNearestPoint) {
 constexpr float kDepth = 0.1F;  // of the boxes below
 constexpr float kWidth = 0.3F;
 
+recon::PlacedOutline placed(const BoxOutline& box, recon::MapPoint at) {
+  return {box.view(), at, box.view().known_well()};
+}
+
 // 1 m away, so its front is at 0.95 m; the cylinder's is at 0.9 m.
 TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
   const alert::RobotPlace robot({{0, 0}, 0});
   const Obstacle cylinder = alert::see_obstacle(known_object(1.0, 0, 0.1), robot, alert::SweptByBody(driving(0.2F)));
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = cylinder;
-  alert::measure_by_outline(box.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(box, {100'000, 0}), robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
   ASSERT_TRUE(seen.in_path);
   EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
   EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
   const BoxOutline unsure(kDepth, kWidth, 0.06F);  // its mean support value is 0.13 m
   seen = cylinder;
-  alert::measure_by_outline(unsure.view(), {100'000, 0}, robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(unsure, {100'000, 0}), robot, driving(0.2F), seen);
   EXPECT_EQ(seen.distance, cylinder.distance);
   EXPECT_EQ(seen.ttc, cylinder.ttc);
 }
@@ -60,7 +64,7 @@ TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
   const alert::RobotPlace robot({{0, 0}, 0});
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = alert::see_obstacle(known_object(1.0, 0.5, 0.1), robot, alert::SweptByBody(driving(0.2F)));
-  alert::measure_by_outline(box.view(), {100'000, 50'000}, robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(box, {100'000, 50'000}), robot, driving(0.2F), seen);
   EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
   EXPECT_FALSE(seen.in_path);
 }

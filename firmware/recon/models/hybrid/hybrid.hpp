@@ -41,8 +41,9 @@ struct HybridCore {
   std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
   std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
-  bool news = false;     ///< there are tangents that no fit has begun with
-  bool fitting = false;  ///< a solver works on it
+  bool news = false;        ///< there are tangents that no fit has begun with
+  bool fitting = false;     ///< a solver works on it
+  bool known_well = false;  ///< OutlineView::known_well() of the outline fitted last: alerts ask in every frame
 };
 
 /// What a line and an outline have in common, low to high; empty if it passes by.

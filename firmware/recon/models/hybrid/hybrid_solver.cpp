@@ -104,8 +104,8 @@ int HybridSolver<kSectors, kOrder>::advance_factor(HybridType& hybrid) {
 template <std::size_t kSectors, std::size_t kOrder>
 int HybridSolver<kSectors, kOrder>::advance_nodes(HybridType& hybrid) {
   const Vec2 direction = node_direction(index_, kSectors);
-  sigmas_[index_] = encode_sigma(low_order_.sigma_at(direction));
-  const float offset = low_order_.offset_at(direction);
+  const auto [offset, sigma] = low_order_.at(direction);
+  sigmas_[index_] = encode_sigma(sigma);
   if constexpr (kPolygon) {
     support_.set(index_, offset);
   } else {
@@ -141,6 +141,7 @@ int HybridSolver<kSectors, kOrder>::advance_support(HybridType& hybrid) {
     switch (stage_) {
       case Stage::kTangents:
         if (!find_cluster(hybrid)) {
+          support_.begin_sides();
           enter(Stage::kSides);
           return 0;
         }
@@ -198,6 +199,7 @@ void HybridSolver<kSectors, kOrder>::finish(HybridType& hybrid, const Vec2& cent
   hybrid.refusal = HybridRefusal::kNone;
   hybrid.fitting = false;
   recentre(hybrid, hybrid.clusters, hybrid.offsets, center);
+  hybrid.known_well = hybrid.outline().known_well();
   stage_ = Stage::kDone;
 }
 

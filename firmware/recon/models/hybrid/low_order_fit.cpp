@@ -77,10 +77,9 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
   const Cluster cluster = unpack(clusters[index]);
   std::array<float, kUnknowns> basis{};
   const std::span<float> used(basis.data(), unknowns());
-  const std::size_t sectors = clusters.size() / kClustersPerSector;
-  series_basis(direction_of({index / kClustersPerSector, cluster.phase}, sectors), used);
-  float residual = cluster.offset;
-  for (std::size_t i = 0; i < used.size(); ++i) residual -= used[i] * x_[i];
+  series_basis(direction_of(clusters, index), used);
+  float residual = cluster.offset - x_[0];
+  for (std::size_t i = 1; i < used.size(); ++i) residual -= used[i] * x_[i];
   if (cluster.lower_bound && (trusted || residual <= 0)) return;
   const float sigma = cluster.sigma * scale_;
   const float believed = cluster.views * standing(clusters, index) * (trusted ? 1.0F : inlier_share(residual, sigma));
@@ -89,11 +88,15 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
     ++tangents_;
   }
   const float weight = believed / (sigma * sigma);
+  // The first function is 1.
   float* entry = matrix_.data();
-  for (std::size_t i = 0; i < used.size(); ++i) {
+  *entry++ += weight;
+  rhs_[0] += weight * residual;
+  for (std::size_t i = 1; i < used.size(); ++i) {
     const float weighted = weight * used[i];
     rhs_[i] += weighted * residual;
-    for (std::size_t j = 0; j <= i; ++j) *entry++ += weighted * used[j];
+    *entry++ += weighted;
+    for (std::size_t j = 1; j <= i; ++j) *entry++ += weighted * used[j];
   }
 }
 
@@ -125,24 +128,16 @@ void LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
 }
 
 template <std::size_t kOrder>
-float LowOrderFit<kOrder>::offset_at(const Vec2& direction) const {
+SeriesValue LowOrderFit<kOrder>::at(const Vec2& direction) const {
   std::array<float, kUnknowns> basis{};
   const std::span<float> used(basis.data(), unknowns());
   series_basis(direction, used);
-  float offset = 0;
-  for (std::size_t i = 0; i < used.size(); ++i) offset += used[i] * x_[i];
-  return offset;
-}
-
-template <std::size_t kOrder>
-float LowOrderFit<kOrder>::sigma_at(const Vec2& direction) const {
-  std::array<float, kUnknowns> basis{};
-  const std::span<float> used(basis.data(), unknowns());
-  series_basis(direction, used);
+  float offset = x_[0];
+  for (std::size_t i = 1; i < used.size(); ++i) offset += used[i] * x_[i];
   solve_lower(matrix_, used);  // b' (L L')^-1 b = |L^-1 b|^2
   float variance = 0;
   for (const float entry : used) variance += entry * entry;
-  return std::sqrt(variance);
+  return {offset, std::sqrt(variance)};
 }
 
 template class LowOrderFit<3>;

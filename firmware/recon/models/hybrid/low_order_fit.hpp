@@ -27,6 +27,12 @@ void solve_lower(std::span<const float> factor, std::span<float> b);
 /// L' x = b, in place.
 void solve_upper(std::span<const float> factor, std::span<float> b);
 
+/// h at a direction, and its standard deviation as the last pass knows it.
+struct SeriesValue {
+  float offset = 0;
+  float sigma = 0;
+};
+
 /// One fit. Unknowns are solved for as corrections of what is there, so that float rounding does not add up.
 template <std::size_t kOrder>
 class LowOrderFit {
@@ -49,9 +55,7 @@ class LowOrderFit {
   void finish_pass(bool learn_spread);
 
   [[nodiscard]] std::size_t unknowns() const { return series_size(order_); }
-  /// h at a direction, and its standard deviation as the last pass knows it.
-  [[nodiscard]] float offset_at(const Vec2& direction) const;
-  [[nodiscard]] float sigma_at(const Vec2& direction) const;
+  [[nodiscard]] SeriesValue at(const Vec2& direction) const;
   [[nodiscard]] Vec2 center() const { return {x_[1], x_[2]}; }
   [[nodiscard]] float radius() const { return x_[0]; }
   [[nodiscard]] float spread() const { return spread_; }  ///< square of how much larger residuals are than sigmas say

@@ -90,17 +90,17 @@ struct NodeStep {
   float sine = 0;    ///< of the angle
   float cosine = 0;  ///< of the angle
 };
-inline NodeStep node_step(std::size_t nodes) {
+constexpr NodeStep node_step(std::size_t nodes) {
   const std::size_t k = kDirections / nodes;
   return {6.28318531F / static_cast<float>(nodes), kQuarterCosines[kDirections / 4 - k], kQuarterCosines[k]};
 }
 
 /// Sine and cosine of an angle in [0, 0.2] rad: Taylor to x^5 and x^4, error below 1e-7.
-inline float small_sine(float x) {
+constexpr float small_sine(float x) {
   const float q = x * x;
   return x * (1.0F - q * (1.66666667e-1F - q * 8.33333333e-3F));
 }
-inline float small_cosine(float x) {
+constexpr float small_cosine(float x) {
   const float q = x * x;
   return 1.0F - q * (0.5F - q * (4.16666667e-2F - q * 1.38888889e-3F));
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/phase_tables.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
 #include "hal/base/trig.hpp"
 
@@ -11,8 +11,6 @@ namespace fencepost::recon {
 namespace {
 
 constexpr std::int32_t kBulge = 79;  // D^2/2 of 64 sectors, in 1/16384
-
-constexpr float kPhases = 128;  // directions told apart in a sector
 
 std::int32_t whole_offset(const PackedCluster& packed) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(packed.offset_low | (packed.offset_high << 8U)));
@@ -32,7 +30,8 @@ std::uint8_t to_eighths(float views) {
 bool is_at_least(const PackedCluster& packed) { return (packed.phase & 1U) != 0; }
 
 std::uint8_t packed_phase(const Cluster& cluster) {
-  const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kPhases, 0.0F, kPhases - 1));
+  constexpr auto kMost = static_cast<float>(kPhases);
+  const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kMost, 0.0F, kMost - 1));
   return static_cast<std::uint8_t>(2 * part + (cluster.lower_bound ? 1 : 0));
 }
 
@@ -92,9 +91,8 @@ bool pack(const Cluster& cluster, PackedCluster& packed) {
 }
 
 Cluster unpack(const PackedCluster& packed) {
-  const auto part = static_cast<float>(packed.phase >> 1U);
-  return {static_cast<float>(whole_offset(packed)) * kOffsetStep, (part + 0.5F) / kPhases, decode_sigma(packed.sigma),
-          static_cast<float>(packed.views) * kViewsStep, is_at_least(packed)};
+  return {static_cast<float>(whole_offset(packed)) * kOffsetStep, phase_at(place_in_sector(packed)),
+          decode_sigma(packed.sigma), static_cast<float>(packed.views) * kViewsStep, is_at_least(packed)};
 }
 
 SectorPlace place_of(const Vec2& normal, std::size_t sectors) {
@@ -109,6 +107,13 @@ SectorPlace place_of(const Vec2& normal, std::size_t sectors) {
 Vec2 direction_of(const SectorPlace& place, std::size_t sectors) {
   const float angle = place.phase * node_step(sectors).angle;
   return rotated({small_cosine(angle), small_sine(angle)}, node_direction(place.sector, sectors));
+}
+
+Vec2 direction_of(ConstClusters clusters, std::size_t index) {
+  const std::size_t sectors = clusters.size() / kClustersPerSector;
+  const std::size_t place = place_in_sector(clusters[index]);
+  const Turn turn = sectors == kDirections ? kTurns<kDirections>[place] : kTurns<kDirections / 2>[place];
+  return rotated({turn.cosine, turn.sine}, node_direction(index / kClustersPerSector, sectors));
 }
 
 void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent, float novelty,

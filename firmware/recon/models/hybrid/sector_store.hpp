@@ -64,6 +64,11 @@ Vec2 direction_of(const SectorPlace& place, std::size_t sectors);
 using Clusters = std::span<PackedCluster>;
 using ConstClusters = std::span<const PackedCluster>;
 
+/// Which of kPhases places of its sector.
+constexpr std::size_t place_in_sector(const PackedCluster& packed) { return packed.phase >> 1U; }
+/// Of cluster `index`; 64 or 32 sectors.
+Vec2 direction_of(ConstClusters clusters, std::size_t index);
+
 /// What the store must know of the model to compare tangents of slightly different directions.
 struct StoreContext {
   float slope = 0;  ///< h'(direction) of the model there, m/rad

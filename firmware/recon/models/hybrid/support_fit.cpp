@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"
-#include "firmware/recon/models/hybrid/node_directions.hpp"
+#include "firmware/recon/models/hybrid/phase_tables.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
 
 namespace fencepost::recon {
 namespace {
+
+static_assert(kRing == kDirections);
 
 constexpr SpreadPrior kSupportSpread{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
 
@@ -32,11 +34,8 @@ void SupportFit::begin_pass(float widening) {
 
 void SupportFit::add(ConstClusters clusters, std::size_t index) {
   const Cluster cluster = unpack(clusters[index]);
-  const NodeStep step = node_step(kRing);
   const std::size_t k = index / kClustersPerSector;
-  const float t = cluster.phase * step.angle;
-  const float a = small_sine(step.angle - t) / step.sine;
-  const float b = small_sine(t) / step.sine;
+  const auto [a, b] = kEndShares[place_in_sector(clusters[index])];
   const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
   if (cluster.lower_bound && residual <= 0) return;
   const float sigma = cluster.sigma * scale_;
@@ -53,6 +52,14 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
   band_.rhs[next(k)] += weight * b * residual;
 }
 
+void SupportFit::begin_sides() {
+  const NodeStep step = node_step(kRing);
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
+  const float sigma = kSideSigma * share * radius_;
+  round_side_ = step.angle * radius_;
+  side_weight_ = 1.0F / (sigma * sigma * step.angle);
+}
+
 void SupportFit::add_side(std::size_t k, bool polygonal) {
   const NodeStep step = node_step(kRing);
   const std::size_t before = previous(k);
@@ -60,14 +67,11 @@ void SupportFit::add_side(std::size_t k, bool polygonal) {
   const float outer = 1.0F / step.sine;
   const float middle = -2.0F * step.cosine / step.sine;
   const float length = outer * (offsets_[before] + offsets_[after]) + middle * offsets_[k];
-  const float round_side = step.angle * radius_;
-  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
-  const float sigma = kSideSigma * share * radius_;
-  float weight = 1.0F / (sigma * sigma * step.angle);
-  float target = round_side;
+  float weight = side_weight_;
+  float target = round_side_;
   if (polygonal) {
-    weight *= round_side / (std::max(length, 0.0F) + kSoftening * round_side);
-    target = length > kLongSide * round_side ? round_side : 0.0F;
+    weight *= round_side_ / (std::max(length, 0.0F) + kSoftening * round_side_);
+    target = length > kLongSide * round_side_ ? round_side_ : 0.0F;
   }
   if (length < 0) {
     weight *= kStiffness;

@@ -23,7 +23,9 @@ class SupportFit {
   void begin_pass(float widening);
   /// What says `at least` counts where it is not met.
   void add(ConstClusters clusters, std::size_t index);
-  /// After all tangents of a pass. What is known of side k before anything is seen. In the first passes all sides are
+  /// After all tangents of a pass.
+  void begin_sides();
+  /// What is known of side k before anything is seen. In the first passes all sides are
   /// alike; `polygonal`: few are long.
   void add_side(std::size_t k, bool polygonal);
   void begin_elimination() { band_.begin_elimination(); }
@@ -42,7 +44,9 @@ class SupportFit {
 
   CyclicBand band_;
   std::array<float, kRing> offsets_{};
-  float radius_ = 0;  ///< mean support value, in a sensible range
+  float radius_ = 0;       ///< mean support value, in a sensible range
+  float round_side_ = 0;   ///< of a round outline, m
+  float side_weight_ = 0;  ///< of what is known of a side
   float spread_ = 1;
   float scale_ = 1;
   Spread sums_;

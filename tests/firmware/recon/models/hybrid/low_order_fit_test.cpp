@@ -120,9 +120,9 @@ TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
   EXPECT_NEAR(fit.radius(), 0.1F, 5e-4F);
   EXPECT_NEAR(fit.center().x(), 0.2F, 5e-4F);
   EXPECT_NEAR(fit.center().y(), 0.0F, 5e-4F);
-  EXPECT_NEAR(fit.offset_at({1, 0}), 0.3F, 1e-3F);
+  EXPECT_NEAR(fit.at({1, 0}).offset, 0.3F, 1e-3F);
   // A fit begins with twice the sigmas.
-  EXPECT_NEAR(fit.sigma_at({static_cast<float>(std::cos(0.4)), static_cast<float>(std::sin(0.4))}), 0.002F, 1e-4F);
+  EXPECT_NEAR(fit.at({static_cast<float>(std::cos(0.4)), static_cast<float>(std::sin(0.4))}).sigma, 0.002F, 1e-4F);
 }
 
 // Without a tangent the priors are all there is: 0.08 m around the origin, give or take 5 cm and 2 m.
@@ -132,7 +132,7 @@ TYPED_TEST(LowOrder, KnowsNothingWithoutTangents) {
   fit.begin_pass(1);
   ASSERT_TRUE(solve(fit));
   EXPECT_NEAR(fit.radius(), 0.08F, 1e-6F);
-  EXPECT_NEAR(fit.sigma_at({1, 0}), 2.0F, 0.01F);
+  EXPECT_NEAR(fit.at({1, 0}).sigma, 2.0F, 0.01F);
 }
 
 }  // namespace
