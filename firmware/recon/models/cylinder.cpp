@@ -166,10 +166,12 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     rows_.scale(kForgetting);
     row_count_ *= kForgetting;
   }
+  const float distance = estimate_.ok() ? std::max(kNearestLens, std::sqrt((estimate_.center - lens).squaredNorm()))
+                                        : prior_distance(sighting);
   if (is_edge(sighting.left.end))
-    add_edge(sighting, sighting.left, left_tangent(sighting, origin), lens, novelty, noise);
+    add_edge(sighting, sighting.left, left_tangent(sighting, origin), distance, novelty, noise);
   if (is_edge(sighting.right.end))
-    add_edge(sighting, sighting.right, right_tangent(sighting, origin), lens, novelty, noise);
+    add_edge(sighting, sighting.right, right_tangent(sighting, origin), distance, novelty, noise);
   RowDepth row = row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
   if (row.known) {
@@ -189,11 +191,10 @@ float Cylinder::shape_variance(const MeasurementNoise& noise) const {
   return shape * shape;
 }
 
-void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens,
+void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, float distance,
                         float novelty, const MeasurementNoise& noise) {
-  const float distance = estimate_.ok() ? std::max(kNearestLens, std::sqrt((estimate_.center - lens).squaredNorm()))
-                                        : prior_distance(sighting);
-  const float variance = edge_variance(sighting, ray, distance, noise) + shape_variance(noise);
+  const float direction = direction_variance(sighting, ray, noise);
+  const float variance = edge_variance(direction, distance, noise) + shape_variance(noise);
   float weight = novelty / variance;
   if (estimate_.ok()) {
     const float residual = tangent.bound - tangent.normal.dot(estimate_.center) - estimate_.radius;
@@ -203,7 +204,7 @@ void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlan
     weight *= inlier;
   }
   edges_.add(tangent.normal, tangent.bound, weight);
-  false_depth_ += weight * direction_variance(sighting, ray, noise);
+  false_depth_ += weight * direction;
   if (edges_.information.rr > kMaxInformation) scale_edges(0.5F);
 }
 

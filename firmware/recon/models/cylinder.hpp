@@ -99,7 +99,7 @@ class Cylinder {
   [[nodiscard]] bool known_whole() const { return whole_views_ >= kViewsWhole; }
 
  private:
-  void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, const Vec2& lens, float novelty,
+  void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, float distance, float novelty,
                 const MeasurementNoise& noise);
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
   void scale_edges(float factor);

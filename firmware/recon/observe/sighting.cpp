@@ -48,8 +48,8 @@ float direction_variance(const Sighting& sighting, const Ray& ray, const Measure
   return pixel * pixel + noise.heading * noise.heading;
 }
 
-float edge_variance(const Sighting& sighting, const Ray& ray, float distance, const MeasurementNoise& noise) {
-  return distance * distance * direction_variance(sighting, ray, noise) + noise.position * noise.position;
+float edge_variance(float direction, float distance, const MeasurementNoise& noise) {
+  return distance * distance * direction + noise.position * noise.position;
 }
 
 namespace {

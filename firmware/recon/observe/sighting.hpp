@@ -85,8 +85,12 @@ HalfPlane right_tangent(const Sighting& sighting, MapPoint origin);
 /// Variance (rad^2) of the direction of the ray to an edge.
 float direction_variance(const Sighting& sighting, const Ray& ray, const MeasurementNoise& noise);
 
-/// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out.
-float edge_variance(const Sighting& sighting, const Ray& ray, float distance, const MeasurementNoise& noise);
+/// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out, by that of its
+/// direction.
+float edge_variance(float direction, float distance, const MeasurementNoise& noise);
+inline float edge_variance(const Sighting& sighting, const Ray& ray, float distance, const MeasurementNoise& noise) {
+  return edge_variance(direction_variance(sighting, ray, noise), distance, noise);
+}
 
 /// Depth along the axis (m) of the nearest point of an object that stands on the floor, from its bottom row.
 struct RowDepth {

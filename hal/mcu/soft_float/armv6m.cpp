@@ -1,6 +1,7 @@
 // Sums, products and order of floats for an Armv6-M core: what both numbers normal give, in two thirds of the
-// instructions that a compiler needs for float32.hpp. Whatever is rare (zeros in products, denormals, infinities, NaNs, results out
-// of range, ties) goes there with the operands as they came. The same bits: tests/boards/soft_float runs both.
+// instructions that a compiler needs for float32.hpp. Whatever is rare (zeros in products, denormals, infinities, NaNs,
+// results out of range, ties) goes there with the operands as they came. The same bits: tests/boards/soft_float runs
+// both.
 //
 // Rounding: the significand is moved down with its highest lost bit into the carry, which the addition of exponent and
 // sign then adds; the significand's own leading one, too, belongs to the exponent. Bits lost behind that one matter for

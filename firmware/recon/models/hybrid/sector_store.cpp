@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "firmware/recon/models/hybrid/phase_tables.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
@@ -67,8 +68,17 @@ Cluster merged(const Cluster& cluster, float phase, const Tangent& tangent, floa
 
 std::uint8_t encode_sigma(float sigma) {
   float mantissa = std::clamp(sigma, kSmallestSigma, 6.0F) / kSigmaUnit;
-  unsigned exponent = 0;
-  for (; mantissa >= 31.5F; ++exponent) mantissa *= 0.5F;
+  // By the float's own exponent, all halvings at once, to 16 up to 32.
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &mantissa, sizeof bits);
+  constexpr std::uint32_t kExponentOf16 = 127 + 4;
+  std::uint32_t exponent = std::max(bits >> 23U, kExponentOf16) - kExponentOf16;
+  bits -= exponent << 23U;
+  std::memcpy(&mantissa, &bits, sizeof bits);
+  if (mantissa >= 31.5F) {
+    ++exponent;
+    mantissa *= 0.5F;
+  }
   return static_cast<std::uint8_t>(exponent * 16 + static_cast<unsigned>(mantissa + 0.5F) - 16);
 }
 
@@ -180,11 +190,11 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
 
 float standing(ConstClusters clusters, std::size_t index) {
   const std::size_t first = index - index % kClustersPerSector;
-  const Cluster own = unpack(clusters[index]);
-  if (own.lower_bound) return 1.0F;
-  const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
+  if (is_at_least(clusters[index])) return 1.0F;
   for (std::size_t i = first; i < first + kClustersPerSector; ++i) {
-    if (i == index || clusters[i].views == 0) continue;
+    if (clusters[i].views == 0 || whole_offset(clusters[i]) <= whole_offset(clusters[index])) continue;
+    const Cluster own = unpack(clusters[index]);
+    const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
     const Cluster other = unpack(clusters[i]);
     if (other.views >= enough && other.offset > own.offset + 2 * own.sigma) return kOverruled;
   }

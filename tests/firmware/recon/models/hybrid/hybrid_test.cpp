@@ -243,6 +243,19 @@ TEST(HybridProperties, AParkedRobotAddsNothing) {
   expect_same(filter.hybrid, before);
 }
 
+// What alerts go by is noted when a fit ends.
+TEST(HybridProperties, NotesWhetherItsOutlineIsKnownWell) {
+  WideFilter filter;
+  int known_well = 0;
+  for (const host::Point& lens : circle({0, 0}, 0.9, 40)) {
+    filter.see(view_of(box(0.20, 0.12), lens).sighting);
+    EXPECT_EQ(filter.hybrid.known_well, filter.hybrid.outline().known_well());
+    known_well += filter.hybrid.known_well ? 1 : 0;
+  }
+  EXPECT_GT(known_well, 0);
+  EXPECT_LT(known_well, 40);
+}
+
 TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   const host::LinearRing footprint = box(0.20, 0.12);
   Sighting half = view_of(footprint, {1, 0}).sighting;
