@@ -8,6 +8,7 @@
 #include "firmware/recon/models/carving.hpp"
 #include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/recon/models/model_list.hpp"
+#include "hal/base/units.hpp"
 
 namespace fencepost::config {
 
@@ -16,6 +17,7 @@ struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
   static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
+  static constexpr base::Duration kModelInterval = base::milliseconds(30);  ///< between two such frames, at least
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kFronts = 64;         ///< points of the guard, 8 bytes each
   static constexpr std::size_t kTracks = 4;          ///< things that may move by themselves, 32 bytes each
@@ -38,6 +40,7 @@ struct Small {
   static constexpr std::string_view kName = "small";
   static constexpr std::size_t kObjects = 8;
   static constexpr std::size_t kModelTurns = 2;
+  static constexpr base::Duration kModelInterval = base::milliseconds(30);
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kFronts = 64;
   static constexpr std::size_t kTracks = 8;
@@ -47,11 +50,12 @@ struct Small {
   static constexpr std::size_t kBudget = 64 * 1024;
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
-  static constexpr int kHybridSteps = 8;
+  static constexpr int kHybridSteps = 4;
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 1536;
-  /// The grid takes 512 bytes, the polygon 768, waiting tangents 192.
-  using Models = recon::ModelList<recon::Cylinder, recon::Carving<64, 96, 16>, recon::Hybrid<kHybridSectors>>;
+  /// Nothing on a robot reads a carving, and it was a fifth of a Pico's frame: the desk computes it, of the same
+  /// sightings.
+  using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
   using ComparisonModels = recon::NoModels;
 };
 
@@ -60,6 +64,7 @@ struct Full {
   static constexpr std::string_view kName = "full";
   static constexpr std::size_t kObjects = 32;
   static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
+  static constexpr base::Duration kModelInterval{0};
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kFronts = 64;
   static constexpr std::size_t kTracks = 8;

@@ -21,6 +21,7 @@ class Map {
 
   void clear() {
     table_.clear();
+    pace_.clear();
     fitter_.clear();
     correction_.clear();
     guard_.clear();
@@ -48,7 +49,7 @@ class Map {
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);
     if (pose != driven) lens = lens_pose(pose, camera);
     table_.update(matcher_, camera, lens, outcome);
-    update_models(table_, matcher_, camera, lens, correction_.model_noise(noise));
+    update_models(table_, pace_, matcher_, camera, lens, correction_.model_noise(noise));
     fitter_.fit(table_);
     table_.tidy(matcher_, confirmation);
     correction_.follow(table_, matcher_, camera, noise);
@@ -112,6 +113,7 @@ class Map {
   }
 
   ObjectTable<Profile> table_;
+  ModelPace pace_;
   Matcher<ObjectType, Profile::kObjects> matcher_;
   OutlineFitter<Profile> fitter_;
   PoseCorrection<Profile> correction_;

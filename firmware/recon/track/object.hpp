@@ -116,7 +116,7 @@ struct Object : ObjectCore {
     id = new_id;
     signature = new_signature;
     last_seen = t;
-    waiting = Profile::kObjects;  // no alert before it has a place: it goes before all that had a turn lately
+    waiting = 2 * Profile::kObjects;  // no alert before it has a place: it goes before all that had a turn lately
     last_lens = first.lens_from(first.anchor);
     origin = moved(first.anchor, last_lens + prior_distance(first) * first.center);
     last_lens = first.lens_from(origin);

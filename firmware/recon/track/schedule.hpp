@@ -5,8 +5,28 @@
 
 #include "firmware/recon/observe/sighting.hpp"
 #include "firmware/recon/track/object_table.hpp"
+#include "hal/base/stamp.hpp"
 
 namespace fencepost::recon {
+
+/// Views shortly after one another say the same: of a fast camera's frames models take some, of a slow one's all.
+class ModelPace {
+ public:
+  void clear() { *this = {}; }
+
+  /// Do models take sightings of this frame?
+  bool due(base::Time exposure, base::Duration interval) {
+    const base::Duration passed = taken_.since(exposure);
+    if (begun_ && passed < interval && passed.raw >= 0) return false;
+    begun_ = true;
+    taken_ = base::Stamp(exposure);
+    return true;
+  }
+
+ private:
+  base::Stamp taken_;  ///< when they did last
+  bool begun_ = false;
+};
 
 /// Of the objects seen in this frame the one whose foot is lowest in the image: the robot is about to hit that one.
 /// kObjects: none was seen.
@@ -40,11 +60,12 @@ std::size_t most_urgent(const ObjectTable<Profile>& table, const typename Object
   return urgent;
 }
 
-/// The models of Profile::kModelTurns objects take what the frame shows of them from `lens`.
+/// The models of Profile::kModelTurns objects take what the frame shows of them from `lens`, if it is due.
 template <class Profile>
-[[gnu::noinline]] void update_models(ObjectTable<Profile>& table,
+[[gnu::noinline]] void update_models(ObjectTable<Profile>& table, ModelPace& pace,
                                      const typename ObjectTable<Profile>::MatcherType& matcher,
                                      const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
+  if (!pace.due(table.exposure(), Profile::kModelInterval)) return;
   const std::size_t nearest = lowest_foot<Profile>(matcher);
   for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
     const std::size_t o = most_urgent(table, matcher, nearest);
