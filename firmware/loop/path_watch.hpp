@@ -47,8 +47,11 @@ class PathWatch {
     m_.run.last_way.follow(motion);
     const alert::RobotPath path = path_ahead(motion);
     const alert::SweptByBody swept(path);
-    const alert::RobotPlace robot(robot_pose(m_));
-    const alert::FrontAhead front = fronts_ahead(path, rules, now);
+    const recon::MapPose pose = robot_pose(m_);
+    const alert::RobotPlace robot(pose);
+    const bool corrected = pose != m_.poses.latest();
+    const alert::FrontAhead front =
+        fronts_ahead(corrected ? alert::RobotPlace(m_.poses.latest()) : robot, path, rules, now);
     std::optional<alert::Obstacle> nearest;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
@@ -140,10 +143,9 @@ class PathWatch {
   }
 
   // What stands, by the guard, which knows odometry's frame only, and what comes by itself.
-  [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPath& path, const alert::AlertRules& rules,
-                                               base::Time now) const {
+  [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPlace& robot, const alert::RobotPath& path,
+                                               const alert::AlertRules& rules, base::Time now) const {
     const auto& guard = m_.map.guard();
-    const alert::RobotPlace robot(m_.poses.latest());
     const recon::CameraModel& camera = m_.calibration.models[m_.calibration.current];
     alert::FrontAhead front = more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
                                           m_.looming.ahead(camera, path, rules, now));
