@@ -11,7 +11,8 @@ import pathlib
 import sys
 import unittest
 
-from part import GATES, IWDG, PORTS, RCC, SYSTICK, SYSTICK_RELOAD, VTOR, Part
+from part import GATES, IWDG, PORTS, RCC, Part
+from core import SYSTICK, SYSTICK_RELOAD, VTOR  # by part's path
 
 BUILD = pathlib.Path(sys.argv.pop(1))
 TABLES = pathlib.Path(sys.argv.pop(1))
@@ -168,12 +169,26 @@ class Rules(unittest.TestCase):
             self.assertGreaterEqual(driven, 5, board)
         self.assertEqual(self.reserved("pyboard")["PA9"], "USB VBUS")
 
-    def test_the_bus_and_the_encoders_break_none(self):
-        part = start("fencepost-pixy2_i2c-encoders.elf", from_reset, 25_000_000, 0.1)
+    def expect_bus(self, part_of):
+        part = start("fencepost-pixy2_i2c-encoders.elf", from_reset, 25_000_000, 0.1, part_of)
         self.assertEqual((part.stop_reason, part.faults), (None, []))
         hz = part.clocks.bus_hz("apb1") / 2 / part.words[I2C1_CLOCK]
         self.assertLess(hz, 88_000)  # errata ES0182: or a repeated start comes too early
         self.assertGreater(hz, 70_000)
+        return part
+
+    def test_the_bus_and_the_encoders_break_none(self):
+        class Hangs(Part):
+            def write_bus(self, register, value, before):
+                pass
+
+        self.expect_bus(Hangs)
+        self.assertEqual(self.expect_bus(Part).targets, {0x54}, "the camera, and nobody else")
+
+    # Its maker's address lies where the bus reserves ones; this master, other than the RP2040's, speaks to it.
+    def test_a_reserved_address_is_found(self):
+        part = start("fencepost-nxtcam_i2c-create1.elf", from_reset, 25_000_000, 0.1)
+        self.assertEqual((part.stop_reason, part.faults), (None, ["the I2C master speaks to the reserved address 1"]))
 
     # What a program leaves out is found: here, what it does is not done.
     def without(self, leave, unheard, system=False):

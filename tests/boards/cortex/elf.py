@@ -1,6 +1,8 @@
-"""What is used of an ELF file: its segments and symbols."""
+"""What is used of an ELF file: its segments, symbols, and where it sleeps."""
 
+import functools
 import pathlib
+import re
 import struct
 import subprocess
 
@@ -20,6 +22,17 @@ def segments(path):
 
 def symbols(path):
     """{name: address}"""
-    lines = subprocess.run(["arm-none-eabi-nm", str(path)], capture_output=True, text=True, check=True).stdout
+    lines = output_of("arm-none-eabi-nm", path)
     return {name: int(address, 16) for address, _, name in (line.split(" ", 2) for line in lines.splitlines())
             if address.strip()}
+
+
+def sleeps(path):
+    """[address of each WFI]"""
+    return [int(address, 16) for address in re.findall(r"^ *([0-9a-f]+):\twfi", output_of("arm-none-eabi-objdump", path), re.M)]
+
+
+@functools.lru_cache(maxsize=None)
+def output_of(tool, path):
+    options = ["-d", "--no-show-raw-insn"] if tool.endswith("objdump") else []
+    return subprocess.run([tool, *options, str(path)], capture_output=True, text=True, check=True).stdout
