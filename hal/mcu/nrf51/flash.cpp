@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include "hal/mcu/nrf51/registers.hpp"
 #include "hal/mcu/register.hpp"
 
 namespace fencepost::mcu::nrf51 {
 namespace {
 
-constexpr std::uint32_t kFirstAddress = 0x0003'F800;
 constexpr std::uint32_t kMaxPolls = 100'000;  // of some cycles each; the core stands still by itself
 
 // Read-only again, whatever happens in between.
@@ -23,34 +21,28 @@ class Opened {
   ~Opened() { reg(kFlashConfig) = kFlashReadOnly; }
 };
 
-std::uint32_t address_of(std::size_t n, std::size_t offset) {
-  return kFirstAddress + static_cast<std::uint32_t>(n * kFlashPage + offset);
-}
-
 }  // namespace
 
-std::size_t Flash::size() { return kFlashPage; }
-
-std::span<const std::uint8_t> Flash::page(std::size_t n) {
-  return {reinterpret_cast<const std::uint8_t*>(static_cast<std::uintptr_t>(address_of(n, 0))), kFlashPage};
+std::span<const std::uint8_t> bytes_at(std::uint32_t address, std::size_t size) {
+  return {reinterpret_cast<const std::uint8_t*>(static_cast<std::uintptr_t>(address)), size};
 }
 
-bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes) {
+bool program_words(std::uint32_t address, std::span<const std::uint8_t> bytes) {
   const Opened opened(kFlashWrite);
   for (std::size_t i = 0; i + bus::kFlashWord <= bytes.size(); i += bus::kFlashWord) {
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < bus::kFlashWord; ++k) word |= std::uint32_t{bytes[i + k]} << (8 * k);
-    reg(address_of(n, offset + i)) = word;
+    reg(address + static_cast<std::uint32_t>(i)) = word;
     if (!await_bits(kFlashReady, 1, kMaxPolls)) return false;
   }
-  return std::ranges::equal(bytes, page(n).subspan(offset, bytes.size()));
+  return std::ranges::equal(bytes, bytes_at(address, bytes.size()));
 }
 
-bool Flash::erase(std::size_t n) {
+bool erase_page(std::uint32_t address, std::size_t size) {
   const Opened opened(kFlashErase);
-  reg(kFlashErasePage) = address_of(n, 0);
+  reg(kFlashErasePage) = address;
   const bool done = await_bits(kFlashReady, 1, kMaxPolls);
-  return done && std::ranges::all_of(page(n), [](std::uint8_t byte) { return byte == 0xFF; });
+  return done && std::ranges::all_of(bytes_at(address, size), [](std::uint8_t byte) { return byte == 0xFF; });
 }
 
 }  // namespace fencepost::mcu::nrf51

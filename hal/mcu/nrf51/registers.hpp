@@ -1,5 +1,6 @@
 // Registers of the nRF51822. Sources: nRF51 Series Reference Manual v3.0, chapters as given; addresses: its memory map.
-// A peripheral's interrupt has the number that its address has in bits 12 to 16 (chapter 10.1).
+// The nRF52833 has them, too, at the same addresses; what differs there is in hal/mcu/nrf52. A peripheral's interrupt
+// has the number that its address has in bits 12 to 16 (chapter 10.1).
 #pragma once
 
 #include <cstdint>
@@ -73,7 +74,8 @@ inline constexpr std::uint32_t kTwiTxd = 0x51C;
 inline constexpr std::uint32_t kTwiFrequency = 0x524;
 inline constexpr std::uint32_t kTwi100kHz = 0x0198'0000;
 inline constexpr std::uint32_t kTwiAddress = 0x588;
-inline constexpr std::uint32_t kTwiPower = 0xFFC;  // of every peripheral; here by PAN 56 of the anomaly list
+inline constexpr std::uint32_t kTwiPower =
+    0xFFC;  // of every peripheral, of this part alone; here by PAN 56 of the anomaly list
 
 // Timer 0, the one of 32 bits, chapter 18.
 inline constexpr std::uint32_t kTimer = 0x4000'8000;
@@ -109,6 +111,7 @@ inline constexpr std::uint32_t kFlashPage = 1024;                 // bytes (chap
 
 // Pins, chapter 14.
 inline constexpr std::uint32_t kPins = 0x5000'0000;
+inline constexpr std::uint32_t kPinsStride = 0x300;  // to a second port, where there is one
 inline constexpr std::uint32_t kPinsSet = kPins + 0x508;
 inline constexpr std::uint32_t kPinsClear = kPins + 0x50C;
 inline constexpr std::uint32_t kPinsIn = kPins + 0x510;

@@ -18,11 +18,13 @@ constexpr ResetReason reset_reason(std::uint32_t flags) {
   return flags == 0 ? ResetReason::kPowerOn : ResetReason::kUnknown;
 }
 
-/// Of this start; clears the flags.
-inline ResetReason take_reset_reason() {
+/// Those of this start; clears them.
+inline std::uint32_t take_reset_flags() {
   const std::uint32_t flags = reg(kResetReason);
   reg(kResetReason) = flags;
-  return reset_reason(flags);
+  return flags;
 }
+/// Of this start; clears the flags.
+inline ResetReason take_reset_reason() { return reset_reason(take_reset_flags()); }
 
 }  // namespace fencepost::mcu::nrf51

@@ -1,7 +1,7 @@
 #include "hal/mcu/nrf51/twi.hpp"
 
 #include "hal/mcu/cortex_m/core.hpp"
-#include "hal/mcu/free_wires.hpp"
+#include "hal/mcu/nrf51/two_wire.hpp"
 
 namespace fencepost::mcu::nrf51 {
 namespace {
@@ -11,28 +11,15 @@ void pause() {
   for (int i = 0; i < 30; ++i) asm volatile("nop");
 }
 
-void take_wire(Pin pin) {
-  pin.drive(true);
-  pin.make_two_wire_by_hand();
-}
-
 }  // namespace
 
 void TwiRegisters::restart() const {
   write(kTwiEnable, 0);
   write(kTwiPower, 0);
   pause();
-  take_wire(clock);
-  take_wire(data);
-  free_wires(clock, data, [] { pause(); });
+  free_two_wires(clock, data, [] { pause(); });
   write(kTwiPower, 1);
-  clock.make_two_wire();
-  data.make_two_wire();
-  write(kTwiPinClock, clock.number);
-  write(kTwiPinData, data.number);
-  write(kTwiFrequency, kTwi100kHz);
-  for (const std::uint32_t event : {kTwiStopped, kTwiReceived, kTwiSent, kTwiError}) write(event, 0);
-  write(kTwiEnable, kTwiEnabled);
+  set_up_two_wires(*this, clock, data);
 }
 
 void Twi::start() const {

@@ -11,12 +11,9 @@ constexpr int kFifo = 6;  // bytes that the part holds
 
 }  // namespace
 
-void Uart::start(Pin transmit, Pin receive, std::uint32_t baud) {
-  transmit.drive(true);
-  transmit.make_output();
-  receive.make_input();
-  reg(kUartPinSend) = transmit.number;
-  reg(kUartPinReceive) = receive.number;
+void Uart::begin(std::uint32_t transmit, std::uint32_t receive, std::uint32_t baud) {
+  reg(kUartPinSend) = transmit;
+  reg(kUartPinReceive) = receive;
   reg(kUartBaud) = baud_setting(baud);
   reg(kUartEnable) = kUartEnabled;
   reg(kUartInterrupts) = kUartReceivedInterrupt | kUartSentInterrupt | kUartErrorInterrupt;

@@ -6,7 +6,6 @@
 
 #include "hal/base/result.hpp"
 #include "hal/bus/byte_link.hpp"
-#include "hal/mcu/nrf51/pin.hpp"
 #include "hal/mcu/rings.hpp"
 
 namespace fencepost::mcu::nrf51 {
@@ -20,8 +19,14 @@ static_assert(baud_setting(9'600) == 0x0027'5000 && baud_setting(115'200) == 0x0
 
 class Uart {
  public:
-  /// Called once, before anything else here. `baud`: 1200 to 1 000 000.
-  void start(Pin transmit, Pin receive, std::uint32_t baud);
+  /// Called once, before anything else here. `Wire`: the part's pins. `baud`: 1200 to 1 000 000.
+  template <class Wire>
+  void start(Wire transmit, Wire receive, std::uint32_t baud) {
+    transmit.drive(true);
+    transmit.make_output();
+    receive.make_input();
+    begin(transmit.number, receive.number, baud);
+  }
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
@@ -35,6 +40,7 @@ class Uart {
   [[nodiscard]] bool waiting() const { return rings_.waiting(); }
 
  private:
+  void begin(std::uint32_t transmit, std::uint32_t receive, std::uint32_t baud);
   void go_on_sending();
   [[nodiscard]] bool send_one();
 

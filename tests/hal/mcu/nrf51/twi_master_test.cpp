@@ -8,6 +8,7 @@
 #include "hal/bus/i2c_bus.hpp"
 #include "hal/mcu/nrf51/reset_reason.hpp"
 #include "hal/mcu/nrf51/uart.hpp"
+#include "hal/mcu/nrf52/reset_reason.hpp"
 #include "tests/hal/mcu/i2c_master_suite.hpp"
 
 namespace fencepost::mcu::nrf51 {
@@ -146,6 +147,14 @@ TEST(Nrf51ResetReason, TellsTheFirstFlagThatSaysSomething) {
   EXPECT_EQ(reset_reason(1U << 2), ResetReason::kSoftware);
   EXPECT_EQ(reset_reason((1U << 3) | (1U << 2)), ResetReason::kPanic);
   EXPECT_EQ(reset_reason(1U << 16), ResetReason::kUnknown);  // woken by a pin from the deepest sleep: never slept
+}
+
+// Anomaly 136 of the nRF52833: the others mean nothing behind a reset by the pin.
+TEST(Nrf52ResetReason, TellsThePinBeforeAllOthers) {
+  EXPECT_EQ(nrf52::reset_reason(0), ResetReason::kPowerOn);
+  EXPECT_EQ(nrf52::reset_reason((1U << 1) | (1U << 0)), ResetReason::kPin);
+  EXPECT_EQ(nrf52::reset_reason(1U << 1), ResetReason::kWatchdog);
+  EXPECT_EQ(nrf52::reset_reason(1U << 20), ResetReason::kUnknown);  // woken by USB
 }
 
 // The values that the manual's table has.
