@@ -169,7 +169,7 @@ void expect_full_table_as_committed(const FullTable& table, PoseCorrected correc
                           (corrected == PoseCorrected::kYes ? "-corrected-counts" : "-counts");
   static_cast<void>(std::remove(out.c_str()));  // of an earlier run
   const SceneStream stream = stream_of(table.scene);
-  Bench bench(board(counting_arguments(image_of(table.image) + ".elf", stages_of_a_loop(table.more), out)));
+  Bench bench(board(counting_arguments(image_of(table.image, table.file) + ".elf", stages_of_a_loop(table.more), out)));
   ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
   expect_full_table(bench, stream, table.objects);
   bench.stop();

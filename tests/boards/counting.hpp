@@ -46,11 +46,12 @@ enum class PoseCorrected : bool { kNo, kYes };
 
 /// A table full of objects, counted.
 struct FullTable {
-  std::string image;  ///< its preset
+  std::string image;  ///< its preset, and its rows in the tables
   Stages more;        ///< of this board alone
   host::Scene scene;
   std::size_t objects;
-  double least;  ///< frames that are counted of those that are shown
+  double least;                    ///< frames that are counted of those that are shown
+  std::string file = "fencepost";  ///< in the preset's folder
 };
 
 // GoogleTest expectations.

@@ -31,6 +31,7 @@ ROOMS = {
     "hal/boards/*": "hal/mcu/* hal/template",
     "hal/boards/netduino_plus_2": "hal/mcu/* hal/template",
     "hal/boards/microbit": "hal/mcu/nrf51",
+    "hal/boards/microbit_v2": "hal/mcu/nrf52",
     "hal/boards/feather_f405": "hal/boards/netduino_plus_2",
     "hal/boards/pyboard": "hal/boards/netduino_plus_2",
     "hal/boards/pico": "hal/mcu/* hal/template",

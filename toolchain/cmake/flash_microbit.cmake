@@ -1,5 +1,10 @@
-# cmake -DIMAGE=fencepost.hex -P flash_microbit.cmake: copies it to the drive that the board shows, else asks openocd.
+# cmake -DIMAGE=fencepost.hex -DVERSION=1|2 -P flash_microbit.cmake: copies it to the drive that the board shows, else asks
+# openocd. Both generations show the same drive: the board's number, in a file there, says which it is.
 set(MOUNTS /proc/mounts CACHE FILEPATH "Linux: what is mounted where")
+set(numbers_1 "990[01]")
+set(numbers_2 "990[3-6]")
+set(part_1 nrf51)
+set(part_2 nrf52)
 set(drives /Volumes/MICROBIT) # macOS
 if(EXISTS "${MOUNTS}")
   file(STRINGS "${MOUNTS}" lines REGEX "^[^ ]+ [^ ]*/MICROBIT ")
@@ -8,9 +13,16 @@ if(EXISTS "${MOUNTS}")
 endif()
 foreach(drive ${drives})
   if(IS_DIRECTORY "${drive}")
+    if(EXISTS "${drive}/DETAILS.TXT")
+      file(STRINGS "${drive}/DETAILS.TXT" number REGEX "^Unique ID: 99")
+      math(EXPR other "3 - ${VERSION}")
+      if(number MATCHES "^Unique ID: ${numbers_${other}}")
+        message(FATAL_ERROR "${drive} is a micro:bit v${other}, and ${IMAGE} is for a v${VERSION}; nothing was copied.")
+      endif()
+    endif()
     file(COPY "${IMAGE}" DESTINATION "${drive}")
     execute_process(COMMAND ${CMAKE_COMMAND} -E env sync ERROR_QUIET OUTPUT_QUIET)  # it may be unplugged at once
-    message(STATUS "${IMAGE} copied to ${drive}; the board starts it when its yellow light stops blinking")
+    message(STATUS "${IMAGE} copied to ${drive}; the board starts it when its light stops blinking")
     return()
   endif()
 endforeach()
@@ -19,8 +31,8 @@ find_program(openocd openocd)
 if(NOT openocd)
   message(FATAL_ERROR "openocd is not installed either (Debian: apt-get install openocd).")
 endif()
-execute_process(COMMAND ${openocd} -f interface/cmsis-dap.cfg -f target/nrf51.cfg -c "program ${IMAGE} verify reset exit"
-  RESULT_VARIABLE status)
+execute_process(COMMAND ${openocd} -f interface/cmsis-dap.cfg -f target/${part_${VERSION}}.cfg
+  -c "program ${IMAGE} verify reset exit" RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "openocd found no board, or could not talk to it.")
 endif()

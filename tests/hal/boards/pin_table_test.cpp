@@ -10,6 +10,7 @@
 
 #include "hal/boards/feather_f405/pins.hpp"
 #include "hal/boards/microbit/pins.hpp"
+#include "hal/boards/microbit_v2/pins.hpp"
 #include "hal/boards/netduino_plus_2/pins.hpp"
 #include "hal/boards/pyboard/pins.hpp"
 #include "hal/mcu/stm32f4/i2c.hpp"
@@ -121,8 +122,10 @@ TEST(PinTable, TheDocumentHasThePins) {
   }
 }
 
-std::string name(mcu::nrf51::Pin pin) {
-  return std::string(pin.number < 10 ? "P0.0" : "P0.") + std::to_string(pin.number);
+template <std::uint32_t kPorts>
+std::string name(mcu::nrf51::PinOf<kPorts> pin) {
+  const std::uint32_t n = pin.number % 32;
+  return "P" + std::to_string(pin.number / 32) + (n < 10 ? ".0" : ".") + std::to_string(n);
 }
 
 TEST(PinTable, MicrobitHasItsPinsRight) {
@@ -138,6 +141,54 @@ TEST(PinTable, MicrobitHasItsPinsRight) {
     uses.push_back({"light's column", name(column), {}, 0, "light of the display"});
   }
   EXPECT_EQ(PinTable("microbit", "").faults(uses), Faults{});
+}
+
+std::vector<PinUse> uses_of_microbit_v2() {
+  namespace pins = board::microbit_v2;
+  std::vector<PinUse> uses = {{"console sends", name(pins::kConsoleSends), {}, 0, "USB serial line"},
+                              {"console receives", name(pins::kConsoleReceives), {}, 0, "USB serial line"},
+                              {"bus clock", name(pins::kBusClock)},
+                              {"bus data", name(pins::kBusData)},
+                              {"heartbeat's row", name(pins::kHeartbeatRow), {}, 0, "light of the display"},
+                              {"held's row", name(pins::kHeldRow), {}, 0, "light of the display"},
+                              {"lit column", name(pins::kLitColumn), {}, 0, "light of the display"},
+                              {"reset", name(pins::kReset), {}, 0, "reset button"},
+                              {"stop", name(pins::kStop)}};
+  for (const mcu::nrf52::Pin column : pins::kDarkColumns) {
+    uses.push_back({"dark column", name(column), {}, 0, "light of the display"});
+  }
+  return uses;
+}
+
+TEST(PinTable, MicrobitV2HasItsPinsRight) {
+  EXPECT_EQ(PinTable("microbit_v2", "").faults(uses_of_microbit_v2()), Faults{});
+}
+TEST(PinTable, FindsAPinOfTheFirstMicrobitOnTheSecond) {
+  const Faults expected = {"bus data: P0.30 is light of the display", "bus clock: P0.00 is speaker",
+                           "bus clock: P0.00 is not on the header",
+                           "console sends: P0.24 is light of the display, not USB serial line"};
+  EXPECT_EQ(PinTable("microbit_v2", "")
+                .faults({{"bus data", name(board::microbit::kBusData)},
+                         {"bus clock", name(board::microbit::kBusClock)},
+                         {"console sends", name(board::microbit::kConsoleSends), {}, 0, "USB serial line"}}),
+            expected);
+}
+TEST(PinTable, TheDocumentHasThePinsOfTheMicrobits) {
+  const auto row = [](const std::string& what, const PinTable& first, mcu::nrf51::Pin old, const PinTable& second,
+                      mcu::nrf52::Pin pin) {
+    return "| " + what + " | " + first.header(name(old)) + ", " + name(old) + " | " + second.header(name(pin)) + ", " +
+           name(pin) + " |";
+  };
+  const PinTable first("microbit", "");
+  const PinTable second("microbit_v2", "");
+  namespace v1 = board::microbit;
+  namespace v2 = board::microbit_v2;
+  for (const std::string& line : {row("bus clock", first, v1::kBusClock, second, v2::kBusClock),
+                                  row("bus data", first, v1::kBusData, second, v2::kBusData)}) {
+    EXPECT_TRUE(document_has(line)) << line;
+  }
+  const std::string stop = "| stop | ring 1, " + name(v1::kStop) + " | ring 1, " + name(v2::kStop) + " |";
+  EXPECT_TRUE(document_has(stop)) << stop;
 }
 
 }  // namespace

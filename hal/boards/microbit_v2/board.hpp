@@ -1,0 +1,45 @@
+// BBC micro:bit v2: nRF52833, 64 MHz, 128 KB of memory. What every board offers: hal/boards/README.md. It has one
+// serial line, through the board's USB; a camera is on the I2C bus of the edge connector.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/mcu/nrf51/timer_clock.hpp"
+#include "hal/mcu/nrf51/uart.hpp"
+#include "hal/mcu/nrf52/flash.hpp"
+#include "hal/mcu/nrf52/twi.hpp"
+#include "hal/mcu/reset.hpp"
+
+namespace fencepost::board {
+
+inline constexpr std::string_view kTarget = "microbit_v2";
+
+using Clock = mcu::nrf51::TimerClock;
+using Link = mcu::nrf51::Uart;
+using I2c = mcu::nrf52::Twi;
+using Flash = mcu::nrf52::Flash;
+
+/// Before anything else here: crystal, timer, watchdog, console.
+void start(std::uint32_t console_baud);
+/// Before the bus is used.
+void start_i2c();
+
+Clock& clock();
+Link& console();  ///< P0.06 sends, P1.08 receives: the interface chip's serial line on USB
+I2c& i2c();       ///< P0.26 is the clock, edge connector 19; P1.00 the data, 20. Nothing else is on it.
+Flash& flash();
+
+mcu::ResetReason take_reset_reason();
+std::optional<mcu::Panic> take_panic();
+
+/// STOP, for the enable input of a motor driver: high while the robot may drive, low from `start` on. A resistor of 10
+/// k to ground holds it while the part is in reset. The lower left pixel shines while it is low.
+void allow_motion(bool allowed);
+/// Also drives the heartbeat: the upper left pixel blinks once a second as long as the loop runs.
+void feed_watchdog();
+/// Sleeps until something may have happened: a byte, or a millisecond.
+void idle();
+
+}  // namespace fencepost::board

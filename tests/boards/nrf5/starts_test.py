@@ -1,0 +1,337 @@
+#!/usr/bin/env python3
+"""usage: starts_test.py IMAGES TABLES [unittest's arguments]
+
+The images of both micro:bits, started from a reset and from what a debugger leaves behind, which ends a program and starts
+ours without one. Each has to come up, break no rule of its part, drive no pin that its board reserves, and hold the
+motors until it may drive. IMAGES: the folder of the presets' folders. TABLES: tests/hal/boards.
+"""
+
+import csv
+import pathlib
+import struct
+import sys
+import unittest
+
+from nrf5 import (ERROR, INTERRUPTS_ON, PINS, POWER, RECEIVED, RESET_PINS, SENT, TIMER, TWI, UART, WATCHDOG, ENABLE, Nrf51, Nrf52,
+                  number_of)
+from core import SYSTICK, SYSTICK_RELOAD, VTOR  # by nrf5's path
+from pixy2 import Pixy2
+
+IMAGES = pathlib.Path(sys.argv.pop(1))
+TABLES = pathlib.Path(sys.argv.pop(1))
+RADIO = 1  # an interrupt
+PARTS = {"microbit": Nrf51, "microbit_v2": Nrf52}
+# A hundred times nothing, and back.
+HANG = b"\x00\xbf" * 100 + struct.pack("<H", 0xE000 | -(100 + 2) & 0x7FF)
+LIGHTS = ("", "light of the display", "USB serial line")
+
+
+def from_reset(part):
+    pass
+
+
+def other_table(part):
+    part.system[VTOR] = 0x1000
+
+
+def interrupts_on(part):
+    part.enabled |= {RADIO, number_of(UART), number_of(TIMER)}
+    part.pending |= {RADIO, number_of(UART)}
+
+
+def ticks_on(part):
+    part.system[SYSTICK_RELOAD] = 63_999
+    part.system[SYSTICK] = 7
+    part.pending.add("tick")
+
+
+def masked(part):
+    part.mask_interrupts()
+
+
+def other_stack(part):
+    part.use_other_stack()
+
+
+def watchdog_on(part):
+    """Its time is another program's, and most of it is over."""
+    part.words[WATCHDOG + 0x504] = WATCHDOG_LEFT_ON
+    part.words[WATCHDOG + 0x50C] = 1
+    part.watchdog_until = 0.01
+
+
+def crystal_on(part):
+    part.crystal_since = -1.0
+
+
+def timer_on(part):
+    part.words[TIMER + 0x508], part.words[TIMER + 0x510] = 3, 4
+    part.words[TIMER + INTERRUPTS_ON] = 0xF << 16
+    part.timer = (-100.0, 0)
+    part.words[TIMER + 0x144] = 1  # another of its events
+
+
+def line_on(part):
+    part.words.update({UART + ENABLE: 4, UART + INTERRUPTS_ON: 1 << 2 | 1 << 7 | 1 << 9 | 1 << 17, UART + RECEIVED: 1,
+                       UART + SENT: 1, UART + ERROR: 1, UART + 0x50C: 0, UART + 0x514: 0})
+
+
+def bus_on(part):
+    part.words.update({TWI + ENABLE: 5, TWI + INTERRUPTS_ON: 1 << 2 | 1 << 7, TWI + RECEIVED: 1, TWI + SENT: 1})
+
+
+def everything(part):
+    for leave in (other_table, interrupts_on, ticks_on, other_stack, watchdog_on, crystal_on, timer_on, line_on, bus_on):
+        leave(part)
+
+
+WATCHDOG_LEFT_ON = 32_767  # a second
+STARTS = {"microbit": [from_reset, crystal_on, masked],
+          "microbit_v2": [from_reset, other_table, interrupts_on, ticks_on, masked, other_stack, watchdog_on, crystal_on,
+                          timer_on, line_on, bus_on, everything]}
+
+
+def start(board, leave=from_reset, seconds=0.05, part_of=None, **facts):
+    part = (part_of or PARTS[board])(IMAGES / board / "fencepost.elf", **facts)
+    leave(part)
+    part.run(seconds)
+    return part
+
+
+def said(part):
+    return part.line.sent.decode(errors="replace")
+
+
+class Starts(unittest.TestCase):
+    def expect_up(self, part, board):
+        text = said(part)
+        self.assertEqual((part.stop_reason, part.faults), (None, []), text)
+        self.assertTrue(text.startswith(f"fencepost 0.1.0 for {board}, profile "), text)
+        self.assertIn("READY\r\n", text)
+        self.assertEqual(len(part.line.bauds), 1)
+        self.assertLess(abs(part.line.bauds.pop() / 115_200 - 1), 0.005)
+        self.assertLess(abs(part.timer_count() / 1e6 / (part.seconds - part.timer[0]) - 1), 1e-3)
+        self.assertGreater(part.interrupts, 50)
+        self.assertGreater(part.fed, 10)
+        self.assertEqual(part.pin(part.STOP), (True, 0), "nothing is seen yet: the motors are held")
+        self.assertEqual([level for _, level in part.stop_levels], [0], "and were never released")
+
+    def test_every_start_of_every_board(self):
+        for board, starts in STARTS.items():
+            for leave in starts:
+                with self.subTest(board=board, start=leave.__name__):
+                    self.expect_up(start(board, leave), board)
+
+    def test_without_its_crystal_it_runs_on_the_oscillator(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                self.expect_up(start(board, has_crystal=False, seconds=0.1), board)
+
+    # A mass erasure, as the board's drive begins with, takes the reset button's pin away.
+    def test_it_connects_its_reset_pin_and_starts_again(self):
+        class Erased(Nrf52):
+            reset_pin = None
+
+        part = start("microbit_v2", part_of=Erased)
+        self.assertEqual((part.stop_reason, part.faults), ("the program has reset the part", []))
+        self.assertEqual(part.reset_pins(), (18, 18))
+        self.assertEqual(part.pin(part.STOP), (True, 0), "the motors are held meanwhile")
+        self.assertEqual(said(part), "")
+
+        class HalfErased(Nrf52):
+            def prepare_memories(self):
+                super().prepare_memories()
+                self.uc.mem_write(RESET_PINS[1], b"\xff\xff\xff\xff")
+
+        part = start("microbit_v2", part_of=HalfErased)
+        self.assertEqual((part.stop_reason, part.faults, part.reset_pins()), ("the program has reset the part", [], (18, 18)))
+
+        class SomebodyElses(Nrf52):
+            reset_pin = 21
+
+        part = start("microbit_v2", part_of=SomebodyElses)
+        self.expect_up(part, "microbit_v2")
+        self.assertEqual(part.reset_pins(), (21, 21))
+
+
+def crc(text):
+    value = 0xFFFF
+    for byte in text.encode():
+        value ^= byte << 8
+        for _ in range(8):
+            value = (value << 1 ^ 0x1021 if value & 0x8000 else value << 1) & 0xFFFF
+    return value
+
+
+def record(body):
+    return f"${body}*{crc(body):04X}\r\n".encode()
+
+
+class Drive:
+    """Towards a post, 0.1 m wide, with a Pixy2 on the bus and odometry over the console."""
+
+    SPEED, FRONT, BEGIN = 0.25, 0.5, 0.2
+
+    def __init__(self, board):
+        self.part = PARTS[board](IMAGES / board / "fencepost.elf", device=Pixy2(self.view))
+        self.part.run(0.05)
+
+    def x(self, seconds):
+        return self.SPEED * max(0.0, seconds - self.BEGIN)
+
+    def view(self, seconds):
+        scale = 273.6 / max(0.1, self.FRONT - self.x(seconds))
+        return [(1, int(157.5 - 0.05 * scale), 100, int(157.5 + 0.05 * scale), int(min(207, 103 + 0.12 * scale)))]
+
+    def run(self, seconds, hears=True):
+        end = self.part.seconds + seconds
+        while self.part.seconds < end and self.part.stop_reason is None:
+            if hears:
+                self.part.line.feed(record(f"FPODO,,{self.x(self.part.seconds):.4f},0.0000,0.0000"), self.part.seconds)
+            self.part.run(0.02)
+
+    def until(self, text, seconds):
+        end = self.part.seconds + seconds
+        while text not in said(self.part) and self.part.seconds < end and self.part.stop_reason is None:
+            self.run(0.02)
+        return text in said(self.part)
+
+
+class Driving(unittest.TestCase):
+    def test_the_stop_pin_follows_the_alert(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                drive = Drive(board)
+                part = drive.part
+                part.line.feed(b"mode log\r", part.seconds)
+                drive.run(0.4)
+                text = said(part)
+                self.assertEqual((part.stop_reason, part.faults), (None, []), text)
+                self.assertEqual(part.pin(part.STOP), (True, 1), text)
+                self.assertEqual([level for _, level in part.stop_levels], [0, 1], text)
+                self.assertTrue(drive.until(",stop,", 2.5), said(part))
+                drive.run(0.02)
+                self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
+                self.assertEqual((part.stop_reason, part.faults), (None, []), said(part))
+                self.assertEqual(part.targets, {0x54})
+
+    def test_the_stop_pin_falls_when_the_odometry_does(self):
+        drive = Drive("microbit_v2")
+        drive.run(0.3)
+        self.assertEqual(drive.part.pin(drive.part.STOP), (True, 1), said(drive.part))
+        drive.run(0.4, hears=False)
+        self.assertEqual(drive.part.pin(drive.part.STOP), (True, 0), said(drive.part))
+
+    # Hangs in the middle of a turn: the watchdog is fed at its end.
+    def test_the_watchdog_bites_in_time(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                part = start(board, seconds=0.1)
+                fed, at = part.fed, part.seconds
+                work = next(address for name, address in part.symbols.items() if "Robot4work" in name) & ~1
+                part.uc.mem_write(work, HANG)
+                part.uc.ctl_remove_cache(work, work + len(HANG))
+                part.run(1.0)
+                self.assertEqual(part.stop_reason, "the watchdog has reset the part")
+                self.assertLessEqual(part.fed - fed, 1)
+                self.assertLess(part.seconds - at, 0.45)
+                self.assertGreater(part.seconds - at, 0.35)
+
+
+class Rules(unittest.TestCase):
+    def reserved(self, board):
+        """{pin: what the board itself has there}"""
+        lines = [line for line in (TABLES / f"{board}.csv").read_text().splitlines() if not line.startswith("#")]
+        return {row["pin"]: row["reserved"] for row in csv.DictReader(lines)}
+
+    def test_no_board_drives_a_pin_that_it_reserves(self):
+        for board in PARTS:
+            part, table = start(board, seconds=0.05), self.reserved(board)
+            driven = [n for n in range(64) if part.pin(n)[0]]
+            for n in driven:
+                self.assertIn(table[f"P{n // 32}.{n % 32:02}"], LIGHTS, f"{board}: {n}")
+            self.assertGreaterEqual(len(driven), 5, board)
+
+    # What a program leaves out is found: here, what it does is not done.
+    def without(self, unheard, leave=from_reset, board="microbit_v2", system=False, seconds=0.05):
+        class Deaf(PARTS[board]):
+            def write(self, uc, offset, size, value, region):
+                if system or not unheard(region + offset, value):
+                    super().write(uc, offset, size, value, region)
+
+            def write_system(self, uc, offset, size, value, data):
+                if not system or not unheard(offset, value):
+                    super().write_system(uc, offset, size, value, data)
+
+        return start(board, leave, seconds, Deaf)
+
+    def test_a_vector_table_that_is_not_set_is_found(self):
+        part = self.without(lambda offset, _: offset == VTOR, other_table, system=True)
+        self.assertIn("by a vector table at 00001000", part.stop_reason)
+
+    def test_interrupts_that_are_left_on_are_found(self):
+        part = self.without(lambda offset, _: 0xE180 <= offset < 0xE300, interrupts_on, system=True)
+        self.assertEqual(part.stop_reason, "interrupt 1, which nobody expects")
+
+    def test_a_line_that_is_left_on_is_found(self):
+        part = self.without(lambda address, value: address == UART + ENABLE and value == 0, line_on)
+        self.assertIn("pins chosen at 4000250c while the peripheral is on", part.faults)
+
+    def test_a_timer_that_is_left_on_is_found(self):
+        part = self.without(lambda address, _: address == TIMER + 0x004, timer_on)
+        self.assertIn("the timer is set up while it runs", part.faults)
+
+    def test_a_crystal_that_is_not_started_is_found(self):
+        for board in PARTS:
+            part = self.without(lambda address, _: address == POWER, board=board, seconds=0.1)
+            self.assertIn("a byte is sent before the crystal runs", part.faults)
+
+    def test_a_watchdog_that_is_not_fed_is_found(self):
+        class Hungry(Nrf52):
+            def feed(self):
+                if self.watchdog_until is None:
+                    super().feed()
+
+        part = start("microbit_v2", seconds=1.0, part_of=Hungry)
+        self.assertEqual(part.stop_reason, "the watchdog has reset the part")
+
+    def test_a_pin_that_does_not_hold_the_motors_is_found(self):
+        part = self.without(lambda address, _: address == PINS + 0x700 + 4 * Nrf52.STOP)
+        self.assertEqual(part.pin(part.STOP)[0], False)
+
+    def test_a_bus_that_drives_both_ways_is_found(self):
+        part = self.without(lambda address, value: address == PINS + 0x700 + 4 * 26 and value >> 8 & 7 == 6)
+        self.assertIn("the bus's clock is not set up to be pulled down only", part.faults)
+
+    def test_flash_that_is_not_open_and_a_reserved_address_are_found(self):
+        part = start("microbit_v2", seconds=0.05)
+        part.on_flash(part.uc, 0, 0x7E000, 4, 0, None)
+        part.erase(0x7E000)
+        part.words[TWI + 0x588] = 1
+        part.write(None, 0x3000, 4, 1, 0x40000000)
+        self.assertEqual(part.faults, ["write of 0007e000 in flash that is not open for it",
+                                       "a page is erased at 0007e000 in flash that is not open for it",
+                                       "the I2C master speaks to the reserved address 1"])
+
+
+class Settings(unittest.TestCase):
+    def test_what_is_set_is_kept_by_the_parts_own_rules(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                part = start(board)
+                part.line.feed(b"set alert.stop 0.41\r", part.seconds)
+                part.run(0.3)
+                self.assertEqual((part.stop_reason, part.faults), (None, []), said(part))
+                pages = part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE)
+                self.assertNotEqual(set(pages), {0xFF})
+                again = PARTS[board](IMAGES / board / "fencepost.elf")
+                again.uc.mem_write(part.FLASH_SIZE - 2 * part.PAGE, bytes(pages))
+                again.run(0.05)
+                again.line.feed(b"get alert.stop\r", again.seconds)
+                again.run(0.05)
+                self.assertIn("0.41", said(again))
+                self.assertEqual((again.stop_reason, again.faults), (None, []))
+
+
+if __name__ == "__main__":
+    unittest.main()
