@@ -6,8 +6,9 @@
 
 namespace fencepost::mcu::nrf52 {
 
-/// The last two pages of 512 KB: the linker script leaves them free. The core stands still while the flash erases (85
-/// ms a page) or writes (41 us a word; NVMC, electrical specification): the serial line overruns.
+/// The last two pages of 512 KB: the linker script leaves them free. While the flash erases (85 ms a page) or writes
+/// (41 us a word; NVMC, electrical specification) the core stands still, but for what its cache holds: the serial line
+/// overruns.
 using Flash = nrf51::TwoPages<0x0007'E000, kFlashPage>;
 static_assert(bus::FlashPages<Flash>);
 

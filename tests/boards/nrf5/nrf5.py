@@ -70,6 +70,7 @@ class Nrf5(Core):
         self.timer = None  # since when, count then
         self.alarm = None
         self.watchdog_until = None
+        self.flash_until = 0.0  # it is busy
         self.fed = 0
         self.bus = None  # "write" or "read" while a transfer is under way
         self.next_of_bus = None  # (when, what)
@@ -91,14 +92,21 @@ class Nrf5(Core):
 
     # Memory that only the flash controller may change (chapter 6, NVMC).
     def on_flash(self, uc, _access, address, size, value, _data):
-        if self.words.get(FLASH + 0x504, 0) != 1:
-            self.fault(f"write of {address:08x} in flash that is not open for it")
+        if self.words.get(FLASH + 0x504, 0) != 1 or self.seconds < self.flash_until:
+            self.fault(f"write of {address:08x} in flash that is not open for it, or busy")
         if size != 4 or address % 4:
             self.fault(f"write of {size} bytes at {address:08x} in flash")
         before = int.from_bytes(uc.mem_read(address, size), "little")
         if value & WORD - 1 & ~before:
             self.fault(f"bits set at {address:08x} in flash that was not erased")
-        self.seconds += self.WRITE_SECONDS
+        self.be_busy(self.WRITE_SECONDS)
+
+    # The core stands still, unless a cache holds what it runs: then it runs on, as long as the flash at most.
+    def be_busy(self, seconds):
+        if self.words.get(FLASH + 0x540, 0) & 1:
+            self.flash_until = self.seconds + seconds
+        else:
+            self.seconds += seconds
 
     def erase(self, address):
         if self.words.get(FLASH + 0x504, 0) != 2:
@@ -107,7 +115,7 @@ class Nrf5(Core):
             self.fault(f"erased at {address:08x}: not a page, or the program's own")
             return
         self.uc.mem_write(address, b"\xff" * self.PAGE)
-        self.seconds += self.ERASE_SECONDS
+        self.be_busy(self.ERASE_SECONDS)
 
     # Peripherals.
     def read(self, _uc, offset, _size, region):
@@ -116,7 +124,7 @@ class Nrf5(Core):
         if address == POWER + 0x100:
             return int(self.crystal_runs())
         if address == FLASH + 0x400:
-            return 1
+            return int(self.seconds >= self.flash_until)
         if base == PINS:
             return self.read_pins(register)
         if address == UART + 0x518:
@@ -154,6 +162,8 @@ class Nrf5(Core):
         return None
 
     def write_flash(self, register, value):
+        if register in (0x504, 0x508) and self.seconds < self.flash_until:
+            self.fault("the flash controller is written to while it is busy")
         if register == 0x508:
             self.erase(value)
 
