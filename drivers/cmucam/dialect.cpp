@@ -108,7 +108,7 @@ sensor::CameraIntrinsics nominal_intrinsics(const Dialect& dialect, const sensor
   intrinsics.height = dialect.height;
   intrinsics.fx = dialect.fx;
   intrinsics.fy = dialect.fy;
-  intrinsics.cx = middle(dialect.width);
+  intrinsics.cx = {(dialect.width - 1) * base::Pixels2::kPerUnit / 2};
   intrinsics.cy = dialect.cy;
   intrinsics.mount = mount;
   intrinsics.latency = dialect.has_raw ? base::milliseconds(88) : base::milliseconds(50);

@@ -7,11 +7,16 @@
 namespace fencepost::console {
 namespace {
 
-void put_setting(Sentence& s, config::Key key, const config::Settings& settings) {
-  const config::KeyInfo& entry = config::info(key);
-  s.put(entry.name).put(" = ").put(settings.text(key).view());
-  if (entry.unit.empty() || entry.unit == config::kSwitch) return;
+void put_value(Sentence& s, const config::KeyInfo& entry, std::string_view value) {
+  s.put(entry.name).put(" = ").put(value);
+  if (entry.unit.empty() || entry.unit == config::kSwitch || entry.unit == config::kDeviceName) return;
   s.put(" ").put(entry.unit);
+}
+void put_setting(Sentence& s, config::Key key, const config::Settings& settings) {
+  put_value(s, config::info(key), settings.text(key).view());
+}
+void put_device(Sentence& s, config::DeviceKey key, const SettingsInForce& in_force) {
+  put_value(s, config::info(key), in_force.devices.text(key).view());
 }
 
 void put_taken(Sentence& s, config::Key key, const config::Settings& settings) {
@@ -54,15 +59,18 @@ void put_no_such_command(Sentence& s, const Answer& answer) {
 
 void put_no_such_key(Sentence& s, const Answer& answer) {
   s.put("error: unknown setting '").put(answer.quote.view()).put("', ");
-  if (answer.subject != Answer::kNothingNear) {
-    s.put("did you mean '").put(config::info(static_cast<config::Key>(answer.subject)).name).put("'? ");
-  }
+  if (answer.subject != Answer::kNothingNear) s.put("did you mean '").put(name_of_key(answer.subject)).put("'? ");
   s.put("'get' lists all");
 }
 
-void put_error(Sentence& s, const Answer& answer) {
+void put_no_such_value(Sentence& s, const Answer& answer, std::string_view key) {
+  s.put("error: '").put(answer.quote.view()).put("' is not possible: ").put(key).put(" takes ");
+}
+
+void put_error(Sentence& s, const Answer& answer, const SettingsInForce& in_force) {
   const auto verb = static_cast<Verb>(answer.subject);
   const auto key = static_cast<config::Key>(answer.subject);
+  const auto device = static_cast<config::DeviceKey>(answer.subject);
   switch (answer.reply) {
     case Reply::kNoSuchCommand: return put_no_such_command(s, answer);
     case Reply::kNoSuchKey: return put_no_such_key(s, answer);
@@ -74,8 +82,15 @@ void put_error(Sentence& s, const Answer& answer) {
       s.put("error: '").put(answer.quote.view()).put("' is not possible: ");
       return put_usage(s, verb);
     case Reply::kNoSuchValue:
-      s.put("error: '").put(answer.quote.view()).put("' is not possible: ").put(config::info(key).name).put(" takes ");
-      return put_range(s, key);
+      put_no_such_value(s, answer, config::info(key).name);
+      return put_range(s, config::info(key));
+    case Reply::kNoSuchDevice:
+      put_no_such_value(s, answer, config::info(device).name);
+      return put_choice(s, device, in_force.offer->limits);
+    case Reply::kDeviceRefused:
+      s.put("error: '").put(answer.quote.view()).put("' is not possible: ");
+      s.put(config::reason(static_cast<config::Refusal>(answer.subject)));
+      return;
     case Reply::kNotText: s.put("error: the line holds bytes that are not text: same baud rate on both ends?"); return;
     case Reply::kLineTooLong:
       s.put("error: the line was discarded, it has more than ").number(record::kMaxLine - 1).put(" characters");
@@ -92,14 +107,25 @@ void put_error(Sentence& s, const Answer& answer) {
 std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::span<char> out) {
   Sentence s(out);
   const auto key = static_cast<config::Key>(answer.subject);
+  const auto device = static_cast<config::DeviceKey>(answer.subject);
   switch (answer.reply) {
     case Reply::kOneSetting:
-      put_setting(s, key, facts.settings);
+      put_setting(s, key, facts.in_force.settings);
       s.put(" (");
-      put_range(s, key);
+      put_range(s, config::info(key));
       s.put("), ").put(config::info(key).help);
       break;
-    case Reply::kSettingIs: put_taken(s, key, facts.settings); break;
+    case Reply::kOneDevice:
+      put_device(s, device, facts.in_force);
+      s.put(" (");
+      put_choice(s, device, facts.in_force.offer->limits);
+      s.put("), ").put(config::info(device).help);
+      break;
+    case Reply::kSettingIs: put_taken(s, key, facts.in_force.settings); break;
+    case Reply::kDeviceIs:
+      put_device(s, device, facts.in_force);
+      s.put("; a new run: the map is empty");
+      break;
     case Reply::kAlertsAre: s.put("alerts are ").put(facts.alerts ? "on" : "off"); break;
     case Reply::kModeIs:
       s.put("mode is ").put(name(facts.mode));
@@ -110,7 +136,7 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
     case Reply::kNewRun: s.put("a new run: the map is empty"); break;
     case Reply::kVersion: put_version(s, facts.header, facts.note); break;
     case Reply::kSelftest: put_selftest(s, facts.digest, facts.expected_digest); break;
-    default: put_error(s, answer); break;
+    default: put_error(s, answer, facts.in_force); break;
   }
   return s.end();
 }

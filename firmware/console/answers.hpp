@@ -6,8 +6,10 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/config/devices.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
+#include "firmware/console/help.hpp"
 #include "firmware/record/records.hpp"
 
 namespace fencepost::console {
@@ -17,7 +19,7 @@ struct AnswerFacts {
   Mode mode = Mode::kText;
   bool alerts = true;
   bool whole = true;  ///< all inputs of this run were used in mode log
-  const config::Settings& settings;
+  SettingsInForce in_force;
   const record::Header* header = nullptr;
   std::uint64_t digest = 0;
   std::uint64_t expected_digest = 0;

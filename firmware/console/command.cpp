@@ -48,8 +48,9 @@ std::uint8_t subject_of(const NearestName& nearest) {
 
 // `set alert.stop 0.30 m`: the unit may be there, if it is the right one.
 bool is_unit(std::string_view key, std::string_view unit) {
-  return std::any_of(config::kKeyInfo.begin(), config::kKeyInfo.end(),
-                     [&](const config::KeyInfo& entry) { return entry.name == key && entry.unit == unit; });
+  const auto has_it = [&](const config::KeyInfo& entry) { return entry.name == key && entry.unit == unit; };
+  return std::any_of(config::kKeyInfo.begin(), config::kKeyInfo.end(), has_it) ||
+         std::any_of(config::kDeviceInfo.begin(), config::kDeviceInfo.end(), has_it);
 }
 
 }  // namespace
@@ -119,11 +120,17 @@ Answer check(const Words& words) {
   return {Reply::kNone, subject};
 }
 
-Answer about_key(Reply reply, std::string_view key) {
+std::string_view name_of_key(std::size_t index) {
+  return index < config::kKeys ? config::kKeyInfo[index].name : config::kDeviceInfo[index - config::kKeys].name;
+}
+
+Answer about_key(Reply reply, Reply of_device, bool offered, std::string_view key) {
   NearestName nearest(key);
-  for (std::size_t i = 0; i < config::kKeys; ++i) {
-    if (config::kKeyInfo[i].name == key) return {reply, static_cast<std::uint8_t>(i)};
-    nearest.offer(i, config::kKeyInfo[i].name);
+  for (std::size_t i = 0; i < config::kKeys + (offered ? config::kDeviceKeys : 0); ++i) {
+    const std::string_view name = name_of_key(i);
+    if (name == key && i < config::kKeys) return {reply, static_cast<std::uint8_t>(i)};
+    if (name == key) return {of_device, static_cast<std::uint8_t>(i - config::kKeys)};
+    nearest.offer(i, name);
   }
   return {Reply::kNoSuchKey, subject_of(nearest), 0, quote(key)};
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/config/devices.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
 
@@ -74,8 +75,11 @@ std::optional<Mode> mode_named(std::string_view word);
 /// pending) with the verb as subject. Whether a setting and its value are possible is not seen here.
 Answer check(const Words& words);
 
-/// `reply` about the setting of that name, or that there is none.
-Answer about_key(Reply reply, std::string_view key);
+/// `reply` about the setting of that name, or `of_device` where that chooses a device and those are `offered`; or that
+/// there is none.
+Answer about_key(Reply reply, Reply of_device, bool offered, std::string_view key);
+/// The names of all settings, those of devices behind the others.
+std::string_view name_of_key(std::size_t index);
 
 /// The name nearest to `word` among those of `all(0) .. all(count - 1)`, if any is near: it begins with `word`, or
 /// holds it, or differs by at most two letters.

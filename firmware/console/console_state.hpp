@@ -30,6 +30,8 @@ enum class Reply : std::uint8_t {
   kAllSettings,
   kOneSetting,  ///< subject: Key
   kSettingIs,   ///< subject: Key
+  kOneDevice,   ///< subject: DeviceKey
+  kDeviceIs,    ///< subject: DeviceKey
   kAlertsAre,
   kModeIs,
   kNewRun,
@@ -40,8 +42,10 @@ enum class Reply : std::uint8_t {
   kTooFewWords,    ///< subject: Verb
   kTooManyWords,   ///< subject: Verb; quote: the first one too many
   kNoSuchWord,     ///< subject: Verb; quote
-  kNoSuchKey,      ///< quote; subject: Key that was perhaps meant, or kNothingNear
+  kNoSuchKey,      ///< quote; subject: see name_of_key(), or kNothingNear
   kNoSuchValue,    ///< subject: Key; quote
+  kNoSuchDevice,   ///< subject: DeviceKey; quote
+  kDeviceRefused,  ///< subject: config::Refusal; quote
   kNotText,
   kLineTooLong,
   kTableFull,  ///< subject: capacity; quote: what did not fit

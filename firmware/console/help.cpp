@@ -13,10 +13,28 @@ std::size_t write_verb(const VerbInfo& verb, std::span<char> out) {
   return s.end();
 }
 
+// `value`: as text.
+Sentence& put_row(Sentence& s, const config::KeyInfo& entry, std::string_view value) {
+  constexpr std::size_t kValueEnds = 22;
+  s.pad_to(kIndent).put(entry.name);
+  return s.gap_to(value.size() < kValueEnds ? kValueEnds - value.size() : 0).put(value);
+}
+constexpr std::size_t kRangeColumn = 24;
+constexpr std::size_t kHelpColumn = 38;
+
+template <class Id, std::size_t N>
+void put_names(Sentence& s, const std::array<config::DeviceInfo, N>& all, const config::DeviceLimits& limits) {
+  bool first = true;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!limits.contains(static_cast<Id>(i))) continue;
+    s.put(first ? "" : "|").put(all[i].name);
+    first = false;
+  }
+}
+
 }  // namespace
 
-void put_range(Sentence& s, config::Key key) {
-  const config::KeyInfo& entry = config::info(key);
+void put_range(Sentence& s, const config::KeyInfo& entry) {
   if (entry.unit == config::kSwitch) {
     s.put(entry.unit);
     return;
@@ -26,20 +44,25 @@ void put_range(Sentence& s, config::Key key) {
   if (!entry.unit.empty()) s.put(" ").put(entry.unit);
 }
 
-std::size_t write_setting(config::Key key, const config::Settings& settings, std::span<char> out) {
-  constexpr std::size_t kValueEnds = 22;
-  constexpr std::size_t kRangeColumn = 24;
-  constexpr std::size_t kHelpColumn = 38;
-  const sensor::Text value = settings.text(key);
+void put_choice(Sentence& s, config::DeviceKey key, const config::DeviceLimits& limits) {
+  if (key == config::DeviceKey::kCamera) return put_names<config::CameraId>(s, config::kCameras, limits);
+  if (key == config::DeviceKey::kOdometry) return put_names<config::OdometryId>(s, config::kOdometries, limits);
+  put_range(s, config::info(key));
+}
+
+std::size_t write_setting(std::size_t line, const SettingsInForce& in_force, std::span<char> out) {
   Sentence s(out);
-  s.pad_to(kIndent).put(config::info(key).name).gap_to(kValueEnds - value.view().size()).put(value.view());
-  s.gap_to(kRangeColumn);
-  put_range(s, key);
-  s.gap_to(kHelpColumn).put(config::info(key).help);
+  const bool of_device = line >= config::kKeys;
+  const config::KeyInfo& entry = of_device ? config::kDeviceInfo[line - config::kKeys] : config::kKeyInfo[line];
+  const sensor::Text value = of_device ? in_force.devices.text(static_cast<config::DeviceKey>(line - config::kKeys))
+                                       : in_force.settings.text(static_cast<config::Key>(line));
+  put_row(s, entry, value.view()).gap_to(kRangeColumn);
+  if (entry.unit != config::kDeviceName) put_range(s, entry);  // its names would not fit: the error lists them
+  s.gap_to(kHelpColumn).put(entry.help);
   return s.end();
 }
 
-std::size_t write_help(std::size_t line, const config::Settings& settings, std::span<char> out) {
+std::size_t write_help(std::size_t line, const SettingsInForce& in_force, std::span<char> out) {
   if (line == 0) return Sentence(out).put("commands, each ended with Enter:").end();
   --line;
   if (line < kVerbs) return write_verb(kVerbInfo[line], out);
@@ -48,7 +71,7 @@ std::size_t write_help(std::size_t line, const config::Settings& settings, std::
     return Sentence(out).put("  $FPODO $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
   }
   if (line == 1) return Sentence(out).put("settings: value, range, what it is").end();
-  return write_setting(static_cast<config::Key>(line - 2), settings, out);
+  return write_setting(line - 2, in_force, out);
 }
 
 }  // namespace fencepost::console

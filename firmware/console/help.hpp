@@ -4,21 +4,34 @@
 #include <cstddef>
 #include <span>
 
+#include "firmware/config/devices.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/command.hpp"
 #include "firmware/console/sentence.hpp"
 
 namespace fencepost::console {
 
-inline constexpr std::size_t kHelpLines = 1 + kVerbs + 2 + config::kKeys;
+/// All that `set` changes.
+struct SettingsInForce {
+  const config::Settings& settings;
+  const config::Devices& devices;
+  const config::DeviceOffer* offer = nullptr;  ///< none: devices are not chosen here
 
-/// `line` < kHelpLines.
-std::size_t write_help(std::size_t line, const config::Settings& settings, std::span<char> out);
+  /// Lines of a list of them.
+  [[nodiscard]] std::size_t lines() const { return config::kKeys + (offer != nullptr ? config::kDeviceKeys : 0); }
+};
 
-/// One setting, its value, range, unit and meaning.
-std::size_t write_setting(config::Key key, const config::Settings& settings, std::span<char> out);
+inline constexpr std::size_t kHelpHead = 1 + kVerbs + 2;  ///< lines; those of the settings follow
+
+/// `line` < kHelpHead + in_force.lines().
+std::size_t write_help(std::size_t line, const SettingsInForce& in_force, std::span<char> out);
+
+/// One setting, its value, range, unit and meaning; `line` < in_force.lines().
+std::size_t write_setting(std::size_t line, const SettingsInForce& in_force, std::span<char> out);
 
 /// "0.00..10.00 m" or "on|off".
-void put_range(Sentence& sentence, config::Key key);
+void put_range(Sentence& sentence, const config::KeyInfo& entry);
+/// The same, or "pixy2|pixy2.1|...": what the image has.
+void put_choice(Sentence& sentence, config::DeviceKey key, const config::DeviceLimits& limits);
 
 }  // namespace fencepost::console

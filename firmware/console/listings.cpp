@@ -1,8 +1,12 @@
 #include "firmware/console/listings.hpp"
 
+#include <array>
+
 #include "firmware/console/reports.hpp"
 #include "firmware/console/sentence.hpp"
 #include "firmware/console/text.hpp"
+#include "firmware/record/decimal.hpp"
+#include "hal/base/trig.hpp"
 
 namespace fencepost::console {
 namespace {
@@ -55,6 +59,53 @@ void put_links(Sentence& s, const StatusFacts& facts) {
   s.put("; odometry link ").put(name(facts.links.odometry));
 }
 
+// Half of the columns by the focal length is the tangent of half the angle.
+std::int64_t degrees_across(const sensor::CameraIntrinsics& camera) {
+  constexpr float kHalfPerColumn = 50;  // hundredths of a pixel
+  const float half =
+      base::atan2_rad(kHalfPerColumn * static_cast<float>(camera.width), static_cast<float>(camera.fx.raw));
+  return static_cast<std::int64_t>(half * 360 / base::kPi + 0.5F);
+}
+
+// As the makers write it.
+void put_address(Sentence& s, std::uint8_t address) {
+  const std::array<char, 2> digits = {record::kLowerHex[address >> 4U], record::kLowerHex[address & 0xFU]};
+  s.put(" at 0x").put({digits.data(), digits.size()});
+}
+
+void put_port(Sentence& s, const config::DeviceInfo& device, std::string_view line, const bus::PinNames& pins) {
+  using config::Port;
+  std::string_view names;
+  switch (device.port) {
+    case Port::kConsole: break;
+    case Port::kLine:
+      s.put(" at ").number(device.speed).put(" baud");
+      names = line;
+      break;
+    case Port::kTwoWire:
+      put_address(s, device.address);
+      names = pins.two_wire;
+      break;
+    case Port::kPins: names = pins.encoders; break;
+  }
+  if (!names.empty()) s.put(" (").put(names).put(")");
+}
+
+// "camera pixy2.1 at 115200 baud (GP4 sends, GP5 receives), lens 80 deg; odometry console".
+void put_devices(Sentence& s, const StatusFacts& facts) {
+  const config::DeviceInfo& camera = config::info(facts.devices->camera());
+  const config::DeviceInfo& odometry = config::info(facts.devices->odometry());
+  const bus::PinNames& pins = facts.offer->pins;
+  s.put("camera ").put(camera.name);
+  put_port(s, camera, pins.line, pins);
+  if (facts.camera != nullptr) {
+    s.put(", lens ").number(degrees_across(*facts.camera)).put(" deg");
+    if (facts.devices->calibration().fx != facts.camera->fx) s.put(" by $FPCAM");
+  }
+  s.put("; odometry ").put(odometry.name);
+  put_port(s, odometry, pins.base, pins);
+}
+
 void put_robot(Sentence& s, const StatusFacts& facts) {
   if (!facts.robot) {
     s.put("robot: no odometry yet");
@@ -72,10 +123,13 @@ void put_map(Sentence& s, const StatusFacts& facts) {
 }  // namespace
 
 std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<char> out) {
+  constexpr std::size_t kDevices = 7;
   Sentence s(out);
+  if (facts.offer != nullptr && line >= 2) line = line == 2 ? kDevices : line - 1;
   switch (line) {
     case 0: put_run(s, facts); break;
     case 1: put_links(s, facts); break;
+    case kDevices: put_devices(s, facts); break;
     case 2: put_frames(s, facts.counters); break;
     case 3: put_records(s, facts.counters); break;
     case 4: put_robot(s, facts); break;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "firmware/alert/obstacle.hpp"
+#include "firmware/config/devices.hpp"
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/console/links.hpp"
@@ -31,11 +32,13 @@ struct StatusFacts {
   std::uint32_t capacity = 0;
   std::uint64_t digest = 0;
   record::CalibrationDoubt doubt{};
+  const config::Devices* devices = nullptr;
+  const config::DeviceOffer* offer = nullptr;  ///< where devices are chosen
 };
 
-/// One more while there is a doubt about the camera.
-constexpr std::size_t status_lines(const record::CalibrationDoubt& doubt) {
-  return doubt.doubt == record::Doubt::kNone ? 6 : 7;
+/// One more where devices are chosen, and one while there is a doubt about the camera.
+constexpr std::size_t status_lines(const record::CalibrationDoubt& doubt, bool offered) {
+  return 6 + (offered ? 1U : 0U) + (doubt.doubt == record::Doubt::kNone ? 0U : 1U);
 }
 std::size_t write_status(std::size_t line, const StatusFacts& facts, std::span<char> out);
 

@@ -18,20 +18,22 @@ class Keeper {
  public:
   Keeper(loop::Pipeline<Profile>& pipeline, Flash& flash) : pipeline_(pipeline), store_(flash) {}
 
-  /// At start-up, after the built-in calibration is set: what was kept comes into force. The calibration of another
-  /// camera - the image was built anew for one of another size - is passed over.
+  /// At start-up, after the pipeline was offered devices: what was kept comes into force. The calibration of another
+  /// camera - one that this image does not contain, of another size - is passed over.
   void restore() {
     store_.load([this](std::string_view line) {
       Restored restored{pipeline_};
       static_cast<void>(record::decode(line, {}, restored));
     });
+    if (pipeline_.memory().offer != nullptr) pipeline_.end_restoring();
     remember();
   }
 
   /// What has changed is written. False if the flash could not be written; that change is then not tried again.
   bool keep() {
     const loop::Memory<Profile>& memory = pipeline_.memory();
-    if (memory.settings == settings_ && memory.calibration.intrinsics == camera_ && memory.signatures == signatures_) {
+    if (memory.devices == devices_ && memory.settings == settings_ && memory.calibration.intrinsics == camera_ &&
+        memory.signatures == signatures_) {
       return true;
     }
     const bool kept = write_changes();
@@ -47,6 +49,7 @@ class Keeper {
 
     void accept(const record::Setting& setting) {
       static_cast<void>(pipeline.set(setting.key.view(), setting.value.view()));
+      if (pipeline.memory().offer != nullptr) pipeline.restore_device(setting.key.view(), setting.value.view());
     }
     void accept(const record::Signature& signature) { static_cast<void>(pipeline.set_signature(signature)); }
     void accept(const sensor::CameraIntrinsics& camera) {
@@ -63,6 +66,10 @@ class Keeper {
     return {config::info(key).name, pipeline_.memory().settings.text(key)};
   }
 
+  [[nodiscard]] record::Setting setting(config::DeviceKey key) const {
+    return {config::info(key).name, pipeline_.memory().devices.text(key)};
+  }
+
   // Behind what is there; in a full page, all of it anew in the other.
   [[gnu::noinline]] bool write_changes() {
     Line line{};
@@ -73,12 +80,17 @@ class Keeper {
   template <class Append>
   bool append_changes(Line& line, Append append) const {
     const loop::Memory<Profile>& memory = pipeline_.memory();
+    for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {  // before the calibration, which they change
+      const auto key = static_cast<config::DeviceKey>(i);
+      const bool changed = memory.devices.raw(key) != devices_.raw(key);
+      if (changed && !append(text_of(setting(key), line))) return false;
+    }
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
       const bool changed = memory.settings.raw(key) != settings_.raw(key);
       if (changed && !append(text_of(setting(key), line))) return false;
     }
-    const bool moved = memory.calibration.intrinsics != camera_;
+    const bool moved = memory.calibration.known && memory.calibration.intrinsics != camera_;
     if (moved && !append(text_of(memory.calibration.intrinsics, line))) return false;
     for (std::size_t i = 0; i < memory.signatures.size(); ++i) {
       const bool same = i < signatures_.size() && memory.signatures[i] == signatures_[i];
@@ -96,6 +108,11 @@ class Keeper {
   template <class Put>
   void write_all(Line& line, Put& put) const {
     const loop::Memory<Profile>& memory = pipeline_.memory();
+    for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {
+      const auto key = static_cast<config::DeviceKey>(i);
+      const bool told = memory.offer != nullptr && memory.devices.raw(key) != memory.offer->limits.initial.raw(key);
+      if (told) put(text_of(setting(key), line));
+    }
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
       if (memory.settings.raw(key) != config::info(key).initial) put(text_of(setting(key), line));
@@ -106,6 +123,7 @@ class Keeper {
 
   void remember() {
     const loop::Memory<Profile>& memory = pipeline_.memory();
+    devices_ = memory.devices;
     settings_ = memory.settings;
     camera_ = memory.calibration.intrinsics;
     signatures_ = memory.signatures;
@@ -114,6 +132,7 @@ class Keeper {
   loop::Pipeline<Profile>& pipeline_;
   config::SettingsStore<Flash> store_;
   // As they were when they were last written.
+  config::Devices devices_;
   config::Settings settings_;
   sensor::CameraIntrinsics camera_;
   base::FixedVector<record::Signature, Profile::kSignatures> signatures_;

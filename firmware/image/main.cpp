@@ -1,4 +1,5 @@
-// The image's only function of its own. Board, camera, odometry and profile were chosen when it was configured.
+// The image's only function of its own. Board and profile were chosen when it was configured, and which devices
+// it begins with.
 #include "firmware/image/robot.hpp"
 
 namespace {

@@ -1,20 +1,22 @@
-// One robot: a board, its camera, its odometry, the loop and all memory. There is one of it, and nothing else.
+// One robot: a board, its cameras and odometries, the loop and all memory. There is one of it, and nothing else.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <type_traits>
 
+#include "firmware/config/about_image.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/image/boot.hpp"
 #include "firmware/image/keeper.hpp"
+#include "firmware/image/unsaid.hpp"
 #include "firmware/loop/loop.hpp"
 #include "firmware/loop/motion_permit.hpp"
 #include FENCEPOST_BOARD
-#include FENCEPOST_CAMERA
-#include FENCEPOST_ODOMETRY
+#include FENCEPOST_DEVICES
 #include FENCEPOST_PANEL
 
 namespace fencepost::image {
@@ -25,6 +27,33 @@ using Console = std::remove_reference_t<decltype(board::console())>;
 // Of this file alone: the boards of one part give their name when the program begins, and inline that would be guarded.
 // NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
 const record::Header kHeader = {record::kStreamFormat, kProduct, FENCEPOST_VERSION, board::kTarget, Profile::kName};
+
+/// What `set` chooses from, and with what this image begins.
+constexpr config::Devices initial_devices() {
+  constexpr config::CameraId kCamera = config::camera_named(FENCEPOST_CAMERA);
+  constexpr config::OdometryId kOdometry = config::odometry_named(FENCEPOST_ODOMETRY);
+  config::Devices devices(kCamera, kOdometry);
+#ifdef FENCEPOST_WHEELS
+  constexpr std::array<double, 3> kWheels = {FENCEPOST_WHEELS};
+  constexpr auto kTenths = [](double value) {
+    return static_cast<std::int32_t>(value * 10 + (value < 0 ? -0.5 : 0.5));
+  };
+  devices.put(config::DeviceKey::kWheelDiameter, kTenths(kWheels[0]));
+  devices.put(config::DeviceKey::kWheelCounts, kTenths(kWheels[1]));
+  devices.put(config::DeviceKey::kWheelTrack, kTenths(kWheels[2]));
+#endif
+  devices.put(config::DeviceKey::kDrive, FENCEPOST_DRIVE);
+  return devices;
+}
+inline constexpr config::DeviceLimits kLimits = {Camera::kContained, Odometry::kContained, board::kOneLine,
+                                                 board::kLowestAddress, initial_devices()};
+static_assert(refusal(kLimits.initial, kLimits) == config::Refusal::kNone,
+              "FENCEPOST_CAMERA and FENCEPOST_ODOMETRY: the image does not have them, or not together (Refusal)");
+/// Read in the image's file, not by the image.
+[[gnu::used, gnu::section(".about")]] inline constexpr config::AboutImage kAbout =
+    config::about_image(FENCEPOST_VERSION, Profile::kSignatures, kLimits);
+// NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
+const config::DeviceOffer kOffer = {kLimits, board::kPinNames};
 
 /// The board's flash. The loop stands still while a page is erased: so do the motors.
 // NOLINTBEGIN(readability-static-accessed-through-instance): only of the template board
@@ -42,12 +71,6 @@ struct FlashAtRest {
 // NOLINTEND(readability-static-accessed-through-instance)
 static_assert(bus::FlashPages<FlashAtRest>);
 
-/// Of a wheel base that drives by itself; others are not asked.
-template <class Base>
-void allow_base(Base& base, bool allowed) {
-  if constexpr (requires { base.session().allow_motion(allowed); }) base.session().allow_motion(allowed);
-}
-
 class Robot {
  public:
   Robot()
@@ -58,12 +81,11 @@ class Robot {
   // Not inlined: what it needs of the stack is free again when the loop turns.
   [[gnu::noinline]] void start() {
     board::start(FENCEPOST_CONSOLE_BAUD);
-    Camera::start();
-    Odometry::start();
     pipeline().start_run(kHeader);
     loop_.set_note(FENCEPOST_NOTE);
-    if (const auto camera = Camera::calibration(); camera.width > 0) pipeline().set_camera(camera);
+    pipeline().offer(kOffer);
     keeper_.restore();
+    open_devices();
     // NOLINTNEXTLINE(readability-static-accessed-through-instance): only where there is no panel
     panel_.start();
     facts_.reason = board::take_reset_reason();
@@ -81,6 +103,7 @@ class Robot {
   [[gnu::noinline]] void work() {
     const std::uint32_t began = board::clock().microseconds();
     loop_.step(board::clock().now());
+    if (memory_.choices != opened_) open_devices();
     follow_alert(board::clock().now());
     if (opened(board::console())) say_facts(kBootLines - 1);  // it is ready, and was
     if (++turns_ % kKeepEvery == 0 && !keeper_.keep())
@@ -100,7 +123,16 @@ class Robot {
     const record::Heartbeat beat = pipeline().in_force();
     const bool may_move = permit_.judge(beat, loop_.links(), now);
     board::allow_motion(may_move);
-    allow_base(odometry_, drive_.judge(may_move, beat.level));
+    odometry_.allow_motion(drive_.judge(may_move, beat.level));
+  }
+
+  [[nodiscard]] Opening opening() const { return {memory_.devices, memory_.counters, memory_.signatures.view()}; }
+  // All of them: a camera's line may be the base's.
+  [[gnu::noinline]] void open_devices() {
+    board::allow_motion(false);
+    opened_ = memory_.choices;
+    odometry_.open(opening(), board::clock().now());
+    camera_.open(opening());
   }
 
   void say_facts(std::size_t lines) {
@@ -129,8 +161,8 @@ class Robot {
 
   BootFacts facts_{FENCEPOST_VERSION, board::kTarget, Profile::kName, mcu::ResetReason::kUnknown, std::nullopt};
   loop::Memory<Profile> memory_;
-  Camera camera_{memory_.counters};
-  Odometry odometry_{memory_.counters};
+  Camera camera_{opening()};
+  Odometry odometry_{opening()};
   loop::Loop<Profile, Camera, Odometry, Console> loop_;
   FlashAtRest flash_;
   Keeper<Profile, FlashAtRest> keeper_;
@@ -139,6 +171,7 @@ class Robot {
   loop::DrivePermit drive_;
   base::Stamp judged_;
   std::uint8_t turns_ = 0;
+  std::uint8_t opened_ = 0;  ///< which of the choices
 };
 
 }  // namespace fencepost::image

@@ -29,14 +29,14 @@ class Answers {
     using console::Reply;
     const console::Answer& answer = m_.console.answer;
     switch (answer.reply) {
-      case Reply::kHelp: return console::write_help(answer.line, m_.settings, out);
-      case Reply::kAllSettings: return console::write_setting(static_cast<config::Key>(answer.line), m_.settings, out);
+      case Reply::kHelp: return console::write_help(answer.line, in_force(), out);
+      case Reply::kAllSettings: return console::write_setting(answer.line, in_force(), out);
       case Reply::kStatus: return console::write_status(answer.line, status_facts(links), out);
       case Reply::kObjects: return write_objects(links, out);
       case Reply::kMap: return write_map(links, out);
       default:
         return console::write_answer(answer,
-                                     {m_.console.mode, m_.console.alerts, m_.run.whole, m_.settings, m_.run.header,
+                                     {m_.console.mode, m_.console.alerts, m_.run.whole, in_force(), m_.run.header,
                                       m_.map.digest(), canned_digest_, note_},
                                      out);
     }
@@ -47,9 +47,9 @@ class Answers {
     using console::Reply;
     const console::Answer& answer = m_.console.answer;
     switch (answer.reply) {
-      case Reply::kHelp: return answer.line >= console::kHelpLines;
-      case Reply::kAllSettings: return answer.line >= config::kKeys;
-      case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said());
+      case Reply::kHelp: return answer.line >= console::kHelpHead + in_force().lines();
+      case Reply::kAllSettings: return answer.line >= in_force().lines();
+      case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said(), m_.offer != nullptr);
       case Reply::kObjects: return next_used(answer.line - 1U) == Profile::kObjects;
       case Reply::kMap: return m_.poses.empty() || answer.line >= console::kMapLines;
       default: return true;
@@ -94,8 +94,11 @@ class Answers {
     facts.capacity = Profile::kObjects;
     facts.digest = m_.map.digest();
     facts.doubt = m_.camera_doubt.said();
+    facts.devices = &m_.devices;
+    facts.offer = m_.offer;
     return facts;
   }
+  [[nodiscard]] console::SettingsInForce in_force() const { return {m_.settings, m_.devices, m_.offer}; }
 
   Memory<Profile>& m_;
   std::uint64_t canned_digest_;

@@ -134,7 +134,8 @@ class Console {
       case Verb::kMode: pipeline_.set_mode(*console::mode_named(word)); return {Reply::kModeIs};
       case Verb::kSet: return set(word, words.words[2]);
       case Verb::kGet:
-        return words.count == 1 ? console::Answer{Reply::kAllSettings} : console::about_key(Reply::kOneSetting, word);
+        if (words.count == 1) return {Reply::kAllSettings};
+        return console::about_key(Reply::kOneSetting, Reply::kOneDevice, offers(), word);
       case Verb::kSelftest:
         pipeline_.start_selftest();
         state().selftest_at = 0;
@@ -146,14 +147,33 @@ class Console {
   }
 
   console::Answer set(std::string_view key, std::string_view value) {
-    console::Answer answer = console::about_key(console::Reply::kSettingIs, key);
-    if (answer.reply != console::Reply::kSettingIs) return answer;
+    using console::Reply;
+    console::Answer answer = console::about_key(Reply::kSettingIs, Reply::kDeviceIs, offers(), key);
+    if (answer.reply == Reply::kDeviceIs) return set_device(key, value, answer);
+    if (answer.reply != Reply::kSettingIs) return answer;
     if (pipeline_.set(key, value)) {
-      answer.reply = console::Reply::kNoSuchValue;
+      answer.reply = Reply::kNoSuchValue;
       answer.quote = console::quote(value);
     }
     return answer;
   }
+
+  // One that the image does not contain is answered by those that it does.
+  console::Answer set_device(std::string_view key, std::string_view value, console::Answer answer) {
+    using config::Refusal;
+    const auto change = pipeline_.set_device(key, value);
+    if (change.done()) return answer;
+    answer.quote = console::quote(value);
+    const bool missing = change.refusal == Refusal::kCameraNotInImage || change.refusal == Refusal::kOdometryNotInImage;
+    if (change.error || missing) {
+      answer.reply = console::Reply::kNoSuchDevice;
+    } else {
+      answer.reply = console::Reply::kDeviceRefused;
+      answer.subject = static_cast<std::uint8_t>(change.refusal);
+    }
+    return answer;
+  }
+  [[nodiscard]] bool offers() const { return pipeline_.memory().offer != nullptr; }
 
   Pipeline<Profile>& pipeline_;
   CannedStream canned_;

@@ -10,6 +10,7 @@
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/looming.hpp"
 #include "firmware/alert/sight.hpp"
+#include "firmware/config/devices.hpp"
 #include "firmware/config/profile.hpp"
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
@@ -67,6 +68,9 @@ struct Memory {
   Calibration calibration;
   base::FixedVector<record::Signature, Profile::kSignatures> signatures;
   config::Settings settings;
+  config::Devices devices;                     ///< that were chosen
+  std::uint8_t choices = 0;                    ///< how often, modulo 256: whoever opens them compares
+  const config::DeviceOffer* offer = nullptr;  ///< to choose from; none: they are not chosen here
   recon::MeasurementNoise noise;
   std::array<alert::AlertState, Profile::kObjects> alerts{};
   alert::Looming<Profile::kTracks> looming;

@@ -97,6 +97,48 @@ class Pipeline {
     return error;
   }
 
+  /// The devices to choose from, which must outlive this; the ones of an image that was told nothing are in force.
+  void offer(const config::DeviceOffer& offer) {
+    m_.offer = &offer;
+    choose(offer.limits.initial);
+    use_delivered_calibration();
+  }
+  /// Of what was kept: applied as it is, whether or not it can be had with what was kept before it.
+  void restore_device(std::string_view key, std::string_view value) {
+    config::Devices devices = m_.devices;
+    if (devices.set(key, value)) return;
+    const bool seen_otherwise = devices.calibration() != m_.devices.calibration();
+    choose(devices);
+    if (seen_otherwise) use_delivered_calibration();
+  }
+  /// After all of it: if the devices cannot be had together, those of an image that was told nothing.
+  void end_restoring() {
+    if (refusal(m_.devices, m_.offer->limits) == config::Refusal::kNone) return;
+    choose(m_.offer->limits.initial);
+    use_delivered_calibration();
+  }
+
+  struct DeviceChange {
+    std::optional<config::SettingError> error;
+    config::Refusal refusal = config::Refusal::kNone;
+    [[nodiscard]] bool done() const { return !error && refusal == config::Refusal::kNone; }
+  };
+  /// In force at once. A camera and a lens come with their calibration, but for where they are mounted; what was
+  /// measured with other devices is forgotten: a new run. Nothing changes on an error, or where the devices cannot be
+  /// had together.
+  DeviceChange set_device(std::string_view key, std::string_view value) {
+    config::Devices devices = m_.devices;
+    const DeviceChange change{devices.set(key, value), refusal(devices, m_.offer->limits)};
+    if (!change.done()) return change;
+    const std::size_t index = config::device_key_named(key);
+    const bool of_camera = static_cast<config::DeviceKey>(index) <= config::DeviceKey::kLens;
+    finish();
+    if (devices != m_.devices) choose(devices);
+    if (of_camera) use_delivered_calibration();
+    restart();
+    return change;
+  }
+
   /// Applies an input, refuses it (and counts that), or rejects it: then a reader would reject its record.
   /// errors: range (position or heading, see record::inside_range), time
   std::optional<record::Reject> accept(const sensor::OdometrySample& sample) {
@@ -241,6 +283,21 @@ class Pipeline {
   [[nodiscard]] record::AlertLevel alert_level(std::size_t slot) const { return m_.alerts[slot].level; }
 
  private:
+  void choose(const config::Devices& devices) {
+    m_.devices = devices;
+    ++m_.choices;
+  }
+  // Where the camera is mounted is the robot's, whichever it is.
+  void use_delivered_calibration() {
+    sensor::CameraIntrinsics camera = m_.devices.calibration();
+    if (camera.width == 0) {
+      m_.calibration = {};  // not known until $FPCAM comes
+      return;
+    }
+    if (m_.calibration.known) camera.mount = m_.calibration.intrinsics.mount;
+    set_camera(camera);
+  }
+
   void advance(base::Time t) {
     if (!m_.run.time) {
       m_.run.sight.start(t);

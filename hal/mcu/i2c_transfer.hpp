@@ -47,6 +47,9 @@ class I2cTransfer {
     return count;
   }
 
+  /// There is none, whatever became of the last; the master's interrupts are off.
+  void abandon() { state_.store(State::kIdle, std::memory_order_relaxed); }
+
   // The interrupts' side; for the program only while no transfer is active or the master's interrupts are off.
   [[nodiscard]] bool reads_only() const { return to_send_ == 0; }
   [[nodiscard]] bool all_sent() const { return sent_ == to_send_; }

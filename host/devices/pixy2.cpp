@@ -78,6 +78,7 @@ Row row(const char* name, const char* about) {
 Rows pixy2() {
   Rows rows = {row<pixy2::kPixy2Profile>("pixy2", "Pixy2"), row<pixy2::kPixy21Profile>("pixy2.1", "Pixy2.1")};
   rows.front().images = {"pixy2", "pixy2_i2c"};
+  rows.back().images = {"pixy2.1", "pixy2.1_i2c"};
   return rows;
 }
 

@@ -120,7 +120,7 @@ struct Row {
   Given<Role> role;
   Given<std::optional<Live>> live;
   Given<std::optional<Emulated>> emulated;
-  /// Headers of firmware/image/cameras or odometry that are this device on a board.
+  /// What `set camera` or `set odometry` call it on a board (firmware/config/devices.hpp).
   std::vector<std::string> images = {};
 };
 using Rows = std::vector<Row>;

@@ -81,8 +81,7 @@ std::string told(const Emulated& emulated) {
 }
 
 std::string live_table(Use use, std::string_view title) {
-  std::string text = fmt::format("| {} | | places | options | `FENCEPOST_{}` |\n|---|---|---|---|---|\n", title,
-                                 use == Use::kCamera ? "CAMERA" : "ODOMETRY");
+  std::string text = fmt::format("| {} | | places | options | on a board |\n|---|---|---|---|---|\n", title);
   for (const Row* row : rows_for(use)) {
     std::vector<std::string> places;
     for (const std::string& place : shown_places(places_of(*row, use), use)) {
@@ -127,8 +126,10 @@ std::string devices_document() {
   return "# Devices\n\n"
          "The catalogue (`host/devices`) as `--help` has it; a test writes this page anew and compares.\n"
          "A device is named `KIND:PLACE[,option=value...]`. An option stands here with what it is without being given, "
-         "or\nwith its words, the first being what it is then. `FENCEPOST_CAMERA` and `FENCEPOST_ODOMETRY` choose the "
-         "same device\nfor a board's image. `baud=` is of serial ports; of an emulated device's line 0 is as fast as "
+         "or\nwith its words, the first being what it is then. On a board it is chosen by `set camera` and `set "
+         "odometry` "
+         "([console](console.md)),\nby the name in the last column. `baud=` is of serial ports; of an emulated "
+         "device's line 0 is as fast as "
          "it "
          "goes.\n\n"
          "## Of `run` and `record`\n" +

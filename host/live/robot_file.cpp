@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "firmware/config/colours.hpp"
 #include "firmware/config/settings.hpp"
 #include "host/live/robot_can.hpp"
 #include "host/scene/read_scene.hpp"
@@ -14,7 +15,6 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kMaxPitch = 0.7;         // rad, as in scene files
 constexpr double kLongestFocus = 32'767;  // px, the stream's range
-constexpr int kHalfWindow = 40;
 
 template <class Quantity>
 void read_quantity(const JsonNode& node, std::string_view key, double low, double high, std::string_view unit,
@@ -105,19 +105,6 @@ std::vector<cmucam::ColourWindow> read_windows(const JsonNode& node) {
   return windows;
 }
 
-std::uint8_t clamped(int value) { return static_cast<std::uint8_t>(std::clamp<int>(value, 0, 255)); }
-
-cmucam::ColourWindow window_around(const record::Signature& signature) {
-  const sensor::Rgb rgb = signature.rgb;
-  return {signature.signature,
-          clamped(rgb.red - kHalfWindow),
-          clamped(rgb.red + kHalfWindow),
-          clamped(rgb.green - kHalfWindow),
-          clamped(rgb.green + kHalfWindow),
-          clamped(rgb.blue - kHalfWindow),
-          clamped(rgb.blue + kHalfWindow)};
-}
-
 std::int64_t read_step(const JsonNode& node) {
   const double metres = node.number(-1, 1, "m");
   const auto step = static_cast<std::int64_t>(std::llround(metres * kPicometresPerMetre));
@@ -206,7 +193,7 @@ RobotFile read_robot(const nlohmann::json& value) {
     robot.windows = read_windows(*windows);
   } else {
     const std::size_t count = std::min(robot.signatures.size(), cmucam::kMaxWindows);
-    for (std::size_t i = 0; i < count; ++i) robot.windows.push_back(window_around(robot.signatures[i]));
+    for (std::size_t i = 0; i < count; ++i) robot.windows.push_back(config::window_around(robot.signatures[i]));
   }
   if (const auto wheels = root.find("wheels")) robot.wheels = read_wheels(*wheels);
   if (const auto can = root.find("can")) robot.can = read_can(*can, robot.wheels);

@@ -21,6 +21,7 @@ std::string unstamped(const sensor::OdometrySample& sample) {
 Bench::Bench(BoardUnderTest board)
     : board_(std::move(board)), machine_(board_.machine ? board_.machine(board_) : std::make_unique<Emulator>(board_)) {
   attach_devices();
+  if (!board_.told.empty()) tell();
 }
 
 base::Time Bench::now() const { return base::Time::nearest(machine_->seconds()); }
@@ -38,6 +39,16 @@ void Bench::attach_devices() {
   if (board_.camera_pace > 0) camera_line().set_pace(board_.camera_pace);
   if (board_.camera_device) other_camera_ = std::make_unique<Attached>(camera_line(), board_.camera_device(), now());
   if (board_.base_device) base_ = std::make_unique<Attached>(base_line(), board_.base_device(), now());
+}
+
+// What it said until now stays said.
+void Bench::tell() {
+  static_cast<void>(await("READY\r\n"));
+  for (const std::string& setting : board_.told) {
+    const std::string key = setting.substr(0, setting.find(' '));
+    console().send("set " + setting + "\r");
+    static_cast<void>(await("\n" + key + " = " + setting.substr(key.size() + 1)));
+  }
 }
 
 void Bench::unplug_camera(bool unplugged) {
@@ -89,6 +100,7 @@ bool Bench::await_camera(double seconds) {
   if (board_.camera < 0) return true;  // there is none before frames come
   for (const double start = machine_->seconds(); machine_->seconds() - start < seconds; run(0.2)) {
     camera_.show({});
+    if (other_camera_) other_camera_->see({}, now());
     if (obey("status", "; odometry link ") && said_.find("camera link silent") == std::string::npos &&
         said_.find("camera link unready") == std::string::npos) {
       return true;

@@ -63,6 +63,7 @@ class Bench {
   [[nodiscard]] base::Time now() const;
   void pump_camera();
   void attach_devices();
+  void tell();
 
   BoardUnderTest board_;
   std::unique_ptr<Machine> machine_;

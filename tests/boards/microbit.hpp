@@ -7,13 +7,14 @@
 namespace fencepost::test {
 
 /// 15.6 million instructions a second: 1.02 cycles each, where the part needs some 1.4.
-inline BoardUnderTest microbit(const std::string& image = "microbit-console", std::vector<std::string> more = {}) {
+inline BoardUnderTest microbit(std::vector<std::string> more = {}, std::vector<std::string> told = {"camera console"}) {
   constexpr std::size_t kControl = 2;
   BoardUnderTest board;
-  board.name = image;
+  board.name = "microbit";
+  board.told = std::move(told);
   board.lines = kControl + 1;  // and the emulator's own console, for its reset button
-  board.command = [image, more = std::move(more)](const std::vector<std::string>& sockets) {
-    const QemuBoard qemu{"microbit", image_of(image) + ".elf", "timer_interrupt", 6, more};
+  board.command = [more = std::move(more)](const std::vector<std::string>& sockets) {
+    const QemuBoard qemu{"microbit", image_of("microbit") + ".elf", "timer_interrupt", 6, more};
     std::vector<std::string> words = qemu_command(qemu, sockets.at(kControl));
     words.insert(words.end(), {"-serial", "unix:" + sockets.at(0), "-monitor", "unix:" + sockets.at(1)});
     return words;

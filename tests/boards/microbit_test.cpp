@@ -19,9 +19,8 @@ namespace {
 // 190,000. The committed numbers say how far off that is. 160 frames are shown.
 // With correct.pose on, 23 of the 160 frames (20 a second) come too fast for this part.
 void count_four_objects(PoseCorrected corrected) {
-  const FullTable table{"microbit-console", {}, four_boxes(8), 4, 135};
-  expect_full_table_as_committed(table, corrected,
-                                 [](const auto& arguments) { return microbit("microbit-console", arguments); });
+  const FullTable table{"microbit", {}, four_boxes(8), 4, 135};
+  expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return microbit(arguments); });
 }
 
 EveryBoardFacts facts() {
@@ -41,8 +40,12 @@ INSTANTIATE_TEST_SUITE_P(Microbit, EveryBoard, ::testing::Values(facts()), profi
 
 TEST(Microbit, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(microbit()); }
 TEST(Microbit, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(microbit(), 0x00001235); }
-// The image of the real board.
-TEST(Microbit, GoesOnWithACameraBusThatHangs) { expect_survives_hung_camera_bus(microbit("microbit")); }
+// As it comes, and with each camera of its bus.
+TEST(Microbit, GoesOnWithACameraBusThatHangs) {
+  for (const auto& told : std::vector<std::vector<std::string>>{{}, {"camera nxtcam_i2c"}, {"camera huskylens_i2c"}}) {
+    expect_survives_hung_camera_bus(microbit({}, told));
+  }
+}
 
 // The emulator has the flash's controller, too: what is kept is kept by the part's own commands.
 TEST(Microbit, KeepsSettingsOverAReset) {

@@ -1,12 +1,14 @@
-// The Netduino Plus 2's images of other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the
-// two-wire bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
+// The Netduino Plus 2 with other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the two-wire
+// bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
 // tests/firmware/image.
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "drivers/cmucam/dialect.hpp"
+#include "firmware/config/devices.hpp"
 #include "host/emulate/models/camera_adapters.hpp"
+#include "host/emulate/models/huskylens.hpp"
 #include "host/emulate/models/wheel_adapters.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/boards/faults.hpp"
@@ -21,7 +23,7 @@ constexpr emulate::WheelShape kCreate2 = {0.072 * std::numbers::pi / 508.8, 0.23
 
 // The Create on UART4 is the odometry; the camera's line is slower, and its two colours share its frames.
 BoardUnderTest netduino_on_create() {
-  BoardUnderTest board = netduino_plus_2({}, "fencepost-cmucam4-create2");
+  BoardUnderTest board = netduino_plus_2({}, {"camera cmucam4", "odometry create2"});
   board.base = 3;
   board.camera_pace = 1'920;
   board.frames_share = 0.3;
@@ -42,6 +44,45 @@ TEST(NetduinoDevices, ReplaysABoxSeenByACmucamOnACreate) {
   expect_scene_replays(netduino_on_create(), "small",
                        box_beside_the_way(cmucam::nominal_intrinsics(cmucam::kCmuCam4, mount)));
 }
+
+/// A camera on the serial line, and what plays it.
+struct LineCamera {
+  const char* name;
+  double pace;                                      ///< bytes a second
+  std::unique_ptr<emulate::DeviceModel> (*make)();  ///< nothing: a Pixy2
+};
+std::ostream& operator<<(std::ostream& out, const LineCamera& camera) { return out << camera.name; }
+
+template <emulate::CmuCamModel kModel>
+std::unique_ptr<emulate::DeviceModel> cmucam_of_red() {
+  return emulate::make_cmucam_model(kModel, [](std::uint8_t) { return sensor::Rgb{0xd0, 0x20, 0x20}; });
+}
+
+class NetduinoCamera : public ::testing::TestWithParam<LineCamera> {};
+
+// Each with its own lens, to the last bit.
+TEST_P(NetduinoCamera, ReplaysABoxThatItSees) {
+  sensor::CameraIntrinsics camera = config::delivered_calibration(config::camera_named(GetParam().name));
+  camera.mount.x = base::Metres::nearest(0.05);
+  camera.mount.z = base::Metres::nearest(0.12);
+  camera.mount.pitch = base::Radians{0};
+  BoardUnderTest board = netduino_plus_2({}, {std::string("camera ") + GetParam().name});
+  board.camera_pace = GetParam().pace;
+  if (GetParam().make != nullptr) board.camera_device = GetParam().make;
+  board.frames_share = 0.3;
+  expect_scene_replays(board, "small", box_beside_the_way(camera));
+}
+INSTANTIATE_TEST_SUITE_P(Cameras, NetduinoCamera,
+                         ::testing::Values(LineCamera{"pixy2", 0, nullptr}, LineCamera{"pixy2.1", 0, nullptr},
+                                           LineCamera{"cmucam1", 11'520, cmucam_of_red<emulate::CmuCamModel::kOne>},
+                                           LineCamera{"cmucam2", 11'520, cmucam_of_red<emulate::CmuCamModel::kTwo>},
+                                           LineCamera{"cmucam3", 11'520, cmucam_of_red<emulate::CmuCamModel::kThree>},
+                                           LineCamera{"huskylens", 960,
+                                                      []() -> std::unique_ptr<emulate::DeviceModel> {
+                                                        return std::make_unique<emulate::HuskyLens>();
+                                                      }},
+                                           LineCamera{"nxtcam", 11'520, emulate::make_nxtcam_model},
+                                           LineCamera{"xbc", 3'840, emulate::make_xbc_model}));
 
 TEST(NetduinoDevices, TellsOfACreateThatIsUnpluggedAndBack) {
   Bench bench(netduino_on_create());
@@ -69,14 +110,16 @@ TEST(NetduinoDevices, SurvivesGarbageFromItsWheelBase) {
   EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
 }
 
-class NetduinoTwoWire : public ::testing::TestWithParam<const char*> {};
+class NetduinoTwoWire : public ::testing::TestWithParam<std::vector<std::string>> {};
 
 // Encoders are told by their count, which stays zero.
 TEST_P(NetduinoTwoWire, GoesOnWithACameraBusThatHangs) {
   expect_survives_hung_camera_bus(netduino_plus_2({}, GetParam()));
 }
 INSTANTIATE_TEST_SUITE_P(Cameras, NetduinoTwoWire,
-                         ::testing::Values("fencepost-pixy2_i2c-encoders", "fencepost-nxtcam_i2c-create1"));
+                         ::testing::Values(std::vector<std::string>{"camera pixy2_i2c", "odometry encoders"},
+                                           std::vector<std::string>{"camera nxtcam_i2c", "odometry create1"},
+                                           std::vector<std::string>{"camera huskylens_i2c"}));
 
 }  // namespace
 }  // namespace fencepost::test

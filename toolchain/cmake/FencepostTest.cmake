@@ -32,13 +32,3 @@ function(fencepost_fuzzer name)
   target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
 endfunction()
-
-# fencepost_image_choice(<camera> <odometry>): this choice of a board's image compiles, on the template board.
-function(fencepost_image_choice camera odometry)
-  add_library(image_choice_${camera} OBJECT ${PROJECT_SOURCE_DIR}/tests/firmware/image/choice.cpp)
-  target_link_libraries(image_choice_${camera} PRIVATE fencepost_robot_flags)
-  target_compile_definitions(image_choice_${camera} PRIVATE
-    FENCEPOST_BOARD="hal/boards/template/board.hpp"
-    FENCEPOST_CAMERA="firmware/image/cameras/${camera}.hpp"
-    FENCEPOST_ODOMETRY="firmware/image/odometry/${odometry}.hpp" FENCEPOST_DRIVE=100)
-endfunction()

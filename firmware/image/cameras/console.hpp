@@ -1,16 +1,17 @@
-// FENCEPOST_CAMERA=console: $FPCAM and $FPFRM come over the console.
+// The camera `console`: $FPCAM and $FPFRM come over the console. Its calibration is not known until $FPCAM comes.
 #pragma once
 
+#include <array>
+
 #include "firmware/image/fed_by_console.hpp"
-#include "hal/sensor/camera.hpp"
+#include "firmware/image/opening.hpp"
 
 namespace fencepost::image {
 
-struct Camera : CameraOnConsole {
-  using CameraOnConsole::CameraOnConsole;
-  static void start() {}
-  /// Not known until $FPCAM comes.
-  static sensor::CameraIntrinsics calibration() { return {}; }
+struct ConsoleCamera : CameraOnConsole {
+  static constexpr std::array kCameras = {config::CameraId::kConsole};
+  explicit ConsoleCamera(const Opening& opening) : CameraOnConsole(opening.counters) {}
+  static void start(const Opening& /*opening*/) {}
 };
 
 }  // namespace fencepost::image

@@ -1,16 +1,18 @@
-// FENCEPOST_CAMERA=huskylens: a HuskyLens on a serial line; in its settings: protocol type UART 9600.
+// The camera `huskylens` on a serial line; in its settings: protocol type UART 9600.
 #pragma once
 
+#include <array>
+
 #include "drivers/huskylens/huskylens.hpp"
-#include "firmware/console/counters.hpp"
+#include "firmware/image/opening.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
-struct Camera : huskylens::Camera<board::Link> {
-  explicit Camera(const console::Counters& /*counters*/) : huskylens::Camera<board::Link>(board::camera()) {}
-  static void start() { board::start_camera(9'600); }
-  static sensor::CameraIntrinsics calibration() { return huskylens::kProfile; }
+struct HuskyLens : huskylens::Camera<board::Link> {
+  static constexpr std::array kCameras = {config::CameraId::kHuskylens};
+  explicit HuskyLens(const Opening& /*opening*/) : huskylens::Camera<board::Link>(board::camera()) {}
+  static void start(const Opening& opening) { board::start_camera(opening.camera_baud()); }
 };
 
 }  // namespace fencepost::image

@@ -1,17 +1,19 @@
-// FENCEPOST_CAMERA=nxtcam_i2c: an NXTCam on the two-wire bus.
+// The camera `nxtcam_i2c`: an NXTCam on the two-wire bus.
 #pragma once
 
+#include <array>
+
 #include "drivers/nxtcam/camera.hpp"
-#include "firmware/console/counters.hpp"
+#include "firmware/image/opening.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
-struct Camera : nxtcam::Camera<board::I2c> {
-  explicit Camera(const console::Counters& /*counters*/) : nxtcam::Camera<board::I2c>(board::i2c()) {}
-  static void start() { board::start_i2c(); }
-  static sensor::CameraIntrinsics calibration() { return nxtcam::kProfile; }
+struct NxtCamI2c : nxtcam::Camera<board::I2c> {
+  static constexpr std::array kCameras = {config::CameraId::kNxtcamI2c};
+  explicit NxtCamI2c(const Opening& opening)
+      : nxtcam::Camera<board::I2c>(board::i2c(), nxtcam::Options{}, opening.camera_address()) {}
+  static void start(const Opening& /*opening*/) { board::start_i2c(); }
 };
-static_assert(sensor::BlobCamera<Camera>);
 
 }  // namespace fencepost::image

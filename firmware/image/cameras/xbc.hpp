@@ -1,16 +1,18 @@
-// FENCEPOST_CAMERA=xbc: a KIPR XBC that runs fencepost_xbc.ic, at 38400 baud.
+// The camera `xbc`: a KIPR XBC that runs fencepost_xbc.ic, at 38400 baud.
 #pragma once
 
+#include <array>
+
 #include "drivers/xbc/xbc.hpp"
-#include "firmware/console/counters.hpp"
+#include "firmware/image/opening.hpp"
 #include FENCEPOST_BOARD
 
 namespace fencepost::image {
 
-struct Camera : xbc::Xbc<board::Link> {
-  explicit Camera(const console::Counters& /*counters*/) : xbc::Xbc<board::Link>(board::camera(), xbc::Config{}) {}
-  static void start() { board::start_camera(38'400); }
-  static sensor::CameraIntrinsics calibration() { return xbc::nominal_intrinsics({}); }
+struct Xbc : xbc::Xbc<board::Link> {
+  static constexpr std::array kCameras = {config::CameraId::kXbc};
+  explicit Xbc(const Opening& /*opening*/) : xbc::Xbc<board::Link>(board::camera(), xbc::Config{}) {}
+  static void start(const Opening& opening) { board::start_camera(opening.camera_baud()); }
 };
 
 }  // namespace fencepost::image

@@ -1,11 +1,12 @@
-// FENCEPOST_ODOMETRY=encoders: two quadrature encoders on the board's pins.
+// The odometry `encoders`: two quadrature encoders on the board's pins, at wheels as the settings `wheel.*` have them.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "drivers/odometry/differential_drive.hpp"
-#include "firmware/config/wheels.hpp"
-#include "firmware/console/counters.hpp"
+#include "firmware/image/opening.hpp"
+#include "firmware/image/unsaid.hpp"
 #include "hal/sensor/sources.hpp"
 #include FENCEPOST_BOARD
 
@@ -13,10 +14,11 @@ namespace fencepost::image {
 
 /// A pose every 20 ms from the counts as they stand. Encoders cannot be seen to be missing: a wheel that never turns
 /// looks the same. So the link is empty until the first count, then ok.
-class Odometry {
+class Encoders {
  public:
-  explicit Odometry(const console::Counters& /*counters*/) {}
-  static void start() { board::start_encoders(); }
+  static constexpr std::array kOdometries = {config::OdometryId::kEncoders};
+  explicit Encoders(const Opening& opening) : drive_(opening.devices.wheels(board::kEncoderBits)) {}
+  static void start(const Opening& /*opening*/) { board::start_encoders(); }
 
   base::Result<sensor::OdometrySample> poll(base::Time now) {
     if (last_ && now - *last_ < kInterval) return base::Error::kNotReady;
@@ -31,10 +33,10 @@ class Odometry {
  private:
   static constexpr base::Duration kInterval = base::milliseconds(20);
 
-  odometry::DifferentialDrive drive_{config::kWheels};
+  odometry::DifferentialDrive drive_;
   std::optional<base::Time> last_;
   bool moved_ = false;
 };
-static_assert(sensor::OdometrySource<Odometry>);
+static_assert(sensor::OdometrySource<Encoders>);
 
 }  // namespace fencepost::image

@@ -21,6 +21,7 @@ inline constexpr Wiring kWiring = {
     .light = {'C', 1},                                                 // D13
     .power = std::nullopt,
     .stop = {'C', 2},  // D12
+    .names = {"D6 sends, D5 receives", "SCL sends, SDA receives", "D10 data, D9 clock", "A2 and 3, SCL and SDA"},
 };
 
 }  // namespace fencepost::board::feather_f405

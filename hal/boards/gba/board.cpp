@@ -1,5 +1,6 @@
 #include "hal/boards/gba/board.hpp"
 
+#include "hal/mcu/about_board.hpp"
 #include "hal/mcu/gba/interrupts.hpp"
 #include "hal/mcu/gba/registers.hpp"
 
@@ -7,6 +8,9 @@ namespace fencepost::board {
 namespace {
 
 namespace part = mcu::gba;
+
+[[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
+    mcu::about_board(kTarget, 0x0800'0000, Flash::kAddress, Flash::size());
 
 Clock the_clock;
 Link console_line;

@@ -1,6 +1,7 @@
 #include "hal/boards/microbit/board.hpp"
 
 #include "hal/boards/microbit/pins.hpp"
+#include "hal/mcu/about_board.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
@@ -19,6 +20,9 @@ using microbit::kConsoleReceives;
 using microbit::kConsoleSends;
 using microbit::kFirstRow;
 using microbit::kStop;
+
+[[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
+    mcu::about_board(kTarget, 0, Flash::kAddress, Flash::size());
 
 constexpr unsigned kHalfASecond = 19;  // 2^19 us
 

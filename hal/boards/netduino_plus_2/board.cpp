@@ -1,5 +1,6 @@
 #include "hal/boards/netduino_plus_2/board.hpp"
 
+#include "hal/mcu/about_board.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/stm32f4/clocks.hpp"
@@ -14,10 +15,15 @@ namespace fencepost::board {
 using FENCEPOST_BOARD_NAME::kWiring;
 
 constinit const std::string_view kTarget = kWiring.target;
+constinit const bus::PinNames kPinNames = kWiring.names;
 
 namespace {
 
 namespace part = mcu::stm32f4;
+
+constexpr std::uint32_t kFlash = 0x0800'0000;  // of the vectors (image.ld)
+[[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
+    mcu::about_board(kWiring.target, kFlash, Flash::kAddress, Flash::size());
 
 part::Clocks clocks;
 Clock the_clock;

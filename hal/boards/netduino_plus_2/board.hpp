@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/bus/pin_names.hpp"
 #include "hal/mcu/reset.hpp"
 #include "hal/mcu/stm32f4/encoder.hpp"
 #include "hal/mcu/stm32f4/flash.hpp"
@@ -16,6 +17,7 @@
 namespace fencepost::board {
 
 extern const std::string_view kTarget;
+extern const bus::PinNames kPinNames;
 inline constexpr int kEncoderBits = 16;
 
 using Clock = mcu::stm32f4::TimerClock;

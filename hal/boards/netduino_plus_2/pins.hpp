@@ -21,6 +21,7 @@ inline constexpr Wiring kWiring = {
     .light = {'A', 10},
     .power = part::Pin{'B', 2},
     .stop = {'B', 12},  // D4
+    .names = {"D1 sends, D0 receives", "D8 sends, D7 receives", "D6 data, D5 clock", "SDA and SCL, D8 and D7"},
 };
 
 }  // namespace fencepost::board::netduino_plus_2

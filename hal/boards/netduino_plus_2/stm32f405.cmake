@@ -18,6 +18,7 @@ function(fencepost_stm32f405_board board hint)
   target_compile_definitions(${target} PRIVATE FENCEPOST_PINS="hal/boards/${board}/pins.hpp" FENCEPOST_BOARD_NAME=${board})
   set_target_properties(${target} PROPERTIES
     FENCEPOST_HEADER "hal/boards/netduino_plus_2/board.hpp"
+    FENCEPOST_DEVICES all
     FENCEPOST_SCRIPT "${PROJECT_SOURCE_DIR}/hal/boards/netduino_plus_2/image.ld"
     FENCEPOST_FLASH_TOOL dfu-util
     FENCEPOST_FLASH_COMMAND "dfu-util;-d;0483:df11;-a0;-s;0x08000000:leave;-D;fencepost.bin"

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/bus/pin_names.hpp"
 #include "hal/mcu/stm32f4/clocks.hpp"
 #include "hal/mcu/stm32f4/encoder.hpp"
 #include "hal/mcu/stm32f4/pin.hpp"
@@ -24,6 +25,7 @@ struct Wiring {
   mcu::stm32f4::Pin light;                 ///< an LED, on while high
   std::optional<mcu::stm32f4::Pin> power;  ///< high for the power of the header's devices
   mcu::stm32f4::Pin stop;                  ///< low stops the motors
+  bus::PinNames names;                     ///< of the pins above, as `status` says them
 };
 
 }  // namespace fencepost::board

@@ -1,5 +1,6 @@
 #include "hal/boards/pico/board.hpp"
 
+#include "hal/mcu/about_board.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/rp2040/clocks.hpp"
 #include "hal/mcu/rp2040/panic.hpp"
@@ -14,10 +15,14 @@ namespace fencepost::board {
 using FENCEPOST_BOARD_NAME::kWiring;
 
 constinit const std::string_view kTarget = kWiring.target;
+constinit const bus::PinNames kPinNames = kWiring.names;
 
 namespace {
 
 namespace part = mcu::rp2040;
+
+[[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
+    mcu::about_board(kWiring.target, part::kFlashBase, Flash::kAddress, Flash::size());
 
 part::Clocks clocks;
 mcu::ResetReason reason;

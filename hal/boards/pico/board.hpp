@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/bus/pin_names.hpp"
 #include "hal/mcu/mirrored_link.hpp"
 #include "hal/mcu/reset.hpp"
 #include "hal/mcu/rp2040/encoder.hpp"
@@ -19,7 +20,11 @@
 namespace fencepost::board {
 
 extern const std::string_view kTarget;
+extern const bus::PinNames kPinNames;
 inline constexpr int kEncoderBits = 16;
+inline constexpr bool kOneLine = true;  ///< for a camera or a wheel base
+/// The controller keeps 0 to 7 for itself (RP2040 datasheet, IC_TAR).
+inline constexpr std::uint8_t kLowestAddress = 8;
 
 using Clock = mcu::rp2040::TimerClock;
 using Link = mcu::rp2040::Uart;

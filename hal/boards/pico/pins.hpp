@@ -17,6 +17,7 @@ inline constexpr Wiring kWiring = {
     .right = {{12}, {13}},
     .light = part::Pin{25},
     .stop = {15},
+    .names = {"GP4 sends, GP5 receives", "GP4 sends, GP5 receives", "GP8 data, GP9 clock", "GP10 and 11, GP12 and 13"},
 };
 
 }  // namespace fencepost::board::pico

@@ -24,12 +24,9 @@ function(fencepost_rp2040_board board)
   target_compile_definitions(${target} PRIVATE FENCEPOST_PINS="hal/boards/${board}/pins.hpp" FENCEPOST_BOARD_NAME=${board})
   set_target_properties(${target} PROPERTIES
     FENCEPOST_HEADER "hal/boards/pico/board.hpp"
+    FENCEPOST_DEVICES all
     FENCEPOST_SCRIPT "${PROJECT_SOURCE_DIR}/hal/boards/pico/image.ld"
     FENCEPOST_UF2 ON)
-  # Choices that cannot work, CAMERA+ODOMETRY by pattern, and why.
-  set_property(TARGET ${target} PROPERTY FENCEPOST_REFUSED
-    "nxtcam_i2c[+].*" "the RP2040's I2C controller does not speak to addresses 0 to 7, and an NXTCam has 1: connect its serial pins, FENCEPOST_CAMERA=nxtcam"
-    "(cmucam[1-4]|huskylens|nxtcam|pixy2|xbc)[+]create[12]" "camera and wheel base would share the board's one serial line beside the console: use a camera on the I2C bus, FENCEPOST_CAMERA=pixy2_i2c or huskylens_i2c")
   # How the image gets onto the board: by the drive that it shows on USB, or by a debug probe; the script looks.
   set_property(TARGET ${target} PROPERTY FENCEPOST_FLASH_TOOL cmake)
   set_property(TARGET ${target} PROPERTY FENCEPOST_FLASH_COMMAND

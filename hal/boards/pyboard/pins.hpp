@@ -21,6 +21,7 @@ inline constexpr Wiring kWiring = {
     .light = {'B', 4},                                                 // the blue one; two of the others are SWD
     .power = std::nullopt,
     .stop = {'B', 12},  // Y5
+    .names = {"Y1 sends, Y2 receives", "Y9 sends, Y10 receives", "Y4 data, Y3 clock", "X7 and 8, X9 and 10"},
 };
 
 }  // namespace fencepost::board::pyboard

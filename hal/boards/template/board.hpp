@@ -26,7 +26,8 @@ struct Clock : port::BoardClock {
 };
 /// Fill in: a bus::ByteLink. Where lines are of several kinds (USB and a UART), a type for each.
 using Link = port::Uart;
-/// Fill in where the board has an I2C bus for a camera; else leave it out, and cameras *_i2c cannot be chosen.
+/// Fill in where the board has an I2C bus for a camera. FENCEPOST_DEVICES in its CMakeLists.txt says which devices the
+/// image contains; what else a board may say of itself: firmware/image/unsaid.hpp, hal/mcu/about_board.hpp.
 using I2c = port::I2cMaster;
 
 /// Fill in: two pages that the linker script leaves free. A part without such flash keeps nothing: like this.
@@ -46,7 +47,7 @@ void start(std::uint32_t console_baud);
 void start_camera(std::uint32_t baud);
 void start_base(std::uint32_t baud);
 void start_i2c();
-/// Fill in where the board can count wheels; else leave these three out, and `encoders` cannot be chosen.
+/// Fill in where the board can count wheels.
 void start_encoders();
 std::uint32_t left_count();
 std::uint32_t right_count();

@@ -20,6 +20,7 @@ inline constexpr Wiring kWiring = {
     .right = {{13}, {12}},  // mounted the other way round: forwards, B leads
     .light = std::nullopt,
     .stop = {17},  // servo 2
+    .names = {"GP8 sends, GP9 receives", "GP8 sends, GP9 receives", "GP18 data, GP19 clock", "its own"},
 };
 
 }  // namespace fencepost::board::xrp

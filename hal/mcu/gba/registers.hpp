@@ -58,7 +58,4 @@ inline constexpr std::uint32_t kWaitControl = 0x0400'0204;
 // Memory 8 cycles; program 3, then 1 a halfword; prefetch. What cartridges of that time are made for.
 inline constexpr std::uint16_t kWaits = 0x4317;
 
-// Cartridge: Cart Backup SRAM/FRAM. 32 KB on a bus of 8 bits.
-inline constexpr std::uint32_t kSram = 0x0E00'0000;
-
 }  // namespace fencepost::mcu::gba

@@ -19,7 +19,7 @@ namespace {
 }
 
 std::uint32_t address_of(std::size_t n, std::size_t offset) {
-  return kSram + static_cast<std::uint32_t>(n * Sram::size() + offset);
+  return Sram::kAddress + static_cast<std::uint32_t>(n * Sram::size() + offset);
 }
 
 }  // namespace

@@ -17,7 +17,9 @@ class Sram {
   /// Takes the copy. Called once, before anything else here.
   void start();
 
-  [[nodiscard]] static std::size_t size() { return kSize; }
+  static constexpr std::uint32_t kAddress = 0x0E00'0000;  ///< of the first (GBATEK, Cart Backup SRAM/FRAM)
+
+  [[nodiscard]] static constexpr std::size_t size() { return kSize; }
   [[nodiscard]] std::span<const std::uint8_t> page(std::size_t n) const { return copy_[n]; }
   bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes);
   bool erase(std::size_t n);

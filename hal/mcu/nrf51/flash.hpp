@@ -22,7 +22,9 @@ std::span<const std::uint8_t> bytes_at(std::uint32_t address, std::size_t size);
 template <std::uint32_t kFirst, std::uint32_t kPage>
 class TwoPages {
  public:
-  [[nodiscard]] static std::size_t size() { return kPage; }
+  static constexpr std::uint32_t kAddress = kFirst;
+
+  [[nodiscard]] static constexpr std::size_t size() { return kPage; }
   [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n) { return bytes_at(address_of(n), kPage); }
   [[gnu::noinline]] static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes) {
     return program_words(address_of(n) + static_cast<std::uint32_t>(offset), bytes);

@@ -22,7 +22,8 @@ void TwiRegisters::restart() const {
   set_up_two_wires(*this, clock, data);
 }
 
-void Twi::start() const {
+void Twi::start() {
+  abandon();
   wires_.restart();
   cortex_m::enable_interrupt(interrupt_of(kTwi0));
 }

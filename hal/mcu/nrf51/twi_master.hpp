@@ -69,6 +69,12 @@ class TwiMaster {
   /// Once a millisecond, from an interrupt.
   void on_millisecond() { transfer_.on_millisecond(); }
 
+  /// The transfer that is under way, if any, has never been: whoever began it is gone.
+  void abandon() {
+    registers_.write(kTwiInterruptsOff, kTwiAllInterrupts);
+    transfer_.abandon();
+  }
+
  private:
   // An event, once.
   bool take(std::uint32_t event) {

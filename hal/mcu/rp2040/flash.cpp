@@ -11,9 +11,9 @@
 namespace fencepost::mcu::rp2040 {
 namespace {
 
-constexpr std::uint32_t kFirst = 2U * 1024 * 1024 - 2 * 4096;  // from the flash's begin
-constexpr std::size_t kChunk = 256;                            // what the flash is written by
-constexpr std::uint32_t kEraseSector = 0x20;                   // its command
+constexpr std::uint32_t kFirst = Flash::kAddress - kFlashBase;  // from the flash's begin
+constexpr std::size_t kChunk = 256;                             // what the flash is written by
+constexpr std::uint32_t kEraseSector = 0x20;                    // its command
 
 using Step = void();
 using Erase = void(std::uint32_t offset, std::size_t count, std::uint32_t block, std::uint8_t command);

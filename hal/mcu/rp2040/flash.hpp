@@ -15,7 +15,9 @@ namespace fencepost::mcu::rp2040 {
 /// too.
 class Flash {
  public:
-  [[nodiscard]] static std::size_t size() { return kSector; }
+  static constexpr std::uint32_t kAddress = 0x1000'0000 + 2U * 1024 * 1024 - 2 * 4096;  ///< of the first
+
+  [[nodiscard]] static constexpr std::size_t size() { return kSector; }
   [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n);
   static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes);
   static bool erase(std::size_t n);

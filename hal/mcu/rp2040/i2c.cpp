@@ -27,6 +27,7 @@ void I2c::start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t b
   wiring_ = wiring;
   clock_hz_ = clock_hz;
   bus_hz_ = bus_hz;
+  if (busy_) free_bus();
   set_up();
   cortex_m::enable_interrupt(wiring.interrupt);
 }

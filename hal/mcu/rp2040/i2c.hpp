@@ -22,8 +22,8 @@ struct I2cWiring {
 
 class I2c {
  public:
-  /// Called once, before anything else here. `clock_hz`: of the peripherals. 100 kHz is what every device on such a bus
-  /// can.
+  /// Before anything else here; again, for another device: what was under way ends. `clock_hz`: of the peripherals.
+  /// 100 kHz is what every device on such a bus can.
   void start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t bus_hz = 100'000);
 
   base::Result<std::size_t> begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected);

@@ -11,6 +11,7 @@ void Uart::start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t
   bring_up(wiring.reset);
   wiring.transmit.connect(kFunctionUart);
   wiring.receive.connect(kFunctionUart);
+  reg(base_ + kUartControl) = 0;                                // the line may not change while it runs (4.2.7)
   const std::uint32_t divisor = (8 * clock_hz / baud + 1) / 2;  // of 16 samples a bit, in 64ths (4.2.7.1)
   reg(base_ + kUartWholeDivisor) = divisor / 64;
   reg(base_ + kUartFraction) = divisor % 64;

@@ -23,8 +23,8 @@ struct UartWiring {
 
 class Uart {
  public:
-  /// Called once, before anything else here. `clock_hz`: of the peripherals. The wiring is not a constructor's: an
-  /// object that begins with zeros costs no flash.
+  /// Before anything else here; again, for another device at another speed. `clock_hz`: of the peripherals. The wiring
+  /// is not a constructor's: an object that begins with zeros costs no flash.
   void start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }

@@ -10,7 +10,6 @@ namespace fencepost::mcu::stm32f4 {
 namespace {
 
 constexpr std::uint32_t kFirstSector = 1;
-constexpr std::uint32_t kFirstAddress = 0x0800'4000;
 constexpr std::uint32_t kMaxFlashPolls = 30'000'000;  // 0.5 s for an erasure, of a loop of some cycles
 
 // The controller is locked again whatever happens in between.
@@ -35,7 +34,7 @@ bool settled() {
 }
 
 std::uint32_t address_of(std::size_t n, std::size_t offset) {
-  return kFirstAddress + static_cast<std::uint32_t>(n * Flash::size() + offset);
+  return Flash::kAddress + static_cast<std::uint32_t>(n * Flash::size() + offset);
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ namespace fencepost::mcu::stm32f4 {
 /// characteristics), and serial lines may overrun.
 class Flash {
  public:
-  [[nodiscard]] static std::size_t size() { return kSize; }
+  static constexpr std::uint32_t kAddress = 0x0800'4000;  ///< of the first
+
+  [[nodiscard]] static constexpr std::size_t size() { return kSize; }
   [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n);
   static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes);
   static bool erase(std::size_t n);

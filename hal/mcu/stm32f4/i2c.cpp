@@ -35,6 +35,7 @@ void I2cRegisters::restart() const {
 void I2c::start(std::uint32_t bus_hz) {
   registers().bus_hz = bus_hz;
   enable_clock(kRccApb1Enable, kI2c1Clock);
+  abandon();
   registers().restart();
   cortex_m::enable_interrupt(kInterruptI2c1Event);
   cortex_m::enable_interrupt(kInterruptI2c1Error);

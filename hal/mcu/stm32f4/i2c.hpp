@@ -26,7 +26,7 @@ struct I2cRegisters {
 class I2c : public I2cMaster<I2cRegisters> {
  public:
   I2c(Pin clock, Pin data) : I2cMaster({clock, data, 0}) {}
-  /// Called once, before anything else here. `bus_hz`: of APB1.
+  /// Before anything else here; again, for another device: what was under way ends. `bus_hz`: of APB1.
   void start(std::uint32_t bus_hz);
 };
 

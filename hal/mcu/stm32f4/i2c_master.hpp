@@ -79,6 +79,11 @@ class I2cMaster {
 
  protected:
   Registers& registers() { return registers_; }
+  /// The transfer that is under way, if any, has never been: whoever began it is gone.
+  void abandon() {
+    end_interrupts();
+    transfer_.abandon();
+  }
 
  private:
   void set(std::uint32_t offset, std::uint32_t bits) { registers_.write(offset, registers_.read(offset) | bits); }

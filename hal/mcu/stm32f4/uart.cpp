@@ -11,6 +11,7 @@ void Uart::start(const UartWiring& wiring, const Clocks& clocks, std::uint32_t b
   enable_clock(wiring.part.enable_register, wiring.part.enable_bit);
   wiring.transmit.connect(wiring.part.function);
   wiring.receive.connect(wiring.part.function);
+  reg(base_ + kUsartControl) = 0;
   bytes_a_millisecond_ = (baud + 9'999) / 10'000;  // ten bits a byte
   reg(base_ + kUsartBaud) = (wiring.part.hz(clocks) + baud / 2) / baud;
   reg(base_ + kUsartControl) = kUsartEnable | kUsartReceive | kUsartSend | kUsartReceiveInterrupt;

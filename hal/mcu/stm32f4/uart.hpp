@@ -40,8 +40,8 @@ struct UartWiring {
 
 class Uart {
  public:
-  /// Called once, before anything else here. The wiring is not a constructor's: an object that begins with zeros costs
-  /// no flash.
+  /// Before anything else here; again, for another device at another speed. The wiring is not a constructor's: an
+  /// object that begins with zeros costs no flash.
   void start(const UartWiring& wiring, const Clocks& clocks, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }

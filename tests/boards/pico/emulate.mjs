@@ -42,7 +42,7 @@ pico.start('power');
 
 consoleSocket.on('data', (bytes) => pico.console.come(bytes));
 usbSocket.on('data', (bytes) => pico.usb.come(bytes));
-cameraSocket.on('data', (bytes) => (pico.mcu.uart[1].enabled ? pico.camera : pico.bus).come(bytes));
+cameraSocket.on('data', (bytes) => (pico.asked ?? (pico.mcu.uart[1].enabled ? pico.camera : pico.bus)).come(bytes));
 
 const commands = {
   run: (microseconds) => {

@@ -7,7 +7,7 @@
 
 namespace fencepost::test {
 
-/// `seen`, if not null, is where the machine will be while the bench has it. `image`: of its build folder.
+/// `seen`, if not null, is where the machine will be while the bench has it. `image`: of its build folder, or a path.
 /// `counts`: what to count (tests/boards/counting.hpp), or nothing.
 inline BoardUnderTest pico(EmulatedPico** seen = nullptr, const std::string& image = "fencepost",
                            const std::string& counts = "") {

@@ -74,8 +74,14 @@ export class Pico {
     this.rom = new BootRom(mcu);
     mcu.gpio[kStopPin].addListener((state) => this.noteStop(state === kHigh));
     this.console = new SerialLine(mcu, 0, this.out.console);
-    this.camera = new SerialLine(mcu, 1, this.out.camera);
-    this.bus = new TwoWire(mcu, 0x54, this.out.camera);
+    // The camera is where it was asked last: the socket's bytes go there.
+    const asked = (where) => (byte) => {
+      this.asked = this[where];
+      this.out.camera(byte);
+    };
+    this.camera = new SerialLine(mcu, 1, asked('camera'));
+    this.bus = new TwoWire(mcu, [0x54, 0x32], asked('bus')); // Pixy2, HuskyLens
+    this.asked = undefined;
     this.usb = new UsbHost(mcu, this.out.usb);
     const watchdog = mcu.peripherals[0x40058];
     if (how !== 'power') watchdog.scratchData.set(oldWatchdog.scratchData);

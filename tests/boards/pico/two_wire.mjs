@@ -4,7 +4,7 @@ const kInterruptMask = 0x30;
 const kByteNanos = 90e3; // nine bits at 100 kHz
 
 export class TwoWire {
-  constructor(mcu, address, send) {
+  constructor(mcu, addresses, send) {
     const bus = mcu.i2c[0];
     this.coming = [];
     this.there = true;
@@ -20,7 +20,7 @@ export class TwoWire {
       later.schedule(kByteNanos);
     };
     bus.onStart = () => after(() => bus.completeStart());
-    bus.onConnect = (target) => after(() => bus.completeConnect(this.there && target === address));
+    bus.onConnect = (target) => after(() => bus.completeConnect(this.there && addresses.includes(target)));
     bus.onWriteByte = (byte) => {
       send(byte);
       after(() => bus.completeWrite(true));

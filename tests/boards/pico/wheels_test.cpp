@@ -1,4 +1,4 @@
-// The Pico with its camera on the two-wire bus and encoders at the wheels: another image of its preset.
+// The Pico with its camera on the two-wire bus and encoders at the wheels.
 #include <gtest/gtest.h>
 
 #include "tests/boards/bench.hpp"
@@ -8,9 +8,14 @@
 namespace fencepost::test {
 namespace {
 
+BoardUnderTest with_wheels(BoardUnderTest board) {
+  board.told = {"camera pixy2_i2c", "odometry encoders"};
+  return board;
+}
+
 struct PicoWheels : ::testing::Test {
   EmulatedPico* machine = nullptr;
-  Bench bench{pico(&machine, "fencepost-pixy2_i2c-encoders")};
+  Bench bench{with_wheels(pico(&machine))};
 
   void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
   void emulator(const std::string& command, double seconds) {
@@ -40,7 +45,7 @@ TEST_F(PicoWheels, TellsThatTheCameraIsGoneAndBack) {
   ASSERT_TRUE(bench.await_camera()) << bench.said();
 }
 
-// firmware/config/wheels.hpp: 1440 counts are a turn of a wheel of 65 mm, 0.2042 m; the track is 130 mm.
+// As firmware/config/devices.hpp has it: 1440 counts are a turn of a wheel of 65 mm, 0.2042 m; the track is 130 mm.
 TEST_F(PicoWheels, CountsItsWheels) {
   emulator("turn 1440 1440 300", 0.1);
   EXPECT_TRUE(bench.obey("status", "robot x 0.20 m, y 0.00 m, heading 0 deg")) << bench.said();
@@ -53,7 +58,7 @@ TEST_F(PicoWheels, CountsItsWheels) {
 // The Pico's program on the XRP's pins.
 TEST(XrpWheels, CountsItsWheels) {
   EmulatedPico* machine = nullptr;
-  Bench bench(pico(&machine, "fencepost-xrp-pixy2_i2c-encoders"));
+  Bench bench(with_wheels(pico(&machine, "fencepost-xrp")));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   EXPECT_NE(bench.said().find("fencepost 0.1.0 for xrp"), std::string::npos) << bench.said();
   machine->command("turn 1440 1440 300");

@@ -93,7 +93,7 @@ TEST(Nearest, IsTheCommandThatWasMeant) {
 
 TEST(Nearest, IsTheSettingThatWasMeant) {
   const auto key = [](const char* word) -> std::string {
-    const Answer answer = console::about_key(Reply::kOneSetting, word);
+    const Answer answer = console::about_key(Reply::kOneSetting, Reply::kOneDevice, false, word);
     if (answer.reply == Reply::kOneSetting) return "(no error)";
     if (answer.subject == Answer::kNothingNear) return "";
     return std::string(config::kKeyInfo[answer.subject].name);

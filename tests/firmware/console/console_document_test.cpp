@@ -59,7 +59,7 @@ TEST(ConsoleDocument, NamesEveryCommandAndSettingWithItsRange) {
     const config::KeyInfo& entry = config::kKeyInfo[i];
     std::array<char, 80> range{};
     console::Sentence sentence(range);
-    console::put_range(sentence, static_cast<config::Key>(i));
+    console::put_range(sentence, config::kKeyInfo[i]);
     const std::size_t size = sentence.end() - 2;
     std::string row = "| `" + std::string(entry.name) + "` | " +
                       std::string(config::Settings{}.text(static_cast<config::Key>(i)).view()) + " | " +

@@ -13,6 +13,7 @@ struct Counters {
 inline Counters counters;
 
 inline void start_encoders() { counters.started = true; }
+inline constexpr int kEncoderBits = 16;
 /// Modulo 2^16, as the timers of real ones.
 inline std::uint32_t left_count() { return counters.left & 0xFFFFU; }
 inline std::uint32_t right_count() { return counters.right & 0xFFFFU; }

@@ -9,14 +9,14 @@
 namespace fencepost::image {
 namespace {
 
-constexpr double kRevolution = 0.065 * std::numbers::pi;  // m, of the wheel in firmware/config/wheels.hpp
+constexpr double kRevolution = 0.065 * std::numbers::pi;  // m, of the wheel in firmware/config/devices.hpp
 constexpr std::uint32_t kCounts = 1'440;                  // a revolution
 
 class EncodersTest : public ::testing::Test {
  protected:
   EncodersTest() {
     board::counters = {};
-    Odometry::start();
+    Encoders::start(opening);
   }
   /// 20 ms pass; then both wheels stand at these counts.
   sensor::OdometrySample at(std::uint32_t left, std::uint32_t right) {
@@ -41,7 +41,9 @@ class EncodersTest : public ::testing::Test {
   }
 
   console::Counters counters;
-  Odometry odometry{counters};
+  config::Devices devices;
+  Opening opening{devices, counters, {}};
+  Encoders odometry{opening};
 
  private:
   base::Time now_;

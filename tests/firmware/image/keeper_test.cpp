@@ -70,6 +70,53 @@ TEST(Keeper, CalibrationOfACameraOfAnotherSizeIsPassedOver) {
   EXPECT_EQ(Desk(flash).memory().calibration.intrinsics.width, 316);
 }
 
+constexpr config::DeviceOffer kOffer = {
+    {0b11111, 0b1111, true, 0, config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)}, {}};
+
+struct OfferedDesk : test::Desk<Profile> {
+  OfferedDesk(Flash& flash, const config::DeviceOffer& offer) : keeper(pipeline(), flash) {
+    pipeline().offer(offer);
+    keeper.restore();
+  }
+  Keeper<Profile, Flash> keeper;
+};
+
+TEST(Keeper, RestoresDevicesAndTheCalibrationThatCameAfterThem) {
+  Flash flash;
+  OfferedDesk desk(flash, kOffer);
+  ASSERT_TRUE(desk.pipeline().set_device("camera", "pixy2.1_i2c").done());
+  ASSERT_TRUE(desk.pipeline().set_device("odometry", "create2").done());
+  ASSERT_TRUE(desk.pipeline().set_device("drive", "100").done());
+  sensor::CameraIntrinsics camera = desk.memory().calibration.intrinsics;
+  EXPECT_EQ(camera.fx.raw, 18'830);
+  camera.mount.x = base::Metres::nearest(0.0712);
+  camera.fx.raw = 18'000;
+  desk.pipeline().set_camera(camera);
+  EXPECT_TRUE(desk.keeper.keep());
+
+  OfferedDesk again(flash, kOffer);
+  EXPECT_EQ(again.memory().devices, desk.memory().devices);
+  EXPECT_EQ(again.memory().calibration.intrinsics, camera);
+  ASSERT_TRUE(again.pipeline().set_device("camera", "console").done());
+  EXPECT_TRUE(again.keeper.keep());
+  EXPECT_FALSE(OfferedDesk(flash, kOffer).memory().calibration.known);
+}
+
+// Each was possible when it was kept; of another image, not together, or not at all.
+TEST(Keeper, DevicesThatCannotBeHadAreThoseOfAFreshImage) {
+  Flash flash;
+  config::DeviceOffer two_lines = kOffer;
+  two_lines.limits.one_line = false;
+  OfferedDesk desk(flash, two_lines);
+  ASSERT_TRUE(desk.pipeline().set_device("camera", "pixy2.1").done());
+  ASSERT_TRUE(desk.pipeline().set_device("odometry", "create2").done());
+  EXPECT_TRUE(desk.keeper.keep());
+
+  OfferedDesk again(flash, kOffer);
+  EXPECT_EQ(again.memory().devices, kOffer.limits.initial);
+  EXPECT_EQ(again.memory().calibration.intrinsics.model.view(), "pixy2");
+}
+
 TEST(Keeper, SaysOnceThatThePartRefuses) {
   Flash flash;
   Desk desk(flash);

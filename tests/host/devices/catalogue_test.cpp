@@ -9,6 +9,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "firmware/config/devices.hpp"
 #include "host/devices/emulated.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/devices/tables.hpp"
@@ -113,19 +114,21 @@ TEST(Catalogue, HelpNamesEveryDeviceAndItsOptions) {
   EXPECT_NE(help_for(Use::kEmulated).find("tick=0.0001 track=0.235 layout=canopen|talon"), std::string::npos);
 }
 
-// A board's headers are of devices in the catalogue; `encoders` are the board's own, `cmucam` what four headers share.
-TEST(Catalogue, KnowsEveryHeaderOfABoardsImage) {
-  std::set<std::string> known = {"cameras/cmucam", "odometry/encoders"};
+// What a board can have is in the catalogue, through the same lens; `encoders` are the board's own.
+TEST(Catalogue, KnowsEveryDeviceOfABoardsImage) {
+  std::set<std::string> known = {"odometry encoders"};
   for (const Row& row : catalogue()) {
-    const std::string folder = *row.role == Role::kCamera ? "cameras/" : "odometry/";
-    for (const std::string& image : row.images) known.insert(folder + image);
-  }
-  std::set<std::string> there;
-  for (const std::string folder : {"cameras", "odometry"}) {
-    for (const auto& entry : fs::directory_iterator(kSource / "firmware/image" / folder)) {
-      there.insert(folder + "/" + entry.path().stem().string());
+    for (const std::string& image : row.images) {
+      known.insert((*row.role == Role::kCamera ? "camera " : "odometry ") + image);
+      if (*row.role == Role::kCamera) {
+        const auto nominal = nominal_camera(row).value_or(sensor::CameraIntrinsics{});
+        EXPECT_EQ(nominal, config::delivered_calibration(config::camera_named(image))) << image;
+      }
     }
   }
+  std::set<std::string> there;
+  for (const config::DeviceInfo& camera : config::kCameras) there.insert("camera " + std::string(camera.name));
+  for (const config::DeviceInfo& odometry : config::kOdometries) there.insert("odometry " + std::string(odometry.name));
   EXPECT_EQ(known, there);
 }
 

@@ -1,0 +1,42 @@
+// What an image says of itself to a program that reads its file (`fencepost configure`), beside mcu::AboutBoard.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/config/devices.hpp"
+
+namespace fencepost::config {
+
+/// Likewise found by its first bytes, and little-endian.
+struct AboutImage {
+  static constexpr std::string_view kMark = "fencepost image 1";
+  static constexpr std::size_t kVersion = 14;
+
+  std::array<char, 17> mark{};
+  std::array<char, kVersion> version{};  ///< zeros behind it
+  std::uint8_t signatures = 0;           ///< that it has room for
+  std::uint32_t cameras = 0;             ///< as DeviceLimits has them, here and below
+  std::uint32_t odometries = 0;
+  std::uint32_t one_line = 0;
+  std::uint32_t lowest_address = 0;
+  std::array<std::int32_t, kDeviceKeys> initial{};
+};
+static_assert(sizeof(AboutImage) == 48 + 4 * kDeviceKeys);
+
+constexpr AboutImage about_image(std::string_view version, std::size_t signatures, const DeviceLimits& limits) {
+  AboutImage about;
+  for (std::size_t i = 0; i < AboutImage::kMark.size(); ++i) about.mark[i] = AboutImage::kMark[i];
+  for (std::size_t i = 0; i < version.size() && i < AboutImage::kVersion; ++i) about.version[i] = version[i];
+  about.signatures = static_cast<std::uint8_t>(signatures);
+  about.cameras = limits.cameras;
+  about.odometries = limits.odometries;
+  about.one_line = limits.one_line ? 1 : 0;
+  about.lowest_address = limits.lowest_address;
+  for (std::size_t i = 0; i < kDeviceKeys; ++i) about.initial[i] = limits.initial.raw(static_cast<DeviceKey>(i));
+  return about;
+}
+
+}  // namespace fencepost::config

@@ -1,0 +1,123 @@
+#include "firmware/config/devices.hpp"
+
+#include "drivers/cmucam/dialect.hpp"
+#include "drivers/huskylens/huskylens.hpp"
+#include "drivers/nxtcam/camera.hpp"
+#include "drivers/pixy2/camera.hpp"
+#include "drivers/xbc/session.hpp"
+#include "firmware/record/decimal.hpp"
+#include "hal/base/trig.hpp"
+
+namespace fencepost::config {
+namespace {
+
+base::Pixels2 scaled(base::Pixels2 length, float by) {
+  return {static_cast<std::int32_t>(static_cast<float>(length.raw) * by + 0.5F)};
+}
+
+// The focal length that so many degrees across make of these columns: half of them by the tangent of half the angle.
+void put_lens(sensor::CameraIntrinsics& camera, std::int32_t degrees) {
+  constexpr std::int64_t kHalfDegree = 8'727;  // urad: pi / 360
+  constexpr float kHalfPerColumn = 50;         // hundredths of a pixel
+  const base::SinCos half = base::sincos_urad(degrees * kHalfDegree);
+  const float fx = static_cast<float>(camera.width) * kHalfPerColumn * half.cos / half.sin;
+  const float by = fx / static_cast<float>(camera.fx.raw);
+  camera.fy = scaled(camera.fy, by);
+  camera.fx = scaled(camera.fx, by);
+}
+
+}  // namespace
+
+sensor::CameraIntrinsics delivered_calibration(CameraId id) {
+  switch (id) {
+    case CameraId::kConsole: return {};
+    case CameraId::kPixy2:
+    case CameraId::kPixy2I2c: return pixy2::kPixy2Profile;
+    case CameraId::kPixy21:
+    case CameraId::kPixy21I2c: return pixy2::kPixy21Profile;
+    case CameraId::kCmucam1: return cmucam::nominal_intrinsics(cmucam::kCmuCam1, {});
+    case CameraId::kCmucam2: return cmucam::nominal_intrinsics(cmucam::kCmuCam2, {});
+    case CameraId::kCmucam3: return cmucam::nominal_intrinsics(cmucam::kCmuCam3, {});
+    case CameraId::kCmucam4: return cmucam::nominal_intrinsics(cmucam::kCmuCam4, {});
+    case CameraId::kHuskylens:
+    case CameraId::kHuskylensI2c: return huskylens::kProfile;
+    case CameraId::kNxtcam:
+    case CameraId::kNxtcamI2c: return nxtcam::kProfile;
+    case CameraId::kXbc: return xbc::nominal_intrinsics({});
+  }
+  return {};
+}
+
+std::size_t device_key_named(std::string_view name) {
+  std::size_t index = 0;
+  while (index < kDeviceKeys && kDeviceInfo[index].name != name) ++index;
+  return index;
+}
+
+std::optional<SettingError> Devices::set(std::string_view key, std::string_view value) {
+  const std::size_t index = device_key_named(key);
+  if (index == kDeviceKeys) return SettingError::kUnknownKey;
+  const KeyInfo& entry = kDeviceInfo[index];
+  if (entry.unit == kDeviceName) {
+    const bool camera = static_cast<DeviceKey>(index) == DeviceKey::kCamera;
+    const std::size_t device =
+        camera ? static_cast<std::size_t>(camera_named(value)) : static_cast<std::size_t>(odometry_named(value));
+    if (device == (camera ? kCameraIds : kOdometryIds)) return SettingError::kOutOfRange;
+    values_[index] = static_cast<std::int32_t>(device);
+    return std::nullopt;
+  }
+  const auto number = record::read_decimal(value, {entry.low, entry.high, static_cast<std::uint8_t>(entry.decimals)});
+  if (!number) {
+    return number.error() == record::Reject::kRange ? SettingError::kOutOfRange : SettingError::kNotANumber;
+  }
+  values_[index] = static_cast<std::int32_t>(*number);
+  return std::nullopt;
+}
+
+sensor::Text Devices::text(DeviceKey key) const {
+  if (key == DeviceKey::kCamera) return info(camera()).name;
+  if (key == DeviceKey::kOdometry) return info(odometry()).name;
+  std::array<char, record::kMaxDecimal> digits{};
+  const std::size_t size = record::write_decimal(raw(key), static_cast<unsigned>(info(key).decimals), digits);
+  return std::string_view{digits.data(), size};
+}
+
+sensor::CameraIntrinsics Devices::calibration() const {
+  sensor::CameraIntrinsics camera_as_delivered = delivered_calibration(camera());
+  const std::int32_t degrees = raw(DeviceKey::kLens);
+  if (degrees != 0 && camera_as_delivered.width > 0) put_lens(camera_as_delivered, degrees);
+  return camera_as_delivered;
+}
+
+// Of integers: the smallest parts have no doubles. Within a picometre of odometry::make_wheel_base.
+odometry::WheelBase Devices::wheels(int counter_bits) const {
+  constexpr std::int64_t kPi = 3'141'592'654;  // 10^-9
+  constexpr std::int64_t kPicometresPerTenth = 100'000'000;
+  const std::int64_t rim_of_ten = kPi * raw(DeviceKey::kWheelDiameter);  // pm, of ten wheels
+  const std::int64_t counts = raw(DeviceKey::kWheelCounts);              // of ten turns
+  const std::int64_t half = (counts < 0 ? -counts : counts) / 2;
+  odometry::WheelBase base;
+  base.left_pm_per_count = base.right_pm_per_count = (rim_of_ten + half) / counts;
+  base.track_pm = kPicometresPerTenth * raw(DeviceKey::kWheelTrack);
+  base.counter_bits = counter_bits;
+  return base;
+}
+
+std::string_view reason(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kNone: return {};
+    case Refusal::kCameraNotInImage: return "the image of this board does not contain that camera";
+    case Refusal::kOdometryNotInImage: return "the image of this board does not contain that odometry";
+    case Refusal::kOneLine:
+      return "camera and wheel base would share the board's one serial line beside the console; take a camera on the "
+             "two-wire bus, such as pixy2_i2c";
+    case Refusal::kAddress:
+      return "this part's two-wire bus does not speak to addresses 0 to 7, and an NXTCam has 1; connect its serial "
+             "pins, camera nxtcam";
+    case Refusal::kNoLens: return "the lens of a camera behind the console is told by $FPCAM; lens has to be 0";
+    case Refusal::kNoCounts: return "a wheel has counts; 0 is none";
+  }
+  return {};
+}
+
+}  // namespace fencepost::config

@@ -1,0 +1,28 @@
+// What cameras share whose driver speaks on a byte link and which are on the two-wire bus.
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/wire/i2c_stream.hpp"
+#include "firmware/image/opening.hpp"
+#include "hal/sensor/sources.hpp"
+#include FENCEPOST_BOARD
+
+namespace fencepost::image {
+
+template <template <class> class Driver>
+class TwoWireCamera {
+ public:
+  explicit TwoWireCamera(const Opening& opening) : stream_(board::i2c(), opening.camera_address()) {}
+  static void start(const Opening& /*opening*/) { board::start_i2c(); }
+
+  base::Result<sensor::BlobFrame> poll(base::Time now) { return camera_.poll(now); }
+  [[nodiscard]] sensor::LinkState link() const { return camera_.link(); }
+  [[nodiscard]] std::uint32_t dropped() const { return camera_.dropped(); }
+
+ private:
+  wire::I2cStream<board::I2c> stream_;
+  Driver<wire::I2cStream<board::I2c>> camera_{stream_};
+};
+
+}  // namespace fencepost::image

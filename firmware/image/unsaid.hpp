@@ -1,0 +1,21 @@
+// What a board's board.hpp need not say.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/bus/pin_names.hpp"
+
+namespace fencepost::board {
+namespace unsaid {
+
+inline constexpr bool kOneLine = false;            ///< camera and wheel base share it
+inline constexpr std::uint8_t kLowestAddress = 0;  ///< that the two-wire bus can speak to
+inline constexpr bus::PinNames kPinNames;
+inline constexpr int kEncoderBits = 16;
+
+}  // namespace unsaid
+
+// A name that the board says itself is found first.
+using namespace unsaid;  // NOLINT(google-build-using-namespace)
+
+}  // namespace fencepost::board

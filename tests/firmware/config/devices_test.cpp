@@ -1,0 +1,119 @@
+// Which devices there are, what they see through which lens, and what cannot be had together.
+#include "firmware/config/devices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "drivers/odometry/wheel_base.hpp"
+#include "drivers/pixy2/camera.hpp"
+
+namespace fencepost::config {
+namespace {
+
+constexpr DeviceLimits everything() { return {(1U << kCameraIds) - 1, (1U << kOdometryIds) - 1, false, 0, {}}; }
+
+TEST(Devices, EachCameraButTheConsolesHasACalibration) {
+  for (std::size_t i = 0; i < kCameraIds; ++i) {
+    const auto id = static_cast<CameraId>(i);
+    const sensor::CameraIntrinsics camera = delivered_calibration(id);
+    EXPECT_EQ(camera.width > 0, id != CameraId::kConsole) << info(id).name;
+    EXPECT_EQ(camera.width > 0, camera.fx.raw > 0) << info(id).name;
+    EXPECT_EQ(camera_named(info(id).name), id);
+    EXPECT_LE(info(id).name.size(), sensor::kMaxText);
+  }
+  for (std::size_t i = 0; i < kOdometryIds; ++i)
+    EXPECT_EQ(odometry_named(kOdometries[i].name), static_cast<OdometryId>(i));
+  EXPECT_EQ(camera_named("pixy3"), static_cast<CameraId>(kCameraIds));
+}
+
+// 158 px by tan 40 deg, and by tan 30 deg.
+TEST(Devices, AWiderLensIsTheOtherCamera) {
+  Devices devices(CameraId::kPixy2, OdometryId::kConsole);
+  EXPECT_EQ(devices.calibration(), pixy2::kPixy2Profile);
+  ASSERT_FALSE(devices.set("lens", "80"));
+  EXPECT_NEAR(devices.calibration().fx.raw, 18'830, 1);
+  EXPECT_NEAR(devices.calibration().fy.raw, 18'830, 1);
+  EXPECT_EQ(devices.calibration().cx, pixy2::kPixy2Profile.cx);
+  ASSERT_FALSE(devices.set("camera", "pixy2.1"));
+  ASSERT_FALSE(devices.set("lens", "60"));
+  EXPECT_NEAR(devices.calibration().fx.raw, 27'366, 1);
+  ASSERT_FALSE(devices.set("lens", "0"));
+  EXPECT_EQ(devices.calibration(), pixy2::kPixy21Profile);
+}
+
+TEST(Devices, SaysWhatIsNoValue) {
+  Devices devices;
+  const Devices before = devices;
+  EXPECT_EQ(devices.set("camera", "pixy3"), SettingError::kOutOfRange);
+  EXPECT_EQ(devices.set("odometry", "pixy2"), SettingError::kOutOfRange);
+  EXPECT_EQ(devices.set("lens", "151"), SettingError::kOutOfRange);
+  EXPECT_EQ(devices.set("lens", "wide"), SettingError::kNotANumber);
+  EXPECT_EQ(devices.set("alert.stop", "0.3"), SettingError::kUnknownKey);
+  EXPECT_EQ(devices, before);
+  for (std::size_t i = 0; i < kDeviceKeys; ++i) {
+    const auto key = static_cast<DeviceKey>(i);
+    const sensor::Text text = devices.text(key);
+    EXPECT_FALSE(devices.set(info(key).name, text.view())) << info(key).name;
+  }
+  EXPECT_EQ(devices, before);
+}
+
+// Doubles on the desk, integers on the robot.
+TEST(Devices, WheelsAreThoseOfTheirDrawing) {
+  struct {
+    const char* diameter;
+    const char* counts;
+    const char* track;
+    odometry::WheelBase drawn;
+  } const cases[] = {{"65.0", "1440", "130.0", odometry::make_wheel_base({65.0, 1'440.0}, 130.0, 16)},
+                     {"60.0", "585", "155", odometry::make_wheel_base({60.0, 585.0}, 155.0, 16)},
+                     {"72", "-508.8", "235", odometry::make_wheel_base({72.0, -508.8}, 235.0, 16)}};
+  for (const auto& one : cases) {
+    Devices devices;
+    ASSERT_FALSE(devices.set("wheel.diameter", one.diameter));
+    ASSERT_FALSE(devices.set("wheel.counts", one.counts));
+    ASSERT_FALSE(devices.set("wheel.track", one.track));
+    const odometry::WheelBase wheels = devices.wheels(16);
+    EXPECT_NEAR(static_cast<double>(wheels.left_pm_per_count), static_cast<double>(one.drawn.left_pm_per_count), 1);
+    EXPECT_EQ(wheels.left_pm_per_count, wheels.right_pm_per_count);
+    EXPECT_EQ(wheels.track_pm, one.drawn.track_pm);
+  }
+}
+
+Refusal refused(std::string_view camera, std::string_view odometry, const DeviceLimits& limits) {
+  return refusal(Devices(camera_named(camera), odometry_named(odometry)), limits);
+}
+
+TEST(Devices, RefusesWhatCannotWork) {
+  DeviceLimits pico = everything();
+  pico.one_line = true;
+  pico.lowest_address = 8;
+  EXPECT_EQ(refused("pixy2", "create2", pico), Refusal::kOneLine);
+  EXPECT_EQ(refused("pixy2_i2c", "create2", pico), Refusal::kNone);
+  EXPECT_EQ(refused("pixy2", "encoders", pico), Refusal::kNone);
+  EXPECT_EQ(refused("nxtcam_i2c", "console", pico), Refusal::kAddress);
+  EXPECT_EQ(refused("nxtcam", "console", pico), Refusal::kNone);
+  EXPECT_EQ(refused("pixy2", "create2", everything()), Refusal::kNone);
+  EXPECT_EQ(refused("nxtcam_i2c", "console", everything()), Refusal::kNone);
+  DeviceLimits microbit;
+  microbit.cameras = 1U << static_cast<unsigned>(CameraId::kPixy2I2c);
+  microbit.odometries = 1;
+  EXPECT_EQ(refused("pixy2_i2c", "console", microbit), Refusal::kNone);
+  EXPECT_EQ(refused("pixy2", "console", microbit), Refusal::kCameraNotInImage);
+  EXPECT_EQ(refused("pixy2_i2c", "encoders", microbit), Refusal::kOdometryNotInImage);
+  EXPECT_EQ(refused("pixy3", "console", everything()), Refusal::kCameraNotInImage);
+}
+
+TEST(Devices, RefusesALensThatNobodyKnowsAndWheelsWithoutCounts) {
+  Devices devices(CameraId::kConsole, OdometryId::kEncoders);
+  ASSERT_FALSE(devices.set("lens", "60"));
+  EXPECT_EQ(refusal(devices, everything()), Refusal::kNoLens);
+  ASSERT_FALSE(devices.set("lens", "0"));
+  ASSERT_FALSE(devices.set("wheel.counts", "0"));
+  EXPECT_EQ(refusal(devices, everything()), Refusal::kNoCounts);
+  EXPECT_NE(reason(Refusal::kNoCounts), "");
+}
+
+}  // namespace
+}  // namespace fencepost::config

@@ -1,0 +1,113 @@
+// Cameras and wheels that are chosen at the console of a robot that has several.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/firmware/loop/desk.hpp"
+#include "tests/firmware/record/lines.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using config::CameraId;
+using config::OdometryId;
+
+constexpr config::DeviceOffer kPico = {
+    {(1U << config::kCameraIds) - 1, (1U << config::kOdometryIds) - 1, true, 8,
+     config::Devices(CameraId::kPixy2, OdometryId::kConsole)},
+    {"GP4 sends, GP5 receives", "GP4 sends, GP5 receives", "GP8 data, GP9 clock", "GP10 and 11, GP12 and 13"}};
+
+struct DevicesConsole : ::testing::Test {
+  explicit DevicesConsole(console::Mode mode = console::Mode::kText) : desk(mode) { desk.pipeline().offer(kPico); }
+  std::string say(std::string_view line) { return desk.type_line(line); }
+  [[nodiscard]] const sensor::CameraIntrinsics& calibration() { return desk.memory().calibration.intrinsics; }
+  Desk<> desk;
+};
+
+TEST_F(DevicesConsole, AnotherCameraComesWithItsLensAndKeepsTheMount) {
+  const sensor::CameraMount mount = calibration().mount;
+  EXPECT_EQ(mount.z, base::Metres::nearest(0.12));
+  const std::uint8_t before = desk.memory().choices;
+  EXPECT_EQ(say("set camera pixy2.1"), "camera = pixy2.1; a new run: the map is empty\r\n");
+  EXPECT_EQ(calibration().model.view(), "pixy2.1");
+  EXPECT_EQ(calibration().fx.raw, 18'830);
+  EXPECT_EQ(calibration().mount, mount);
+  EXPECT_NE(desk.memory().choices, before);
+  EXPECT_EQ(say("get camera").substr(0, 41), "camera = pixy2.1 (console|pixy2|pixy2.1|p");
+}
+
+TEST_F(DevicesConsole, ALensIsAnAngle) {
+  EXPECT_EQ(say("set lens 80 deg"), "lens = 80 deg; a new run: the map is empty\r\n");
+  EXPECT_NEAR(calibration().fx.raw, 18'830, 1);
+  EXPECT_EQ(say("set lens 0"), "lens = 0 deg; a new run: the map is empty\r\n");
+  EXPECT_EQ(calibration().fx.raw, 27'366);
+  EXPECT_EQ(say("set lens wide"), "error: 'wide' is not possible: lens takes 0..150 deg\r\n");
+}
+
+TEST_F(DevicesConsole, WhatCannotWorkIsRefusedWithTheReason) {
+  EXPECT_EQ(
+      say("set odometry create2"),
+      "error: 'create2' is not possible: camera and wheel base would share the board's one serial line beside the "
+      "console; take a camera on the two-wire bus, such as pixy2_i2c\r\n");
+  EXPECT_EQ(say("set camera nxtcam_i2c"),
+            "error: 'nxtcam_i2c' is not possible: this part's two-wire bus does not speak to addresses 0 to 7, and an "
+            "NXTCam has 1; connect its serial pins, camera nxtcam\r\n");
+  EXPECT_EQ(desk.memory().devices, kPico.limits.initial);
+  EXPECT_EQ(say("set camera pixy2_i2c"), "camera = pixy2_i2c; a new run: the map is empty\r\n");
+  EXPECT_EQ(say("set odometry create2"), "odometry = create2; a new run: the map is empty\r\n");
+}
+
+TEST_F(DevicesConsole, UnknownNamesAreAnsweredByThoseThatThereAre) {
+  EXPECT_EQ(say("set odometry wheels"),
+            "error: 'wheels' is not possible: odometry takes console|encoders|create1|create2\r\n");
+  EXPECT_EQ(say("set camra pixy2"), "error: unknown setting 'camra', did you mean 'camera'? 'get' lists all\r\n");
+}
+
+TEST_F(DevicesConsole, StatusNamesCameraLensBaudAndPins) {
+  EXPECT_NE(
+      say("status").find("\r\ncamera pixy2 at 115200 baud (GP4 sends, GP5 receives), lens 60 deg; odometry console"
+                         "\r\n"),
+      std::string::npos);
+  static_cast<void>(say("set camera huskylens_i2c"));
+  static_cast<void>(say("set odometry encoders"));
+  EXPECT_NE(say("status").find("\r\ncamera huskylens_i2c at 0x32 (GP8 data, GP9 clock), lens 60 deg; odometry encoders "
+                               "(GP10 and 11, GP12 and 13)\r\n"),
+            std::string::npos)
+      << say("status");
+  sensor::CameraIntrinsics own = calibration();
+  own.fx = own.fy = {40'000};
+  static_cast<void>(desk.type(line_of(own)));
+  EXPECT_NE(say("status").find(", lens 44 deg by $FPCAM; "), std::string::npos) << say("status");
+}
+
+TEST_F(DevicesConsole, HelpAndGetListThem) {
+  const std::string help = say("help");
+  for (const config::KeyInfo& entry : config::kDeviceInfo) {
+    EXPECT_NE(help.find("\r\n  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
+    EXPECT_NE(say("get").find("  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
+  }
+  EXPECT_EQ(Desk<>{}.type_line("help").find("\r\n  camera "), std::string::npos) << "nothing to choose on a desk";
+  EXPECT_EQ(Desk<>{}.type_line("set camera pixy2").substr(0, 31), "error: unknown setting 'camera'");
+}
+
+TEST_F(DevicesConsole, ACameraOfTheConsoleHasNoCalibrationUntilItComes) {
+  static_cast<void>(say("set camera console"));
+  EXPECT_FALSE(desk.memory().calibration.known);
+  EXPECT_EQ(say("set lens 60").substr(0, 27), "error: '60' is not possible");
+  static_cast<void>(desk.type(line_of(level_pixy2())));
+  EXPECT_TRUE(desk.memory().calibration.known);
+  static_cast<void>(say("set odometry encoders"));
+  EXPECT_TRUE(desk.memory().calibration.known) << "only the wheels are others";
+}
+
+// What is read later has to know through which lens it was seen.
+TEST_F(DevicesConsole, TheLogSaysWhichCalibrationIsInForce) {
+  static_cast<void>(say("mode log"));
+  const std::string said = say("set camera pixy2.1");
+  const std::size_t header = said.find("$FPHDR,");
+  EXPECT_NE(header, std::string::npos) << said;
+  EXPECT_NE(said.find("$FPCAM,pixy2.1,316,208,188.30,", header), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace fencepost::test
