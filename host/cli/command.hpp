@@ -25,6 +25,7 @@ struct Command {
 /// Every command, in the order in which people meet them. Help, suggestions and completion all read this table.
 const std::vector<Command>& commands();
 
+Command configure_command();
 Command demo_command();
 Command record_command();
 Command replay_command();

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/live_devices.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/configure/configure.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct Request {
+  std::string image;
+  std::string camera;
+  std::string lens;
+  std::string odometry;
+  std::string robot;
+  std::string calibration;
+  std::vector<std::string> settings;
+  std::string output;
+};
+
+std::pair<std::string, std::string> setting_in(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw Failure(Exit::kUsage, "--set " + text + " is no KEY=VALUE; write, for example, --set alert.stop=0.30");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+ConfigureRequest request_of(const Request& request) {
+  ConfigureRequest wanted;
+  for (const auto& [key, value] : {std::pair("camera", request.camera), std::pair("lens", request.lens),
+                                   std::pair("odometry", request.odometry)}) {
+    if (!value.empty()) wanted.settings.emplace_back(key, value);
+  }
+  for (const std::string& text : request.settings) wanted.settings.push_back(setting_in(text));
+  wanted.robot = read_robot(request.robot);
+  if (!request.calibration.empty()) wanted.calibration = read_camera(request.calibration);
+  return wanted;
+}
+
+// `standard output` is written as what came in.
+ImageFormat format_of(const Request& request, const ConfiguredImage& image) {
+  const bool to_output = is_standard_output(request.output);
+  const auto format = image_format(to_output ? request.image : request.output);
+  const std::string& name = to_output ? request.image : request.output;
+  if (!format) throw Failure(Exit::kUsage, name + ": its name has to end with .uf2, .hex, .bin or .sav");
+  if (image.cartridge != (*format == ImageFormat::kSave)) {
+    throw Failure(Exit::kUsage,
+                  image.cartridge
+                      ? fmt::format("{} keeps its settings in the cartridge's memory: write {} to a "
+                                    "file that ends with .sav, and put it beside the image",
+                                    image.board, name)
+                      : fmt::format("{}: only a cartridge has a .sav; {} takes the image itself", name, image.board));
+  }
+  if (*format == ImageFormat::kUf2 && !image.uf2) {
+    throw Failure(Exit::kUsage, fmt::format("{}: {} takes no UF2 files; write .hex or .bin", name, image.board));
+  }
+  return *format;
+}
+
+Exit run(const Request& request) {
+  const ConfigureRequest wanted = request_of(request);
+  const auto image = read_image(read_input(request.image));
+  if (!image.ok()) throw Failure(Exit::kUnreadable, input_name(request.image) + ": " + image.error());
+  const auto configured = configure(*image, wanted);
+  if (!configured.ok()) throw Failure(Exit::kUsage, input_name(request.image) + ": " + configured.error());
+  write_output(request.output, write_image(configured->memory, format_of(request, *configured)));
+  say(fmt::format("{}, version {}: {} lines in {} of {} bytes", configured->board, configured->version,
+                  configured->told.size(), configured->used, configured->room));
+  for (const std::string& line : configured->told) say("  " + line);
+  return Exit::kDone;
+}
+
+Action configure_command_line(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("IMAGE", request->image, "a board's image: .uf2, .hex, .bin or .gba")->required();
+  app.add_option("--camera", request->camera, "which camera is connected, such as pixy2.1")->type_name("NAME");
+  app.add_option("--lens", request->lens, "degrees that it sees across, where its lens is another; 0: as delivered")
+      ->type_name("DEG");
+  app.add_option("--odometry", request->odometry, "what tells how the wheels turn: console, encoders, create1, create2")
+      ->type_name("NAME");
+  app.add_option("--robot", request->robot, "the robot's numbers (JSON): camera mount, colours, wheels, settings")
+      ->type_name("FILE");
+  app.add_option("--calibration", request->calibration,
+                 "a file with an FPCAM line, or a scene: instead of the camera's own")
+      ->type_name("FILE");
+  app.add_option("--set", request->settings, "any other setting; may be repeated")->type_name("KEY=VALUE");
+  app.add_option("-o,--output", request->output, "where to write it: .uf2, .hex or .bin; .sav for a Game Boy")
+      ->type_name("FILE")
+      ->required();
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command configure_command() {
+  return {"configure",
+          "settings, calibration and colours into a board's image",
+          "  fencepost configure fencepost-pico.uf2 --camera pixy2.1 --robot robot.json -o mine.uf2\n"
+          "  fencepost configure fencepost-xrp.uf2 --camera huskylens_i2c --set alert.stop=0.30 -o mine.uf2\n",
+          configure_command_line,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

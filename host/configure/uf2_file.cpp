@@ -1,0 +1,77 @@
+#include "host/configure/uf2_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace fencepost::host {
+namespace {
+
+// Microsoft's specification of UF2.
+constexpr std::uint32_t kFirstMark = 0x0A324655;
+constexpr std::uint32_t kSecondMark = 0x9E5D5157;
+constexpr std::uint32_t kLastMark = 0x0AB16F30;
+constexpr std::uint32_t kFamilyPresent = 0x2000;
+constexpr std::uint32_t kRp2040 = 0xE48BFF56;
+constexpr std::size_t kBlock = 512;
+constexpr std::size_t kDataAt = 32;
+constexpr std::size_t kMostData = 476;
+constexpr std::size_t kPayload = 256;
+
+std::uint32_t word(std::string_view block, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(block[at + i]);
+  return value;
+}
+void put_word(std::string& out, std::uint32_t value) {
+  for (unsigned i = 0; i < 4; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+}
+
+}  // namespace
+
+bool looks_like_uf2(std::string_view file) { return file.starts_with("UF2\n"); }
+
+base::Result<ImageMemory, std::string> read_uf2(std::string_view file) {
+  if (file.size() % kBlock != 0) return fmt::format("the file is cut off: UF2 has blocks of {} bytes", kBlock);
+  ImageMemory memory;
+  for (std::size_t n = 0; n < file.size() / kBlock; ++n) {
+    const std::string_view block = file.substr(n * kBlock, kBlock);
+    const std::uint32_t size = word(block, 16);
+    if (word(block, 0) != kFirstMark || word(block, 4) != kSecondMark || word(block, kBlock - 4) != kLastMark ||
+        size > kMostData) {
+      return fmt::format("block {} is damaged", n);
+    }
+    if ((word(block, 8) & kFamilyPresent) != 0 && word(block, 28) != kRp2040) {
+      return std::string("this UF2 file is not for an RP2040, the only part here that takes such files");
+    }
+    const std::vector<std::uint8_t> data(block.begin() + kDataAt, block.begin() + kDataAt + size);
+    if (!memory.put(word(block, 12), data)) return fmt::format("block {} lies too far from the others", n);
+  }
+  return memory;
+}
+
+std::string write_uf2(const ImageMemory& memory) {
+  std::vector<std::uint32_t> pages;
+  for (std::uint64_t page = memory.begin() / kPayload * kPayload; page < memory.end(); page += kPayload) {
+    bool known = false;
+    for (std::uint64_t at = page; at < page + kPayload; ++at) known = known || memory.known(at);
+    if (known) pages.push_back(static_cast<std::uint32_t>(page));
+  }
+  std::string file;
+  for (std::size_t n = 0; n < pages.size(); ++n) {
+    for (const std::uint32_t value : std::array<std::uint32_t, 8>{kFirstMark, kSecondMark, kFamilyPresent, pages[n],
+                                                                  kPayload, static_cast<std::uint32_t>(n),
+                                                                  static_cast<std::uint32_t>(pages.size()), kRp2040}) {
+      put_word(file, value);
+    }
+    for (std::uint64_t at = pages[n]; at < pages[n] + kPayload; ++at)
+      file.push_back(static_cast<char>(memory.known(at) ? memory.at(at) : 0xFF));
+    file.append(kMostData - kPayload, '\0');
+    put_word(file, kLastMark);
+  }
+  return file;
+}
+
+}  // namespace fencepost::host

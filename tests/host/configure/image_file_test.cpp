@@ -1,0 +1,110 @@
+// Files as memory, and back.
+#include "host/configure/image_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+namespace fencepost::host {
+namespace {
+
+std::vector<std::uint8_t> counting(std::size_t size) {
+  std::vector<std::uint8_t> bytes(size);
+  for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::uint8_t>(i * 7);
+  return bytes;
+}
+
+// Two pieces with a hole, across a border of 64 KB.
+ImageMemory two_pieces(std::uint32_t begin) {
+  ImageMemory memory;
+  EXPECT_TRUE(memory.put(begin + 0x1'0100, counting(300)));
+  EXPECT_TRUE(memory.put(begin + 0xFFF0, counting(40)));
+  return memory;
+}
+
+void expect_same(const ImageMemory& a, const ImageMemory& b) {
+  EXPECT_EQ(a.begin(), b.begin());
+  EXPECT_EQ(a.end(), b.end());
+  for (std::uint64_t at = a.begin(); at < a.end(); ++at) {
+    EXPECT_TRUE(!a.known(at) || (b.known(at) && a.at(at) == b.at(at))) << at;
+  }
+}
+
+TEST(ImageFile, HexReadsWhatItWrites) {
+  const ImageMemory memory = two_pieces(0x0800'0000);
+  const std::string file = write_image(memory, ImageFormat::kHex);
+  EXPECT_TRUE(file.starts_with(":020000040800F2\r\n:10FFF00000070E15")) << file.substr(0, 60);
+  EXPECT_TRUE(file.ends_with("\r\n:00000001FF\r\n"));
+  const auto read = read_image(file);
+  ASSERT_TRUE(read.ok()) << read.error();
+  expect_same(memory, *read);
+  expect_same(*read, memory);
+}
+
+// The example of Intel's specification, and a segment address.
+TEST(ImageFile, HexKnowsBothKindsOfAddress) {
+  const auto read = read_image(":0300300002337A1E\n:020000021000EC\n:0100000055AA\n:00000001FF\n");
+  ASSERT_TRUE(read.ok()) << read.error();
+  EXPECT_EQ(read->begin(), 0x30U);
+  EXPECT_EQ(read->at(0x31), 0x33);
+  EXPECT_EQ(read->at(0x1'0000), 0x55);
+}
+
+TEST(ImageFile, Uf2ReadsWhatItWrites) {
+  ImageMemory memory;
+  ASSERT_TRUE(memory.put(0x1000'0000, counting(512)));
+  ASSERT_TRUE(memory.put(0x101F'E000, counting(256)));
+  const std::string file = write_image(memory, ImageFormat::kUf2);
+  ASSERT_EQ(file.size(), 3U * 512);
+  EXPECT_EQ(file.substr(0, 4), "UF2\n");
+  EXPECT_EQ(file[24], 3) << "blocks in all";
+  const auto read = read_image(file);
+  ASSERT_TRUE(read.ok()) << read.error();
+  expect_same(memory, *read);
+  EXPECT_FALSE(read->known(0x1000'0200));
+}
+
+TEST(ImageFile, BinIsAllOfItWithErasedHoles) {
+  const ImageMemory memory = two_pieces(0);
+  const std::string file = write_image(memory, ImageFormat::kBin);
+  ASSERT_EQ(file.size(), 0x1'0100U + 300 - 0xFFF0);
+  EXPECT_EQ(file[41], '\xFF');
+}
+
+TEST(ImageFile, SaysWhatIsWrong) {
+  const auto wrong = [](const std::string& file) {
+    const auto read = read_image(file);
+    return read.ok() ? "taken" : read.error();
+  };
+  EXPECT_EQ(wrong(""), "the file is empty");
+  EXPECT_EQ(wrong("\x7f"
+                  "ELF and so on"),
+            "this is an ELF file; give the .uf2, .hex or .bin that lies beside it");
+  EXPECT_EQ(wrong(":0300300002337A1F\n:00000001FF\n"), "line 1 has a wrong checksum");
+  EXPECT_EQ(wrong(":0300300002337A1E\n:03003000\n"), "line 2 is cut off, or has other signs in it");
+  EXPECT_EQ(wrong(":0300300002337A1E\nhello\n"), "line 2 is no Intel HEX: it does not begin with ':'");
+  EXPECT_EQ(wrong(":0300300002337A1E\n"), "the file is cut off: its last line is missing");
+  EXPECT_EQ(wrong(":00000009F7\n"), "line 1 has a record of kind 09 that is not known");
+  EXPECT_EQ(wrong(":0100000055AA\n:02000004F0000A\n:0100000055AA\n"),
+            "line 3 lies too far from the lines before it for any part's memory");
+  ImageMemory memory;
+  ASSERT_TRUE(memory.put(0x1000'0000, counting(256)));
+  std::string file = write_image(memory, ImageFormat::kUf2);
+  EXPECT_EQ(wrong(file.substr(0, 500)), "the file is cut off: UF2 has blocks of 512 bytes");
+  file[28] = 'x';
+  EXPECT_EQ(wrong(file), "this UF2 file is not for an RP2040, the only part here that takes such files");
+  file[511] = 'x';
+  EXPECT_EQ(wrong(file), "block 0 is damaged");
+}
+
+TEST(ImageFile, FormatsByName) {
+  EXPECT_EQ(image_format("mine.uf2"), ImageFormat::kUf2);
+  EXPECT_EQ(image_format("mine.gba"), ImageFormat::kBin);
+  EXPECT_EQ(image_format("mine.sav"), ImageFormat::kSave);
+  EXPECT_FALSE(image_format("mine.dfu"));
+  EXPECT_FALSE(image_format("mine"));
+}
+
+}  // namespace
+}  // namespace fencepost::host
