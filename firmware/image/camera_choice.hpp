@@ -36,7 +36,7 @@ class CameraChoice {
   }
 
   base::Result<sensor::BlobFrame> poll(base::Time now) {
-    return driver_.visit([now](auto& driver) { return driver.poll(now); });
+    return driver_.visit([now](auto& driver) { return poll_one(driver, now); });
   }
   [[nodiscard]] sensor::LinkState link() const {
     return driver_.visit([](const auto& driver) { return driver.link(); });
@@ -53,6 +53,11 @@ class CameraChoice {
   }
 
  private:
+  // Not inlined: the frames of all drivers would have places of their own on the stack.
+  template <class Driver>
+  [[gnu::noinline]] static base::Result<sensor::BlobFrame> poll_one(Driver& driver, base::Time now) {
+    return driver.poll(now);
+  }
   template <class Driver>
   bool open_if(const Opening& opening) {
     bool is_it = false;

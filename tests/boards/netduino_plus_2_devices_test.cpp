@@ -48,7 +48,8 @@ TEST(NetduinoDevices, ReplaysABoxSeenByACmucamOnACreate) {
 /// A camera on the serial line, and what plays it.
 struct LineCamera {
   const char* name;
-  double pace;                                      ///< bytes a second
+  double pace;   ///< bytes a second
+  double share;  ///< of the scene's frames; two colours alternate in a CMUcam's 17 a second
   std::unique_ptr<emulate::DeviceModel> (*make)();  ///< nothing: a Pixy2
 };
 std::ostream& operator<<(std::ostream& out, const LineCamera& camera) { return out << camera.name; }
@@ -69,20 +70,21 @@ TEST_P(NetduinoCamera, ReplaysABoxThatItSees) {
   BoardUnderTest board = netduino_plus_2({}, {std::string("camera ") + GetParam().name});
   board.camera_pace = GetParam().pace;
   if (GetParam().make != nullptr) board.camera_device = GetParam().make;
-  board.frames_share = 0.3;
+  board.frames_share = GetParam().share;
   expect_scene_replays(board, "small", box_beside_the_way(camera));
 }
-INSTANTIATE_TEST_SUITE_P(Cameras, NetduinoCamera,
-                         ::testing::Values(LineCamera{"pixy2", 0, nullptr}, LineCamera{"pixy2.1", 0, nullptr},
-                                           LineCamera{"cmucam1", 11'520, cmucam_of_red<emulate::CmuCamModel::kOne>},
-                                           LineCamera{"cmucam2", 11'520, cmucam_of_red<emulate::CmuCamModel::kTwo>},
-                                           LineCamera{"cmucam3", 11'520, cmucam_of_red<emulate::CmuCamModel::kThree>},
-                                           LineCamera{"huskylens", 960,
-                                                      []() -> std::unique_ptr<emulate::DeviceModel> {
-                                                        return std::make_unique<emulate::HuskyLens>();
-                                                      }},
-                                           LineCamera{"nxtcam", 11'520, emulate::make_nxtcam_model},
-                                           LineCamera{"xbc", 3'840, emulate::make_xbc_model}));
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, NetduinoCamera,
+    ::testing::Values(LineCamera{"pixy2", 0, 0.9, nullptr}, LineCamera{"pixy2.1", 0, 0.9, nullptr},
+                      LineCamera{"cmucam1", 11'520, 0.15, cmucam_of_red<emulate::CmuCamModel::kOne>},
+                      LineCamera{"cmucam2", 11'520, 0.15, cmucam_of_red<emulate::CmuCamModel::kTwo>},
+                      LineCamera{"cmucam3", 11'520, 0.15, cmucam_of_red<emulate::CmuCamModel::kThree>},
+                      LineCamera{"huskylens", 960, 0.3,
+                                 []() -> std::unique_ptr<emulate::DeviceModel> {
+                                   return std::make_unique<emulate::HuskyLens>();
+                                 }},
+                      LineCamera{"nxtcam", 11'520, 0.5, emulate::make_nxtcam_model},
+                      LineCamera{"xbc", 3'840, 0.5, emulate::make_xbc_model}));
 
 TEST(NetduinoDevices, TellsOfACreateThatIsUnpluggedAndBack) {
   Bench bench(netduino_on_create());
