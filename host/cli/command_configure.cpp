@@ -68,7 +68,8 @@ Exit run(const Request& request) {
   const auto image = read_image(read_input(request.image));
   if (!image.ok()) throw Failure(Exit::kUnreadable, input_name(request.image) + ": " + image.error());
   const auto configured = configure(*image, wanted);
-  if (!configured.ok()) throw Failure(Exit::kUsage, input_name(request.image) + ": " + configured.error());
+  const Exit failed = can_be_configured(*image) ? Exit::kUsage : Exit::kUnreadable;
+  if (!configured.ok()) throw Failure(failed, input_name(request.image) + ": " + configured.error());
   write_output(request.output, write_image(configured->memory, format_of(request, *configured)));
   say(fmt::format("{}, version {}: {} lines in {} of {} bytes", configured->board, configured->version,
                   configured->told.size(), configured->used, configured->room));

@@ -25,6 +25,8 @@ using config::Devices;
 using config::OdometryId;
 using mcu::AboutBoard;
 
+constexpr std::string_view kNoImage = "this is no image of Fencepost, or one of a version that cannot be configured";
+
 /// Ends the work; what is wrong.
 struct Wrong {
   std::string message;
@@ -72,7 +74,7 @@ struct Program {
 std::size_t place_of(const ImageMemory& image, std::string_view mark) {
   const auto at = find_mark(image.bytes(), mark);
   if (at) return *at;
-  throw Wrong{"this is no image of Fencepost, or one of a version that cannot be configured"};
+  throw Wrong{std::string(kNoImage)};
 }
 
 Board board_of(const ImageMemory& image) {
@@ -331,6 +333,10 @@ ConfiguredImage configured(ImageMemory image, const ConfigureRequest& request) {
 }
 
 }  // namespace
+
+bool can_be_configured(const ImageMemory& image) {
+  return find_mark(image.bytes(), AboutBoard::kMark) && find_mark(image.bytes(), AboutImage::kMark);
+}
 
 base::Result<ConfiguredImage, std::string> configure(const ImageMemory& image, const ConfigureRequest& request) {
   try {

@@ -34,8 +34,11 @@ struct ConfiguredImage {
   std::size_t room = 0;
 };
 
+/// Does it say of itself what is needed?
+bool can_be_configured(const ImageMemory& image);
+
 /// Settings that the file had are gone. `image`: as read_image() has it.
-/// errors: what cannot be, and what to do
+/// errors: what cannot be, and what to do; of an image that can be configured
 base::Result<ConfiguredImage, std::string> configure(const ImageMemory& image, const ConfigureRequest& request);
 
 }  // namespace fencepost::host

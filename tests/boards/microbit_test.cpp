@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/boards/bench.hpp"
+#include "tests/boards/configured.hpp"
 #include "tests/boards/counting.hpp"
 #include "tests/boards/debugger.hpp"
 #include "tests/boards/every_board.hpp"
@@ -61,6 +62,30 @@ TEST(Microbit, KeepsSettingsOverAReset) {
   EXPECT_TRUE(bench.obey("get alert.stop", "0.41")) << bench.said();
   EXPECT_TRUE(bench.obey("get robot.width", "0.33")) << bench.said();
   EXPECT_TRUE(bench.obey("get robot.margin", "0.05")) << bench.said();
+}
+
+// What its drive is given, but as a .bin: the emulator takes no .hex.
+TEST(Microbit, StartsAsItsImageWasConfigured) {
+  host::ConfigureRequest request;
+  request.settings = {{"camera", "huskylens_i2c"}, {"lens", "50"}, {"alert.stop", "0.31"}};
+  request.robot.signatures = {{1, {0xd0, 0x20, 0x20}, "red"}};
+  Bench bench(microbit({}, {}, configured_image("microbit", ".bin", request) + ".bin"));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(
+      bench.obey("status", "camera huskylens_i2c at 0x32 (20 data, 19 clock), lens 50 deg; odometry console\r\n"))
+      << bench.said();
+  EXPECT_TRUE(bench.obey("get alert.stop", "alert.stop = 0.31 m")) << bench.said();
+  EXPECT_TRUE(bench.obey("mode log", "$FPSIG,1,d02020,red*")) << bench.said();
+}
+
+TEST(Microbit, SaysWhichCamerasItHas) {
+  Bench bench(microbit());
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("set camera pixy2",
+                         "error: 'pixy2' is not possible: camera takes "
+                         "console|pixy2_i2c|pixy2.1_i2c|huskylens_i2c|nxtcam_i2c\r\n"))
+      << bench.said();
+  EXPECT_TRUE(bench.obey("set odometry encoders", "odometry takes console\r\n")) << bench.said();
 }
 
 // The pins' output register, by the emulator's own console. Nothing: it has not answered in time.

@@ -6,8 +6,10 @@
 
 namespace fencepost::test {
 
-/// `told`: settings that are typed first. 125 million instructions a second are 1.34 cycles each.
-inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::vector<std::string> told = {}) {
+/// `told`: settings that are typed first; `started`: another .bin than the image. 125 million instructions a second
+/// are 1.34 cycles each.
+inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::vector<std::string> told = {},
+                                      const std::string& started = "") {
   constexpr std::size_t kControl = 6;
   BoardUnderTest board;
   board.name = "netduino_plus_2";
@@ -15,8 +17,8 @@ inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::v
   board.camera = 5;
   board.console = 1;
   board.told = std::move(told);
-  board.command = [more = std::move(more)](const std::vector<std::string>& sockets) {
-    const QemuBoard qemu{"netduinoplus2", image_of("netduino_plus_2") + ".elf", "systick_interrupt", 3, more};
+  board.command = [more = std::move(more), started](const std::vector<std::string>& sockets) {
+    const QemuBoard qemu{"netduinoplus2", image_of("netduino_plus_2") + ".elf", started, "systick_interrupt", 3, more};
     std::vector<std::string> words = qemu_command(qemu, sockets.at(kControl));
     words.insert(words.end(), {"-monitor", "none"});
     for (std::size_t n = 0; n < kControl; ++n) words.insert(words.end(), {"-serial", "unix:" + sockets.at(n)});

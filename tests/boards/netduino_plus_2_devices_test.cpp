@@ -11,6 +11,7 @@
 #include "host/emulate/models/huskylens.hpp"
 #include "host/emulate/models/wheel_adapters.hpp"
 #include "tests/boards/bench.hpp"
+#include "tests/boards/configured.hpp"
 #include "tests/boards/faults.hpp"
 #include "tests/boards/netduino_plus_2.hpp"
 #include "tests/boards/scenes.hpp"
@@ -110,6 +111,18 @@ TEST(NetduinoDevices, SurvivesGarbageFromItsWheelBase) {
   bench.clear();
   ASSERT_TRUE(bench.obey("mode log", ",odometry,ok,*")) << bench.said();
   EXPECT_EQ(bench.said().find("READY"), std::string::npos) << "it was reset";
+}
+
+TEST(NetduinoDevices, StartsAsItsImageWasConfigured) {
+  host::ConfigureRequest request;
+  request.settings = {{"camera", "xbc"}, {"odometry", "create1"}, {"alert.stop", "0.31"}};
+  Bench bench(netduino_plus_2({}, {}, configured_image("netduino_plus_2", ".bin", request) + ".bin"));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("status",
+                         "camera xbc at 38400 baud (D1 sends, D0 receives), lens 45 deg; odometry create1 at "
+                         "57600 baud (D8 sends, D7 receives)\r\n"))
+      << bench.said();
+  EXPECT_TRUE(bench.obey("get alert.stop", "alert.stop = 0.31 m")) << bench.said();
 }
 
 class NetduinoTwoWire : public ::testing::TestWithParam<std::vector<std::string>> {};

@@ -7,7 +7,8 @@ namespace fencepost::test {
 std::vector<std::string> qemu_command(const QemuBoard& board, const std::string& control) {
   const std::string shift = std::to_string(board.shift);
   std::vector<std::string> words = {"env", "LD_PRELOAD=" FENCEPOST_VIRTUAL_TIME, "qemu-system-arm"};
-  words.insert(words.end(), {"-M", board.machine, "-kernel", board.image, "-nographic"});
+  words.insert(words.end(),
+               {"-M", board.machine, "-kernel", board.started.empty() ? board.image : board.started, "-nographic"});
   words.insert(words.end(), {"-icount", "shift=" + shift + ",sleep=off"});
   words.insert(words.end(), {"-plugin", FENCEPOST_VIRTUAL_TIME ",control=" + control + ",shift=" + shift +
                                             ",tick=" + address_of(board.image, board.tick)});

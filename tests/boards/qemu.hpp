@@ -13,6 +13,7 @@ namespace fencepost::test {
 struct QemuBoard {
   std::string machine;            ///< as -M has it
   std::string image;              ///< an ELF file
+  std::string started;            ///< the .bin that is started instead, if not empty
   std::string tick;               ///< its function that is called each millisecond
   unsigned shift;                 ///< an instruction takes 2^shift ns
   std::vector<std::string> more;  ///< arguments

@@ -77,13 +77,14 @@ class I2cMaster {
   /// Once a millisecond, from an interrupt.
   void on_millisecond() { transfer_.on_millisecond(); }
 
- protected:
-  Registers& registers() { return registers_; }
   /// The transfer that is under way, if any, has never been: whoever began it is gone.
   void abandon() {
     end_interrupts();
     transfer_.abandon();
   }
+
+ protected:
+  Registers& registers() { return registers_; }
 
  private:
   void set(std::uint32_t offset, std::uint32_t bits) { registers_.write(offset, registers_.read(offset) | bits); }

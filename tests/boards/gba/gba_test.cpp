@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "tests/boards/bench.hpp"
+#include "tests/boards/configured.hpp"
 #include "tests/boards/counting.hpp"
 #include "tests/boards/every_board.hpp"
 #include "tests/boards/faults.hpp"
@@ -58,6 +59,19 @@ TEST(Gba, KeepsItsSettingsInTheCartridge) {
   Bench bench(gba(nullptr, &battery));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   EXPECT_FALSE(bench.obey("get alert.stop", "alert.stop = 0.31"));
+}
+
+// The memory of a cartridge, beside its image.
+TEST(Gba, StartsWithTheMemoryThatWasConfigured) {
+  host::ConfigureRequest request;
+  request.settings = {{"alert.stop", "0.31"}};
+  std::ifstream file(configured_image("gba", ".gba", request) + ".sav", std::ios::binary);
+  std::vector<std::uint8_t> save{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_EQ(save.size(), 32U * 1024);
+  Bench bench(gba(nullptr, &save));
+  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("get alert.stop", "alert.stop = 0.31 m")) << bench.said();
+  EXPECT_TRUE(bench.obey("set camera pixy2", "camera takes console\r\n")) << bench.said();
 }
 
 TEST(Gba, TalksThroughItsLinkPortAsThroughTheMailbox) {

@@ -1,13 +1,10 @@
 // The Pico's cameras and wheels, chosen at its console, and by `fencepost configure` before it starts.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
-#include "host/configure/configure.hpp"
 #include "host/emulate/models/camera_adapters.hpp"
 #include "host/emulate/models/huskylens.hpp"
 #include "tests/boards/bench.hpp"
+#include "tests/boards/configured.hpp"
 #include "tests/boards/pico/pico.hpp"
 #include "tests/firmware/loop/desk.hpp"
 
@@ -89,20 +86,13 @@ TEST(PicoDevice, IsChosenAtOnceAndKept) {
 
 // What the drive is given, on a desk without a compiler.
 TEST(PicoDevice, StartsAsItsImageWasConfigured) {
-  std::ifstream file(image_of("pico") + ".uf2", std::ios::binary);
-  const auto image = host::read_image(std::string(std::istreambuf_iterator<char>(file), {}));
-  ASSERT_TRUE(image.ok()) << image.error();
   host::ConfigureRequest request;
   request.settings = {{"camera", "pixy2.1_i2c"}, {"odometry", "create2"}, {"drive", "100"}, {"alert.stop", "0.31"}};
   request.robot.signatures = {{1, {0xd0, 0x20, 0x20}, "red"}};
   request.robot.camera.mount = sensor::CameraMount{{500}, {0}, {1'200}, {0}, base::Radians{0}};
-  const auto configured = host::configure(*image, request);
-  ASSERT_TRUE(configured.ok()) << configured.error();
-  ASSERT_TRUE(configured->uf2);
-  const std::string mine = image_of("pico", "configured-by-devices-test");
-  std::ofstream(mine + ".uf2", std::ios::binary) << host::write_image(configured->memory, host::ImageFormat::kUf2);
+  static_cast<void>(configured_image("pico", ".uf2", request));
 
-  Bench bench(pico(nullptr, "configured-by-devices-test"));
+  Bench bench(pico(nullptr, "configured-for-a-test"));
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   EXPECT_TRUE(bench.obey("status",
                          "camera pixy2.1_i2c at 0x54 (GP8 data, GP9 clock), lens 80 deg; odometry create2 at "

@@ -101,6 +101,20 @@ TEST(PinTable, FindsAWrongFunctionAndAPinUsedTwice) {
   EXPECT_EQ(faults_of("pyboard", wiring), expected);
 }
 
+// What `status` says of them.
+TEST(PinTable, TheBoardsNameTheirPinsRight) {
+  const auto expect = [](const std::string& board, const board::Wiring& wiring) {
+    const PinTable table(board, "");
+    const auto of = [&](stm32::Pin pin) { return table.header(name(pin)); };
+    EXPECT_EQ(wiring.names.line, of(wiring.camera.transmit) + " sends, " + of(wiring.camera.receive) + " receives");
+    EXPECT_EQ(wiring.names.base, of(wiring.base.transmit) + " sends, " + of(wiring.base.receive) + " receives");
+    EXPECT_EQ(wiring.names.two_wire, of(wiring.i2c_data) + " data, " + of(wiring.i2c_clock) + " clock");
+  };
+  expect("netduino_plus_2", board::netduino_plus_2::kWiring);
+  expect("pyboard", board::pyboard::kWiring);
+  expect("feather_f405", board::feather_f405::kWiring);
+}
+
 // "D3 PA2", or the part's name alone.
 std::string cell(const PinTable& table, const std::string& pin) {
   const std::string header = table.header(pin);

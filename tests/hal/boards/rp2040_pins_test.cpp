@@ -47,6 +47,16 @@ Faults faults_of(const std::string& table, const board::Wiring& wiring) {
 TEST(Rp2040Pins, PicoHasItsPinsRight) { EXPECT_EQ(faults_of("pico", board::pico::kWiring), Faults{}); }
 TEST(Rp2040Pins, XrpHasItsPinsRight) { EXPECT_EQ(faults_of("xrp", board::xrp::kWiring), Faults{}); }
 
+// What `status` says of them.
+TEST(Rp2040Pins, NamesItsPinsRight) {
+  for (const board::Wiring& wiring : {board::pico::kWiring, board::xrp::kWiring}) {
+    const std::string line = name(wiring.camera.transmit) + " sends, " + name(wiring.camera.receive) + " receives";
+    EXPECT_EQ(wiring.names.line, line);
+    EXPECT_EQ(wiring.names.base, line);
+    EXPECT_EQ(wiring.names.two_wire, name(wiring.i2c.data) + " data, " + name(wiring.i2c.clock) + " clock");
+  }
+}
+
 TEST(Rp2040Pins, TheDocumentHasThePinsOfTheXrp) {
   const PinTable table("xrp", "");
   for (const PinUse& use : uses_of(board::xrp::kWiring)) {

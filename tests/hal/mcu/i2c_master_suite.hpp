@@ -127,6 +127,20 @@ TYPED_TEST_P(EveryI2cMaster, GivesUpADeviceThatHoldsTheClockAndStartsThePartAnew
   EXPECT_EQ(this->in[0], 7);
 }
 
+// Who began it is gone: another device is on the bus now.
+TYPED_TEST_P(EveryI2cMaster, AbandonsWhatIsUnderWay) {
+  this->part.holds_clock = true;
+  ASSERT_TRUE(this->master.begin(0x54, Bytes{1}, 2));
+  this->master.abandon();
+  this->part.restart();
+  EXPECT_FALSE(this->interrupts_on());
+  EXPECT_EQ(this->master.finish(this->in).error(), base::Error::kNotReady);
+  this->part.holds_clock = false;
+  this->part.answers = {7};
+  ASSERT_TRUE(this->transfer({}, 1));
+  EXPECT_EQ(this->in[0], 7);
+}
+
 TYPED_TEST_P(EveryI2cMaster, RefusesWhatIsNoTransfer) {
   EXPECT_EQ(this->master.begin(0x54, {}, 0).error(), base::Error::kFull);
   EXPECT_EQ(this->master.begin(0x54, Bytes(33), 0).error(), base::Error::kFull);
@@ -137,6 +151,7 @@ TYPED_TEST_P(EveryI2cMaster, RefusesWhatIsNoTransfer) {
 
 REGISTER_TYPED_TEST_SUITE_P(EveryI2cMaster, Writes, ReadsAsManyAsWereAskedForAndNotOneMore,
                             WritesThenReadsAfterARepeatedStart, SaysSoWhereNobodyAcknowledges,
-                            GivesUpADeviceThatHoldsTheClockAndStartsThePartAnew, RefusesWhatIsNoTransfer);
+                            GivesUpADeviceThatHoldsTheClockAndStartsThePartAnew, AbandonsWhatIsUnderWay,
+                            RefusesWhatIsNoTransfer);
 
 }  // namespace fencepost::test

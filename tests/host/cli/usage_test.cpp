@@ -15,7 +15,7 @@ using testing::spill;
 
 const std::vector<std::string> kCommands = {"",         "demo",   "replay", "report",        "simulate",
                                             "evaluate", "paper",  "import", "import mrclam", "import rings",
-                                            "emulate",  "record", "run",    "segment"};
+                                            "emulate",  "record", "run",    "segment",       "configure"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;
@@ -33,8 +33,8 @@ TEST(Help, ShowsAnExampleFirst) {
 TEST(Help, ListsEveryCommand) {
   const Folder folder;
   const std::string out = shell(folder, "fencepost --help").out;
-  for (const char* name :
-       {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "paper", "emulate", "import", "segment"}) {
+  for (const char* name : {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "paper", "emulate",
+                           "import", "segment", "configure"}) {
     EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
   }
 }

@@ -1,0 +1,74 @@
+// `fencepost configure` as its users run it, on an image of a board that there is not.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "firmware/config/about_image.hpp"
+#include "hal/mcu/about_board.hpp"
+#include "tests/host/cli/run.hpp"
+
+namespace fencepost::host::testing {
+namespace {
+
+template <class About>
+std::string bytes_of(const About& about) {
+  return {reinterpret_cast<const char*>(&about), sizeof about};
+}
+
+std::string image() {
+  const config::DeviceLimits limits{0b110, 0b1, false, 0,
+                                    config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)};
+  return "program" + bytes_of(mcu::about_board("testboard", 0x0800'0000, 0x0800'4000, 1024)) +
+         bytes_of(config::about_image("0.1.0", 8, limits));
+}
+
+TEST(ConfigureCommand, WritesAFileThatSaysWhatWasTold) {
+  const Folder folder;
+  spill(folder.path() / "image.bin", image());
+  const Outcome run = shell(folder, "fencepost configure image.bin --camera pixy2.1 --set alert.stop=0.3 -o mine.hex");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("testboard, version 0.1.0: 2 lines in "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("  $FPCFG,camera,pixy2.1*"), std::string::npos) << run.err;
+  EXPECT_TRUE(slurp(folder.path() / "mine.hex").starts_with(":020000040800F2\r\n"));
+  const Outcome again = shell(folder, "fencepost configure mine.hex -o mine.bin");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(slurp(folder.path() / "mine.bin").size(), 0x4000U + 2 * 1024);
+}
+
+struct Refused {
+  const char* line;
+  int exit_code;
+  const char* says;
+};
+class ConfigureRefuses : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(ConfigureRefuses, AndWritesNothing) {
+  const Folder folder;
+  spill(folder.path() / "image.bin", image());
+  spill(folder.path() / "other.bin", "hello");
+  spill(folder.path() / "cut.hex", ":0300300002337A1E\n");
+  const Outcome run = shell(folder, std::string("fencepost configure ") + GetParam().line);
+  EXPECT_EQ(run.exit_code, GetParam().exit_code) << run.err;
+  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  for (const char* name : {"mine.hex", "mine.uf2", "mine.sav", "mine.txt"})
+    EXPECT_EQ(slurp(folder.path() / name), "") << name;
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, ConfigureRefuses,
+    ::testing::Values(
+        Refused{"image.bin --camera xbc -o mine.hex", 2, "image.bin: the image of testboard has no camera \"xbc\""},
+        Refused{"image.bin --odometry encoders -o mine.hex", 2, "has no odometry \"encoders\"; it has console"},
+        Refused{"image.bin --lens wide -o mine.hex", 2, "lens=wide is not possible; it takes 0 to 150 deg"},
+        Refused{"image.bin --set alert.stop -o mine.hex", 2, "--set alert.stop is no KEY=VALUE"},
+        Refused{"image.bin -o mine.uf2", 2, "mine.uf2: testboard takes no UF2 files; write .hex or .bin"},
+        Refused{"image.bin -o mine.sav", 2, "only a cartridge has a .sav"},
+        Refused{"image.bin -o mine.txt", 2, "mine.txt: its name has to end with .uf2, .hex, .bin or .sav"},
+        Refused{"image.bin", 2, "--output is required"},
+        Refused{"other.bin -o mine.hex", 3, "other.bin: this is no image of Fencepost"},
+        Refused{"cut.hex -o mine.hex", 3, "cut.hex: the file is cut off: its last line is missing"},
+        Refused{"missing.uf2 -o mine.uf2", 3, "missing.uf2"},
+        Refused{"image.bin --robot missing.json -o mine.hex", 3, "missing.json"}));
+
+}  // namespace
+}  // namespace fencepost::host::testing
