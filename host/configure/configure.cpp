@@ -127,9 +127,8 @@ std::string range_of(const config::KeyInfo& entry) {
 /// The robot that the image will be.
 class Robot {
  public:
-  Robot(Board board, Program program) : board_(std::move(board)), program_(std::move(program)) {
-    devices_ = program_.limits.initial;
-  }
+  Robot(Board board, Program program)
+      : board_(std::move(board)), program_(std::move(program)), devices_(program_.limits.initial) {}
 
   void set(const std::string& key, const std::string& value) {
     const std::size_t device = config::device_key_named(key);
@@ -187,6 +186,7 @@ class Robot {
  private:
   static std::vector<std::string> keys() {
     std::vector<std::string> all;
+    all.reserve(config::kDeviceKeys + config::kKeys);
     for (const config::KeyInfo& entry : config::kDeviceInfo) all.emplace_back(entry.name);
     for (const config::KeyInfo& entry : config::kKeyInfo) all.emplace_back(entry.name);
     return all;
