@@ -260,18 +260,31 @@ std::string line_of(const Record& record) {
   return {room.data(), size > 2 ? size - 2 : 0};
 }
 
-sensor::CameraIntrinsics calibration_of(const Robot& robot, const ConfigureRequest& request) {
+// A calibration that was made of another camera would be passed over, or worse, be believed.
+void expect_of_this_camera(const sensor::CameraIntrinsics& camera, const Robot& robot) {
   const sensor::CameraIntrinsics delivered = robot.delivered();
-  sensor::CameraIntrinsics camera = request.calibration.value_or(delivered);
-  const bool another = delivered.width > 0 && (camera.width != delivered.width || camera.height != delivered.height);
-  if (another) {
-    throw Wrong{fmt::format(
-        "the calibration is of {}x{} pixels, the camera {} has {}x{}; name the camera that it is of", camera.width,
-        camera.height, info(robot.devices().camera()).name, delivered.width, delivered.height)};
+  if (delivered.width == 0) return;
+  const std::string_view name = info(robot.devices().camera()).name;
+  if (camera.width != delivered.width || camera.height != delivered.height) {
+    throw Wrong{
+        fmt::format("the calibration is of {}x{} pixels, the camera {} has {}x{}; name the camera that it is of",
+                    camera.width, camera.height, name, delivered.width, delivered.height)};
   }
+  for (std::size_t i = 0; i < config::kCameraIds; ++i) {
+    const sensor::Text model = config::delivered_calibration(static_cast<CameraId>(i)).model;
+    if (model.empty() || model == delivered.model || model != camera.model) continue;
+    throw Wrong{
+        fmt::format("the calibration is of a {}, the camera is {}; name the camera that it is of", model.view(), name)};
+  }
+}
+
+sensor::CameraIntrinsics calibration_of(const Robot& robot, const ConfigureRequest& request) {
+  sensor::CameraIntrinsics camera = request.calibration.value_or(robot.delivered());
   if (camera.width == 0 && !request.robot.camera.complete()) return {};
   if (camera.width == 0) camera.model = "camera";
-  return request.robot.camera.over(camera);
+  camera = request.robot.camera.over(camera);
+  expect_of_this_camera(camera, robot);
+  return camera;
 }
 
 std::vector<std::string> lines_of(const Robot& robot, const ConfigureRequest& request) {

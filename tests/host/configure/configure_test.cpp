@@ -164,6 +164,19 @@ TEST(Configure, SaysWhatDoesNotFit) {
             "the calibration is of 320x240 pixels, the camera pixy2 has 316x208; name the camera that it is of");
 }
 
+// As large as each other, and through another lens: taken for a Pixy2, a Pixy2.1 stops too late.
+TEST(Configure, ACalibrationIsOfTheCameraThatIsThere) {
+  ConfigureRequest request;
+  request.settings = {{"camera", "pixy2.1"}};
+  request.robot = robot(R"({"camera": {"model": "pixy2", "width": 316, "height": 208, "fx": 273.6, "fy": 273.6,
+                                       "cx": 157.5, "cy": 103.5}})");
+  EXPECT_EQ(wrong(request), "the calibration is of a pixy2, the camera is pixy2.1; name the camera that it is of");
+  request.settings = {{"camera", "pixy2_i2c"}};
+  EXPECT_EQ(wrong(request), "taken");
+  request.robot = robot(R"({"camera": {"width": 320}})");
+  EXPECT_EQ(wrong(request).substr(0, 35), "the calibration is of 320x208 pixel");
+}
+
 TEST(Configure, TakesOnlyAnImageOfOurs) {
   ImageMemory other;
   ASSERT_TRUE(other.put(0, std::vector<std::uint8_t>(5'000, 0x42)));
