@@ -1,6 +1,7 @@
 #include "hal/boards/microbit_v2/board.hpp"
 
 #include "hal/boards/microbit_v2/pins.hpp"
+#include "hal/mcu/about_board.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
@@ -13,6 +14,9 @@ namespace fencepost::board {
 namespace {
 
 namespace part = mcu::nrf51;
+
+[[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
+    mcu::about_board(kTarget, 0, Flash::kAddress, Flash::size());
 
 constexpr unsigned kHalfASecond = 19;  // 2^19 us
 

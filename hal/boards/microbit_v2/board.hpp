@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/bus/pin_names.hpp"
 #include "hal/mcu/nrf51/timer_clock.hpp"
 #include "hal/mcu/nrf51/uart.hpp"
 #include "hal/mcu/nrf52/flash.hpp"
@@ -15,6 +16,8 @@
 namespace fencepost::board {
 
 inline constexpr std::string_view kTarget = "microbit_v2";
+/// Of the edge connector.
+inline constexpr bus::PinNames kPinNames = {{}, {}, "20 data, 19 clock", {}};
 
 using Clock = mcu::nrf51::TimerClock;
 using Link = mcu::nrf51::Uart;

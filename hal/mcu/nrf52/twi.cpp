@@ -21,7 +21,8 @@ void TwiRegisters::restart() const {
   nrf51::set_up_two_wires(*this, clock, data);
 }
 
-void Twi::start() const {
+void Twi::start() {
+  abandon();
   wires_.restart();
   cortex_m::enable_interrupt(nrf51::interrupt_of(nrf51::kTwi0));
 }

@@ -22,8 +22,8 @@ struct TwiRegisters {
 class Twi : public nrf51::TwiMaster<TwiRegisters> {
  public:
   Twi(Pin clock, Pin data) : TwiMaster({clock, data}), wires_{clock, data} {}
-  /// Called once, before anything else here.
-  void start() const;
+  /// Before anything else here; again, for another device: what was under way ends.
+  void start();
 
  private:
   TwiRegisters wires_;
