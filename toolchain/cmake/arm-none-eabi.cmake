@@ -17,5 +17,6 @@ list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FENCEPOST_CORE FENCEPOST_OPTIMI
 # The call graph is for tests/boards/image_check.py; ccache would not restore it, so the presets do without.
 # NDEBUG: the assertions of libraries would bring printf along; ours are FENCEPOST_CHECK and stay. Without errno a square
 # root is one instruction, where there is one.
+# Where it was built is in no file: the same sources make the same bytes in any folder (toolchain/long images).
 set(CMAKE_CXX_FLAGS_INIT
-  "${FENCEPOST_CORE} ${FENCEPOST_OPTIMISE} -g -DNDEBUG -fno-math-errno -ffunction-sections -fdata-sections -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -fcallgraph-info=su,da")
+  "${FENCEPOST_CORE} ${FENCEPOST_OPTIMISE} -g -ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build -DNDEBUG -fno-math-errno -ffunction-sections -fdata-sections -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -fcallgraph-info=su,da")

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""usage: images_test.py
+
+toolchain/images.py: which boards there are, what it leaves, what it refuses; and that host/share/doc/boards.md is true of the
+presets and says of each board what README.md does. Nothing is compiled: the build is the test's own.
+"""
+
+import hashlib
+import json
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "toolchain"))
+import images  # noqa: E402
+
+TEXT = (TOP / images.DOCUMENT).read_text(encoding="utf-8")
+BOARDS = images.boards(json.loads((TOP / "CMakePresets.json").read_text(encoding="utf-8")))
+KINDS_OF = {"pico": ("uf2", "hex", "bin", "elf")}
+
+
+def row_cells(text, heading):
+    """{board: {column: cell}} of the first table of the text that has this column."""
+    lines = text.splitlines()
+    start = next(n for n, line in enumerate(lines) if line.startswith("|") and f"| {heading} |" in line)
+    columns = [cell.strip() for cell in lines[start].strip("|").split("|")]
+    rows = {}
+    for line in lines[start + 2:]:
+        if not line.startswith("|"):
+            break
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        rows[cells[0].strip("`")] = dict(zip(columns, cells))
+    return rows
+
+
+class Boards(unittest.TestCase):
+    def test_variants_of_a_board_are_no_boards(self):
+        presets = {"configurePresets": [
+            {"name": "base", "hidden": True},
+            {"name": "one", "inherits": "base", "cacheVariables": {"FENCEPOST_BOARD": "one"}},
+            {"name": "one-console", "inherits": "one"},
+            {"name": "two", "inherits": ["base", "one"], "cacheVariables": {"FENCEPOST_BOARD": "two"}},
+            {"name": "host"}]}
+        self.assertEqual(images.boards(presets), ["one", "two"])
+
+    def test_each_preset_is_a_folder_of_boards(self):
+        self.assertGreaterEqual(len(BOARDS), 7)
+        for board in BOARDS:
+            self.assertTrue((TOP / "hal/boards" / board / "CMakeLists.txt").is_file(), board)
+
+    def test_the_document_has_each_board_for_three_systems(self):
+        _, parts = images.sections(TEXT)
+        self.assertLessEqual(set(BOARDS), set(parts))
+        for board, part in parts.items():
+            if "On all three systems alike" not in part:
+                self.assertEqual(re.findall(r"^\| (Windows|macOS|Linux) \|", part, re.MULTILINE), ["Windows", "macOS", "Linux"], board)
+            self.assertEqual(set(re.findall(r"fencepost-VERSION-(\w+)\.", part)), {board})
+
+    def test_the_readme_says_the_same_of_each_board(self):
+        readme, document = row_cells((TOP / "README.md").read_text(encoding="utf-8"), "tested in"), row_cells(TEXT, "tested in")
+        self.assertLessEqual(set(BOARDS), set(readme))
+        self.assertLessEqual(set(BOARDS), set(document))
+        for board in BOARDS:
+            self.assertEqual(readme[board]["tested in"], document[board]["tested in"], board)
+            for column in ("checked otherwise", "never tried"):
+                self.assertTrue(document[board][column], f"{board}: {column}")
+
+
+class Images(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.top = pathlib.Path(self.folder.name)
+        self.out = self.top / "out"
+
+    def source(self, text=TEXT):
+        """A tree with the Pico alone."""
+        source = self.top / "source"
+        for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
+                {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
+                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2\n"),
+                ("pictures/wires.svg", "<svg/>"), (images.EXAMPLES + "/stop.py", "pass\n")):
+            path = source / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(content, encoding="utf-8")
+        return source
+
+    def make(self, text=TEXT, kinds=KINDS_OF["pico"]):
+        def build(_source, folder, board):
+            folder.mkdir(parents=True, exist_ok=True)
+            for kind in kinds:
+                (folder / f"fencepost.{kind}").write_bytes(f"{board} {kind}".encode())
+        images.make(self.source(text), self.top / "build", self.out, "1.2.3", build)
+
+    def test_leaves_images_pages_and_sums(self):
+        self.make()
+        names = {path.relative_to(self.out).as_posix() for path in self.out.rglob("*") if path.is_file()}
+        self.assertEqual(names, {"SHA256SUMS", "START_HERE.html", "FIRST_ALERT.html", "wires.svg", "examples/stop.py",
+                                 *(f"fencepost-1.2.3-pico.{kind}" for kind in KINDS_OF["pico"])})
+        sums = dict(reversed(line.split("  ")) for line in (self.out / "SHA256SUMS").read_text().splitlines())
+        self.assertEqual(set(sums), names - {"SHA256SUMS"})
+        for name, digest in sums.items():
+            self.assertEqual(hashlib.sha256((self.out / name).read_bytes()).hexdigest(), digest, name)
+        start, guide = ((self.out / f"{name}.html").read_text() for name in ("START_HERE", "FIRST_ALERT"))
+        self.assertIn("fencepost-1.2.3-pico.uf2", start)
+        self.assertIn("<table>", start)
+        self.assertNotIn("pyboard", start, "a board that is not there")
+        self.assertIn('<img src="wires.svg"', guide)
+        self.assertNotIn("VERSION", start + guide)
+
+    def test_is_the_same_again_and_keeps_nothing_of_before(self):
+        self.make()
+        first = (self.out / "SHA256SUMS").read_bytes()
+        (self.out / "fencepost-0.0.1-pico.uf2").write_bytes(b"old")
+        self.make()
+        self.assertEqual((self.out / "SHA256SUMS").read_bytes(), first)
+        self.assertFalse((self.out / "fencepost-0.0.1-pico.uf2").exists())
+
+    def refused(self, why, **how):
+        with self.assertRaisesRegex(images.Fault, why):
+            self.make(**how)
+
+    def test_a_board_without_a_section_is_refused(self):
+        self.refused("no section for pico", text=TEXT.replace("## `pico`", "## `picoo`"))
+
+    def test_a_file_that_is_named_and_not_built_is_refused(self):
+        self.refused("names fencepost-VERSION-pico.uf2, which was not built", kinds=("hex", "bin", "elf"))
+
+    def test_a_file_that_nobody_explains_is_refused(self):
+        self.refused("does not say what fencepost-VERSION-pico.dfu is for", kinds=(*KINDS_OF["pico"], "dfu"))
+
+    def test_a_build_that_leaves_nothing_is_refused(self):
+        self.refused("has no image", kinds=())
+
+    def test_a_folder_of_something_else_is_kept(self):
+        self.out.mkdir()
+        (self.out / "thesis.tex").write_text("years")
+        self.refused("holds something else")
+        self.assertEqual((self.out / "thesis.tex").read_text(), "years")
+
+
+unittest.main()
