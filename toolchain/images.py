@@ -21,10 +21,11 @@ EXAMPLES = "host/share/examples"
 SUMS = "SHA256SUMS"
 ROW = re.compile(r"\| `(\w+)` \|")  # of a board, in a table of boards
 PICTURE = re.compile(r"(!\[[^\]]*\]\()([^)]+)\)")
+PAGE = re.compile(r"(\[[^\]]*\]\()([^):]+\.md)\)")
 STYLE = """body { font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222; background: #fff }
 table { border-collapse: collapse; margin: 1em 0; display: block; overflow-x: auto }
 th, td { border: 1px solid #bbb; padding: .3em .6em; text-align: left; vertical-align: top }
-code, pre { background: #f1f1f1 } pre { padding: .6em; overflow-x: auto } img { max-width: 100% }
+thead th:empty { border: 0; padding: 0 } code, pre { background: #f1f1f1 } pre { padding: .6em; overflow-x: auto } img { max-width: 100% }
 """
 
 
@@ -112,11 +113,15 @@ def empty(out):
 
 
 def add_guide(source, out, version):
-    """The guide to a first alert as a page, with the pictures that it shows and the examples that it names."""
+    """The guide to a first alert as a page, with the pictures that it shows, the pages that it links and the examples."""
     text = (source / GUIDE).read_text(encoding="utf-8")
     for _, name in PICTURE.findall(text):
         shutil.copyfile((source / GUIDE).parent / name, out / pathlib.Path(name).name)
     text = PICTURE.sub(lambda match: f"{match.group(1)}{pathlib.Path(match.group(2)).name})", text)
+    for _, name in PAGE.findall(text):
+        linked = ((source / GUIDE).parent / name).read_text(encoding="utf-8")
+        (out / f"{pathlib.Path(name).stem}.html").write_text(to_html(linked), encoding="utf-8")
+    text = PAGE.sub(lambda match: f"{match.group(1)}{pathlib.Path(match.group(2)).stem}.html)", text)
     (out / "FIRST_ALERT.html").write_text(to_html(text.replace("VERSION", version)), encoding="utf-8")
     shutil.copytree(source / EXAMPLES, out / "examples")
 

@@ -81,8 +81,8 @@ class Images(unittest.TestCase):
         source = self.top / "source"
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
-                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2\n"),
-                ("pictures/wires.svg", "<svg/>"), (images.EXAMPLES + "/stop.py", "pass\n")):
+                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md)\n"),
+                ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n")):
             path = source / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
@@ -98,7 +98,7 @@ class Images(unittest.TestCase):
     def test_leaves_images_pages_and_sums(self):
         self.make()
         names = {path.relative_to(self.out).as_posix() for path in self.out.rglob("*") if path.is_file()}
-        self.assertEqual(names, {"SHA256SUMS", "START_HERE.html", "FIRST_ALERT.html", "wires.svg", "examples/stop.py",
+        self.assertEqual(names, {"SHA256SUMS", "START_HERE.html", "FIRST_ALERT.html", "wires.svg", "seen.html", "examples/stop.py",
                                  *(f"fencepost-1.2.3-pico.{kind}" for kind in KINDS_OF["pico"])})
         sums = dict(reversed(line.split("  ")) for line in (self.out / "SHA256SUMS").read_text().splitlines())
         self.assertEqual(set(sums), names - {"SHA256SUMS"})
@@ -109,6 +109,7 @@ class Images(unittest.TestCase):
         self.assertIn("<table>", start)
         self.assertNotIn("pyboard", start, "a board that is not there")
         self.assertIn('<img src="wires.svg"', guide)
+        self.assertIn('<a href="seen.html"', guide)
         self.assertNotIn("VERSION", start + guide)
 
     def test_is_the_same_again_and_keeps_nothing_of_before(self):
