@@ -255,15 +255,15 @@ class Way:
 
 
 def masked(text):
-    """Without numbers; of alerts, the levels that follow each other. When it says that it is blind, or what it hears of its
-    sensors, is its own affair."""
+    """Without numbers; of alerts, which levels come one after the other for the first time. When it says that it is blind, or
+    what it hears of its sensors, is its own affair."""
     lines = []
     for line in text.strip().splitlines():
         if line.startswith(("BLIND ", "camera works", "odometry is ")) or line.endswith("it sees again"):
             continue
         alert = re.match(r"(CLEAR|NOTICE|WARN|STOP)\b", line)
         line = alert[1] if alert else re.sub(r"[0-9a-f]{16}|\d+(\.\d+)?", "#", line.rstrip())
-        if not (alert and lines and lines[-1] == line):
+        if not (alert and line in lines):
             lines.append(line)
     return lines
 

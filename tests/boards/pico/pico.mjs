@@ -15,10 +15,14 @@ const kHigh = 1; // of rp2040js' states of a pin; all others are low at the end 
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
 
 export class Pico {
-  /** `out`: where bytes go to: console(byte), camera(byte), usb(bytes). `counter`: sees each instruction, or nothing. */
-  constructor(out, counter = null) {
+  /**
+   * `out`: where bytes go to: console(byte), camera(byte), usb(bytes). `counter`: sees each instruction, or nothing. `Host`:
+   * what is at the other end of the USB cable.
+   */
+  constructor(out, counter = null, Host = UsbHost) {
     this.out = out;
     this.counter = counter;
+    this.Host = Host;
     this.past = 0;
     this.instructions = 0;
     this.stop = []; // [microseconds, level] of each change of the pin that stops the motors
@@ -82,7 +86,7 @@ export class Pico {
     this.camera = new SerialLine(mcu, 1, asked('camera'));
     this.bus = new TwoWire(mcu, [0x54, 0x32], asked('bus')); // Pixy2, HuskyLens
     this.asked = undefined;
-    this.usb = new UsbHost(mcu, this.out.usb);
+    this.usb = new this.Host(mcu, this.out.usb);
     const watchdog = mcu.peripherals[0x40058];
     if (how !== 'power') watchdog.scratchData.set(oldWatchdog.scratchData);
     if (how === 'watchdog') watchdog.reason = oldWatchdog.reason;

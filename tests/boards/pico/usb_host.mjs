@@ -1,8 +1,7 @@
 // The computer at the other end of the USB cable: it finds the serial line, opens it, and may stop reading or go away.
 import { USBCDC } from 'rp2040js';
+import { UsbWire } from './usb_wire.mjs';
 
-const kSieStatus = 0x50;
-const kSuspended = 1 << 4;
 const kControlIn = 0x80; // buffer control of endpoint 0, in
 const kDataIn = 0x90; // buffer control of endpoint 2, in
 const kDataOut = 0x94; // out
@@ -10,12 +9,11 @@ const kAvailable = 1 << 10;
 const kData1 = 1 << 13;
 const kPacket = 64;
 const kEndpoints = { in: 0x82, out: 0x02 };
-const kSendNanos = 10e3;
 const kLateNanos = 50e3;
 
-export class UsbHost {
+export class UsbHost extends UsbWire {
   constructor(mcu, send) {
-    this.usb = mcu.usbCtrl;
+    super(mcu);
     this.send = send;
     this.coming = [];
     this.asked = null;
@@ -23,38 +21,16 @@ export class UsbHost {
     this.held = 0;
     this.wanted = []; // of the packets that are on their way: is it the next one of the sequence?
     this.sequence = { in: 0, out: 0 };
-    this.sending = []; // endpoints whose packets are on the wire
-    this.usb.onUSBEnabled = () => {}; // nobody is there
-    this.mendEmulator();
   }
 
-  // Where rp2040js differs from the part: it does not know the status bit of a host that is asleep, it takes what the
-  // device sends at once, wanted or not, and says that it is sent before it is.
-  mendEmulator() {
-    const { usb } = this;
-    const write = usb.writeUint32.bind(usb);
-    usb.writeUint32 = (offset, value) => {
-      if (offset === kSieStatus && usb.rawWriteValue & kSuspended) usb.sieStatus &= ~kSuspended;
-      write(offset, value);
-    };
-    const update = usb.DPRAMUpdated.bind(usb);
-    usb.DPRAMUpdated = (offset, value) => {
-      if (offset === kDataIn && this.blocked) this.held = value;
-      else if (offset === kDataIn) this.fetch(value);
-      else if (offset === kDataOut) this.beAsked(value);
-      else {
-        if (offset === kControlIn) this.expectFree(0, value);
-        update(offset, value);
-      }
-    };
-    this.update = update;
-    const ready = usb.indicateBufferReady.bind(usb);
-    const sent = usb.rp2040.clock.createAlarm(() => this.sending.splice(0).forEach((endpoint) => ready(endpoint, false)));
-    usb.indicateBufferReady = (endpoint, out) => {
-      if (out) return ready(endpoint, out);
-      this.sending.push(endpoint);
-      return sent.schedule(kSendNanos);
-    };
+  bufferGiven(offset, value) {
+    if (offset === kDataIn && this.blocked) this.held = value;
+    else if (offset === kDataIn) this.fetch(value);
+    else if (offset === kDataOut) this.beAsked(value);
+    else {
+      if (offset === kControlIn) this.expectFree(0, value);
+      this.update(offset, value);
+    }
   }
 
   // The controller has the buffer until something has come.
@@ -62,12 +38,6 @@ export class UsbHost {
     this.asked = null;
     this.update(kDataOut, value);
     this.usb.rp2040.usbDPRAMView.setUint32(kDataOut, value, true);
-  }
-
-  expectFree(endpoint, value) {
-    if (value & kAvailable && this.sending.includes(endpoint)) {
-      throw Error(`USB: a packet of endpoint ${endpoint} is written over before it is sent`);
-    }
   }
 
   // A packet with the number of the one before is taken for that one again, and thrown away (USB 2.0 8.6).
@@ -121,8 +91,7 @@ export class UsbHost {
   unplug() {
     this.coming = [];
     this.asked = null;
-    this.usb.sieStatus |= kSuspended;
-    this.usb.sieStatusUpdated();
+    this.suspend();
   }
 
   open(ready) {
