@@ -299,6 +299,14 @@ class PicoUsb(unittest.TestCase):
             self.assertEqual(said.replace(answer, ""), VERSION)
             self.assertEqual(said.count(answer), questions)
 
+    def test_1200_baud_opens_the_boot_loader(self):
+        with Terminal(termios.B1200) as terminal:
+            terminal.read_until(LAST_FACT)
+        self.cable.await_word("loader")
+        self.cable.pull()
+        self.cable.say("power")
+        self.assertIn("reset: power on\n", self.plug())
+
     def test_a_panic_is_read_after_the_reset(self):
         with Terminal() as terminal:
             terminal.read_until(LAST_FACT)

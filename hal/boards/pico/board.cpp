@@ -6,6 +6,7 @@
 #include "hal/mcu/rp2040/panic.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
 #include "hal/mcu/rp2040/reset_reason.hpp"
+#include "hal/mcu/rp2040/rom.hpp"
 #include "hal/mcu/rp2040/watchdog.hpp"
 #include FENCEPOST_PINS
 
@@ -79,6 +80,10 @@ void feed_watchdog() {
   if (kWiring.light) kWiring.light->drive((the_clock.microseconds() & kFlash) == 0);
 }
 void idle() {
+  if (usb_line.take_loader_wanted()) {
+    allow_motion(false);
+    part::start_boot_loader();
+  }
   mcu::cortex_m::sleep_unless([] { return console_line.waiting() || usb_line.waiting() || camera_line.waiting(); });
 }
 

@@ -14,6 +14,7 @@ namespace {
 // A packet of less than 64 bytes ends a transfer (USB 2.0 5.8.3): hosts then hand it on at once.
 constexpr std::size_t kShort = usb::kPacket - 1;
 constexpr std::uint16_t kToHost = 0x80;  // in an endpoint's address
+constexpr std::uint32_t kLoaderBaud = 1200;
 
 }  // namespace
 
@@ -148,6 +149,10 @@ void UsbSerial::configure() {
 }
 
 void UsbSerial::set_ready(bool ready) {
+  const std::uint32_t baud = static_cast<std::uint32_t>(line_coding_[0]) |
+                             static_cast<std::uint32_t>(line_coding_[1]) << 8 |
+                             static_cast<std::uint32_t>(line_coding_[2]) << 16;
+  if (!ready && ready_ && baud == kLoaderBaud) loader_wanted_ = true;
   if (!ready) close();
   if (ready && !ready_) opened_ = true;
   ready_ = ready;

@@ -32,6 +32,13 @@ class UsbSerial {
     return opened;
   }
 
+  /// Once, after a program has opened it at 1200 baud and closed it, as Arduino's tools ask for the boot loader.
+  [[nodiscard]] bool take_loader_wanted() {
+    const bool wanted = loader_wanted_;
+    if (wanted) loader_wanted_ = false;
+    return wanted;
+  }
+
   /// The controller's interrupt.
   void on_interrupt();
 
@@ -70,6 +77,7 @@ class UsbSerial {
   volatile bool ready_ = false;  ///< the other side's program is
   volatile bool suspended_ = false;
   volatile bool opened_ = false;
+  volatile bool loader_wanted_ = false;
 
   // Of the control pipe, in one request.
   std::span<const std::uint8_t> answer_;

@@ -11,7 +11,7 @@ const kFlashSize = 2 * 1024 * 1024; // the Pico's chip
 const kEraseNanos = 400e6; // W25Q16JV 9.6, at most: longer than the watchdog waits otherwise
 const kProgramNanos = 0.4e6;
 
-const kCodes = ['IF', 'EX', 'RE', 'RP', 'FC', 'CX'];
+const kCodes = ['IF', 'EX', 'RE', 'RP', 'FC', 'CX', 'UB'];
 
 // look_up(r0: table, r1: code) -> r0, 0 if there is none.
 const kLookUpCode = [
@@ -64,6 +64,7 @@ export class BootRom {
   }
 
   run(code) {
+    if (code === 'UB') return this.startLoader();
     const { core } = this.mcu;
     const [r0, r1, r2, r3] = core.registers;
     if (!core.PM) throw Error(`ROM ${code}: an interrupt could come, and read the flash`);
@@ -73,6 +74,13 @@ export class BootRom {
     this.state = { IF: 'connected', EX: 'commands', RE: 'commands', RP: 'commands', FC: 'flushed', CX: 'reading' }[code];
     if (code === 'RE') this.erase(r0, r1, r2, r3);
     if (code === 'RP') this.program(r0, r1, r2);
+  }
+
+  /** The ROM's drive appears; the program is over. */
+  startLoader() {
+    this.mcu.peripherals[0x40058].timer.enable = false;
+    this.hang();
+    this.onLoader?.();
   }
 
   erase(offset, count, block, command) {

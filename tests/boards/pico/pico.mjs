@@ -76,6 +76,7 @@ export class Pico {
   wire(how, oldWatchdog) {
     const { mcu } = this;
     this.rom = new BootRom(mcu);
+    this.rom.onLoader = () => this.onLoader?.();
     mcu.gpio[kStopPin].addListener((state) => this.noteStop(state === kHigh));
     this.console = new SerialLine(mcu, 0, this.out.console);
     // The camera is where it was asked last: the socket's bytes go there.
