@@ -76,7 +76,8 @@ ROOMS = {
     "host/emulate/scene": "host/emulate/transport host/simulate",
     "host/configure": "hal/mcu host/live",
     "host/devices": "drivers/* host/emulate/scene host/live",
-    "host/cli": "host/configure host/devices host/paper host/recorder host/segment",
+    "host/calibrate": "host/live host/report",
+    "host/cli": "host/calibrate host/configure host/devices host/paper host/recorder host/segment",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

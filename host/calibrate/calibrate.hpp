@@ -1,0 +1,100 @@
+// Camera and wheels of a robot from an ordinary log (share/doc/calibrate.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/calibrate/parameters.hpp"
+#include "host/calibrate/residuals.hpp"
+#include "host/geometry/polygon.hpp"
+#include "host/replay/replay.hpp"
+
+namespace fencepost::host {
+
+/// The mean width of all objects of a signature: the diameter of a round one, 2 (a + b) / pi of a box a x b.
+struct NamedSize {
+  std::string signature;  ///< its name, or its number
+  double width = 0;       ///< m
+};
+struct NamedDistance {
+  std::string a;
+  std::string b;
+  double distance = 0;  ///< m, middle to middle
+};
+
+struct CalibrateOptions {
+  std::optional<sensor::CameraIntrinsics> camera;  ///< for logs without FPCAM
+  std::optional<double> from;                      ///< s, stream time
+  std::optional<double> to;
+  std::vector<NamedSize> sizes;
+  std::vector<NamedDistance> distances;
+};
+
+/// One number: told, found, and whether the log could tell it.
+struct Finding {
+  std::string_view key;    ///< in JSON, such as "focal_length"
+  std::string_view label;  ///< in text
+  std::string_view unit;   ///< of the three, as shown: px, deg, ms, mm, %
+  double told = 0;
+  double found = 0;  ///< where held, what was told
+  double sigma = 0;  ///< standard deviation
+  int decimals = 2;
+  bool observed = false;    ///< the log tells it, by more than what was known before
+  bool held = false;        ///< stays as it was told
+  bool essential = false;   ///< a log that cannot tell it is not enough
+  std::string_view motion;  ///< what would tell it
+};
+
+/// To the wheels' reported motion: factors minus 1, and what each metre turns unreported, rad.
+struct WheelCorrection {
+  double step = 0;
+  double turn = 0;
+  double curve = 0;
+};
+
+/// For the picture.
+struct CalibratedObject {
+  std::string name;
+  sensor::Rgb rgb;
+  Point centre;  ///< map, m
+  LinearRing outline;
+  std::vector<Point> feet_before;  ///< where each frame puts its foot on the floor, as told and as found
+  std::vector<Point> feet_after;
+};
+
+struct Calibration {
+  std::size_t frames = 0;  ///< that count
+  double seconds = 0;
+  double driven = 0;  ///< m
+  double turned = 0;  ///< rad
+  std::vector<Finding> findings;
+  Residuals before;
+  Residuals after;
+  sensor::CameraIntrinsics told;
+  sensor::CameraIntrinsics found;
+  std::vector<record::Signature> signatures;
+  WheelCorrection wheels;
+  std::vector<CalibratedObject> objects;
+  std::vector<Point> way_before;
+  std::vector<Point> way_after;
+  /// What was left out or is doubtful, one sentence each.
+  std::vector<std::string> notes;
+
+  /// Everything essential was told by the log.
+  [[nodiscard]] bool complete() const;
+};
+
+struct CalibrateOutcome {
+  ReplayOutcome replay;  ///< how the log was read
+  std::optional<Calibration> calibration;
+  std::string refusal;  ///< without one: what the log lacks and what to drive
+  bool usage = false;   ///< the refusal is about an option, not the log
+};
+
+/// `name` is used in messages only.
+CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, const CalibrateOptions& options);
+
+}  // namespace fencepost::host

@@ -1,0 +1,117 @@
+#include "host/calibrate/calibration_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "firmware/record/encode.hpp"
+#include "host/result/geojson.hpp"
+#include "host/text/printable.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+std::string number(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
+
+std::string row_of(const Finding& finding) {
+  const std::string found = finding.held ? "not told" : number(finding.found, finding.decimals);
+  const std::string sigma = finding.held ? "" : number(finding.sigma, finding.decimals);
+  return fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told, finding.decimals), found,
+                     sigma, finding.unit);
+}
+
+/// What to drive, and for which numbers.
+std::string missing(const Calibration& calibration, bool held, const char* heading) {
+  std::vector<std::pair<std::string_view, std::string>> wanted;
+  for (const Finding& finding : calibration.findings) {
+    if (finding.observed || finding.held != held) continue;
+    const auto same = [&](const auto& entry) { return entry.first == finding.motion; };
+    const auto known = std::ranges::find_if(wanted, same);
+    if (known == wanted.end()) {
+      wanted.emplace_back(finding.motion, finding.label);
+    } else {
+      known->second += fmt::format(", {}", finding.label);
+    }
+  }
+  if (wanted.empty()) return "";
+  std::string text = fmt::format("\n{}:\n", heading);
+  for (const auto& [motion, labels] : wanted) text += fmt::format("  {}: {}\n", labels, motion);
+  return text;
+}
+
+std::string residual_rows(const Calibration& calibration) {
+  const auto row = [](const char* label, double before, double after, const char* unit) {
+    return fmt::format("{:<18}{:>10.2f}{:>11.2f}{:>10}  {}\n", label, before, after, "", unit);
+  };
+  std::string text = fmt::format("\n{:<18}{:>10}{:>11}\n", "residual (68 %)", "before", "after");
+  text += row("edges", calibration.before.columns_px, calibration.after.columns_px, "px");
+  text += row("", calibration.before.columns_cm, calibration.after.columns_cm, "cm");
+  if (calibration.after.rows_px > 0) {
+    text += row("feet and tops", calibration.before.rows_px, calibration.after.rows_px, "px");
+  }
+  return text;
+}
+
+nlohmann::ordered_json residuals_json(const Residuals& residuals) {
+  return {{"edges_px", rounded(residuals.columns_px, 4)},
+          {"edges_m", rounded(residuals.columns_cm / 100, 6)},
+          {"rows_px", rounded(residuals.rows_px, 4)}};
+}
+
+}  // namespace
+
+std::string camera_line(const sensor::CameraIntrinsics& camera) {
+  std::array<char, record::kMaxLine> line{};
+  return {line.data(), record::encode(camera, line)};
+}
+
+std::string calibration_text(const Calibration& calibration, const std::string& log_name) {
+  std::string text = fmt::format("{}: {} frames, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
+                                 printable(log_name), calibration.frames, calibration.objects.size(),
+                                 calibration.seconds, calibration.driven, calibration.turned * kDegrees);
+  text += fmt::format("{:<18}{:>10}{:>11}{:>10}\n", "", "told", "found", "+-");
+  for (const Finding& finding : calibration.findings) text += row_of(finding);
+  text += residual_rows(calibration);
+  text += missing(calibration, true, "Not told by this log, and left as it was");
+  text += missing(calibration, false, "Hardly told by this log, and mostly what was told before");
+  return text + "\n" + camera_line(calibration.found);
+}
+
+std::string calibration_json(const Calibration& calibration) {
+  constexpr int kDecimals = 6;
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  for (const Finding& finding : calibration.findings) {
+    nlohmann::ordered_json entry = {{"unit", finding.unit},
+                                    {"observed", finding.observed},
+                                    {"told", rounded(finding.told, kDecimals)},
+                                    {"found", nullptr},
+                                    {"sigma", nullptr},
+                                    {"motion", nullptr}};
+    if (!finding.held) {
+      entry["found"] = rounded(finding.found, kDecimals);
+      entry["sigma"] = rounded(finding.sigma, kDecimals);
+    }
+    if (!finding.observed) entry["motion"] = finding.motion;
+    parameters[std::string(finding.key)] = std::move(entry);
+  }
+  std::string line = camera_line(calibration.found);
+  line.erase(line.find('\r'));
+  const nlohmann::ordered_json root = {
+      {"format", 1},
+      {"complete", calibration.complete()},
+      {"frames", calibration.frames},
+      {"objects", calibration.objects.size()},
+      {"seconds", rounded(calibration.seconds, 4)},
+      {"driven", rounded(calibration.driven, kDecimals)},
+      {"turned", rounded(calibration.turned, kDecimals)},
+      {"parameters", std::move(parameters)},
+      {"residuals", {{"before", residuals_json(calibration.before)}, {"after", residuals_json(calibration.after)}}},
+      {"fpcam", line}};
+  return root.dump() + "\n";
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,131 @@
+#include "host/calibrate/drive_log.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "firmware/record/stream_reader.hpp"
+
+namespace fencepost::host {
+namespace {
+
+/// Odometry, calibration and signatures of the last run.
+struct DriveSink {
+  const ReplayOptions& options;
+  DriveLog log{};
+  bool told = false;
+  double now = -1;           ///< s, of the last frame
+  double camera_since = -1;  ///< frames up to then were of another calibration
+
+  void accept(const record::Header&) {
+    log = DriveLog{};
+    told = false;
+    now = camera_since = -1;
+    if (options.camera) accept(*options.camera);
+  }
+  void accept(const sensor::CameraIntrinsics& camera) {
+    if (told && !(camera == log.camera) && now >= 0) {
+      log.camera_changed = true;
+      camera_since = now;
+    }
+    log.camera = camera;
+    told = true;
+  }
+  void accept(const record::Signature& signature) {
+    const auto known = std::ranges::find(log.signatures, signature.signature, &record::Signature::signature);
+    if (known == log.signatures.end()) {
+      log.signatures.push_back(signature);
+    } else {
+      *known = signature;
+    }
+  }
+  void accept(const sensor::OdometrySample& sample) {
+    const double t = sample.t.to_double();
+    if ((options.from && t < *options.from) || (options.to && t > *options.to)) return;
+    log.odometry.push_back({t, sample.x.to_double(), sample.y.to_double(), sample.heading.to_double()});
+  }
+  void accept(const sensor::BlobFrame& frame) { now = frame.t.to_double(); }
+  template <class Record>
+  void accept(const Record&) {}
+};
+
+/// Edges of two boxes that come so near may be one edge that hides the other, px.
+constexpr int kTouching = 3;
+
+bool overlap(int low_a, int high_a, int low_b, int high_b) {
+  return low_a <= high_b + kTouching && low_b <= high_a + kTouching;
+}
+
+/// Whether the box at column `u` may end because `other`, whose foot is not higher, begins there.
+bool hides_end(const recon::Box& box, int u, const recon::Box& other) {
+  return other.y2 >= box.y2 - kTouching && overlap(box.y1, box.y2, other.y1, other.y2) &&
+         overlap(u, u, other.x1, other.x2);
+}
+
+class Watcher final : public RunObserver {
+ public:
+  Watcher(DriveLog& log, double since) : log_(log), since_(since) {}
+
+  void run_begins() override { log_.frames.clear(); }
+
+  void frame_placed(const PlacedFrame& placed) override {
+    const double t = placed.frame.t.to_double();
+    if (t <= since_) return;
+    SeenFrame seen{t, {}};
+    for (const PlacedSighting& sighting : placed.sightings) {
+      const recon::WaitingBlob& blob = placed.frame.blobs[sighting.blob];
+      if (blob.moves) continue;
+      seen.boxes.push_back(box_of(placed.frame, sighting.blob));
+      seen.boxes.back().object = sighting.id;
+    }
+    if (!seen.boxes.empty()) log_.frames.push_back(std::move(seen));
+  }
+
+ private:
+  SeenBox box_of(const recon::WaitingFrame& frame, std::size_t index) {
+    const recon::Box& box = frame.blobs[index].box;
+    SeenBox seen;
+    seen.signature = frame.blobs[index].signature;
+    seen.row_low = box.y1 - 0.5;
+    seen.row_high = box.y2 + 0.5;
+    seen.middle = 0.5 * (box.x1 + box.x2);
+    // The border rules of the stream format.
+    if (box.x1 > 1) seen.left = box.x1 - 0.5;
+    if (box.x2 < log_.camera.width - 2) seen.right = box.x2 + 0.5;
+    if (box.y1 > 1) seen.top = seen.row_low;
+    if (box.y2 < log_.camera.height - 2) seen.foot = seen.row_high;
+    for (std::size_t i = 0; i < frame.blobs.size(); ++i) {
+      if (i != index) leave_out_hidden(box, frame.blobs[i].box, seen);
+    }
+    log_.ends += 2;
+    log_.ends_cut += (seen.left ? 0U : 1U) + (seen.right ? 0U : 1U);
+    return seen;
+  }
+
+  static void leave_out_hidden(const recon::Box& box, const recon::Box& other, SeenBox& seen) {
+    if (hides_end(box, box.x1, other)) seen.left.reset();
+    if (hides_end(box, box.x2, other)) seen.right.reset();
+    if (!overlap(box.x1, box.x2, other.x1, other.x2)) return;
+    if (other.y2 >= box.y2 && other.y1 <= box.y2 + kTouching) seen.foot.reset();
+    if (other.y1 <= box.y1 + kTouching && other.y2 >= box.y1) seen.top.reset();
+  }
+
+  DriveLog& log_;
+  double since_;
+};
+
+}  // namespace
+
+DriveLog read_drive(std::string_view bytes, const std::string& name, ReplayOptions options, ReplayOutcome& outcome) {
+  DriveSink sink{options};
+  if (options.camera) sink.accept(*options.camera);
+  std::array<char, record::StreamReader::kBuffer> buffer{};
+  record::StreamReader reader(buffer);
+  reader.push(bytes, sink);
+  reader.finish();
+  Watcher watcher(sink.log, sink.camera_since);
+  options.observer = &watcher;
+  outcome = replay(bytes, name, options);
+  return std::move(sink.log);
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,52 @@
+// What calibration estimates: of the camera, of the wheels, of each object, of the way driven.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace fencepost::host {
+
+/// Of the camera. The focal length is a natural logarithm of its ratio to the told one, all others are absolute: rad,
+/// s, m.
+enum CameraParameter : std::size_t {
+  kFocal,
+  kYaw,
+  kPitch,
+  kLatency,
+  kHeight,
+  kMountX,
+  kMountY,
+  kK1,
+  kCameraParameters
+};
+
+/// Of the odometry: true way / reported way - 1, true turn / reported turn - 1, rad of turn that each metre adds
+/// unreported.
+enum WheelParameter : std::size_t { kStep, kTurn, kCurve, kWheelParameters };
+
+/// An object's footprint by its support function r + sum of harmonics about (x, y), as the hybrid has it, and its top.
+enum ObjectParameter : std::size_t { kCentreX, kCentreY, kTop, kRadius, kShape };
+inline constexpr std::size_t kLastHarmonic = 6;  ///< the next one of a square is 3 % of its radius: below a pixel
+inline constexpr std::size_t kObjectParameters = kShape + 2 * (kLastHarmonic - 1);
+
+enum PoseParameter : std::size_t { kPoseX, kPoseY, kPoseHeading, kPoseParameters };
+
+using CameraValues = std::array<double, kCameraParameters>;
+using WheelValues = std::array<double, kWheelParameters>;
+using ObjectValues = std::array<double, kObjectParameters>;
+using PoseValues = std::array<double, kPoseParameters>;
+
+struct Estimate {
+  CameraValues camera{};
+  WheelValues wheels{};
+  std::vector<ObjectValues> objects;
+  std::vector<PoseValues> nodes;  ///< world_T_robot at the problem's node times
+};
+
+inline constexpr std::size_t kCalibrated = std::size_t{kCameraParameters} + std::size_t{kWheelParameters};
+/// Camera first, then wheels.
+constexpr std::size_t place_of(WheelParameter parameter) { return std::size_t{kCameraParameters} + parameter; }
+using CalibratedMatrix = std::array<std::array<double, kCalibrated>, kCalibrated>;
+
+}  // namespace fencepost::host

@@ -1,0 +1,18 @@
+// The robot's tracking worked with a wrong calibration: objects that are one are joined, what stands nowhere is left
+// out.
+#pragma once
+
+#include "host/calibrate/start.hpp"
+
+namespace fencepost::host {
+
+/// Objects of one signature at one place that no frame shows side by side become one.
+void join_same(StartedProblem& started);
+
+/// Ends that are predicted at the image's border go: those that noise puts inside are a choice of the noise.
+void drop_at_border(StartedProblem& started);
+
+/// Objects whose sightings do not fit any place go: they move, or are several. At least two stay.
+void drop_unfit(StartedProblem& started);
+
+}  // namespace fencepost::host

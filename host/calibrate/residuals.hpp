@@ -1,0 +1,44 @@
+// How far a problem's sightings are from what an estimate predicts.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/calibrate/problem.hpp"
+#include "host/geometry/polygon.hpp"
+
+namespace fencepost::host {
+
+/// Predicted minus seen, px. What was not seen is missing.
+struct SightingResidual {
+  std::optional<double> left{};
+  std::optional<double> right{};
+  std::optional<double> foot{};
+  std::optional<double> top{};
+  double range = 0;  ///< m, to the object's middle
+  /// The floor under the box's foot, map; missing where it is above the horizon.
+  std::optional<Point> floor{};
+};
+
+std::vector<SightingResidual> residuals_at(const CalibrationProblem& problem, const Estimate& estimate);
+
+/// The image's noise, by the median of what the residuals are: a few wrong ones do not matter.
+ImageNoise noise_of(const std::vector<SightingResidual>& residuals);
+
+/// One edge for the picture: where in the image, and by how much it is missed.
+struct EdgeResidual {
+  double column = 0;
+  double residual = 0;  ///< px
+};
+
+struct Residuals {
+  double columns_px = 0;  ///< 68 % of all edges are nearer
+  double columns_cm = 0;  ///< the same at the object's distance
+  double rows_px = 0;
+  std::vector<EdgeResidual> edges;
+};
+
+Residuals summarise_residuals(const CalibrationProblem& problem, const std::vector<SightingResidual>& residuals,
+                              double focal_length);
+
+}  // namespace fencepost::host

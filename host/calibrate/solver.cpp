@@ -1,0 +1,307 @@
+#include "host/calibrate/solver.hpp"
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include <memory>
+#include <vector>
+
+#include "host/calibrate/drift_model.hpp"
+#include "host/calibrate/sighting_model.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using calibration::Pose;
+using calibration::View;
+
+constexpr int kCamera = kCameraParameters;
+constexpr int kWheels = kWheelParameters;
+constexpr int kObject = kObjectParameters;
+constexpr int kPose = kPoseParameters;
+
+/// Residuals of this many sigmas count half as much as a square would: with gaussian noise hardly any is.
+constexpr double kRobustWidth = 2.5;
+
+/// What the parts of a sighting have in common.
+struct Seen {
+  const CalibrationProblem* problem;
+  const Sighting* sighting;
+
+  template <class T>
+  [[nodiscard]] View<T> view(const T* camera, const T* wheels, const T* node) const {
+    const double node_time = problem->node_times[sighting->node];
+    const Pose<T> robot =
+        calibration::pose_at_exposure<T>(problem->odometry, node_time, sighting->t, camera[kLatency], wheels, node);
+    return calibration::view_of(problem->optics, camera, robot);
+  }
+};
+
+/// Both edges: their middle and their distance have errors of their own. What shifts the robot shifts both.
+struct BothEdges : Seen {
+  template <class T>
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residuals) const {
+    const View<T> seen = view(camera, wheels, node);
+    const auto edge = [&](double column, double sign) {
+      return calibration::edge_column<T>(problem->optics, camera, seen, object, *sighting, column, sign) - column;
+    };
+    const T left = edge(*sighting->left, 1);
+    const T right = edge(*sighting->right, -1);
+    residuals[0] = 0.5 * (left + right) / problem->noise.middle;
+    residuals[1] = (right - left) / problem->noise.width;
+    return true;
+  }
+};
+
+struct OneEdge : Seen {
+  template <class T>
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+    const View<T> seen = view(camera, wheels, node);
+    const double sign = sighting->left ? 1 : -1;
+    const double column = sighting->left ? *sighting->left : *sighting->right;
+    residual[0] =
+        (calibration::edge_column<T>(problem->optics, camera, seen, object, *sighting, column, sign) - column) /
+        problem->noise.edge;
+    return true;
+  }
+};
+
+struct Foot : Seen {
+  template <class T>
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+    const T row =
+        calibration::foot_row<T>(problem->optics, camera, view(camera, wheels, node), object, sighting->middle);
+    residual[0] = (row - *sighting->foot) / problem->noise.foot;
+    return true;
+  }
+};
+
+struct Top : Seen {
+  template <class T>
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+    const T row =
+        calibration::top_row<T>(problem->optics, camera, view(camera, wheels, node), object, sighting->middle);
+    residual[0] = (row - *sighting->top) / problem->noise.top;
+    return true;
+  }
+};
+
+/// The odometry between two nodes.
+struct Driven {
+  calibration::Motion<double> motion;
+  PoseNoise sigma;
+  template <class T>
+  bool operator()(const T* wheels, const T* from, const T* to, T* residuals) const {
+    const calibration::Motion<T> reported{T(motion.ahead), T(motion.left), T(motion.turn), T(motion.way)};
+    const Pose<T> expected = calibration::after(from, calibration::corrected(reported, wheels));
+    residuals[0] = (to[kPoseX] - expected.x) / sigma.position;
+    residuals[1] = (to[kPoseY] - expected.y) / sigma.position;
+    residuals[2] = (to[kPoseHeading] - expected.heading) / sigma.heading;
+    return true;
+  }
+};
+
+/// What is known beforehand, parameter by parameter.
+template <std::size_t Count>
+struct Prior {
+  std::array<double, Count> middle;
+  std::array<double, Count> sigma;
+  template <class T>
+  bool operator()(const T* values, T* residuals) const {
+    for (std::size_t i = 0; i < Count; ++i) residuals[i] = (values[i] - middle[i]) / sigma[i];
+    return true;
+  }
+};
+
+struct Size {
+  double width;
+  template <class T>
+  bool operator()(const T* object, T* residual) const {
+    constexpr double kSigma = 0.001;  // m, of a ruler
+    residual[0] = (2.0 * object[kRadius] - width) / kSigma;
+    return true;
+  }
+};
+
+struct Apart {
+  double distance;
+  template <class T>
+  bool operator()(const T* a, const T* b, T* residual) const {
+    constexpr double kSigma = 0.003;  // m, middle to middle
+    const T dx = a[kCentreX] - b[kCentreX];
+    const T dy = a[kCentreY] - b[kCentreY];
+    residual[0] = (sqrt(dx * dx + dy * dy + 1e-12) - distance) / kSigma;
+    return true;
+  }
+};
+
+/// An object is convex and not far from round: a square's harmonics are 2 r / (m^2 - 1), every other one. Its place and
+/// its top are hardly known, but that keeps what was seen once from running away.
+Prior<kObjectParameters> object_prior(const ObjectValues& start, double radius) {
+  constexpr double kUnround = 0.8;
+  Prior<kObjectParameters> prior;
+  prior.middle = start;
+  prior.sigma.fill(2);
+  prior.sigma[kTop] = 0.5;
+  prior.middle[kRadius] = radius;
+  prior.sigma[kRadius] = 0.1;
+  for (std::size_t m = 2; m <= kLastHarmonic; ++m) {
+    const double order = static_cast<double>(m);
+    for (std::size_t i = 0; i < 2; ++i) {
+      prior.middle[kShape + 2 * (m - 2) + i] = 0;
+      prior.sigma[kShape + 2 * (m - 2) + i] = kUnround * radius / (order * order - 1);
+    }
+  }
+  return prior;
+}
+
+/// The parameters of an estimate as Ceres sees them.
+class Build {
+ public:
+  Build(const CalibrationProblem& problem, const SolverOptions& options, Estimate& estimate)
+      : problem_(problem), options_(options), estimate_(estimate), ceres_(ownership()) {
+    ceres_.AddParameterBlock(estimate_.camera.data(), kCamera);
+    ceres_.AddParameterBlock(estimate_.wheels.data(), kWheels);
+    for (PoseValues& node : estimate_.nodes) ceres_.AddParameterBlock(node.data(), kPose);
+    add_sightings();
+    add_odometry();
+    add_priors();
+    hold(estimate_.camera.data(), options_.hold_camera);
+    hold(estimate_.wheels.data(), options_.hold_wheels);
+    ceres_.SetParameterBlockConstant(estimate_.nodes.front().data());
+    if (options_.hold_way) {
+      for (PoseValues& node : estimate_.nodes) ceres_.SetParameterBlockConstant(node.data());
+    }
+  }
+
+  ceres::Problem& problem() { return ceres_; }
+
+ private:
+  static ceres::Problem::Options ownership() {
+    ceres::Problem::Options options;
+    options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    return options;
+  }
+
+  template <class Function, int Residuals>
+  void add(const Sighting& sighting) {
+    auto* cost = new ceres::AutoDiffCostFunction<Function, Residuals, kCamera, kWheels, kPose, kObject>(
+        new Function{{&problem_, &sighting}});
+    ceres_.AddResidualBlock(cost, &robust_, estimate_.camera.data(), estimate_.wheels.data(),
+                            estimate_.nodes[sighting.node].data(), estimate_.objects[sighting.object].data());
+  }
+
+  void add_sightings() {
+    for (const Sighting& sighting : problem_.sightings) {
+      if (sighting.left && sighting.right) {
+        add<BothEdges, 2>(sighting);
+      } else if (sighting.left || sighting.right) {
+        add<OneEdge, 1>(sighting);
+      }
+      if (sighting.foot && problem_.rows) add<Foot, 1>(sighting);
+      if (sighting.top && problem_.rows) add<Top, 1>(sighting);
+    }
+  }
+
+  void add_odometry() {
+    for (std::size_t i = 0; i + 1 < problem_.node_times.size(); ++i) {
+      const TrackPose a = problem_.odometry.at(problem_.node_times[i]);
+      const TrackPose b = problem_.odometry.at(problem_.node_times[i + 1]);
+      auto* cost = new ceres::AutoDiffCostFunction<Driven, kPose, kWheels, kPose, kPose>(
+          new Driven{calibration::motion_between(a, b), calibration::stray(a, b, problem_.drift)});
+      ceres_.AddResidualBlock(cost, nullptr, estimate_.wheels.data(), estimate_.nodes[i].data(),
+                              estimate_.nodes[i + 1].data());
+    }
+  }
+
+  void add_priors() {
+    ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kCameraParameters>, kCamera, kCamera>(
+                                new Prior<kCameraParameters>{problem_.told, problem_.camera_sigma}),
+                            nullptr, estimate_.camera.data());
+    ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kWheelParameters>, kWheels, kWheels>(
+                                new Prior<kWheelParameters>{WheelValues{}, problem_.wheel_sigma}),
+                            nullptr, estimate_.wheels.data());
+    for (std::size_t o = 0; o < estimate_.objects.size(); ++o) {
+      ObjectValues& object = estimate_.objects[o];
+      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kObjectParameters>, kObject, kObject>(
+                                  new Prior<kObjectParameters>(object_prior(object, problem_.radii[o]))),
+                              nullptr, object.data());
+      if (!options_.hold_shape) continue;
+      std::array<bool, kObjectParameters> shape{};
+      std::fill(shape.begin() + kShape, shape.end(), true);
+      hold(object.data(), shape);
+    }
+    for (const KnownSize& size : problem_.sizes) {
+      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Size, 1, kObject>(new Size{size.width}), nullptr,
+                              estimate_.objects[size.object].data());
+    }
+    for (const KnownDistance& apart : problem_.distances) {
+      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Apart, 1, kObject, kObject>(new Apart{apart.distance}),
+                              nullptr, estimate_.objects[apart.a].data(), estimate_.objects[apart.b].data());
+    }
+  }
+
+  template <std::size_t Count>
+  void hold(double* block, const std::array<bool, Count>& held) {
+    std::vector<int> constant;
+    for (std::size_t i = 0; i < Count; ++i) {
+      if (held[i]) constant.push_back(static_cast<int>(i));
+    }
+    if (constant.size() == Count) {
+      ceres_.SetParameterBlockConstant(block);
+    } else if (!constant.empty()) {
+      ceres_.SetManifold(block, new ceres::SubsetManifold(static_cast<int>(Count), constant));
+    }
+  }
+
+  const CalibrationProblem& problem_;
+  const SolverOptions& options_;
+  Estimate& estimate_;
+  ceres::CauchyLoss robust_{kRobustWidth};
+  ceres::Problem ceres_;
+};
+
+/// Ceres logs on standard error what is answered here.
+void keep_quiet() { FLAGS_minloglevel = google::GLOG_FATAL; }
+
+}  // namespace
+
+std::optional<std::string> solve(const CalibrationProblem& problem, const SolverOptions& options, Estimate& estimate) {
+  keep_quiet();
+  Build build(problem, options, estimate);
+  ceres::Solver::Options how;
+  how.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  how.logging_type = ceres::SILENT;
+  how.max_num_iterations = options.iterations;
+  how.function_tolerance = 1e-7;
+  how.num_threads = 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(how, &build.problem(), &summary);
+  if (!summary.IsSolutionUsable()) return summary.message;
+  return std::nullopt;
+}
+
+std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem, const SolverOptions& options,
+                                              Estimate estimate) {
+  keep_quiet();
+  Build build(problem, options, estimate);
+  ceres::Covariance::Options how;
+  how.algorithm_type = ceres::SPARSE_QR;
+  how.num_threads = 1;
+  ceres::Covariance covariance(how);
+  double* camera = estimate.camera.data();
+  double* wheels = estimate.wheels.data();
+  if (!covariance.Compute({{camera, camera}, {camera, wheels}, {wheels, wheels}}, &build.problem())) {
+    return std::nullopt;
+  }
+  const std::vector<const double*> blocks = {camera, wheels};
+  CalibratedMatrix matrix{};
+  std::vector<double> values(kCalibrated * kCalibrated);
+  if (!covariance.GetCovarianceMatrix(blocks, values.data())) return std::nullopt;
+  for (std::size_t i = 0; i < kCalibrated; ++i) {
+    for (std::size_t j = 0; j < kCalibrated; ++j) matrix[i][j] = values[i * kCalibrated + j];
+  }
+  return matrix;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,29 @@
+// The problem solved by Ceres. The only file that knows it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "host/calibrate/problem.hpp"
+
+namespace fencepost::host {
+
+struct SolverOptions {
+  /// Held as they are; the first node always is: it is the origin.
+  std::array<bool, kCameraParameters> hold_camera{};
+  std::array<bool, kWheelParameters> hold_wheels{};
+  bool hold_shape = false;  ///< objects stay as round as they are
+  bool hold_way = false;    ///< the poses stay where the odometry has them
+  int iterations = 60;
+};
+
+/// Moves `estimate` to the nearest least sum of robust squares. Answers why it is no use, or nothing.
+std::optional<std::string> solve(const CalibrationProblem& problem, const SolverOptions& options, Estimate& estimate);
+
+/// Of camera and wheels at the estimate, priors included: rad, s, m, as in parameters.hpp. What is held has none.
+/// Nothing where the problem is singular.
+std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem, const SolverOptions& options,
+                                              Estimate estimate);
+
+}  // namespace fencepost::host

@@ -1,0 +1,153 @@
+// Whole calibrations of simulated drives: what is found, and what is refused.
+#include "host/calibrate/calibrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/calibrate/calibration_picture.hpp"
+#include "tests/studies/calibrate/calibration_drive.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using test::calibration_drive;
+using test::CalibrationDrive;
+using test::DriveOptions;
+using test::Motion;
+
+const Finding& finding(const Calibration& calibration, std::string_view key) {
+  for (const Finding& one : calibration.findings) {
+    if (one.key == key) return one;
+  }
+  throw std::runtime_error("no such finding");
+}
+
+CalibrateOutcome run(const CalibrationDrive& drive, const CalibrateOptions& options = {}) {
+  return calibrate(drive.log, "drive", options);
+}
+
+// Without noise all that is left is what the model has not: corners, whole pixels.
+TEST(Calibrate, FindsWhatWasToldWrong) {
+  DriveOptions options;
+  options.seed = 501;
+  options.noise = 0;
+  options.drift = 0;
+  const CalibrationDrive drive = calibration_drive(options);
+  const CalibrateOutcome outcome = run(drive);
+  ASSERT_TRUE(outcome.calibration) << outcome.refusal;
+  const Calibration& found = *outcome.calibration;
+  EXPECT_TRUE(found.complete());
+  EXPECT_EQ(found.objects.size(), 4U);
+  const auto error = [&](std::string_view key) {
+    return std::abs(finding(found, key).found - test::true_value(drive, key));
+  };
+  EXPECT_LT(error("focal_length") / 273.6, 0.005);
+  EXPECT_LT(error("yaw"), 0.15);
+  EXPECT_LT(error("pitch"), 0.3);
+  EXPECT_LT(error("latency"), 4);
+  EXPECT_LT(found.after.columns_px, 0.25 * found.before.columns_px);
+  EXPECT_EQ(found.found.fx.raw, found.found.fy.raw);
+  EXPECT_NEAR(found.found.mount.yaw.to_double(), drive.scene.camera.mount.yaw.to_double(), 0.003);
+  const std::string picture = calibration_picture(found);
+  EXPECT_NE(picture.find("<svg"), std::string::npos);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+}
+
+// The odometry's metre is the unit until a length is known.
+TEST(Calibrate, ADistanceTellsTheWheelsScale) {
+  DriveOptions options;
+  options.seed = 502;
+  options.noise = 0.3;
+  CalibrationDrive drive = calibration_drive(options);
+  const CalibrateOutcome without = run(drive);
+  ASSERT_TRUE(without.calibration) << without.refusal;
+  EXPECT_FALSE(finding(*without.calibration, "wheel_scale").observed);
+
+  const auto middle = [&](std::size_t i) {
+    Point sum;
+    const LinearRing& ring = drive.scene.objects[i].footprint.outer;
+    for (const Point& p : ring) sum = {sum.x + p.x, sum.y + p.y};
+    return Point{sum.x / static_cast<double>(ring.size()), sum.y / static_cast<double>(ring.size())};
+  };
+  const double apart = std::hypot(middle(0).x - middle(2).x, middle(0).y - middle(2).y);
+  CalibrateOptions known;
+  known.distances = {{"red", "blue", 1.1 * apart}};  // a world that is larger by a tenth than its odometry says
+  const CalibrateOutcome with = run(drive, known);
+  ASSERT_TRUE(with.calibration) << with.refusal;
+  const Finding& scale = finding(*with.calibration, "wheel_scale");
+  EXPECT_TRUE(scale.observed);
+  EXPECT_NEAR(scale.found, 10, 3);
+}
+
+TEST(Calibrate, AColourThatIsNotThereIsAUsageError) {
+  DriveOptions drive;
+  drive.seed = 503;
+  CalibrateOptions options;
+  options.sizes = {{"purple", 0.05}};
+  const CalibrateOutcome outcome = run(calibration_drive(drive), options);
+  EXPECT_FALSE(outcome.calibration);
+  EXPECT_TRUE(outcome.usage);
+  EXPECT_NE(outcome.refusal.find("no colour \"purple\""), std::string::npos) << outcome.refusal;
+}
+
+TEST(Calibrate, OnTheSpotYawAndPitchAreNotTold) {
+  DriveOptions options;
+  options.seed = 504;
+  options.motion = Motion::kSpin;
+  const CalibrateOutcome outcome = run(calibration_drive(options));
+  ASSERT_TRUE(outcome.calibration) << outcome.refusal;
+  EXPECT_FALSE(outcome.calibration->complete());
+  EXPECT_TRUE(finding(*outcome.calibration, "focal_length").observed);
+  for (const char* key : {"yaw", "pitch"}) {
+    const Finding& not_told = finding(*outcome.calibration, key);
+    EXPECT_FALSE(not_told.observed) << key << " +- " << not_told.sigma;
+    EXPECT_NE(not_told.motion.find("on the spot tells nothing"), std::string_view::npos);
+  }
+  EXPECT_EQ(outcome.calibration->found.mount.yaw, outcome.calibration->told.mount.yaw);
+  EXPECT_EQ(outcome.calibration->found.mount.pitch, outcome.calibration->told.mount.pitch);
+}
+
+TEST(Calibrate, StraightOnTheFocalLengthIsNotTold) {
+  DriveOptions options;
+  options.seed = 505;
+  options.motion = Motion::kStraight;
+  const CalibrateOutcome outcome = run(calibration_drive(options));
+  if (!outcome.calibration) {
+    EXPECT_NE(outcome.refusal.find("blocks"), std::string::npos);
+    return;
+  }
+  EXPECT_FALSE(finding(*outcome.calibration, "focal_length").observed);
+  EXPECT_EQ(outcome.calibration->found.fx, outcome.calibration->told.fx);
+}
+
+TEST(Calibrate, ARobotThatStandsIsToldToDrive) {
+  DriveOptions options;
+  options.seed = 506;
+  options.motion = Motion::kStanding;
+  const CalibrateOutcome outcome = run(calibration_drive(options));
+  EXPECT_FALSE(outcome.calibration);
+  EXPECT_NE(outcome.refusal.find("hardly moves"), std::string::npos) << outcome.refusal;
+}
+
+TEST(Calibrate, OneBlockIsNotEnough) {
+  DriveOptions options;
+  options.seed = 507;
+  options.blocks = 1;
+  const CalibrateOutcome outcome = run(calibration_drive(options));
+  EXPECT_FALSE(outcome.calibration);
+  EXPECT_NE(outcome.refusal.find("at least 2"), std::string::npos) << outcome.refusal;
+}
+
+TEST(Calibrate, SameBytesSameResult) {
+  DriveOptions options;
+  options.seed = 508;
+  const CalibrationDrive drive = calibration_drive(options);
+  const CalibrateOutcome a = run(drive);
+  const CalibrateOutcome b = run(drive);
+  ASSERT_TRUE(a.calibration && b.calibration);
+  EXPECT_EQ(a.calibration->found, b.calibration->found);
+}
+
+}  // namespace
+}  // namespace fencepost::host

@@ -1,0 +1,65 @@
+#include "host/calibrate/calibrated_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/live/robot_file.hpp"
+
+namespace fencepost::host {
+namespace {
+
+Calibration calibration() {
+  Calibration found;
+  found.found.model = "pixy2";
+  found.found.width = 316;
+  found.found.height = 208;
+  found.found.fx = found.found.fy = base::Pixels2::nearest(260.5);
+  found.found.mount.z = base::Metres::nearest(0.12);
+  found.found.mount.pitch = base::Radians::nearest(0.035);
+  found.found.latency = base::Duration::nearest(0.06);
+  found.signatures = {{1, {208, 32, 32}, "red"}};
+  return found;
+}
+
+TEST(CalibratedRobot, IsARobotFileByItself) {
+  const auto made = calibrated_robot(calibration(), "", "");
+  ASSERT_TRUE(made.ok());
+  const auto robot = parse_robot(*made, "made");
+  ASSERT_TRUE(robot.ok()) << robot.error();
+  EXPECT_EQ(robot->camera.over({}), calibration().found);
+  ASSERT_EQ(robot->signatures.size(), 1U);
+  EXPECT_EQ(robot->signatures[0], calibration().signatures[0]);
+}
+
+// Wheels that roll 2 % farther, turn 1 % less than told, and go round by 0.04 rad a metre. A motion of the corrected
+// wheels has to be the reported one as corrected: ahead 1.02, turn 0.99 of it and 0.04 for each reported metre.
+TEST(CalibratedRobot, CorrectsItsWheels) {
+  Calibration found = calibration();
+  found.wheels = {0.02, -0.01, 0.04};
+  const auto made = calibrated_robot(found, R"({"wheels": {"metres_per_tick": 0.001, "track": 0.2, "max_speed": 1},
+                                                "robot": {"width": 0.3}})",
+                                     "robot.json");
+  ASSERT_TRUE(made.ok());
+  const nlohmann::json robot = nlohmann::json::parse(*made);
+  EXPECT_EQ(robot.at("robot").at("width"), 0.3);
+  const nlohmann::json& wheels = robot.at("wheels");
+  EXPECT_EQ(wheels.at("max_speed"), 1);
+  EXPECT_FALSE(wheels.contains("metres_per_tick"));
+  const double left = wheels.at("left_metres_per_tick");
+  const double right = wheels.at("right_metres_per_tick");
+  const double track = wheels.at("track");
+  const auto turn = [&](double l, double r) { return (r * right - l * left) / track; };
+  EXPECT_NEAR((1000 * left + 1000 * right) / 2, 1.02, 1e-6);
+  EXPECT_NEAR(turn(1000, 1000), 0.04, 1e-6);                   // a reported metre straight on
+  EXPECT_NEAR(turn(-100, 100) / (2 * 0.1 / 0.2), 0.99, 1e-6);  // a reported turn on the spot
+}
+
+TEST(CalibratedRobot, RefusesWhatIsNoRobotFile) {
+  const auto made = calibrated_robot(calibration(), R"({"camrea": {}})", "robot.json");
+  ASSERT_FALSE(made.ok());
+  EXPECT_NE(made.error().message.find("robot.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fencepost::host

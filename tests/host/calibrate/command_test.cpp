@@ -1,0 +1,93 @@
+// `fencepost calibrate` as its users run it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/host/cli/run.hpp"
+#include "tests/studies/calibrate/calibration_drive.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using testing::Folder;
+using testing::Outcome;
+using testing::shell;
+using testing::slurp;
+using testing::spill;
+
+std::string drive(test::Motion motion = test::Motion::kGuide, int blocks = 4) {
+  test::DriveOptions options;
+  options.seed = 510;
+  options.motion = motion;
+  options.blocks = blocks;
+  return test::calibration_drive(options).log;
+}
+
+TEST(CalibrateCommand, WritesATableTheLineTheRobotFileAndAPicture) {
+  const Folder folder;
+  spill(folder.path() / "run.log", drive());
+  spill(folder.path() / "robot.json", R"({"robot": {"width": 0.3}, "wheels": {"track": 0.2}})");
+  const Outcome run = shell(folder,
+                            "fencepost calibrate run.log --robot robot.json --write-robot new.json --write-camera "
+                            "camera.txt --picture calibration.svg && fencepost replay run.log --camera camera.txt "
+                            "-o replayed.txt && fencepost calibrate run.log --json -o run.json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::string line = slurp(folder.path() / "camera.txt");
+  EXPECT_TRUE(line.starts_with("$FPCAM,pixy2,316,208,")) << line;
+  EXPECT_NE(run.out.find("focal length"), std::string::npos);
+  EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
+  const nlohmann::json robot = nlohmann::json::parse(slurp(folder.path() / "new.json"));
+  EXPECT_EQ(robot.at("robot").at("width"), 0.3);
+  EXPECT_TRUE(robot.at("camera").at("mount").contains("yaw"));
+  EXPECT_NE(slurp(folder.path() / "calibration.svg").find("</svg>"), std::string::npos);
+  const nlohmann::json result = nlohmann::json::parse(slurp(folder.path() / "run.json"));
+  EXPECT_TRUE(result.at("complete"));
+  EXPECT_GT(result.at("parameters").at("yaw").at("sigma"), 0);
+  EXPECT_EQ(result.at("fpcam").get<std::string>() + "\r\n", line);
+}
+
+TEST(CalibrateCommand, WhatALogCannotTellIsNamedAndIsStatusOne) {
+  const Folder folder;
+  spill(folder.path() / "run.log", drive(test::Motion::kSpin));
+  const Outcome run = shell(folder, "fencepost calibrate run.log");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("yaw is not told by this log"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("not told"), std::string::npos) << run.out;
+}
+
+struct Refused {
+  const char* line;
+  int status;
+  const char* says;
+};
+
+class CalibrateRefuses : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(CalibrateRefuses, WithAReasonOnStandardErrorOnly) {
+  const Folder folder;
+  spill(folder.path() / "run.log", drive());
+  spill(folder.path() / "standing.log", drive(test::Motion::kStanding));
+  spill(folder.path() / "one.log", drive(test::Motion::kGuide, 1));
+  spill(folder.path() / "empty.log", "");
+  const Outcome run = shell(folder, GetParam().line);
+  EXPECT_EQ(run.exit_code, GetParam().status) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CalibrateRefuses,
+    ::testing::Values(Refused{"fencepost calibrate empty.log", 3, "empty"},
+                      Refused{"fencepost calibrate nowhere.log", 3, "nowhere.log"},
+                      Refused{"fencepost calibrate standing.log", 3, "hardly moves"},
+                      Refused{"fencepost calibrate one.log", 3, "at least 2"},
+                      Refused{"fencepost calibrate run.log --from 1 --to 1.4", 3, "drive some 20 s"},
+                      Refused{"fencepost calibrate run.log --size red", 2, "NAME=DIAMETER"},
+                      Refused{"fencepost calibrate run.log --size red=nan", 2, "no length"},
+                      Refused{"fencepost calibrate run.log --size purple=0.05", 2, "no colour \"purple\""},
+                      Refused{"fencepost calibrate run.log --distance red=0.5", 2, "NAME,NAME=METRES"},
+                      Refused{"fencepost calibrate run.log --from 3 --to 1", 2, "swap them"},
+                      Refused{"fencepost calibrate run.log --json --picture -", 2, "standard output"}));
+
+}  // namespace
+}  // namespace fencepost::host
