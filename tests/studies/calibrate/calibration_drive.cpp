@@ -45,7 +45,7 @@ std::vector<host::TimedPose> way_of(Motion motion, Dice& dice) {
   Driver driver;
   const double speed = dice.between(0.17, 0.23);
   const double rate = dice.between(0.75, 0.9) * (dice.below(2) == 0 ? 1 : -1);
-  const double straight = dice.between(0.8, 1.0) / speed;
+  const double straight = dice.between(1.2, 1.4) / speed;
   const double around = (2 * std::numbers::pi + dice.between(0, 0.4)) / std::abs(rate);
   driver.go(0, 0, 0.5);
   if (motion == Motion::kStanding) driver.go(0, 0, 15);
@@ -56,9 +56,9 @@ std::vector<host::TimedPose> way_of(Motion motion, Dice& dice) {
   if (motion == Motion::kSpin) return driver.poses();
   const double bend = dice.between(0.4, 0.6);
   driver.go(0, 0, 0.3);
-  driver.go(speed, bend, 1.5);
-  driver.go(speed, -bend, 2.5);
-  driver.go(speed, bend, 1);
+  driver.go(speed, bend, 1.2);
+  driver.go(speed, -bend, 2);
+  driver.go(speed, bend, 0.8);
   driver.go(0, 0, 0.5);
   return driver.poses();
 }
@@ -75,7 +75,7 @@ void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, i
   static const std::array<sensor::Rgb, 6> kColours = {
       {{208, 32, 32}, {32, 160, 48}, {32, 64, 208}, {216, 192, 32}, {224, 120, 24}, {224, 96, 160}}};
   // As the guide has it: a near one and a far one ahead, the others around where it turns.
-  static constexpr std::array<double, 6> kAround = {0.6, -0.3, 2.2, -2.0, 1.4, -1.4};
+  static constexpr std::array<double, 6> kAround = {0.7, -0.3, 2.4, -2.2, 1.5, -1.3};
   for (int i = 0; i < count; ++i) {
     const auto id = static_cast<std::uint8_t>(i + 1);
     host::LinearRing ring = random_footprint(dice);
@@ -87,7 +87,7 @@ void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, i
       if (attempt > 2000) throw std::runtime_error("no room for a block");
       const double angle = kAround[static_cast<std::size_t>(i)] + dice.between(-0.35, 0.35);
       const double range = i == 1 ? dice.between(1.3, 1.7) : dice.between(0.5, 0.9);
-      at = {0.9 + range * std::cos(angle), range * std::sin(angle)};
+      at = {1.3 + range * std::cos(angle), range * std::sin(angle)};
     }
     const double turn = dice.between(0, 6.28);
     host::Polygon footprint{ring, {}};
