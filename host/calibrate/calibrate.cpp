@@ -219,6 +219,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   const Estimate told = started.estimate;
   SolverOptions all = possible(started.problem);
   if (const auto failed = fit(started, all)) return refuse(no_fit(*failed));
+  if (const auto why = too_few(started.estimate.objects.size())) return refuse(*why);
 
   std::optional<CalibratedMatrix> matrix = covariance_at(started.problem, all, started.estimate);
   if (matrix && lens_as_told(started, *matrix)) {

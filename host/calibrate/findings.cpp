@@ -29,7 +29,7 @@ constexpr std::array<Row, kCalibrated> kRows = {{
     {kYaw, "yaw", "yaw", "deg", 1 / kDegree, 2, 1.0 * kDegree, true,
      "drive straight on for half a metre or more past blocks; turning on the spot tells nothing of it"},
     {kPitch, "pitch", "pitch", "deg", 1 / kDegree, 2, 1.0 * kDegree, true,
-     "drive towards a block from 1.5 m to 0.4 m, its foot in view; turning on the spot tells nothing of it"},
+     "drive towards a block from 1.5 m to 0.4 m, its foot in view"},
     {kLatency, "latency", "latency", "ms", 1000, 1, 0.02, true,
      "turn left, then right, briskly; at an even speed and straight on late pictures look like early ones"},
     {kHeight, "mount_z", "mount height", "mm", 1000, 1, 0.006, false,

@@ -184,6 +184,13 @@ ToldOptics optics_of(const sensor::CameraIntrinsics& camera) {
 
 }  // namespace
 
+std::optional<std::string> too_few(std::size_t objects) {
+  if (objects >= kLeastObjects) return std::nullopt;
+  return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
+                     objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), kLeastViews, kLeastObjects,
+                     kGuide);
+}
+
 std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
   if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
   OdometryTrack odometry(log.odometry);
@@ -193,11 +200,7 @@ std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
   StartedProblem started{{optics_of(log.camera), log.camera.mount.z.raw > 0, odometry, {}, {}}, {}, {}, frames.size()};
   started.problem.node_times = node_times(frames, odometry, latency);
   add_sightings(frames, latency, started);
-  if (started.signatures.size() < kLeastObjects) {
-    return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
-                       started.signatures.empty() ? "no" : fmt::format("{}", started.signatures.size()),
-                       plural(started.signatures.size()), kLeastViews, kLeastObjects, kGuide);
-  }
+  if (const auto why = too_few(started.signatures.size())) return *why;
   start_estimate(log, started);
   for (std::size_t o = 0; o < started.signatures.size(); ++o) {
     started.estimate.objects.push_back(first_guess(started, o));

@@ -22,9 +22,12 @@ struct StartedProblem {
 /// The problem, or a sentence: what the log lacks, and what to drive.
 std::variant<StartedProblem, std::string> start_problem(const DriveLog& log);
 
+/// Why this many objects are not enough, or nothing.
+std::optional<std::string> too_few(std::size_t objects);
+
 /// For every refusal: how a log is made that is enough.
 inline constexpr const char* kGuide =
-    "drive some 20 s and 2 m among 4 blocks of different colours: straight on, once around on the spot, a curve each "
-    "way";
+    "drive some 20 s and 2 m among 4 blocks, a near and a far one ahead: straight on, once around on the spot, "
+    "a curve each way";
 
 }  // namespace fencepost::host
