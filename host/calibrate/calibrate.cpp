@@ -95,10 +95,21 @@ std::array<bool, kCalibrated> hold(const std::array<bool, kCalibrated>& held, So
 
 /// A lens goes on having the distortion that it was told to have unless the log is sure that it does not: what noise
 /// makes of k1 would otherwise be taken from the focal length. Chosen on seeds 1 to 16 of the study.
-bool lens_as_told(const StartedProblem& started, const CalibratedMatrix& matrix) {
+void free_lens(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix) {
   constexpr double kSure = 4;  // sigmas
-  const double off = started.estimate.camera[kK1] - started.problem.told[kK1];
-  return std::abs(off) < kSure * std::sqrt(matrix[kK1][kK1]);
+  StartedProblem freed = started;
+  SolverOptions free = options;
+  free.hold_camera[kK1] = false;
+  if (solve(freed.problem, free, freed.estimate)) return;
+  const std::optional<CalibratedMatrix> variances = covariance_at(freed.problem, free, freed.estimate);
+  if (!variances) return;
+  const double off = freed.estimate.camera[kK1] - freed.problem.told[kK1];
+  if (std::abs(off) < kSure * std::sqrt((*variances)[kK1][kK1])) return;
+  freed.problem.noise = noise_of(residuals_at(freed.problem, freed.estimate));
+  if (solve(freed.problem, free, freed.estimate)) return;
+  started = std::move(freed);
+  options = free;
+  matrix = covariance_at(started.problem, options, started.estimate);
 }
 
 LinearRing outline_of(const ObjectValues& object) {
@@ -218,16 +229,11 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   if (const auto failed = solve(started.problem, only_objects(), started.estimate)) return refuse(no_fit(*failed));
   const Estimate told = started.estimate;
   SolverOptions all = possible(started.problem);
+  all.hold_camera[kK1] = true;
   if (const auto failed = fit(started, all)) return refuse(no_fit(*failed));
   if (const auto why = too_few(started.estimate.objects.size())) return refuse(*why);
-
   std::optional<CalibratedMatrix> matrix = covariance_at(started.problem, all, started.estimate);
-  if (matrix && lens_as_told(started, *matrix)) {
-    all.hold_camera[kK1] = true;
-    started.estimate.camera[kK1] = started.problem.told[kK1];
-    if (const auto failed = fit(started, all)) return refuse(no_fit(*failed));
-    matrix = covariance_at(started.problem, all, started.estimate);
-  }
+  free_lens(started, all, matrix);
   if (!matrix) return refuse(fmt::format("what it shows leaves the calibration open; {}", kGuide));
   widen(*matrix);
   SolverOptions observed = all;

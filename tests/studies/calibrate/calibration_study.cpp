@@ -13,7 +13,7 @@ namespace fencepost::test {
 namespace {
 
 struct Request {
-  Seeds seeds{200, 10'001};
+  Seeds seeds{200, 20'001};
   DriveOptions drive;
   double most = 1;
   bool judge = true;
