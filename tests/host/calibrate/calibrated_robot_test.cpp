@@ -9,7 +9,7 @@
 namespace fencepost::host {
 namespace {
 
-Calibration calibration() {
+Calibration found_calibration() {
   Calibration found;
   found.found.model = "pixy2";
   found.found.width = 316;
@@ -23,19 +23,19 @@ Calibration calibration() {
 }
 
 TEST(CalibratedRobot, IsARobotFileByItself) {
-  const auto made = calibrated_robot(calibration(), "", "");
+  const auto made = calibrated_robot(found_calibration(), "", "");
   ASSERT_TRUE(made.ok());
   const auto robot = parse_robot(*made, "made");
   ASSERT_TRUE(robot.ok()) << robot.error();
-  EXPECT_EQ(robot->camera.over({}), calibration().found);
+  EXPECT_EQ(robot->camera.over({}), found_calibration().found);
   ASSERT_EQ(robot->signatures.size(), 1U);
-  EXPECT_EQ(robot->signatures[0], calibration().signatures[0]);
+  EXPECT_EQ(robot->signatures[0], found_calibration().signatures[0]);
 }
 
 // Wheels that roll 2 % farther, turn 1 % less than told, and go round by 0.04 rad a metre. A motion of the corrected
 // wheels has to be the reported one as corrected: ahead 1.02, turn 0.99 of it and 0.04 for each reported metre.
 TEST(CalibratedRobot, CorrectsItsWheels) {
-  Calibration found = calibration();
+  Calibration found = found_calibration();
   found.wheels = {0.02, -0.01, 0.04};
   const auto made = calibrated_robot(found, R"({"wheels": {"metres_per_tick": 0.001, "track": 0.2, "max_speed": 1},
                                                 "robot": {"width": 0.3}})",
@@ -56,7 +56,7 @@ TEST(CalibratedRobot, CorrectsItsWheels) {
 }
 
 TEST(CalibratedRobot, RefusesWhatIsNoRobotFile) {
-  const auto made = calibrated_robot(calibration(), R"({"camrea": {}})", "robot.json");
+  const auto made = calibrated_robot(found_calibration(), R"({"camrea": {}})", "robot.json");
   ASSERT_FALSE(made.ok());
   EXPECT_NE(made.error().message.find("robot.json"), std::string::npos);
 }
