@@ -218,11 +218,11 @@ TEST(StandsElsewhere, IsWhatHasAnotherFootAndIsNoPieceOfTheObject) {
   recon::Prediction object = expected(100, 150);
   object.top = {40, 2};
   object.foot_row = 120;
-  const auto box = [](int left, int right, int top, int foot) {
+  const auto box = [](std::int16_t left, std::int16_t right, std::int16_t top, std::int16_t foot) {
     recon::Observation seen = blob(left, right);
     seen.top = seen.bottom = recon::End::kSeen;
-    seen.box.y1 = static_cast<std::int16_t>(top);
-    seen.box.y2 = static_cast<std::int16_t>(foot);
+    seen.box.y1 = top;
+    seen.box.y2 = foot;
     return seen;
   };
   EXPECT_FALSE(recon::stands_elsewhere(object, box(100, 150, 40, 118))) << "the object itself";
