@@ -50,7 +50,7 @@ struct Small {
   static constexpr std::size_t kBudget = 64 * 1024;
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
-  static constexpr int kHybridSteps = 4;
+  static constexpr int kHybridSteps = 8;
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 1536;
   /// Nothing on a robot reads a carving, and it was a fifth of a Pico's frame: the desk computes it, of the same

@@ -30,7 +30,7 @@ inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
 inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x476ec5f9d5965a22;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x0b82ea378e8204e8;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc4d71c3bea063e9a;
 template <>
 inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x436dfce070fc1fe2;
 

@@ -49,8 +49,9 @@ class Map {
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);
     if (pose != driven) lens = lens_pose(pose, camera);
     table_.update(matcher_, camera, lens, outcome);
-    update_models(table_, pace_, matcher_, camera, lens, correction_.model_noise(noise));
-    fitter_.fit(table_);
+    const bool due = pace_.due(table_.exposure(), Profile::kModelInterval);
+    if (due) update_models(table_, matcher_, camera, lens, correction_.model_noise(noise));
+    fitter_.fit(table_, due);
     table_.tidy(matcher_, confirmation);
     correction_.follow(table_, matcher_, camera, noise);
     lens_check_.look(table_, matcher_, camera, lens, odometry);

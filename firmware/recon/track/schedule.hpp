@@ -14,7 +14,7 @@ class ModelPace {
  public:
   void clear() { *this = {}; }
 
-  /// Do models take sightings of this frame?
+  /// Do models take sightings of this frame, and do fits go on?
   bool due(base::Time exposure, base::Duration interval) {
     const base::Duration passed = taken_.since(exposure);
     if (begun_ && passed < interval && passed.raw >= 0) return false;
@@ -60,12 +60,11 @@ std::size_t most_urgent(const ObjectTable<Profile>& table, const typename Object
   return urgent;
 }
 
-/// The models of Profile::kModelTurns objects take what the frame shows of them from `lens`, if it is due.
+/// The models of Profile::kModelTurns objects take what the frame shows of them from `lens`.
 template <class Profile>
-[[gnu::noinline]] void update_models(ObjectTable<Profile>& table, ModelPace& pace,
+[[gnu::noinline]] void update_models(ObjectTable<Profile>& table,
                                      const typename ObjectTable<Profile>::MatcherType& matcher,
                                      const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise) {
-  if (!pace.due(table.exposure(), Profile::kModelInterval)) return;
   const std::size_t nearest = lowest_foot<Profile>(matcher);
   for (std::size_t turn = 0; turn < Profile::kModelTurns; ++turn) {
     const std::size_t o = most_urgent(table, matcher, nearest);

@@ -31,7 +31,7 @@ Function* rom_function(std::uint32_t code) {
 }
 
 /// Resets the part into the ROM's USB drive (RP2040 datasheet 2.8.3.1.4). Returns only where there is no ROM.
-inline void start_boot_loader() {
+[[gnu::noinline]] inline void start_boot_loader() {
   using Start = void(std::uint32_t light_pins, std::uint32_t interfaces_off);
   if (Start* const start = rom_function<Start>(rom_code('U', 'B')); start != nullptr) start(0, 0);
 }

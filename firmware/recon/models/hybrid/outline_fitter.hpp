@@ -9,8 +9,8 @@
 
 namespace fencepost::recon {
 
-/// One solver for all objects of a map. Profile::kHybridSteps steps a frame; 0: every object with news is fitted at
-/// once.
+/// One solver for all objects of a map. Profile::kHybridSteps steps a frame that is due; 0: every object with news is
+/// fitted at once.
 template <class Profile>
 class OutlineFitter {
  public:
@@ -19,9 +19,9 @@ class OutlineFitter {
     slot_ = 0;
   }
 
-  /// After the frame's objects have begun and their models have taken it.
+  /// After the frame's objects have begun and their models have taken it. `due`: it is a frame for models.
   template <class Table>
-  [[gnu::noinline]] void fit(Table& table) {
+  [[gnu::noinline]] void fit(Table& table, bool due) {
     auto& objects = table.objects();
     if constexpr (Profile::kHybridSteps == 0) {
       for (auto& object : objects) {
@@ -35,6 +35,7 @@ class OutlineFitter {
         if (event.slot == slot_) solver_.abandon();
       }
       if (!objects[slot_].used()) solver_.abandon();
+      if (!due) return;
       for (int i = 0; i < Profile::kHybridSteps; ++i) {
         if (!go_on(objects)) return;
       }
