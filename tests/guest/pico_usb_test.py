@@ -103,7 +103,8 @@ class Cable:
         if self.kernel:
             self.kernel.close()
         self.kernel, end = socket.socketpair()
-        threading.Thread(target=self.from_kernel, args=(self.kernel,), daemon=True).start()
+        self.forwarding = threading.Thread(target=self.from_kernel, args=(self.kernel,), daemon=True)
+        self.forwarding.start()
 
         def attach():
             try:
@@ -117,6 +118,8 @@ class Cable:
     def pull(self):
         (CONTROLLER / "detach").write_text("0")
         self.kernel.shutdown(socket.SHUT_RDWR)
+        # What the kernel asked before would be answered to it after it has forgotten: it then drops the new connection.
+        self.forwarding.join(PATIENCE)
         eventually(lambda: not os.path.exists(PORT), "gone")
 
     def unplug(self):
