@@ -23,11 +23,12 @@ bool must_stop(const Obstacle& obstacle, const InPath& way, float stop, float sl
   return distance - margin_of(obstacle, way, stop) - until_next_look <= slack * stop;
 }
 
-AlertLevel end(AlertState& state, base::Time now) {
-  state.level = AlertLevel::kClear;
+// And reports it.
+AlertLevel change(AlertState& state, AlertLevel level, base::Time now) {
+  state.level = level;
   state.easing = false;
   state.reported_at = base::Stamp(now);
-  return state.level;
+  return level;
 }
 
 }  // namespace
@@ -57,23 +58,13 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
 
 std::optional<AlertLevel> follow(AlertState& state, AlertLevel due, AlertLevel held, const AlertRules& rules,
                                  base::Time now) {
-  if (due > state.level) {
-    state.level = due;
-    state.easing = false;
-    state.reported_at = base::Stamp(now);
-    return due;
-  }
+  if (due > state.level) return change(state, due, now);
   if (held < state.level) {
     if (!state.easing) {
       state.easing = true;
       state.easing_since = base::Stamp(now);
     }
-    if (state.easing_since.since(now) >= kEaseAfter) {
-      state.level = held;
-      state.easing = false;
-      state.reported_at = base::Stamp(now);
-      return held;
-    }
+    if (state.easing_since.since(now) >= kEaseAfter) return change(state, held, now);
   } else {
     state.easing = false;
   }
@@ -89,7 +80,7 @@ std::optional<AlertLevel> follow(AlertState& state, AlertLevel due, AlertLevel h
 std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& object, const Obstacle& obstacle,
                                 const AlertRules& rules, base::Time now) {
   // To be refuted it had to be missing for long enough: no further easing.
-  if (object.refuted() && state.in_force()) return end(state, now);
+  if (object.refuted() && state.in_force()) return change(state, AlertLevel::kClear, now);
   const bool believed = credible(object);
   const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
   const bool may_hold = believed && state.in_force();
