@@ -14,7 +14,7 @@ import unittest
 
 from nrf5 import (ERROR, INTERRUPTS_ON, PINS, POWER, RECEIVED, RESET_PINS, SENT, TIMER, TWI, UART, WATCHDOG, ENABLE, Nrf51, Nrf52,
                   number_of)
-from core import SYSTICK, SYSTICK_RELOAD, VTOR  # by nrf5's path
+from core import SYSTICK, SYSTICK_RELOAD, VTOR, Core  # by nrf5's path
 from pixy2 import Pixy2
 
 IMAGES = pathlib.Path(sys.argv.pop(1))
@@ -45,14 +45,6 @@ def ticks_on(part):
     part.pending.add("tick")
 
 
-def masked(part):
-    part.mask_interrupts()
-
-
-def other_stack(part):
-    part.use_other_stack()
-
-
 def watchdog_on(part):
     """Its time is another program's, and most of it is over."""
     part.words[WATCHDOG + 0x504] = WATCHDOG_LEFT_ON
@@ -81,13 +73,13 @@ def bus_on(part):
 
 
 def everything(part):
-    for leave in (other_table, interrupts_on, ticks_on, other_stack, watchdog_on, crystal_on, timer_on, line_on, bus_on):
+    for leave in (other_table, interrupts_on, ticks_on, Core.use_other_stack, watchdog_on, crystal_on, timer_on, line_on, bus_on):
         leave(part)
 
 
 WATCHDOG_LEFT_ON = 32_767  # a second
-STARTS = {"microbit": [from_reset, crystal_on, masked],
-          "microbit_v2": [from_reset, other_table, interrupts_on, ticks_on, masked, other_stack, watchdog_on, crystal_on,
+STARTS = {"microbit": [from_reset, crystal_on, Core.mask_interrupts],
+          "microbit_v2": [from_reset, other_table, interrupts_on, ticks_on, Core.mask_interrupts, Core.use_other_stack, watchdog_on, crystal_on,
                           timer_on, line_on, bus_on, everything]}
 
 

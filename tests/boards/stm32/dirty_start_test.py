@@ -14,7 +14,7 @@ import sys
 import unittest
 
 from part import GATES, IWDG, PORTS, RCC, Part
-from core import SYSTICK, SYSTICK_RELOAD, VTOR  # by part's path
+from core import SYSTICK, SYSTICK_RELOAD, VTOR, Core  # by part's path
 
 BUILD = pathlib.Path(sys.argv.pop(1))
 TABLES = pathlib.Path(sys.argv.pop(1))
@@ -76,14 +76,6 @@ def ticks_on(part):
     part.pending.add("tick")
 
 
-def masked(part):
-    part.mask_interrupts()
-
-
-def other_stack(part):
-    part.use_other_stack()
-
-
 def watchdog_on(part):
     """By 4, 4095 counts: 0.35 s from feed to feed, most of which is over."""
     part.words[IWDG + 4] = 0
@@ -103,11 +95,11 @@ def peripherals_on(part):
 
 
 def everything(part):
-    for leave in (without_oscillator, other_table, interrupts_on, ticks_on, other_stack, watchdog_on, peripherals_on):
+    for leave in (without_oscillator, other_table, interrupts_on, ticks_on, Core.use_other_stack, watchdog_on, peripherals_on):
         leave(part)
 
 
-STARTS = [from_reset, on_pll, without_oscillator, at_full_speed, other_table, interrupts_on, ticks_on, masked, other_stack,
+STARTS = [from_reset, on_pll, without_oscillator, at_full_speed, other_table, interrupts_on, ticks_on, Core.mask_interrupts, Core.use_other_stack,
           watchdog_on, peripherals_on, everything]
 
 
