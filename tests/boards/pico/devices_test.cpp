@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(PicoCamera{"pixy2.1", "$FPCAM,pixy2.1,316,208,188.30,", nullptr},
                       PicoCamera{"pixy2.1_i2c", "$FPCAM,pixy2.1,316,208,188.30,", nullptr},
                       PicoCamera{"cmucam1", "$FPCAM,cmucam1,80,143,", cmucam_of_red<emulate::CmuCamModel::kOne>},
+                      PicoCamera{"cmucam2", "$FPCAM,cmucam2,", cmucam_of_red<emulate::CmuCamModel::kTwo>},
+                      PicoCamera{"cmucam3", "$FPCAM,cmucam3,", cmucam_of_red<emulate::CmuCamModel::kThree>},
                       PicoCamera{"cmucam4", "$FPCAM,cmucam4,160,120,", cmucam_of_red<emulate::CmuCamModel::kFour>},
                       PicoCamera{"huskylens", "$FPCAM,huskylens,320,240,", huskylens},
                       PicoCamera{"huskylens_i2c", "$FPCAM,huskylens,320,240,", huskylens},
