@@ -60,7 +60,9 @@ class I2cTransfer {
   void take(std::uint8_t byte) { in_[received_++] = byte; }
   void refuse() { refused_ = true; }
   [[nodiscard]] bool refused() const { return refused_; }
+  /// An interrupt that was pending when the transfer was given up still comes, and finds none.
   void done() {
+    if (state() != State::kBusy) return;
     std::atomic_signal_fence(std::memory_order_release);
     state_.store(State::kDone, std::memory_order_relaxed);
   }

@@ -15,6 +15,7 @@ import unittest
 from nrf5 import (ERROR, INTERRUPTS_ON, PINS, POWER, RECEIVED, RESET_PINS, SENT, TIMER, TWI, UART, WATCHDOG, ENABLE, Nrf51, Nrf52,
                   number_of)
 from core import SYSTICK, SYSTICK_RELOAD, VTOR, Core  # by nrf5's path
+from huskylens import HuskyLens
 from pixy2 import Pixy2
 
 IMAGES = pathlib.Path(sys.argv.pop(1))
@@ -159,21 +160,41 @@ def record(body):
     return f"${body}*{crc(body):04X}\r\n".encode()
 
 
+class Lens:
+    """What a camera's lens makes of the place before it, px."""
+
+    def __init__(self, device, focal, centre, rows):
+        self.device, self.focal, self.centre, self.rows = device, focal, centre, rows
+
+    def post(self, distance):
+        """Of 0.1 m, whose foot is 0.12 m below the lens; both ends inside."""
+        scale, (u, v) = self.focal / distance, self.centre
+        return [(1, int(u - 0.05 * scale), int(v - 3), int(u + 0.05 * scale), int(min(self.rows - 1, v + 0.12 * scale)))]
+
+
+LENSES = {"pixy2_i2c": Lens(Pixy2, 273.6, (157.5, 103), 208), "pixy2.1_i2c": Lens(Pixy2, 188.3, (157.5, 103), 208),
+          "huskylens_i2c": Lens(HuskyLens, 277.13, (159.5, 119.5), 240)}
+
+
 class Drive:
-    """Towards a post, 0.1 m wide, with a Pixy2 on the bus and odometry over the console."""
+    """Towards a post with a camera on the bus and odometry over the console."""
 
-    SPEED, FRONT, BEGIN = 0.25, 0.5, 0.2
+    SPEED, FRONT = 0.25, 0.5
 
-    def __init__(self, board):
-        self.part = PARTS[board](IMAGES / board / "fencepost.elf", device=Pixy2(self.view))
+    def __init__(self, board, camera="pixy2_i2c"):
+        self.lens, self.begin = LENSES[camera], float("inf")
+        self.part = PARTS[board](IMAGES / board / "fencepost.elf", device=self.lens.device(self.view))
         self.part.run(0.05)
+        if camera != "pixy2_i2c":
+            self.part.line.feed(f"set camera {camera}\r".encode(), self.part.seconds)
+            self.part.run(0.3)
+        self.begin = self.part.seconds + 0.15
 
     def x(self, seconds):
-        return self.SPEED * max(0.0, seconds - self.BEGIN)
+        return self.SPEED * max(0.0, seconds - self.begin)
 
     def view(self, seconds):
-        scale = 273.6 / max(0.1, self.FRONT - self.x(seconds))
-        return [(1, int(157.5 - 0.05 * scale), 100, int(157.5 + 0.05 * scale), int(min(207, 103 + 0.12 * scale)))]
+        return self.lens.post(max(0.1, self.FRONT - self.x(seconds)))
 
     def run(self, seconds, hears=True):
         end = self.part.seconds + seconds
@@ -190,22 +211,28 @@ class Drive:
 
 
 class Driving(unittest.TestCase):
+    def follows_the_alert(self, board, camera):
+        drive = Drive(board, camera)
+        part = drive.part
+        part.line.feed(b"mode log\r", part.seconds)
+        drive.run(0.4)
+        text = said(part)
+        self.assertEqual((part.stop_reason, part.faults), (None, []), text)
+        self.assertEqual(part.pin(part.STOP), (True, 1), text)
+        self.assertEqual([level for _, level in part.stop_levels], [0, 1], text)
+        self.assertTrue(drive.until(",stop,", 2.5), said(part))
+        drive.run(0.02)
+        self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
+        self.assertEqual((part.stop_reason, part.faults), (None, []), said(part))
+        return part
+
     def test_the_stop_pin_follows_the_alert(self):
         for board in PARTS:
-            with self.subTest(board=board):
-                drive = Drive(board)
-                part = drive.part
-                part.line.feed(b"mode log\r", part.seconds)
-                drive.run(0.4)
-                text = said(part)
-                self.assertEqual((part.stop_reason, part.faults), (None, []), text)
-                self.assertEqual(part.pin(part.STOP), (True, 1), text)
-                self.assertEqual([level for _, level in part.stop_levels], [0, 1], text)
-                self.assertTrue(drive.until(",stop,", 2.5), said(part))
-                drive.run(0.02)
-                self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
-                self.assertEqual((part.stop_reason, part.faults), (None, []), said(part))
-                self.assertEqual(part.targets, {0x54})
+            for camera, lens in LENSES.items():
+                with self.subTest(board=board, camera=camera):
+                    part = self.follows_the_alert(board, camera)
+                    self.assertIn(lens.device.address, part.targets)
+                    self.assertLessEqual(part.targets, {0x54, lens.device.address})
 
     def test_the_stop_pin_falls_when_the_odometry_does(self):
         drive = Drive("microbit_v2")
