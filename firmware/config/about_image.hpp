@@ -12,7 +12,7 @@ namespace fencepost::config {
 
 /// Likewise found by its first bytes, and little-endian.
 struct AboutImage {
-  static constexpr std::string_view kMark = "fencepost image 1";
+  static constexpr std::string_view kMark = "fencepost image 2";
   static constexpr std::size_t kVersion = 14;
 
   std::array<char, 17> mark{};
@@ -22,9 +22,10 @@ struct AboutImage {
   std::uint32_t odometries = 0;
   std::uint32_t one_line = 0;
   std::uint32_t lowest_address = 0;
+  std::uint32_t motors = 0;
   std::array<std::int32_t, kDeviceKeys> initial{};
 };
-static_assert(sizeof(AboutImage) == 48 + 4 * kDeviceKeys);
+static_assert(sizeof(AboutImage) == 52 + 4 * kDeviceKeys);
 
 constexpr AboutImage about_image(std::string_view version, std::size_t signatures, const DeviceLimits& limits) {
   AboutImage about;
@@ -35,6 +36,7 @@ constexpr AboutImage about_image(std::string_view version, std::size_t signature
   about.odometries = limits.odometries;
   about.one_line = limits.one_line ? 1 : 0;
   about.lowest_address = limits.lowest_address;
+  about.motors = limits.motors ? 1 : 0;
   for (std::size_t i = 0; i < kDeviceKeys; ++i) about.initial[i] = limits.initial.raw(static_cast<DeviceKey>(i));
   return about;
 }

@@ -116,6 +116,10 @@ std::string_view reason(Refusal refusal) {
              "pins, camera nxtcam";
     case Refusal::kNoLens: return "the lens of a camera behind the console is told by $FPCAM; lens has to be 0";
     case Refusal::kNoCounts: return "a wheel has counts; 0 is none";
+    case Refusal::kNoMotors:
+      return "no motor of this board's robot is driven by its own program; its STOP pin goes to a motor driver, or "
+             "take "
+             "a Pico or an XRP";
   }
   return {};
 }

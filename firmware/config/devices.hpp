@@ -98,8 +98,9 @@ enum class DeviceKey : std::uint8_t {
   kWheelCounts,
   kWheelTrack,
   kDrive,
+  kBumper,
 };
-inline constexpr std::size_t kDeviceKeys = 7;
+inline constexpr std::size_t kDeviceKeys = 8;
 
 /// The unit of settings whose value is a device's name.
 inline constexpr std::string_view kDeviceName = "name";
@@ -113,6 +114,7 @@ inline constexpr std::array<KeyInfo, kDeviceKeys> kDeviceInfo = {{
     {"wheel.counts", "", 1, 14'400, -1'000'000, 1'000'000, "a turn, four a period; negative: backwards"},
     {"wheel.track", "mm", 1, 1'300, 10, 20'000, "between the wheels' middles"},
     {"drive", "mm/s", 0, 0, 0, 500, "a Create straight on while it may; 0: never"},
+    {"bumper", "%", 0, 0, 0, 90, "of the motors' power after `go`; 0: never"},
 }};
 constexpr const KeyInfo& info(DeviceKey key) { return kDeviceInfo[static_cast<std::size_t>(key)]; }
 /// Of the setting with that name; kDeviceKeys if there is none.
@@ -156,6 +158,7 @@ struct DeviceLimits {
   std::uint32_t odometries = 0;     ///< bit n: OdometryId n
   bool one_line = false;            ///< camera and wheel base would share it
   std::uint8_t lowest_address = 0;  ///< that the two-wire bus can speak to
+  bool motors = false;              ///< the board drives two by itself
   Devices initial;                  ///< of an image that has been told nothing
 
   [[nodiscard]] constexpr bool contains(CameraId id) const { return (cameras >> static_cast<unsigned>(id) & 1U) != 0; }
@@ -171,7 +174,8 @@ enum class Refusal : std::uint8_t {
   kOneLine,
   kAddress,
   kNoLens,
-  kNoCounts
+  kNoCounts,
+  kNoMotors,
 };
 
 constexpr Refusal refusal(const Devices& devices, const DeviceLimits& limits) {
@@ -183,6 +187,7 @@ constexpr Refusal refusal(const Devices& devices, const DeviceLimits& limits) {
   if (camera.port == Port::kTwoWire && camera.address < limits.lowest_address) return Refusal::kAddress;
   if (devices.camera() == CameraId::kConsole && devices.raw(DeviceKey::kLens) != 0) return Refusal::kNoLens;
   if (devices.raw(DeviceKey::kWheelCounts) == 0) return Refusal::kNoCounts;
+  if (!limits.motors && devices.raw(DeviceKey::kBumper) != 0) return Refusal::kNoMotors;
   return Refusal::kNone;
 }
 /// Why, and what to do instead.

@@ -91,6 +91,9 @@ void put_error(Sentence& s, const Answer& answer, const SettingsInForce& in_forc
       s.put("error: '").put(answer.quote.view()).put("' is not possible: ");
       s.put(config::reason(static_cast<config::Refusal>(answer.subject)));
       return;
+    case Reply::kMayNotGo:
+      s.put("error: it may not move now: STOP or BLIND is in force, or a sensor is silent; `status` says more");
+      return;
     case Reply::kNotText: s.put("error: the line holds bytes that are not text: same baud rate on both ends?"); return;
     case Reply::kLineTooLong:
       s.put("error: the line was discarded, it has more than ").number(record::kMaxLine - 1).put(" characters");
@@ -100,6 +103,10 @@ void put_error(Sentence& s, const Answer& answer, const SettingsInForce& in_forc
       return;
     default: return;
   }
+}
+
+bool drives_motors(const SettingsInForce& in_force) {
+  return in_force.offer != nullptr && in_force.offer->limits.motors;
 }
 
 }  // namespace
@@ -136,6 +143,15 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
     case Reply::kNewRun: s.put("a new run: the map is empty"); break;
     case Reply::kVersion: put_version(s, facts.header, facts.note); break;
     case Reply::kSelftest: put_selftest(s, facts.digest, facts.expected_digest); break;
+    case Reply::kHeld: s.put("held: nothing may move until `go`"); break;
+    case Reply::kReleased:
+      s.put("it may move while no alert forbids it");
+      if (drives_motors(facts.in_force)) s.put("; no motor is driven: `set bumper` is 0");
+      break;
+    case Reply::kGoes:
+      s.put("ahead, at ").number(facts.in_force.devices.raw(config::DeviceKey::kBumper));
+      s.put(" %, until an alert, or until you press Enter");
+      break;
     default: put_error(s, answer, facts.in_force); break;
   }
   return s.end();

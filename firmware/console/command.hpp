@@ -25,9 +25,11 @@ enum class Verb : std::uint8_t {
   kGet,
   kSelftest,
   kReset,
+  kGo,
+  kStop,
   kVersion,
 };
-inline constexpr std::size_t kVerbs = 11;
+inline constexpr std::size_t kVerbs = 13;
 
 struct VerbInfo {
   std::string_view name;
@@ -49,6 +51,8 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"get", "[KEY]", 0, 1, "one setting, or all"},
     {"selftest", "", 0, 0, "a known stream through the loop: forgets the map"},
     {"reset", "", 0, 0, "forget the map, start a new run"},
+    {"go", "", 0, 0, "after `stop`; where `bumper` is not 0: straight ahead"},
+    {"stop", "", 0, 0, "hold the robot until `go`; Enter alone ends `go`, too"},
     {"version", "", 0, 0, "program, target, profile"},
 }};
 

@@ -37,6 +37,9 @@ enum class Reply : std::uint8_t {
   kNewRun,
   kVersion,
   kSelftest,
+  kHeld,
+  kReleased,
+  kGoes,
   // From here on a line that says what is wrong and what is allowed.
   kNoSuchCommand,  ///< quote; subject: Verb that was perhaps meant, or kNothingNear
   kTooFewWords,    ///< subject: Verb
@@ -46,6 +49,7 @@ enum class Reply : std::uint8_t {
   kNoSuchValue,    ///< subject: Key; quote
   kNoSuchDevice,   ///< subject: DeviceKey; quote
   kDeviceRefused,  ///< subject: config::Refusal; quote
+  kMayNotGo,
   kNotText,
   kLineTooLong,
   kTableFull,  ///< subject: capacity; quote: what did not fit
@@ -62,10 +66,18 @@ struct Answer {
   [[nodiscard]] bool pending() const { return reply != Reply::kNone; }
 };
 
+/// What was typed of the robot's motion, and what is known of it here.
+struct Motion {
+  bool held = false;   ///< `stop`: nothing may move until `go`
+  bool ahead = false;  ///< `go`: the board's motors; whatever is typed next ends it, and so does whoever drives them
+  bool may = false;    ///< would it be allowed now, by loop::MotionPermit: told by whoever drives them
+};
+
 struct ConsoleState {
   Mode mode = Mode::kText;
   bool alerts = true;
   std::uint8_t turns_without_room = 0;  ///< since the answer's last line
+  Motion motion;
   Answer answer;
   std::uint16_t selftest_at = 0;  ///< next code of the canned stream
   base::Stamp plotted_at;

@@ -13,6 +13,7 @@
 #include "firmware/image/boot.hpp"
 #include "firmware/image/keeper.hpp"
 #include "firmware/image/unsaid.hpp"
+#include "firmware/loop/bumper.hpp"
 #include "firmware/loop/loop.hpp"
 #include "firmware/loop/motion_permit.hpp"
 #include FENCEPOST_BOARD
@@ -45,8 +46,8 @@ constexpr config::Devices initial_devices() {
   devices.put(config::DeviceKey::kDrive, FENCEPOST_DRIVE);
   return devices;
 }
-inline constexpr config::DeviceLimits kLimits = {Camera::kContained, Odometry::kContained, board::kOneLine,
-                                                 board::kLowestAddress, initial_devices()};
+inline constexpr config::DeviceLimits kLimits = {Camera::kContained,    Odometry::kContained, board::kOneLine,
+                                                 board::kLowestAddress, board::kMotors,       initial_devices()};
 static_assert(refusal(kLimits.initial, kLimits) == config::Refusal::kNone,
               "FENCEPOST_CAMERA and FENCEPOST_ODOMETRY: the image does not have them, or not together (Refusal)");
 /// Read in the image's file, not by the image.
@@ -121,9 +122,25 @@ class Robot {
     if (judged_.since(now) < kJudgeEvery) return;
     judged_ = base::Stamp(now);
     const record::Heartbeat beat = pipeline().in_force();
-    const bool may_move = permit_.judge(beat, loop_.links(), now);
+    console::Motion& motion = memory_.console.motion;
+    motion.may = permit_.judge(beat, loop_.links(), now);
+    const bool may_move = motion.may && !motion.held;
     board::allow_motion(may_move);
     odometry_.allow_motion(drive_.judge(may_move, beat.level));
+    if constexpr (board::kMotors) drive_ahead(may_move, now);
+  }
+  // Not before the next `go`, once they stand.
+  void drive_ahead(bool may_move, base::Time now) {
+    std::optional<recon::MapPose> odometry;
+    if (!memory_.poses.empty()) odometry = memory_.poses.latest();
+    bool& ahead = memory_.console.motion.ahead;
+    ahead = bumper_.judge(ahead, may_move, odometry, now);
+    board::drive_motors(ahead ? memory_.devices.raw(config::DeviceKey::kBumper) : 0);
+    if (const auto why = bumper_.take_standstill()) {
+      pipeline().reporter().say([&](std::span<char> room) {
+        return console::Sentence(room).put("the motors stand: ").put(loop::reason(*why)).end();
+      });
+    }
   }
 
   [[nodiscard]] Opening opening() const { return {memory_.devices, memory_.counters, memory_.signatures.view()}; }
@@ -169,6 +186,7 @@ class Robot {
   Panel<Profile> panel_;
   loop::MotionPermit permit_;
   loop::DrivePermit drive_;
+  loop::Bumper bumper_;
   base::Stamp judged_;
   std::uint8_t turns_ = 0;
   std::uint8_t opened_ = 0;  ///< which of the choices

@@ -12,6 +12,8 @@ inline constexpr bool kOneLine = false;            ///< camera and wheel base sh
 inline constexpr std::uint8_t kLowestAddress = 0;  ///< that the two-wire bus can speak to
 inline constexpr bus::PinNames kPinNames;
 inline constexpr int kEncoderBits = 16;
+inline constexpr bool kMotors = false;  ///< two, by drive_motors
+inline void drive_motors(std::int32_t /*percent*/) {}
 
 }  // namespace unsaid
 

@@ -109,6 +109,7 @@ class Console {
   }
 
   [[gnu::noinline]] void handle_command(std::span<char> text, bool too_long) {
+    state().motion.ahead = false;  // whatever was typed, and be it noise
     const std::optional<std::string_view> line = console::typed(text);
     if (too_long) {
       state().answer.reply = console::Reply::kLineTooLong;
@@ -141,9 +142,25 @@ class Console {
         state().selftest_at = 0;
         return {};
       case Verb::kReset: pipeline_.restart(); return {Reply::kNewRun};
+      case Verb::kGo: return go();
+      case Verb::kStop: state().motion.held = true; return {Reply::kHeld};
       case Verb::kVersion: return {Reply::kVersion};
     }
     return {};
+  }
+
+  console::Answer go() {
+    using console::Reply;
+    const loop::Memory<Profile>& memory = pipeline_.memory();
+    const bool motors = offers() && memory.offer->limits.motors;
+    if (!motors || memory.devices.raw(config::DeviceKey::kBumper) == 0) {
+      state().motion.held = false;
+      return {Reply::kReleased};
+    }
+    if (!state().motion.may) return {Reply::kMayNotGo};
+    state().motion.held = false;
+    state().motion.ahead = true;
+    return {Reply::kGoes};
   }
 
   console::Answer set(std::string_view key, std::string_view value) {

@@ -100,6 +100,7 @@ Program program_of(const ImageMemory& image) {
   program.limits.odometries = fields.word();
   program.limits.one_line = fields.word() != 0;
   program.limits.lowest_address = static_cast<std::uint8_t>(fields.word());
+  program.limits.motors = fields.word() != 0;
   for (std::size_t i = 0; i < config::kDeviceKeys; ++i)
     program.limits.initial.put(static_cast<DeviceKey>(i), static_cast<std::int32_t>(fields.word()));
   if (refusal(program.limits.initial, program.limits) != config::Refusal::kNone) {

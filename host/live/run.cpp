@@ -100,7 +100,8 @@ class Run {
     const base::Time now = parts_.clock.now();
     AlertNow alert;
     alert.beat = loop_->in_force();
-    alert.may_move = permit_.judge(alert.beat, {parts_.devices.camera->link(), parts_.devices.odometry->link()}, now);
+    const console::Links links{parts_.devices.camera->link(), parts_.devices.odometry->link()};
+    alert.may_move = permit_.judge(alert.beat, links, now) && !loop_->held();
     parts_.devices.odometry->allow_motion(drive_.judge(alert.may_move, alert.beat.level), now);
     if (parts_.outputs.empty()) return;
     alerts_.complete(alert);

@@ -36,6 +36,8 @@ constinit I2c the_i2c;
 constinit Flash the_flash;
 constinit part::Encoder left;
 constinit part::Encoder right;
+constinit part::Motors motors{kWiring.left_motor, kWiring.right_motor};
+bool motors_free = false;
 
 }  // namespace
 
@@ -44,6 +46,7 @@ void start(std::uint32_t console_baud) {
   clocks = part::start_clocks();
   part::bring_up(part::kResetIoBank0 | part::kResetPadsBank0);
   kWiring.stop.make_output();
+  motors.start(clocks.core);
   the_clock.start(clocks.reference);
   reason = part::read_reset_reason();
   part::start_watchdog();
@@ -73,7 +76,16 @@ std::uint32_t right_count() { return right.count() & 0xFFFFU; }
 mcu::ResetReason take_reset_reason() { return reason; }
 std::optional<mcu::Panic> take_panic() { return part::take_panic(); }
 
-void allow_motion(bool allowed) { kWiring.stop.drive(allowed); }
+void allow_motion(bool allowed) {
+  kWiring.stop.drive(allowed);
+  if (allowed) return;
+  motors.stop();
+  motors_free = false;
+}
+void drive_motors(std::int32_t percent) {
+  if (percent == 0) motors_free = true;
+  motors.ahead(motors_free ? percent : 0);
+}
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s

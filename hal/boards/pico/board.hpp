@@ -25,6 +25,7 @@ inline constexpr int kEncoderBits = 16;
 inline constexpr bool kOneLine = true;  ///< for a camera or a wheel base
 /// The controller keeps 0 to 7 for itself (RP2040 datasheet, IC_TAR).
 inline constexpr std::uint8_t kLowestAddress = 8;
+inline constexpr bool kMotors = true;
 
 using Clock = mcu::rp2040::TimerClock;
 using Link = mcu::rp2040::Uart;
@@ -57,6 +58,9 @@ std::optional<mcu::Panic> take_panic();
 /// STOP, for the enable input of a motor driver: high while the robot may drive, low from `start` on. A resistor of 10
 /// k to ground holds it while the part is in reset.
 void allow_motion(bool allowed);
+/// Both motors ahead by so much of their power, 0 to 90. Once motion was not allowed they stand, until they were given
+/// 0.
+void drive_motors(std::int32_t percent);
 /// The light, if there is one, flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.

@@ -17,6 +17,8 @@ inline constexpr Wiring kWiring = {
     .right = {{12}, {13}},
     .light = part::Pin{25},
     .stop = {15},
+    .left_motor = {.power = {16}, .direction = std::nullopt},  // an H-bridge beside the board
+    .right_motor = {.power = {17}, .direction = std::nullopt},
     .names = {"GP4 sends, GP5 receives", "GP4 sends, GP5 receives", "GP8 data, GP9 clock", "GP10 and 11, GP12 and 13"},
 };
 

@@ -6,6 +6,7 @@
 
 #include "hal/bus/pin_names.hpp"
 #include "hal/mcu/rp2040/i2c.hpp"
+#include "hal/mcu/rp2040/motors.hpp"
 #include "hal/mcu/rp2040/pin.hpp"
 #include "hal/mcu/rp2040/uart.hpp"
 
@@ -25,7 +26,9 @@ struct Wiring {
   EncoderPins right;
   std::optional<mcu::rp2040::Pin> light;  ///< an LED, on while high
   mcu::rp2040::Pin stop;                  ///< low stops the motors; low from reset on by the part itself
-  bus::PinNames names;                    ///< of the pins above, as `status` says them
+  mcu::rp2040::MotorWiring left_motor;
+  mcu::rp2040::MotorWiring right_motor;
+  bus::PinNames names;  ///< of the pins above, as `status` says them
 };
 
 }  // namespace fencepost::board

@@ -66,6 +66,7 @@ std::optional<mcu::Panic> take_panic();
 /// Fill in: STOP, an output for the enable input of a motor driver. High while the robot may drive, low from `start` on
 /// and in a panic (hal/mcu/*/panic.hpp). Where the board has no pin for it, nothing.
 void allow_motion(bool allowed);
+// A board that drives two motors says `kMotors` and has `drive_motors`, as hal/boards/pico/board.hpp; others need not.
 /// Fill in: the loop calls it after each turn that did its work. It bites after 0.3 to 0.5 s without.
 void feed_watchdog();
 /// Fill in: sleep until a byte comes or a millisecond is over, unless a byte waits already.

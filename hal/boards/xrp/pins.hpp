@@ -1,7 +1,6 @@
 // XRP robot with the controller of 2023, a Pico W. Source: MicroPython's board definition SPARKFUN_XRP_CONTROLLER_BETA;
 // functions by the RP2040 datasheet, 2.19.2. Its light hangs at the wireless chip, which nothing here drives. Motors 3
-// and 4 are not used: their encoders' pins are the serial lines. The motors' own pins stay inputs, pulled low by the
-// part.
+// and 4 are not used: their encoders' pins are the serial lines.
 #pragma once
 
 #include "hal/boards/pico/wiring.hpp"
@@ -20,6 +19,10 @@ inline constexpr Wiring kWiring = {
     .right = {{13}, {12}},  // mounted the other way round: forwards, B leads
     .light = std::nullopt,
     .stop = {17},  // servo 2
+    // Phase and enable; the left motor is mounted the other way round (Open-STEM/XRP_MicroPython, XRPLib: motor.py,
+    // SinglePWMMotor, and encoded_motor.py).
+    .left_motor = {.power = {7}, .direction = part::Pin{6}, .ahead = true},
+    .right_motor = {.power = {15}, .direction = part::Pin{14}, .ahead = false},
     .names = {"GP8 sends, GP9 receives", "GP8 sends, GP9 receives", "GP18 data, GP19 clock", "its own"},
 };
 

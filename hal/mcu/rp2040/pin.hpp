@@ -12,8 +12,8 @@ struct Pin {
   std::uint32_t number = 0;
 
   /// The pin becomes that of a peripheral: functions by 2.19.2. Pulled up, so that a line with nothing on it is quiet.
-  void connect(std::uint32_t function) const {
-    reg(kPad + 4 * number) = kPadInputPulledUp;
+  void connect(std::uint32_t function, std::uint32_t pad = kPadInputPulledUp) const {
+    reg(kPad + 4 * number) = pad;
     reg(kPinControl + 8 * number) = function;
   }
   void make_output() const {

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t kResetIoBank0 = 1U << 5;
 inline constexpr std::uint32_t kResetPadsBank0 = 1U << 8;
 inline constexpr std::uint32_t kResetPllSys = 1U << 12;
 inline constexpr std::uint32_t kResetPllUsb = 1U << 13;
+inline constexpr std::uint32_t kResetPwm = 1U << 14;
 inline constexpr std::uint32_t kResetTimer = 1U << 21;
 inline constexpr std::uint32_t kResetUart0 = 1U << 22;
 inline constexpr std::uint32_t kResetUart1 = 1U << 23;
@@ -104,14 +105,26 @@ inline constexpr std::uint32_t kPinInterruptStatus = 0x4001'4120;
 inline constexpr std::uint32_t kPinEdges = 0xC;           // falling, rising
 inline constexpr std::uint32_t kPad = 0x4001'C004;        // 4 bytes a pin
 inline constexpr std::uint32_t kPadInputPulledUp = 0x5A;  // input on, 4 mA, pull-up, Schmitt trigger
-inline constexpr std::uint32_t kFunctionUart = 2;         // 2.19.2
+inline constexpr std::uint32_t kPadInputPulledDown = 0x56;
+inline constexpr std::uint32_t kFunctionUart = 2;  // 2.19.2
 inline constexpr std::uint32_t kFunctionI2c = 3;
+inline constexpr std::uint32_t kFunctionPwm = 4;
 inline constexpr std::uint32_t kFunctionSoftware = 5;
 inline constexpr std::uint32_t kSioIn = 0xD000'0004;
 inline constexpr std::uint32_t kSioOutSet = 0xD000'0014;
 inline constexpr std::uint32_t kSioOutClear = 0xD000'0018;
 inline constexpr std::uint32_t kSioDriveSet = 0xD000'0024;
 inline constexpr std::uint32_t kSioDriveClear = 0xD000'0028;
+
+// Pulse-width modulation, 4.5.3: eight slices of two channels; of pin n, slice n / 2 modulo 8, channel n modulo 2
+// (4.5.2).
+inline constexpr std::uint32_t kPwm = 0x4005'0000;
+inline constexpr std::uint32_t kPwmSlice = 0x14;  // from one to the next
+inline constexpr std::uint32_t kPwmControl = 0x00;
+inline constexpr std::uint32_t kPwmDivider = 0x04;  // in 16ths
+inline constexpr std::uint32_t kPwmLevels = 0x0C;   // of channel A, of B in the upper half
+inline constexpr std::uint32_t kPwmWrap = 0x10;
+inline constexpr std::uint32_t kPwmEnable = 1U << 0;
 
 // Serial lines, 4.2.8 (ARM PL011).
 inline constexpr std::uint32_t kUart0 = 0x4003'4000;

@@ -4,11 +4,11 @@
 // CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
 // has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`; `camera
 // gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
-// and `stop` (the changes of the pin that stops the motors: microseconds, level), answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
+// `stop` (the changes of the pin that stops the motors: microseconds, level) and `pin NUMBER` (of a motor's), answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { Counter } from './counter.mjs';
-import { Pico } from './pico.mjs';
+import { kTraced, Pico } from './pico.mjs';
 import { loadUf2 } from './uf2.mjs';
 
 const [image, ...paths] = process.argv.slice(2);
@@ -36,7 +36,8 @@ function outlet(socket) {
   return take;
 }
 const out = { console: outlet(consoleSocket), camera: outlet(cameraSocket), usb: outlet(usbSocket) };
-const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) }, counter);
+const board = image.includes('xrp') ? 'xrp' : 'pico';
+const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) }, counter, undefined, board);
 loadUf2(readFileSync(image), pico.flash);
 pico.start('power');
 
@@ -68,7 +69,8 @@ const commands = {
   })[what](),
   camera: (what) => (pico.bus.there = what === 'back'),
   turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),
-  stop: () => control.write(JSON.stringify(pico.stop) + '\n'),
+  stop: () => commands.pin(kTraced[board][0]),
+  pin: (number) => control.write(JSON.stringify(pico.traces.get(Number(number))) + '\n'),
   counts: () => control.write(JSON.stringify({
     instructions: pico.instructions, erased: pico.rom.erased, programmed: pico.rom.programmed,
     lost: [pico.console.lost, pico.camera.lost],
@@ -76,7 +78,7 @@ const commands = {
 };
 
 // Two channels a wheel, a quarter of a period apart; A leads forwards. The XRP's have their own pins.
-const kWheels = image.includes('xrp') ? [[4, 5], [13, 12]] : [[10, 11], [12, 13]];
+const kWheels = board === 'xrp' ? [[4, 5], [13, 12]] : [[10, 11], [12, 13]];
 const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const quarters = [0, 0];
 function turn(counts, microseconds) {

@@ -10,27 +10,29 @@ import { UsbHost } from './usb_host.mjs';
 const kBoot2 = 0x20041f00; // where the boot ROM copies it (RP2040 datasheet 2.8.1.3)
 const kRom = 0x20042000; // its stack
 const kCycleNanos = 8; // 125 MHz
-const kStopPin = 15;
+// Outputs of which each change is kept: what stops the motors, and the motors'.
+export const kTraced = { pico: [15, 16, 17], xrp: [17, 6, 7, 14, 15] };
 const kHigh = 1; // of rp2040js' states of a pin; all others are low at the end of a wire with a resistor to ground
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
 
 export class Pico {
   /**
    * `out`: where bytes go to: console(byte), camera(byte), usb(bytes). `counter`: sees each instruction, or nothing. `Host`:
-   * what is at the other end of the USB cable.
+   * what is at the other end of the USB cable. `board`: whose pins.
    */
-  constructor(out, counter = null, Host = UsbHost) {
+  constructor(out, counter = null, Host = UsbHost, board = 'pico') {
     this.out = out;
     this.counter = counter;
     this.Host = Host;
     this.past = 0;
     this.instructions = 0;
-    this.stop = []; // [microseconds, level] of each change of the pin that stops the motors
+    this.traces = new Map(kTraced[board].map((pin) => [pin, []])); // [microseconds, level] of each change
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
   }
 
-  noteStop(high) {
-    if ((this.stop.at(-1)?.[1] ?? 0) !== Number(high)) this.stop.push([Math.round(this.nanos / 1000), Number(high)]);
+  note(pin, high) {
+    const trace = this.traces.get(pin);
+    if ((trace.at(-1)?.[1] ?? 0) !== Number(high)) trace.push([Math.round(this.nanos / 1000), Number(high)]);
   }
 
   get nanos() {
@@ -50,7 +52,7 @@ export class Pico {
     mcu.flash.set(this.flash);
     if (how === 'power') mcu.sram.forEach((_, i) => (mcu.sram[i] = (i * 2654435761) >>> 24));
     else mcu.sram.set(before.sram);
-    this.noteStop(false); // a part in reset drives nothing
+    for (const pin of this.traces.keys()) this.note(pin, false); // a part in reset drives nothing
     this.wire(how, watchdog);
     this.rules = new Rules(mcu);
     checkBoot2(mcu.flash);
@@ -77,7 +79,7 @@ export class Pico {
     const { mcu } = this;
     this.rom = new BootRom(mcu);
     this.rom.onLoader = () => this.onLoader?.();
-    mcu.gpio[kStopPin].addListener((state) => this.noteStop(state === kHigh));
+    for (const pin of this.traces.keys()) mcu.gpio[pin].addListener((state) => this.note(pin, state === kHigh));
     this.console = new SerialLine(mcu, 0, this.out.console);
     // The camera is where it was asked last: the socket's bytes go there.
     const asked = (where) => (byte) => {

@@ -9,7 +9,7 @@ const kTimerInterrupt = 16;
 
 // Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
 const kGated = {
-  0x40044: 3, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x4002c: 13, 0x40054: 21, 0x40034: 22, 0x40038: 23, 0x50110: 24,
+  0x40044: 3, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x4002c: 13, 0x40050: 14, 0x40054: 21, 0x40034: 22, 0x40038: 23, 0x50110: 24,
 };
 const kPllSys = 12;
 const kPllUsb = 13;

@@ -4,65 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/boards/bench.hpp"
-#include "tests/boards/pico/pico.hpp"
-#include "tests/firmware/loop/desk.hpp"
+#include "tests/boards/pico/driven_pico.hpp"
 
 namespace fencepost::test {
 namespace {
 
-constexpr double kSpeed = 0.16;  // m/s
-
-class PicoStop : public ::testing::Test {
- protected:
-  void SetUp() override { ASSERT_TRUE(bench.await("READY\r\n")) << bench.said(); }
-
-  /// Towards a post whose front is a metre ahead of where it began, with 50 samples and 25 frames a second.
-  void drive(double seconds, bool frames = true, bool odometry = true) {
-    for (const double end = t_ + seconds - 1e-9; t_ < end; t_ += 0.02, x_ += 0.02 * speed_) {
-      if (odometry) bench.console().send(unstamped(desk_odometry(t_, x_)));
-      if (frames && number_++ % 2 == 0) bench.give(desk_frame(t_, number_, x_));
-      bench.run(0.02);
-    }
-  }
-  /// Ready to drive, in mode log.
-  void set_off() {
-    ASSERT_TRUE(bench.await_camera()) << bench.said();
-    ASSERT_TRUE(bench.obey("mode log", "mode is log"));
-    drive(1.0);
-    ASSERT_TRUE(high()) << bench.said();
-  }
-
-  struct Change {
-    double t = 0;  ///< s of the machine's clock
-    bool high = false;
-  };
-  std::vector<Change> changes() {
-    std::vector<Change> all;
-    for (const auto& one : nlohmann::json::parse(machine->ask("stop")))
-      all.push_back({one[0].get<double>() * 1e-6, one[1].get<int>() != 0});
-    return all;
-  }
-  bool high() {
-    const std::vector<Change> all = changes();
-    return !all.empty() && all.back().high;
-  }
-  /// When it fell the last time; it is low.
-  double fallen() {
-    const std::vector<Change> all = changes();
-    EXPECT_TRUE(!all.empty() && !all.back().high);
-    return all.empty() ? 0 : all.back().t;
-  }
-
-  EmulatedPico* machine = nullptr;
-  Bench bench{pico(&machine)};
-  double speed_ = kSpeed;
-
- private:
-  double t_ = 0;
-  double x_ = 0;
-  std::uint32_t number_ = 0;
-};
+using PicoStop = DrivenPico;
 
 TEST_F(PicoStop, IsLowUntilFramesAndOdometryCome) {
   EXPECT_TRUE(changes().empty()) << "never high since the power came";

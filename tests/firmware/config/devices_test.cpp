@@ -11,7 +11,7 @@
 namespace fencepost::config {
 namespace {
 
-constexpr DeviceLimits everything() { return {(1U << kCameraIds) - 1, (1U << kOdometryIds) - 1, false, 0, {}}; }
+constexpr DeviceLimits everything() { return {(1U << kCameraIds) - 1, (1U << kOdometryIds) - 1, false, 0, true, {}}; }
 
 TEST(Devices, EachCameraButTheConsolesHasACalibration) {
   for (std::size_t i = 0; i < kCameraIds; ++i) {
@@ -113,6 +113,17 @@ TEST(Devices, RefusesALensThatNobodyKnowsAndWheelsWithoutCounts) {
   ASSERT_FALSE(devices.set("wheel.counts", "0"));
   EXPECT_EQ(refusal(devices, everything()), Refusal::kNoCounts);
   EXPECT_NE(reason(Refusal::kNoCounts), "");
+}
+
+TEST(Devices, RefusesToDriveWhatTheBoardHasNot) {
+  Devices devices(CameraId::kPixy2, OdometryId::kConsole);
+  EXPECT_EQ(devices.raw(DeviceKey::kBumper), 0) << "off at first";
+  ASSERT_FALSE(devices.set("bumper", "40"));
+  EXPECT_EQ(refusal(devices, everything()), Refusal::kNone);
+  DeviceLimits without = everything();
+  without.motors = false;
+  EXPECT_EQ(refusal(devices, without), Refusal::kNoMotors);
+  EXPECT_NE(reason(Refusal::kNoMotors), "");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(Words, AreBetweenSpacesTabsAndEqualSigns) {
 TEST(Check, EveryCommandWithTheWordsItNeeds) {
   for (const char* line : {"help", "status", "objects", "map", "alerts on", "alerts off", "mode text", "mode log",
                            "mode plot", "mode quiet", "set alert.stop 1", "set alert.stop 1 m", "get", "get alert.stop",
-                           "selftest", "reset", "version"}) {
+                           "selftest", "reset", "go", "stop", "version"}) {
     EXPECT_FALSE(console::check(console::split(line)).pending()) << line;
   }
 }
@@ -62,6 +62,7 @@ TEST(Check, EachWayToBeWrong) {
   EXPECT_EQ(reply("alerts maybe"), Reply::kNoSuchWord);
   EXPECT_EQ(reply("mode loud"), Reply::kNoSuchWord);
   EXPECT_EQ(reply("map now"), Reply::kTooManyWords);
+  EXPECT_EQ(reply("go 50"), Reply::kTooManyWords);
   EXPECT_EQ(reply("get alert.stop alert.warn"), Reply::kTooManyWords);
   EXPECT_EQ(reply("set alert.stop 1 s"), Reply::kTooManyWords);  // the unit is m
   EXPECT_EQ(reply("set confirm.k 1 m"), Reply::kTooManyWords);

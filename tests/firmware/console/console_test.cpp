@@ -25,6 +25,8 @@ TEST(Console, Help) {
             "  get [KEY]                 one setting, or all\r\n"
             "  selftest                  a known stream through the loop: forgets the map\r\n"
             "  reset                     forget the map, start a new run\r\n"
+            "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
+            "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
             "  version                   program, target, profile\r\n"
             "  $FPODO $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n"
             "settings: value, range, what it is\r\n"
@@ -101,10 +103,11 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
   const std::pair<const char*, const char*> cases[] = {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
-       "error: unknown command 'fly', there are: help status objects map alerts mode set get selftest reset version"},
+       "error: unknown command 'fly', there are: help status objects map alerts mode set get selftest reset go stop "
+       "version"},
       {"a_word_that_is_far_too_long",
        "error: unknown command 'a_word_that_is..', there are: help status objects map alerts mode set get selftest "
-       "reset version"},
+       "reset go stop version"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
       {"mode loud", "error: 'loud' is not possible: mode text|log|plot|quiet"},
       {"alerts", "error: a word is missing: alerts on|off"},
@@ -180,7 +183,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 29 + 6 + 15 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 31 + 6 + 15 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }

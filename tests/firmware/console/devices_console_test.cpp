@@ -13,7 +13,7 @@ using config::CameraId;
 using config::OdometryId;
 
 constexpr config::DeviceOffer kPico = {
-    {(1U << config::kCameraIds) - 1, (1U << config::kOdometryIds) - 1, true, 8,
+    {(1U << config::kCameraIds) - 1, (1U << config::kOdometryIds) - 1, true, 8, true,
      config::Devices(CameraId::kPixy2, OdometryId::kConsole)},
     {"GP4 sends, GP5 receives", "GP4 sends, GP5 receives", "GP8 data, GP9 clock", "GP10 and 11, GP12 and 13"}};
 
@@ -55,6 +55,41 @@ TEST_F(DevicesConsole, WhatCannotWorkIsRefusedWithTheReason) {
   EXPECT_EQ(desk.memory().devices, kPico.limits.initial);
   EXPECT_EQ(say("set camera pixy2_i2c"), "camera = pixy2_i2c; a new run: the map is empty\r\n");
   EXPECT_EQ(say("set odometry create2"), "odometry = create2; a new run: the map is empty\r\n");
+}
+
+TEST_F(DevicesConsole, MotorsGoByGoAlone) {
+  const console::Motion& motion = desk.memory().console.motion;
+  EXPECT_EQ(say("go"), "it may move while no alert forbids it; no motor is driven: `set bumper` is 0\r\n");
+  EXPECT_EQ(say("set bumper 91"), "error: '91' is not possible: bumper takes 0..90 %\r\n");
+  EXPECT_EQ(say("set bumper 40 %"), "bumper = 40 %; a new run: the map is empty\r\n");
+  EXPECT_EQ(say("go"),
+            "error: it may not move now: STOP or BLIND is in force, or a sensor is silent; `status` says more\r\n");
+  EXPECT_FALSE(motion.ahead);
+  desk.memory().console.motion.may = true;
+  EXPECT_EQ(say("go"), "ahead, at 40 %, until an alert, or until you press Enter\r\n");
+  EXPECT_TRUE(motion.ahead);
+  static_cast<void>(desk.type(line_of(desk_odometry(1))));
+  EXPECT_TRUE(motion.ahead) << "an input is nothing that was typed";
+  for (const char* line : {"", "status", "nonsense", "\x80\x81", "stop"}) {
+    static_cast<void>(say("go"));
+    ASSERT_TRUE(motion.ahead) << line;
+    static_cast<void>(desk.type(std::string(line) + "\r\n"));
+    EXPECT_FALSE(motion.ahead) << line;
+  }
+}
+
+TEST_F(DevicesConsole, StopHoldsUntilGo) {
+  EXPECT_EQ(say("stop"), "held: nothing may move until `go`\r\n");
+  EXPECT_TRUE(desk.memory().console.motion.held);
+  static_cast<void>(say("reset"));
+  EXPECT_TRUE(desk.memory().console.motion.held);
+  static_cast<void>(say("go"));
+  EXPECT_FALSE(desk.memory().console.motion.held);
+  Desk<> elsewhere;
+  static_cast<void>(elsewhere.type_line("stop"));
+  EXPECT_TRUE(elsewhere.memory().console.motion.held);
+  EXPECT_EQ(elsewhere.type_line("go"), "it may move while no alert forbids it\r\n");
+  EXPECT_FALSE(elsewhere.memory().console.motion.held);
 }
 
 TEST_F(DevicesConsole, UnknownNamesAreAnsweredByThoseThatThereAre) {

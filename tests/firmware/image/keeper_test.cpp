@@ -71,7 +71,7 @@ TEST(Keeper, CalibrationOfACameraOfAnotherSizeIsPassedOver) {
 }
 
 constexpr config::DeviceOffer kOffer = {
-    {0b11111, 0b1111, true, 0, config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)}, {}};
+    {0b11111, 0b1111, true, 0, false, config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)}, {}};
 
 struct OfferedDesk : test::Desk<Profile> {
   OfferedDesk(Flash& flash, const config::DeviceOffer& offer) : keeper(pipeline(), flash) {

@@ -24,6 +24,15 @@ void add_line(std::vector<PinUse>& uses, const std::string& what, const rp2040::
   uses.push_back({what + " receives", name(line.receive), of + "_RX", rp2040::kFunctionUart});
 }
 
+// What drives a motor of the robot's own is not on the header; another's is beside the board.
+void add_motor(std::vector<PinUse>& uses, const std::string& side, const rp2040::MotorWiring& motor) {
+  const std::string meant = motor.direction ? side + " motor" : "";
+  const std::uint32_t n = motor.power.number;
+  const std::string signal = "PWM" + std::to_string(n / 2 % 8) + (n % 2 == 0 ? "_A" : "_B");
+  uses.push_back({side + " motor", name(motor.power), signal, rp2040::kFunctionPwm, meant});
+  if (motor.direction) uses.push_back({side + " direction", name(*motor.direction), {}, 0, meant});
+}
+
 std::vector<PinUse> uses_of(const board::Wiring& wiring) {
   std::vector<PinUse> uses;
   add_line(uses, "console", wiring.console);
@@ -37,6 +46,8 @@ std::vector<PinUse> uses_of(const board::Wiring& wiring) {
   uses.push_back({"right b", name(wiring.right.b)});
   if (wiring.light) uses.push_back({"light", name(*wiring.light), {}, 0, "led"});
   uses.push_back({"stop", name(wiring.stop)});
+  add_motor(uses, "left", wiring.left_motor);
+  add_motor(uses, "right", wiring.right_motor);
   return uses;
 }
 
@@ -60,7 +71,8 @@ TEST(Rp2040Pins, NamesItsPinsRight) {
 TEST(Rp2040Pins, TheDocumentHasThePinsOfTheXrp) {
   const PinTable table("xrp", "");
   for (const PinUse& use : uses_of(board::xrp::kWiring)) {
-    const std::string row = "| " + use.what + " | " + use.pin + ", " + table.header(use.pin) + " |";
+    const std::string header = table.header(use.pin);
+    const std::string row = "| " + use.what + " | " + use.pin + ", " + (header.empty() ? use.meant : header) + " |";
     EXPECT_TRUE(document_has(row)) << row;
   }
 }
@@ -73,6 +85,18 @@ TEST(Rp2040Pins, TheDocumentHasThePins) {
     row += header.empty() ? " |" : ", pin " + header + " |";
     EXPECT_TRUE(document_has(row)) << row;
   }
+}
+
+// Two motors of one slice and channel would be one, and the encoders' pins are taken.
+TEST(Rp2040Pins, FindsAMotorAtAnotherOnesPin) {
+  board::Wiring wiring = board::xrp::kWiring;
+  wiring.left_motor.power = {3};
+  wiring.right_motor.direction = rp2040::Pin{12};
+  const Faults expected = {"left motor: GP3 is motor 3, not left motor",
+                           "right direction: GP12 is free, not right motor",
+                           "right direction: GP12 is that of: right b"};
+  EXPECT_EQ(faults_of("xrp", wiring), expected);
+  EXPECT_NE(board::pico::kWiring.left_motor.power.number % 16, board::pico::kWiring.right_motor.power.number % 16);
 }
 
 TEST(Rp2040Pins, FindsAPinOfTheOtherBusAndOneThatIsNotThere) {

@@ -16,8 +16,8 @@ std::string bytes_of(const About& about) {
 }
 
 std::string image() {
-  const config::DeviceLimits limits{0b110, 0b1, false, 0,
-                                    config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)};
+  const config::DeviceLimits limits{
+      0b110, 0b1, false, 0, false, config::Devices(config::CameraId::kPixy2, config::OdometryId::kConsole)};
   return "program" + bytes_of(mcu::about_board("testboard", 0x0800'0000, 0x0800'4000, 1024)) +
          bytes_of(config::about_image("0.1.0", 8, limits));
 }

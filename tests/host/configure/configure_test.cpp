@@ -27,7 +27,7 @@ void append(std::vector<std::uint8_t>& bytes, const About& about) {
 
 // Twenty bytes of program, then what it says of itself; with cameras 0 to 4 and two lines.
 ImageMemory image(std::uint32_t settings = kSettings, std::uint32_t cameras = 0b11111, std::uint32_t page = kPage) {
-  config::DeviceLimits limits{cameras, 0b1111, true, 8, config::Devices(CameraId::kPixy2, OdometryId::kConsole)};
+  config::DeviceLimits limits{cameras, 0b1111, true, 8, false, config::Devices(CameraId::kPixy2, OdometryId::kConsole)};
   std::vector<std::uint8_t> bytes(20, 0xB5);
   append(bytes, mcu::about_board("testboard", kFlash, settings, page));
   append(bytes, config::about_image("0.1.0", 2, limits));

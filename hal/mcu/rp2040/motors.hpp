@@ -1,0 +1,79 @@
+// Two motors at an H-bridge with an input of power and one of direction for each (phase and enable): ahead by some part
+// of their power, or without current.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hal/mcu/register.hpp"
+#include "hal/mcu/rp2040/pin.hpp"
+#include "hal/mcu/rp2040/registers.hpp"
+
+namespace fencepost::mcu::rp2040 {
+
+struct MotorWiring {
+  Pin power;                     ///< high: the bridge drives
+  std::optional<Pin> direction;  ///< none: wired to a level beside the board
+  bool ahead = false;            ///< its level when the robot goes ahead
+};
+
+/// Every stop takes the pins from the modulator and drives them low: that works whatever the modulator does. In a reset
+/// they are inputs that the part pulls low.
+class Motors {
+ public:
+  constexpr Motors(const MotorWiring& left, const MotorWiring& right) : left_(left), right_(right) {}
+
+  /// Of the core's clock, Hz. They stand.
+  void start(std::uint32_t core_hz) {
+    bring_up(kResetPwm);
+    started_ = true;
+    stop();
+    for (const MotorWiring* motor : {&left_, &right_}) {
+      reg(kSioDriveSet) = motor->power.mask();
+      const std::uint32_t slice = slice_of(motor->power);
+      reg(slice + kPwmDivider) = core_hz / kTicksPerSecond << 4U;
+      reg(slice + kPwmWrap) = kPeriod - 1;
+      reg(slice + kPwmControl) = kPwmEnable;
+      if (!motor->direction) continue;
+      reg(kSioDriveSet) = motor->direction->mask();
+      motor->direction->drive(motor->ahead);
+      motor->direction->connect(kFunctionSoftware, kPadInputPulledDown);
+    }
+  }
+
+  /// 0 to 90; 0 stops.
+  void ahead(std::int32_t percent) {
+    if (percent == power_) return;
+    power_ = percent;
+    if (percent == 0) return stop();
+    for (const MotorWiring* motor : {&left_, &right_}) {
+      const std::uint32_t level = static_cast<std::uint32_t>(percent) * (kPeriod / 100);
+      reg(slice_of(motor->power) + kPwmLevels) = level | level << 16U;
+      motor->power.connect(kFunctionPwm, kPadInputPulledDown);
+    }
+  }
+
+  /// Before the start it leaves pins alone that may be in reset.
+  void stop() {
+    power_ = 0;
+    if (!started_) return;
+    for (const MotorWiring* motor : {&left_, &right_}) {
+      motor->power.drive(false);
+      motor->power.connect(kFunctionSoftware, kPadInputPulledDown);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kTicksPerSecond = 1'000'000;
+  /// 50 Hz, as the XRP's own library has it: slow gear motors turn at little power.
+  static constexpr std::uint32_t kPeriod = 20'000;
+
+  static constexpr std::uint32_t slice_of(Pin pin) { return kPwm + kPwmSlice * (pin.number / 2 % 8); }
+
+  MotorWiring left_;
+  MotorWiring right_;
+  std::int32_t power_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace fencepost::mcu::rp2040
