@@ -42,7 +42,8 @@ ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distan
   if (row.known) {
     const Vec2 normal = -sighting.axis;
     const float reach = normal.dot(sighting.lens_from(origin)) - row.depth;
-    put(view, ViewTangents::kFront, view.front, {{normal, reach}, std::sqrt(row.variance), hidden});
+    const float sigma_of_foot = std::sqrt(row.variance + kFootSetBack * kFootSetBack);
+    put(view, ViewTangents::kFront, view.front, {{normal, reach}, sigma_of_foot, hidden});
   }
   return view;
 }

@@ -27,6 +27,11 @@ inline constexpr float kSmallestRadius = 0.02F;
 /// sec. 5.3.
 inline constexpr float kWellKnownShare = 0.4F;
 
+/// m, sigma by which a foot stands back from the outline above it: real things are narrower below, rounded or not quite
+/// on the floor, and all rows of an object share the error of one pitch and one height. More: the distance is open on
+/// a straight approach; less: rows outvote the edges of a ring. Path table, seeds 5001 to 5024, and a ring of images.
+inline constexpr float kFootSetBack = 0.02F;
+
 // --- clusters of tangents (sector_store) ---
 
 /// sigmas within which a tangent joins a cluster. algorithms.md sec. 5.2.
