@@ -7,6 +7,7 @@
 #include "firmware/recon/models/carving.hpp"
 #include "firmware/recon/models/cylinder_paper.hpp"
 #include "firmware/recon/models/sheaf.hpp"
+#include "host/replay/evidence_carving.hpp"
 
 namespace fencepost::host {
 
@@ -28,9 +29,9 @@ inline constexpr bool kCarves<recon::ModelList<recon::Cylinder, Others...>> = (k
 /// part of them, and it sees the sightings that the robot's models take.
 template <class Profile>
 struct Compared : Profile {
-  using Paper = recon::ModelList<recon::Cylinder, recon::CylinderPaper, recon::SheafViews<kSheafViews>>;
+  using Paper = recon::ModelList<recon::Cylinder, recon::CylinderPaper, recon::SheafViews<kSheafViews>, KeptTangents>;
   using PaperAndCarving = recon::ModelList<recon::Cylinder, recon::CylinderPaper, recon::SheafViews<kSheafViews>,
-                                           recon::Carving<128, 192, 64>>;
+                                           KeptTangents, recon::Carving<128, 192, 64>>;
   using ComparisonModels = std::conditional_t<kCarves<typename Profile::Models>, Paper, PaperAndCarving>;
 };
 

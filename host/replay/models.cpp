@@ -162,9 +162,9 @@ ModelResult cylinder_paper_model(const recon::ObjectCore& object, const recon::C
   return model;
 }
 
-ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::Vec2> vertices) {
+ModelResult clip_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> vertices) {
   ModelResult model;
-  model.name = "clip";
+  model.name = std::move(name);
   if (vertices.size() < 3) {
     model.reason = "contradictory wedges carved everything away";
     return model;
@@ -198,10 +198,10 @@ ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::
   return model;
 }
 
-ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
-                        std::span<const std::uint32_t> words) {
+ModelResult carve_model(const recon::ObjectCore& object, std::string name, const recon::GridPlacement& placement,
+                        std::size_t cells, std::span<const std::uint32_t> words) {
   ModelResult model;
-  model.name = "carve";
+  model.name = std::move(name);
   if (!(placement.cell > 0)) {
     model.reason = "no place yet";
     return model;
@@ -238,8 +238,8 @@ ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacem
 }
 
 void sort_models(std::vector<ModelResult>& models) {
-  constexpr std::array<std::string_view, 7> kOrder{"cylinder", "cylinder_paper", "sheaf_paper", "sheaf",
-                                                   "carve",    "clip",           "hybrid"};
+  constexpr std::array<std::string_view, 9> kOrder{
+      "cylinder", "cylinder_paper", "sheaf_paper", "sheaf", "carve_paper", "clip_paper", "carve", "clip", "hybrid"};
   const auto place = [&](const ModelResult& model) { return std::ranges::find(kOrder, model.name) - kOrder.begin(); };
   std::ranges::stable_sort(models, {}, place);
 }

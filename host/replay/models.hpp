@@ -1,9 +1,11 @@
 // The models of one object as polygons of the map frame.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "host/replay/compared.hpp"
 #include "host/result/result.hpp"
@@ -13,7 +15,9 @@ namespace fencepost::host {
 /// 64 vertices, the circle's area. Map frame.
 ModelResult cylinder_model(const recon::ObjectCore& object);
 ModelResult cylinder_paper_model(const recon::ObjectCore& object, const recon::CylinderPaper& paper);
-ModelResult clip_model(const recon::ObjectCore& object, std::span<const recon::Vec2> vertices);
+
+/// The exact polygon of wedges; `name` is clip or clip_paper.
+ModelResult clip_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> vertices);
 
 /// The convex hull of a sheaf's posts; `name` is sheaf or sheaf_paper.
 ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
@@ -22,9 +26,9 @@ ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::
 /// The fitted outline, moved out where it is uncertain.
 ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline);
 
-/// Outline of the solid cells, holes included.
-ModelResult carve_model(const recon::ObjectCore& object, const recon::GridPlacement& placement, std::size_t cells,
-                        std::span<const std::uint32_t> words);
+/// Outline of the solid cells, holes included; `name` is carve or carve_paper.
+ModelResult carve_model(const recon::ObjectCore& object, std::string name, const recon::GridPlacement& placement,
+                        std::size_t cells, std::span<const std::uint32_t> words);
 
 /// Puts models into the order of the result document.
 void sort_models(std::vector<ModelResult>& models);
@@ -47,8 +51,17 @@ void add_results(const recon::ObjectCore& object, const recon::SheafViews<kViews
 template <std::size_t kCells, std::size_t kVertices, std::size_t kPending>
 void add_results(const recon::ObjectCore& object, const recon::Carving<kCells, kVertices, kPending>& carving,
                  std::vector<ModelResult>& models) {
-  models.push_back(carve_model(object, carving.grid().placement(), kCells, carving.grid().words()));
-  models.push_back(clip_model(object, carving.clip().vertices()));
+  models.push_back(carve_model(object, "carve_paper", carving.grid().placement(), kCells, carving.grid().words()));
+  models.push_back(clip_model(object, "clip_paper", carving.clip().vertices()));
+}
+template <class Profile>
+void add_results(const recon::Object<Profile>& object, const KeptTangents& kept, std::vector<ModelResult>& models) {
+  // Fitted to the end here: on a small profile the outline may be some frames behind the tangents.
+  auto hybrid = object.hybrid();
+  std::make_unique<recon::HybridSolver<Profile::kHybridSectors, Profile::kHybridOrder>>()->solve(hybrid);
+  const Carved carved = carve_with(kept.tangents(), Evidence(hybrid, hybrid.outline(), object.origin));
+  models.push_back(carve_model(object, "carve", carved.grid.placement(), carved.grid.kCells, carved.grid.words()));
+  models.push_back(clip_model(object, "clip", carved.clip.vertices()));
 }
 template <std::size_t kSectors>
 void add_results(const recon::ObjectCore& /*object*/, const recon::Hybrid<kSectors>& hybrid,

@@ -54,9 +54,11 @@ sensor::Rgb signature_colour(const ResultDocument& document, std::uint8_t signat
 }
 
 ModelStyle model_style(const std::string& name) {
-  static const std::array<std::pair<const char*, ModelStyle>, 7> kStyles = {{
+  static const std::array<std::pair<const char*, ModelStyle>, 9> kStyles = {{
       {"clip", {"", 1.4, 0.22, 0}},
       {"carve", {"1.5 2.5", 1.4, 0.08, 1}},
+      {"clip_paper", {"4 2", 1.2, 0, 0, false}},  // as printed one wrong wedge leaves nothing
+      {"carve_paper", {"1 3", 1.2, 0, 1, false}},
       {"sheaf", {"10 3 2 3", 1.6, 0, 2}},
       {"sheaf_paper", {"2 4", 1.2, 0, 2, false}},  // as printed it reaches to the robot's own path
       {"cylinder_paper", {"6 4", 1.6, 0, 3}},

@@ -24,7 +24,7 @@ recon::ObjectCore placed_object() {
 
 host::MultiPolygon outline(const Words& words) {
   const recon::GridPlacement placement{{-0.16F, -0.16F}, 0.01F};
-  return host::carve_model(placed_object(), placement, kCells, words).geometry;
+  return host::carve_model(placed_object(), "carve", placement, kCells, words).geometry;
 }
 
 TEST(CarveModel, ASolidGridIsItsSquare) {
@@ -73,8 +73,8 @@ TEST(Models, SayWhyTheyAreEmpty) {
   recon::ObjectCore nothing;
   Words words{};
   EXPECT_EQ(host::cylinder_model(nothing).reason, "only censored ends seen");
-  EXPECT_EQ(host::carve_model(nothing, {}, kCells, words).reason, "no place yet");
-  EXPECT_EQ(host::clip_model(placed_object(), {}).reason, "contradictory wedges carved everything away");
+  EXPECT_EQ(host::carve_model(nothing, "carve", {}, kCells, words).reason, "no place yet");
+  EXPECT_EQ(host::clip_model(placed_object(), "clip", {}).reason, "contradictory wedges carved everything away");
   EXPECT_FALSE(host::cylinder_paper_model(nothing, {}).circle.has_value());
   EXPECT_EQ(host::sheaf_model(nothing, "sheaf", {}, recon::SheafRefusal::kFewPosts).reason, "fewer than three posts");
 }

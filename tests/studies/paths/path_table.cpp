@@ -58,7 +58,7 @@ void print_row(const Request& request, const PathText& path, const PathReference
   std::string row = fmt::format("| {} | {} |", path.name, feed.name);
   row += hybrid_cell(mean_of(scenes, "hybrid"), reference, feed, where, tally);
   row += beside("cylinder_paper", reference.cylinder) + beside("sheaf", reference.sheaf) +
-         beside("clip", reference.carving);
+         beside("clip_paper", reference.carving);
   row += fmt::format(" {:.0f} |", mean_of(scenes, "cylinder").sum());
   print(row + "\n");
 }

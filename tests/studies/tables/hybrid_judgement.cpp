@@ -85,7 +85,7 @@ std::vector<double> ranks(std::span<const double> values) {
 }  // namespace
 
 const std::vector<std::string>& paper_models() {
-  static const std::vector<std::string> kModels{"cylinder_paper", "sheaf_paper", "sheaf", "carve", "clip"};
+  static const std::vector<std::string> kModels{"cylinder_paper", "sheaf_paper", "sheaf", "carve_paper", "clip_paper"};
   return kModels;
 }
 

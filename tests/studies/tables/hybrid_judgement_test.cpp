@@ -23,7 +23,7 @@ host::Evaluation scene(std::vector<host::ModelScore> models, double confidence =
 }
 
 ScenePair pair_of(double hybrid, double carve, double cylinder) {
-  return {scene({scored("carve", carve, 0), scored("cylinder_paper", 0, cylinder)}),
+  return {scene({scored("carve_paper", carve, 0), scored("cylinder_paper", 0, cylinder)}),
           scene({scored("hybrid", 0, hybrid)})};
 }
 
@@ -31,7 +31,7 @@ ScenePair pair_of(double hybrid, double carve, double cylinder) {
 TEST(HybridJudgement, IsPairedWithTheBestModelOfTheCell) {
   const std::vector<ScenePair> scenes{pair_of(0.20, 0.30, 0.90), pair_of(0.20, 0.40, 0.10), pair_of(0.26, 0.20, 0.90)};
   const CellJudgement cell = judge_cell(scenes, {});
-  EXPECT_EQ(cell.rival, "carve");  // 30 % on average, the cylinder 63 %
+  EXPECT_EQ(cell.rival, "carve_paper");  // 30 % on average, the cylinder 63 %
   EXPECT_EQ(cell.objects, 3U);
   EXPECT_NEAR(cell.rival_sum, 30, 1e-9);
   EXPECT_NEAR(cell.sum(), 22, 1e-9);

@@ -91,7 +91,7 @@ TEST(GivenRun, CarvesRecklesslyWithWrongFlags) {
       double sum = 0;
       for (const host::ObjectEvaluation& object : run_given(tour, "full").objects) {
         for (const host::ModelScore& model : object.cuts.back().models) {
-          if (model.model == "clip") sum += model.score.recklessness;
+          if (model.model == "clip_paper") sum += model.score.recklessness;
         }
       }
       return sum / 15;

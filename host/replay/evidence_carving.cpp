@@ -1,0 +1,56 @@
+#include "host/replay/evidence_carving.hpp"
+
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::host {
+
+void KeptTangents::add(const recon::ModelView& view) {
+  if (recon::is_edge(view.sighting.left.end)) keep(recon::left_tangent(view.sighting, view.origin));
+  if (recon::is_edge(view.sighting.right.end)) keep(recon::right_tangent(view.sighting, view.origin));
+}
+
+void KeptTangents::move_origin(const recon::Vec2& shift) {
+  for (recon::HalfPlane& tangent : tangents_) tangent = recon::seen_from(tangent, shift);
+}
+
+void KeptTangents::keep(const recon::HalfPlane& tangent) {
+  if (tangents_.size() == kMost) tangents_.erase(tangents_.begin(), tangents_.begin() + kMost / 2);
+  tangents_.push_back(tangent);
+}
+
+Evidence::Evidence(const recon::HybridCore& hybrid, const recon::OutlineView& outline, recon::MapPoint origin)
+    : known_(hybrid.refusal == recon::HybridRefusal::kNone),
+      outline_(outline),
+      middle_(recon::offset_from(origin, hybrid.origin)) {}
+
+bool Evidence::contradicts(const recon::HalfPlane& tangent) const {
+  if (!known_) return false;
+  const std::size_t sectors = outline_.offsets.size();
+  const recon::SectorPlace place = recon::place_of(tangent.normal, sectors);
+  const std::size_t next = place.sector + 1 == sectors ? 0 : place.sector + 1;
+  // Between two directions the outline has a corner: recon::SupportFit.
+  const float step = 2 * base::kPi / static_cast<float>(sectors);
+  const float angle = place.phase * step;
+  const float first = std::sin(step - angle) / std::sin(step);
+  const float second = std::sin(angle) / std::sin(step);
+  const float reach = first * outline_.offset(place.sector) + second * outline_.offset(next);
+  const float sigma = (1 - place.phase) * outline_.sigma(place.sector) + place.phase * outline_.sigma(next);
+  return recon::seen_from(tangent, middle_).bound < reach - kContradictedSigmas * sigma;
+}
+
+Carved carve_with(std::span<const recon::HalfPlane> tangents, const Evidence& evidence) {
+  Carved carved;
+  carved.clip.start();
+  carved.grid.start();
+  for (const recon::HalfPlane& tangent : tangents) {
+    if (evidence.contradicts(tangent)) continue;
+    carved.clip.cut(tangent);
+    carved.grid.carve(tangent);
+    carved.grid.refine(carved.clip.vertices());
+  }
+  return carved;
+}
+
+}  // namespace fencepost::host

@@ -1,0 +1,68 @@
+// Alg. 3 (paper sec. II.D) with the cuts that the hybrid's evidence contradicts left out. One wedge that is wrong, or a
+// hundred that are noisy, carve all away, and nothing that was carved comes back; so the tangents are kept, and carved
+// with when somebody asks. The paper's form is recon::Carving.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "firmware/recon/models/carve.hpp"
+#include "firmware/recon/models/clip.hpp"
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+#include "firmware/recon/models/model_view.hpp"
+
+namespace fencepost::host {
+
+/// Of the desk: the edges of all sightings that an object's models took.
+class KeptTangents {
+ public:
+  static constexpr std::string_view kName = "kept_tangents";
+  static constexpr std::size_t kHashParts = 0;
+  /// 800 KB an object at most: half an hour at 18 frames/s. Then the older half goes: forgetting a cut is always safe.
+  static constexpr std::size_t kMost = 1U << 16U;
+
+  void start(const recon::Sighting& /*first*/, recon::MapPoint /*origin*/) { tangents_.clear(); }
+  void add(const recon::ModelView& view);
+  void move_origin(const recon::Vec2& shift);
+  void shift(const recon::Vec2& /*step*/) {}
+  void hash(base::Fnv1a64& /*hash*/, std::size_t /*part*/) const {}
+
+  /// Local frame of the object.
+  [[nodiscard]] std::span<const recon::HalfPlane> tangents() const { return tangents_; }
+
+ private:
+  void keep(const recon::HalfPlane& tangent);
+
+  std::vector<recon::HalfPlane> tangents_;
+};
+
+/// A tangent is contradicted if it cuts off a piece of the hybrid's outline that is thicker than so many of the
+/// outline's own sigmas there. More: noise eats the object; less: corners stay. quality_table, seeds 5001 to 5016.
+inline constexpr float kContradictedSigmas = 2.0F;
+
+/// The outline of one hybrid, to be asked about tangents.
+class Evidence {
+ public:
+  /// `origin`: of the object's local frame.
+  Evidence(const recon::HybridCore& hybrid, const recon::OutlineView& outline, recon::MapPoint origin);
+  /// False as long as there is no outline.
+  [[nodiscard]] bool contradicts(const recon::HalfPlane& tangent) const;
+
+ private:
+  bool known_;
+  recon::OutlineView outline_;
+  recon::Vec2 middle_;  ///< the hybrid's origin in the object's frame
+};
+
+/// As much room as on profile `full`.
+struct Carved {
+  recon::ConvexClip<192> clip;
+  recon::CarveGrid<128> grid;
+};
+
+/// Carves with the tangents that `evidence` does not contradict, in their order.
+Carved carve_with(std::span<const recon::HalfPlane> tangents, const Evidence& evidence);
+
+}  // namespace fencepost::host
