@@ -32,6 +32,7 @@ Command replay_command();
 Command report_command();
 Command simulate_command();
 Command evaluate_command();
+Command merge_command();
 Command calibrate_command();
 Command import_command();
 Command segment_command();

@@ -1,6 +1,7 @@
 #include "host/replay/runner.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
@@ -162,6 +163,7 @@ class ProfileRunner final : public Runner {
     const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
     if (cylinder.ok()) {
       const recon::HeightRange band = object.band.at(cylinder.center, cylinder.radius);
+      result.sigma = std::sqrt(0.5 * static_cast<double>(cylinder.covariance.xx + cylinder.covariance.yy));
       result.z_min = static_cast<double>(band.z_min);
       result.z_max = static_cast<double>(band.z_max);
       // Rows that tell a depth too great see a foot above the floor, or what hides it.

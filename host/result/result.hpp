@@ -34,6 +34,7 @@ struct ObjectResult {
   double z_max = 0;
   double confidence = 0;
   std::vector<ModelResult> models;
+  double sigma = 0;  ///< m, of each coordinate of the cylinder's centre by its own views; 0: there is none
   double base = 0;  ///< m, of its foot, or of what hides it, above the floor; 0 unless its rows speak against the floor
 };
 

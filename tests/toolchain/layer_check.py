@@ -67,6 +67,7 @@ ROOMS = {
     "host/result": "firmware/console host/geometry host/text",
     "host/replay": "firmware/loop host/result host/scene",
     "host/evaluate": "host/replay host/simulate",
+    "host/merge": "host/result",
     "host/report": "host/evaluate",
     "host/paper": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",
@@ -77,7 +78,7 @@ ROOMS = {
     "host/configure": "hal/mcu host/live",
     "host/devices": "drivers/* host/emulate/scene host/live",
     "host/calibrate": "host/live host/report",
-    "host/cli": "host/calibrate host/configure host/devices host/paper host/recorder host/segment",
+    "host/cli": "host/calibrate host/configure host/devices host/merge host/paper host/recorder host/segment",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

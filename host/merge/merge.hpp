@@ -1,0 +1,57 @@
+// One map of several: runs, or robots, that saw the same things from places that nobody measured against each other.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "firmware/recon/localize/constellation.hpp"
+#include "host/result/result.hpp"
+
+namespace fencepost::host {
+
+struct RunMap {
+  std::string log;  ///< its name
+  ResultDocument result;
+};
+
+/// Where a run's map frame lies in that of the merged map, which is the first run's.
+struct RunJoin {
+  std::string log;
+  recon::JoinVerdict verdict = recon::JoinVerdict::kTooFew;
+  PoseResult frame;           ///< its origin and heading; of no meaning unless joined
+  std::uint32_t objects = 0;  ///< that were used: confirmed, with a place
+  std::uint32_t matched = 0;  ///< of them, with objects of the other runs
+  std::uint32_t missing = 0;  ///< seen where the others' map has nothing
+  double false_alarms = 0;    ///< recon::JoinResult
+  double misfit = 0;          ///< m, root mean square of the matches
+  [[nodiscard]] bool joined() const { return verdict == recon::JoinVerdict::kJoined; }
+};
+
+/// An object of one of the runs.
+struct MergeSource {
+  std::size_t run = 0;
+  std::uint32_t id = 0;
+};
+
+struct MergedMap {
+  /// Objects with new ids, of all runs that were joined: what several saw is there once, at the mean of their places,
+  /// with the models of the one with the most views. Counts, paths and guard points are of all joined; no alerts.
+  ResultDocument map;
+  std::vector<RunJoin> runs;                      ///< in the order given; the first is always joined
+  std::vector<std::vector<MergeSource>> sources;  ///< by object of the map
+  std::vector<std::string> notes;                 ///< signatures with two names: one sentence each
+};
+
+/// At least one run. A run whose objects do not tell surely where it belongs stays out, with the reason; others may
+/// help: each is tried again when the map has grown.
+MergedMap merge(const std::vector<RunMap>& runs);
+
+/// Why a run stays out, and what would help; for a joined one empty.
+std::string reason(const RunJoin& join);
+/// A line a run, then the objects.
+std::string merge_text(const MergedMap& merged, bool colour);
+/// The result document with "runs" beside its keys, and "sources" in each object.
+std::string merge_json(const MergedMap& merged);
+
+}  // namespace fencepost::host
