@@ -104,16 +104,25 @@ TEST(Merge, PlacesAreTheMeanByTheirSigmas) {
   RunMap second = run("b.log", at(0, 0, 0), off);
   for (ObjectResult& object : second.result.objects) object.sigma = 0.02;
   const MergedMap merged = merge({run("a.log", at(0, 0, 0), kRoom), second});
-  EXPECT_NEAR(place(merged, 0).x, 0.03 / 5 - 0.03 / 7, 0.003) << "the motion takes a seventh";
+  EXPECT_NEAR(place(merged, 0).x, 0.03 / 5, 0.003) << "a fifth, of which the motion takes some";
   EXPECT_LT(merged.map.objects[0].sigma, 0.01);
 }
 
 TEST(Merge, ARunThatFitsByAnotherOnesMapJoinsAfterIt) {
-  const MergedMap merged =
-      merge({run("a.log", at(0, 0, 0), some({0, 1, 2, 3, 4})), run("c.log", at(-60, 5, 5), some({3, 4, 5, 6, 2})),
-             run("b.log", at(115, 2, -1), some({1, 2, 3, 4, 5, 6}))});
+  const auto coloured = [](std::initializer_list<std::size_t> which) {
+    std::vector<Thing> things = some(which);
+    std::size_t n = 0;
+    for (const std::size_t one : which) things[n++].signature = static_cast<std::uint8_t>(1 + one);
+    return things;
+  };
+  const RunMap a = run("a.log", at(0, 0, 0), coloured({0, 1, 2, 3, 4}));
+  const RunMap b = run("b.log", at(115, 2, -1), coloured({1, 2, 3, 4, 5, 6}));
+  const RunMap c = run("c.log", at(-60, 5, 5), coloured({2, 4, 5, 6}));
+  EXPECT_EQ(merge({a, c}).runs[1].verdict, recon::JoinVerdict::kTooFew) << "two in common";
+  const MergedMap merged = merge({a, c, b});
   EXPECT_TRUE(merged.runs[1].joined());
   EXPECT_TRUE(merged.runs[2].joined());
+  EXPECT_NEAR(merged.runs[1].frame.x, 5, 1e-3);
   EXPECT_EQ(merged.map.objects.size(), 7U);
 }
 
