@@ -65,6 +65,7 @@ Action configure_mrclam(CLI::App& app) {
       ->check(positive());
   app.add_option("--from", request->mrclam.from, "s from the recording's start")->type_name("T");
   app.add_option("--to", request->mrclam.to, "s from the recording's start")->type_name("T");
+  app.add_flag("--rows", request->mrclam.rows, "ranges also as ground rows of a level camera 0.3 m above the floor");
   app.add_flag("--include-robots", request->mrclam.include_robots, "also the other robots, which move");
   add_outputs(app, *request);
   return [request] { return run_mrclam(*request); };

@@ -43,7 +43,7 @@ ImportResult import_rings(const std::string& csv_path);
 
 enum class PoseSource : unsigned char {
   kTruth,     ///< the survey's poses as odometry
-  kOdometry,  ///< the logged velocities, integrated from the true pose at the window's start
+  kOdometry,  ///< the logged velocities, integrated from the true pose at the window's start; without any, from zero
 };
 
 struct MrclamOptions {
@@ -52,7 +52,9 @@ struct MrclamOptions {
   double diameter = 0.12;      ///< m, assumed of every landmark
   std::optional<double> from;  ///< s from the recording's start
   std::optional<double> to;
+  bool rows = false;            ///< ranges also as ground rows of a camera of known height and pitch
   bool include_robots = false;  ///< also the other robots, which move
+  bool robots_alike = false;    ///< all of one signature, 1; the landmarks' are their subjects' numbers then
 };
 
 /// UTIAS multi-robot data set (MRCLAM): a folder with RobotN_Odometry.dat, RobotN_Groundtruth.dat,

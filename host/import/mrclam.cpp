@@ -36,6 +36,10 @@ sensor::CameraIntrinsics virtual_camera() {
   return camera;
 }
 
+/// m, of the lens where ranges become ground rows: at 3 m a pitch that is known to 0.3 degrees is 5 % of the range
+/// then, which is the data's own noise.
+constexpr double kLensHeight = 0.3;
+
 class MrclamImport {
  public:
   MrclamImport(MrclamRecording recording, const MrclamOptions& options)
@@ -44,6 +48,9 @@ class MrclamImport {
     window_.to = options.to.value_or(window_.to);
     parts_.target = "import-mrclam";
     parts_.camera = virtual_camera();
+    if (!options.rows) return;
+    parts_.camera.mount.z = base::Metres::nearest(kLensHeight);
+    parts_.camera.mount.pitch = base::Radians::nearest(0);
   }
 
   Imported run() {
@@ -72,10 +79,15 @@ class MrclamImport {
   /// Barcodes are the signatures; where one does not fit into 255, the subjects' numbers are.
   void name_signatures() {
     barcodes_fit_ = recording_.subject_of.rbegin()->first <= 255;
+    if (options_.include_robots && options_.robots_alike) {
+      barcodes_fit_ = false;  // no subject of a landmark has a robot's number
+      parts_.signatures.push_back({1, colour_number(0, 1), std::string_view("robot")});
+    }
     std::size_t index = 0;
     for (const auto& [barcode, subject] : recording_.subject_of) {
       const std::size_t colour = index++;
       if (!wanted(subject)) continue;
+      if (options_.robots_alike && subject <= kLastRobot) continue;
       const std::string kind = subject <= kLastRobot ? "robot " : "landmark ";
       parts_.signatures.push_back({signature_of(barcode, subject), colour_number(colour, recording_.subject_of.size()),
                                    std::string_view(kind + std::to_string(subject))});
@@ -84,6 +96,7 @@ class MrclamImport {
 
   [[nodiscard]] bool wanted(int subject) const { return subject > kLastRobot || options_.include_robots; }
   [[nodiscard]] std::uint8_t signature_of(int barcode, int subject) const {
+    if (options_.robots_alike && subject <= kLastRobot) return 1;
     return static_cast<std::uint8_t>(barcodes_fit_ ? barcode : subject);
   }
 
@@ -196,7 +209,14 @@ class MrclamImport {
       ++skipped_["rows outside the camera's view"];
       return;
     }
+    if (options_.rows) put_foot(row.range * std::cos(row.bearing) - radius, blob);
     if (!frame.blobs.push_back(blob)) ++skipped_["rows beyond 16 in one frame"];
+  }
+
+  // The bottom row of what stands on the floor `depth` before the lens, unless that is below the image.
+  void put_foot(double depth, sensor::Blob& blob) const {
+    const double row = parts_.camera.cy.to_double() + parts_.camera.fy.to_double() * kLensHeight / depth - 0.5;
+    if (depth > 0 && row < blob.y2) blob.y2 = static_cast<std::int16_t>(std::lround(row));
   }
 
   static void sort_by_width(sensor::BlobFrame& frame) {
@@ -208,12 +228,16 @@ class MrclamImport {
     std::ostringstream diameter;
     diameter << "landmarks are taken as round, " << options_.diameter << " m wide; the data do not say";
     std::vector<std::string> notes = {diameter.str()};
-    if (options_.poses == PoseSource::kOdometry) {
+    if (options_.rows) notes.push_back("ranges are also ground rows, of a level camera 0.3 m above the floor");
+    if (recording_.truth.empty()) {
+      notes.push_back("poses are the logged velocities, integrated from (0, 0, 0): there are no true poses");
+    } else if (options_.poses == PoseSource::kOdometry) {
       notes.push_back("poses are the logged velocities, integrated from the true pose at the start");
     } else {
       notes.push_back("poses are the survey's");
     }
-    if (!barcodes_fit_) notes.push_back("signatures are subject numbers: a barcode exceeds 255");
+    if (!barcodes_fit_ && !options_.robots_alike)
+      notes.push_back("signatures are subject numbers: a barcode exceeds 255");
     return notes;
   }
 
@@ -262,7 +286,7 @@ void check(const MrclamOptions& options) {
 ImportResult import_mrclam(const std::string& folder, const MrclamOptions& options) {
   try {
     check(options);
-    return MrclamImport(read_mrclam(folder, options.robot), options).run();
+    return MrclamImport(read_mrclam(folder, options.robot, options.poses == PoseSource::kTruth), options).run();
   } catch (const ImportProblem& problem) {
     return problem;
   }

@@ -50,11 +50,7 @@ int whole(double value, const char* name, const std::string& place) {
   throw ImportProblem{place, std::string(name) + " is not a whole number", "correct the line or take it out"};
 }
 
-void read_tables(const std::string& folder, MrclamRecording& recording) {
-  const std::string prefix = (fs::path(folder) / ("Robot" + std::to_string(recording.robot))).string();
-  for (const TableRow& row : read_space_table(prefix + "_Odometry.dat", 3, "time, forward, turn").rows) {
-    recording.odometry.push_back({row.values[0], row.values[1], row.values[2]});
-  }
+void read_truth(const std::string& prefix, MrclamRecording& recording) {
   const Table truth = read_space_table(prefix + "_Groundtruth.dat", 4, "time, x, y, heading");
   for (const TableRow& row : truth.rows) {
     if (!recording.truth.empty() && row.values[0] < recording.truth.back().t) {
@@ -62,6 +58,14 @@ void read_tables(const std::string& folder, MrclamRecording& recording) {
     }
     recording.truth.push_back({row.values[0], row.values[1], row.values[2], row.values[3]});
   }
+}
+
+void read_tables(const std::string& folder, MrclamRecording& recording, bool poses_needed) {
+  const std::string prefix = (fs::path(folder) / ("Robot" + std::to_string(recording.robot))).string();
+  for (const TableRow& row : read_space_table(prefix + "_Odometry.dat", 3, "time, forward, turn").rows) {
+    recording.odometry.push_back({row.values[0], row.values[1], row.values[2]});
+  }
+  if (poses_needed || fs::exists(prefix + "_Groundtruth.dat")) read_truth(prefix, recording);
   const Table seen = read_space_table(prefix + "_Measurement.dat", 4, "time, barcode, range, bearing");
   for (const TableRow& row : seen.rows) {
     if (!recording.measurements.empty() && row.values[0] < recording.measurements.back().t) {
@@ -90,8 +94,8 @@ void read_survey(const std::string& folder, MrclamRecording& recording) {
 }
 
 void start_at_zero(MrclamRecording& recording) {
-  const double start =
-      std::min({recording.odometry.front().t, recording.truth.front().t, recording.measurements.front().t});
+  double start = std::min(recording.odometry.front().t, recording.measurements.front().t);
+  if (!recording.truth.empty()) start = std::min(start, recording.truth.front().t);
   for (VelocityRow& row : recording.odometry) row.t -= start;
   for (TimedPose& pose : recording.truth) pose.t -= start;
   for (MeasurementRow& row : recording.measurements) row.t -= start;
@@ -99,10 +103,10 @@ void start_at_zero(MrclamRecording& recording) {
 
 }  // namespace
 
-MrclamRecording read_mrclam(const std::string& folder, std::optional<int> robot) {
+MrclamRecording read_mrclam(const std::string& folder, std::optional<int> robot, bool poses_needed) {
   MrclamRecording recording;
   recording.robot = choose_robot(folder, robot);
-  read_tables(folder, recording);
+  read_tables(folder, recording, poses_needed);
   read_survey(folder, recording);
   start_at_zero(recording);
   return recording;
@@ -110,6 +114,7 @@ MrclamRecording read_mrclam(const std::string& folder, std::optional<int> robot)
 
 std::optional<TimedPose> truth_at(const MrclamRecording& recording, double t) {
   const auto& truth = recording.truth;
+  if (truth.empty()) return TimedPose{t, 0, 0, 0};
   if (t < truth.front().t || t > truth.back().t) return std::nullopt;
   const auto after =
       std::upper_bound(truth.begin(), truth.end(), t, [](double time, const TimedPose& pose) { return time < pose.t; });

@@ -38,10 +38,11 @@ struct MrclamRecording {
   std::map<int, Point> landmarks;  ///< by subject
 };
 
+/// Without `poses_needed` the file of true poses may be missing: `truth` is empty then.
 /// errors: ImportProblem, naming file and line
-MrclamRecording read_mrclam(const std::string& folder, std::optional<int> robot);
+MrclamRecording read_mrclam(const std::string& folder, std::optional<int> robot, bool poses_needed);
 
-/// True pose at `t`, heading the short way round; nothing outside the recorded times.
+/// True pose at `t`, heading the short way round; nothing outside the recorded times. The origin where none are.
 std::optional<TimedPose> truth_at(const MrclamRecording& recording, double t);
 
 }  // namespace fencepost::host

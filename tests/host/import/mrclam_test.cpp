@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include <cmath>
 #include <numbers>
 
@@ -112,6 +114,46 @@ TEST(ImportMrclam, OtherRobotsOnRequest) {
   const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
   EXPECT_EQ(log.frames[0].blobs.size(), 3U);
   EXPECT_EQ(log.signatures.size(), 4U);
+}
+
+TEST(ImportMrclam, RobotsAlikeAreOneSignature) {
+  const Files files;
+  put_recording(files);
+  MrclamOptions options;
+  options.include_robots = options.robots_alike = true;
+  const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
+  ASSERT_EQ(log.signatures.size(), 3U);
+  EXPECT_EQ(log.signatures[0].name.view(), "robot");
+  ASSERT_EQ(log.frames[0].blobs.size(), 3U);
+  EXPECT_EQ(log.frames[0].blobs[0].signature, 1) << "the robot, nearest";
+  EXPECT_EQ(log.frames[0].blobs[1].signature, 6) << "the landmark's subject";
+}
+
+TEST(ImportMrclam, RangesBecomeGroundRowsOnRequest) {
+  const Files files;
+  put_recording(files);
+  MrclamOptions options;
+  options.rows = true;
+  const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
+  EXPECT_EQ(log.cameras[0].mount.z.raw, 3'000);
+  ASSERT_TRUE(log.cameras[0].mount.pitch.has_value());
+  // The nearest point in depth: 2 cos(0.1) - 0.06 = 1.93001 m; 3599.5 + 8100 * 0.3 / 1.93001 - 0.5 = 4858.06.
+  EXPECT_EQ(log.frames[0].blobs[0].y2, 4858);
+}
+
+TEST(ImportMrclam, WithoutTruePosesOdometryStartsAtZero) {
+  const Files files;
+  put_recording(files);
+  std::filesystem::remove(files.folder() + "/Robot2_Groundtruth.dat");
+  MrclamOptions options;
+  EXPECT_FALSE(import_mrclam(files.folder(), options).ok());
+  options.poses = PoseSource::kOdometry;
+  const ImportResult result = import_mrclam(files.folder(), options);
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  const Recorded log = read_back(result->log);
+  EXPECT_EQ(log.odometry[0].t.raw, 0) << "the earliest time is that of the odometry now";
+  EXPECT_EQ(log.odometry[0].x.raw, 0);
+  EXPECT_NEAR(log.odometry[1].x.to_double(), 2 / kPi, 1e-4);
 }
 
 TEST(ImportMrclam, BarcodesBeyond255FallBackToSubjects) {
