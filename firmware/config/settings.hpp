@@ -30,12 +30,13 @@ enum class Key : std::uint8_t {
 };
 inline constexpr std::size_t kKeys = 15;
 
-/// The unit of settings that are on or off.
-inline constexpr std::string_view kSwitch = "on|off";
+/// Values of `correct.pose` by their counts, and its unit.
+enum Correct : std::int32_t { kCorrectOff, kCorrectOn, kCorrectAuto };
+inline constexpr std::string_view kChoice = "off|on|auto";
 
 struct KeyInfo {
   std::string_view name;
-  std::string_view unit;      ///< kSwitch for switches
+  std::string_view unit;      ///< kChoice: one of those words
   std::int32_t decimals = 0;  ///< values are counts of 10^-decimals
   std::int32_t initial = 0;
   std::int32_t low = 0;
@@ -59,7 +60,7 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"alert.rate", "/s", 0, 5, 1, 50, "repeated alerts of one object"},
     {"camera.noise", "px", 2, 0, 0, 1000, "sigma of a box edge; 0: by its columns"},
     {"correct.drift", "%", 1, 30, 1, 500, "of the distance: how far off odometry is"},
-    {"correct.pose", kSwitch, 0, 0, 0, 1, "correct the pose by landmarks seen again"},
+    {"correct.pose", kChoice, 0, kCorrectAuto, 0, kCorrectAuto, "by landmarks seen again; auto: if odometry drifts"},
 }};
 
 constexpr const KeyInfo& info(Key key) { return kKeyInfo[static_cast<std::size_t>(key)]; }
@@ -80,7 +81,7 @@ class Settings {
 
   /// Takes `value` as written on the console. Nothing changes on an error.
   std::optional<SettingError> set(std::string_view key, std::string_view value);
-  /// As FPCFG and `get` write it: exactly the key's decimals, or on/off.
+  /// As FPCFG and `get` write it: exactly the key's decimals, or the word.
   [[nodiscard]] sensor::Text text(Key key) const;
 
   friend constexpr bool operator==(const Settings&, const Settings&) = default;

@@ -9,7 +9,7 @@ namespace {
 
 void put_value(Sentence& s, const config::KeyInfo& entry, std::string_view value) {
   s.put(entry.name).put(" = ").put(value);
-  if (entry.unit.empty() || entry.unit == config::kSwitch || entry.unit == config::kDeviceName) return;
+  if (entry.unit.empty() || entry.unit == config::kChoice || entry.unit == config::kDeviceName) return;
   s.put(" ").put(entry.unit);
 }
 void put_setting(Sentence& s, config::Key key, const config::Settings& settings) {

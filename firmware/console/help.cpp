@@ -35,7 +35,7 @@ void put_names(Sentence& s, const std::array<config::DeviceInfo, N>& all, const 
 }  // namespace
 
 void put_range(Sentence& s, const config::KeyInfo& entry) {
-  if (entry.unit == config::kSwitch) {
+  if (entry.unit == config::kChoice) {
     s.put(entry.unit);
     return;
   }

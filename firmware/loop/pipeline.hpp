@@ -363,10 +363,12 @@ class Pipeline {
     if (!m_.run.testing) {
       confirmation = {m_.settings.raw(config::Key::kConfirmK), m_.settings.raw(config::Key::kConfirmN)};
     }
-    const bool correct = m_.settings.raw(config::Key::kCorrectPose) != 0 && !m_.run.testing;
-    const float drift = correct ? 0.01F * m_.settings.number(config::Key::kCorrectDrift) : 0.0F;
+    const std::int32_t correct = m_.run.testing ? config::kCorrectOff : m_.settings.raw(config::Key::kCorrectPose);
+    recon::CorrectionOrder correction;
+    if (correct != config::kCorrectOff) correction.drift = 0.01F * m_.settings.number(config::Key::kCorrectDrift);
+    correction.always = correct == config::kCorrectOn;
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
-    m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, drift);
+    m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction);
     if (m_.run.testing) return;
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());

@@ -135,7 +135,7 @@ class Reporter {
 
   /// Where the robot was at an exposure, while the pose is corrected.
   void pose(base::Time exposure) {
-    if (!logs() || !m_.map.correction().running()) return;
+    if (!logs() || !m_.map.correction().corrects()) return;
     if (m_.run.pose_sent_at.since(exposure) < kPoseInterval) return;
     m_.run.pose_sent_at = base::Stamp(exposure);
     report(console::report_pose(m_.map.correction().pose(), m_.map.correction().sigma(), exposure));

@@ -6,10 +6,12 @@
 //   since which exposure the robot stands;
 //   of the guard beside the map: how many points it has, and four of them in turn;
 //   of the check of the lens: one of its four parts in turn.
-//   while the pose is corrected: the pose's covariance, and the landmark of that slot with all of its covariances.
+//   unless pose correction is off: the filter's pose and covariance, how far odometry drifts, and the landmark of that
+//   slot with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -37,9 +39,19 @@ void hash_guard(base::Fnv1a64& hash, const guard::Guard<kCapacity>& guard, std::
   guard.hash(hash, frames);
 }
 
-/// Of the pose correction, while it is on: the pose's covariance, and one landmark with all of its own.
-template <std::size_t kLandmarks>
-void hash_filter(base::Fnv1a64& hash, const LandmarkFilter<kLandmarks>& filter, std::size_t slot) {
+/// Of the pose correction, unless it is off: whether odometry is believed, how far it drifts, the filter's pose and its
+/// covariance, what strays, and one landmark with all of its own.
+template <class Correction>
+void hash_correction(base::Fnv1a64& hash, const Correction& correction, std::size_t slot) {
+  const auto& filter = correction.filter();
+  const DriftGauge& gauge = filter.gauge();
+  const std::array<float, 6> drift{gauge.factor,   gauge.position, gauge.heading,
+                                   gauge.surprise, gauge.usual,    correction.strayers().mean(slot)};
+  hash.u8(correction.corrects() ? 1 : 0);
+  hash_floats(hash, drift);
+  for (const std::uint8_t signature : correction.strayers().signatures()) hash.u8(signature);
+  hash_pose(hash, filter.at().pose);
+  hash_pose(hash, filter.at().odometry);
   hash_floats(hash, filter.pose_covariances());
   if (!filter.landmark(slot).used()) return;
   hash_landmark(hash, filter.landmark(slot));

@@ -32,16 +32,16 @@ class Map {
   }
 
   /// One frame through the whole algorithm. `odometry`: where the robot was at the exposure, by odometry alone;
-  /// `drift`: by what share of the distance that may be off; more than 0, the objects correct it. Blobs of `frame`
-  /// that are pieces of one object are joined in place.
+  /// `correction`: how far objects correct that. Blobs of `frame` that are pieces of one object are joined in place.
   FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
-                         const MeasurementNoise& noise, Confirmation confirmation, float drift = 0) {
+                         const MeasurementNoise& noise, Confirmation confirmation,
+                         const CorrectionOrder& correction = {}) {
     FrameOutcome outcome;
     standing_.look(odometry, frame.t - camera.latency);
     LensPose lens = lens_pose(odometry, camera);
     guard_.look(frame, camera, lens, standing_.since());
     table_.start_frame(frame.t - camera.latency, standing_.since());
-    const MapPose driven = correction_.drive(odometry, drift);
+    const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, correction_);
     matcher_.observe(frame, camera, table_.objects());
@@ -108,7 +108,7 @@ class Map {
     hash_standing(hash, standing_);
     hash_guard(hash, guard_, frames_);
     lens_check_.hash(hash, frames_);
-    if (correction_.running()) hash_filter(hash, correction_.filter(), frames_ % kObjects);
+    if (correction_.running()) hash_correction(hash, correction_, frames_ % kObjects);
     ++frames_;
     digest_ = hash.value();
   }

@@ -119,7 +119,7 @@ std::vector<std::string> names_in(const std::array<config::DeviceInfo, N>& all, 
 }
 
 std::string range_of(const config::KeyInfo& entry) {
-  if (entry.unit == config::kSwitch) return std::string(entry.unit);
+  if (entry.unit == config::kChoice) return std::string(entry.unit);
   const double unit = std::pow(10, -entry.decimals);
   return fmt::format("{:.{}f} to {:.{}f}{}{}", entry.low * unit, entry.decimals, entry.high * unit, entry.decimals,
                      entry.unit.empty() ? "" : " ", entry.unit);

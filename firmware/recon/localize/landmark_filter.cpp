@@ -148,6 +148,19 @@ bool is_plausible(std::span<const float> projected, float gain) {
   return std::fabs(projected[kHeading] * gain) < kWidestTurn;
 }
 
+// Where what was driven since the last equation is a good part of the innovation, a residual larger than expected says
+// that odometry is worse than was thought, a smaller one that it is better: a step up the likelihood's gradient.
+void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float innovation) {
+  const float driven =
+      gauge.position * jacobian.center.squaredNorm() + gauge.heading * jacobian.heading * jacobian.heading;
+  const float share = std::min(1.0F, driven / innovation);
+  gauge.surprise = squared < kMostSurprise ? squared : kMostSurprise;
+  gauge.usual += kUsualGain * (gauge.surprise - gauge.usual);
+  gauge.factor = std::clamp(gauge.factor * (1 + kDriftGain * share * (gauge.surprise - 1)), 1.0F, kMostDrift);
+  gauge.position *= 1 - share;
+  gauge.heading *= 1 - share;
+}
+
 // The heading's error moves what comes after it sideways by `moved` turned left.
 void shear(const FilterView& filter, const Vec2& driven) {
   const Covariance p(filter);
@@ -175,11 +188,14 @@ MapPose corrected(const FilterPose& at, const MapPose& odometry) {
   return {moved(at.pose.position, driven), odometry.heading + turn};
 }
 
+Vec2 turned(const Vec2& v, std::int32_t angle) { return rotated(direction_of(angle), v); }
+
 void start(const FilterView& filter) {
   std::fill(filter.landmarks.begin(), filter.landmarks.end(), Landmark{});
   std::fill(filter.covariance.begin(), filter.covariance.end(), 0.0F);
   const Covariance covariance(filter);
   for (const std::size_t i : {kX, kY, kHeading}) covariance.at(i, i) = kStartVariance;
+  filter.gauge = {};
 }
 
 void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise) {
@@ -194,10 +210,15 @@ void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNois
   shear(filter, driven);
   const Covariance covariance(filter);
   const float distance = std::sqrt(driven.squaredNorm());
-  covariance.at(kX, kX) += noise.position * noise.position * distance;
-  covariance.at(kY, kY) += noise.position * noise.position * distance;
-  covariance.at(kHeading, kHeading) +=
-      noise.heading * noise.heading * distance + noise.turning * noise.turning * std::fabs(turned) / kMicroradians;
+  DriftGauge& gauge = filter.gauge;
+  const float position = gauge.factor * noise.position * noise.position * distance;
+  const float heading = gauge.factor * (noise.heading * noise.heading * distance +
+                                        noise.turning * noise.turning * std::fabs(turned) / kMicroradians);
+  covariance.at(kX, kX) += position;
+  covariance.at(kY, kY) += position;
+  covariance.at(kHeading, kHeading) += heading;
+  gauge.position += position;
+  gauge.heading += heading;
 }
 
 void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess) {
@@ -256,6 +277,7 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
   float innovation = variance_along(jacobian, slot, places, step) + variance;
   if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
   const float squared = residual * residual / innovation;
+  compare(filter.gauge, jacobian, squared, innovation);
   if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
   if (squared > kHuberSigmas * kHuberSigmas) innovation *= std::sqrt(squared) / kHuberSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
@@ -291,6 +313,26 @@ PoseSigma pose_sigma(std::span<const float> covariance) {
   constexpr std::size_t kYy = 2;
   constexpr std::size_t kHeadingHeading = 5;
   return {std::sqrt(0.5F * (covariance[kXx] + covariance[kYy])), std::sqrt(covariance[kHeadingHeading])};
+}
+
+float distance_to(const FilterView& filter, const MapPose& other) {
+  const Covariance p(filter);
+  const MapPose& pose = filter.at.pose;
+  const Vec2 off = offset_from(pose.position, other.position);
+  const float turn =
+      static_cast<float>(short_way(static_cast<std::int64_t>(other.heading) - pose.heading)) / kMicroradians;
+  // Three equations in turn, each with what the ones before have told taken out.
+  const float xx = p.at(kX, kX), xy = p.at(kY, kX), xh = p.at(kHeading, kX);
+  if (!(xx > 0)) return 0;
+  const float y = off.y() - xy / xx * off.x();
+  const float h = turn - xh / xx * off.x();
+  const float yy = p.at(kY, kY) - xy * xy / xx;
+  const float yh = p.at(kHeading, kY) - xy * xh / xx;
+  if (!(yy > 0)) return 0;
+  const float h2 = h - yh / yy * y;
+  const float hh = p.at(kHeading, kHeading) - xh * xh / xx - yh * yh / yy;
+  if (!(hh > 0)) return 0;
+  return off.x() * off.x() / xx + y * y / yy + h2 * h2 / hh;
 }
 
 }  // namespace fencepost::recon

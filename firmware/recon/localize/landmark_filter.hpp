@@ -83,15 +83,29 @@ struct FilterPose {
   MapPose odometry;  ///< the same moment by odometry
 };
 
+/// By how much odometry is worse than it was said to be, as the innovations show.
+struct DriftGauge {
+  float factor = 1;  ///< on the variances of the noise, from 1 to kMostDrift
+  /// Variances of what was driven and not compared with any equation yet, m^2 and rad^2.
+  float position = 0;
+  float heading = 0;
+  float surprise = 0;  ///< of the latest equation: its squared residual over the expected one, at most kMostSurprise
+  float usual = 1;     ///< running mean of the surprises
+};
+
 /// Any filter, whatever its number of landmarks.
 struct FilterView {
   FilterPose& at;
+  DriftGauge& gauge;
   std::span<Landmark> landmarks;
   std::span<float> covariance;
 };
 
 /// The pose now, given where odometry has come since `at`; exactly the odometry as long as nothing was corrected.
 MapPose corrected(const FilterPose& at, const MapPose& odometry);
+
+/// `v` turned left by an angle (urad).
+Vec2 turned(const Vec2& v, std::int32_t angle);
 
 /// No landmarks, and a pose that is known: it is what the map frame is.
 void start(const FilterView& filter);
@@ -111,15 +125,18 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
 CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
 /// Of the packed covariances of the pose.
 PoseSigma pose_sigma(std::span<const float> covariance);
+/// Squared distance of another pose from the filter's, in sigmas of the filter's (Mahalanobis, 3 degrees of freedom).
+float distance_to(const FilterView& filter, const MapPose& other);
 
 template <std::size_t kLandmarks>
 class LandmarkFilter {
  public:
   static constexpr std::size_t kStates = states_of(kLandmarks);
 
-  [[nodiscard]] FilterView view() { return {at_, landmarks_, covariance_}; }
+  [[nodiscard]] FilterView view() { return {at_, gauge_, landmarks_, covariance_}; }
   [[nodiscard]] const Landmark& landmark(std::size_t slot) const { return landmarks_[slot]; }
   [[nodiscard]] const FilterPose& at() const { return at_; }
+  [[nodiscard]] const DriftGauge& gauge() const { return gauge_; }
   /// For the digest: of the pose alone; of one landmark's place with all before it; of its radius with all places.
   [[nodiscard]] std::span<const float> pose_covariances() const { return std::span(covariance_).first(6); }
   [[nodiscard]] std::span<const float> place_covariances(std::size_t slot) const {
@@ -133,6 +150,7 @@ class LandmarkFilter {
 
  private:
   FilterPose at_;
+  DriftGauge gauge_;
   std::array<Landmark, kLandmarks> landmarks_{};
   std::array<float, covariances_of(kLandmarks)> covariance_{};
 };

@@ -19,11 +19,22 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
   return guess;
 }
 
+// Farther than the models take a row: its sigma grows with the square of the distance, and the filter weighs it so.
+RowDepth foot_depth(const Sighting& seen, const MeasurementNoise& noise) {
+  const float drop = seen.bottom.drop;
+  if (!seen.rows_known || seen.no_edge() || !is_edge(seen.bottom.end)) return {};
+  if (drop * kFarthestLandmark < seen.lens_height) return {};
+  const float depth = seen.lens_height / drop;
+  const float row = noise.row_px / seen.focal;
+  const float angle2 = row * row + noise.pitch * noise.pitch;
+  return {true, depth, depth * depth * angle2 / (drop * drop) + noise.position * noise.position};
+}
+
 LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
   if (!seen.both_edges()) return {};
   const float half = 0.5F * std::sqrt((seen.left.direction - seen.right.direction).squaredNorm());
   if (!(half * kFarthestLandmark > kTypicalRadius)) return {};
-  const RowDepth row = row_depth(seen, noise);
+  const RowDepth row = foot_depth(seen, noise);
   const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
   const float along = (row.known ? kRowShare : kSizeShare) * distance;
   LandmarkGuess guess;
@@ -84,8 +95,9 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
   } else if ((view.present & ViewTangents::kRight) != 0) {
     circle.lines[0] = tangent_of(view.right, inwards - across, shape + pose);
   }
-  if ((view.present & ViewTangents::kFront) != 0) {
-    circle.lines[2] = tangent_of(view.front, view.front.line.normal, shape + place);
+  if (const RowDepth foot = foot_depth(seen, noise); foot.known) {
+    const Vec2 normal = -seen.axis;
+    circle.lines[2] = {{normal, normal.dot(seen.lens) - foot.depth, 1, normal}, foot.variance + shape + place};
   }
   for (Line& line : circle.lines) line.variance /= novelty;
   return circle;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "firmware/recon/localize/landmark_filter.hpp"
+#include "firmware/recon/localize/strayers.hpp"
 #include "firmware/recon/localize/tuning.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "firmware/recon/track/object_events.hpp"
@@ -35,8 +36,16 @@ struct SightedCircle {
 SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
                              const MeasurementNoise& noise);
 
+/// What the pose correction is to do.
+struct CorrectionOrder {
+  float drift = 0;      ///< share of the distance by which odometry may be off; 0: nothing
+  bool always = false;  ///< else from when odometry is known to drift
+};
+
 /// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
 /// distance can at least be guessed, is a landmark until it ends, moves or its models begin again.
+/// Unless it is to correct always, the filter runs beside the odometry, which is believed until the filter knows
+/// better: odometry is kDriftKnown sigmas from where the landmarks say. Poses and objects go over to the filter then.
 template <class Profile>
 class PoseCorrection {
  public:
@@ -44,41 +53,50 @@ class PoseCorrection {
 
   /// A new run: the map frame is that of the odometry.
   void clear() {
-    running_ = false;
-    filter_.view().at = {};
+    running_ = corrects_ = looks_ = false;
+    strayers_.clear();
+    filter_.view().at = at_ = {};
   }
 
-  /// The robot has moved; where it is now. `drift`: by what share of the distance odometry may be off, 0 switches the
-  /// correction off. What was corrected so far stays then: the map is where it is.
-  MapPose drive(const MapPose& odometry, float drift) {
-    const bool on = drift > 0;
+  /// The robot has moved; where it is now. What was corrected so far stays when it is switched off: the map is where it
+  /// is.
+  MapPose drive(const MapPose& odometry, const CorrectionOrder& order) {
+    const bool on = order.drift > 0;
     if (on && !running_) {
       const FilterView filter = filter_.view();
-      filter.at = {recon::corrected(filter.at, odometry), odometry};
+      filter.at = {corrected(odometry), odometry};
       start(filter);
     }
     running_ = on;
-    if (running_) drive_to(filter_.view(), odometry, drift_noise(drift));
+    corrects_ = on && (corrects_ || order.always);
+    looks_ = on && (corrects_ || has_gone(odometry));
+    if (looks_) drive_to(filter_.view(), odometry, drift_noise(order.drift));
+    if (corrects_) at_ = filter_.at();
     return corrected(odometry);
   }
 
   [[nodiscard]] bool running() const { return running_; }
-  [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(filter_.at(), odometry); }
+  /// Odometry is not believed any more.
+  [[nodiscard]] bool corrects() const { return corrects_; }
+  [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(at_, odometry); }
+  [[nodiscard]] const Strayers<kLandmarks>& strayers() const { return strayers_; }
   [[nodiscard]] const LandmarkFilter<kLandmarks>& filter() const { return filter_; }
   /// At the last frame.
   [[nodiscard]] const MapPose& pose() const { return filter_.at().pose; }
   [[nodiscard]] PoseSigma sigma() const { return pose_sigma(filter_.pose_covariances()); }
 
   /// For matching: where the object in `slot` is, in its local frame, if it is a landmark. Of that the filter knows how
-  /// far the pose has drifted away since it was seen, which closes the loop.
+  /// far the pose has drifted away since it was seen, which closes the loop. What wheels do wrong has no Gaussian's
+  /// short tails, so it may be farther.
   [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot) {
-    if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
+    if (!corrects_ || !filter_.landmark(slot).used()) return std::nullopt;
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
     place.center += offset_from(object.origin, pose().position);
+    place.covariance.scale(kLongTails * kLongTails);
     return place;
   }
   [[nodiscard]] MeasurementNoise model_noise(MeasurementNoise noise) const {
-    if (!running_) return noise;
+    if (!corrects_) return noise;
     noise.heading = std::max(noise.heading, kCorrectedHeading);
     noise.position = std::max(noise.position, kCorrectedPosition);
     return noise;
@@ -89,17 +107,25 @@ class PoseCorrection {
   template <class Objects, class Matcher>
   [[gnu::noinline]] MapPose correct(const MapPose& driven, Objects& objects, const Matcher& matcher,
                                     const CameraModel& camera, const MeasurementNoise& noise) {
-    if (!running_) return driven;
+    if (!looks_) return driven;
+    const LensPose lens = lens_pose(driven, camera);
     std::size_t turns = 0;
     for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
       if (matcher.observation_of(next_).moves) continue;
       const Sighting seen = make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.observation_of(next_));
-      apply(objects, next_, seen, lens_pose(pose(), camera), noise);
+      // While the robot stands its shape error is the same in every view, so it counts as little as the view is novel.
+      const float surprise =
+          apply(next_, seen, camera, objects[next_].novelty(lens.lens_from(objects[next_].origin)), noise);
+      if (strayers_.look(next_, objects[next_].signature, surprise)) forget_landmark(filter_.view(), next_);
       ++turns;
     }
-    return filter_.at().pose;
+    if (turns > 0 && knows_better_than(driven)) corrects_ = true;
+    if (!corrects_) return driven;
+    at_ = filter_.at();
+    place(objects);
+    return at_.pose;
   }
 
   /// The map has changed: forgets the landmarks whose objects have ended or moved, adds what can be a landmark now.
@@ -107,50 +133,78 @@ class PoseCorrection {
   void follow(const Table& table, const Matcher& matcher, const CameraModel& camera, const MeasurementNoise& noise) {
     if (!running_) return;
     for (const ObjectEvent& event : table.events()) {
+      if (event.kind != EventKind::kMoved) strayers_.forget(event.slot);
       if (event.kind != EventKind::kBorn && filter_.landmark(event.slot).used()) {
         forget_landmark(filter_.view(), event.slot);
       }
     }
+    if (!looks_) return;
     for (std::size_t o = 0; o < kLandmarks; ++o) {
       const ObjectCore& object = table.objects()[o];
       const bool may_be = object.used() && !object.moving && object.views >= kViewsForLandmark;
       if (filter_.landmark(o).used() || !may_be || !matcher.seen(o)) continue;
-      const Sighting seen = make_sighting(camera, lens_pose(pose(), camera), matcher.observation_of(o));
-      const LandmarkGuess guess = guess_of(object, seen, noise);
-      if (guess.radius > 0) add_landmark(filter_.view(), o, guess);
+      if (strayers_.bars(o, object.signature)) continue;
+      // By the pose that the models know, and turned as the filter's is against that.
+      const MapPose believed = corrected(filter_.at().odometry);
+      const Sighting seen = make_sighting(camera, lens_pose(believed, camera), matcher.observation_of(o));
+      LandmarkGuess guess = guess_of(object, seen, noise);
+      if (!(guess.radius > 0)) continue;
+      guess.away = turned(guess.away, pose().heading - believed.heading);
+      add_landmark(filter_.view(), o, guess);
     }
   }
 
  private:
-  // `seen` from the robot: its anchor is the robot frame's origin. `lens`: in the map.
-  template <class Objects>
-  void apply(Objects& objects, std::size_t slot, const Sighting& seen, const LensPose& lens,
-             const MeasurementNoise& noise) {
+  // The largest surprise. `seen` from the robot: its anchor is the robot frame's origin.
+  float apply(std::size_t slot, const Sighting& seen, const CameraModel& camera, float novelty,
+              const MeasurementNoise& noise) {
     const Landmark& landmark = filter_.landmark(slot);
+    const LensPose lens = lens_pose(pose(), camera);
     const Vec2 from_lens = -lens.lens_from(landmark.center);
     const Vec2 away = rotated(seen.axis, to_camera(lens, from_lens));
-    // While the robot stands its shape error is the same in every view, so it counts as little as the view is novel.
-    const float novelty = objects[slot].novelty(lens.lens_from(objects[slot].origin));
     const SightedCircle circle = sighted_circle(seen, away, landmark.radius, novelty, noise);
+    float surprise = 0;
     for (const SightedCircle::Line& line : circle.lines) {
       if (!(line.variance > 0)) continue;
       std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      if (correct_by(filter_.view(), slot, line.equation, line.variance, step) == TangentFate::kUsed)
-        move(objects, slot, step);
+      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step));
+      surprise = std::max(surprise, filter_.gauge().surprise);
     }
+    return surprise;
   }
 
-  // How the landmark that was seen moves against the pose, its object's models find out for themselves.
+  // Residuals that are larger than expected, of lost pieces and false blobs, make the filter surer than it should be.
+  [[nodiscard]] bool knows_better_than(const MapPose& driven) {
+    const float usual = std::max(1.0F, filter_.gauge().usual);
+    return distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
+  }
+
+  // While odometry is believed, the filter looks only as often as there is something new to compare: most frames of a
+  // small robot go without.
+  [[nodiscard]] bool has_gone(const MapPose& odometry) const {
+    const MapPose& last = filter_.at().odometry;
+    const std::int64_t turned = short_way(static_cast<std::int64_t>(odometry.heading) - last.heading);
+    return turned > kLookTurn || turned < -kLookTurn ||
+           offset_from(last.position, odometry.position).squaredNorm() > kLookStep * kLookStep;
+  }
+
+  // Objects stand where their landmarks do; what they look like, their models find out for themselves.
   template <class Objects>
-  void move(Objects& objects, std::size_t seen, std::span<const float> step) {
+  void place(Objects& objects) {
     for (std::size_t o = 0; o < kLandmarks; ++o) {
-      if (o != seen && filter_.landmark(o).used()) objects[o].shift({step[3 + 2 * o], step[4 + 2 * o]});
+      const CylinderEstimate& estimate = objects[o].cylinder.estimate();
+      if (!filter_.landmark(o).used() || !estimate.ok()) continue;
+      objects[o].shift(offset_from(objects[o].origin, filter_.landmark(o).center) - estimate.center);
     }
   }
 
   LandmarkFilter<kLandmarks> filter_;
+  Strayers<kLandmarks> strayers_;
+  FilterPose at_;          ///< the last pose that was given out as corrected
   std::uint8_t next_ = 0;  ///< whose turn it was
   bool running_ = false;
+  bool corrects_ = false;
+  bool looks_ = false;  ///< at this frame
 };
 
 }  // namespace fencepost::recon

@@ -44,7 +44,7 @@ TEST(Console, Help) {
             "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
             "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
             "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
-            "  correct.pose     off  on|off        correct the pose by landmarks seen again\r\n");
+            "  correct.pose    auto  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n");
 }
 
 TEST(Console, StatusOfARobotThatHasSeenNothing) {
@@ -90,7 +90,7 @@ TEST(Console, SettingsAreSetAndGot) {
   EXPECT_EQ(desk.type_line("get alert.stop").substr(0, 19), "alert.stop = 0.35 m");
   EXPECT_EQ(desk.type_line("set correct.pose on"), "correct.pose = on\r\n");
   EXPECT_EQ(desk.type_line("get correct.pose"),
-            "correct.pose = on (on|off), correct the pose by landmarks seen again\r\n");
+            "correct.pose = on (off|on|auto), by landmarks seen again; auto: if odometry drifts\r\n");
   EXPECT_EQ(desk.type_line("set confirm.k 7"), "confirm.k = 7 (7 of 5: no object can be confirmed)\r\n");
   EXPECT_EQ(desk.type_line("set confirm.n 8"), "confirm.n = 8\r\n");
   const std::string all = desk.type_line("get");
@@ -123,7 +123,7 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
       {"set alert.stop 0,3", "error: '0,3' is not possible: alert.stop takes 0.00..10.00 m"},
       {"set alert.ttc_stop much", "error: 'much' is not possible: alert.ttc_stop takes 0.0..60.0 s"},
       {"set confirm.k 17", "error: '17' is not possible: confirm.k takes 1..16"},
-      {"set correct.pose yes", "error: 'yes' is not possible: correct.pose takes on|off"},
+      {"set correct.pose yes", "error: 'yes' is not possible: correct.pose takes off|on|auto"},
       {"get alert.stop alert.warn", "error: 'alert.warn' is too much: get [KEY]"},
       {"sta\xfftus", "error: the line holds bytes that are not text: same baud rate on both ends?"},
   };

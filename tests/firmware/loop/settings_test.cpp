@@ -16,7 +16,7 @@ TEST(Settings, StartWithTheDocumentedDefaults) {
       {Key::kAlertTtcStop, "0.8"}, {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotFront, "0.00"},
       {Key::kRobotRear, "0.00"},   {Key::kRobotWidth, "0.20"},  {Key::kRobotMargin, "0.05"},
       {Key::kConfirmK, "3"},       {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},
-      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"}, {Key::kCorrectPose, "off"}};
+      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"}, {Key::kCorrectPose, "auto"}};
   static_assert(std::size(defaults) == config::kKeys);
   for (const auto& [key, text] : defaults) EXPECT_EQ(settings.text(key).view(), text) << config::info(key).name;
 }
@@ -24,7 +24,7 @@ TEST(Settings, StartWithTheDocumentedDefaults) {
 TEST(Settings, TakeEveryKeyWithinItsRangeOnly) {
   for (const config::KeyInfo& entry : config::kKeyInfo) {
     Settings settings;
-    if (entry.unit == "on|off") continue;
+    if (entry.unit == "off|on|auto") continue;
     EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
     EXPECT_EQ(settings.set(entry.name, "100000"), SettingError::kOutOfRange) << entry.name;
     EXPECT_EQ(settings.set(entry.name, "much"), SettingError::kNotANumber) << entry.name;

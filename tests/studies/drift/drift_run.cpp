@@ -23,7 +23,11 @@ DrivenLog drive(const host::Scene& scene, const DriftOptions& options) {
   DriftingOdometry odometry(options.seed, options.drift);
   const Tour tour = drive_tour(scene, noise_levels({options.level}).front().blob,
                                [&](const sensor::OdometrySample& sample) { return odometry.next(sample); });
-  return {options.correct ? with_setting(tour.log, {"correct.pose", "on"}) : tour.log, odometry.truth()};
+  const auto setting = [](std::string_view key, const std::string& value) {
+    return record::Setting{key, std::string_view(value)};
+  };
+  const std::string log = with_setting(tour.log, setting("correct.drift", options.told));
+  return {with_setting(log, setting("correct.pose", options.correct)), odometry.truth()};
 }
 
 /// As seen by a robot that is at `truth` and believes to be at `estimate`.

@@ -66,15 +66,18 @@ struct Removed {
   bool enough = false;
 };
 
-// Two rows: the poses of the odometry, and the corrected ones.
+// A row each: the poses of the odometry, those corrected always, and those corrected by itself, which are judged.
 Removed print_rows(const Request& request, const Drift& drift, DriftOptions options) {
   options.drift = drift;
-  options.correct = false;
+  options.correct = "off";
   const Means raw = mean_of(request.seeds, options);
   print(fmt::format("| {} | odometry |{}\n", drift.key, row_of(raw)));
-  options.correct = true;
-  const Means corrected = mean_of(request.seeds, options);
-  print(fmt::format("| {} | corrected |{}\n", drift.key, row_of(corrected)));
+  Means corrected;
+  for (const char* mode : {"on", "auto"}) {
+    options.correct = mode;
+    corrected = mean_of(request.seeds, options);
+    print(fmt::format("| {} | {} |{}\n", drift.key, mode, row_of(corrected)));
+  }
   Removed removed{1 - corrected.position / raw.position, 1 - corrected.heading / raw.heading, false};
   removed.enough = removed.position >= kPositionRemoved && removed.heading >= kHeadingRemoved &&
                    corrected.sum.at("hybrid") <= request.most;

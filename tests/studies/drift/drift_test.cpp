@@ -14,8 +14,9 @@ namespace fencepost::test {
 namespace {
 
 constexpr std::size_t kMiddle = 1;  // of drifts(): 3 %, 2 deg/m
+constexpr std::size_t kNone = 3;
 
-DriftOptions options_of(unsigned seed, bool correct) {
+DriftOptions options_of(unsigned seed, const char* correct) {
   DriftOptions options;
   options.seed = seed;
   options.drift = drifts()[kMiddle];
@@ -53,7 +54,7 @@ std::string setting(std::string_view key, std::string_view value) {
 class DriftIn : public testing::TestWithParam<const char*> {};
 
 TEST_P(DriftIn, OffThePoseIsTheOdometry) {
-  const Replayed off = run(drift_log(options_of(3, false)), GetParam());
+  const Replayed off = run(drift_log(options_of(3, "off")), GetParam());
   EXPECT_EQ(count_of(off.log, "$FPPOS"), 0U);
   const auto& result = off.outcome.result;
   ASSERT_TRUE(result.pose.has_value());
@@ -65,8 +66,8 @@ TEST_P(DriftIn, OffThePoseIsTheOdometry) {
 }
 
 TEST_P(DriftIn, OnItSaysWhereItIs) {
-  const Replayed on = run(drift_log(options_of(3, true)), GetParam());
-  const Replayed off = run(drift_log(options_of(3, false)), GetParam());
+  const Replayed on = run(drift_log(options_of(3, "on")), GetParam());
+  const Replayed off = run(drift_log(options_of(3, "off")), GetParam());
   EXPECT_GE(count_of(on.log, "$FPPOS"), 10U);  // twice a second
   EXPECT_NE(on.outcome.result.digest, off.outcome.result.digest);
   EXPECT_EQ(on.outcome.result.objects.empty(), false);
@@ -74,7 +75,7 @@ TEST_P(DriftIn, OnItSaysWhereItIs) {
 
 // The log that a correcting robot writes gives the same poses, objects and digests again.
 TEST_P(DriftIn, ReplaysToTheBit) {
-  const Replayed first = run(drift_log(options_of(4, true)), GetParam());
+  const Replayed first = run(drift_log(options_of(4, "on")), GetParam());
   ASSERT_GE(count_of(first.log, "$FPPOS"), 10U);
   const Replayed again = run(first.log, GetParam(), true);
   EXPECT_GT(again.outcome.check.compared, 10U);
@@ -85,12 +86,12 @@ TEST_P(DriftIn, ReplaysToTheBit) {
 
 // Switched off, the robot goes on from where it thinks it is: one step of odometry from its last corrected pose.
 TEST_P(DriftIn, SwitchedOffItStaysWhereItIs) {
-  std::string log = drift_log(options_of(5, true));
+  std::string log = drift_log(options_of(5, "on"));
   const std::size_t middle = log.find('\n', log.size() * 2 / 3) + 1;
   log.insert(middle, setting("correct.pose", "off"));
   const Replayed stopped = run(log, GetParam());
   const auto& path = stopped.outcome.result.path;
-  const Replayed odometry = run(drift_log(options_of(5, false)), GetParam());
+  const Replayed odometry = run(drift_log(options_of(5, "off")), GetParam());
   const auto& raw = odometry.outcome.result.path;
   ASSERT_EQ(path.size(), raw.size());
   double off = 0;
@@ -106,6 +107,28 @@ TEST_P(DriftIn, SwitchedOffItStaysWhereItIs) {
   EXPECT_GT(off, 0.01);
 }
 
+// By itself it corrects what drifts, and leaves alone what does not.
+TEST_P(DriftIn, ByItselfItCorrectsWhatDrifts) {
+  DriftOptions options = options_of(6, "auto");
+  options.profile = GetParam();
+  const DriftResult drifting = run_drift(options);
+  options.correct = "off";
+  EXPECT_LT(drifting.position, 0.7 * run_drift(options).position);
+  options.drift = drifts()[kNone];
+  options.correct = "auto";
+  EXPECT_LT(run_drift(options).position, 0.002);
+}
+
+// Four times as careful as it would have to be, it still finds its way.
+TEST_P(DriftIn, ToldTooMuchDriftItDoesNotDiverge) {
+  DriftOptions options = options_of(7, "off");
+  options.profile = GetParam();
+  const double raw = run_drift(options).position;
+  options.correct = "on";
+  options.told = "30";
+  EXPECT_LT(run_drift(options).position, raw);
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, DriftIn, testing::Values("micro", "small", "full"));
 
 // Lost pieces, and now and then something else taken for an object: no worse off than by odometry, and the map is
@@ -116,10 +139,10 @@ TEST(Drift, WrongBlobsDoNotDestroyTheMap) {
   double hybrid = 0;
   constexpr unsigned kScenes = 6;
   for (unsigned seed = 11; seed < 11 + kScenes; ++seed) {
-    DriftOptions options = options_of(seed, false);
+    DriftOptions options = options_of(seed, "off");
     options.level = "4";
     raw += run_drift(options).position;
-    options.correct = true;
+    options.correct = "on";
     const DriftResult result = run_drift(options);
     corrected += result.position;
     hybrid += result.sum.at("hybrid") / kScenes;

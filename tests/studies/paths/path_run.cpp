@@ -24,7 +24,8 @@ Tour drive_path(const PathOptions& options) {
 host::Evaluation run_log(const Tour& tour, const PathOptions& options) {
   host::EvaluateOptions evaluate_options;
   evaluate_options.profile = options.profile;
-  const std::string log = options.feed == Feed::kCorrected ? with_setting(tour.log, {"correct.pose", "on"}) : tour.log;
+  const char* correct = options.feed == Feed::kCorrected ? "on" : "off";
+  const std::string log = with_setting(tour.log, record::Setting{"correct.pose", std::string_view(correct)});
   const std::string name = "seed " + std::to_string(options.seed);
   host::EvaluateOutcome outcome =
       host::evaluate(log, name, tour.scene, host::FrameTruths(tour.frames), evaluate_options);

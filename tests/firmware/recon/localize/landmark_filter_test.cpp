@@ -190,7 +190,7 @@ struct Loop {
 };
 
 TEST(LandmarkFilter, TakesWhatItShould) {
-  static_assert(sizeof(LandmarkFilter<8>) <= 1520 && sizeof(LandmarkFilter<4>) <= 528);
+  static_assert(sizeof(LandmarkFilter<8>) <= 1540 && sizeof(LandmarkFilter<4>) <= 548);
   EXPECT_EQ(recon::covariances_of(8), 19U * 20 / 2 + 8 * 20);
 }
 
@@ -502,6 +502,43 @@ TEST(LandmarkFilter, TurnsWithTheScene) {
   EXPECT_NEAR(there.position.x * 1e-5, q.x(), 3e-4);
   EXPECT_NEAR(there.position.y * 1e-5, q.y(), 3e-4);
   EXPECT_NEAR(there.heading * 1e-6, here.heading * 1e-6 + turn, 3e-4);
+}
+
+// A robot that turns by 0.5 rad/m and looks every fifth time, of which the noise explains a small part: the factor on
+// it grows; with wheels that are true it stays where it was told.
+TEST(LandmarkFilter, LearnsHowFarOdometryDrifts) {
+  for (const double drift : {0.0, 0.5}) {
+    Loop<4> loop;
+    loop.drift = drift;
+    for (int i = 1; i <= 75; ++i) {
+      loop.advance(i);
+      for (std::size_t l = 0; l < 4 && i % 5 == 0; ++l) {
+        for (const int side : {1, -1}) loop.correct(l, loop.look(l, side));
+      }
+    }
+    const float factor = loop.filter.gauge().factor;
+    if (drift > 0) {
+      EXPECT_GT(factor, 1.5);
+    } else {
+      EXPECT_LT(factor, 1.2);
+    }
+  }
+}
+
+// A pose known to 0.1 m and 0.05 rad: 0.2 m and 0.1 rad off are two sigmas each, 4 + 4 + 4.
+TEST(LandmarkFilter, SaysHowFarAPoseIsFromItsOwn) {
+  LandmarkFilter<1> filter;
+  const auto view = filter.view();
+  recon::start(view);
+  view.covariance[0] = view.covariance[2] = 0.01F;
+  view.covariance[5] = 0.0025F;
+  EXPECT_EQ(distance_to(view, view.at.pose), 0);
+  EXPECT_NEAR(distance_to(view, map_pose(0.2, -0.2, 0.1)), 12, 1e-3);
+  // x and the heading go together (0.004 of at most 0.005): both two sigmas off in the same way are
+  // (4 + 4 - 2 * 0.8 * 4) / (1 - 0.64) = 4.444, in opposite ways (4 + 4 + 2 * 0.8 * 4) / 0.36 = 40.
+  view.covariance[3] = 0.004F;
+  EXPECT_NEAR(distance_to(view, map_pose(0.2, 0, 0.1)), 4.444, 1e-2);
+  EXPECT_NEAR(distance_to(view, map_pose(0.2, 0, -0.1)), 40, 0.1);
 }
 
 TEST(LandmarkFilter, LeavesOdometryAloneUntilItCorrects) {

@@ -1,0 +1,50 @@
+// Objects that move and were taken for landmarks: what makes them known.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/localize/tuning.hpp"
+
+namespace fencepost::recon {
+
+/// Which objects are no landmarks: again and again they are not where they should be, whatever the pose. Once that was
+/// so of two objects of a signature, among the last four, it is so of all.
+template <std::size_t kLandmarks>
+class Strayers {
+ public:
+  void clear() {
+    off_.fill(0);
+    signatures_.fill(0);
+  }
+  void forget(std::size_t slot) { off_[slot] = 0; }
+  /// True if the object in `slot` is to be no landmark any more. `surprise`: of its last sighting, see DriftGauge.
+  bool look(std::size_t slot, std::uint8_t signature, float surprise) {
+    off_[slot] += kStrayGain * (surprise - off_[slot]);
+    if (off_[slot] <= kStraying) return false;
+    off_[slot] = kMostSurprise * 2;  // until it ends
+    if (count(signature) < 2) signatures_[next_++ % signatures_.size()] = signature;
+    return true;
+  }
+  [[nodiscard]] bool bars(std::size_t slot, std::uint8_t signature) const {
+    return off_[slot] > kMostSurprise || count(signature) >= 2;
+  }
+
+  /// For the digest.
+  [[nodiscard]] float mean(std::size_t slot) const { return off_[slot]; }
+  [[nodiscard]] std::span<const std::uint8_t> signatures() const { return signatures_; }
+
+ private:
+  [[nodiscard]] std::ptrdiff_t count(std::uint8_t signature) const {
+    return std::count(signatures_.begin(), signatures_.end(), signature);
+  }
+
+  std::array<float, kLandmarks> off_{};
+  std::array<std::uint8_t, 4> signatures_{};  ///< of the last ones; 0: none
+  std::uint8_t next_ = 0;
+};
+
+}  // namespace fencepost::recon

@@ -1,0 +1,187 @@
+#include "tests/studies/drift/real_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <stdexcept>
+
+#include "host/import/import.hpp"
+#include "host/replay/replay.hpp"
+#include "tests/firmware/record/lines.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr std::uint8_t kRobots = 1;  // signature of all, where they are there
+constexpr std::uint32_t kLasting = 8;
+
+struct Pair {
+  host::Point found;
+  host::Point truth;
+};
+
+struct Alignment {
+  double turn = 0;   // of the truth against what was found, rad
+  double scale = 1;  // likewise; the errors are those without it
+  std::vector<double> errors;
+};
+
+// Least squares over a rotation and a shift.
+Alignment align(const std::vector<Pair>& pairs) {
+  host::Point a;
+  host::Point b;
+  const auto n = static_cast<double>(pairs.size());
+  for (const Pair& p : pairs) {
+    a = {a.x + p.found.x / n, a.y + p.found.y / n};
+    b = {b.x + p.truth.x / n, b.y + p.truth.y / n};
+  }
+  double cosine = 0;
+  double sine = 0;
+  double size = 0;
+  for (const Pair& p : pairs) {
+    const double fx = p.found.x - a.x, fy = p.found.y - a.y, tx = p.truth.x - b.x, ty = p.truth.y - b.y;
+    cosine += fx * tx + fy * ty;
+    sine += fx * ty - fy * tx;
+    size += fx * fx + fy * fy;
+  }
+  Alignment alignment;
+  alignment.turn = std::atan2(sine, cosine);
+  alignment.scale = std::hypot(cosine, sine) / size;
+  const double c = std::cos(alignment.turn), s = std::sin(alignment.turn);
+  for (const Pair& p : pairs) {
+    const double fx = p.found.x - a.x, fy = p.found.y - a.y;
+    alignment.errors.push_back(std::hypot(b.x + fx * c - fy * s - p.truth.x, b.y + fx * s + fy * c - p.truth.y));
+  }
+  std::sort(alignment.errors.begin(), alignment.errors.end());
+  return alignment;
+}
+
+double rms(const std::vector<double>& errors) {
+  double sum = 0;
+  for (const double error : errors) sum += error * error;
+  return std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
+host::Point middle_of(const host::SceneObject& object) {
+  host::Point sum;
+  const auto n = static_cast<double>(object.footprint.outer.size());
+  for (const host::Point& p : object.footprint.outer) sum = {sum.x + p.x / n, sum.y + p.y / n};
+  return sum;
+}
+
+// Of the objects of a signature the one seen most often.
+const host::ObjectResult* best_of(const host::ResultDocument& result, std::uint8_t signature) {
+  const host::ObjectResult* best = nullptr;
+  for (const host::ObjectResult& object : result.objects) {
+    if (object.signature != signature || !object.models[0].circle) continue;
+    if (best == nullptr || object.views > best->views) best = &object;
+  }
+  return best;
+}
+
+PathError path_error(const std::vector<host::PoseResult>& path, const std::vector<host::PoseResult>& survey) {
+  PathError error;
+  std::size_t at = 0;
+  std::vector<Pair> pairs;
+  for (const host::PoseResult& pose : path) {
+    while (at + 1 < survey.size() && survey[at + 1].t <= pose.t) ++at;
+    if (std::fabs(survey[at].t - pose.t) > 0.1) continue;
+    const double off = std::hypot(pose.x - survey[at].x, pose.y - survey[at].y);
+    error.mean += off;
+    error.worst = std::max(error.worst, off);
+    error.heading += std::fabs(std::remainder(pose.heading - survey[at].heading, 2 * std::numbers::pi));
+    pairs.push_back({{pose.x, pose.y}, {survey[at].x, survey[at].y}});
+  }
+  if (pairs.empty()) return error;
+  error.mean /= static_cast<double>(pairs.size());
+  error.heading /= static_cast<double>(pairs.size());
+  error.shape = rms(align(pairs).errors);
+  return error;
+}
+
+host::Imported import(const RealRun& run, const RealOptions& options, host::PoseSource poses) {
+  host::MrclamOptions import;
+  import.robot = run.robot;
+  import.poses = poses;
+  import.rows = options.rows;
+  import.include_robots = import.robots_alike = options.robots;
+  host::ImportResult imported = host::import_mrclam(run.folder, import);
+  if (!imported.ok()) throw std::runtime_error(imported.error().message());
+  return *imported;
+}
+
+host::ResultDocument replay(const host::Imported& imported, const RealOptions& options, const std::string& name) {
+  std::string log = imported.log;
+  for (const auto& [key, value] : options.settings)
+    log = with_setting(log, record::Setting{std::string_view(key), std::string_view(value)});
+  host::ReplayOptions replay_options;
+  replay_options.profile = options.profile;
+  host::ReplayOutcome outcome = host::replay(log, name, replay_options);
+  if (outcome.unreadable) throw std::runtime_error(outcome.unreadable->message);
+  return std::move(outcome.result);
+}
+
+}  // namespace
+
+const std::vector<RealRun>& real_runs() {
+  static const std::vector<RealRun> kRuns = [] {
+    const std::string data = FENCEPOST_SHARED_DIR "/data/";
+    std::vector<RealRun> runs;
+    for (const char* set : {"D1", "D4"}) {
+      for (int robot = 1; robot <= 5; ++robot) {
+        runs.push_back({std::string(set) + " robot " + std::to_string(robot), data + "mrclam_maps/" + set, robot,
+                        std::string_view(set) == "D1"});
+      }
+    }
+    runs.push_back({"D6 robot 2", data + "mrclam/D6_R2", 2, false});
+    runs.push_back({"D7 robot 2", data + "mrclam/D7_R2", 2, false});
+    return runs;
+  }();
+  return kRuns;
+}
+
+bool present(const RealRun& run) { return std::filesystem::exists(run.folder); }
+
+RealResult run_real(const RealRun& run, const RealOptions& options) {
+  const host::Imported imported = import(run, options, host::PoseSource::kOdometry);
+  const host::ResultDocument found = replay(imported, options, run.name);
+  RealResult result;
+  std::vector<Pair> pairs;
+  for (const host::SceneObject& landmark : imported.truth->objects) {
+    std::string name = landmark.name;
+    if (run.exchanged && name == "landmark 11") {
+      name = "landmark 17";
+    } else if (run.exchanged && name == "landmark 17") {
+      name = "landmark 11";
+    }
+    const auto truth = std::find_if(imported.truth->objects.begin(), imported.truth->objects.end(),
+                                    [&](const host::SceneObject& object) { return object.name == name; });
+    const host::ObjectResult* best = best_of(found, landmark.signature);
+    if (best == nullptr) {
+      ++result.missing;
+    } else {
+      pairs.push_back({best->models[0].circle->center, middle_of(*truth)});
+    }
+  }
+  for (const host::ObjectResult& object : found.objects) {
+    const bool robot = options.robots && object.signature == kRobots;
+    if (!robot) ++result.objects;
+    if (robot && object.views >= kLasting && object.models[0].circle) ++result.movers;
+  }
+  if (pairs.empty()) throw std::runtime_error(run.name + ": no landmark has a place");
+  Alignment alignment = align(pairs);
+  result.landmarks = std::move(alignment.errors);
+  result.map = rms(result.landmarks);
+  result.turned = alignment.turn;
+  result.scale = alignment.scale;
+  if (run.folder.find("mrclam_maps") == std::string::npos) {
+    const host::Imported truth = import(run, options, host::PoseSource::kTruth);
+    RealOptions uncorrected = options;
+    uncorrected.settings = {{"correct.pose", "off"}};
+    result.path = path_error(found.path, replay(truth, uncorrected, run.name).path);
+  }
+  return result;
+}
+
+}  // namespace fencepost::test

@@ -1,0 +1,52 @@
+// One run of a real robot by its wheels alone through the product, and how good the map and the path are at the end.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fencepost::test {
+
+/// A robot of the MRCLAM data sets, beside the checkout (../shared/data).
+struct RealRun {
+  std::string name;
+  std::string folder;
+  int robot = 0;
+  bool exchanged = false;  ///< landmarks 11 and 17 of the survey are
+};
+
+/// What the constants may be chosen on: D1. Judged: D4, D6_R2, D7_R2.
+const std::vector<RealRun>& real_runs();
+[[nodiscard]] bool present(const RealRun& run);
+
+struct RealOptions {
+  std::string profile = "full";
+  std::vector<std::pair<std::string, std::string>> settings;  ///< beside the defaults
+  bool rows = false;                                          ///< ranges also as ground rows
+  bool robots = false;                                        ///< the other robots, too, as one signature
+};
+
+struct PathError {
+  double mean = 0;     ///< m
+  double worst = 0;    ///< m
+  double heading = 0;  ///< rad, mean
+  double shape = 0;    ///< m, rms after the rotation and shift that suit the path best
+};
+
+struct RealResult {
+  std::vector<double> landmarks;  ///< m, sorted: how far off they are after the rotation and shift that suit all best
+  double map = 0;                 ///< m, their rms
+  double scale = 1;               ///< by which the map is too small: without ground rows it is that of the odometry
+  double turned = 0;              ///< rad, how the map is turned against the survey's frame, where the start is known
+  std::size_t objects = 0;        ///< of landmarks' signatures
+  std::size_t missing = 0;        ///< landmarks without an object
+  std::size_t movers = 0;         ///< objects of the robots' signature, at the end, that were taken for lasting ones
+  std::optional<PathError> path;  ///< where true poses are known
+};
+
+/// Throws std::runtime_error if the recording cannot be read.
+RealResult run_real(const RealRun& run, const RealOptions& options);
+
+}  // namespace fencepost::test

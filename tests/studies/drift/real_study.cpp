@@ -1,0 +1,90 @@
+// Pose correction on fifteen minutes of each of twelve real robots, which log commanded velocities: the map, the
+// objects too many, the path where it was surveyed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/studies/common/study.hpp"
+#include "tests/studies/drift/real_run.hpp"
+
+namespace fencepost::test {
+namespace {
+
+/// What every run together has to reach.
+constexpr double kMedian = 0.08;      // m
+constexpr double kWorst = 0.20;       // m
+constexpr std::size_t kObjects = 18;  // for 15 landmarks
+
+struct Request {
+  std::vector<std::string> only;
+  std::vector<std::string> settings;
+  bool judge = true;
+  RealOptions options;
+
+  [[nodiscard]] bool wants(const RealRun& run) const {
+    return only.empty() ||
+           std::any_of(only.begin(), only.end(), [&](const auto& start) { return run.name.starts_with(start); });
+  }
+};
+
+constexpr double kDegrees = 57.29577951308232;
+
+void print_row(const RealRun& run, const RealResult& result) {
+  std::string row = fmt::format("| {} | {:.3f} | {:.3f} | {:.3f} | {} | {} | {} |", run.name, result.map,
+                                result.landmarks.back(), result.scale, result.objects, result.missing, result.movers);
+  if (result.path) {
+    row += fmt::format(" {:.2f} m {:.1f} deg | {:.2f} m | {:.1f} deg |\n", result.path->mean,
+                       result.path->heading * kDegrees, result.path->shape, result.turned * kDegrees);
+  } else {
+    row += " | | |\n";
+  }
+  print(row);
+}
+
+bool run(const Request& request) {
+  Request wanted = request;
+  for (const std::string& setting : request.settings) {
+    const std::size_t equals = setting.find('=');
+    wanted.options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  print(
+      "| run | map, rms | worst | scale | objects | missing | movers | pose off | path, aligned | map turned |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  std::vector<double> maps;
+  std::size_t objects = 0;
+  for (const RealRun& run : real_runs()) {
+    if (!wanted.wants(run)) continue;
+    if (!present(run)) {
+      print(fmt::format("NOT MEASURED: {} is not on this machine\n", run.folder));
+      continue;
+    }
+    const RealResult result = run_real(run, wanted.options);
+    print_row(run, result);
+    maps.push_back(result.map);
+    objects = std::max(objects, result.objects);
+  }
+  if (maps.empty()) return true;
+  std::sort(maps.begin(), maps.end());
+  const double median = 0.5 * (maps[maps.size() / 2] + maps[(maps.size() - 1) / 2]);
+  const bool reached = median <= kMedian && maps.back() <= kWorst && objects <= kObjects;
+  print(fmt::format("\nmedian {:.3f} m, worst {:.3f} m, at most {} objects; wanted: {:.2f}, {:.2f}, {}\n", median,
+                    maps.back(), objects, kMedian, kWorst, kObjects));
+  return reached || !request.judge;
+}
+
+void options(CLI::App& app, Request& request) {
+  app.add_option("--runs", request.only, "first characters of their names: D1, D4, D6, D7")->delimiter(',');
+  app.add_option("--set", request.settings, "KEY=VALUE, beside the defaults");
+  app.add_flag("--rows", request.options.rows, "ranges also as ground rows; without, widths and bearings");
+  app.add_flag("--robots", request.options.robots, "the other robots, too, as one signature");
+  add_profile_option(app, request.options.profile);
+  app.add_flag("!--no-judgement", request.judge, "print only");
+}
+
+constexpr Study<Request> kStudy = {"real_drift_study", "Pose correction on real runs.", options, run};
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }
