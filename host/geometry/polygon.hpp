@@ -14,6 +14,9 @@ struct Point {
 /// Closed implicitly: the first vertex is not repeated at the end.
 using LinearRing = std::vector<Point>;
 
+/// From its first vertex to its last.
+using Polyline = std::vector<Point>;
+
 /// Outer ring counter-clockwise, holes clockwise.
 struct Polygon {
   LinearRing outer;

@@ -173,7 +173,32 @@ ModelResult clip_model(const recon::ObjectCore& object, std::string name, std::s
   return model;
 }
 
-ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline) {
+namespace {
+
+/// The runs of sides of which no edge was seen; `vertices` counter-clockwise.
+std::vector<Polyline> open_sides(recon::MapPoint origin, std::span<const recon::Vec2> vertices,
+                                 recon::ConstClusters clusters) {
+  const std::size_t n = vertices.size();
+  std::vector<bool> open;
+  for (std::size_t i = 0; i < n; ++i) {
+    const recon::Vec2 along = vertices[(i + 1) % n] - vertices[i];
+    open.push_back(!recon::edge_seen(clusters, -recon::left_of(along)));
+  }
+  const auto closed = static_cast<std::size_t>(std::find(open.begin(), open.end(), false) - open.begin());
+  std::vector<Polyline> runs;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t side = (closed + i) % n;
+    if (!open[side]) continue;
+    if (i == 0 || !open[(side + n - 1) % n]) runs.push_back(map_polygon(origin, vertices.subspan(side, 1)).outer);
+    runs.back().push_back(map_polygon(origin, vertices.subspan((side + 1) % n, 1)).outer.front());
+  }
+  return runs;
+}
+
+}  // namespace
+
+ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline,
+                         recon::ConstClusters clusters) {
   ModelResult model;
   model.name = "hybrid";
   model.reason = std::string(name(hybrid.refusal));
@@ -185,6 +210,7 @@ ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineVi
     return model;
   }
   model.geometry.push_back(map_polygon(hybrid.origin, std::span(vertices).first(size)));
+  model.open = open_sides(hybrid.origin, std::span(vertices).first(size), clusters);
   return model;
 }
 

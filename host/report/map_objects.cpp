@@ -32,6 +32,16 @@ std::string area_path(const MapFrame& f, const MultiPolygon& areas) {
   return d;
 }
 
+std::string line_path(const MapFrame& f, const std::vector<Polyline>& lines) {
+  std::string d;
+  for (const Polyline& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      d += fmt::format("{}{} {}", i == 0 ? "M" : "L", px(f.x(line[i].x)), px(f.y(line[i].y)));
+    }
+  }
+  return d;
+}
+
 Point middle(const LinearRing& ring) {
   Point sum;
   for (const Point& p : ring) sum = {sum.x + p.x, sum.y + p.y};
@@ -80,6 +90,10 @@ std::string draw_model(const MapFrame& f, const ResultDocument& document, const 
         R"(<path class="{}" fill-rule="evenodd" fill="{}" stroke="{}" d="{}"><title>object {} {}, {}, {}</title></path>)",
         state_class(object), hex(colour), ink(colour, kLineLuminance), area_path(f, model->geometry), object.id,
         escaped(signature_name(document, object.signature)), escaped(name), record::name(object.state));
+    if (model->open.empty()) continue;
+    svg +=
+        fmt::format(R"(<path class="open" d="{}"><title>object {}: no edge was seen here, it may go on</title></path>)",
+                    line_path(f, model->open), object.id);
   }
   return svg + "</g>\n";
 }

@@ -56,6 +56,7 @@ svg .nearest { fill: var(--ink); }
 svg text.name { font-weight: 600; }
 svg path.is-tentative { opacity: .4; }
 svg path.is-lost { opacity: .7; }
+svg path.open { fill: none; stroke: #fff; stroke-dasharray: 4 4; }
 svg text.is-tentative, svg text.is-lost { font-style: italic; font-weight: 400; }
 svg .curve { fill: none; stroke: #3b4a5c; stroke-width: 1.4; }
 svg .dots circle { stroke: #3b4a5c; stroke-width: .8; }

@@ -12,12 +12,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kSmallestRing = 3;
 
-Json ring_json(LinearRing ring, bool counter_clockwise) {
-  if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+Json points_json(const std::vector<Point>& line) {
   Json points = Json::array();
-  for (const Point& p : ring) {
+  for (const Point& p : line) {
     points.push_back(Json::array({rounded(p.x, kLengthDecimals), rounded(p.y, kLengthDecimals)}));
   }
+  return points;
+}
+
+Json ring_json(LinearRing ring, bool counter_clockwise) {
+  if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  Json points = points_json(ring);
   points.push_back(points.front());
   return points;
 }
@@ -46,6 +51,12 @@ Json to_geojson(const MultiPolygon& geometry) {
   if (polygons.empty()) return nullptr;
   if (polygons.size() == 1) return {{"type", "Polygon"}, {"coordinates", polygons.front()}};
   return {{"type", "MultiPolygon"}, {"coordinates", polygons}};
+}
+
+Json lines_to_geojson(const std::vector<Polyline>& lines) {
+  Json all = Json::array();
+  for (const Polyline& line : lines) all.push_back(points_json(line));
+  return {{"type", "MultiLineString"}, {"coordinates", std::move(all)}};
 }
 
 }  // namespace fencepost::host

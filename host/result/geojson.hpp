@@ -14,6 +14,9 @@ inline constexpr int kLengthDecimals = 6;
 /// counter-clockwise, holes clockwise) whichever way they come.
 nlohmann::ordered_json to_geojson(const MultiPolygon& geometry);
 
+/// MultiLineString.
+nlohmann::ordered_json lines_to_geojson(const std::vector<Polyline>& lines);
+
 /// Nearest number with `decimals` decimals, never -0; null when not finite.
 nlohmann::ordered_json rounded(double value, int decimals);
 

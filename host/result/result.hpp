@@ -23,6 +23,8 @@ struct ModelResult {
   MultiPolygon geometry;         ///< map frame, metres
   std::optional<Circle> circle;  ///< cylinders only
   std::string reason;
+  /// Of a hybrid: the parts of its outline of which no edge was seen. It may go on there.
+  std::vector<Polyline> open{};
 };
 
 struct ObjectResult {

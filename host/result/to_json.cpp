@@ -52,6 +52,7 @@ Json model_json(const ModelResult& model) {
     json["radius"] = known ? rounded(model.circle->radius, kLengthDecimals) : Json(nullptr);
   }
   json["geometry"] = std::move(geometry);
+  if (!model.open.empty()) json["open"] = lines_to_geojson(model.open);
   return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "firmware/recon/models/tuning.hpp"
@@ -25,6 +26,11 @@ inline float inlier_share(float residual, float sigma, float farther_out = kFart
   const float reach = sigma * kPerReach < kPerSigmas ? sigma * kPerReach : kPerSigmas;
   const float bad = kOutlier * (residual > 0 ? farther_out : 1.0F) * reach;
   return good / (good + bad);
+}
+
+/// m. A sigma, and by how much the model itself is off; 0: as it was, to the last bit.
+inline float with_misfit(float sigma, float misfit) {
+  return misfit > 0 ? std::sqrt(sigma * sigma + misfit * misfit) : sigma;
 }
 
 /// What a fit takes for granted of its spread before it has seen any tangent.

@@ -56,7 +56,6 @@ namespace {
 
 RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise) {
   if (!sighting.rows_known) return {};
-  if (sighting.no_edge()) return {};
   if (sighting.bottom.drop * kRowMaxDepth < sighting.lens_height) return {};
   const float depth = sighting.lens_height / sighting.bottom.drop;
   // dX = X^2 / (f h) dv; the pitch moves the row by f dpitch.
@@ -70,11 +69,11 @@ RowDepth depth_of_bottom(const Sighting& sighting, const MeasurementNoise& noise
 }  // namespace
 
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
-  return is_edge(sighting.bottom.end) ? depth_of_bottom(sighting, noise) : RowDepth{};
+  return is_edge(sighting.bottom.end) && !sighting.no_edge() ? depth_of_bottom(sighting, noise) : RowDepth{};
 }
 
 RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise) {
-  return sighting.bottom.end == End::kLowerBound ? depth_of_bottom(sighting, noise) : RowDepth{};
+  return sighting.bottom.end != End::kOccluded ? depth_of_bottom(sighting, noise) : RowDepth{};
 }
 
 RowDepth hidden_row_depth(const Sighting& sighting) {

@@ -98,7 +98,18 @@ bool has_middle_of(const Prediction& prediction, const Observation& seen) {
          twice_middle <= 2 * (prediction.right.at + prediction.right.sigma);
 }
 
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen) {
+EndsOff ends_off(const Prediction& prediction, const Observation& seen, bool inside) {
+  if (!(prediction.depth > 0)) return {};
+  const auto off = [&](End end, int beyond, const PredictedLine& line) {
+    if (!is_edge(end) || line.sigma == 0) return false;
+    const int reach = reach_of(line) + 1;
+    return beyond > reach || (inside && beyond < -reach);
+  };
+  return {off(seen.left, prediction.left.at - seen.left_column, prediction.left),
+          off(seen.right, seen.right_column - prediction.right.at, prediction.right)};
+}
+
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, EndsOff open) {
   const auto count = [](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(column - line.at) <= reach_of(line) + 1) return 0;
     constexpr int kMost = 100;
@@ -106,8 +117,12 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
     return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
   };
   if (!(prediction.depth > 0)) return;
-  if (is_edge(seen.left)) object.left_off = count(object.left_off, seen.left_column, prediction.left);
-  if (is_edge(seen.right)) object.right_off = count(object.right_off, seen.right_column, prediction.right);
+  if (is_edge(seen.left)) {
+    object.left_off = open.left ? std::int8_t{0} : count(object.left_off, seen.left_column, prediction.left);
+  }
+  if (is_edge(seen.right)) {
+    object.right_off = open.right ? std::int8_t{0} : count(object.right_off, seen.right_column, prediction.right);
+  }
 }
 
 void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts) {

@@ -19,8 +19,16 @@ bool covers(const Prediction& prediction, const Observation& seen);
 /// True if the blob's middle lies in the predicted interval, give or take a sigma.
 bool has_middle_of(const Prediction& prediction, const Observation& seen);
 
+/// The ends of a blob that are edges more than three sigmas outside the predicted interval; `inside`: or inside.
+struct EndsOff {
+  bool left = false;
+  bool right = false;
+};
+EndsOff ends_off(const Prediction& prediction, const Observation& seen, bool inside);
+
 /// Counts the frames in a row in which an edge that was seen is more than three sigmas off, always to the same side.
-void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen);
+/// Not one that was `open`: of something longer than the image it is the end, seen at last.
+void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, EndsOff open = {});
 /// Likewise those in which the foot of what a standing robot looks at is not where it was: something else is there now.
 /// This frame as `counts`.
 void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts);

@@ -98,7 +98,7 @@ class ObjectTable {
       if (!matcher.seen(o)) continue;
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
-      compare_ends(object, matcher.prediction(o), seen);
+      compare_ends(object, matcher.prediction(o), seen, open_ends(object, matcher.prediction(o), seen, camera, lens));
       compare_foot(object, seen, object.last_seen > stands_since_, elapsed_ >= kCountsTwice ? 2 : 1);
       // Sightings of what moves do not meet in one place.
       if (object.contradicted() || seen.moves) {
@@ -111,6 +111,21 @@ class ObjectTable {
       object.history.push(true);
       object.presence += kPresenceGain * (1.0F - object.presence);
     }
+  }
+
+  // Of the ends that were seen where none was expected, those that contradict no edge seen before.
+  static EndsOff open_ends(const ObjectType& object, const Prediction& prediction, const Observation& seen,
+                           const CameraModel& camera, const LensPose& lens) {
+    const auto& hybrid = object.hybrid();
+    // What goes on beyond the image, or may, has sides that nobody saw: there the models only guess.
+    const bool guessed = hybrid.large || !object.cylinder.known_whole() || !is_edge(seen.left) || !is_edge(seen.right);
+    EndsOff open = ends_off(prediction, seen, guessed);
+    if (!open.left && !open.right) return open;
+    const Sighting sighting = make_sighting(camera, lens, seen);
+    const Vec2 from = sighting.lens_from(hybrid.origin);
+    open.left = open.left && !hybrid.edges_contradict(from, left_of(sighting.left.direction));
+    open.right = open.right && !hybrid.edges_contradict(from, -left_of(sighting.right.direction));
+    return open;
   }
 
   static bool is_clear(const Box& box) {

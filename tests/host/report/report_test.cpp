@@ -106,6 +106,16 @@ TEST(Report, TextFromLogsAndScenesIsEscaped) {
   EXPECT_FALSE(has(page, "\xff"));
 }
 
+TEST(Report, OpenSidesAreDrawnBroken) {
+  ResultDocument d = arc_document();
+  EXPECT_FALSE(has(write_report(d, std::nullopt, {}), "<path class=\"open\""));
+  d.objects[0].models[3].open = {{{1, 0}, {1.1, 0}}};
+  const std::string page = write_report(d, std::nullopt, {});
+  EXPECT_EQ(find_fault(page), "");
+  EXPECT_TRUE(has(page, "<path class=\"open\""));
+  EXPECT_TRUE(has(page, "<title>object 1: no edge was seen here, it may go on</title>"));
+}
+
 TEST(Report, AModelWithoutAStyleOfItsOwnIsDrawn) {
   ResultDocument d = arc_document();
   d.objects[0].models[3].name = "brand_new";

@@ -65,6 +65,14 @@ TEST(ToJson, ACylinderWithoutGeometryHasNoNumbers) {
   for (const char* key : {"x", "y", "radius", "geometry"}) EXPECT_TRUE(cylinder.at(key).is_null()) << key;
 }
 
+TEST(ToJson, OpenSidesAreLines) {
+  ResultDocument d = small_document();
+  EXPECT_FALSE(Json::parse(to_json(d))["objects"][0]["models"]["clip"].contains("open"));
+  d.objects[0].models[2].open = {{{1, 0}, {1.1, 0}, {1.1, 0.1}}};
+  const Json open = Json::parse(to_json(d))["objects"][0]["models"]["clip"]["open"];
+  EXPECT_EQ(open.dump(), R"({"type":"MultiLineString","coordinates":[[[1.0,0.0],[1.1,0.0],[1.1,0.1]]]})");
+}
+
 TEST(ToJson, ProfileBytesThatAreNotUtf8DoNotThrow) {
   ResultDocument d;
   d.profile = "\xff\"<";

@@ -21,6 +21,28 @@ void add_one(const HybridCore& core, Clusters clusters, const OutlineView& outli
   insert(clusters, place, tangent, novelty, context);
 }
 
+// It reaches farther than the outline by more than noise: what goes on beyond the image grows while the robot drives
+// along it.
+bool outgrows(const HybridCore& core, const OutlineView& outline, const Tangent& tangent) {
+  if (core.refusal != HybridRefusal::kNone) return false;
+  const std::size_t sectors = outline.offsets.size();
+  const std::size_t sector = place_of(tangent.line.normal, sectors).sector;
+  const float reach = std::max(outline.offset(sector), outline.offset((sector + 1) % sectors));
+  return tangent.line.bound > reach + kOutgrown + tangent.sigma;
+}
+
+// Of what a view says `at least`, that which is news by itself.
+unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const ViewTangents& view) {
+  unsigned which = 0;
+  const auto look = [&](ViewTangents::Which one, const Tangent& tangent) {
+    if ((view.lower_bound & one) != 0 && outgrows(core, outline, tangent)) which |= one;
+  };
+  look(ViewTangents::kLeft, view.left);
+  look(ViewTangents::kRight, view.right);
+  look(ViewTangents::kFront, view.front);
+  return which;
+}
+
 }  // namespace
 
 float OutlineView::radius() const {
@@ -113,7 +135,8 @@ std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Ve
   std::size_t size = 4;
   for (std::size_t k = 0; k < outline.offsets.size() && size > 0; ++k) {
     const float sigma = outline.sigma(k);
-    const float bound = outline.offset(k) + (inflation(sigma / radius) + more) * sigma;
+    const float moved_out = std::max(inflation(sigma / radius) * sigma, -kMostInward);
+    const float bound = outline.offset(k) + moved_out + more * sigma;
     size = clip_convex(vertices, size, {node_direction(k, outline.offsets.size()), bound});
   }
   return size;
@@ -136,18 +159,43 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kFirstViews, noise);
-  if ((view.present & ~known) == 0) return;  // what is only known to be larger than so much is no news by itself
+  // What is only known to be larger than so much is no news by itself, unless the outline ends before.
+  if ((view.present & ~known) == 0 && outgrowing(core, outline, view) == 0) return;
   const unsigned edges = view.present & ~unsigned{known};
   const unsigned limits = view.lower_bound & ~(known | unsigned{known} >> ViewTangents::kBits);
   const unsigned fresh = edges | limits;
   if ((fresh & ViewTangents::kLeft) != 0) add_one(core, clusters, outline, view.left, novelty);
   if ((fresh & ViewTangents::kRight) != 0) add_one(core, clusters, outline, view.right, novelty);
   if ((fresh & ViewTangents::kFront) != 0) add_one(core, clusters, outline, view.front, novelty);
+  if ((limits & ViewTangents::kFront) != 0 && view.straight > 0) {
+    add_one(core, clusters, outline, {view.front.line, view.straight, false}, novelty);
+  }
   core.used = static_cast<std::uint8_t>(known | edges | limits << ViewTangents::kBits);
   core.news = true;
   if (!elsewhere) return;
   core.last_lens = lens;
   if (core.views < 255) ++core.views;
+}
+
+bool edges_contradict(const HybridCore& core, ConstClusters clusters, const OutlineView& outline, const Vec2& lens,
+                      const Vec2& normal) {
+  const std::size_t sectors = outline.offsets.size();
+  const SectorPlace place = place_of(normal, sectors);
+  const float bound = normal.dot(lens);
+  const float slack = kOutgrown + (core.refusal == HybridRefusal::kNone ? kEndsBefore * outline.radius() : 0.0F);
+  // Where it touches is not known: of a long wall seen along its side that is far away.
+  const float per_sector = node_step(sectors).angle * kOutlineSquare;
+  for (int beside = -1; beside <= 1; ++beside) {
+    const std::size_t sector = (place.sector + sectors + static_cast<std::size_t>(beside + 1) - 1) % sectors;
+    for (std::size_t i = 0; i < kClustersPerSector; ++i) {
+      const PackedCluster& packed = clusters[sector * kClustersPerSector + i];
+      if (packed.views == 0) continue;
+      const Cluster edge = unpack(packed);
+      const float turned = std::fabs(static_cast<float>(beside) + edge.phase - place.phase);
+      if (!edge.lower_bound && std::fabs(edge.offset - bound) > slack + turned * per_sector) return true;
+    }
+  }
+  return false;
 }
 
 void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters) {
@@ -173,6 +221,7 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
   hash.u8(static_cast<std::uint8_t>(core.refusal));
   hash.u8(core.news ? 1 : 0);
   hash.u8(core.fitting ? 1 : 0);
+  hash.u8(core.large ? 1 : 0);
   if (core.refusal != HybridRefusal::kNone) return;
   for (const std::int16_t offset : outline.offsets) hash.u16(static_cast<std::uint16_t>(offset));
   for (const std::uint8_t sigma : outline.sigmas) hash.u8(sigma);

@@ -44,6 +44,7 @@ struct HybridCore {
   bool news = false;        ///< there are tangents that no fit has begun with
   bool fitting = false;     ///< a solver works on it
   bool known_well = false;  ///< OutlineView::known_well() of the outline fitted last: alerts ask in every frame
+  bool large = false;       ///< likewise: it may be longer than the image, and sides of it a guess
 };
 
 /// What a line and an outline have in common, low to high; empty if it passes by.
@@ -97,6 +98,11 @@ inline constexpr std::size_t kOutlineVertices = 72;
 void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
 void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
 
+/// An end is seen from `lens` (local frame), its tangent has this normal. Do edges that were seen before say that the
+/// object ends elsewhere? False also where there were none.
+bool edges_contradict(const HybridCore& core, ConstClusters clusters, const OutlineView& outline, const Vec2& lens,
+                      const Vec2& normal);
+
 /// kSectors: 64, or 32 on the smallest parts.
 template <std::size_t kSectors>
 struct Hybrid : HybridCore {
@@ -122,6 +128,9 @@ struct Hybrid : HybridCore {
   }
 
   [[nodiscard]] bool ok() const { return refusal == HybridRefusal::kNone; }
+  [[nodiscard]] bool edges_contradict(const Vec2& lens, const Vec2& normal) const {
+    return recon::edges_contradict(*this, clusters, outline(), lens, normal);
+  }
   [[nodiscard]] OutlineView outline() const { return {offsets, sigmas}; }
 };
 

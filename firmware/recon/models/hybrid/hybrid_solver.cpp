@@ -200,6 +200,7 @@ void HybridSolver<kSectors, kOrder>::finish(HybridType& hybrid, const Vec2& cent
   hybrid.fitting = false;
   recentre(hybrid, hybrid.clusters, hybrid.offsets, center);
   hybrid.known_well = hybrid.outline().known_well();
+  hybrid.large = hybrid.outline().radius() > kFitsAny;
   stage_ = Stage::kDone;
 }
 

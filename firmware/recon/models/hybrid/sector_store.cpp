@@ -43,8 +43,10 @@ float gate_share(const Cluster& cluster, float phase_angle, const Tangent& tange
   return off * off / (sigma * sigma * (1.0F + 1.0F / std::max(1.0F, cluster.views)));
 }
 
-// An edge that is as far out as the tangent, give or take a sigma: that the object reaches so far is no news.
+// An edge that is as far out as the tangent, give or take a sigma: that the object reaches so far is no news. Unless
+// the edge is far less sure of it.
 bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, const StoreContext& context) {
+  if (edge.sigma > kUnsure * tangent.sigma) return false;
   return edge.offset + context.slope * phase_angle > tangent.line.bound - tangent.sigma;
 }
 
@@ -142,6 +144,15 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
       if (tangent.lower_bound && reaches(cluster, turned, tangent, context)) return;
       continue;
     }
+    if (tangent.lower_bound) {
+      // Of two of them the one that is farther out is true, and the other follows from it.
+      const float beyond = tangent.line.bound - cluster.offset - context.slope * turned;
+      if (beyond < -tangent.sigma) return;
+      if (beyond > tangent.sigma) {
+        static_cast<void>(pack({tangent.line.bound, place.phase, tangent.sigma, novelty, true}, packed));
+        return;
+      }
+    }
     const float share = gate_share(cluster, turned, tangent, context);
     if (share >= closest) continue;
     closest = share;
@@ -186,6 +197,19 @@ void move_origin(Clusters clusters, const OriginShift& shift) {
       set_offset(packed, offset);
     }
   }
+}
+
+bool edge_seen(ConstClusters clusters, const Vec2& normal) {
+  const std::size_t sectors = clusters.size() / kClustersPerSector;
+  const std::size_t reach = sectors / kSideSectors;
+  const std::size_t first = place_of(normal, sectors).sector + sectors - reach;
+  for (std::size_t i = 0; i <= 2 * reach; ++i) {
+    const std::size_t sector = (first + i) % sectors;
+    for (const PackedCluster& packed : clusters.subspan(sector * kClustersPerSector, kClustersPerSector)) {
+      if (packed.views != 0 && !is_at_least(packed)) return true;
+    }
+  }
+  return false;
 }
 
 float standing(ConstClusters clusters, std::size_t index) {

@@ -13,7 +13,9 @@
 namespace fencepost::recon {
 
 inline constexpr std::size_t kClustersPerSector = 2;
-inline constexpr float kOffsetStep = 1e-4F;     ///< m; offsets reach to 3.27 m from the origin
+inline constexpr float kOffsetStep = 1e-4F;  ///< m; offsets reach to 3.27 m from the origin
+/// A side of an outline is known by edges that turn from it by no more than this part of a whole turn: by 11 degrees.
+inline constexpr std::size_t kSideSectors = 32;
 inline constexpr float kViewsStep = 0.125F;     ///< weights are counted in eighths of a view
 inline constexpr float kSmallestSigma = 1e-4F;  ///< m, of a stored sigma
 
@@ -99,5 +101,9 @@ void move_origin(Clusters clusters, const OriginShift& shift);
 /// not much weaker, for lost pieces and occluders bias offsets down far more often than up. What says `at least` does
 /// not contradict it.
 float standing(ConstClusters clusters, std::size_t index);
+
+/// Was an edge seen of the side with this outward normal? Otherwise it is open: the object goes on there beyond what
+/// was seen, or nobody looked.
+bool edge_seen(ConstClusters clusters, const Vec2& normal);
 
 }  // namespace fencepost::recon

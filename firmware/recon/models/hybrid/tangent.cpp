@@ -15,6 +15,16 @@ float loss_variance(const Sighting& sighting, float distance) {
   return kLossProbability * kLostShare * kLostShare * width * width;
 }
 
+// Width (m) of what is seen of something that goes on beyond an end that was not, so far that its nearest point may be
+// there; else 0.
+float width_of_part(const Sighting& sighting) {
+  if (sighting.both_edges() || !sighting.rows_known || !(sighting.bottom.drop > 0)) return 0;
+  const float along = sighting.axis.dot(sighting.center);
+  const float slopes = cross(sighting.right.direction, sighting.left.direction) / std::max(along * along, 0.1F);
+  const float width = slopes * sighting.lens_height / sighting.bottom.drop;
+  return sighting.no_edge() || width > kGoesOn ? width : 0.0F;
+}
+
 void put(ViewTangents& view, ViewTangents::Which which, Tangent& place, const Tangent& tangent) {
   place = tangent;
   std::uint8_t& bits = tangent.lower_bound ? view.lower_bound : view.present;
@@ -37,13 +47,15 @@ ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distan
     put(view, ViewTangents::kRight, view.right,
         {right_tangent(sighting, origin), sigma(right), right.end != End::kSeen});
   }
-  const bool hidden = !is_edge(sighting.bottom.end);
+  const float part = width_of_part(sighting);
+  const bool hidden = !is_edge(sighting.bottom.end) || part > 0;
   const RowDepth row = hidden ? farthest_row_depth(sighting, noise) : row_depth(sighting, noise);
   if (row.known) {
     const Vec2 normal = -sighting.axis;
     const float reach = normal.dot(sighting.lens_from(origin)) - row.depth;
     const float sigma_of_foot = std::sqrt(row.variance + kFootSetBack * kFootSetBack);
     put(view, ViewTangents::kFront, view.front, {{normal, reach}, sigma_of_foot, hidden});
+    if (part > 0 && is_edge(sighting.bottom.end)) view.straight = sigma_of_foot + kTilt * part;
   }
   return view;
 }

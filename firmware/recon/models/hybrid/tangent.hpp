@@ -22,6 +22,8 @@ struct ViewTangents {
   Tangent left;
   Tangent right;
   Tangent front;
+  float straight = 0;            ///< m, sigma of `front` if that is a lower bound because the thing goes on beyond the
+                                 ///< image, and as an edge if it goes on straight; 0: nothing is known of that
   std::uint8_t present = 0;      ///< bits of Which
   std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge, but the object reaches so far
 };

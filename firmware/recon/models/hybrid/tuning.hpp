@@ -17,10 +17,21 @@ inline constexpr float kLeastNews = 0.25F;
 inline constexpr std::uint8_t kFirstViews = 4;
 inline constexpr float kLostShare = 0.3F;
 inline constexpr float kLossProbability = 0.05F;
+/// m. An end outside the image is news where it is so much farther than the outline reaches. By design.
+inline constexpr float kOutgrown = 0.03F;
+/// m. What is seen of something that goes on is so wide: its foot is then that of the part in the image alone.
+inline constexpr float kGoesOn = 0.3F;
+/// share of that width by which its foot is off if it goes on straight, but aslant. Extent table.
+inline constexpr float kTilt = 0.2F;
+/// share of the radius, beside kOutgrown, by which an end may be farther out than an edge says before it contradicts
+/// that. By design: a sector of an outline.
+inline constexpr float kEndsBefore = 0.1F;
 /// share of the typical size by which the nearest point of an object is before its middle. By design.
 inline constexpr float kFrontShare = 0.8F;
 /// m, half the side of the square that outlines are cut out of. By design.
 inline constexpr float kOutlineSquare = 3.0F;
+/// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
+inline constexpr float kMostInward = 0.004F;
 /// m, radius to which the sigmas of smaller outlines are compared. By design.
 inline constexpr float kSmallestRadius = 0.02F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. algorithms.md
@@ -41,6 +52,8 @@ inline constexpr float kLeastScale = 0.35F;
 /// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. algorithms.md
 /// sec. 5.2.
 inline constexpr float kWeakening = 0.5F;
+/// ratio of sigmas beyond which an edge does not speak for a lower bound as far out. By design.
+inline constexpr float kUnsure = 3.0F;
 /// A cluster is overruled by one that is larger by two sigmas and has this share of its views, and this many views at
 /// least; then it counts for this share. More: wrong cuts stay; less: noise adds to the outline. algorithms.md
 /// sec. 5.2, but for kOverruled, 0.15 there: hybrid table.
@@ -64,6 +77,16 @@ inline constexpr float kShapeShare = 0.7F;
 /// m, range of the radius that scales the priors of the higher orders. By design.
 inline constexpr float kLeastRadius = 0.015F;
 inline constexpr float kLargestPrior = 0.4F;
+
+// --- what is large (both fits) ---
+
+/// m, radius up to which a series of low order is off by no more than tangents are. Beyond it, by this share of what is
+/// more; so much of it, for each widening above one, are polygons in the passes that narrow down.
+inline constexpr float kFitsAny = 0.2F;
+inline constexpr float kMisfit = 0.1F;
+inline constexpr float kFirstMisfit = 0.04F;
+/// m. That an object reaches so much farther than a fit is never doubted: it is larger than any noise adds to it.
+inline constexpr float kFarBeyond = 0.2F;
 
 // --- the polygon (support_fit) ---
 

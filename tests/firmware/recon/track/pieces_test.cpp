@@ -196,6 +196,20 @@ TEST(CompareEnds, AWrongPoseContradictsNothing) {
   EXPECT_TRUE(object.contradicted());
 }
 
+TEST(CompareEnds, AnOpenEndSeenAtLastContradictsNothing) {
+  recon::ObjectCore object;
+  const recon::EndsOff off = recon::ends_off(expected(100, 150), blob(100, 170), false);
+  EXPECT_FALSE(off.left);
+  EXPECT_TRUE(off.right);
+  for (int i = 0; i < 50; ++i) recon::compare_ends(object, expected(100, 150), blob(100, 170), off);
+  EXPECT_FALSE(object.contradicted());
+}
+
+TEST(CompareEnds, AnEndInsideIsOffOnlyWhereModelsGuess) {
+  EXPECT_FALSE(recon::ends_off(expected(100, 150), blob(120, 150), false).left);
+  EXPECT_TRUE(recon::ends_off(expected(100, 150), blob(120, 150), true).left);
+}
+
 TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
   recon::Observation near = blob(100, 150);
   near.box.y2 = 90;

@@ -201,5 +201,41 @@ TEST(SectorStore, WhatGetsOutOfRangeIsForgotten) {
   EXPECT_EQ(store[0].views, 0);
 }
 
+Tangent at_least(float offset, float sigma = 0.01F) { return {{direction_of(kPlace, 64), offset}, sigma, true}; }
+
+// What is driven along goes on and on: each view says more than the one before.
+TEST(SectorStore, OfTwoLowerBoundsTheFartherOneStays) {
+  Store store{};
+  for (const float offset : {0.1F, 0.3F, 0.25F, 0.5F, 0.2F}) insert(store, kPlace, at_least(offset), 1, {});
+  EXPECT_NEAR(stored(store, 0).offset, 0.5F, kOffsetStep);
+  EXPECT_TRUE(stored(store, 0).lower_bound);
+  EXPECT_EQ(stored(store, 1).views, 0);
+}
+
+TEST(SectorStore, AnUnsureEdgeDoesNotReplaceALowerBound) {
+  Store store{};
+  insert(store, kPlace, at_least(0.2F, 0.005F), 1, {});
+  insert(store, kPlace, tangent(0.2F, 0.1F), 1, {});
+  insert(store, kPlace, at_least(0.3F, 0.005F), 1, {});
+  float bound = 0;
+  for (const std::size_t which : {0U, 1U}) {
+    if (stored(store, which).lower_bound) bound = stored(store, which).offset;
+  }
+  EXPECT_NEAR(bound, 0.3F, kOffsetStep);
+}
+
+TEST(SectorStore, ASideIsOpenWhereNoEdgeIsNear) {
+  Store store{};
+  const Vec2 normal = direction_of(kPlace, 64);
+  EXPECT_FALSE(edge_seen(store, normal));
+  insert(store, kPlace, at_least(0.2F), 1, {});
+  EXPECT_FALSE(edge_seen(store, normal));
+  insert(store, kPlace, tangent(0.4F), 1, {});
+  EXPECT_TRUE(edge_seen(store, normal));
+  EXPECT_TRUE(edge_seen(store, direction_of(SectorPlace{12, 0.5F}, 64)));
+  EXPECT_FALSE(edge_seen(store, direction_of(SectorPlace{13, 0.5F}, 64)));
+  EXPECT_FALSE(edge_seen(store, -normal));
+}
+
 }  // namespace
 }  // namespace fencepost::test
