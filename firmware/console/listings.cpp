@@ -59,11 +59,12 @@ void put_links(Sentence& s, const StatusFacts& facts) {
   s.put("; odometry link ").put(name(facts.links.odometry));
 }
 
-// Half of the columns by the focal length is the tangent of half the angle.
+// Half of the columns by the focal length is the tangent of half the angle, or of a fisheye that half itself.
 std::int64_t degrees_across(const sensor::CameraIntrinsics& camera) {
   constexpr float kHalfPerColumn = 50;  // hundredths of a pixel
-  const float half =
-      base::atan2_rad(kHalfPerColumn * static_cast<float>(camera.width), static_cast<float>(camera.fx.raw));
+  const float across = kHalfPerColumn * static_cast<float>(camera.width);
+  const auto focal = static_cast<float>(camera.fx.raw);
+  const float half = camera.lens == sensor::Lens::kEquidistant ? across / focal : base::atan2_rad(across, focal);
   return static_cast<std::int64_t>(half * 360 / base::kPi + 0.5F);
 }
 

@@ -17,8 +17,9 @@ int hex_byte(std::string_view digits) {
 
 FieldReader::FieldReader(const Line& line, std::optional<base::Time> arrival)
     : rest_(line.fields), left_(line.field_count), arrival_(arrival) {
-  const std::size_t fixed = info(line.kind).fields;
-  if (line.kind == Kind::kFrame ? left_ < fixed : left_ != fixed) fail(Reject::kFields);
+  const KindInfo& kind = info(line.kind);
+  const bool too_many = line.kind != Kind::kFrame && left_ > std::size_t{kind.fields} + kind.more;
+  if (left_ < kind.fields || too_many) fail(Reject::kFields);
 }
 
 std::string_view FieldReader::next() {

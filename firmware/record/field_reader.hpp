@@ -39,6 +39,12 @@ class FieldReader {
     }
     fail(text.empty() ? Reject::kNumber : Reject::kRange);
   }
+  /// The same at the end of a line, where it may be missing: the first enumerator.
+  template <class Enum>
+  void last_word(Enum& value, Enum last) {
+    value = {};
+    if (left_ != 0) word(value, last);
+  }
   void colour(sensor::Rgb& rgb);
   void colour_or_empty(std::optional<sensor::Rgb>& rgb);
   void digest(std::uint64_t& value);

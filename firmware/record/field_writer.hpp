@@ -40,6 +40,11 @@ class FieldWriter {
     put(',');
     put(name(value));
   }
+  /// The same at the end of a line; nothing for the first enumerator.
+  template <class Enum>
+  void last_word(Enum value, Enum last) {
+    if (value != Enum{}) word(value, last);
+  }
   void colour(sensor::Rgb rgb);
   void colour_or_empty(const std::optional<sensor::Rgb>& rgb) { rgb ? colour(*rgb) : put(','); }
   void digest(std::uint64_t value);

@@ -33,12 +33,13 @@ inline constexpr std::size_t kBlobFields = 9;  ///< fields of one blob within FP
 struct KindInfo {
   std::string_view name;  ///< as on the line, without the '$'
   std::uint8_t fields;    ///< after the name; FPFRM: before its blobs
+  std::uint8_t more = 0;  ///< that may follow, since later versions
 };
 
 /// By Kind.
-inline constexpr KindInfo kKindInfo[kKinds] = {{"FPHDR", 5},  {"FPCAM", 14}, {"FPSIG", 3}, {"FPODO", 4}, {"FPFRM", 3},
-                                               {"FPPOS", 6},  {"FPOBJ", 13}, {"FPALR", 8}, {"FPDIG", 2}, {"FPLNK", 4},
-                                               {"FPSTA", 10}, {"FPCFG", 2},  {"FPALV", 4}, {"FPCAL", 3}};
+inline constexpr KindInfo kKindInfo[kKinds] = {
+    {"FPHDR", 5}, {"FPCAM", 14, 1}, {"FPSIG", 3}, {"FPODO", 4},  {"FPFRM", 3}, {"FPPOS", 6}, {"FPOBJ", 13},
+    {"FPALR", 8}, {"FPDIG", 2},     {"FPLNK", 4}, {"FPSTA", 10}, {"FPCFG", 2}, {"FPALV", 4}, {"FPCAL", 3}};
 
 template <class Record>
 concept RecordType = index_in<Record>(AllRecords{})

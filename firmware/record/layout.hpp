@@ -58,6 +58,7 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.mount.yaw.raw, kHeading);
   fields.number_or_empty(r.mount.pitch, kPitch);
   fields.number(r.latency.raw, kLatency);
+  fields.last_word(r.lens, sensor::Lens::kEquidistant);
 }
 
 template <class Fields, Is<Signature> Record>

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "hal/base/fixed.hpp"
 #include "hal/base/units.hpp"
@@ -23,7 +24,15 @@ struct CameraMount {
   friend constexpr bool operator==(const CameraMount&, const CameraMount&) = default;
 };
 
-/// Pinhole with one radial coefficient: x_d = x_u (1 + k1 r_u^2) in normalised coordinates.
+/// How the angle between a ray and the optical axis becomes a distance from the principal point.
+enum class Lens : std::uint8_t {
+  kPinhole,      ///< f tan(angle)
+  kEquidistant,  ///< f angle: fisheyes, to 150 degrees across
+};
+constexpr std::string_view name(Lens lens) { return lens == Lens::kEquidistant ? "equidistant" : "pinhole"; }
+
+/// One radial coefficient. Pinhole: x_d = x_u (1 + k1 r_u^2) in normalised coordinates; equidistant: r_d = a (1 + k1
+/// a^2), where a is the angle from the axis in rad.
 struct CameraIntrinsics {
   Text model;
   std::uint16_t width = 0;   ///< px, at least 2
@@ -35,6 +44,7 @@ struct CameraIntrinsics {
   base::Ratio4 k1;
   CameraMount mount;
   base::Duration latency;  ///< first byte minus exposure, not negative
+  Lens lens = Lens::kPinhole;
   friend constexpr bool operator==(const CameraIntrinsics&, const CameraIntrinsics&) = default;
 };
 

@@ -192,6 +192,10 @@ std::optional<std::string> too_few(std::size_t objects) {
 }
 
 std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
+  if (log.camera.lens != sensor::Lens::kPinhole) {
+    return std::string(
+        "the log's $FPCAM says an equidistant lens, which is not fitted yet; give its focal length by hand");
+  }
   if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
   OdometryTrack odometry(log.odometry);
   if (const auto why = why_hopeless(log, odometry)) return *why;

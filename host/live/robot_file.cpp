@@ -43,7 +43,8 @@ sensor::CameraMount read_mount(const JsonNode& node) {
 }
 
 CameraNumbers read_camera_numbers(const JsonNode& node) {
-  node.expect_keys({"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "mount", "latency", "rate", "max_blobs"});
+  node.expect_keys(
+      {"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "lens", "mount", "latency", "rate", "max_blobs"});
   CameraNumbers camera;
   if (const auto model = node.find("model")) {
     const std::string text = model->text();
@@ -59,6 +60,7 @@ CameraNumbers read_camera_numbers(const JsonNode& node) {
   read_quantity(node, "cx", -32'768, 32'767, "px", camera.cx);
   read_quantity(node, "cy", -32'768, 32'767, "px", camera.cy);
   read_quantity(node, "k1", -1, 1, "", camera.k1);
+  if (const auto lens = node.find("lens")) camera.lens = read_lens(*lens);
   read_quantity(node, "latency", 0, 10, "s", camera.latency);
   if (const auto mount = node.find("mount")) camera.mount = read_mount(*mount);
   return camera;
@@ -219,6 +221,7 @@ sensor::CameraIntrinsics CameraNumbers::over(sensor::CameraIntrinsics profile) c
   replace(profile.cx, cx);
   replace(profile.cy, cy);
   replace(profile.k1, k1);
+  replace(profile.lens, lens);
   replace(profile.mount, mount);
   replace(profile.latency, latency);
   return profile;

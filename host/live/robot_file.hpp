@@ -27,6 +27,7 @@ struct CameraNumbers {
   std::optional<base::Pixels2> cx;
   std::optional<base::Pixels2> cy;
   std::optional<base::Ratio4> k1;
+  std::optional<sensor::Lens> lens;
   std::optional<sensor::CameraMount> mount;
   std::optional<base::Duration> latency;
 

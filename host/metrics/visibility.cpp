@@ -196,10 +196,9 @@ Slab in_rows(const Target& target, const FieldOfView& view, Slab slab) {
 FieldOfView field_of_view(const sensor::CameraIntrinsics& camera, double pitch) {
   const double cx = camera.cx.to_double();
   const double cy = camera.cy.to_double();
-  const double k1 = camera.k1.to_double();
   const auto straight = [&](double offset, double focal) {
     const double distorted = std::abs(offset) / focal;
-    const double radius = undistorted_radius(distorted, k1);
+    const double radius = undistorted_radius(distorted, camera);
     return std::copysign(radius < 0 ? distorted : radius, offset);
   };
   const auto rise = [&](double v) { return -std::tan(pitch + std::atan(straight(v - cy, camera.fy.to_double()))); };

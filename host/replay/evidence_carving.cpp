@@ -6,20 +6,6 @@
 
 namespace fencepost::host {
 
-void KeptTangents::add(const recon::ModelView& view) {
-  if (recon::is_edge(view.sighting.left.end)) keep(recon::left_tangent(view.sighting, view.origin));
-  if (recon::is_edge(view.sighting.right.end)) keep(recon::right_tangent(view.sighting, view.origin));
-}
-
-void KeptTangents::move_origin(const recon::Vec2& shift) {
-  for (recon::HalfPlane& tangent : tangents_) tangent = recon::seen_from(tangent, shift);
-}
-
-void KeptTangents::keep(const recon::HalfPlane& tangent) {
-  if (tangents_.size() == kMost) tangents_.erase(tangents_.begin(), tangents_.begin() + kMost / 2);
-  tangents_.push_back(tangent);
-}
-
 Evidence::Evidence(const recon::HybridCore& hybrid, const recon::OutlineView& outline, recon::MapPoint origin)
     : known_(hybrid.refusal == recon::HybridRefusal::kNone),
       outline_(outline),

@@ -24,8 +24,13 @@ class KeptTangents {
   static constexpr std::size_t kMost = 1U << 16U;
 
   void start(const recon::Sighting& /*first*/, recon::MapPoint /*origin*/) { tangents_.clear(); }
-  void add(const recon::ModelView& view);
-  void move_origin(const recon::Vec2& shift);
+  void add(const recon::ModelView& view) {
+    if (recon::is_edge(view.sighting.left.end)) keep(recon::left_tangent(view.sighting, view.origin));
+    if (recon::is_edge(view.sighting.right.end)) keep(recon::right_tangent(view.sighting, view.origin));
+  }
+  void move_origin(const recon::Vec2& shift) {
+    for (recon::HalfPlane& tangent : tangents_) tangent = recon::seen_from(tangent, shift);
+  }
   void shift(const recon::Vec2& /*step*/) {}
   void hash(base::Fnv1a64& /*hash*/, std::size_t /*part*/) const {}
 
@@ -33,7 +38,10 @@ class KeptTangents {
   [[nodiscard]] std::span<const recon::HalfPlane> tangents() const { return tangents_; }
 
  private:
-  void keep(const recon::HalfPlane& tangent);
+  void keep(const recon::HalfPlane& tangent) {
+    if (tangents_.size() == kMost) tangents_.erase(tangents_.begin(), tangents_.begin() + kMost / 2);
+    tangents_.push_back(tangent);
+  }
 
   std::vector<recon::HalfPlane> tangents_;
 };

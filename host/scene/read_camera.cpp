@@ -40,8 +40,17 @@ std::uint16_t read_side(const JsonNode& node) {
 
 }  // namespace
 
+sensor::Lens read_lens(const JsonNode& node) {
+  const std::string text = node.text();
+  for (const sensor::Lens lens : {sensor::Lens::kPinhole, sensor::Lens::kEquidistant}) {
+    if (text == sensor::name(lens)) return lens;
+  }
+  node.fail("\"" + text + "\" is no lens", "write \"pinhole\", or \"equidistant\" for a fisheye");
+}
+
 void read_camera(const JsonNode& node, Scene& scene) {
-  node.expect_keys({"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "mount", "latency", "rate", "max_blobs"});
+  node.expect_keys(
+      {"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "lens", "mount", "latency", "rate", "max_blobs"});
   constexpr double kLongestFocus = 32'767;  // the stream's range
   sensor::CameraIntrinsics& camera = scene.camera;
   const auto model = node.find("model");
@@ -53,6 +62,7 @@ void read_camera(const JsonNode& node, Scene& scene) {
   camera.cx = base::Pixels2::nearest(node.at("cx").number(-32'768, 32'767, "px"));
   camera.cy = base::Pixels2::nearest(node.at("cy").number(-32'768, 32'767, "px"));
   camera.k1 = base::Ratio4::nearest(node.number_or("k1", 0, -1, 1, ""));
+  if (const auto lens = node.find("lens")) camera.lens = read_lens(*lens);
   if (const auto mount = node.find("mount")) {
     camera.mount = read_mount(*mount);
   } else {

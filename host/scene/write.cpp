@@ -18,18 +18,20 @@ json camera_json(const Scene& scene) {
                 {"z", camera.mount.z.to_double()},
                 {"yaw", camera.mount.yaw.to_double()}};
   mount["pitch"] = camera.mount.pitch ? json(camera.mount.pitch->to_double()) : json(nullptr);
-  return {{"model", std::string(camera.model.view())},
-          {"width", camera.width},
-          {"height", camera.height},
-          {"fx", camera.fx.to_double()},
-          {"fy", camera.fy.to_double()},
-          {"cx", camera.cx.to_double()},
-          {"cy", camera.cy.to_double()},
-          {"k1", camera.k1.to_double()},
-          {"mount", mount},
-          {"latency", camera.latency.to_double()},
-          {"rate", scene.rate},
-          {"max_blobs", scene.max_blobs}};
+  json written = {{"model", std::string(camera.model.view())},
+                  {"width", camera.width},
+                  {"height", camera.height},
+                  {"fx", camera.fx.to_double()},
+                  {"fy", camera.fy.to_double()},
+                  {"cx", camera.cx.to_double()},
+                  {"cy", camera.cy.to_double()},
+                  {"k1", camera.k1.to_double()},
+                  {"mount", mount},
+                  {"latency", camera.latency.to_double()},
+                  {"rate", scene.rate},
+                  {"max_blobs", scene.max_blobs}};
+  if (camera.lens != sensor::Lens::kPinhole) written["lens"] = std::string(name(camera.lens));
+  return written;
 }
 
 json ring_json(const LinearRing& ring) {

@@ -1,5 +1,6 @@
 #include "host/segment/straighten.hpp"
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -23,7 +24,8 @@ sensor::CameraIntrinsics turned(sensor::CameraIntrinsics camera) {
 Straightener::Straightener(const sensor::CameraIntrinsics& camera, const Straightening& wanted)
     : rotate_(wanted.rotate), camera_(camera) {
   for (int angle = 0; angle < rotate_; angle += 90) camera_ = turned(camera_);
-  if (wanted.undistort && camera_.k1.raw != 0) make_maps();
+  const bool bent = camera_.k1.raw != 0 || camera_.lens != sensor::Lens::kPinhole;
+  if (wanted.undistort && bent) make_maps();
 }
 
 void Straightener::make_maps() {
@@ -34,12 +36,16 @@ void Straightener::make_maps() {
     for (int u = 0; u < camera_.width; ++u) {
       const double x = (u - camera_.cx.to_double()) / camera_.fx.to_double();
       const double y = (v - camera_.cy.to_double()) / camera_.fy.to_double();
-      const double scale = 1 + k1 * (x * x + y * y);
+      const double radius = std::hypot(x, y);
+      const bool equidistant = camera_.lens == sensor::Lens::kEquidistant && radius > 0;
+      const double angle = equidistant ? std::atan(radius) : radius;
+      const double scale = (1 + k1 * angle * angle) * (equidistant ? angle / radius : 1);
       source_u_.at<float>(v, u) = static_cast<float>(camera_.cx.to_double() + camera_.fx.to_double() * x * scale);
       source_v_.at<float>(v, u) = static_cast<float>(camera_.cy.to_double() + camera_.fy.to_double() * y * scale);
     }
   }
   camera_.k1 = {};
+  camera_.lens = sensor::Lens::kPinhole;
 }
 
 cv::Mat Straightener::operator()(const cv::Mat& image) const {

@@ -23,8 +23,17 @@ double undistorted_radius(double distorted, double k1) {
   return radius;
 }
 
+double undistorted_radius(double distorted, const sensor::CameraIntrinsics& camera) {
+  constexpr double kSideways = 1.553;  // rad
+  const double radius = undistorted_radius(distorted, camera.k1.to_double());
+  if (camera.lens == sensor::Lens::kPinhole) return radius;
+  return radius < 0 || radius > kSideways ? -1 : std::tan(radius);
+}
+
 PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
-    : width_(camera.width), height_(camera.height), separable_(pitch == 0 && camera.k1.raw == 0) {
+    : width_(camera.width),
+      height_(camera.height),
+      separable_(pitch == 0 && camera.k1.raw == 0 && camera.lens == sensor::Lens::kPinhole) {
   // A ray less than this far ahead per unit of length looks straight up, down or backwards.
   constexpr double kAhead = 0.05;
   const double cx = camera.cx.to_double();
@@ -36,7 +45,6 @@ PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
     for (int v = 0; v < height_; ++v) rise_.push_back((cy - v) / fy);
     return;
   }
-  const double k1 = camera.k1.to_double();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   rise_of_row_.assign(camera.height, {kInfinity, -kInfinity});
   across_of_column_.assign(camera.width, {kInfinity, -kInfinity});
@@ -45,7 +53,7 @@ PixelRays::PixelRays(const sensor::CameraIntrinsics& camera, double pitch)
       const double xd = (u - cx) / fx;
       const double yd = (v - cy) / fy;
       const double distorted = std::hypot(xd, yd);
-      const double radius = undistorted_radius(distorted, k1);
+      const double radius = undistorted_radius(distorted, camera);
       const double scale = distorted > 0 ? radius / distorted : 1;
       const double down = yd * scale;
       const double ahead = std::cos(pitch) - down * std::sin(pitch);

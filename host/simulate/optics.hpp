@@ -52,5 +52,7 @@ class PixelRays {
 
 /// Solves r_d = r_u (1 + k1 r_u^2) for r_u >= 0 on the branch that starts at 0; negative when there is none.
 double undistorted_radius(double distorted, double k1);
+/// The same through the camera's lens; negative also where an equidistant one looks sideways (89 degrees).
+double undistorted_radius(double distorted, const sensor::CameraIntrinsics& camera);
 
 }  // namespace fencepost::host

@@ -25,6 +25,8 @@ struct CameraModel {
   float edge_px = 1;         ///< px, sigma of a box edge
   float height = 0;          ///< of the lens above the floor, m
   bool pitch_known = false;  ///< false: ground rows say nothing
+  bool bent = false;         ///< straight lines are not straight in the image
+  bool equidistant = false;
   std::int16_t width = 2;
   std::int16_t rows = 2;
   base::Duration latency;
@@ -62,13 +64,17 @@ struct Sides {
 /// outside the image.
 Sides cut_by_border(const CameraModel& camera, const Box& box);
 
+/// The row (px) in which an edge of a box is where it is. Straight lines are bows through a fisheye: an outer edge
+/// reaches farthest nearest to the horizon, an inner one farthest from it. Other lenses: the middle row.
+float row_of_edge(const CameraModel& camera, const Box& box, bool left);
+
 /// The pixel positions of one row: without distortion they have half of the work in common.
 class PixelRow {
  public:
   PixelRow(const CameraModel& camera, float v);
   /// The direction to a pixel position, on the ground plane: unit, level camera frame.
   [[nodiscard]] Vec2 ground_direction(float u) const;
-  /// Where a pixel position of the real camera is in the level, undistorted one: its column, whole pixels.
+  /// Where a pixel position of the real camera is in the level one: its column_of(), whole pixels.
   [[nodiscard]] std::int16_t level_column(float u) const;
 
  private:
@@ -87,14 +93,22 @@ inline Vec2 ground_direction(const CameraModel& camera, float u, float v) {
 float drop_per_depth(const CameraModel& camera, float u, float v);
 
 /// Undistorted normalised coordinates of a pixel position: x right, y down, at depth 1.
-/// Inverts x_d = x_u (1 + k1 r_u^2) with a fixed number of Newton steps.
+/// Inverts r_d = r_u (1 + k1 r_u^2) with a fixed number of Newton steps. What an equidistant lens sees beyond 80
+/// degrees from its axis counts as 80 degrees.
 Vec2 undistort(const CameraModel& camera, float u, float v);
 
 /// Nearest whole pixel; far outside the image it stays inside 16 bits.
 std::int16_t whole_pixels(float value);
 
 /// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
-/// image when it points sideways or backwards. For prediction; distortion is left out.
+/// image when it points sideways or backwards. For prediction; a pinhole's distortion is left out.
 float column_of(const CameraModel& camera, const Vec2& direction);
+
+/// Columns a radian of bearing there, on the row of the horizon.
+float columns_per_radian(const CameraModel& camera, const Vec2& direction);
+
+/// Row where something appears that is `drop` below the horizon and `across` to the left for each metre of forward
+/// depth. False if it is behind the image. For prediction, as column_of().
+bool row_of(const CameraModel& camera, float drop, float across, float& row);
 
 }  // namespace fencepost::recon

@@ -28,6 +28,18 @@ std::int32_t undistortion(std::int32_t c) {
   return kSlopeOne - ((sum * c) >> 10);
 }
 
+// The factor tan(a) / a of an equidistant lens, by a^2 in counts of kSlopeOne; beyond 78 degrees as there. Products
+// stay inside 32 bits.
+std::int32_t tangent_factor(std::int32_t square) {
+  constexpr std::int32_t kWidestSquare = 30'364;
+  const std::int32_t s = std::min(square, kWidestSquare);
+  const std::int32_t fourth = (s * s) >> kSlopeBits;
+  const std::int32_t above = 945 * kSlopeOne - 105 * s + fourth;
+  const std::int32_t below = 945 * kSlopeOne - 420 * s + 15 * fourth;
+  static_assert(kSlopeBits == 14);
+  return (above << 7) / (below >> 7);
+}
+
 std::int32_t normalised(std::int32_t px, std::int32_t per_px) {
   return std::clamp((px * per_px) >> 12, -kWidestSlope, kWidestSlope);
 }
@@ -48,6 +60,8 @@ FloorCamera::FloorCamera(const CameraModel& camera) {
   per_px_y_ = nearest_whole(per_px_y);
   constexpr auto kSlopesInOne = static_cast<float>(kSlopeOne);
   k1_ = nearest_whole(kSlopesInOne * camera.k1, kSlopeOne);
+  bent_ = camera.bent;
+  equidistant_ = camera.equidistant;
   pitch_cos_ = nearest_whole(kSlopesInOne * camera.pitch.x());
   pitch_sin_ = nearest_whole(kSlopesInOne * camera.pitch.y());
   height_ = nearest_whole(16 * height);
@@ -74,17 +88,20 @@ FloorPoint FloorCamera::on(const Row& row, std::int32_t x) const {
 FloorPoint FloorCamera::at(std::int32_t twice_u, std::int32_t twice_v) const {
   std::int32_t x = normalised(8 * twice_u - centre_u_, per_px_x_);
   std::int32_t y = normalised(8 * twice_v - centre_v_, per_px_y_);
-  if (k1_ != 0) {
-    const std::int32_t square = ((x * x) >> kSlopeBits) + ((y * y) >> kSlopeBits);
-    const std::int32_t factor = undistortion(times(square, k1_));
-    x = times(x, factor);
-    y = times(y, factor);
+  if (bent_) {
+    const auto square = [&] { return ((x * x) >> kSlopeBits) + ((y * y) >> kSlopeBits); };
+    const auto scale = [&](std::int32_t factor) {
+      x = times(x, factor);
+      y = times(y, factor);
+    };
+    if (k1_ != 0) scale(undistortion(times(square(), k1_)));
+    if (equidistant_) scale(tangent_factor(square()));
   }
   return on(row_at(y), x);
 }
 
 FloorCamera::Pair FloorCamera::at(std::int32_t twice_left, std::int32_t twice_right, std::int32_t twice_v) const {
-  if (k1_ != 0) return {at(twice_left, twice_v), at(twice_right, twice_v)};
+  if (bent_) return {at(twice_left, twice_v), at(twice_right, twice_v)};
   const Row row = row_at(normalised(8 * twice_v - centre_v_, per_px_y_));
   return {on(row, normalised(8 * twice_left - centre_u_, per_px_x_)),
           on(row, normalised(8 * twice_right - centre_u_, per_px_x_))};

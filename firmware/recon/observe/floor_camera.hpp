@@ -53,6 +53,8 @@ class FloorCamera {
   void find_limits(std::int32_t columns, std::int32_t rows);
 
   bool usable_ = false;
+  bool bent_ = false;  ///< the factor for x and y depends on both
+  bool equidistant_ = false;
   std::int32_t centre_u_ = 0;  ///< 2^-4 px
   std::int32_t centre_v_ = 0;
   std::int32_t per_px_x_ = 0;  ///< 2^-22 of the focal length's inverse

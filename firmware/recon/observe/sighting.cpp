@@ -22,11 +22,16 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Ob
   sighting.lens = pose.lens;
   sighting.axis = pose.axis;
   sighting.center = direction(u_middle);
-  sighting.left = {direction(left_edge(box)), observation.left};
-  sighting.right = {direction(right_edge(box)), observation.right};
+  const auto edge = [&](float u, bool left) {
+    if (!camera.equidistant) return direction(u);
+    return rotated(pose.axis, ground_direction(camera, u, row_of_edge(camera, box, left)));
+  };
+  sighting.left = {edge(left_edge(box), true), observation.left};
+  sighting.right = {edge(right_edge(box), false), observation.right};
   sighting.top = {drop_per_depth(camera, u_middle, top_edge(box)), observation.top};
   sighting.bottom = {drop_per_depth(camera, u_middle, bottom_edge(box)), observation.bottom};
   sighting.focal = camera.fx;
+  sighting.equidistant = camera.equidistant;
   sighting.lens_height = camera.height;
   sighting.rows_known = camera.pitch_known && camera.height > 0;
   return sighting;
@@ -44,7 +49,8 @@ HalfPlane right_tangent(const Sighting& sighting, MapPoint origin) {
 
 float direction_variance(const Sighting& sighting, const Ray& ray, const MeasurementNoise& noise) {
   const float cos_beta = ray.direction.dot(sighting.axis);
-  const float pixel = cos_beta * cos_beta / sighting.focal * noise.edge_px;
+  const float narrowing = sighting.equidistant ? 1.0F : cos_beta * cos_beta;
+  const float pixel = narrowing / sighting.focal * noise.edge_px;
   return pixel * pixel + noise.heading * noise.heading;
 }
 

@@ -44,9 +44,10 @@ struct Sighting {
   Ray right;
   RowSlope top;
   RowSlope bottom;
-  float focal = 1;          ///< px, for the edge noise
-  float lens_height = 0;    ///< m
-  bool rows_known = false;  ///< the camera's pitch and height are known: the bottom row tells a depth
+  float focal = 1;           ///< px, for the edge noise
+  float lens_height = 0;     ///< m
+  bool equidistant = false;  ///< a column is the same angle everywhere
+  bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row tells a depth
 
   /// The lens in a local frame with map axes.
   [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }

@@ -10,25 +10,24 @@ namespace fencepost::recon {
 namespace {
 
 // The row where something `drop` below the horizon per metre of depth appears; sigma from the depth's relative one.
-PredictedLine predict_row(const CameraModel& camera, float drop, float relative_depth_sigma,
+PredictedLine predict_row(const CameraModel& camera, float drop, float across, float relative_depth_sigma,
                           const MeasurementNoise& noise) {
-  const float along = camera.pitch.x() + drop * camera.pitch.y();
-  if (!(along > 0)) return {};
-  const float row = camera.cy + camera.fy * (drop * camera.pitch.x() - camera.pitch.y()) / along;
+  float row = 0;
+  if (!row_of(camera, drop, across, row)) return {};
   const float sigma = camera.fy * (std::fabs(drop) * relative_depth_sigma + noise.pitch) + kRowPixels;
   return {whole_pixels(row), whole_pixels(sigma)};
 }
 
 // Foot and top of an object that stands on the floor.
 void predict_rows(const CameraModel& camera, const ObjectCore& object, const CylinderEstimate& estimate,
-                  const Vec2& axis, const MeasurementNoise& noise, Prediction& prediction) {
+                  const Vec2& axis, float across, const MeasurementNoise& noise, Prediction& prediction) {
   if (!camera.pitch_known || !(camera.height > 0)) return;
   const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
-  prediction.bottom = predict_row(camera, camera.height / prediction.depth, relative, noise);
+  prediction.bottom = predict_row(camera, camera.height / prediction.depth, across, relative, noise);
   if (object.cylinder.first_views() < kViewsForTop) return;
   const HeightRange band = object.band.at(estimate.center, estimate.radius);
   if (band.top_known) {
-    prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, relative, noise);
+    prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, across, relative, noise);
   }
 }
 
@@ -49,7 +48,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float u_left = column_of(camera, seen.left.at);
   const float u_right = column_of(camera, seen.right.at);
   const Vec2 middle = 0.5F * (seen.left.at + seen.right.at);
-  const float px_per_radian = camera.fx * middle.squaredNorm() / (middle.x() * middle.x());
+  const float px_per_radian = columns_per_radian(camera, middle);
   const float left_sigma = px_per_radian * sigma_of(seen.left, noise.heading);
   const float right_sigma = px_per_radian * sigma_of(seen.right, noise.heading);
   float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
@@ -60,7 +59,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   prediction.right = {whole_pixels(u_right), whole_pixels(std::max(1.0F, right_sigma))};
   prediction.left_tolerance = whole_pixels(std::max(1.0F, left_tolerance));
   prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
-  predict_rows(camera, object, estimate, pose.axis, noise, prediction);
+  predict_rows(camera, object, estimate, pose.axis, middle.y() / middle.x(), noise, prediction);
   const auto columns = static_cast<float>(camera.width);
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
@@ -104,8 +103,9 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   // Without a distance the rows stay about where they were.
   const HeightBand::Sums& top = object.band.top();
   const HeightBand::Sums& bottom = object.band.bottom();
-  if (top.views > 0) prediction.top = predict_row(camera, top.drop / top.views, kRowChange, noise);
-  if (bottom.views > 0) prediction.bottom = predict_row(camera, bottom.drop / bottom.views, kRowChange, noise);
+  if (top.views > 0) prediction.top = predict_row(camera, top.drop / top.views, far.y() / far.x(), kRowChange, noise);
+  if (bottom.views > 0)
+    prediction.bottom = predict_row(camera, bottom.drop / bottom.views, far.y() / far.x(), kRowChange, noise);
   prediction.possible = true;
   return prediction;
 }

@@ -35,6 +35,9 @@ TEST(Encode, LeavesOptionalFieldsEmpty) {
   camera.width = camera.height = 2;
   camera.fx = camera.fy = {1};
   EXPECT_EQ(encoded(camera), line("FPCAM,,2,2,0.01,0.01,0.00,0.00,0.0000,0.0000,0.0000,0.0000,0.0000,,0.0000"));
+  camera.lens = sensor::Lens::kEquidistant;
+  EXPECT_EQ(encoded(camera),
+            line("FPCAM,,2,2,0.01,0.01,0.00,0.00,0.0000,0.0000,0.0000,0.0000,0.0000,,0.0000,equidistant"));
 }
 
 TEST(Encode, EscapesWhatWouldBreakTheLine) {

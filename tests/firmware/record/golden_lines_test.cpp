@@ -26,6 +26,12 @@ sensor::CameraIntrinsics pixy() {
   return camera;
 }
 
+sensor::CameraIntrinsics fisheye() {
+  sensor::CameraIntrinsics camera = pixy();
+  camera.lens = sensor::Lens::kEquidistant;
+  return camera;
+}
+
 sensor::BlobFrame two_blobs() {
   sensor::BlobFrame frame{{123'600}, 617, {}};
   EXPECT_TRUE(frame.blobs.push_back({1, 10, 20, 40, 60, {250}, {400}, 950, sensor::Rgb{0xd0, 0x20, 0x20}}));
@@ -38,6 +44,9 @@ std::vector<Golden> golden_lines() {
       {"$FPHDR,1,fencepost,0.1.0,host,full*34A0", Header{1, "fencepost", "0.1.0", "host", "full"}},
       {"$FPCAM,pixy2,316,208,273.60,273.60,157.50,103.50,0.0000,0.0500,0.0000,0.1200,0.0000,0.0000,0.0500*6E36",
        pixy()},
+      {"$FPCAM,pixy2,316,208,273.60,273.60,157.50,103.50,0.0000,0.0500,0.0000,0.1200,0.0000,0.0000,0.0500,equidistant*"
+       "AE41",
+       fisheye()},
       {"$FPODO,12.3450,0.1234,-0.0010,1.5708*0DF3", sensor::OdometrySample{{123'450}, {1'234}, {-10}, {15'708}}},
       {"$FPFRM,12.3600,617,2,1,10,20,40,60,25.0,40.0,950,d02020,2,100,22,131,80,115.5,51.0,0,*1594", two_blobs()},
       {"$FPFRM,12.3800,618,0*6329", sensor::BlobFrame{{123'800}, 618, {}}},

@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"\"fx\": 273.6", "\"fx\": \"273\"", "/camera/fx", "must be a number, not the text \"273\"",
                           "px"},
                     Fault{"\"k1\": 0", "\"k1\": 3", "/camera/k1", "out of range", "-1 to 1"},
+                    Fault{"\"k1\": 0", "\"lens\": \"fisheye\"", "/camera/lens", "no lens", "equidistant"},
                     Fault{"\"k1\": 0", "\"k2\": 3", "/camera/k2", "unknown key", "did you mean"},
                     Fault{"\"pitch\": 0", "\"pitch\": 1.2", "/camera/mount/pitch", "out of range", "rad"},
                     Fault{"\"z\": 0.12", "\"z\": -1", "/camera/mount/z", "out of range", "m"},

@@ -70,5 +70,23 @@ TEST(Straighten, UndistortionPutsPointsWhereAPinholeSeesThem) {
   EXPECT_EQ(cv::norm(kept(image), image, cv::NORM_INF), 0);
 }
 
+TEST(Straighten, TakesOutAFisheye) {
+  sensor::CameraIntrinsics camera;
+  camera.width = 160;
+  camera.height = 120;
+  camera.fx = camera.fy = base::Pixels2::nearest(100);
+  camera.cx = base::Pixels2::nearest(79.5);
+  camera.cy = base::Pixels2::nearest(59.5);
+  camera.lens = sensor::Lens::kEquidistant;
+  // 0.6 to the right in an ideal image, 60 px, is atan 0.6 = 0.5404 rad off the axis: 54 px right of 79.5.
+  cv::Mat image = canvas(160, 120, kWall);
+  paint(image, 133, 0, 134, 119, kRed);
+  const Straightener straighten(camera, {0, true});
+  EXPECT_EQ(straighten.camera().lens, sensor::Lens::kPinhole);
+  const cv::Mat straight = straighten(image);
+  EXPECT_EQ(straight.at<cv::Vec3b>(60, 140), bgr(kRed)) << "79.5 + 60 = 139.5, in front of this column";
+  EXPECT_EQ(straight.at<cv::Vec3b>(60, 134), bgr(kWall));
+}
+
 }  // namespace
 }  // namespace fencepost::host

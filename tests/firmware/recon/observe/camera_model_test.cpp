@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "firmware/recon/observe/sighting.hpp"
 
@@ -130,6 +131,90 @@ TEST(CameraModel, ColumnOfInvertsTheDirection) {
   EXPECT_NEAR(recon::column_of(camera, rays.right.direction), 59.5F, 1e-3F);
   EXPECT_LT(recon::column_of(camera, {-1, 0.1F}), -1e4F);  // behind, to the left
   EXPECT_GT(recon::column_of(camera, {-1, -0.1F}), 1e4F);
+}
+
+// 150 degrees: 150 px of focal length, half of 393 px is 75 degrees.
+sensor::CameraIntrinsics fisheye(double k1 = 0, double pitch = 0) {
+  sensor::CameraIntrinsics camera = simple_camera();
+  camera.lens = sensor::Lens::kEquidistant;
+  camera.width = 393;
+  camera.height = 240;
+  camera.fx = camera.fy = Pixels2::nearest(150);
+  camera.cx = Pixels2::nearest(196);
+  camera.cy = Pixels2::nearest(119.5);
+  camera.k1 = base::Ratio4::nearest(k1);
+  camera.mount.pitch = Radians::nearest(pitch);
+  return camera;
+}
+
+// Forward, in double: r = f a (1 + k1 a^2), along the ray's own direction in the image.
+std::pair<double, double> pixel_of(const sensor::CameraIntrinsics& camera, double ahead, double left, double down) {
+  const double across = std::hypot(left, down);
+  const double angle = std::atan2(across, ahead);
+  const double radius = angle * (1 + camera.k1.to_double() * angle * angle);
+  const double share = across > 0 ? radius / across : 0;
+  return {camera.cx.to_double() - camera.fx.to_double() * left * share,
+          camera.cy.to_double() + camera.fy.to_double() * down * share};
+}
+
+// A column is the same angle everywhere: 150 px to the left is one radian.
+TEST(Fisheye, AColumnIsTheSameAngleEverywhere) {
+  const recon::CameraModel camera = recon::make_camera_model(fisheye());
+  for (const double angle : {-1.3, -1.0, -0.3, 0.0, 0.5, 1.0, 1.309}) {
+    const recon::Vec2 direction = recon::ground_direction(camera, static_cast<float>(196 - 150 * angle), 119.5F);
+    EXPECT_NEAR(static_cast<double>(direction.x()), std::cos(angle), 3e-6) << angle;
+    EXPECT_NEAR(static_cast<double>(direction.y()), std::sin(angle), 3e-6) << angle;
+    EXPECT_NEAR(recon::column_of(camera, direction), 196 - 150 * angle, 2e-3) << angle;
+  }
+}
+
+// Through the lens and back, wherever the ray is within 75 degrees of the axis.
+TEST(Fisheye, RaysComeBackFromTheirPixels) {
+  int checked = 0;
+  for (const double k1 : {-0.03, 0.0, 0.02}) {
+    for (const double pitch : {0.0, 0.2}) {
+      const sensor::CameraIntrinsics intrinsics = fisheye(k1, pitch);
+      const recon::CameraModel camera = recon::make_camera_model(intrinsics);
+      for (double bearing = -1.2; bearing <= 1.2; bearing += 0.15) {
+        for (double drop = -0.3; drop <= 0.6; drop += 0.15) {  // per metre of depth
+          const double left = std::tan(bearing);
+          const double ahead = std::cos(pitch) + drop * std::sin(pitch);
+          const double down = drop * std::cos(pitch) - std::sin(pitch);
+          if (std::atan2(std::hypot(left, down), ahead) > 1.309) continue;
+          const auto [u, v] = pixel_of(intrinsics, ahead, left, down);
+          const recon::Vec2 direction = recon::ground_direction(camera, static_cast<float>(u), static_cast<float>(v));
+          EXPECT_NEAR(std::atan2(direction.y(), direction.x()), bearing, 2e-5) << k1 << " " << pitch;
+          const float fall = recon::drop_per_depth(camera, static_cast<float>(u), static_cast<float>(v));
+          EXPECT_NEAR(static_cast<double>(fall), drop, 1e-4) << k1 << " " << pitch;
+          float row = 0;
+          ASSERT_TRUE(recon::row_of(camera, static_cast<float>(drop), static_cast<float>(left), row));
+          EXPECT_NEAR(static_cast<double>(row), v, 0.01);
+          ++checked;
+        }
+      }
+    }
+  }
+  EXPECT_GT(checked, 400);
+}
+
+// A post from 0.1 m below the lens to 0.3 m above it, 1 m ahead and 1.2 m to the left: its image is a bow. The outer
+// edge is farthest out on the horizon, the inner edge nearest to the middle at the top: the box's columns are those.
+TEST(Fisheye, EdgesAreTakenWhereTheBowReachesFarthest) {
+  const sensor::CameraIntrinsics intrinsics = fisheye();
+  const recon::CameraModel camera = recon::make_camera_model(intrinsics);
+  const auto column = [&](double left, double down) { return pixel_of(intrinsics, 1, left, down).first; };
+  const auto row = [&](double left, double down) { return pixel_of(intrinsics, 1, left, down).second; };
+  const recon::Box box{static_cast<std::int16_t>(std::lround(column(1.3, 0) + 0.5)),
+                       static_cast<std::int16_t>(std::lround(row(1.2, -0.3) + 0.5)),
+                       static_cast<std::int16_t>(std::lround(column(1.2, -0.3) - 0.5)),
+                       static_cast<std::int16_t>(std::lround(row(1.2, 0.1) - 0.5))};
+  const recon::Sighting sighting = seen_by(camera, box);
+  const double pixel = 0.6 / 150;
+  EXPECT_NEAR(std::atan2(sighting.left.direction.y(), sighting.left.direction.x()), std::atan(1.3), pixel);
+  EXPECT_NEAR(std::atan2(sighting.right.direction.y(), sighting.right.direction.x()), std::atan(1.2), pixel);
+  // In the middle row the inner edge is 0.4 columns of an angle farther in, the outer one as much: they do not cancel.
+  EXPECT_EQ(recon::row_of_edge(camera, box, true), 119.5F);
+  EXPECT_EQ(recon::row_of_edge(camera, box, false), recon::top_edge(box));
 }
 
 }  // namespace

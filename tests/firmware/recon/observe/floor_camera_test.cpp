@@ -118,5 +118,37 @@ TEST(FloorCamera, HoldsAnyCalibration) {
   }
 }
 
+// A fisheye's 150 degrees: as the floats of the camera model say, to 1.5 m.
+TEST(FloorCamera, AgreesWithTheCameraModelOfAFisheye) {
+  int compared = 0;
+  for (const double pitch : {0.0, 0.15}) {
+    for (const double k1 : {0.0, -0.02}) {
+      sensor::CameraIntrinsics fisheye = pixy(pitch, k1);
+      fisheye.lens = sensor::Lens::kEquidistant;
+      fisheye.fx = fisheye.fy = base::Pixels2::nearest(120.7);
+      const recon::CameraModel camera = recon::make_camera_model(fisheye);
+      const FloorCamera floor(camera);
+      ASSERT_TRUE(floor.usable());
+      for (int u = 4; u <= 312; u += 11) {
+        for (int v = 104; v <= 206; v += 6) {
+          const auto x = static_cast<float>(u), y = static_cast<float>(v);
+          const float drop = recon::drop_per_depth(camera, x, y);
+          if (drop * 1.5F < 0.12F) continue;  // farther than 1.5 m
+          const recon::Vec2 direction = recon::ground_direction(camera, x, y);
+          const float slope = direction.y() / direction.x();
+          if (std::fabs(slope) > 3.5F || !(direction.x() > 0.2F)) continue;
+          const FloorPoint point = floor.at(2 * u, 2 * v);
+          const float depth = 120.0F / drop;
+          EXPECT_NEAR(static_cast<float>(point.depth), depth, 2 + 0.004F * depth) << u << " " << v << " " << pitch;
+          EXPECT_NEAR(static_cast<float>(point.slope) / kSlopeOne, slope, 0.004F * (1 + slope * slope))
+              << u << " " << v;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
 }  // namespace
 }  // namespace fencepost::test
