@@ -44,16 +44,18 @@ struct Scaled {
 struct MetreUnit;
 struct RadianUnit;
 struct PixelUnit;
+struct AngularRateUnit;
 struct RatioUnit;
 struct SecondUnit;
 struct ClockUnit;
 
-using Metres = Scaled<MetreUnit, 4>;    ///< 0.1 mm
-using Radians = Scaled<RadianUnit, 4>;  ///< 0.1 mrad, counter-clockwise positive
-using Pixels1 = Scaled<PixelUnit, 1>;   ///< centroids
-using Pixels2 = Scaled<PixelUnit, 2>;   ///< focal lengths and principal points
-using Ratio2 = Scaled<RatioUnit, 2>;    ///< confidences
-using Ratio4 = Scaled<RatioUnit, 4>;    ///< distortion coefficients
+using Metres = Scaled<MetreUnit, 4>;                  ///< 0.1 mm
+using Radians = Scaled<RadianUnit, 4>;                ///< 0.1 mrad, counter-clockwise positive
+using RadiansPerSecond = Scaled<AngularRateUnit, 4>;  ///< counter-clockwise positive
+using Pixels1 = Scaled<PixelUnit, 1>;                 ///< centroids
+using Pixels2 = Scaled<PixelUnit, 2>;                 ///< focal lengths and principal points
+using Ratio2 = Scaled<RatioUnit, 2>;                  ///< confidences
+using Ratio4 = Scaled<RatioUnit, 4>;                  ///< distortion coefficients
 using Duration = Scaled<SecondUnit, 4, std::int64_t>;
 
 /// The robot's clock: a count of 0.1 ms since its own zero. A point, not a length: only differences are durations.
