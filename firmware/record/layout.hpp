@@ -16,11 +16,13 @@ inline constexpr NumberField kPosition{-10'000'000, 10'000'000, 4};  // +-1000 m
 inline constexpr NumberField kMagnitude{0, 10'000'000, 4};           // radii and standard deviations, to 1000 m or rad
 inline constexpr NumberField kDistance{0, 30'000'000, 4};            // across the whole map: sqrt(2) * 2000 m and some
 inline constexpr NumberField kHeading{-10'000'000, 10'000'000, 4};   // +-1000 rad, wrapped or not
-inline constexpr NumberField kPitch{-15'708, 15'708, 4};             // +-90 deg
-inline constexpr NumberField kLatency{0, 100'000, 4};                // 10 s: more is milliseconds by mistake
-inline constexpr NumberField kDistortion{-100'000, 100'000, 4};      // +-10: lenses have less than 1
-inline constexpr NumberField kConfidence{0, 100, 2};                 // 0..1
-inline constexpr NumberField kFactor{1, 10'000, 2};                  // 0.01..100
+inline constexpr NumberField kTurnRate{-1'000'000, 1'000'000, 4};    // +-100 rad/s: gyros end at 35
+inline constexpr NumberField kEncoderCount{-2'147'483'648, 2'147'483'647, 0};
+inline constexpr NumberField kPitch{-15'708, 15'708, 4};         // +-90 deg
+inline constexpr NumberField kLatency{0, 100'000, 4};            // 10 s: more is milliseconds by mistake
+inline constexpr NumberField kDistortion{-100'000, 100'000, 4};  // +-10: lenses have less than 1
+inline constexpr NumberField kConfidence{0, 100, 2};             // 0..1
+inline constexpr NumberField kFactor{1, 10'000, 2};              // 0.01..100
 inline constexpr NumberField kPixel{-32'768, 32'767, 0};
 inline constexpr NumberField kCentroid{-327'680, 327'670, 1};
 inline constexpr NumberField kPrincipalPoint{-3'276'800, 3'276'700, 2};
@@ -74,6 +76,14 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.x.raw, kPosition);
   fields.number(r.y.raw, kPosition);
   fields.number(r.heading.raw, kHeading);
+}
+
+template <class Fields, Is<sensor::CarSample> Record>
+void walk(Fields& fields, Record& r) {
+  fields.time_or_arrival(r.t, kTime);
+  fields.number(r.count, kEncoderCount);
+  fields.number_or_empty(r.steering, kPitch);
+  fields.number_or_empty(r.yaw_rate, kTurnRate);
 }
 
 template <class Fields, Is<sensor::Blob> Record>

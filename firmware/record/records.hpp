@@ -32,6 +32,7 @@ enum class Kind : std::uint8_t {
   kSetting,
   kHeartbeat,
   kCalibrationDoubt,
+  kCar,
 };
 
 /// FPHDR: starts a run; all state resets.

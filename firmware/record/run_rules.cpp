@@ -26,9 +26,12 @@ std::optional<Reject> RunRules::admit(const sensor::CameraIntrinsics& record) {
   return std::nullopt;
 }
 
-std::optional<Reject> RunRules::admit(const sensor::OdometrySample& record) {
-  if (last_odometry_ && record.t <= *last_odometry_) return Reject::kTime;
-  last_odometry_ = record.t;
+std::optional<Reject> RunRules::admit(const sensor::OdometrySample& record) { return admit_odometry(record.t); }
+std::optional<Reject> RunRules::admit(const sensor::CarSample& record) { return admit_odometry(record.t); }
+
+std::optional<Reject> RunRules::admit_odometry(base::Time t) {
+  if (last_odometry_ && t <= *last_odometry_) return Reject::kTime;
+  last_odometry_ = t;
   return std::nullopt;
 }
 

@@ -21,8 +21,10 @@ class RunRules {
   std::optional<Reject> admit(const Header& record);
   /// The size in force for the frames after it.
   std::optional<Reject> admit(const sensor::CameraIntrinsics& record);
-  /// errors: time (t not after the last FPODO's)
+  /// errors: time (t not after the last FPODO's or FPCAR's)
   std::optional<Reject> admit(const sensor::OdometrySample& record);
+  /// The same, of either of the two.
+  std::optional<Reject> admit(const sensor::CarSample& record);
   /// errors: range (a box leaves the image; unchecked before any FPCAM), time (t not after the last FPFRM's)
   std::optional<Reject> admit(const sensor::BlobFrame& record);
   template <class Record>
@@ -31,6 +33,8 @@ class RunRules {
   }
 
  private:
+  std::optional<Reject> admit_odometry(base::Time t);
+
   struct ImageSize {
     std::uint16_t width = 0;
     std::uint16_t height = 0;

@@ -76,8 +76,16 @@ class RandomRecords {
         return Heartbeat{time(), static_cast<AlertLevel>(below(5)), static_cast<sensor::LinkState>(below(5)),
                          static_cast<sensor::LinkState>(below(5))};
       case Kind::kCalibrationDoubt: return CalibrationDoubt{time(), static_cast<Doubt>(below(3)), {i32(1, 10'000)}};
+      case Kind::kCar: return car();
     }
     return Header{};
+  }
+
+  sensor::CarSample car() {
+    sensor::CarSample car{time(), i32(-2'147'483'648, 2'147'483'647), {}, {}};
+    if (chance(2)) car.steering = base::Radians{i32(-15'708, 15'708)};
+    if (chance(2)) car.yaw_rate = base::RadiansPerSecond{i32(-1'000'000, 1'000'000)};
+    return car;
   }
 
  private:
