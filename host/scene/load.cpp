@@ -69,7 +69,7 @@ void check_overlaps(const JsonNode& root, const Scene& scene) {
 
 Scene read_scene(const json& value) {
   const JsonNode root(value, "");
-  root.expect_keys({"format", "seed", "camera", "robot", "signatures", "objects", "path", "noise"});
+  root.expect_keys({"format", "seed", "camera", "robot", "signatures", "objects", "path", "odometry", "noise"});
   const JsonNode format = root.at("format");
   if (format.integer(0, 1'000'000) != 1) format.fail("this program reads scene format 1", "write 1");
   Scene scene;
@@ -87,7 +87,11 @@ Scene read_scene(const json& value) {
   check_signatures(root, scene);
   check_overlaps(root, scene);
   if (const auto path = root.find("path")) read_path(*path, scene);
-  if (const auto noise = root.find("noise")) scene.noise = read_noise(*noise);
+  if (const auto odometry = root.find("odometry")) scene.odometry = read_odometry(*odometry);
+  if (const auto noise = root.find("noise")) {
+    scene.noise = read_noise(*noise);
+    check_odometry_noise(*noise, scene.odometry);
+  }
   return scene;
 }
 

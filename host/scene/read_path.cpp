@@ -1,6 +1,8 @@
 #include <cmath>
+#include <initializer_list>
 
 #include "host/scene/read_scene.hpp"
+#include "host/scene/rounded_path.hpp"
 #include "host/text/suggest.hpp"
 
 namespace fencepost::host {
@@ -28,8 +30,18 @@ ArcPath read_arc(const JsonNode& node) {
   return arc;
 }
 
+void read_turn_radius(const JsonNode& node, const JsonNode& radius, WaypointPath& path) {
+  path.turn_radius = radius.positive(kWorldLimit, "m");
+  if (node.find("turn_rate"))
+    radius.fail("is there beside turn_rate", "a car needs the radius only: leave turn_rate out");
+  const std::optional<std::size_t> narrow = corner_without_room(path);
+  if (!narrow) return;
+  node.at("points").at(*narrow).fail("its arc has no room between the points beside it",
+                                     "move them farther apart, or make turn_radius smaller");
+}
+
 WaypointPath read_waypoints(const JsonNode& node) {
-  node.expect_keys({"type", "points", "speed", "turn_rate"});
+  node.expect_keys({"type", "points", "speed", "turn_rate", "turn_radius", "laps", "wait"});
   WaypointPath path;
   const JsonNode points = node.at("points");
   const std::size_t count = points.size(2, "points");
@@ -41,6 +53,9 @@ WaypointPath read_waypoints(const JsonNode& node) {
   }
   if (const auto speed = node.find("speed")) path.speed = speed->positive(100, "m/s");
   if (const auto turn_rate = node.find("turn_rate")) path.turn_rate = turn_rate->positive(100, "rad/s");
+  if (const auto laps = node.find("laps")) path.laps = static_cast<int>(laps->integer(1, 10'000));
+  path.wait = node.number_or("wait", 0, 0, kLongestRun, "s");
+  if (const auto radius = node.find("turn_radius")) read_turn_radius(node, *radius, path);
   return path;
 }
 
@@ -73,6 +88,11 @@ double duration_of(const Scene& scene) {
       const Point b = path->points[i];
       duration += std::hypot(b.x - a.x, b.y - a.y) / path->speed + kHalfTurn / path->turn_rate;
     }
+    const Point a = path->points.back();
+    const Point b = path->points.front();
+    const double closing = std::hypot(b.x - a.x, b.y - a.y) / path->speed + kHalfTurn / path->turn_rate;
+    if (path->laps > 0) duration = (duration + closing) * path->laps;
+    duration += path->wait;
   }
   return duration;
 }
@@ -111,9 +131,18 @@ std::vector<TimedPose> read_object_path(const JsonNode& node) {
 }
 
 SceneNoise read_noise(const JsonNode& node) {
-  node.expect_keys({"edge_px", "loss_probability", "loss_min", "loss_max", "split_share", "growth_probability",
-                    "growth_max", "miss_probability", "false_rate", "signature_swap_probability", "pose_xy",
-                    "pose_heading", "drift_scale", "drift_turn", "drift_walk", "yaw_error", "pitch_error",
+  node.expect_keys({"edge_px",        "loss_probability",
+                    "loss_min",       "loss_max",
+                    "split_share",    "growth_probability",
+                    "growth_max",     "miss_probability",
+                    "false_rate",     "signature_swap_probability",
+                    "pose_xy",        "pose_heading",
+                    "drift_scale",    "drift_turn",
+                    "drift_walk",     "gyro_bias",
+                    "gyro_walk",      "gyro_noise",
+                    "gyro_scale",     "steer_offset",
+                    "steer_scale",    "steer_backlash",
+                    "yaw_error",      "pitch_error",
                     "latency_jitter", "frame_drop_probability"});
   SceneNoise noise;
   const auto read = [&](std::string_view key, double& value, double low, double high, std::string_view unit) {
@@ -134,6 +163,13 @@ SceneNoise read_noise(const JsonNode& node) {
   read("drift_scale", noise.drift_scale, -0.9, 10, "of the distance");
   read("drift_turn", noise.drift_turn, -10, 10, "rad/m");
   read("drift_walk", noise.drift_walk, 0, 10, "m/sqrt(m)");
+  read("gyro_bias", noise.gyro_bias, -10, 10, "rad/s");
+  read("gyro_walk", noise.gyro_walk, 0, 10, "rad/s/sqrt(s)");
+  read("gyro_noise", noise.gyro_noise, 0, 10, "rad/s");
+  read("gyro_scale", noise.gyro_scale, -0.9, 10, "of the rate");
+  read("steer_offset", noise.steer_offset, -1, 1, "rad");
+  read("steer_scale", noise.steer_scale, -0.9, 10, "of the angle");
+  read("steer_backlash", noise.steer_backlash, 0, 1, "rad");
   read("yaw_error", noise.yaw_error, -3.2, 3.2, "rad");
   read("pitch_error", noise.pitch_error, -0.7, 0.7, "rad");
   read("latency_jitter", noise.latency_jitter, 0, 10, "s");
@@ -142,6 +178,43 @@ SceneNoise read_noise(const JsonNode& node) {
     node.fail("loss_min is greater than loss_max", "swap them; the defaults are 0.1 and 0.5");
   }
   return noise;
+}
+
+SceneOdometry read_odometry(const JsonNode& node) {
+  node.expect_keys({"kind", "counts", "wheelbase"});
+  SceneOdometry odometry;
+  const JsonNode kind = node.at("kind");
+  const std::string word = kind.text();
+  if (word == "gyro") {
+    odometry.kind = SceneOdometry::Kind::kGyro;
+  } else if (word == "steering") {
+    odometry.kind = SceneOdometry::Kind::kSteering;
+  } else {
+    kind.fail("unknown kind \"" + word + "\"", "write \"gyro\" or \"steering\"; without \"odometry\" it tells poses");
+  }
+  odometry.counts = node.at("counts").number(1, 1e6, "/m");
+  if (word == "steering") odometry.wheelbase = node.at("wheelbase").number(0.01, 3, "m");
+  return odometry;
+}
+
+void check_odometry_noise(const JsonNode& noise, const SceneOdometry& odometry) {
+  const auto refuse = [&](std::initializer_list<std::string_view> keys, const char* what, const char* remedy) {
+    for (const std::string_view key : keys) {
+      if (const auto there = noise.find(key)) there->fail(what, remedy);
+    }
+  };
+  if (odometry.of_car()) {
+    refuse({"pose_xy", "pose_heading", "drift_turn", "drift_walk"}, "is of poses, and this robot tells none",
+           "a car has drift_scale, and gyro_ or steer_ errors");
+  }
+  if (odometry.kind != SceneOdometry::Kind::kGyro) {
+    refuse({"gyro_bias", "gyro_walk", "gyro_noise", "gyro_scale"}, "is of a gyro, and this robot has none",
+           "add \"odometry\": {\"kind\": \"gyro\", \"counts\": 2000}");
+  }
+  if (odometry.kind != SceneOdometry::Kind::kSteering) {
+    refuse({"steer_offset", "steer_scale", "steer_backlash"}, "is of a steering angle, and this robot tells none",
+           "add \"odometry\": {\"kind\": \"steering\", \"counts\": 2000, \"wheelbase\": 0.17}");
+  }
 }
 
 }  // namespace fencepost::host

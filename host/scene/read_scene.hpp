@@ -23,5 +23,8 @@ std::vector<TimedPose> read_object_path(const JsonNode& node);
 /// Times lie between 0 and this, s; the stream's clock ends at 999999.
 inline constexpr double kLongestRun = 900'000;
 SceneNoise read_noise(const JsonNode& node);
+SceneOdometry read_odometry(const JsonNode& node);
+/// Errors of poses are none of a car's readings, and the other way round.
+void check_odometry_noise(const JsonNode& noise, const SceneOdometry& odometry);
 
 }  // namespace fencepost::host

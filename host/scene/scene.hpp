@@ -53,9 +53,21 @@ struct WaypointPath {
   std::vector<Point> points;
   double speed = 0.2;      ///< m/s
   double turn_rate = 0.8;  ///< rad/s, turns on the spot
+  double turn_radius = 0;  ///< m; not 0: drives round the points in arcs, as a car has to
+  int laps = 0;            ///< not 0: the last point leads to the first, so often round, and ends there
+  double wait = 0;         ///< s, stands before it goes
 };
 struct PosesPath {
   std::vector<TimedPose> poses;  ///< interpolated, headings the short way round
+};
+
+/// What its wheels tell.
+struct SceneOdometry {
+  enum class Kind : std::uint8_t { kPoses, kGyro, kSteering };
+  Kind kind = Kind::kPoses;
+  double counts = 0;     ///< of a car's encoder, a metre
+  double wheelbase = 0;  ///< m
+  [[nodiscard]] bool of_car() const { return kind != Kind::kPoses; }
 };
 
 /// All zero: only integer pixels. Meaning and unit of each key: share/doc/scene.md.
@@ -75,6 +87,13 @@ struct SceneNoise {
   double drift_scale = 0;
   double drift_turn = 0;
   double drift_walk = 0;
+  double gyro_bias = 0;
+  double gyro_walk = 0;
+  double gyro_noise = 0;
+  double gyro_scale = 0;
+  double steer_offset = 0;
+  double steer_scale = 0;
+  double steer_backlash = 0;
   double yaw_error = 0;
   double pitch_error = 0;
   double latency_jitter = 0;
@@ -90,6 +109,7 @@ struct Scene {
   std::vector<SceneSignature> signatures;
   std::vector<SceneObject> objects;
   std::variant<std::monostate, ArcPath, WaypointPath, PosesPath> path;
+  SceneOdometry odometry;
   SceneNoise noise;
 };
 

@@ -75,13 +75,28 @@ json path_json(const ArcPath& arc) {
 json path_json(const WaypointPath& path) {
   json points = json::array();
   for (const Point p : path.points) points.push_back({p.x, p.y});
-  return {{"type", "waypoints"}, {"points", points}, {"speed", path.speed}, {"turn_rate", path.turn_rate}};
+  json out = {{"type", "waypoints"}, {"points", points}, {"speed", path.speed}};
+  if (path.turn_radius > 0) {
+    out["turn_radius"] = path.turn_radius;
+  } else {
+    out["turn_rate"] = path.turn_rate;
+  }
+  if (path.laps > 0) out["laps"] = path.laps;
+  if (path.wait > 0) out["wait"] = path.wait;
+  return out;
 }
 
 json path_json(const PosesPath& path) {
   json poses = json::array();
   for (const TimedPose& p : path.poses) poses.push_back({{"t", p.t}, {"x", p.x}, {"y", p.y}, {"heading", p.heading}});
   return {{"type", "poses"}, {"poses", poses}};
+}
+
+json odometry_json(const SceneOdometry& odometry) {
+  const bool gyro = odometry.kind == SceneOdometry::Kind::kGyro;
+  json out = {{"kind", gyro ? "gyro" : "steering"}, {"counts", odometry.counts}};
+  if (odometry.wheelbase > 0) out["wheelbase"] = odometry.wheelbase;
+  return out;
 }
 
 json path_json(std::monostate) { return {}; }
@@ -108,6 +123,13 @@ json noise_json(const SceneNoise& noise) {
   put("drift_scale", &SceneNoise::drift_scale);
   put("drift_turn", &SceneNoise::drift_turn);
   put("drift_walk", &SceneNoise::drift_walk);
+  put("gyro_bias", &SceneNoise::gyro_bias);
+  put("gyro_walk", &SceneNoise::gyro_walk);
+  put("gyro_noise", &SceneNoise::gyro_noise);
+  put("gyro_scale", &SceneNoise::gyro_scale);
+  put("steer_offset", &SceneNoise::steer_offset);
+  put("steer_scale", &SceneNoise::steer_scale);
+  put("steer_backlash", &SceneNoise::steer_backlash);
   put("yaw_error", &SceneNoise::yaw_error);
   put("pitch_error", &SceneNoise::pitch_error);
   put("latency_jitter", &SceneNoise::latency_jitter);
@@ -147,6 +169,7 @@ std::string write_scene(const Scene& scene) {
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));
   const json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);
   if (!path.is_null()) root["path"] = path;
+  if (scene.odometry.of_car()) root["odometry"] = odometry_json(scene.odometry);
   const json noise = noise_json(scene.noise);
   if (!noise.empty()) root["noise"] = noise;
   return root.dump(2) + "\n";

@@ -13,7 +13,8 @@ enum class Purpose : std::uint64_t {
   kViewPose = 3,
   kDrift = 4,
   kLatency = 5,
-  kDrop = 6
+  kDrop = 6,
+  kCarReading = 7
 };
 
 /// xoshiro256** seeded by splitmix64 (Blackman, Vigna).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "firmware/record/encode.hpp"
 #include "host/geometry/rings.hpp"
+#include "host/simulate/car_odometer.hpp"
 #include "host/simulate/detector.hpp"
 #include "host/simulate/odometer.hpp"
 #include "host/simulate/random.hpp"
@@ -42,6 +44,7 @@ class Simulation {
         trajectory_(std::move(trajectory)),
         world_(scene),
         odometer_(scene, trajectory_),
+        car_(scene, trajectory_),
         rays_(scene.camera, true_pitch(scene)),
         image_(scene.camera.width, scene.camera.height) {}
 
@@ -68,7 +71,11 @@ class Simulation {
         write_calibration();
         repeat = repeat + kRepeatPeriod;
       }
-      write(odometer_.next());
+      if (scene_.odometry.of_car()) {
+        write(car_.next());
+      } else {
+        write(odometer_.next());
+      }
       ++summary_.odometry;
       summary_.duration = t.to_double();
     }
@@ -116,6 +123,18 @@ class Simulation {
     for (const SceneSignature& signature : scene_.signatures) {
       write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name)});
     }
+    if (scene_.odometry.of_car()) write_car();
+  }
+
+  // What the robot's settings would say of it.
+  void write_car() {
+    const auto setting = [&](std::string_view key, double value, int decimals) {
+      std::array<char, 32> text{};
+      const int size = std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+      write(record::Setting{sensor::Text(key), std::string_view(text.data(), static_cast<std::size_t>(size))});
+    };
+    setting("car.counts", scene_.odometry.counts, 1);
+    if (scene_.odometry.wheelbase > 0) setting("car.wheelbase", scene_.odometry.wheelbase, 3);
   }
 
   void write_frame(const Exposure& exposure) {
@@ -165,6 +184,7 @@ class Simulation {
   Trajectory trajectory_;
   World world_;
   Odometer odometer_;
+  CarOdometer car_;
   PixelRays rays_;
   LabelImage image_;
   SimulationSummary summary_;

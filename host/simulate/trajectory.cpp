@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "host/scene/rounded_path.hpp"
+
 namespace fencepost::host {
 
 namespace {
@@ -18,12 +20,14 @@ double near_to(double angle, double reference) {
 /// Drives straight from point to point and turns on the spot in between, the short way round.
 std::vector<TimedPose> knots_of(const WaypointPath& path) {
   std::vector<TimedPose> knots;
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-    const Point a = path.points[i];
-    const Point b = path.points[i + 1];
+  const std::vector<Point> points = driven_points(path);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point a = points[i];
+    const Point b = points[i + 1];
     double heading = std::atan2(b.y - a.y, b.x - a.x);
     if (knots.empty()) {
       knots.push_back({0, a.x, a.y, heading});
+      if (path.wait > 0) knots.push_back({path.wait, a.x, a.y, heading});
     } else {
       heading = near_to(heading, knots.back().heading);
       const double turn = std::abs(heading - knots.back().heading);
@@ -67,7 +71,9 @@ Trajectory::Trajectory(const Scene& scene) : scene_(scene) {
     duration_ = (arc->views - 1) / scene.rate;
     return;
   }
-  if (const auto* waypoints = std::get_if<WaypointPath>(&scene.path)) knots_ = knots_of(*waypoints);
+  if (const auto* waypoints = std::get_if<WaypointPath>(&scene.path)) {
+    knots_ = waypoints->turn_radius > 0 ? rounded_knots(*waypoints) : knots_of(*waypoints);
+  }
   if (const auto* poses = std::get_if<PosesPath>(&scene.path)) knots_ = continuous(poses->poses);
   duration_ = knots_.back().t;
   frames_ = frames_in(duration_, scene.rate);

@@ -29,6 +29,8 @@ struct Recorded {
   void accept(const record::Signature& r) { signatures.push_back(r), order.push_back('S'); }
   void accept(const sensor::OdometrySample& r) { odometry.push_back(r), order.push_back('O'); }
   void accept(const sensor::BlobFrame& r) { frames.push_back(r), order.push_back('F'); }
+  void accept(const sensor::CarSample&) {}
+  void accept(const record::Setting&) {}  // of a car
   template <class Other>
   void accept(const Other&) {
     ADD_FAILURE() << "a simulator or importer writes inputs only";
