@@ -1,0 +1,168 @@
+#include "firmware/recon/models/next_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "firmware/recon/models/hybrid/node_directions.hpp"
+
+namespace fencepost::recon {
+namespace {
+
+constexpr float kTwoPi = 2 * 3.14159265F;
+/// share of the most news of an arc, and what half way round the object costs. By design.
+constexpr float kNewsOfArc = 0.7F;
+constexpr float kPriceOfWay = 0.05F;
+/// of a side's sigma: what another view takes from it, beside what it cuts off. Next-view study, seeds 8001 to 8060.
+constexpr float kOfSigma = 0.1F;
+/// The corner between two tangents to a circle of radius 1, beyond the chord of the points that they touch: 1/8 of the
+/// angle cubed, while that is small; turns beyond which it is not larger.
+constexpr float kOfCorner = 0.125F;
+/// share of a corner that is as the outline has its sides; the rest is as of a round object. Next-view study.
+constexpr float kOfSeen = 0.8F;
+constexpr float kWidestGap = 0.35F;
+
+/// One tangent as it was measured: a sector's most seen edge.
+struct Side {
+  float place = 0;  ///< of its normal, in sectors
+  Vec2 normal{1, 0};
+  float offset = 0;
+  float length = 0;  ///< m, of the side, between those that its neighbours make
+  float gain = 0;    ///< m, by which one more view lowers its sigma
+};
+
+struct SidesAround {
+  std::array<Side, kDirections> all{};
+  std::size_t count = 0;
+
+  [[nodiscard]] const Side& at(std::size_t i) const { return all[i % count]; }
+};
+
+// The sigma of n views is that of one by their root.
+float gain_of(const Cluster& cluster) {
+  return cluster.sigma * (1 / std::sqrt(cluster.views) - 1 / std::sqrt(cluster.views + 1));
+}
+
+SidesAround sides_of(ConstClusters clusters) {
+  SidesAround sides;
+  for (std::size_t sector = 0; sector < clusters.size() / kClustersPerSector; ++sector) {
+    std::size_t best = clusters.size();
+    for (std::size_t i = 0; i < kClustersPerSector; ++i) {
+      const std::size_t index = sector * kClustersPerSector + i;
+      const Cluster cluster = unpack(clusters[index]);
+      if (cluster.views <= 0 || cluster.lower_bound) continue;
+      if (best == clusters.size() || clusters[index].views > clusters[best].views) best = index;
+    }
+    if (best == clusters.size()) continue;
+    const Cluster cluster = unpack(clusters[best]);
+    sides.all[sides.count++] = {static_cast<float>(sector) + cluster.phase, direction_of(clusters, best),
+                                cluster.offset, 0, gain_of(cluster)};
+  }
+  return sides;
+}
+
+// The outline's node nearest to a side's normal.
+std::size_t node_of(const Side& side, std::size_t nodes) { return static_cast<std::size_t>(side.place + 0.5F) % nodes; }
+
+// How far along the side at node k, from the foot of its normal, that at node j cuts it.
+float cut_at(const OutlineView& outline, std::size_t k, std::size_t j, float most) {
+  const Vec2 normal = node_direction(k, outline.offsets.size());
+  const Vec2 other = node_direction(j, outline.offsets.size());
+  const float sine = std::fabs(cross(normal, other));
+  const float cosine = normal.dot(other);
+  if (cosine < -0.5F) return most;  // behind it
+  return sine > 0 ? std::min((outline.offset(j) - cosine * outline.offset(k)) / sine, most) : 0;
+}
+
+// By the fitted outline: measured offsets of neighbours are too noisy for it.
+void measure(SidesAround& sides, const OutlineView& outline, float radius) {
+  const std::size_t nodes = outline.offsets.size();
+  const float most = 1.7F * radius;  // of tangents that meet at 120 degrees
+  for (std::size_t i = 0; i < sides.count; ++i) {
+    const std::size_t k = node_of(sides.at(i), nodes);
+    const float back = cut_at(outline, k, node_of(sides.at(i + sides.count - 1), nodes), most);
+    const float ahead = cut_at(outline, k, node_of(sides.at(i + 1), nodes), most);
+    sides.all[i].length = std::max(back + ahead, 0.0F);
+  }
+}
+
+// What a tangent with each normal would tell, m^2 of a round object of radius 1.
+void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<float, kDirections>& news) {
+  const auto whole = static_cast<float>(nodes);
+  for (std::size_t i = 0; i < sides.count; ++i) {
+    const Side& from = sides.at(i);
+    const Side& to = sides.at(i + 1);
+    const float gap = to.place - from.place + (to.place <= from.place ? whole : 0.0F);
+    const float angle = std::min(gap / whole, kWidestGap) * kTwoPi;
+    const float round = angle * angle * angle;
+    const float sine = 4 * gap < whole ? std::fabs(cross(from.normal, to.normal)) : 1.0F;
+    const float seen = from.length * to.length * sine / (radius * radius);
+    const float corner = kOfCorner * (round + kOfSeen * (seen - round));
+    for (std::size_t k = static_cast<std::size_t>(from.place) + 1; static_cast<float>(k) <= from.place + gap; ++k) {
+      const float share = (static_cast<float>(k) - from.place) / gap;
+      const Side& nearer = share < 0.5F ? from : to;
+      const float again = std::fabs(1 - 2 * share) * nearer.gain / radius * std::min(angle, 1.0F);
+      news[k % nodes] = 4 * share * (1 - share) * corner + kOfSigma * again;
+    }
+  }
+}
+
+bool is_free(const Vec2& place, std::span<const Disc> others, float clearance) {
+  return std::none_of(others.begin(), others.end(), [&](const Disc& other) {
+    const float reach = other.radius + clearance;
+    return (place - other.center).squaredNorm() < reach * reach;
+  });
+}
+
+// 0 where the robot is, 1 opposite.
+float way_round(std::size_t from, std::size_t to, std::size_t nodes) {
+  const std::size_t steps = (to + nodes - from) % nodes;
+  return static_cast<float>(2 * std::min(steps, nodes - steps)) / static_cast<float>(nodes);
+}
+
+}  // namespace
+
+NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec2& robot, std::span<const Disc> others,
+                   float clearance) {
+  NextView next;
+  const float radius = outline.radius();
+  SidesAround sides = sides_of(clusters);
+  if (sides.count < 2 || radius <= 0) return next;
+  const std::size_t nodes = outline.offsets.size();
+  measure(sides, outline, radius);
+  std::array<float, kDirections> told{};
+  tell(sides, nodes, radius, told);
+
+  const float away = std::sqrt(robot.squaredNorm());
+  const float distance = std::clamp(away, kNearestView, kFarthestView);
+  const std::size_t now = nearest_node(away > 0 ? Vec2(robot / away) : Vec2(1, 0), nodes);
+  // A tangent's normal is a quarter turn from the view, less the angle that the radius takes up.
+  const float edge_on = (0.25F - std::min(radius / distance, 1.0F) / kTwoPi) * static_cast<float>(nodes);
+  const auto aside = static_cast<std::size_t>(edge_on + 0.5F);
+  std::array<float, kDirections> news{};  // 0 where nobody can stand
+  std::size_t best = nodes;
+  float best_worth = 0;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    if (!is_free(distance * node_direction(k, nodes), others, clearance)) continue;
+    news[k] = told[(k + aside) % nodes] + told[(k + nodes - aside) % nodes];
+    const float worth = news[k] * (1 - kPriceOfWay * way_round(now, k, nodes));
+    if (worth <= best_worth) continue;
+    best = k;
+    best_worth = worth;
+  }
+  next.refusal = NextViewRefusal::kBlocked;
+  if (best == nodes) return next;
+  const auto belongs = [&](std::size_t k) { return news[k % nodes] >= kNewsOfArc * news[best]; };
+  std::size_t left = 0;
+  while (left < nodes / 2 && belongs(best + left + 1)) ++left;
+  std::size_t right = 0;
+  while (right < nodes / 2 && belongs(best + nodes - right - 1)) ++right;
+  next.refusal = NextViewRefusal::kNone;
+  next.toward = node_direction(best, nodes);
+  next.place = distance * next.toward;
+  next.width = kTwoPi * static_cast<float>(std::min(left + right + 1, nodes)) / static_cast<float>(nodes);
+  next.news = std::min(news[best] / (0.5F * kTwoPi), 1.0F);
+  return next;
+}
+
+}  // namespace fencepost::recon

@@ -1,0 +1,48 @@
+// From where an object should be looked at next: the arc whose views would tell most about its outline.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/recon/models/hybrid/hybrid.hpp"
+
+namespace fencepost::recon {
+
+/// Something round that a robot does not stand in. Metres, local frame of the outline.
+struct Disc {
+  Vec2 center{0, 0};
+  float radius = 0;
+};
+
+enum class NextViewRefusal : std::uint8_t {
+  kNone,
+  kNoOutline,  ///< there is no outline yet: any view that moves sideways helps
+  kBlocked,    ///< something stands at each place from where it could be seen
+};
+
+/// Directions are those of the camera as seen from the object, map axes.
+struct NextView {
+  NextViewRefusal refusal = NextViewRefusal::kNoOutline;
+  Vec2 toward{1, 0};  ///< unit, to the middle of the arc
+  Vec2 place{0, 0};   ///< on it, m, local frame of the outline
+  float width = 0;    ///< of the arc, rad
+  float news = 0;     ///< share of the outline's area that a view from there may change
+
+  [[nodiscard]] bool ok() const { return refusal == NextViewRefusal::kNone; }
+};
+
+/// A view adds two tangents, whose normals lie some 85 degrees to either side of it. What a tangent tells is how much
+/// of the corner between the tangents beside it it may cut off: much between tangents far apart whose sides are long,
+/// little where they meet in a corner of the object; and a little where a side was seen once. The paper's novelty
+/// (section III.B), foreseen. The arc is where most of the greatest news is to be had, and nearer places count a little
+/// more. `robot` and `others` in the outline's local frame; the place is as far away as the robot is now, but within
+/// kNearestView and kFarthestView, and not within `clearance` of any of the others. What lies on the way, or hides the
+/// object from there, is not looked at.
+NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec2& robot, std::span<const Disc> others,
+                   float clearance);
+
+inline constexpr float kNearestView = 0.4F;   ///< m. By design: nearer, a block fills the image
+inline constexpr float kFarthestView = 1.0F;  ///< m. By design: farther, an edge is known to a centimetre only
+
+}  // namespace fencepost::recon
