@@ -27,8 +27,14 @@ enum class Key : std::uint8_t {
   kCameraNoise,
   kCorrectDrift,
   kCorrectPose,
+  kCarCounts,
+  kCarWheelbase,
+  kSteerScale,
+  kSteerOffset,
+  kGyroScale,
+  kGyroBias,
 };
-inline constexpr std::size_t kKeys = 15;
+inline constexpr std::size_t kKeys = 21;
 
 /// Values of `correct.pose` by their counts, and its unit.
 enum Correct : std::int32_t { kCorrectOff, kCorrectOn, kCorrectAuto };
@@ -61,6 +67,12 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"camera.noise", "px", 2, 0, 0, 1000, "sigma of a box edge; 0: by its columns"},
     {"correct.drift", "%", 1, 30, 1, 500, "of the distance: how far off odometry is"},
     {"correct.pose", kChoice, 0, kCorrectAuto, 0, kCorrectAuto, "by landmarks seen again; auto: if odometry drifts"},
+    {"car.counts", "/m", 1, 0, -10'000'000, 10'000'000, "of a car's encoder; 0: not told; negative: backwards"},
+    {"car.wheelbase", "m", 3, 0, 0, 3'000, "between its axles; 0: not told"},
+    {"steer.scale", "", 3, 1'000, -10'000, 10'000, "turn of the wheels for one told; negative: right is told positive"},
+    {"steer.offset", "deg", 2, 0, -4'500, 4'500, "told when it goes straight"},
+    {"gyro.scale", "", 4, 10'000, -20'000, 20'000, "true turn for one measured; negative: clockwise is positive"},
+    {"gyro.bias", "deg/s", 3, 0, -30'000, 30'000, "measured when nothing turns, until it has stood"},
 }};
 
 constexpr const KeyInfo& info(Key key) { return kKeyInfo[static_cast<std::size_t>(key)]; }

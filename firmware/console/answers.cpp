@@ -78,6 +78,9 @@ void put_error(Sentence& s, const Answer& answer, const SettingsInForce& in_forc
     case Reply::kTooManyWords:
       s.put("error: '").put(answer.quote.view()).put("' is too much: ");
       return put_usage(s, verb);
+    case Reply::kNoSuchObject:
+      s.put("error: '").put(answer.quote.view()).put("' is no object: 'objects' has their numbers");
+      return;
     case Reply::kNoSuchWord:
       s.put("error: '").put(answer.quote.view()).put("' is not possible: ");
       return put_usage(s, verb);

@@ -19,6 +19,7 @@ enum class Verb : std::uint8_t {
   kStatus,
   kObjects,
   kMap,
+  kNext,
   kAlerts,
   kMode,
   kSet,
@@ -29,7 +30,7 @@ enum class Verb : std::uint8_t {
   kStop,
   kVersion,
 };
-inline constexpr std::size_t kVerbs = 13;
+inline constexpr std::size_t kVerbs = 14;
 
 struct VerbInfo {
   std::string_view name;
@@ -45,6 +46,7 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"status", "", 0, 0, "what came in, what was refused, links, robot, digest"},
     {"objects", "", 0, 0, "the objects, the letters are those of the map"},
     {"map", "", 0, 0, "the map from above"},
+    {"next", "[ID]", 0, 1, "from where an object would be learnt most"},
     {"alerts", "on|off", 1, 1, "say alerts (modes text and log)"},
     {"mode", "text|log|plot|quiet", 1, 1, "sentences, records, numbers to plot, only answers"},
     {"set", "KEY VALUE", 2, 3, "change a setting"},

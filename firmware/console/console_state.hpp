@@ -27,6 +27,7 @@ enum class Reply : std::uint8_t {
   kStatus,
   kObjects,
   kMap,
+  kNext,  ///< subject: slot + 1 of the object that was asked for; 0: all
   kAllSettings,
   kOneSetting,  ///< subject: Key
   kSettingIs,   ///< subject: Key
@@ -44,6 +45,7 @@ enum class Reply : std::uint8_t {
   kNoSuchCommand,  ///< quote; subject: Verb that was perhaps meant, or kNothingNear
   kTooFewWords,    ///< subject: Verb
   kTooManyWords,   ///< subject: Verb; quote: the first one too many
+  kNoSuchObject,   ///< quote
   kNoSuchWord,     ///< subject: Verb; quote
   kNoSuchKey,      ///< quote; subject: see name_of_key(), or kNothingNear
   kNoSuchValue,    ///< subject: Key; quote

@@ -68,7 +68,7 @@ std::size_t write_help(std::size_t line, const SettingsInForce& in_force, std::s
   if (line < kVerbs) return write_verb(kVerbInfo[line], out);
   line -= kVerbs;
   if (line == 0) {
-    return Sentence(out).put("  $FPODO $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
+    return Sentence(out).put("  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
   }
   if (line == 1) return Sentence(out).put("settings: value, range, what it is").end();
   return write_setting(line - 2, in_force, out);

@@ -180,4 +180,26 @@ std::size_t write_object(char letter, const recon::ObjectCore& object, std::stri
   return s.end();
 }
 
+std::size_t write_next(const recon::ObjectCore& object, std::string_view name, const recon::NextView& next,
+                       recon::MapPoint origin, std::span<char> out) {
+  constexpr float kHundred = 100;
+  constexpr float kDegrees = 57.2957795F;
+  constexpr float kMicro = 1e6F;
+  Sentence s(out);
+  s.number(object.id).put(" ");
+  if (name.empty()) {
+    s.put("sig ").number(object.signature);
+  } else {
+    s.put(name);
+  }
+  if (next.refusal == recon::NextViewRefusal::kNoOutline) return s.put("  from anywhere: it has no outline yet").end();
+  if (next.refusal == recon::NextViewRefusal::kBlocked) return s.put("  nowhere: others stand all around it").end();
+  const float bearing = base::atan2_rad(next.toward.y(), next.toward.x());
+  const recon::MapPoint place = recon::moved(origin, next.place);
+  s.put("  from ").number(compass_degrees(static_cast<std::int32_t>(bearing * kMicro))).put(" deg, ");
+  s.number(static_cast<std::int64_t>(next.width * kDegrees + 0.5F)).put(" deg wide, as from x ");
+  s.metres(metres(place.x)).put(" m, y ").metres(metres(place.y)).put(" m; may change ");
+  return s.number(static_cast<std::int64_t>(next.news * kHundred + 0.5F)).put(" % of it").end();
+}
+
 }  // namespace fencepost::console

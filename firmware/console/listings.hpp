@@ -12,6 +12,7 @@
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/console/links.hpp"
+#include "firmware/recon/models/next_view.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
 #include "hal/sensor/camera.hpp"
 
@@ -48,5 +49,9 @@ std::size_t write_none(std::string_view what, const StatusFacts& facts, std::spa
 /// One object as the robot sees it at time `now`.
 std::size_t write_object(char letter, const recon::ObjectCore& object, std::string_view name,
                          const alert::Obstacle& seen, base::Time now, std::span<char> out);
+
+/// From where to look at an object next; `origin` is that of the outline's frame.
+std::size_t write_next(const recon::ObjectCore& object, std::string_view name, const recon::NextView& next,
+                       recon::MapPoint origin, std::span<char> out);
 
 }  // namespace fencepost::console

@@ -123,7 +123,7 @@ std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::H
   return sentence.end();
 }
 
-std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out) {
+std::size_t describe_reject(std::string_view line, record::Reject reason, std::string_view why, std::span<char> out) {
   const Quote kind = quote(record::before(line, ','));
   return Sentence(out)
       .put("error: ")
@@ -131,7 +131,7 @@ std::size_t describe_reject(std::string_view line, record::Reject reason, std::s
       .put(" rejected (")
       .put(name(reason))
       .put("): ")
-      .put(explain(reason))
+      .put(why.empty() ? explain(reason) : why)
       .end();
 }
 

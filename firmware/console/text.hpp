@@ -41,6 +41,6 @@ std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::H
                           std::span<char> out);
 
 /// "error: $FPODO rejected: ...": why a line that starts with $FP was not used.
-std::size_t describe_reject(std::string_view line, record::Reject reason, std::span<char> out);
+std::size_t describe_reject(std::string_view line, record::Reject reason, std::string_view why, std::span<char> out);
 
 }  // namespace fencepost::console

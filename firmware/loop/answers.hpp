@@ -34,6 +34,7 @@ class Answers {
       case Reply::kStatus: return console::write_status(answer.line, status_facts(links), out);
       case Reply::kObjects: return write_objects(links, out);
       case Reply::kMap: return write_map(links, out);
+      case Reply::kNext: return write_next(links, out);
       default:
         return console::write_answer(answer,
                                      {m_.console.mode, m_.console.alerts, m_.run.whole, in_force(), m_.run.header,
@@ -51,6 +52,7 @@ class Answers {
       case Reply::kAllSettings: return answer.line >= in_force().lines();
       case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said(), m_.offer != nullptr);
       case Reply::kObjects: return next_used(answer.line - 1U) == Profile::kObjects;
+      case Reply::kNext: return answer.subject > 0 || next_used(answer.line) == Profile::kObjects;
       case Reply::kMap: return m_.poses.empty() || answer.line >= console::kMapLines;
       default: return true;
     }
@@ -76,6 +78,19 @@ class Answers {
                                                    console::name_of(object.signature, m_.signatures.view()), seen,
                                                    m_.run.time.value_or(base::Time{}), out);
     if (size > 0) m_.console.answer.line = static_cast<std::uint8_t>(slot + 1);
+    return size;
+  }
+  // One line a used slot, or that of the one that was asked for.
+  std::size_t write_next(const console::Links& links, std::span<char> out) {
+    console::Answer& answer = m_.console.answer;
+    const std::size_t slot = answer.subject > 0 ? answer.subject - 1U : next_used(answer.line);
+    if (slot >= Profile::kObjects || !m_.map.slots()[slot].used()) {
+      return console::write_none("objects", status_facts(links), out);
+    }
+    const recon::Object<Profile>& object = m_.map.slots()[slot];
+    const std::size_t size = console::write_next(object, console::name_of(object.signature, m_.signatures.view()),
+                                                 next_view_of(m_, slot), object.hybrid().origin, out);
+    if (size > 0 && answer.subject == 0) answer.line = static_cast<std::uint8_t>(slot);
     return size;
   }
   [[nodiscard]] std::size_t next_used(std::size_t slot) const {

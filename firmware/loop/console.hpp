@@ -98,8 +98,9 @@ class Console {
       intake.reject = pipeline_.reject(kind.error());
     }
     if (intake.reject && state().mode == console::Mode::kText) {
-      pipeline_.reporter().say(
-          [&](std::span<char> out) { return console::describe_reject(line, *intake.reject, out); });
+      pipeline_.reporter().say([&](std::span<char> out) {
+        return console::describe_reject(line, *intake.reject, config::reason(intake.car_problem), out);
+      });
     }
     if (intake.table_full && !state().answer.pending()) {
       state().answer = console::Answer{console::Reply::kTableFull, Profile::kSignatures, 0,
@@ -131,6 +132,7 @@ class Console {
       case Verb::kStatus: return {Reply::kStatus};
       case Verb::kObjects: return {Reply::kObjects};
       case Verb::kMap: return {Reply::kMap};
+      case Verb::kNext: return next(word);
       case Verb::kAlerts: state().alerts = word == "on"; return {Reply::kAlertsAre};
       case Verb::kMode: pipeline_.set_mode(*console::mode_named(word)); return {Reply::kModeIs};
       case Verb::kSet: return set(word, words.words[2]);
@@ -161,6 +163,19 @@ class Console {
     state().motion.held = false;
     state().motion.ahead = true;
     return {Reply::kGoes};
+  }
+
+  // Of one object, by its number, or of all.
+  [[nodiscard]] console::Answer next(std::string_view id) {
+    using console::Reply;
+    if (id.empty()) return {Reply::kNext};
+    const auto number = record::read_decimal(id, record::kCount);
+    const auto slots = pipeline_.memory().map.slots();
+    for (std::size_t slot = 0; slot < Profile::kObjects; ++slot) {
+      if (!number || !slots[slot].used() || slots[slot].id != *number) continue;
+      return {Reply::kNext, static_cast<std::uint8_t>(slot + 1)};
+    }
+    return {Reply::kNoSuchObject, 0, 0, console::quote(id)};
   }
 
   console::Answer set(std::string_view key, std::string_view value) {

@@ -21,6 +21,7 @@ struct Intake {
   bool input = false;  ///< it was odometry or a frame
   bool table_full = false;
   std::optional<record::Reject> reject{};
+  odometry::CarProblem car_problem = odometry::CarProblem::kNone;
 
   void accept(const sensor::CameraIntrinsics& camera) {
     purpose == Purpose::kRun ? pipeline.set_camera(camera) : pipeline.accept_selftest(camera);
@@ -30,13 +31,22 @@ struct Intake {
   }
   void accept(const sensor::OdometrySample& sample) { accept_input(sample); }
   void accept(const sensor::BlobFrame& frame) { accept_input(frame); }
+  void accept(const sensor::CarSample& sample) {
+    if (purpose != Purpose::kRun || pipeline.testing()) return;
+    car_problem = pipeline.problem_of(sample);
+    if (const auto pose = pipeline.integrate(sample)) {
+      accept_input(*pose);
+    } else {
+      reject = pose.error();
+    }
+  }
   template <class Record>
   void accept(const Record& /*record*/) {}
 
   template <class Record>
   static constexpr bool wants() {
     return kIsAnyOf<Record, record::Header, sensor::CameraIntrinsics, record::Signature, sensor::OdometrySample,
-                    sensor::BlobFrame>;
+                    sensor::BlobFrame, sensor::CarSample>;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "drivers/odometry/car_drive.hpp"
 #include "firmware/alert/camera_doubt.hpp"
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/looming.hpp"
@@ -19,6 +20,7 @@
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
 #include "firmware/recon/map.hpp"
+#include "firmware/recon/models/next_view.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/sensor/camera.hpp"
 
@@ -65,6 +67,7 @@ struct Memory {
   recon::Map<Profile> map;
   recon::FrameQueue waiting;
   recon::PoseHistory<Profile::kPoses> poses;
+  odometry::CarDrive car;
   Calibration calibration;
   base::FixedVector<record::Signature, Profile::kSignatures> signatures;
   config::Settings settings;
@@ -88,6 +91,26 @@ struct Memory {
 template <class Profile>
 recon::MapPose robot_pose(const Memory<Profile>& memory) {
   return memory.map.corrected(memory.poses.latest());
+}
+
+/// From where to look at the object in that slot next; with some clearance for the robot's body.
+template <class Profile>
+[[gnu::noinline]] recon::NextView next_view_of(const Memory<Profile>& memory, std::size_t slot) {
+  const recon::Object<Profile>& object = memory.map.slots()[slot];
+  if (!object.hybrid().ok()) return {};
+  const recon::MapPoint origin = object.hybrid().origin;
+  base::FixedVector<recon::Disc, Profile::kObjects> others;
+  for (const recon::ObjectCore& other : memory.map.slots()) {
+    const recon::CylinderEstimate& cylinder = other.cylinder.estimate();
+    if (!other.used() || other.id == object.id || !cylinder.ok()) continue;
+    static_cast<void>(
+        others.push_back({recon::offset_from(origin, recon::moved(other.origin, cylinder.center)), cylinder.radius}));
+  }
+  const float clearance =
+      0.5F * memory.settings.number(config::Key::kRobotWidth) + memory.settings.number(config::Key::kRobotMargin);
+  const recon::Vec2 robot = memory.poses.empty() ? recon::Vec2{-recon::kFarthestView, 0}
+                                                 : recon::offset_from(origin, robot_pose(memory).position);
+  return recon::next_view(object.hybrid().outline(), object.hybrid().clusters, robot, others.view(), clearance);
 }
 
 template <class Profile>

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/config/car.hpp"
 #include "firmware/loop/memory.hpp"
 #include "firmware/loop/path_watch.hpp"
 #include "firmware/loop/reporter.hpp"
@@ -42,6 +43,7 @@ class Pipeline {
     finish();
     m_.map.clear();
     m_.poses.clear();
+    m_.car = {};
     m_.looming.clear();
     m_.alerts.fill({});
     m_.front_alert = {};
@@ -153,6 +155,19 @@ class Pipeline {
     apply(sample);
     ++m_.counters.odometry;
     return std::nullopt;
+  }
+
+  /// Why a car's reading cannot be used with these settings.
+  [[nodiscard]] odometry::CarProblem problem_of(const sensor::CarSample& sample) const {
+    return odometry::problem_of(sample, config::car_of(m_.settings));
+  }
+  /// The pose that it leads to, to be accepted as any other: the log has poses only.
+  /// errors: range (see problem_of), time
+  [[gnu::noinline]] base::Result<sensor::OdometrySample, record::Reject> integrate(const sensor::CarSample& sample) {
+    if (problem_of(sample) != odometry::CarProblem::kNone) return *reject(record::Reject::kRange);
+    const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
+    if (late) return *reject(record::Reject::kTime);
+    return m_.car.take(sample, config::car_of(m_.settings));
   }
 
   /// errors: range (a box leaves the image), time

@@ -57,6 +57,11 @@ class Reporter {
   [[nodiscard]] std::size_t setting_records() const { return kSignatureRecords + m_.signatures.size(); }
   [[nodiscard]] std::size_t doubt_record() const { return setting_records() + config::kKeys; }
 
+  /// A car's settings make poses of its readings, and a log has the poses.
+  static constexpr bool in_log(config::Key key) {
+    return key < config::Key::kCarCounts || key > config::Key::kGyroBias;
+  }
+
   /// The records after one that has changed are sent again, too: cheaper than to remember which of them did.
   void resend_from(std::size_t record) {
     if (record < m_.run.next_record) m_.run.next_record = static_cast<std::uint8_t>(record);
@@ -212,6 +217,7 @@ class Reporter {
     if (index < setting_records()) return put_in_logs(m_.signatures[index - kSignatureRecords]);
     if (index == doubt_record()) return !m_.camera_doubt.spoke() || put_in_logs(m_.camera_doubt.said());
     const auto key = static_cast<config::Key>(index - setting_records());
+    if (!in_log(key)) return true;
     return put_in_logs(record::Setting{config::info(key).name, m_.settings.text(key)});
   }
 

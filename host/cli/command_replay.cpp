@@ -21,6 +21,8 @@ struct ReplayRequest {
   std::vector<double> pose_noise;  ///< mm, mrad
   std::string output = "-";
   bool json = false;
+  bool passes = false;
+  std::vector<std::string> sides;  ///< NAME=left|right
   ReplayOptions options;
 };
 
@@ -34,6 +36,26 @@ void check_usage(const ReplayRequest& request) {
   if (request.options.from && request.options.to && *request.options.from > *request.options.to) {
     throw Failure(Exit::kUsage, "--from is later than --to; swap them");
   }
+}
+
+std::vector<SideRule> read_sides(const std::vector<std::string>& words) {
+  std::vector<SideRule> sides;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    const std::string side = equals == std::string::npos ? "" : word.substr(equals + 1);
+    if (side != "left" && side != "right") {
+      throw Failure(Exit::kUsage, "--sides: '" + word + "' says no side; write a name and a side, such as red=right");
+    }
+    sides.push_back({word.substr(0, equals), side == "right"});
+  }
+  return sides;
+}
+
+Exit judge_sides(const ResultDocument& result, const std::vector<SideRule>& sides) {
+  const std::size_t wrong = wrong_sides(result, sides);
+  if (wrong == 0) return Exit::kDone;
+  say(fmt::format("{} of {} were passed on the wrong side", wrong, result.passes.size()));
+  return Exit::kCheckFailed;
 }
 
 /// Colours only where the text goes to a terminal, not into a file.
@@ -63,6 +85,7 @@ Exit judge(const CheckOutcome& check) {
 
 Exit run(ReplayRequest request) {
   check_usage(request);
+  const std::vector<SideRule> sides = read_sides(request.sides);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   if (!request.pose_noise.empty()) {
     request.options.pose_noise = PoseNoise{1e-3 * request.pose_noise[0], 1e-3 * request.pose_noise[1]};
@@ -72,8 +95,11 @@ Exit run(ReplayRequest request) {
 
   const ReplayOutcome outcome = replay_file(request.log, request.options);
   if (!request.write_log.empty()) write_output(request.write_log, own_log);
-  write_output(request.output, request.json ? to_json(outcome.result) : text_result(outcome.result, request.output));
+  const std::string text = request.passes || !sides.empty() ? pass_table(outcome.result, sides)
+                                                            : text_result(outcome.result, request.output);
+  write_output(request.output, request.json ? to_json(outcome.result) : text);
   say_what_was_left_out(outcome);
+  if (!sides.empty() && !request.options.check) return judge_sides(outcome.result, sides);
   return request.options.check ? judge(outcome.check) : Exit::kDone;
 }
 
@@ -83,6 +109,10 @@ Action configure_replay(CLI::App& app) {
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_flag("--json", request->json, "write the result document instead of text");
+  app.add_flag("--passes", request->passes, "instead: what was driven past, on which side, how near");
+  app.add_option("--sides", request->sides, "the same, and where each has to be passed; exit 1 if one was not")
+      ->type_name("NAME=left|right,...")
+      ->delimiter(',');
   app.add_flag("--check", request->options.check,
                "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if not");
   app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");

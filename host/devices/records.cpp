@@ -1,5 +1,6 @@
-// $FPODO lines of another controller, on a port of their own.
+// $FPODO or $FPCAR lines of another controller, on a port of their own.
 #include "drivers/serial/pump.hpp"
+#include "firmware/config/car.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/live/records_odometry.hpp"
@@ -13,9 +14,12 @@ namespace {
 constexpr std::uint32_t kRecordsBaud = 115'200;
 
 std::unique_ptr<host::OdometryDevice> open_records(const Opening& opening) {
+  config::Settings settings;
+  for (const auto& [key, value] : opening.robot.settings) static_cast<void>(settings.set(key, value));  // checked
   const bool own = opening.spec.option("stamp") == "own";
   return odometry_on_line<serial::Pump<host::BytePort, host::RecordsSession>>(
-      opening, own ? host::RecordStamp::kOwn : host::RecordStamp::kArrival);
+      opening,
+      host::RecordsConfig(own ? host::RecordStamp::kOwn : host::RecordStamp::kArrival, config::car_of(settings)));
 }
 
 }  // namespace
@@ -23,12 +27,14 @@ std::unique_ptr<host::OdometryDevice> open_records(const Opening& opening) {
 Rows records() {
   return {
       {.name = "records",
-       .about = "`$FPODO` lines of another controller",
+       .about = "`$FPODO` or `$FPCAR` lines of another controller",
        .role = Role::kOdometry,
        .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
                     .options = {baud(kRecordsBaud),
                                 {"stamp", Words{{"arrival", "own"}}, "arrival", "our clock, or theirs if it is ours"}},
-                    .unready = "what comes is no $FPODO: check the baud and what the other end sends",
+                    .unready = "what comes is no $FPODO: check the baud and what the other end sends; $FPCAR needs "
+                               "car.counts in the robot file's "
+                               "settings, and car.wheelbase where it has no yaw rate",
                     .driver = OdometryDriver{open_records}},
        .emulated =
            Emulated{.tells = "lines without time, as a robot's own controller prints them",

@@ -1,4 +1,4 @@
-// Odometry that another controller sends as $FPODO lines over a port of its own.
+// Odometry that another controller sends as $FPODO or $FPCAR lines over a port of its own.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "drivers/odometry/car_drive.hpp"
 #include "firmware/record/decode.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/sensor/sources.hpp"
@@ -16,6 +17,12 @@ namespace fencepost::host {
 enum class RecordStamp : std::uint8_t {
   kArrival,  ///< ours: each sample is stamped when its line is read, whatever time it bears
   kOwn,      ///< the sender's, which then must be ours too; an empty time is stamped on arrival
+};
+
+struct RecordsConfig {
+  RecordsConfig(RecordStamp stamps, const odometry::CarGeometry& of_car = {}) : stamp(stamps), car(of_car) {}
+  RecordStamp stamp;
+  odometry::CarGeometry car;  ///< whose readings $FPCAR lines are
 };
 
 /// A session for serial::Pump. Lines of other kinds are passed over.
@@ -29,7 +36,7 @@ class RecordsSession {
     static void sent(std::size_t /*count*/) {}
   };
 
-  explicit RecordsSession(RecordStamp stamp) : stamp_(stamp) {}
+  explicit RecordsSession(const RecordsConfig& config) : config_(config) {}
   RecordsSession(const RecordsSession&) = delete;
   RecordsSession& operator=(const RecordsSession&) = delete;
 
@@ -56,7 +63,7 @@ class RecordsSession {
     return silence;
   }
 
-  /// unready: bytes come, but no good $FPODO line within the last second.
+  /// unready: bytes come, but no good line within the last second.
   [[nodiscard]] sensor::LinkState link() const {
     if (heard_ && now_ - *heard_ < kQuiet) return sensor::LinkState::kOk;
     return any_byte_ && now_ - *any_byte_ < kQuiet ? sensor::LinkState::kUnready : sensor::LinkState::kSilent;
@@ -65,9 +72,15 @@ class RecordsSession {
   // The sink of the decoder.
   void accept(const sensor::OdometrySample& sample) {
     sample_ = sample;
-    if (stamp_ == RecordStamp::kArrival) sample_.t = arrived_;
+    if (config_.stamp == RecordStamp::kArrival) sample_.t = arrived_;
     heard_ = arrived_;
     complete_ = true;
+  }
+  void accept(const sensor::CarSample& sample) {
+    if (problem_of(sample, config_.car) != odometry::CarProblem::kNone) return;
+    sensor::CarSample stamped = sample;
+    if (config_.stamp == RecordStamp::kArrival) stamped.t = arrived_;
+    accept(car_.take(stamped, config_.car));
   }
   template <class Record>
   void accept(const Record& /*record*/) {}
@@ -75,7 +88,8 @@ class RecordsSession {
  private:
   static constexpr base::Duration kQuiet = base::milliseconds(1'000);
 
-  RecordStamp stamp_;
+  RecordsConfig config_;
+  odometry::CarDrive car_;
   std::string line_;
   sensor::OdometrySample sample_;
   bool complete_ = false;

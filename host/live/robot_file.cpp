@@ -185,9 +185,9 @@ void read_settings(const nlohmann::json& value, const JsonNode& root, SettingRea
 
 RobotFile read_robot(const nlohmann::json& value) {
   const JsonNode root(value, "");
-  // The last four are of scenes: a scene file serves too.
+  // The last six are of scenes: a scene file serves too.
   root.expect_keys({"camera", "signatures", "robot", "wheels", "can", "windows", "settings", "format", "seed",
-                    "objects", "path", "noise"});
+                    "objects", "path", "odometry", "noise"});
   RobotFile robot;
   if (const auto camera = root.find("camera")) robot.camera = read_camera_numbers(*camera);
   if (const auto signatures = root.find("signatures")) robot.signatures = read_signatures(*signatures);

@@ -57,8 +57,12 @@ class Replay {
     ++odometry_;
     if (!wanted(sample.t)) return;
     runner().take(sample);
-    path_.push_back(runner().pose_of(sample));
-    last_ = sample;
+    drove_to(sample);
+  }
+  void accept(const sensor::CarSample& sample) {
+    ++odometry_;
+    if (!wanted(sample.t)) return;
+    if (const std::optional<sensor::OdometrySample> pose = runner().take(sample)) drove_to(*pose);
   }
   void accept(const sensor::BlobFrame& frame) {
     ++frames_;
@@ -80,6 +84,11 @@ class Replay {
   void accept(const Record&) {}
 
  private:
+  void drove_to(const sensor::OdometrySample& sample) {
+    path_.push_back(runner().pose_of(sample));
+    last_ = sample;
+  }
+
   [[nodiscard]] bool wanted(base::Time t) const {
     return (!options_.from || t.to_double() >= *options_.from) && (!options_.to || t.to_double() <= *options_.to);
   }
@@ -125,6 +134,7 @@ class Replay {
     result.profile = profile_;
     result.objects = runner_->objects();
     result.guard = runner_->guard();
+    result.passes = runner_->passes();
     result.path = path_;
     result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
     result.signatures = signatures_;

@@ -6,6 +6,7 @@
 #include "firmware/loop/loop.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
+#include "host/replay/pass_watch.hpp"
 #include "host/result/text.hpp"
 #include "host/scene/pitch_note.hpp"
 
@@ -31,12 +32,12 @@ class ProfileRunner final : public Runner {
   void start_run(const record::Header& header) override {
     header_ = header;
     loop_.pipeline().start_run(header_);
+    passes_ = {};
     if (observer_ != nullptr) observer_->run_begins();
   }
   void take(const sensor::CameraIntrinsics& camera) override {
     loop_.pipeline().set_camera(camera);
-    const std::optional<std::string> note = pitch_note(camera.mount);
-    if (note && std::ranges::find(complaints_, *note) == complaints_.end()) complaints_.push_back(*note);
+    if (const std::optional<std::string> note = pitch_note(camera.mount)) complain(*note);
   }
   void take(const record::Signature& signature) override {
     if (loop_.pipeline().set_signature(signature)) return;
@@ -52,6 +53,14 @@ class ProfileRunner final : public Runner {
     if (observer_ != nullptr) return take_observed(sample);
     odometry_.offer(sample);
     step(sample.t);
+  }
+  std::optional<sensor::OdometrySample> take(const sensor::CarSample& sample) override {
+    const odometry::CarProblem problem = loop_.pipeline().problem_of(sample);
+    if (problem != odometry::CarProblem::kNone) complain("$FPCAR is not used: " + std::string(config::reason(problem)));
+    const base::Result<sensor::OdometrySample, record::Reject> pose = loop_.pipeline().integrate(sample);
+    if (!pose) return std::nullopt;
+    take(*pose);
+    return *pose;
   }
   void take(const sensor::BlobFrame& frame) override {
     if (observer_ != nullptr) return take_observed(frame);
@@ -72,6 +81,8 @@ class ProfileRunner final : public Runner {
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
+
+  [[nodiscard]] const std::vector<PassResult>& passes() const override { return passes_.passes(); }
 
   [[nodiscard]] PoseResult pose_of(const sensor::OdometrySample& sample) const override {
     const recon::MapPose odometry = recon::to_map_pose(sample);
@@ -110,9 +121,27 @@ class ProfileRunner final : public Runner {
   void step(base::Time now) {
     loop_.step(now);
     note_doubt(memory_->camera_doubt.said().doubt);
+    watch_passes();
     const std::span<const char> lines = memory_->journal.waiting();
     log_({lines.data(), lines.size()});
     memory_->journal.taken(lines.size());
+  }
+
+  void watch_passes() {
+    if (memory_->poses.empty()) return;
+    const recon::MapPose robot = robot_pose(*memory_);
+    const double c = std::cos(robot.heading * 1e-6);
+    const double s = std::sin(robot.heading * 1e-6);
+    const double t = memory_->run.time->to_double();
+    for (const recon::ObjectCore& object : memory_->map.slots()) {
+      const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+      if (!object.used() || !object.confirmed || !cylinder.ok()) continue;
+      const recon::Vec2 to = recon::offset_from(robot.position, recon::moved(object.origin, cylinder.center));
+      const double x = static_cast<double>(to.x());
+      const double y = static_cast<double>(to.y());
+      passes_.look(t, object.id, object.signature, {c * x + s * y, c * y - s * x},
+                   static_cast<double>(cylinder.radius));
+    }
   }
 
   // Once for each time that it begins; by how much is in the log.
@@ -120,7 +149,11 @@ class ProfileRunner final : public Runner {
     if (doubt == noted_) return;
     noted_ = doubt;
     if (doubt == record::Doubt::kNone) return;
-    const std::string note = calibration_sentence(memory_->camera_doubt.said());
+    complain(calibration_sentence(memory_->camera_doubt.said()));
+  }
+
+  // Each once.
+  void complain(const std::string& note) {
     if (std::ranges::find(complaints_, note) == complaints_.end()) complaints_.push_back(note);
   }
 
@@ -171,6 +204,21 @@ class ProfileRunner final : public Runner {
       if (raised && band.bottom_known) result.base = result.z_min;
     }
     result.models = models_of(object);
+    result.next = next_of(object);
+    return result;
+  }
+
+  [[nodiscard]] std::optional<NextViewResult> next_of(const recon::Object<Profile>& object) const {
+    const auto slot = static_cast<std::size_t>(&object - memory_->map.slots().data());
+    const recon::NextView next = loop::next_view_of(*memory_, slot);
+    if (!next.ok()) return std::nullopt;
+    const recon::MapPoint place = recon::moved(object.hybrid().origin, next.place);
+    NextViewResult result;
+    result.bearing = std::atan2(static_cast<double>(next.toward.y()), static_cast<double>(next.toward.x()));
+    result.width = static_cast<double>(next.width);
+    result.x = static_cast<double>(place.x) / recon::kMapUnitsPerMetre;
+    result.y = static_cast<double>(place.y) / recon::kMapUnitsPerMetre;
+    result.news = static_cast<double>(next.news);
     return result;
   }
 
@@ -182,6 +230,7 @@ class ProfileRunner final : public Runner {
   std::function<void(std::string_view)> log_;
   loop::Loop<Profile, LogCamera, LogOdometry, NoConsole> loop_;
   std::vector<std::string> complaints_;
+  PassWatch passes_;
   record::Doubt noted_ = record::Doubt::kNone;
   RunObserver* observer_ = nullptr;
 };

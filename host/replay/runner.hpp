@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,10 @@ class Runner {
   virtual void take(const record::Signature& signature) = 0;
   virtual void take(const record::Setting& setting) = 0;
   virtual void take(const sensor::OdometrySample& sample) = 0;
+  /// What was driven past so far.
+  [[nodiscard]] virtual const std::vector<PassResult>& passes() const = 0;
+  /// The pose that it led to; empty where it could not be used.
+  virtual std::optional<sensor::OdometrySample> take(const sensor::CarSample& sample) = 0;
   virtual void take(const sensor::BlobFrame& frame) = 0;
   /// Time passed without an input up to then, if it is later than all inputs.
   virtual void take(const record::Heartbeat& beat) = 0;

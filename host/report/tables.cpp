@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "host/geometry/planar.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/palette.hpp"
@@ -18,6 +20,12 @@ constexpr const char* kNone = "\u2013";
 
 std::string cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
+/// The middle of the arc as seen from the object, counter-clockwise from x, and half its width.
+std::string next_view(const NextViewResult& next) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return fmt::format("{:.0f} \u00b1 {:.0f}", next.bearing * kDegrees, next.width * kDegrees / 2);
+}
+
 std::string object_row(const ResultDocument& document, const ObjectResult& object,
                        const std::vector<std::string>& models) {
   const Circle* circle = object_circle(object);
@@ -30,6 +38,7 @@ std::string object_row(const ResultDocument& document, const ObjectResult& objec
   html += cell(circle != nullptr ? figure(circle->center.y, 3) : kNone);
   html += cell(circle != nullptr ? figure(circle->radius, 3) : kNone);
   html += cell(figure(object.z_max - object.z_min, 3)) + cell(figure(object.confidence, 2));
+  html += cell(object.next ? next_view(*object.next) : kNone);
   for (const std::string& name : models) {
     const ModelResult* model = find_model(object, name);
     const bool silent = model == nullptr || model->geometry.empty();
@@ -63,7 +72,7 @@ std::string object_rows(const ResultDocument& document) {
       "<div class=\"scroll\"><table><thead><tr><th class=\"n\">id</th><th>name</th><th>state</th>"
       "<th class=\"n\">views</th><th class=\"n\">x<small>m</small></th><th class=\"n\">y<small>m</small></th>"
       "<th class=\"n\">radius<small>m</small></th><th class=\"n\">height<small>m</small></th><th "
-      "class=\"n\">confidence</th>";
+      "class=\"n\">confidence</th><th class=\"n\">look next from<small>deg</small></th>";
   for (const std::string& name : models)
     html += fmt::format("<th class=\"n\">{}<small>cm\u00b2</small></th>", escaped(name));
   html += "</tr></thead><tbody>\n";

@@ -27,6 +27,27 @@ struct ModelResult {
   std::vector<Polyline> open{};
 };
 
+/// From where an object should be looked at next.
+struct NextViewResult {
+  double bearing = 0;  ///< rad, of the camera as seen from the object, map axes
+  double width = 0;    ///< rad, of the arc around it
+  double x = 0;        ///< m, map frame: a place on it
+  double y = 0;
+  double news = 0;  ///< share of the outline's area that a view from there may change
+};
+
+/// An object that the robot has driven past.
+struct PassResult {
+  double t = 0;
+  std::uint32_t id = 0;
+  std::uint8_t signature = 0;
+  bool on_the_right = false;  ///< of the object, in the direction of the drive: it was to the robot's left
+  double distance = 0;        ///< m, from the robot's origin to its nearest point when it was abeam
+  double known_at = 0;        ///< s, when it was first confirmed and ahead
+  double bearing = 0;         ///< rad, where it was then, from the robot
+  double known_distance = 0;  ///< m
+};
+
 struct ObjectResult {
   std::uint32_t id = 0;
   std::uint8_t signature = 0;
@@ -38,6 +59,7 @@ struct ObjectResult {
   std::vector<ModelResult> models;
   double sigma = 0;  ///< m, of each coordinate of the cylinder's centre by its own views; 0: there is none
   double base = 0;  ///< m, of its foot, or of what hides it, above the floor; 0 unless its rows speak against the floor
+  std::optional<NextViewResult> next;
 };
 
 struct PoseResult {
@@ -85,6 +107,7 @@ struct ResultDocument {
   std::vector<record::AlertReport> alerts;            ///< in order of time
   std::vector<GuardPoint> guard;                      ///< at the end: those that enough frames have seen to alert
   std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
+  std::vector<PassResult> passes;                     ///< in order of time
   std::vector<PoseResult> path;  ///< every odometry sample; drawn by the report, not part of the JSON
   std::vector<record::Signature> signatures;
 };

@@ -1,7 +1,10 @@
 // The result document as text for a terminal.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "host/result/result.hpp"
 
@@ -28,6 +31,18 @@ std::string calibration_sentence(const record::CalibrationDoubt& doubt);
 
 /// One line for each change of what the robot thought of its calibration: `12.380 s  check the camera's pitch ...`.
 std::string calibration_list(const ResultDocument& document);
+
+/// "left" or "right": on which side of the object the robot went.
+std::string_view side_word(const PassResult& pass);
+/// A table of the objects that were driven past. `sides`: by the name of a signature, where it has to be passed; those
+/// are marked that were not.
+struct SideRule {
+  std::string name;
+  bool on_the_right = false;
+};
+std::string pass_table(const ResultDocument& document, const std::vector<SideRule>& sides = {});
+/// How many of them were passed on the other side.
+std::size_t wrong_sides(const ResultDocument& document, const std::vector<SideRule>& sides);
 
 /// One line: objects, alerts, frames, profile and digest.
 std::string summary_line(const ResultDocument& document);

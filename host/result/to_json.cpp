@@ -56,6 +56,27 @@ Json model_json(const ModelResult& model) {
   return json;
 }
 
+Json next_json(const std::optional<NextViewResult>& next) {
+  if (!next) return nullptr;
+  return {{"bearing", rounded(next->bearing, kRecordDecimals)},
+          {"width", rounded(next->width, kRecordDecimals)},
+          {"x", rounded(next->x, kLengthDecimals)},
+          {"y", rounded(next->y, kLengthDecimals)},
+          {"news", rounded(next->news, kRatioDecimals)}};
+}
+
+Json pass_json(const PassResult& pass) {
+  return {{"t", rounded(pass.t, kRecordDecimals)},
+          {"id", pass.id},
+          {"signature", pass.signature},
+          {"side", side_word(pass)},
+          {"distance", rounded(pass.distance, kRecordDecimals)},
+          {"known",
+           {{"t", rounded(pass.known_at, kRecordDecimals)},
+            {"bearing", rounded(pass.bearing, kRecordDecimals)},
+            {"distance", rounded(pass.known_distance, kRecordDecimals)}}}};
+}
+
 Json object_json(const ObjectResult& object) {
   Json models = Json::object();
   for (const ModelResult& model : object.models) models[model.name] = model_json(model);
@@ -67,6 +88,7 @@ Json object_json(const ObjectResult& object) {
           {"z_max", rounded(object.z_max, kLengthDecimals)},
           {"base", rounded(object.base, kLengthDecimals)},
           {"confidence", rounded(object.confidence, kRatioDecimals)},
+          {"next", next_json(object.next)},
           {"models", std::move(models)}};
 }
 
@@ -108,10 +130,13 @@ std::string to_json(const ResultDocument& document) {
   for (const record::AlertReport& alert : document.alerts) alerts.push_back(alert_json(alert));
   Json calibration = Json::array();
   for (const record::CalibrationDoubt& doubt : document.calibration) calibration.push_back(doubt_json(doubt));
+  Json passes = Json::array();
+  for (const PassResult& pass : document.passes) passes.push_back(pass_json(pass));
   const Json json = {
       {"format", kFormat},           {"log", log_json(document.log)},       {"digest", digest_text(document.digest)},
       {"profile", document.profile}, {"pose", pose_json(document.pose)},    {"objects", std::move(objects)},
-      {"alerts", std::move(alerts)}, {"guard", guard_json(document.guard)}, {"calibration", std::move(calibration)}};
+      {"alerts", std::move(alerts)}, {"guard", guard_json(document.guard)}, {"calibration", std::move(calibration)},
+      {"passes", std::move(passes)}};
   // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -13,38 +13,46 @@ using console::Mode;
 using namespace std::string_literals;
 
 TEST(Console, Help) {
-  EXPECT_EQ(Desk<>{}.type_line("help"),
-            "commands, each ended with Enter:\r\n"
-            "  help                      this list\r\n"
-            "  status                    what came in, what was refused, links, robot, digest\r\n"
-            "  objects                   the objects, the letters are those of the map\r\n"
-            "  map                       the map from above\r\n"
-            "  alerts on|off             say alerts (modes text and log)\r\n"
-            "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
-            "  set KEY VALUE             change a setting\r\n"
-            "  get [KEY]                 one setting, or all\r\n"
-            "  selftest                  a known stream through the loop: forgets the map\r\n"
-            "  reset                     forget the map, start a new run\r\n"
-            "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
-            "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
-            "  version                   program, target, profile\r\n"
-            "  $FPODO $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n"
-            "settings: value, range, what it is\r\n"
-            "  alert.stop      0.25  0.00..10.00 m in the path and this near: stop\r\n"
-            "  alert.warn      0.50  0.00..10.00 m in the path and this near: warn\r\n"
-            "  alert.notice    1.00  0.00..10.00 m in the path and this near: notice\r\n"
-            "  alert.ttc_stop   0.8  0.0..60.0 s   in the path and this soon: stop\r\n"
-            "  alert.ttc_warn   2.0  0.0..60.0 s   in the path and this soon: warn\r\n"
-            "  robot.front     0.00  0.00..5.00 m  to the front edge; 0: half the width\r\n"
-            "  robot.rear      0.00  0.00..5.00 m  to the rear edge; 0: half the width\r\n"
-            "  robot.width     0.20  0.02..5.00 m  across the wheels\r\n"
-            "  robot.margin    0.05  0.00..5.00 m  kept free on either side\r\n"
-            "  confirm.k          3  1..16         sightings that confirm an object\r\n"
-            "  confirm.n          5  1..16         among this many frames\r\n"
-            "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
-            "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
-            "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
-            "  correct.pose    auto  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n");
+  EXPECT_EQ(
+      Desk<>{}.type_line("help"),
+      "commands, each ended with Enter:\r\n"
+      "  help                      this list\r\n"
+      "  status                    what came in, what was refused, links, robot, digest\r\n"
+      "  objects                   the objects, the letters are those of the map\r\n"
+      "  map                       the map from above\r\n"
+      "  next [ID]                 from where an object would be learnt most\r\n"
+      "  alerts on|off             say alerts (modes text and log)\r\n"
+      "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
+      "  set KEY VALUE             change a setting\r\n"
+      "  get [KEY]                 one setting, or all\r\n"
+      "  selftest                  a known stream through the loop: forgets the map\r\n"
+      "  reset                     forget the map, start a new run\r\n"
+      "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
+      "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
+      "  version                   program, target, profile\r\n"
+      "  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n"
+      "settings: value, range, what it is\r\n"
+      "  alert.stop      0.25  0.00..10.00 m in the path and this near: stop\r\n"
+      "  alert.warn      0.50  0.00..10.00 m in the path and this near: warn\r\n"
+      "  alert.notice    1.00  0.00..10.00 m in the path and this near: notice\r\n"
+      "  alert.ttc_stop   0.8  0.0..60.0 s   in the path and this soon: stop\r\n"
+      "  alert.ttc_warn   2.0  0.0..60.0 s   in the path and this soon: warn\r\n"
+      "  robot.front     0.00  0.00..5.00 m  to the front edge; 0: half the width\r\n"
+      "  robot.rear      0.00  0.00..5.00 m  to the rear edge; 0: half the width\r\n"
+      "  robot.width     0.20  0.02..5.00 m  across the wheels\r\n"
+      "  robot.margin    0.05  0.00..5.00 m  kept free on either side\r\n"
+      "  confirm.k          3  1..16         sightings that confirm an object\r\n"
+      "  confirm.n          5  1..16         among this many frames\r\n"
+      "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
+      "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
+      "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
+      "  correct.pose    auto  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n"
+      "  car.counts       0.0  -1000000.0..1000000.0 /m of a car's encoder; 0: not told; negative: backwards\r\n"
+      "  car.wheelbase  0.000  0.000..3.000 m between its axles; 0: not told\r\n"
+      "  steer.scale    1.000  -10.000..10.000 turn of the wheels for one told; negative: right is told positive\r\n"
+      "  steer.offset    0.00  -45.00..45.00 deg told when it goes straight\r\n"
+      "  gyro.scale    1.0000  -2.0000..2.0000 true turn for one measured; negative: clockwise is positive\r\n"
+      "  gyro.bias      0.000  -30.000..30.000 deg/s measured when nothing turns, until it has stood\r\n");
 }
 
 TEST(Console, StatusOfARobotThatHasSeenNothing) {
@@ -93,6 +101,10 @@ TEST(Console, SettingsAreSetAndGot) {
             "correct.pose = on (off|on|auto), by landmarks seen again; auto: if odometry drifts\r\n");
   EXPECT_EQ(desk.type_line("set confirm.k 7"), "confirm.k = 7 (7 of 5: no object can be confirmed)\r\n");
   EXPECT_EQ(desk.type_line("set confirm.n 8"), "confirm.n = 8\r\n");
+  for (const char* setting : {"car.counts = 2046.0 /m", "car.wheelbase = 0.170 m", "steer.scale = -0.950",
+                              "steer.offset = -1.25 deg", "gyro.scale = -1.0020", "gyro.bias = -0.750 deg/s"}) {
+    EXPECT_EQ(desk.type_line("set " + std::string(setting)), std::string(setting) + "\r\n");
+  }
   const std::string all = desk.type_line("get");
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), static_cast<int>(config::kKeys));
   EXPECT_NE(all.find("  alert.stop      0.35  0.00..10.00 m in the path and this near: stop\r\n"), std::string::npos);
@@ -103,10 +115,12 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
   const std::pair<const char*, const char*> cases[] = {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
-       "error: unknown command 'fly', there are: help status objects map alerts mode set get selftest reset go stop "
+       "error: unknown command 'fly', there are: help status objects map next alerts mode set get selftest reset go "
+       "stop "
        "version"},
       {"a_word_that_is_far_too_long",
-       "error: unknown command 'a_word_that_is..', there are: help status objects map alerts mode set get selftest "
+       "error: unknown command 'a_word_that_is..', there are: help status objects map next alerts mode set get "
+       "selftest "
        "reset go stop version"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
       {"mode loud", "error: 'loud' is not possible: mode text|log|plot|quiet"},
@@ -183,7 +197,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 31 + 6 + 15 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 38 + 6 + 21 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }

@@ -97,7 +97,7 @@ TEST(Text, ADoubtAboutTheCameraSaysWhatToCheck) {
 TEST(Text, ARejectedRecordIsNamedWithTheReason) {
   std::array<char, console::kMaxSentence> out{};
   const auto said = [&](std::string_view line, record::Reject reason) {
-    return std::string(out.data(), console::describe_reject(line, reason, out));
+    return std::string(out.data(), console::describe_reject(line, reason, {}, out));
   };
   EXPECT_EQ(said("$FPODO,1,2,3", record::Reject::kCrc),
             "error: $FPODO rejected (crc): the checksum is missing or wrong\r\n");

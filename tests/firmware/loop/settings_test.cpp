@@ -12,11 +12,13 @@ using config::Settings;
 TEST(Settings, StartWithTheDocumentedDefaults) {
   const Settings settings;
   const std::pair<Key, std::string_view> defaults[] = {
-      {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},   {Key::kAlertNotice, "1.00"},
-      {Key::kAlertTtcStop, "0.8"}, {Key::kAlertTtcWarn, "2.0"}, {Key::kRobotFront, "0.00"},
-      {Key::kRobotRear, "0.00"},   {Key::kRobotWidth, "0.20"},  {Key::kRobotMargin, "0.05"},
-      {Key::kConfirmK, "3"},       {Key::kConfirmN, "5"},       {Key::kAlertRate, "5"},
-      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"}, {Key::kCorrectPose, "auto"}};
+      {Key::kAlertStop, "0.25"},   {Key::kAlertWarn, "0.50"},     {Key::kAlertNotice, "1.00"},
+      {Key::kAlertTtcStop, "0.8"}, {Key::kAlertTtcWarn, "2.0"},   {Key::kRobotFront, "0.00"},
+      {Key::kRobotRear, "0.00"},   {Key::kRobotWidth, "0.20"},    {Key::kRobotMargin, "0.05"},
+      {Key::kConfirmK, "3"},       {Key::kConfirmN, "5"},         {Key::kAlertRate, "5"},
+      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"},   {Key::kCorrectPose, "auto"},
+      {Key::kCarCounts, "0.0"},    {Key::kCarWheelbase, "0.000"}, {Key::kSteerScale, "1.000"},
+      {Key::kSteerOffset, "0.00"}, {Key::kGyroScale, "1.0000"},   {Key::kGyroBias, "0.000"}};
   static_assert(std::size(defaults) == config::kKeys);
   for (const auto& [key, text] : defaults) EXPECT_EQ(settings.text(key).view(), text) << config::info(key).name;
 }
@@ -25,11 +27,13 @@ TEST(Settings, TakeEveryKeyWithinItsRangeOnly) {
   for (const config::KeyInfo& entry : config::kKeyInfo) {
     Settings settings;
     if (entry.unit == "off|on|auto") continue;
-    EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
-    EXPECT_EQ(settings.set(entry.name, "100000"), SettingError::kOutOfRange) << entry.name;
+    if (entry.low >= 0) EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
+    EXPECT_EQ(settings.set(entry.name, "10000000"), SettingError::kOutOfRange) << entry.name;
     EXPECT_EQ(settings.set(entry.name, "much"), SettingError::kNotANumber) << entry.name;
     EXPECT_EQ(settings, Settings{}) << entry.name;
-    EXPECT_EQ(settings.set(entry.name, "3.5"), std::nullopt) << entry.name;  // whole numbers round to 4
+    EXPECT_EQ(settings.set(entry.name, entry.name == "car.wheelbase" || entry.name == "gyro.scale" ? "1.5" : "3.5"),
+              std::nullopt)
+        << entry.name;  // whole numbers round to 4
     EXPECT_FALSE(settings == Settings{}) << entry.name;
   }
 }

@@ -63,6 +63,22 @@ TEST_F(RecordsTest, PassesOverWhatIsNoOdometry) {
   EXPECT_EQ(session.link(), LinkState::kOk);
 }
 
+TEST_F(RecordsTest, TakesACarsReadingsIfItKnowsTheCar) {
+  const auto reading = [](std::int32_t count) {
+    return line_of(sensor::CarSample{{}, count, {}, base::RadiansPerSecond{0}});
+  };
+  RecordsSession unknown(RecordStamp::kArrival);
+  EXPECT_EQ(feed(unknown, reading(0), at(0)), 0);
+  EXPECT_EQ(unknown.link(), LinkState::kUnready);
+  odometry::CarGeometry car;
+  car.pm_per_count = 500'000'000;
+  RecordsSession session(host::RecordsConfig(RecordStamp::kArrival, car));
+  EXPECT_EQ(feed(session, reading(7) + reading(7), at(0)), 2);
+  EXPECT_EQ(feed(session, reading(207), at(100)), 1);
+  EXPECT_EQ(session.sample(), (sensor::OdometrySample{at(100), {1'000}, {}, {}})) << "200 counts of 0.5 mm";
+  EXPECT_EQ(session.link(), LinkState::kOk);
+}
+
 TEST_F(RecordsTest, KnowsHowTheLinkIs) {
   RecordsSession session(RecordStamp::kArrival);
   EXPECT_EQ(session.link(), LinkState::kSilent);
