@@ -20,7 +20,8 @@ static_assert(sensor::OdometrySource<serial::Pump<serial::LinkArchetype, Records
 
 Time at(std::int64_t ms) { return Time{} + milliseconds(ms); }
 
-std::string line_of(const sensor::OdometrySample& sample) {
+template <class Record>
+std::string line_of(const Record& sample) {
   std::array<char, record::kMaxLine> line{};
   return {line.data(), record::encode(sample, line)};
 }
