@@ -11,6 +11,7 @@
 #include "host/calibrate/drift_model.hpp"
 #include "host/calibrate/findings.hpp"
 #include "host/calibrate/known.hpp"
+#include "host/calibrate/outline.hpp"
 #include "host/calibrate/regroup.hpp"
 #include "host/calibrate/sighting_model.hpp"
 #include "host/calibrate/start.hpp"
@@ -37,7 +38,7 @@ double drift_of(const CalibrationProblem& problem, const Estimate& estimate) {
     const auto motion = calibration::corrected(calibration::motion_between(a, b), estimate.wheels.data());
     const auto expected = calibration::after(estimate.nodes[i].data(), motion);
     const double sigma =
-        std::hypot(calibration::stray(a, b, 1).heading, std::sqrt(2.0) * problem.odometry.white().heading);
+        std::hypot(calibration::stray(a, b, 1, 1).heading, std::sqrt(2.0) * problem.odometry.white().heading);
     needed.push_back(std::abs(estimate.nodes[i + 1][kPoseHeading] - expected.heading) / sigma);
   }
   constexpr double kSigmaOfMedian = 1.4826;
@@ -76,6 +77,7 @@ std::optional<std::string> fit(StartedProblem& started, const SolverOptions& opt
     if (round == kRound) drop_at_border(started);
     started.problem.noise = noise_of(residuals_at(started.problem, started.estimate));
     started.problem.drift = std::max(started.problem.drift, drift_of(started.problem, started.estimate));
+    started.problem.walk = started.problem.drift;
   }
   return std::nullopt;
 }
@@ -110,21 +112,6 @@ void free_lens(StartedProblem& started, SolverOptions& options, std::optional<Ca
   started = std::move(freed);
   options = free;
   matrix = covariance_at(started.problem, options, started.estimate);
-}
-
-LinearRing outline_of(const ObjectValues& object) {
-  LinearRing ring;
-  constexpr int kCorners = 48;
-  for (int i = 0; i < kCorners; ++i) {
-    // The point that touches the tangent: support along the normal, its derivative along the tangent.
-    const double angle = 2 * std::numbers::pi * i / kCorners;
-    const double step = 1e-4;
-    const auto reach = [&](double a) { return calibration::support(object.data(), std::cos(a), std::sin(a)); };
-    const double h = reach(angle);
-    const double slope = (reach(angle + step) - reach(angle - step)) / (2 * step);
-    ring.push_back({h * std::cos(angle) - slope * std::sin(angle), h * std::sin(angle) + slope * std::cos(angle)});
-  }
-  return ring;
 }
 
 std::vector<Point> way_of(const Estimate& estimate) {

@@ -70,14 +70,20 @@ class Watcher final : public RunObserver {
   void frame_placed(const PlacedFrame& placed) override {
     const double t = placed.frame.t.to_double();
     if (t <= since_) return;
-    SeenFrame seen{t, {}};
+    SeenFrame seen{t, {}, {}};
+    std::vector<bool> taken(placed.frame.blobs.size());
     for (const PlacedSighting& sighting : placed.sightings) {
       const recon::WaitingBlob& blob = placed.frame.blobs[sighting.blob];
+      taken[sighting.blob] = true;
       if (blob.moves) continue;
       seen.boxes.push_back(box_of(placed.frame, sighting.blob));
       seen.boxes.back().object = sighting.id;
+      count_ends(seen.boxes.back());
     }
-    if (!seen.boxes.empty()) log_.frames.push_back(std::move(seen));
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (!taken[i] && !placed.frame.blobs[i].moves) seen.others.push_back(box_of(placed.frame, i));
+    }
+    if (!seen.boxes.empty() || !seen.others.empty()) log_.frames.push_back(std::move(seen));
   }
 
  private:
@@ -96,9 +102,12 @@ class Watcher final : public RunObserver {
     for (std::size_t i = 0; i < frame.blobs.size(); ++i) {
       if (i != index) leave_out_hidden(box, frame.blobs[i].box, seen);
     }
+    return seen;
+  }
+
+  void count_ends(const SeenBox& seen) {
     log_.ends += 2;
     log_.ends_cut += (seen.left ? 0U : 1U) + (seen.right ? 0U : 1U);
-    return seen;
   }
 
   static void leave_out_hidden(const recon::Box& box, const recon::Box& other, SeenBox& seen) {

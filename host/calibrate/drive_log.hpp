@@ -30,6 +30,7 @@ struct SeenBox {
 struct SeenFrame {
   double t = 0;  ///< s, when it arrived
   std::vector<SeenBox> boxes;
+  std::vector<SeenBox> others;  ///< no object took them; their id is 0
 };
 
 struct DriveLog {
@@ -42,8 +43,8 @@ struct DriveLog {
   std::size_t ends_cut = 0;  ///< of these, at the border or hidden
 };
 
-/// The last run in `bytes`, associated by the robot's own tracking. `options`: camera, from, to; the rest is ours.
-/// `outcome` gets the replay's, with `unreadable` where nothing was usable.
+/// The last run in `bytes`, associated by the robot's own tracking. `options`: camera, from, to, settings; the rest is
+/// ours. `outcome` gets the replay's, with `unreadable` where nothing was usable.
 DriveLog read_drive(std::string_view bytes, const std::string& name, ReplayOptions options, ReplayOutcome& outcome);
 
 }  // namespace fencepost::host

@@ -70,7 +70,8 @@ struct CalibrationProblem {
   CameraValues camera_sigma{};  ///< how far off it may be
   WheelValues wheel_sigma{};
   ImageNoise noise{};
-  double drift = 1;  ///< the odometry's random errors are so many times those of good wheels
+  double drift = 1;  ///< the odometry's random errors of turns are so many times those of good wheels
+  double walk = 1;   ///< and those of ways
 };
 
 }  // namespace fencepost::host

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -10,38 +9,6 @@
 
 namespace fencepost::host {
 namespace {
-
-/// Every sighting of object i becomes one of place[i]; those without a place go, with their objects.
-void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
-  constexpr std::size_t kGone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> index(place.size(), kGone);
-  std::vector<ObjectValues> objects;
-  std::vector<std::uint8_t> signatures;
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] != i) continue;
-    index[i] = objects.size();
-    objects.push_back(started.estimate.objects[i]);
-    signatures.push_back(started.signatures[i]);
-    radii.push_back(started.problem.radii[i]);
-  }
-  const auto moved = [&](std::size_t object) { return place[object] == kGone ? kGone : index[place[object]]; };
-  std::vector<Sighting>& sightings = started.problem.sightings;
-  for (Sighting& sighting : sightings) sighting.object = moved(sighting.object);
-  std::erase_if(sightings, [](const Sighting& sighting) { return sighting.object == kGone; });
-  auto& sizes = started.problem.sizes;
-  for (KnownSize& size : sizes) size.object = moved(size.object);
-  std::erase_if(sizes, [](const KnownSize& size) { return size.object == kGone; });
-  auto& distances = started.problem.distances;
-  for (KnownDistance& apart : distances) {
-    apart.a = moved(apart.a);
-    apart.b = moved(apart.b);
-  }
-  std::erase_if(distances, [](const KnownDistance& d) { return d.a == kGone || d.b == kGone || d.a == d.b; });
-  started.estimate.objects = std::move(objects);
-  started.signatures = std::move(signatures);
-  started.problem.radii = std::move(radii);
-}
 
 std::vector<std::set<double>> times_of(const StartedProblem& started) {
   std::vector<std::set<double>> times(started.estimate.objects.size());
@@ -60,6 +27,39 @@ std::vector<std::size_t> itself(std::size_t count) {
 }
 
 }  // namespace
+
+void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
+  std::vector<std::size_t> index(place.size(), kGone);
+  std::vector<ObjectValues> objects;
+  std::vector<std::uint8_t> signatures;
+  std::vector<std::uint32_t> ids;
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] != i) continue;
+    index[i] = objects.size();
+    objects.push_back(started.estimate.objects[i]);
+    signatures.push_back(started.signatures[i]);
+    ids.push_back(started.ids[i]);
+    radii.push_back(started.problem.radii[i]);
+  }
+  const auto moved = [&](std::size_t object) { return place[object] == kGone ? kGone : index[place[object]]; };
+  std::vector<Sighting>& sightings = started.problem.sightings;
+  for (Sighting& sighting : sightings) sighting.object = moved(sighting.object);
+  std::erase_if(sightings, [](const Sighting& sighting) { return sighting.object == kGone; });
+  auto& sizes = started.problem.sizes;
+  for (KnownSize& size : sizes) size.object = moved(size.object);
+  std::erase_if(sizes, [](const KnownSize& size) { return size.object == kGone; });
+  auto& distances = started.problem.distances;
+  for (KnownDistance& apart : distances) {
+    apart.a = moved(apart.a);
+    apart.b = moved(apart.b);
+  }
+  std::erase_if(distances, [](const KnownDistance& d) { return d.a == kGone || d.b == kGone || d.a == d.b; });
+  started.estimate.objects = std::move(objects);
+  started.signatures = std::move(signatures);
+  started.ids = std::move(ids);
+  started.problem.radii = std::move(radii);
+}
 
 void join_same(StartedProblem& started) {
   constexpr double kPlay = 0.05;  // m, beyond both radii: what a rough fit may be off
@@ -116,7 +116,7 @@ void drop_unfit(StartedProblem& started) {
   std::size_t left = place.size();
   for (std::size_t i = 0; i < place.size() && left > kLeast; ++i) {
     if (median_of(of_object[i]) <= bound) continue;
-    place[i] = std::numeric_limits<std::size_t>::max();
+    place[i] = kGone;
     --left;
   }
   renumber(started, place);

@@ -6,6 +6,11 @@
 
 namespace fencepost::host {
 
+/// Every sighting of object i becomes one of object place[i], one of the same numbers; those with a place of kGone go,
+/// with their objects.
+inline constexpr std::size_t kGone = static_cast<std::size_t>(-1);
+void renumber(StartedProblem& started, const std::vector<std::size_t>& place);
+
 /// Objects of one signature at one place that no frame shows side by side become one.
 void join_same(StartedProblem& started);
 

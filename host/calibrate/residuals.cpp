@@ -38,31 +38,38 @@ std::optional<Point> floor_point(const CalibrationProblem& problem, const Sighti
 
 }  // namespace
 
+SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& estimate, const Sighting& sighting) {
+  const double* camera = estimate.camera.data();
+  const auto robot = calibration::pose_at_exposure<double>(
+      problem.odometry, problem.node_times[sighting.node], sighting.t, estimate.camera[kLatency],
+      estimate.wheels.data(), estimate.nodes[sighting.node].data());
+  const auto view = calibration::view_of(problem.optics, camera, robot);
+  const double* object = estimate.objects[sighting.object].data();
+  const auto edge = [&](double seen, double sign) {
+    return calibration::edge_column(problem.optics, camera, view, object, sighting, seen, sign) - seen;
+  };
+  SightingResidual residual;
+  const double dx = object[kCentreX] - view.x;
+  const double dy = object[kCentreY] - view.y;
+  residual.range = std::hypot(dx, dy);
+  residual.ahead = dx * view.ahead_x + dy * view.ahead_y;
+  if (sighting.left) residual.left = edge(*sighting.left, 1);
+  if (sighting.right) residual.right = edge(*sighting.right, -1);
+  residual.floor = floor_point(problem, sighting, view, estimate.camera);
+  if (!problem.rows) return residual;
+  if (sighting.foot) {
+    residual.foot = calibration::foot_row(problem.optics, camera, view, object, sighting.middle) - *sighting.foot;
+  }
+  if (sighting.top) {
+    residual.top = calibration::top_row(problem.optics, camera, view, object, sighting.middle) - *sighting.top;
+  }
+  return residual;
+}
+
 std::vector<SightingResidual> residuals_at(const CalibrationProblem& problem, const Estimate& estimate) {
   std::vector<SightingResidual> all;
-  const double* camera = estimate.camera.data();
-  for (const Sighting& sighting : problem.sightings) {
-    const auto robot = calibration::pose_at_exposure<double>(
-        problem.odometry, problem.node_times[sighting.node], sighting.t, estimate.camera[kLatency],
-        estimate.wheels.data(), estimate.nodes[sighting.node].data());
-    const auto view = calibration::view_of(problem.optics, camera, robot);
-    const double* object = estimate.objects[sighting.object].data();
-    const auto edge = [&](double seen, double sign) {
-      return calibration::edge_column(problem.optics, camera, view, object, sighting, seen, sign) - seen;
-    };
-    SightingResidual& residual = all.emplace_back();
-    residual.range = std::hypot(object[kCentreX] - view.x, object[kCentreY] - view.y);
-    if (sighting.left) residual.left = edge(*sighting.left, 1);
-    if (sighting.right) residual.right = edge(*sighting.right, -1);
-    residual.floor = floor_point(problem, sighting, view, estimate.camera);
-    if (!problem.rows) continue;
-    if (sighting.foot) {
-      residual.foot = calibration::foot_row(problem.optics, camera, view, object, sighting.middle) - *sighting.foot;
-    }
-    if (sighting.top) {
-      residual.top = calibration::top_row(problem.optics, camera, view, object, sighting.middle) - *sighting.top;
-    }
-  }
+  all.reserve(problem.sightings.size());
+  for (const Sighting& sighting : problem.sightings) all.push_back(residual_of(problem, estimate, sighting));
   return all;
 }
 

@@ -16,9 +16,13 @@ struct SightingResidual {
   std::optional<double> foot{};
   std::optional<double> top{};
   double range = 0;  ///< m, to the object's middle
+  double ahead = 0;  ///< m, the same along the lens's axis
   /// The floor under the box's foot, map; missing where it is above the horizon.
   std::optional<Point> floor{};
 };
+
+/// Of one sighting; its object and node are the estimate's.
+SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& estimate, const Sighting& sighting);
 
 std::vector<SightingResidual> residuals_at(const CalibrationProblem& problem, const Estimate& estimate);
 

@@ -4,6 +4,7 @@
 #include <glog/logging.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "host/calibrate/drift_model.hpp"
@@ -208,7 +209,7 @@ class Build {
       const TrackPose a = problem_.odometry.at(problem_.node_times[i]);
       const TrackPose b = problem_.odometry.at(problem_.node_times[i + 1]);
       auto* cost = new ceres::AutoDiffCostFunction<Driven, kPose, kWheels, kPose, kPose>(
-          new Driven{calibration::motion_between(a, b), calibration::stray(a, b, problem_.drift)});
+          new Driven{calibration::motion_between(a, b), calibration::stray(a, b, problem_.drift, problem_.walk)});
       ceres_.AddResidualBlock(cost, nullptr, estimate_.wheels.data(), estimate_.nodes[i].data(),
                               estimate_.nodes[i + 1].data());
     }
@@ -279,6 +280,36 @@ std::optional<std::string> solve(const CalibrationProblem& problem, const Solver
   ceres::Solve(how, &build.problem(), &summary);
   if (!summary.IsSolutionUsable()) return summary.message;
   return std::nullopt;
+}
+
+double cost_at(const CalibrationProblem& problem, const SolverOptions& options, Estimate estimate) {
+  keep_quiet();
+  Build build(problem, options, estimate);
+  double cost = 0;
+  build.problem().Evaluate({}, &cost, nullptr, nullptr, nullptr);
+  return cost;
+}
+
+std::vector<PlaceVariance> place_variances(const CalibrationProblem& problem, const SolverOptions& options,
+                                           Estimate estimate) {
+  keep_quiet();
+  Build build(problem, options, estimate);
+  ceres::Covariance::Options how;
+  how.algorithm_type = ceres::SPARSE_QR;
+  how.num_threads = 1;
+  ceres::Covariance covariance(how);
+  std::vector<std::pair<const double*, const double*>> blocks;
+  for (const ObjectValues& object : estimate.objects) blocks.emplace_back(object.data(), object.data());
+  if (blocks.empty() || !covariance.Compute(blocks, &build.problem())) return {};
+  std::vector<PlaceVariance> variances;
+  std::array<double, kObjectParameters * kObjectParameters> values{};
+  for (const ObjectValues& object : estimate.objects) {
+    if (!covariance.GetCovarianceBlock(object.data(), object.data(), values.data())) return {};
+    variances.push_back({values[kCentreX * kObjectParameters + kCentreX],
+                         values[kCentreX * kObjectParameters + kCentreY],
+                         values[kCentreY * kObjectParameters + kCentreY]});
+  }
+  return variances;
 }
 
 std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem, const SolverOptions& options,

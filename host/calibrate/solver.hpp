@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/calibrate/problem.hpp"
 
@@ -20,6 +21,20 @@ struct SolverOptions {
 
 /// Moves `estimate` to the nearest least sum of robust squares. Answers why it is no use, or nothing.
 std::optional<std::string> solve(const CalibrationProblem& problem, const SolverOptions& options, Estimate& estimate);
+
+/// Half the sum of robust squares that `solve` makes least.
+double cost_at(const CalibrationProblem& problem, const SolverOptions& options, Estimate estimate);
+
+/// Of an object's place, m^2.
+struct PlaceVariance {
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+};
+
+/// Of each object's place, seen from the first node, priors included. Empty where the problem is singular.
+std::vector<PlaceVariance> place_variances(const CalibrationProblem& problem, const SolverOptions& options,
+                                           Estimate estimate);
 
 /// Of camera and wheels at the estimate, priors included: rad, s, m, as in parameters.hpp. What is held has none.
 /// Nothing where the problem is singular.

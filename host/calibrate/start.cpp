@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "host/calibrate/sighting_model.hpp"
@@ -12,7 +14,6 @@
 namespace fencepost::host {
 namespace {
 
-constexpr std::size_t kLeastViews = 8;    ///< of an object; fewer tell nothing that it does not use up itself
 constexpr std::size_t kLeastObjects = 2;  ///< one alone is as well larger and farther away
 constexpr double kLeastDriven = 0.10;     ///< m, or
 constexpr double kLeastTurned = 0.35;     ///< rad: less than this is no motion
@@ -20,9 +21,7 @@ constexpr double kLeastTurned = 0.35;     ///< rad: less than this is no motion
 constexpr double kStepWay = 0.002;   ///< m
 constexpr double kStepTurn = 0.002;  ///< rad
 constexpr double kStepTime = 0.5;    ///< s
-constexpr std::size_t kMostFrames = 1500;
-constexpr double kNodeTime = 0.25;  ///< s, at least; within it odometry strays by less than a pixel
-constexpr double kMostNodes = 1200;
+constexpr double kNodeTime = 0.25;   ///< s, at least; within it odometry strays by less than a pixel
 
 // How far off what was told may be: the priors. Wide enough to leave what a log can tell to the log.
 constexpr CameraValues kCameraSigma = {0.15, 0.12, 0.12, 0.10, 0.005, 0.004, 0.004, 0.02};
@@ -44,24 +43,28 @@ std::optional<std::string> why_hopeless(const DriveLog& log, const OdometryTrack
   return std::nullopt;
 }
 
-std::vector<SeenFrame> frames_that_count(const DriveLog& log, const OdometryTrack& odometry, double latency) {
+std::vector<SeenFrame> frames_that_count(const DriveLog& log, const OdometryTrack& odometry, double latency,
+                                         const StartOptions& options) {
   std::vector<SeenFrame> kept;
   TrackPose last;
   for (const SeenFrame& frame : log.frames) {
+    if (frame.boxes.empty() && !options.spare) continue;
     const TrackPose now = odometry.at(frame.t - latency);
     const bool new_view = std::abs(now.way - last.way) > kStepWay || std::abs(now.heading - last.heading) > kStepTurn;
     if (!kept.empty() && !new_view && frame.t - kept.back().t < kStepTime) continue;
     kept.push_back(frame);
     last = now;
   }
-  if (kept.size() <= kMostFrames) return kept;
+  const std::size_t most = options.most_frames;
+  if (kept.size() <= most) return kept;
   std::vector<SeenFrame> thinned;
-  for (std::size_t i = 0; i < kMostFrames; ++i) thinned.push_back(kept[i * kept.size() / kMostFrames]);
+  for (std::size_t i = 0; i < most; ++i) thinned.push_back(kept[i * kept.size() / most]);
   return thinned;
 }
 
-std::vector<double> node_times(const std::vector<SeenFrame>& frames, const OdometryTrack& odometry, double latency) {
-  const double least = std::max(kNodeTime, (odometry.end() - odometry.begin()) / kMostNodes);
+std::vector<double> node_times(const std::vector<SeenFrame>& frames, const OdometryTrack& odometry, double latency,
+                               double most) {
+  const double least = std::max(kNodeTime, (odometry.end() - odometry.begin()) / most);
   std::vector<double> times;
   for (const SeenFrame& frame : frames) {
     const double exposure = frame.t - latency;
@@ -85,7 +88,8 @@ Sighting sighting_of(const SeenBox& box, double t, std::size_t object, std::size
   return sighting;
 }
 
-void add_sightings(const std::vector<SeenFrame>& frames, double latency, StartedProblem& started) {
+void add_sightings(const std::vector<SeenFrame>& frames, double latency, const StartOptions& options,
+                   StartedProblem& started) {
   std::map<std::uint32_t, std::size_t> views;
   for (const SeenFrame& frame : frames) {
     for (const SeenBox& box : frame.boxes) views[box.object] += box.left || box.right ? 1U : 0U;
@@ -96,10 +100,20 @@ void add_sightings(const std::vector<SeenFrame>& frames, double latency, Started
     const auto next = std::upper_bound(nodes.begin(), nodes.end(), frame.t - latency + 1e-9);
     const auto node = static_cast<std::size_t>(next - nodes.begin()) - 1;
     for (const SeenBox& box : frame.boxes) {
-      if (views[box.object] < kLeastViews) continue;
+      if (views[box.object] < options.least_views) {
+        if (options.spare) started.spare.push_back({sighting_of(box, frame.t, 0, node), box.signature});
+        continue;
+      }
       const auto [place, is_new] = index.emplace(box.object, index.size());
-      if (is_new) started.signatures.push_back(box.signature);
+      if (is_new) {
+        started.signatures.push_back(box.signature);
+        started.ids.push_back(box.object);
+      }
       started.problem.sightings.push_back(sighting_of(box, frame.t, place->second, node));
+    }
+    if (!options.spare) continue;
+    for (const SeenBox& box : frame.others) {
+      started.spare.push_back({sighting_of(box, frame.t, 0, node), box.signature});
     }
   }
 }
@@ -150,7 +164,20 @@ ObjectValues first_guess(const StartedProblem& started, std::size_t object) {
   return values;
 }
 
-void start_estimate(const DriveLog& log, StartedProblem& started) {
+PoseValues node_at(const OdometryTrack& odometry, const std::vector<PoseResult>& path, double t) {
+  if (path.empty()) {
+    const TrackPose pose = odometry.at(t);
+    return {pose.x, pose.y, pose.heading};
+  }
+  // Pieces of the odometry from the path's nearest earlier pose.
+  const auto next = std::ranges::upper_bound(path, t, {}, &PoseResult::t);
+  const PoseResult& last = next == path.begin() ? *next : *(next - 1);
+  const std::array<double, kPoseParameters> from = {last.x, last.y, last.heading};
+  const auto pose = calibration::after(from.data(), calibration::motion_between(odometry.at(last.t), odometry.at(t)));
+  return {pose.x, pose.y, pose.heading};
+}
+
+void start_estimate(const DriveLog& log, const std::vector<PoseResult>& path, StartedProblem& started) {
   const sensor::CameraMount& mount = log.camera.mount;
   CalibrationProblem& problem = started.problem;
   problem.told = {0,
@@ -165,8 +192,15 @@ void start_estimate(const DriveLog& log, StartedProblem& started) {
   problem.wheel_sigma = kWheelSigma;
   started.estimate.camera = problem.told;
   for (const double t : problem.node_times) {
-    const TrackPose pose = problem.odometry.at(t);
-    started.estimate.nodes.push_back({pose.x, pose.y, pose.heading});
+    PoseValues node = node_at(problem.odometry, path, t);
+    if (!started.estimate.nodes.empty()) {
+      // No heading farther than half a turn from what odometry makes of the last one.
+      const double last_t = problem.node_times[started.estimate.nodes.size() - 1];
+      const double expected = started.estimate.nodes.back()[kPoseHeading] + problem.odometry.at(t).heading -
+                              problem.odometry.at(last_t).heading;
+      node[kPoseHeading] = expected + std::remainder(node[kPoseHeading] - expected, 2 * std::numbers::pi);
+    }
+    started.estimate.nodes.push_back(node);
   }
   // At first anything may be wrong by about a degree; what the noise is, is measured then.
   const double degree = problem.optics.fx * 0.02;
@@ -187,29 +221,38 @@ ToldOptics optics_of(const sensor::CameraIntrinsics& camera) {
 std::optional<std::string> too_few(std::size_t objects) {
   if (objects >= kLeastObjects) return std::nullopt;
   return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
-                     objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), kLeastViews, kLeastObjects,
-                     kGuide);
+                     objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), StartOptions{}.least_views,
+                     kLeastObjects, kGuide);
 }
 
-std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
-  if (log.camera.lens != sensor::Lens::kPinhole) {
-    return std::string(
-        "the log's $FPCAM says an equidistant lens, which is not fitted yet; give its focal length by hand");
-  }
-  if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
-  OdometryTrack odometry(log.odometry);
-  if (const auto why = why_hopeless(log, odometry)) return *why;
+std::optional<std::string> lens_not_fitted(const DriveLog& log) {
+  if (log.camera.lens == sensor::Lens::kPinhole) return std::nullopt;
+  return "the log's $FPCAM says an equidistant lens, which is not fitted yet; give its focal length by hand";
+}
+
+StartedProblem start_with(const DriveLog& log, const StartOptions& options, const std::vector<PoseResult>& path) {
+  const OdometryTrack odometry(log.odometry);
   const double latency = log.camera.latency.to_double();
-  const std::vector<SeenFrame> frames = frames_that_count(log, odometry, latency);
-  StartedProblem started{{optics_of(log.camera), log.camera.mount.z.raw > 0, odometry, {}, {}}, {}, {}, frames.size()};
-  started.problem.node_times = node_times(frames, odometry, latency);
-  add_sightings(frames, latency, started);
-  if (const auto why = too_few(started.signatures.size())) return *why;
-  start_estimate(log, started);
+  const std::vector<SeenFrame> frames = frames_that_count(log, odometry, latency, options);
+  StartedProblem started{
+      {optics_of(log.camera), log.camera.mount.z.raw > 0, odometry, {}, {}}, {}, {}, {}, {}, frames.size()};
+  started.problem.node_times = node_times(frames, odometry, latency, options.most_nodes);
+  add_sightings(frames, latency, options, started);
+  start_estimate(log, path, started);
   for (std::size_t o = 0; o < started.signatures.size(); ++o) {
     started.estimate.objects.push_back(first_guess(started, o));
     started.problem.radii.push_back(started.estimate.objects.back()[kRadius]);
   }
+  return started;
+}
+
+std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
+  if (auto why = lens_not_fitted(log)) return *std::move(why);
+  if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
+  const OdometryTrack odometry(log.odometry);
+  if (const auto why = why_hopeless(log, odometry)) return *why;
+  StartedProblem started = start_with(log, {}, {});
+  if (const auto why = too_few(started.signatures.size())) return *why;
   return started;
 }
 

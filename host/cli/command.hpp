@@ -34,6 +34,7 @@ Command simulate_command();
 Command evaluate_command();
 Command merge_command();
 Command calibrate_command();
+Command smooth_command();
 Command import_command();
 Command segment_command();
 Command paper_command();

@@ -13,6 +13,7 @@
 #include "host/evaluate/evaluate.hpp"
 #include "host/evaluate/evaluation_json.hpp"
 #include "host/evaluate/evaluation_text.hpp"
+#include "host/smooth/truth_par.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -25,6 +26,7 @@ struct EvaluateRequest {
   std::optional<double> max_recklessness;
   std::optional<double> max_paranoia;
   bool json = false;
+  bool smooth = false;
   std::string output = "-";
   EvaluateOptions options;
 };
@@ -90,6 +92,26 @@ Evaluation evaluate_pair(const EvaluateRequest& request, std::size_t pair) {
   return std::move(outcome.evaluation);
 }
 
+SmoothEvaluation smooth_pair(const EvaluateRequest& request, std::size_t pair) {
+  if (request.logs[pair] == "-" || request.scenes[pair] == "-") {
+    throw Failure(Exit::kUsage, "--smooth reads logs and scenes twice; put standard input into a file");
+  }
+  SmoothOptions options;
+  options.profile = request.options.profile;
+  options.camera = request.options.camera;
+  const std::string name = input_name(request.logs[pair]);
+  const SmoothOutcome outcome = smooth(read_input(request.logs[pair]), name, options);
+  if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
+  if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);
+  return evaluate_smoothed(*outcome.smoothed, read_scene(request.scenes[pair]), name);
+}
+
+std::vector<SmoothEvaluation> smooth_all(const EvaluateRequest& request) {
+  std::vector<SmoothEvaluation> evaluations;
+  for (std::size_t i = 0; i < request.logs.size(); ++i) evaluations.push_back(smooth_pair(request, i));
+  return evaluations;
+}
+
 bool exceeds(const SummaryRow& row, const char* what, const Mean& mean, std::optional<double> bound) {
   if (!bound || mean.mean <= *bound) return false;
   say(fmt::format("bound exceeded: {} of {} is {:.4f} at the end, allowed {}", what, row.model, mean.mean, *bound));
@@ -120,8 +142,12 @@ Exit run(EvaluateRequest request) {
   std::vector<Evaluation> evaluations;
   for (std::size_t i = 0; i < request.logs.size(); ++i) evaluations.push_back(evaluate_pair(request, i));
   const Summary summary = summarise(evaluations, views);
-  write_output(request.output,
-               request.json ? to_json(evaluations, summary, views) : evaluation_text(evaluations, summary, views));
+  std::string text = request.json ? to_json(evaluations, summary, views) : evaluation_text(evaluations, summary, views);
+  if (request.smooth) {
+    const std::vector<SmoothEvaluation> smoothed = smooth_all(request);
+    text = request.json ? with_smooth_json(text, smoothed) : text + smooth_evaluation_text(smoothed);
+  }
+  write_output(request.output, text);
   return judge(request, summary);
 }
 
@@ -153,6 +179,7 @@ Action configure_evaluate(CLI::App& app) {
   app.add_option("--camera", request->camera,
                  "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
       ->type_name("FILE");
+  app.add_flag("--smooth", request->smooth, "also the least-squares optimum of each log, beside the online map");
   app.add_flag("--json", request->json, "write the measures as JSON instead of text");
   app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
   return [request] { return run(*request); };

@@ -1,5 +1,6 @@
 #include "host/replay/replay.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -52,7 +53,10 @@ class Replay {
       break;
     }
   }
-  void accept(const record::Setting& setting) { runner().take(setting); }
+  void accept(const record::Setting& setting) {
+    const auto ours = [&](const auto& entry) { return entry.first == setting.key.view(); };
+    if (std::ranges::none_of(options_.settings, ours)) runner().take(setting);
+  }
   void accept(const sensor::OdometrySample& sample) {
     ++odometry_;
     if (!wanted(sample.t)) return;
@@ -123,6 +127,9 @@ class Replay {
     if (options_.pose_noise) runner_->assume(*options_.pose_noise);
     runner_->start_run({record::kStreamFormat, "fencepost", FENCEPOST_VERSION, "host", std::string_view(profile_)});
     if (options_.camera) runner_->take(*options_.camera);
+    for (const auto& [key, value] : options_.settings) {
+      runner_->take(record::Setting{std::string_view(key), std::string_view(value)});
+    }
   }
 
   // The run's map is read now; another run may follow.

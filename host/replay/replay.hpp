@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/sensor/camera.hpp"
@@ -20,8 +21,9 @@ struct ReplayOptions {
   std::optional<sensor::CameraIntrinsics> camera;  ///< in force from the start, for logs without FPCAM
   std::optional<double> from;                      ///< s, stream time; earlier records are not used
   std::optional<double> to;
-  std::optional<std::uint64_t> frames;         ///< stop after the N-th accepted frame record
-  std::optional<PoseNoise> pose_noise;         ///< default: of a robot that drives, 4 mm and 7 mrad
+  std::optional<std::uint64_t> frames;                          ///< stop after the N-th accepted frame record
+  std::vector<std::pair<std::string, std::string>> settings{};  ///< key, value: in force whatever the log says
+  std::optional<PoseNoise> pose_noise;                          ///< default: of a robot that drives, 4 mm and 7 mrad
   bool check = false;                          ///< compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end

@@ -78,7 +78,8 @@ ROOMS = {
     "host/configure": "hal/mcu host/live",
     "host/devices": "drivers/* host/emulate/scene host/live",
     "host/calibrate": "host/live host/report",
-    "host/cli": "host/calibrate host/configure host/devices host/merge host/paper host/recorder host/segment",
+    "host/smooth": "host/calibrate",
+    "host/cli": "host/configure host/devices host/merge host/paper host/recorder host/segment host/smooth",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

@@ -15,7 +15,7 @@ using testing::spill;
 
 const std::vector<std::string> kCommands = {"",      "demo",    "replay",        "report",       "simulate", "evaluate",
                                             "paper", "import",  "import mrclam", "import rings", "emulate",  "record",
-                                            "run",   "segment", "configure",     "calibrate",    "merge"};
+                                            "run",   "segment", "configure",     "calibrate",    "merge",    "smooth"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;
@@ -34,7 +34,7 @@ TEST(Help, ListsEveryCommand) {
   const Folder folder;
   const std::string out = shell(folder, "fencepost --help").out;
   for (const char* name : {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "paper", "emulate",
-                           "import", "segment", "configure", "calibrate", "merge"}) {
+                           "import", "segment", "configure", "calibrate", "merge", "smooth"}) {
     EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
   }
 }

@@ -1,0 +1,21 @@
+// How much the odometry of a log strays and how noisy its image is, by a path that is known better.
+#pragma once
+
+#include "host/calibrate/residuals.hpp"
+
+namespace fencepost::host {
+
+/// In units of good wheels (calibration::stray).
+struct Strays {
+  double drift = 1;  ///< of turns
+  double walk = 1;   ///< of ways
+};
+/// By turns and chords over some seconds: so far what is seen decides, not the odometry itself. Ways that may stray
+/// more than they do take up the bearings' noise, and the map shrinks. Each at least a quarter, at most 60 and 4.
+Strays strays_of(const CalibrationProblem& problem, const Estimate& estimate);
+
+/// By the residuals, but of bearings and widths at least what they differ from one view of an object to its next, both
+/// seen from one node: poses that may stray have taken up a part of the residuals.
+ImageNoise image_noise(const CalibrationProblem& problem, const Estimate& estimate);
+
+}  // namespace fencepost::host
