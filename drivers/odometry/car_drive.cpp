@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drivers/odometry/tick_counter.hpp"
 #include "drivers/odometry/wheel_base.hpp"
 #include "hal/base/check.hpp"
 #include "hal/base/trig.hpp"
@@ -9,9 +10,8 @@
 namespace fencepost::odometry {
 namespace {
 
-constexpr std::int64_t kMicro = 1'000'000;
-// Latest delay of a reading, and the fastest car: more counts are a restart of the encoder.
-constexpr base::Duration kLateness = base::milliseconds(100);
+constexpr std::int64_t kMillion = 1'000'000;
+// The fastest car: more counts are a restart of the encoder.
 constexpr std::int64_t kFastest = 5'000;  // mm/s
 constexpr base::Duration kLongest{std::int64_t{10} * base::Duration::kPerUnit};
 // The sharpest turn of the wheels that a tangent is taken of.
@@ -29,7 +29,7 @@ std::int64_t clamp_turn(std::int64_t urad) { return std::clamp(urad, -kSharpest,
 
 // 2^20 tan of the wheels' angle, for a told one in 10^-4 rad.
 std::int64_t tangent(std::int32_t told, const CarGeometry& car) {
-  constexpr std::int64_t kMicroPerRaw = kMicro / base::Radians::kPerUnit;
+  constexpr std::int64_t kMicroPerRaw = kMillion / base::Radians::kPerUnit;
   constexpr std::int64_t kThousand = 1'000;
   const std::int64_t straight = told * kMicroPerRaw - car.steer_offset_urad;
   const base::SinCos wheels = base::sincos_urad(clamp_turn(divide_nearest(straight * car.steer_scale, kThousand)));
@@ -54,7 +54,7 @@ sensor::OdometrySample CarDrive::take(const sensor::CarSample& sample, const Car
     const std::int64_t before = heading_prad_;
     heading_prad_ += by_gyro ? turn_by_gyro(sample, car) : turn_by_steering(sample, car, distance);
     watch_standing(sample, before);
-    pose_.advance(distance, divide_nearest(heading_prad_, kMicro));
+    pose_.advance(distance, divide_nearest(heading_prad_, kMillion));
   }
   last_ = sample;
   return pose_.sample(sample.t);
@@ -72,7 +72,7 @@ std::int64_t CarDrive::distance_pm(const sensor::CarSample& sample, const CarGeo
 }
 
 std::int32_t CarDrive::bias(const CarGeometry& car) const {
-  constexpr std::int64_t kMicroPerRaw = kMicro / base::RadiansPerSecond::kPerUnit;
+  constexpr std::int64_t kMicroPerRaw = kMillion / base::RadiansPerSecond::kPerUnit;
   return bias_
              ? *bias_
              : static_cast<std::int32_t>(divide_nearest(std::int64_t{car.gyro_bias_urad_s} * kRateParts, kMicroPerRaw));

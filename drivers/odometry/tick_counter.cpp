@@ -3,13 +3,6 @@
 #include "hal/base/check.hpp"
 
 namespace fencepost::odometry {
-namespace {
-
-// Latest delay of a reading: two readings may then lie closer in time than their counts.
-constexpr base::Duration kLateness = base::milliseconds(100);
-
-}  // namespace
-
 TickCounter::TickCounter(int bits, std::int64_t max_rate) : bits_(bits), max_rate_(max_rate) {
   FENCEPOST_CHECK(bits >= 2 && bits <= 32 && max_rate > 0);
 }

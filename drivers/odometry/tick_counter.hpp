@@ -8,6 +8,9 @@
 
 namespace fencepost::odometry {
 
+/// Latest delay of a reading: two readings may then lie closer in time than their counts.
+inline constexpr base::Duration kLateness = base::milliseconds(100);
+
 class TickCounter {
  public:
   /// `bits` 2..32: the raw count is modulo 2^bits, signed or not. `max_rate`: counts a second that the wheel can do.

@@ -17,6 +17,7 @@ struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
   static constexpr std::size_t kModelTurns = 1;  ///< objects a frame whose models take their sighting: most of the work
+  static constexpr std::size_t kLookTurns = 1;   ///< landmarks that are compared with odometry while it is believed
   static constexpr base::Duration kModelInterval = base::milliseconds(30);  ///< between two such frames, at least
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kFronts = 64;         ///< points of the guard, 8 bytes each
@@ -40,6 +41,7 @@ struct Small {
   static constexpr std::string_view kName = "small";
   static constexpr std::size_t kObjects = 8;
   static constexpr std::size_t kModelTurns = 2;
+  static constexpr std::size_t kLookTurns = 1;
   static constexpr base::Duration kModelInterval = base::milliseconds(30);
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kFronts = 64;
@@ -64,6 +66,7 @@ struct Full {
   static constexpr std::string_view kName = "full";
   static constexpr std::size_t kObjects = 32;
   static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
+  static constexpr std::size_t kLookTurns = kObjects;
   static constexpr base::Duration kModelInterval{0};
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kFronts = 64;

@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x476ec5f9d5965a22;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x68f47b100a4cb1a7;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc4d71c3bea063e9a;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x83d1e0b26acb3073;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x436dfce070fc1fe2;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xd38455ab940691a3;
 
 template <class Profile>
 CannedStream canned_stream() {

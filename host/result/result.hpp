@@ -59,7 +59,7 @@ struct ObjectResult {
   std::vector<ModelResult> models;
   double sigma = 0;  ///< m, of each coordinate of the cylinder's centre by its own views; 0: there is none
   double base = 0;  ///< m, of its foot, or of what hides it, above the floor; 0 unless its rows speak against the floor
-  std::optional<NextViewResult> next;
+  std::optional<NextViewResult> next{};
 };
 
 struct PoseResult {

@@ -24,13 +24,14 @@ SolverOptions all_held() {
   return options;
 }
 
-/// Poses and objects, and what the wheels do evenly; the odometry's metre is the unit of length.
+/// Poses and objects, and what the wheels do evenly. The unit of length is the lens's height where rows of feet tell it
+/// and it is not what is asked for, else the odometry's metre.
 SolverOptions wanted(const CalibrationProblem& problem, bool calibrate) {
   SolverOptions options;
   options.hold_camera.fill(!calibrate);
   options.hold_camera[kK1] = true;
   if (!problem.rows) options.hold_camera[kPitch] = options.hold_camera[kHeight] = true;
-  options.hold_wheels[kStep] = true;
+  options.hold_wheels[kStep] = calibrate || !problem.rows;
   return options;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Chosen on random worlds of the seeds 1 to 400, judged on 50,001 to 50,400 (Constellation.*, merge.md).
 /// sigmas: farther apart two places are not the same object's.
-constexpr float kGateSigmas = 3.0F;
+constexpr float kMatchSigmas = 3.0F;
 /// m, sigma of every place beside its own: the error that all views of a map have in common.
 constexpr float kPlaceSigma = 0.02F;
 /// share of the distance between two objects by which a map may be bent: drift that nothing corrected.
@@ -32,7 +32,7 @@ constexpr float kLead = 100.0F;
 
 constexpr float kPi = 3.14159265F;
 
-float squared(float value) { return value * value; }
+float square_of(float value) { return value * value; }
 
 float distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
 
@@ -43,13 +43,13 @@ bool alike_in_kind(const ConstellationPoint& a, const ConstellationPoint& b) {
 }
 
 float variance_of(const ConstellationPoint& a, const ConstellationPoint& b) {
-  return squared(a.sigma) + squared(b.sigma) + 2 * squared(kPlaceSigma);
+  return square_of(a.sigma) + square_of(b.sigma) + 2 * square_of(kPlaceSigma);
 }
 
 // What is far from the middle of the matches moves most by an error of the direction: `turn`, its sine.
 float gate_of(const ConstellationPoint& a, const ConstellationPoint& b, float from_middle, float turn) {
-  const float sigma = std::sqrt(variance_of(a, b) + squared(turn * from_middle));
-  return std::min(kGateSigmas * sigma, kWidestGate);
+  const float sigma = std::sqrt(variance_of(a, b) + square_of(turn * from_middle));
+  return std::min(kMatchSigmas * sigma, kWidestGate);
 }
 
 // Weighted sums of matches.
@@ -90,12 +90,12 @@ struct Judge {
 
   [[nodiscard]] std::size_t nearest_known(std::size_t s) const {
     const Vec2 place = motion.of(seen[s].place);
-    float least = squared(kWidestGate);
+    float least = square_of(kWidestGate);
     std::size_t nearest = constellation::kNone;
     for (std::size_t k = 0; k < known.points.size(); ++k) {
       const float apart = (known.points[k].place - place).squaredNorm();
       if (apart >= least || !alike_in_kind(known.points[k], seen[s])) continue;
-      if (apart > squared(gate_of(known.points[k], seen[s], distance(place, middle), turn))) continue;
+      if (apart > square_of(gate_of(known.points[k], seen[s], distance(place, middle), turn))) continue;
       least = apart;
       nearest = k;
     }
@@ -138,9 +138,9 @@ struct Judge {
   [[nodiscard]] float chance_of(std::size_t s, const Vec2& place) const {
     float area = 0;
     for (const ConstellationPoint& point : known.points) {
-      if (alike_in_kind(point, seen[s])) area += squared(gate_of(point, seen[s], distance(place, middle), turn));
+      if (alike_in_kind(point, seen[s])) area += square_of(gate_of(point, seen[s], distance(place, middle), turn));
     }
-    return std::min(1.0F, area / squared(known.reach + kRegionMargin));
+    return std::min(1.0F, area / square_of(known.reach + kRegionMargin));
   }
 
   // Binomial: so many of the expected ones but two, whose match made the motion, each by its chance.
@@ -193,8 +193,8 @@ bool alike(const Known& known, PairOf k, std::span<const ConstellationPoint> see
   const float known_length = distance(ka.place, kb.place);
   const float seen_length = distance(seen[s.a].place, seen[s.b].place);
   if (std::min(known_length, seen_length) < kNearestPair) return false;
-  const float variance = variance_of(ka, seen[s.a]) + variance_of(kb, seen[s.b]) + squared(kBend * seen_length);
-  return squared(known_length - seen_length) <= squared(kGateSigmas) * variance;
+  const float variance = variance_of(ka, seen[s.a]) + variance_of(kb, seen[s.b]) + square_of(kBend * seen_length);
+  return square_of(known_length - seen_length) <= square_of(kMatchSigmas) * variance;
 }
 
 JoinQuality judge(const Known& known, PairOf k, std::span<const ConstellationPoint> seen, PairOf s, FrameMotion& motion,

@@ -109,8 +109,10 @@ class PoseCorrection {
                                     const CameraModel& camera, const MeasurementNoise& noise) {
     if (!looks_) return driven;
     const LensPose lens = lens_pose(driven, camera);
+    // Whether odometry drifts can be asked of one landmark at a time; where it is needs as many as there is time for.
+    const std::size_t most = corrects_ ? Profile::kModelTurns : Profile::kLookTurns;
     std::size_t turns = 0;
-    for (std::size_t i = 0; i < kLandmarks && turns < Profile::kModelTurns; ++i) {
+    for (std::size_t i = 0; i < kLandmarks && turns < most; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
       if (matcher.observation_of(next_).moves) continue;

@@ -26,43 +26,14 @@ constexpr float kWidestGap = 0.35F;
 struct Side {
   float place = 0;  ///< of its normal, in sectors
   Vec2 normal{1, 0};
-  float offset = 0;
   float length = 0;  ///< m, of the side, between those that its neighbours make
   float gain = 0;    ///< m, by which one more view lowers its sigma
-};
-
-struct SidesAround {
-  std::array<Side, kDirections> all{};
-  std::size_t count = 0;
-
-  [[nodiscard]] const Side& at(std::size_t i) const { return all[i % count]; }
 };
 
 // The sigma of n views is that of one by their root.
 float gain_of(const Cluster& cluster) {
   return cluster.sigma * (1 / std::sqrt(cluster.views) - 1 / std::sqrt(cluster.views + 1));
 }
-
-SidesAround sides_of(ConstClusters clusters) {
-  SidesAround sides;
-  for (std::size_t sector = 0; sector < clusters.size() / kClustersPerSector; ++sector) {
-    std::size_t best = clusters.size();
-    for (std::size_t i = 0; i < kClustersPerSector; ++i) {
-      const std::size_t index = sector * kClustersPerSector + i;
-      const Cluster cluster = unpack(clusters[index]);
-      if (cluster.views <= 0 || cluster.lower_bound) continue;
-      if (best == clusters.size() || clusters[index].views > clusters[best].views) best = index;
-    }
-    if (best == clusters.size()) continue;
-    const Cluster cluster = unpack(clusters[best]);
-    sides.all[sides.count++] = {static_cast<float>(sector) + cluster.phase, direction_of(clusters, best),
-                                cluster.offset, 0, gain_of(cluster)};
-  }
-  return sides;
-}
-
-// The outline's node nearest to a side's normal.
-std::size_t node_of(const Side& side, std::size_t nodes) { return static_cast<std::size_t>(side.place + 0.5F) % nodes; }
 
 // How far along the side at node k, from the foot of its normal, that at node j cuts it.
 float cut_at(const OutlineView& outline, std::size_t k, std::size_t j, float most) {
@@ -74,24 +45,57 @@ float cut_at(const OutlineView& outline, std::size_t k, std::size_t j, float mos
   return sine > 0 ? std::min((outline.offset(j) - cosine * outline.offset(k)) / sine, most) : 0;
 }
 
-// By the fitted outline: measured offsets of neighbours are too noisy for it.
-void measure(SidesAround& sides, const OutlineView& outline, float radius) {
-  const std::size_t nodes = outline.offsets.size();
-  const float most = 1.7F * radius;  // of tangents that meet at 120 degrees
-  for (std::size_t i = 0; i < sides.count; ++i) {
-    const std::size_t k = node_of(sides.at(i), nodes);
-    const float back = cut_at(outline, k, node_of(sides.at(i + sides.count - 1), nodes), most);
-    const float ahead = cut_at(outline, k, node_of(sides.at(i + 1), nodes), most);
-    sides.all[i].length = std::max(back + ahead, 0.0F);
+/// The sides around an object, each worked out when it is asked for: a small part's stack has no room for them all.
+class SidesAround {
+ public:
+  SidesAround(const OutlineView& outline, ConstClusters clusters) : outline_(outline), clusters_(clusters) {
+    for (std::size_t sector = 0; sector < clusters.size() / kClustersPerSector; ++sector) {
+      std::size_t best = clusters.size();
+      for (std::size_t i = 0; i < kClustersPerSector; ++i) {
+        const std::size_t index = sector * kClustersPerSector + i;
+        const Cluster cluster = unpack(clusters[index]);
+        if (cluster.views <= 0 || cluster.lower_bound) continue;
+        if (best == clusters.size() || clusters[index].views > clusters[best].views) best = index;
+      }
+      if (best != clusters.size()) chosen_[count_++] = static_cast<std::uint16_t>(best);
+    }
   }
-}
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Side at(std::size_t i) const {
+    const std::size_t index = chosen_[i % count_];
+    return {place_of(i), direction_of(clusters_, index), length_of(i), gain_of(unpack(clusters_[index]))};
+  }
+
+ private:
+  [[nodiscard]] float place_of(std::size_t i) const {
+    const std::size_t index = chosen_[i % count_];
+    return static_cast<float>(index / kClustersPerSector) + unpack(clusters_[index]).phase;
+  }
+  // The outline's node nearest to a side's normal.
+  [[nodiscard]] std::size_t node_of(std::size_t i) const {
+    return static_cast<std::size_t>(place_of(i) + 0.5F) % outline_.offsets.size();
+  }
+  // By the fitted outline: measured offsets of neighbours are too noisy for it.
+  [[nodiscard]] float length_of(std::size_t i) const {
+    const float most = 1.7F * outline_.radius();  // of tangents that meet at 120 degrees
+    const float back = cut_at(outline_, node_of(i), node_of(i + count_ - 1), most);
+    const float ahead = cut_at(outline_, node_of(i), node_of(i + 1), most);
+    return std::max(back + ahead, 0.0F);
+  }
+
+  const OutlineView& outline_;
+  ConstClusters clusters_;
+  std::array<std::uint16_t, kDirections> chosen_{};  // of the clusters
+  std::size_t count_ = 0;
+};
 
 // What a tangent with each normal would tell, m^2 of a round object of radius 1.
 void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<float, kDirections>& news) {
   const auto whole = static_cast<float>(nodes);
-  for (std::size_t i = 0; i < sides.count; ++i) {
-    const Side& from = sides.at(i);
-    const Side& to = sides.at(i + 1);
+  for (std::size_t i = 0; i < sides.count(); ++i) {
+    const Side from = sides.at(i);
+    const Side to = sides.at(i + 1);
     const float gap = to.place - from.place + (to.place <= from.place ? whole : 0.0F);
     const float angle = std::min(gap / whole, kWidestGap) * kTwoPi;
     const float round = angle * angle * angle;
@@ -126,10 +130,9 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
                    float clearance) {
   NextView next;
   const float radius = outline.radius();
-  SidesAround sides = sides_of(clusters);
-  if (sides.count < 2 || radius <= 0) return next;
+  const SidesAround sides(outline, clusters);
+  if (sides.count() < 2 || radius <= 0) return next;
   const std::size_t nodes = outline.offsets.size();
-  measure(sides, outline, radius);
   std::array<float, kDirections> told{};
   tell(sides, nodes, radius, told);
 
@@ -139,20 +142,23 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   // A tangent's normal is a quarter turn from the view, less the angle that the radius takes up.
   const float edge_on = (0.25F - std::min(radius / distance, 1.0F) / kTwoPi) * static_cast<float>(nodes);
   const auto aside = static_cast<std::size_t>(edge_on + 0.5F);
-  std::array<float, kDirections> news{};  // 0 where nobody can stand
+  // 0 where nobody can stand
+  const auto news = [&](std::size_t k) {
+    if (!is_free(distance * node_direction(k, nodes), others, clearance)) return 0.0F;
+    return told[(k + aside) % nodes] + told[(k + nodes - aside) % nodes];
+  };
   std::size_t best = nodes;
   float best_worth = 0;
   for (std::size_t k = 0; k < nodes; ++k) {
-    if (!is_free(distance * node_direction(k, nodes), others, clearance)) continue;
-    news[k] = told[(k + aside) % nodes] + told[(k + nodes - aside) % nodes];
-    const float worth = news[k] * (1 - kPriceOfWay * way_round(now, k, nodes));
+    const float worth = news(k) * (1 - kPriceOfWay * way_round(now, k, nodes));
     if (worth <= best_worth) continue;
     best = k;
     best_worth = worth;
   }
   next.refusal = NextViewRefusal::kBlocked;
   if (best == nodes) return next;
-  const auto belongs = [&](std::size_t k) { return news[k % nodes] >= kNewsOfArc * news[best]; };
+  const float most = news(best);
+  const auto belongs = [&](std::size_t k) { return news(k % nodes) >= kNewsOfArc * most; };
   std::size_t left = 0;
   while (left < nodes / 2 && belongs(best + left + 1)) ++left;
   std::size_t right = 0;
@@ -161,7 +167,7 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   next.toward = node_direction(best, nodes);
   next.place = distance * next.toward;
   next.width = kTwoPi * static_cast<float>(std::min(left + right + 1, nodes)) / static_cast<float>(nodes);
-  next.news = std::min(news[best] / (0.5F * kTwoPi), 1.0F);
+  next.news = std::min(most / (0.5F * kTwoPi), 1.0F);
   return next;
 }
 

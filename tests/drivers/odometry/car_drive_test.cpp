@@ -11,7 +11,7 @@ namespace fencepost::odometry {
 namespace {
 
 constexpr std::int64_t kPicometresPerMetre = 1'000 * kPicometresPerMillimetre;
-constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kQuarterTurn = std::numbers::pi / 2;
 
 /// 2000 counts a metre, axles 0.2 m apart.
 CarGeometry car() {
@@ -60,14 +60,14 @@ TEST(CarDrive, AQuarterCircleBySteeringAngle) {
   const sensor::OdometrySample pose = bench.go(3.14, 10, {}, angle);
   EXPECT_NEAR(pose.x.to_double(), 0.5, 1e-3);
   EXPECT_NEAR(pose.y.to_double(), 0.5, 1e-3);
-  EXPECT_NEAR(pose.heading.to_double(), kQuarter, 2e-3);
+  EXPECT_NEAR(pose.heading.to_double(), kQuarterTurn, 2e-3);
 }
 
 TEST(CarDrive, AQuarterCircleByGyro) {
   // 0.25 m/s at 0.5 rad/s: a radius of 0.5 m.
   Bench bench;
   bench.car.take(reading(0, 0, 0.5), car());
-  const sensor::OdometrySample pose = bench.go(kQuarter / 0.5, 10, 0.5);
+  const sensor::OdometrySample pose = bench.go(kQuarterTurn / 0.5, 10, 0.5);
   EXPECT_NEAR(pose.x.to_double(), 0.5, 1e-3);
   EXPECT_NEAR(pose.y.to_double(), 0.5, 1e-3);
   EXPECT_NEAR(pose.heading.to_double(), 0.5 * 3.14, 1e-4);
@@ -80,7 +80,7 @@ TEST(CarDrive, BackwardsItTurnsTheOtherWay) {
   const sensor::OdometrySample pose = bench.go(3.14, -10, {}, angle);
   EXPECT_NEAR(pose.x.to_double(), -0.5, 1e-3);
   EXPECT_NEAR(pose.y.to_double(), 0.5, 1e-3);
-  EXPECT_NEAR(pose.heading.to_double(), -kQuarter, 2e-3);
+  EXPECT_NEAR(pose.heading.to_double(), -kQuarterTurn, 2e-3);
 }
 
 TEST(CarDrive, WhatTheGyroSaysWhileItStandsIsItsBias) {

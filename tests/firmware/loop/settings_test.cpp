@@ -27,7 +27,9 @@ TEST(Settings, TakeEveryKeyWithinItsRangeOnly) {
   for (const config::KeyInfo& entry : config::kKeyInfo) {
     Settings settings;
     if (entry.unit == "off|on|auto") continue;
-    if (entry.low >= 0) EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
+    if (entry.low >= 0) {
+      EXPECT_EQ(settings.set(entry.name, "-1"), SettingError::kOutOfRange) << entry.name;
+    }
     EXPECT_EQ(settings.set(entry.name, "10000000"), SettingError::kOutOfRange) << entry.name;
     EXPECT_EQ(settings.set(entry.name, "much"), SettingError::kNotANumber) << entry.name;
     EXPECT_EQ(settings, Settings{}) << entry.name;

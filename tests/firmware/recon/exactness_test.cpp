@@ -53,7 +53,7 @@ struct Reconstruction {
     if constexpr (host::kCarves<typename Profile::Models>) {
       return object->models.template get<1>();
     } else {
-      return object->comparison.template get<3>();
+      return object->comparison.template get<4>();
     }
   }
   [[nodiscard]] Point origin() const { return {object->origin.x * 1e-5, object->origin.y * 1e-5}; }

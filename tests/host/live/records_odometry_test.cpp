@@ -21,7 +21,7 @@ static_assert(sensor::OdometrySource<serial::Pump<serial::LinkArchetype, Records
 Time at(std::int64_t ms) { return Time{} + milliseconds(ms); }
 
 template <class Record>
-std::string line_of(const Record& sample) {
+std::string record_line(const Record& sample) {
   std::array<char, record::kMaxLine> line{};
   return {line.data(), record::encode(sample, line)};
 }
@@ -40,15 +40,15 @@ class RecordsTest : public testing::Test {
 
 TEST_F(RecordsTest, StampsOnArrivalWhateverTheSendersClockSays) {
   RecordsSession session(RecordStamp::kArrival);
-  EXPECT_EQ(feed(session, line_of(sample), at(70)), 1);
+  EXPECT_EQ(feed(session, record_line(sample), at(70)), 1);
   EXPECT_EQ(session.sample(), (sensor::OdometrySample{at(70), sample.x, sample.y, sample.heading}));
-  EXPECT_EQ(feed(session, line_of(sample), at(90)), 1) << "a sender that starts again, its clock too";
+  EXPECT_EQ(feed(session, record_line(sample), at(90)), 1) << "a sender that starts again, its clock too";
   EXPECT_EQ(session.sample().t, at(90));
 }
 
 TEST_F(RecordsTest, KeepsTheSendersTimeIfTold) {
   RecordsSession session(RecordStamp::kOwn);
-  EXPECT_EQ(feed(session, line_of(sample), at(70)), 1);
+  EXPECT_EQ(feed(session, record_line(sample), at(70)), 1);
   EXPECT_EQ(session.sample(), sample);
   EXPECT_EQ(feed(session, "$FPODO,,0.1,0.2,0.3*C7C6\n", at(80)), 1);
   EXPECT_EQ(session.sample().t, at(80));
@@ -56,17 +56,17 @@ TEST_F(RecordsTest, KeepsTheSendersTimeIfTold) {
 
 TEST_F(RecordsTest, PassesOverWhatIsNoOdometry) {
   RecordsSession session(RecordStamp::kArrival);
-  std::string damaged = line_of(sample);
+  std::string damaged = record_line(sample);
   damaged[8] = '9';
   EXPECT_EQ(feed(session, "boot\r\n\r\n$FPDIG,50,0123456789abcdef*0000\r\n" + damaged, at(0)), 0);
   EXPECT_EQ(session.link(), LinkState::kUnready);
-  EXPECT_EQ(feed(session, std::string(5'000, 'x') + "\n" + line_of(sample), at(10)), 1);
+  EXPECT_EQ(feed(session, std::string(5'000, 'x') + "\n" + record_line(sample), at(10)), 1);
   EXPECT_EQ(session.link(), LinkState::kOk);
 }
 
 TEST_F(RecordsTest, TakesACarsReadingsIfItKnowsTheCar) {
   const auto reading = [](std::int32_t count) {
-    return line_of(sensor::CarSample{{}, count, {}, base::RadiansPerSecond{0}});
+    return record_line(sensor::CarSample{{}, count, {}, base::RadiansPerSecond{0}});
   };
   RecordsSession unknown(RecordStamp::kArrival);
   EXPECT_EQ(feed(unknown, reading(0), at(0)), 0);
@@ -83,15 +83,15 @@ TEST_F(RecordsTest, TakesACarsReadingsIfItKnowsTheCar) {
 TEST_F(RecordsTest, KnowsHowTheLinkIs) {
   RecordsSession session(RecordStamp::kArrival);
   EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_EQ(feed(session, line_of(sample), at(0)), 1);
+  EXPECT_EQ(feed(session, record_line(sample), at(0)), 1);
   session.step(at(999));
   EXPECT_EQ(session.link(), LinkState::kOk);
   session.step(at(1'000));
   EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_EQ(feed(session, line_of(sample).substr(0, 10), at(1'100)), 0);
+  EXPECT_EQ(feed(session, record_line(sample).substr(0, 10), at(1'100)), 0);
   session.link_lost();
   EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_EQ(feed(session, line_of(sample), at(1'200)), 1) << "the half line before the unplug is forgotten";
+  EXPECT_EQ(feed(session, record_line(sample), at(1'200)), 1) << "the half line before the unplug is forgotten";
 }
 
 }  // namespace

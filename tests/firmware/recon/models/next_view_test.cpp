@@ -64,17 +64,15 @@ TEST(NextView, ALargerGapIsMoreNews) {
 }
 
 TEST(NextView, WhereTangentsMeetInACornerThereIsNoNews) {
-  // Two gaps alike, at 90 and 270 degrees. The tangents beside the first all go through one point at 90 degrees.
-  Outline<64> outline(all_but(64, 2, 11, 21));
-  for (std::size_t k = 42; k <= 54; k += 2) outline.clusters[kClustersPerSector * k] = {};
-  const float corner = 0.115F;
-  for (const std::size_t sector : {std::size_t{8}, std::size_t{10}, std::size_t{22}, std::size_t{24}}) {
-    const double direction = 2 * std::numbers::pi * (static_cast<double>(sector) + 0.5) / 64;
-    const Cluster cluster{corner * static_cast<float>(std::sin(direction)), 0.5F, 0.004F, 1, false};
-    ASSERT_TRUE(pack(cluster, outline.clusters[kClustersPerSector * sector]));
+  // The tangents beside the gap, and those beside them, all go through one point at 90 degrees.
+  const Outline<64> round(all_but(64, 2, 11, 21));
+  Outline<64> pointed = round;
+  const double corner = 1'150;  // tenths of a millimetre
+  for (std::size_t node = 8; node <= 25; ++node) {
+    const double direction = 2 * std::numbers::pi * static_cast<double>(node) / 64;
+    pointed.offsets[node] = static_cast<std::int16_t>(std::lround(corner * std::sin(direction)));
   }
-  // The other gap's middle is pinned from -7 degrees, the corner's from 7.
-  EXPECT_LT(degrees(outline.next({0.8F, 0})), 0);
+  EXPECT_LT(pointed.next({0.8F, 0}).news, 0.5F * round.next({0.8F, 0}).news);
 }
 
 TEST(NextView, NobodyStandsInAnotherObject) {
