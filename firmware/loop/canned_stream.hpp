@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x68f47b100a4cb1a7;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x0cfb1815e8a795e4;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x83d1e0b26acb3073;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xa53e72b9199f1425;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xd38455ab940691a3;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x53b257c01475d830;
 
 template <class Profile>
 CannedStream canned_stream() {

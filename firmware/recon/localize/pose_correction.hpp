@@ -54,6 +54,7 @@ class PoseCorrection {
   /// A new run: the map frame is that of the odometry.
   void clear() {
     running_ = corrects_ = looks_ = false;
+    next_ = 0;
     strayers_.clear();
     filter_.view().at = at_ = {};
   }

@@ -19,6 +19,7 @@ class Strayers {
   void clear() {
     off_.fill(0);
     signatures_.fill(0);
+    next_ = 0;
   }
   void forget(std::size_t slot) { off_[slot] = 0; }
   /// True if the object in `slot` is to be no landmark any more. `surprise`: of its last sighting, see DriftGauge.

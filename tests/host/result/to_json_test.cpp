@@ -21,19 +21,19 @@ TEST(ToJson, WritesTheDocumentOfTheContract) {
       R"("refused":{"no_pose":2,"odometry_gap":0,"no_camera":0,"queue":0},)"
       R"("rejected":{"crc":3,"kind":0,"fields":0,"number":0,"range":0,"length":0,"truncated":0,"time":0,"format":0}},)"
       R"("digest":"0123456789abcdef","profile":"full","pose":{"t":1.2,"x":0.5,"y":-0.25,"heading":0.125},"objects":[)"
-      R"({"id":1,"signature":1,"state":"confirmed","views":75,"z_min":0.0,"z_max":0.2,"base":0.03,"confidence":0.97,"models":{)"
+      R"({"id":1,"signature":1,"state":"confirmed","views":75,"z_min":0.0,"z_max":0.2,"base":0.03,"confidence":0.97,"next":null,"models":{)"
       R"("cylinder":{"x":1.05,"y":0.05,"radius":0.06,"geometry":{"type":"Polygon","coordinates":)"
       R"([[[1.0,0.0],[1.1,0.0],[1.1,0.1],[1.0,0.1],[1.0,0.0]]]}},)"
       R"("carve":{"geometry":{"type":"Polygon","coordinates":[[[1.0,0.0],[1.2,0.0],[1.2,0.2],[1.0,0.2],[1.0,0.0]]]}},)"
       R"("clip":{"geometry":{"type":"Polygon","coordinates":[[[1.0,0.0],[1.1,0.0],[1.1,0.1],[1.0,0.1],[1.0,0.0]]]}}}},)"
-      R"({"id":2,"signature":9,"state":"tentative","views":1,"z_min":0.0,"z_max":0.0,"base":0.0,"confidence":0.5,"models":{)"
+      R"({"id":2,"signature":9,"state":"tentative","views":1,"z_min":0.0,"z_max":0.0,"base":0.0,"confidence":0.5,"next":null,"models":{)"
       R"("cylinder":{"x":null,"y":null,"radius":null,"geometry":null},)"
       R"("carve":{"geometry":null},"clip":{"geometry":null}}}],"alerts":[)"
       R"({"t":1.0,"level":"warn","id":1,"bearing":0.1,"distance":0.4,"ttc":1.1,"confidence":0.9},)"
       R"({"t":1.1,"level":"stop","id":1,"bearing":-0.2094,"distance":0.24,"ttc":null,"confidence":0.93}],)"
       R"("guard":[{"x":1.0,"y":0.05,"signature":1},{"x":-0.25,"y":2.0,"signature":9}],)"
       R"("calibration":[{"t":0.9,"doubt":"rows","factor":1.31,)"
-      R"("says":"check the camera's pitch and height: things are 1.31 times nearer than it tells"}]})"
+      R"("says":"check the camera's pitch and height: things are 1.31 times nearer than it tells"}],"passes":[]})"
       "\n";
   EXPECT_EQ(to_json(small_document()), expected);
 }

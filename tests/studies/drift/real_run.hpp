@@ -23,9 +23,9 @@ const std::vector<RealRun>& real_runs();
 
 struct RealOptions {
   std::string profile = "full";
-  std::vector<std::pair<std::string, std::string>> settings;  ///< beside the defaults
-  bool rows = false;                                          ///< ranges also as ground rows
-  bool robots = false;                                        ///< the other robots, too, as one signature
+  std::vector<std::pair<std::string, std::string>> settings{{"correct.pose", "auto"}};  ///< beside the defaults
+  bool rows = false;                                                                    ///< ranges also as ground rows
+  bool robots = false;  ///< the other robots, too, as one signature
 };
 
 struct PathError {
