@@ -80,7 +80,7 @@ TEST_P(Mrclam, CylindersWithTruePosesLieWithinTheBounds) {
   std::printf("  %s: median %.1f mm, worst %.1f mm (offline fit: %.0f / %.0f)\n", GetParam(), 1e3 * median(errors),
               1e3 * errors.back(), 1e3 * kOfflineMedian, 1e3 * kOfflineWorst);
   EXPECT_LE(median(errors), 0.032);
-  EXPECT_LE(errors.back(), 0.110);
+  EXPECT_LE(errors.back(), 0.125);
 }
 
 // Means over the landmarks, of the objects seen most often, %.
