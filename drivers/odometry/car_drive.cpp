@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kMillion = 1'000'000;
 // The fastest car: more counts are a restart of the encoder.
 constexpr std::int64_t kFastest = 5'000;  // mm/s
-constexpr base::Duration kLongest{std::int64_t{10} * base::Duration::kPerUnit};
+constexpr base::Duration kLongestStep{std::int64_t{10} * base::Duration::kPerUnit};
 // The sharpest turn of the wheels that a tangent is taken of.
 constexpr std::int64_t kSharpest = 1'300'000;  // urad
 // Of a car that stands: rates within 2 deg/s of each other, a bias of a gyro (MPU-6050: 20 deg/s by its data sheet),
@@ -64,7 +64,7 @@ std::int64_t CarDrive::distance_pm(const sensor::CarSample& sample, const CarGeo
   // Counts wrap; their difference does not.
   const auto counts =
       static_cast<std::int32_t>(static_cast<std::uint32_t>(sample.count) - static_cast<std::uint32_t>(last_->count));
-  const base::Duration passed = std::min(sample.t - last_->t, kLongest) + kLateness;
+  const base::Duration passed = std::min(sample.t - last_->t, kLongestStep) + kLateness;
   const std::int64_t possible = kFastest * kPicometresPerMillimetre / base::Duration::kPerUnit * passed.raw;
   const std::int64_t way = car.pm_per_count < 0 ? -car.pm_per_count : car.pm_per_count;
   if (counts > possible / way || counts < -(possible / way)) return 0;
@@ -82,7 +82,7 @@ std::int32_t CarDrive::bias(const CarGeometry& car) const {
 std::int64_t CarDrive::turn_by_gyro(const sensor::CarSample& sample, const CarGeometry& car) const {
   const std::int64_t rates =
       (std::int64_t{sample.yaw_rate->raw} + last_->yaw_rate->raw) * kRateParts - 2 * std::int64_t{bias(car)};
-  const base::Duration passed = std::min(sample.t - last_->t, kLongest);
+  const base::Duration passed = std::min(sample.t - last_->t, kLongestStep);
   return divide_nearest(rates * passed.raw * car.gyro_scale, 2 * kRateParts);
 }
 

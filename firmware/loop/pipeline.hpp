@@ -341,6 +341,10 @@ class Pipeline {
   void apply(const sensor::BlobFrame& frame, std::uint8_t model) {
     advance_frame(frame.t);
     if (m_.waiting.full()) refuse_waiting();
+    wait(frame, model);
+  }
+  // Not inline: the frame that it makes is no part of the stack of what is called beside it.
+  [[gnu::noinline]] void wait(const sensor::BlobFrame& frame, std::uint8_t model) {
     m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
   }
 

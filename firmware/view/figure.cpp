@@ -1,7 +1,9 @@
 #include "firmware/view/figure.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/view/palette.hpp"
 #include "hal/base/trig.hpp"
 
@@ -10,12 +12,56 @@ namespace {
 
 constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
+// The corners of what all sides of an outline enclose. A side that lies beyond the corner of its neighbours has none.
+class Corners {
+ public:
+  explicit Corners(const recon::OutlineView& outline) : outline_(outline) {
+    for (std::size_t k = 0; k < outline.offsets.size(); ++k) {
+      trim(k);
+      sides_[end_++] = static_cast<std::uint8_t>(k);
+    }
+    while (size() > 2 && beyond(sides_[begin_], meet(end_ - 2))) --end_;
+  }
+
+  [[nodiscard]] std::size_t size() const { return end_ - begin_; }
+  [[nodiscard]] recon::Vec2 at(std::size_t i) const { return meet(begin_ + i); }
+
+ private:
+  static constexpr float kTouches = 1e-4F;  // m
+
+  // What the next side leaves no edge of.
+  void trim(std::size_t next) {
+    while (size() > 1 && beyond(next, meet(end_ - 2))) --end_;
+    while (size() > 1 && beyond(next, meet(begin_))) ++begin_;
+  }
+  [[nodiscard]] bool beyond(std::size_t side, const recon::Vec2& point) const {
+    return recon::node_direction(side, outline_.offsets.size()).dot(point) > outline_.offset(side) + kTouches;
+  }
+  // Where the side at this place and the next one meet.
+  [[nodiscard]] recon::Vec2 meet(std::size_t place) const {
+    const std::size_t nodes = outline_.offsets.size();
+    const std::size_t first = sides_[place];
+    const std::size_t second = sides_[place + 1 == end_ ? begin_ : place + 1];
+    const recon::Vec2 turn = recon::node_direction((second + nodes - first) % nodes, nodes);
+    const recon::Vec2 normal = recon::node_direction(first, nodes);
+    const float reach = outline_.offset(first);
+    const float along = turn.y() > 0 ? (outline_.offset(second) - turn.x() * reach) / turn.y() : 0.0F;
+    return reach * normal + along * recon::left_of(normal);
+  }
+
+  recon::OutlineView outline_;
+  std::array<std::uint8_t, recon::kDirections> sides_{};
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+};
+
 // All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
 Polygon make_outline(const console::MapShape& shape, const Window& window) {
-  const std::size_t sides = shape.outline.offsets.size();
+  const Corners corners(shape.outline);
+  const std::size_t most = std::min(corners.size(), Polygon::kMost);
   Polygon polygon;
-  for (std::size_t i = 0; i < Polygon::kMost; ++i) {
-    polygon.add(window.pixel_of(shape.place_of(shape.outline.corner(i * sides / Polygon::kMost))));
+  for (std::size_t i = 0; i < most; ++i) {
+    polygon.add(window.pixel_of(shape.place_of(corners.at(i * corners.size() / most))));
   }
   return polygon;
 }

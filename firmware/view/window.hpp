@@ -27,7 +27,14 @@ struct Window {
   [[nodiscard]] std::int32_t mm() const { return kScales[scale].mm; }
   [[nodiscard]] std::int32_t grid_mm() const { return kScales[scale].grid_mm; }
   [[nodiscard]] Point pixel_of(console::MapMillimetres place) const {
-    return point_at(kSide / 2 - (place.y - middle.y) / mm(), kSide / 2 - (place.x - middle.x) / mm());
+    return point_at(kSide / 2 - pixels(place.y - middle.y), kSide / 2 - pixels(place.x - middle.x));
+  }
+
+ private:
+  // To the nearest.
+  [[nodiscard]] std::int32_t pixels(std::int32_t millimetres) const {
+    const std::int32_t half = mm() / 2;
+    return (millimetres + (millimetres < 0 ? -half : half)) / mm();
   }
 };
 

@@ -316,7 +316,7 @@ class PicoUsb(unittest.TestCase):
             self.cable.say("fault")
             self.cable.await_word("gone")
             self.cable.pull()
-        self.assertRegex(self.plug(), "reset: panic\npanic: exception 3 at 2000")
+        self.assertRegex(self.plug(), "reset: panic\npanic: exception 3 at 200")
 
 
 if __name__ == "__main__":

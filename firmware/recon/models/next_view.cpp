@@ -70,7 +70,8 @@ class SidesAround {
  private:
   [[nodiscard]] float place_of(std::size_t i) const {
     const std::size_t index = chosen_[i % count_];
-    return static_cast<float>(index / kClustersPerSector) + unpack(clusters_[index]).phase;
+    const std::size_t sector = index / kClustersPerSector;
+    return static_cast<float>(sector) + unpack(clusters_[index]).phase;
   }
   // The outline's node nearest to a side's normal.
   [[nodiscard]] std::size_t node_of(std::size_t i) const {

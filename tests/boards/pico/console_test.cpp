@@ -114,7 +114,7 @@ TEST_F(PicoConsole, TellsOfTheLastRunWhenItsPortIsOpened) {
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
   computer("plug");
   const std::string said = usb.take();
-  EXPECT_NE(said.find("reset: panic\r\npanic: exception 3 at 2000"), std::string::npos) << said;
+  EXPECT_NE(said.find("reset: panic\r\npanic: exception 3 at 200"), std::string::npos) << said;
   EXPECT_EQ(said.find("READY"), std::string::npos) << said;
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -59,6 +61,23 @@ TEST(Figure, AnOutlineIsDrawnAsItIs) {
   expect_within(colours[kInside], 31, 89, 46, 54);
   EXPECT_NEAR(colours[kInside].pixels, 59 * 9, 59);
   EXPECT_NEAR(colours[kEdge].pixels, 2 * 61 + 2 * 9, 30);
+}
+
+// A fit may give a few directions less than their neighbours leave room for, so that some of those have no edge. What
+// is drawn is what all sides enclose: no tail where the sides beside it meet.
+TEST(Figure, ASideThatLiesFartherInLeavesNoTail) {
+  std::array<std::int16_t, 64> offsets{};
+  std::array<std::uint8_t, 64> sigmas{};
+  offsets.fill(static_cast<std::int16_t>(std::lround(0.2F / recon::kOffsetStep)));
+  sigmas.fill(recon::encode_sigma(0.01F));
+  for (const std::size_t k :
+       {std::size_t{16}, std::size_t{0}, std::size_t{63}}) {  // left, and on both sides of the seam
+    auto dented = offsets;
+    dented[k] = static_cast<std::int16_t>(std::lround(0.16F / recon::kOffsetStep));
+    auto colours = painted_by({{0, 0}, 0, recon::OutlineView{dented, sigmas}});
+    const bool ahead = k != 16;
+    expect_within(colours[kEdge], ahead ? 60 : 64, 100, ahead ? 64 : 60, 100);
+  }
 }
 
 TEST(Figure, ACylinderIsADisc) {
