@@ -42,7 +42,10 @@ class Replay {
     if (runner_) end_run();
     begin_run(header);
   }
-  void accept(const sensor::CameraIntrinsics& camera) { runner().take(camera); }
+  void accept(const sensor::CameraIntrinsics& camera) {
+    runner().take(camera);
+    camera_ = camera;
+  }
   void accept(const record::Signature& signature) {
     runner().take(signature);
     signatures_.push_back(signature);
@@ -121,6 +124,7 @@ class Replay {
     profile_ = profile;
     path_.clear();
     signatures_.clear();
+    camera_ = options_.camera;
     outcome_.result.alerts.clear();
     outcome_.result.calibration.clear();
     runner_->observe(options_.observer);
@@ -145,6 +149,7 @@ class Replay {
     result.path = path_;
     result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
     result.signatures = signatures_;
+    result.camera = camera_;
     const std::vector<std::string>& complaints = runner_->complaints();
     outcome_.complaints.insert(outcome_.complaints.end(), complaints.begin(), complaints.end());
     add_counters(runner_->counters());
@@ -230,6 +235,7 @@ class Replay {
   std::vector<PoseResult> path_;
   sensor::OdometrySample last_;  ///< of the path
   std::vector<record::Signature> signatures_;
+  std::optional<sensor::CameraIntrinsics> camera_;
   std::uint64_t frames_ = 0;
   std::uint64_t frames_taken_ = 0;
   std::uint64_t odometry_ = 0;

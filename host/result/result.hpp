@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/record/records.hpp"
+#include "hal/sensor/camera.hpp"
 #include "host/geometry/polygon.hpp"
 
 namespace fencepost::host {
@@ -108,8 +109,9 @@ struct ResultDocument {
   std::vector<GuardPoint> guard;                      ///< at the end: those that enough frames have seen to alert
   std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
   std::vector<PassResult> passes;                     ///< in order of time
-  std::vector<PoseResult> path;  ///< every odometry sample; drawn by the report, not part of the JSON
+  std::vector<PoseResult> path;                       ///< every odometry sample
   std::vector<record::Signature> signatures;
+  std::optional<sensor::CameraIntrinsics> camera{};  ///< in force at the end
 };
 
 }  // namespace fencepost::host

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "host/geometry/planar.hpp"
 #include "host/result/geojson.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/text.hpp"
@@ -41,6 +42,47 @@ Json pose_json(const std::optional<PoseResult>& pose) {
           {"heading", rounded(pose->heading, kLengthDecimals)}};
 }
 
+// Of a longer one every n-th point, and the last.
+Json path_json(const std::vector<PoseResult>& path) {
+  constexpr std::size_t kMost = 2'000;
+  const std::size_t step = path.size() <= kMost ? 1 : (path.size() - 2) / (kMost - 1) + 1;
+  Json json = Json::array();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i % step != 0 && i + 1 != path.size()) continue;
+    const PoseResult& pose = path[i];
+    json.push_back({rounded(pose.t, kRecordDecimals), rounded(pose.x, kRecordDecimals),
+                    rounded(pose.y, kRecordDecimals), rounded(pose.heading, kRecordDecimals)});
+  }
+  return json;
+}
+
+Json camera_json(const std::optional<sensor::CameraIntrinsics>& camera) {
+  if (!camera) return nullptr;
+  const sensor::CameraMount& mount = camera->mount;
+  const auto number = [](const auto& quantity) { return rounded(quantity.to_double(), kRecordDecimals); };
+  Json json = {{"model", camera->model.view()}, {"width", camera->width},   {"height", camera->height},
+               {"fx", number(camera->fx)},      {"fy", number(camera->fy)}, {"cx", number(camera->cx)},
+               {"cy", number(camera->cy)},      {"k1", number(camera->k1)}};
+  if (camera->lens != sensor::Lens::kPinhole) json["lens"] = sensor::name(camera->lens);
+  json["mount"] = {{"x", number(mount.x)},
+                   {"y", number(mount.y)},
+                   {"z", number(mount.z)},
+                   {"yaw", number(mount.yaw)},
+                   {"pitch", mount.pitch ? number(*mount.pitch) : Json(nullptr)}};
+  json["latency"] = number(camera->latency);
+  return json;
+}
+
+std::string rgb_text(const sensor::Rgb& rgb) { return fmt::format("{:02x}{:02x}{:02x}", rgb.red, rgb.green, rgb.blue); }
+
+Json signatures_json(const std::vector<record::Signature>& signatures) {
+  Json json = Json::array();
+  for (const record::Signature& signature : signatures) {
+    json.push_back({{"id", signature.signature}, {"name", signature.name.view()}, {"rgb", rgb_text(signature.rgb)}});
+  }
+  return json;
+}
+
 Json model_json(const ModelResult& model) {
   Json json = Json::object();
   Json geometry = to_geojson(model.geometry);
@@ -51,6 +93,7 @@ Json model_json(const ModelResult& model) {
     json["y"] = known ? rounded(model.circle->center.y, kLengthDecimals) : Json(nullptr);
     json["radius"] = known ? rounded(model.circle->radius, kLengthDecimals) : Json(nullptr);
   }
+  json["area"] = geometry.is_null() ? Json(nullptr) : rounded(area(model.geometry), kLengthDecimals);
   json["geometry"] = std::move(geometry);
   if (!model.open.empty()) json["open"] = lines_to_geojson(model.open);
   return json;
@@ -77,11 +120,14 @@ Json pass_json(const PassResult& pass) {
             {"distance", rounded(pass.known_distance, kRecordDecimals)}}}};
 }
 
-Json object_json(const ObjectResult& object) {
+Json object_json(const ResultDocument& document, const ObjectResult& object) {
+  const record::Signature* const signature = find_signature(document, object.signature);
   Json models = Json::object();
   for (const ModelResult& model : object.models) models[model.name] = model_json(model);
   return {{"id", object.id},
           {"signature", object.signature},
+          {"name", signature != nullptr ? Json(signature->name.view()) : Json(nullptr)},
+          {"rgb", signature != nullptr ? Json(rgb_text(signature->rgb)) : Json(nullptr)},
           {"state", record::name(object.state)},
           {"views", object.views},
           {"z_min", rounded(object.z_min, kLengthDecimals)},
@@ -125,18 +171,26 @@ Json doubt_json(const record::CalibrationDoubt& doubt) {
 
 std::string to_json(const ResultDocument& document) {
   Json objects = Json::array();
-  for (const ObjectResult& object : document.objects) objects.push_back(object_json(object));
+  for (const ObjectResult& object : document.objects) objects.push_back(object_json(document, object));
   Json alerts = Json::array();
   for (const record::AlertReport& alert : document.alerts) alerts.push_back(alert_json(alert));
   Json calibration = Json::array();
   for (const record::CalibrationDoubt& doubt : document.calibration) calibration.push_back(doubt_json(doubt));
   Json passes = Json::array();
   for (const PassResult& pass : document.passes) passes.push_back(pass_json(pass));
-  const Json json = {
-      {"format", kFormat},           {"log", log_json(document.log)},       {"digest", digest_text(document.digest)},
-      {"profile", document.profile}, {"pose", pose_json(document.pose)},    {"objects", std::move(objects)},
-      {"alerts", std::move(alerts)}, {"guard", guard_json(document.guard)}, {"calibration", std::move(calibration)},
-      {"passes", std::move(passes)}};
+  const Json json = {{"format", kFormat},
+                     {"log", log_json(document.log)},
+                     {"digest", digest_text(document.digest)},
+                     {"profile", document.profile},
+                     {"camera", camera_json(document.camera)},
+                     {"signatures", signatures_json(document.signatures)},
+                     {"pose", pose_json(document.pose)},
+                     {"path", path_json(document.path)},
+                     {"objects", std::move(objects)},
+                     {"alerts", std::move(alerts)},
+                     {"guard", guard_json(document.guard)},
+                     {"calibration", std::move(calibration)},
+                     {"passes", std::move(passes)}};
   // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -19,6 +19,20 @@ inline ModelResult silent_model(const char* name) {
   return model;
 }
 
+inline sensor::CameraIntrinsics pixy2() {
+  sensor::CameraIntrinsics camera;
+  camera.model = "pixy2";
+  camera.width = 316;
+  camera.height = 208;
+  camera.fx = camera.fy = base::Pixels2::nearest(273.6);
+  camera.cx = base::Pixels2::nearest(157.5);
+  camera.cy = base::Pixels2::nearest(103.5);
+  camera.mount.x = base::Metres::nearest(0.05);
+  camera.mount.z = base::Metres::nearest(0.12);
+  camera.latency = base::Duration::nearest(0.05);
+  return camera;
+}
+
 /// Object 1: red, confirmed, three models of known area. Object 2: a signature the log does not name, nothing known.
 inline ResultDocument small_document() {
   ResultDocument d;
@@ -33,6 +47,7 @@ inline ResultDocument small_document() {
   d.pose = PoseResult{1.2, 0.5, -0.25, 0.125};
   d.path = {{0, 0, 0, 0}, {0.6, 0.25, -0.1, -0.2}, {1.2, 0.5, -0.25, 0.125}};
   d.signatures = {{1, {0xd0, 0x20, 0x20}, "red"}};
+  d.camera = pixy2();
 
   ObjectResult red{1, 1, record::ObjectState::kConfirmed, 75, 0.0, 0.2, 0.97, {}};
   ModelResult cylinder = square_model("cylinder", 1.0, 0.0, 0.1);

@@ -1,0 +1,372 @@
+"""Reads Fencepost's record stream: logs, gzipped logs, and a robot's console while it runs. Standard library only.
+
+    import fencepost
+    log = fencepost.read("run.log")
+    [(alert.t, alert.level, alert.distance) for alert in log.alerts]
+
+Each record is a named tuple whose fields are those of stream.md: metres, radians, seconds, pixels. Empty fields are None.
+In a notebook, pandas.DataFrame(log.odometry) is a table. A live robot:
+
+    for record in fencepost.records(serial.Serial("/dev/ttyACM0", 115200)): ...
+"""
+import collections
+import gzip
+import json
+import typing
+
+__all__ = ["Alert", "Blob", "CalibrationDoubt", "Camera", "Car", "Digest", "Frame", "Header", "Heartbeat", "Link", "Log",
+           "Object", "Odometry", "Position", "Reader", "Sectors", "Setting", "Signature", "Status", "crc", "read",
+           "records", "result"]
+
+LONGEST = 1024  # characters of a line, its end included
+FORMAT = 1
+
+
+class Header(typing.NamedTuple):
+    """FPHDR: a run starts."""
+    format: int
+    product: str
+    version: str
+    target: str
+    profile: str
+
+
+class Camera(typing.NamedTuple):
+    """FPCAM: the calibration in force from here on; px, m, rad, s."""
+    model: str
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    k1: float
+    mount_x: float
+    mount_y: float
+    mount_z: float
+    mount_yaw: float
+    mount_pitch: typing.Optional[float]
+    latency: float
+    lens: str = "pinhole"
+
+
+class Signature(typing.NamedTuple):
+    """FPSIG: a colour that the camera was taught."""
+    signature: int
+    rgb: str
+    name: str
+
+
+class Odometry(typing.NamedTuple):
+    """FPODO: the robot's pose by odometry."""
+    t: typing.Optional[float]
+    x: float
+    y: float
+    heading: float
+
+
+class Car(typing.NamedTuple):
+    """FPCAR: what the wheels of a car tell."""
+    t: typing.Optional[float]
+    count: int
+    steering: typing.Optional[float]
+    yaw_rate: typing.Optional[float]
+
+
+class Blob(typing.NamedTuple):
+    """One box of a frame: both ends belong to it."""
+    signature: int
+    x1: int
+    y1: int
+    x2: int
+    y2: int
+    cx: float
+    cy: float
+    pixels: int
+    rgb: typing.Optional[str]
+
+
+class Frame(typing.NamedTuple):
+    """FPFRM: what the camera saw; t is when its first byte arrived."""
+    t: float
+    frame: int
+    blobs: typing.Tuple[Blob, ...]
+
+
+class Position(typing.NamedTuple):
+    """FPPOS: the pose after correction by landmarks."""
+    t: float
+    x: float
+    y: float
+    heading: float
+    sigma_xy: float
+    sigma_heading: float
+
+
+class Object(typing.NamedTuple):
+    """FPOBJ: the estimate of one object, map frame; bearing and distance from the robot."""
+    t: float
+    id: int
+    signature: int
+    views: int
+    x: float
+    y: float
+    radius: float
+    z_min: float
+    z_max: float
+    bearing: float
+    distance: float
+    confidence: float
+    state: str
+
+
+class Alert(typing.NamedTuple):
+    """FPALR: clear, notice, warn, stop or blind. Of a blind robot no number is known."""
+    t: float
+    level: str
+    id: int
+    signature: int
+    bearing: typing.Optional[float]
+    distance: typing.Optional[float]
+    ttc: typing.Optional[float]
+    confidence: typing.Optional[float]
+
+
+class Heartbeat(typing.NamedTuple):
+    """FPALV: the robot is at work; the highest level in force."""
+    t: float
+    level: str
+    camera: str
+    odometry: str
+
+
+class CalibrationDoubt(typing.NamedTuple):
+    """FPCAL: what the robot thinks of its camera."""
+    t: float
+    doubt: str
+    factor: float
+
+
+class Digest(typing.NamedTuple):
+    """FPDIG: the digest of the state after a frame."""
+    frame: int
+    digest: str
+
+
+class Link(typing.NamedTuple):
+    """FPLNK: a device's link changed."""
+    t: float
+    device: str
+    state: str
+    detail: str
+
+
+class Status(typing.NamedTuple):
+    """FPSTA: counters since boot."""
+    t: float
+    frames: int
+    blobs: int
+    blobs_dropped: int
+    odometry: int
+    rejected: int
+    refused: int
+    records_dropped: int
+    objects: int
+    loop_us_max: int
+
+
+class Setting(typing.NamedTuple):
+    """FPCFG: a setting in force or changed."""
+    key: str
+    value: str
+
+
+class Sectors(typing.NamedTuple):
+    """FPSEC: nearest distance in equal sectors, the first straight ahead, counter-clockwise; None: unknown."""
+    t: float
+    distances: typing.Tuple[typing.Optional[float], ...]
+
+
+KINDS = {"HDR": Header, "CAM": Camera, "SIG": Signature, "ODO": Odometry, "CAR": Car, "FRM": Frame, "POS": Position,
+         "OBJ": Object, "ALR": Alert, "ALV": Heartbeat, "CAL": CalibrationDoubt, "DIG": Digest, "LNK": Link,
+         "STA": Status, "CFG": Setting, "SEC": Sectors}
+
+
+class _Bad(Exception):
+    """Its argument is the reason, as `log.rejected` counts it."""
+
+
+def crc(text):
+    """CRC-16/CCITT-FALSE of what stands between `$` and `*`, as it is written."""
+    value = 0xFFFF
+    for byte in text.encode("latin-1"):
+        value ^= byte << 8
+        for _ in range(8):
+            value = (value << 1 ^ 0x1021 if value & 0x8000 else value << 1) & 0xFFFF
+    return "%04X" % value
+
+
+def _integer(field):
+    if not field.lstrip("-").isdecimal() or not field.isascii() or field.startswith("--"):
+        raise _Bad("number")
+    return int(field)
+
+
+def _float(field):
+    whole, point, more = field.partition(".")
+    if point and not (more.isdecimal() and more.isascii()):
+        raise _Bad("number")
+    _integer(whole)
+    return float(field)
+
+
+def _text(field):
+    parts = field.split("%")
+    try:
+        return parts[0] + "".join(chr(int(part[:2], 16)) + part[2:] if len(part) > 1 else _raise() for part in parts[1:])
+    except ValueError:
+        raise _Bad("number") from None
+
+
+def _raise():
+    raise _Bad("number")
+
+
+def _optional(read):
+    return lambda field: None if field == "" else read(field)
+
+
+_READ = {int: _integer, float: _float, str: _text, typing.Optional[float]: _optional(_float),
+         typing.Optional[str]: _optional(_text)}
+
+
+def _fields(kind, fields):
+    """The named tuple of these fields; those with a default may be missing."""
+    types = list(typing.get_type_hints(kind).values())
+    if not len(types) - len(kind._field_defaults) <= len(fields) <= len(types):
+        raise _Bad("fields")
+    return kind(*(_READ[of](field) for of, field in zip(types, fields)))
+
+
+def _frame(fields):
+    if len(fields) < 3 or len(fields) != 3 + len(Blob._fields) * _integer(fields[2]):
+        raise _Bad("fields")
+    each = [fields[at:at + len(Blob._fields)] for at in range(3, len(fields), len(Blob._fields))]
+    return Frame(_float(fields[0]), _integer(fields[1]), tuple(_fields(Blob, blob) for blob in each))
+
+
+def _sectors(fields):
+    if len(fields) < 2 or len(fields) != 2 + _integer(fields[1]):
+        raise _Bad("fields")
+    return Sectors(_float(fields[0]), tuple(_READ[typing.Optional[float]](field) for field in fields[2:]))
+
+
+def _record(line):
+    """The record of a line that starts with $FP, without its end."""
+    body, star, check = line[1:].partition("*")
+    if not star or check != crc(body):
+        raise _Bad("crc")
+    kind = KINDS.get(body[2:5]) if body[5:6] in ("", ",") else None
+    if kind is None:
+        raise _Bad("kind")
+    fields = body.split(",")[1:]
+    if kind is Header and fields and fields[0] != str(FORMAT):
+        raise _Bad("format")
+    if kind is Frame:
+        return _frame(fields)
+    return _sectors(fields) if kind is Sectors else _fields(kind, fields)
+
+
+class Reader:
+    """Records out of bytes as they come. Lines that are not of the stream are counted in `foreign`, bad ones by reason
+    in `rejected`; neither ends the reading. Of the rules of a log (order of times, boxes inside the image) it knows
+    nothing: `fencepost replay` does."""
+
+    def __init__(self):
+        self.rejected = collections.Counter()
+        self.foreign = 0
+        self._rest = b""
+
+    def feed(self, data):
+        """The records that these bytes complete."""
+        lines = (self._rest + data).split(b"\n")
+        self._rest = lines.pop()[:LONGEST + 1]
+        for line in lines:
+            record = self._take(line + b"\n")
+            if record is not None:
+                yield record
+
+    def finish(self):
+        """There is no more: a last line without its end is not used."""
+        if self._rest.startswith(b"$FP"):
+            self.rejected["truncated"] += 1
+        elif self._rest:
+            self.foreign += 1
+        self._rest = b""
+
+    def _take(self, line):
+        if not line.startswith(b"$FP"):
+            self.foreign += 1
+            return None
+        try:
+            if len(line) > LONGEST:
+                raise _Bad("length")
+            return _record(line.rstrip(b"\n").removesuffix(b"\r").decode("latin-1"))
+        except _Bad as bad:
+            self.rejected[str(bad)] += 1
+            return None
+
+
+class Log:
+    """All records of a log in order, and by kind: header, camera and signatures are those in force at its end."""
+
+    def __init__(self, all_records, reader):
+        self.records = all_records
+        self.rejected = dict(reader.rejected)
+        self.foreign = reader.foreign
+        by_kind = collections.defaultdict(list)
+        for record in all_records:
+            by_kind[type(record)].append(record)
+        self.headers = by_kind[Header]
+        self.header = by_kind[Header][-1] if by_kind[Header] else None
+        self.camera = by_kind[Camera][-1] if by_kind[Camera] else None
+        self.signatures = {entry.signature: entry for entry in by_kind[Signature]}
+        self.settings = {setting.key: setting.value for setting in by_kind[Setting]}
+        self.odometry, self.car, self.frames = by_kind[Odometry], by_kind[Car], by_kind[Frame]
+        self.positions, self.objects, self.alerts = by_kind[Position], by_kind[Object], by_kind[Alert]
+        self.heartbeats, self.links, self.status = by_kind[Heartbeat], by_kind[Link], by_kind[Status]
+        self.digests, self.doubts, self.sectors = by_kind[Digest], by_kind[CalibrationDoubt], by_kind[Sectors]
+
+    def name(self, signature):
+        """What the colour is called; `sig 7` where the log has no name."""
+        return self.signatures[signature].name if signature in self.signatures else "sig %d" % signature
+
+    def __repr__(self):
+        return "<fencepost.Log: %d records, %d frames, %d alerts>" % (len(self.records), len(self.frames),
+                                                                     len(self.alerts))
+
+
+def records(stream, reader=None):
+    """The records of a binary stream as they come: an open file, a serial port, a socket's makefile("rb")."""
+    reader = reader or Reader()
+    for piece in iter(lambda: stream.readline(4 * LONGEST), b""):
+        yield from reader.feed(piece)
+    reader.finish()
+
+
+def read(path):
+    """A whole log, gzipped or not."""
+    with open(path, "rb") as file:
+        zipped = file.read(2) == b"\x1f\x8b"
+    reader = Reader()
+    with (gzip.open if zipped else open)(path, "rb") as file:
+        return Log(list(records(file, reader)), reader)
+
+
+def result(path):
+    """The document that `fencepost replay --json` writes."""
+    with open(path, encoding="utf-8") as file:
+        document = json.load(file)
+    if document.get("format") != FORMAT:
+        raise ValueError("%s: not a result of format %d: write it with fencepost replay --json LOG" % (path, FORMAT))
+    return document
