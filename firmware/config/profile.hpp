@@ -21,6 +21,7 @@ struct Micro {
   static constexpr base::Duration kModelInterval = base::milliseconds(30);  ///< between two such frames, at least
   static constexpr std::size_t kSignatures = 4;
   static constexpr std::size_t kFronts = 64;         ///< points of the guard, 8 bytes each
+  static constexpr bool kSeesFloor = false;          ///< which floor was seen empty, 1 KB: no `sectors` without it
   static constexpr std::size_t kTracks = 4;          ///< things that may move by themselves, 32 bytes each
   static constexpr std::size_t kPoses = 24;          ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
@@ -45,6 +46,7 @@ struct Small {
   static constexpr base::Duration kModelInterval = base::milliseconds(30);
   static constexpr std::size_t kSignatures = 8;
   static constexpr std::size_t kFronts = 64;
+  static constexpr bool kSeesFloor = true;
   static constexpr std::size_t kTracks = 8;
   static constexpr std::size_t kPoses = 64;
   static constexpr std::size_t kOutputBytes = 4096;
@@ -70,6 +72,7 @@ struct Full {
   static constexpr base::Duration kModelInterval{0};
   static constexpr std::size_t kSignatures = 32;
   static constexpr std::size_t kFronts = 64;
+  static constexpr bool kSeesFloor = true;
   static constexpr std::size_t kTracks = 8;
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kOutputBytes = 16384;

@@ -20,6 +20,7 @@ enum class Verb : std::uint8_t {
   kObjects,
   kMap,
   kNext,
+  kSectors,
   kAlerts,
   kMode,
   kSet,
@@ -30,7 +31,7 @@ enum class Verb : std::uint8_t {
   kStop,
   kVersion,
 };
-inline constexpr std::size_t kVerbs = 14;
+inline constexpr std::size_t kVerbs = 15;
 
 struct VerbInfo {
   std::string_view name;
@@ -47,6 +48,7 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"objects", "", 0, 0, "the objects, the letters are those of the map"},
     {"map", "", 0, 0, "the map from above"},
     {"next", "[ID]", 0, 1, "from where an object would be learnt most"},
+    {"sectors", "", 0, 0, "distances all around as a record, $FPSEC"},
     {"alerts", "on|off", 1, 1, "say alerts (modes text and log)"},
     {"mode", "text|log|plot|quiet", 1, 1, "sentences, records, numbers to plot, only answers"},
     {"set", "KEY VALUE", 2, 3, "change a setting"},

@@ -28,6 +28,7 @@ enum class Reply : std::uint8_t {
   kObjects,
   kMap,
   kNext,  ///< subject: slot + 1 of the object that was asked for; 0: all
+  kSectors,
   kAllSettings,
   kOneSetting,  ///< subject: Key
   kSettingIs,   ///< subject: Key

@@ -12,6 +12,7 @@
 #include "firmware/console/listings.hpp"
 #include "firmware/console/map_listing.hpp"
 #include "firmware/loop/memory.hpp"
+#include "firmware/record/encode.hpp"
 
 namespace fencepost::loop {
 
@@ -35,6 +36,7 @@ class Answers {
       case Reply::kObjects: return write_objects(links, out);
       case Reply::kMap: return write_map(links, out);
       case Reply::kNext: return write_next(links, out);
+      case Reply::kSectors: return write_sectors(links, out);
       default:
         return console::write_answer(answer,
                                      {m_.console.mode, m_.console.alerts, m_.run.whole, in_force(), m_.run.header,
@@ -59,6 +61,14 @@ class Answers {
   }
 
  private:
+  std::size_t write_sectors(const console::Links& links, std::span<char> out) {
+    if constexpr (Profile::kSeesFloor) {
+      if (m_.poses.empty()) return console::write_none("sectors", status_facts(links), out);
+      return record::encode(sectors_of(m_), out);
+    } else {
+      return console::Sentence(out).put("sectors: this board has no room for them").end();
+    }
+  }
   std::size_t write_map(const console::Links& links, std::span<char> out) {
     if (m_.poses.empty()) return console::write_none("map", status_facts(links), out);
     const console::MapContents<Profile> map{m_.map.slots(), m_.signatures.view()};

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "drivers/odometry/car_drive.hpp"
 #include "firmware/alert/camera_doubt.hpp"
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/looming.hpp"
+#include "firmware/alert/sectors.hpp"
 #include "firmware/alert/sight.hpp"
 #include "firmware/config/devices.hpp"
 #include "firmware/config/profile.hpp"
@@ -19,6 +21,7 @@
 #include "firmware/loop/journal.hpp"
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
+#include "firmware/recon/guard/seen_floor.hpp"
 #include "firmware/recon/map.hpp"
 #include "firmware/recon/models/next_view.hpp"
 #include "firmware/record/records.hpp"
@@ -61,10 +64,14 @@ struct Run {
   bool testing = false;           ///< the inputs are those of the self-test
 };
 
+/// In the place of what a profile has no room for.
+struct NoFloor {};
+
 template <class Profile>
 struct Memory {
   Run run;
   recon::Map<Profile> map;
+  [[no_unique_address]] std::conditional_t<Profile::kSeesFloor, recon::guard::SeenFloor, NoFloor> floor;
   recon::FrameQueue waiting;
   recon::PoseHistory<Profile::kPoses> poses;
   odometry::CarDrive car;
@@ -111,6 +118,28 @@ template <class Profile>
   const recon::Vec2 robot = memory.poses.empty() ? recon::Vec2{-recon::kFarthestView, 0}
                                                  : recon::offset_from(origin, robot_pose(memory).position);
   return recon::next_view(object.hybrid().outline(), object.hybrid().clusters, robot, others.view(), clearance);
+}
+
+/// What `sectors` answers, and a planner takes for a lidar's ranges. Needs odometry.
+template <class Profile>
+requires(Profile::kSeesFloor) [[gnu::noinline]] record::SectorReport sectors_of(const Memory<Profile>& memory) {
+  const recon::MapPose odometry = memory.poses.latest();
+  const config::Settings& settings = memory.settings;
+  const float body = 0.5F * settings.number(config::Key::kRobotWidth) + settings.number(config::Key::kRobotMargin);
+  alert::Sectors sectors(memory.floor, odometry,
+                         recon::nearest_whole(recon::kMillimetresPerMetre * body, alert::kLongestRange));
+  sectors.add(memory.map.guard().fronts(), memory.map.guard().origin());
+  const alert::RobotPlace robot(memory.map.corrected(odometry));
+  for (const recon::Object<Profile>& object : memory.map.slots()) sectors.add(object, robot);
+  record::SectorReport report;
+  report.t = memory.run.time.value_or(base::Time{});
+  static_assert(alert::kSectors == record::SectorReport::kMost);
+  for (std::size_t k = 0; k < alert::kSectors; ++k) {
+    record::SectorReport::Sector sector;
+    if (const auto range = sectors.range(k)) sector.distance = base::Metres{*range * (base::Metres::kPerUnit / 1000)};
+    static_cast<void>(report.sectors.push_back(sector));
+  }
+  return report;
 }
 
 template <class Profile>

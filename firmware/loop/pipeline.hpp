@@ -42,6 +42,7 @@ class Pipeline {
   void restart() {
     finish();
     m_.map.clear();
+    forget_floor();
     m_.poses.clear();
     m_.car = {};
     m_.looming.clear();
@@ -66,7 +67,10 @@ class Pipeline {
       calibration.current = spare_model();
       while (waits_with(calibration.current)) refuse_waiting();
     }
-    if (calibration.known) m_.map.recalibrated();
+    if (calibration.known) {
+      m_.map.recalibrated();
+      forget_floor();
+    }
     m_.looming.clear();
     if (m_.camera_doubt.forget(m_.run.time.value_or(base::Time{}))) reporter_.camera_doubt();
     calibration.known = true;
@@ -387,8 +391,13 @@ class Pipeline {
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
     m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction);
     if (m_.run.testing) return;
+    if constexpr (Profile::kSeesFloor) m_.floor.look(frame, camera, pose);
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
+  }
+
+  void forget_floor() {
+    if constexpr (Profile::kSeesFloor) m_.floor.clear();
   }
 
   // The camera's edges are as sharp as the setting says, else as cameras of so many columns are.

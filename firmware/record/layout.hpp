@@ -190,6 +190,17 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.loop_us_max, kCount);
 }
 
+template <class Fields, Is<SectorReport::Sector> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number_or_empty(r.distance, kDistance);
+}
+
+template <class Fields, Is<SectorReport> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number(r.t.raw, kTime);
+  fields.list(r.sectors, 1);
+}
+
 template <class Fields, Is<Setting> Record>
 void walk(Fields& fields, Record& r) {
   fields.text(r.key);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "hal/base/fixed.hpp"
 #include "hal/base/units.hpp"
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
@@ -33,6 +34,7 @@ enum class Kind : std::uint8_t {
   kHeartbeat,
   kCalibrationDoubt,
   kCar,
+  kSectors,
 };
 
 /// FPHDR: starts a run; all state resets.
@@ -194,6 +196,19 @@ struct StatusReport {
   std::uint32_t objects = 0;
   std::uint32_t loop_us_max = 0;
   friend constexpr bool operator==(const StatusReport&, const StatusReport&) = default;
+};
+
+/// FPSEC: nearest distance from the robot's origin in equal sectors, the first centred straight ahead,
+/// counter-clockwise. On request.
+struct SectorReport {
+  static constexpr std::size_t kMost = 36;
+  struct Sector {
+    std::optional<base::Metres> distance;  ///< empty: not known
+    friend constexpr bool operator==(const Sector&, const Sector&) = default;
+  };
+  base::Time t;
+  base::FixedVector<Sector, kMost> sectors;
+  friend constexpr bool operator==(const SectorReport&, const SectorReport&) = default;
 };
 
 /// FPCFG: a setting in force or changed.

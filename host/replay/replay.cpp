@@ -145,6 +145,7 @@ class Replay {
     result.profile = profile_;
     result.objects = runner_->objects();
     result.guard = runner_->guard();
+    result.sectors = runner_->sectors();
     result.passes = runner_->passes();
     result.path = path_;
     result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));

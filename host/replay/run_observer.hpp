@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/record/records.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {
@@ -24,6 +26,8 @@ struct PlacedFrame {
   std::span<const PlacedSighting> sightings;
   /// The object with that id as it is now, with all models; it must be one of the sightings.
   std::function<ObjectResult(std::uint32_t id)> describe;
+  /// What `sectors` would answer now; nothing of a profile that has none.
+  std::function<std::optional<record::SectorReport>()> sectors;
 };
 
 /// Called by a replay, in order. Observing does not change the result.

@@ -117,6 +117,13 @@ class ProfileRunner final : public Runner {
     return points;
   }
 
+  [[nodiscard]] std::optional<record::SectorReport> sectors() const override {
+    if constexpr (Profile::kSeesFloor) {
+      if (!memory_->poses.empty()) return loop::sectors_of(*memory_);
+    }
+    return std::nullopt;
+  }
+
  private:
   void step(base::Time now) {
     loop_.step(now);
@@ -180,10 +187,12 @@ class ProfileRunner final : public Runner {
       if (!slots[o].used() || !memory_->map.seen_now(o)) continue;
       sightings.push_back({slots[o].id, slots[o].views, memory_->map.blob_of(o)});
     }
-    observer_->frame_placed({frame, sightings, [&](std::uint32_t id) {
+    observer_->frame_placed({frame, sightings,
+                             [&](std::uint32_t id) {
                                return describe_object(*std::find_if(
                                    slots.begin(), slots.end(), [&](const auto& object) { return object.id == id; }));
-                             }});
+                             },
+                             [this] { return sectors(); }});
   }
 
   [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {

@@ -160,6 +160,15 @@ Json guard_json(const std::vector<GuardPoint>& points) {
   return guard;
 }
 
+Json sectors_json(const std::optional<record::SectorReport>& report) {
+  if (!report) return nullptr;
+  Json distances = Json::array();
+  for (const record::SectorReport::Sector& sector : report->sectors) {
+    distances.push_back(sector.distance ? rounded(sector.distance->to_double(), kRecordDecimals) : Json(nullptr));
+  }
+  return {{"t", rounded(report->t.to_double(), kRecordDecimals)}, {"distances", std::move(distances)}};
+}
+
 Json doubt_json(const record::CalibrationDoubt& doubt) {
   return {{"t", rounded(doubt.t.to_double(), kRecordDecimals)},
           {"doubt", record::name(doubt.doubt)},
@@ -189,6 +198,7 @@ std::string to_json(const ResultDocument& document) {
                      {"objects", std::move(objects)},
                      {"alerts", std::move(alerts)},
                      {"guard", guard_json(document.guard)},
+                     {"sectors", sectors_json(document.sectors)},
                      {"calibration", std::move(calibration)},
                      {"passes", std::move(passes)}};
   // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.

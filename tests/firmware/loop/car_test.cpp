@@ -63,5 +63,31 @@ TEST(NextCommand, AnswersForEachObjectOrOne) {
   EXPECT_NE(desk.type("next red\n").find("error: 'red' is no object"), std::string::npos);
 }
 
+struct SectorSink {
+  record::SectorReport report;
+  void accept(const record::SectorReport& told) { report = told; }
+  template <class Record>
+  void accept(const Record& /*record*/) {}
+};
+
+TEST(SectorsCommand, AnswersWithARecord) {
+  EXPECT_NE(Desk<config::Small>().type("sectors\n").find("no sectors: "), std::string::npos);
+  Desk<config::Small> desk(Mode::kQuiet, desk_approach(60));
+  desk.turn(1'300);
+  desk.link.take_said();
+  const std::string said = desk.type("sectors\n");
+  ASSERT_EQ(said.rfind("$FPSEC,", 0), 0U) << said;
+  SectorSink sink;
+  ASSERT_TRUE(record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok()) << said;
+  ASSERT_EQ(sink.report.sectors.size(), alert::kSectors);
+  EXPECT_TRUE(sink.report.sectors[0].distance) << "it drives ahead and looks there";
+  EXPECT_FALSE(sink.report.sectors[18].distance) << "and has never looked behind";
+
+  Desk<> micro(Mode::kQuiet, desk_approach(60));
+  micro.turn(1'300);
+  micro.link.take_said();
+  EXPECT_NE(micro.type("sectors\n").find("no room"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace fencepost::test

@@ -39,6 +39,16 @@ sensor::BlobFrame two_blobs() {
   return frame;
 }
 
+SectorReport sectors() {
+  SectorReport report{{131'000}, {}};
+  for (const int raw : {5'000, -1, -1, 12'500}) {
+    SectorReport::Sector sector;
+    if (raw >= 0) sector.distance = base::Metres{raw};
+    EXPECT_TRUE(report.sectors.push_back(sector));
+  }
+  return report;
+}
+
 std::vector<Golden> golden_lines() {
   return {
       {"$FPHDR,1,fencepost,0.1.0,host,full*34A0", Header{1, "fencepost", "0.1.0", "host", "full"}},
@@ -52,6 +62,7 @@ std::vector<Golden> golden_lines() {
       {"$FPFRM,12.3800,618,0*6329", sensor::BlobFrame{{123'800}, 618, {}}},
       {"$FPALR,12.3800,warn,3,1,0.2094,0.2400,1.1000,0.93*417C",
        AlertReport{{123'800}, AlertLevel::kWarn, 3, 1, {2'094}, {2'400}, base::Duration{11'000}, {93}}},
+      {"$FPSEC,13.1000,4,0.5000,,,1.2500*6F4B", sectors()},
       {"$FPCAL,12.3800,rows,1.31*C903", CalibrationDoubt{{123'800}, Doubt::kRows, {131}}},
   };
 }

@@ -77,6 +77,7 @@ class RandomRecords {
                          static_cast<sensor::LinkState>(below(5))};
       case Kind::kCalibrationDoubt: return CalibrationDoubt{time(), static_cast<Doubt>(below(3)), {i32(1, 10'000)}};
       case Kind::kCar: return car();
+      case Kind::kSectors: return sectors();
     }
     return Header{};
   }
@@ -124,6 +125,16 @@ class RandomRecords {
       if (!frame.blobs.push_back(blob(most, most, least))) break;
     }
     return frame;
+  }
+
+  SectorReport sectors() {
+    SectorReport report{time(), {}};
+    for (std::size_t i = below(SectorReport::kMost + 1); i > 0; --i) {
+      SectorReport::Sector sector;
+      if (chance(2)) sector.distance = base::Metres{i32(0, 30'000'000)};
+      if (!report.sectors.push_back(sector)) break;
+    }
+    return report;
   }
 
   ObjectReport object() {

@@ -77,6 +77,14 @@ inline ResultDocument small_document() {
                            base::Ratio2::nearest(0.93)};
   d.alerts = {warn, stop};
   d.guard = {{1.0, 0.05, 1}, {-0.25, 2.0, 9}};
+  record::SectorReport sectors;
+  sectors.t = Time::nearest(1.2);
+  for (const double distance : {0.5, -1.0, 1.5}) {
+    record::SectorReport::Sector sector;
+    if (distance > 0) sector.distance = base::Metres::nearest(distance);
+    static_cast<void>(sectors.sectors.push_back(sector));
+  }
+  d.sectors = sectors;
   d.calibration = {{Time::nearest(0.9), record::Doubt::kRows, base::Ratio2::nearest(1.31)}};
   return d;
 }

@@ -1,0 +1,149 @@
+#include "firmware/alert/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/base/trig.hpp"
+
+namespace fencepost::alert {
+namespace {
+
+using recon::Vec2;
+
+constexpr std::int32_t kStep = recon::guard::kFloorCell;
+constexpr std::int32_t kUnitsPerMm = recon::kMapUnitsPerMetre / 1000;
+// mm before a thing where its foot hides the floor, and around the robot's body, that need not have been seen.
+constexpr std::int32_t kHidden = 200;
+constexpr std::int32_t kBesideBody = 100;
+// m. Half of what is between two points of a front, and some of their noise.
+constexpr float kFrontRadius = 0.05F;
+// m, and how many, of a side of an outline.
+constexpr float kPiece = 0.1F;
+constexpr int kMostPieces = 31;
+// sigmas by which what is known badly is nearer.
+constexpr float kNearer = 2.0F;
+
+float metres(std::int32_t millimetres) { return 0.001F * static_cast<float>(millimetres); }
+
+std::int16_t whole(float range) {
+  return static_cast<std::int16_t>(std::clamp(1000.0F * range, 0.0F, static_cast<float>(INT16_MAX)));
+}
+
+// The sector in which a place is. An eighth of a turn ends at the border of a sector.
+std::size_t sector_of(const Vec2& place) {
+  constexpr float kBorders[] = {0.0874887F, 0.267949F, 0.466308F, 0.700208F};  // tan 5, 15, 25, 35 degrees
+  constexpr std::size_t kQuarter = kSectors / 4;
+  const float along = std::fabs(place.x());
+  const float aside = std::fabs(place.y());
+  const float more = std::max(along, aside);
+  const float less = std::min(along, aside);
+  std::size_t in_eighth = 0;
+  for (const float border : kBorders) in_eighth += less > border * more ? 1U : 0U;
+  const std::size_t in_quarter = aside > along ? kQuarter - in_eighth : in_eighth;
+  const std::size_t in_half = place.x() < 0 ? 2 * kQuarter - in_quarter : in_quarter;
+  return place.y() < 0 ? (kSectors - in_half) % kSectors : in_half;
+}
+
+}  // namespace
+
+Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odometry, std::int32_t body) {
+  near_.fill(static_cast<std::int16_t>(kNothing));
+  const std::int32_t x = odometry.position.x / kUnitsPerMm;
+  const std::int32_t y = odometry.position.y / kUnitsPerMm;
+  // Along the middle of each sector and both its borders.
+  constexpr std::size_t kRays = 2 * kSectors;
+  const base::SinCos first = base::sincos_urad(odometry.heading);
+  const base::SinCos step = base::sincos_urad(3'141'593 / static_cast<std::int64_t>(kSectors));
+  Vec2 direction{first.cos, first.sin};
+  std::array<std::int16_t, kRays> reach{};
+  for (std::int16_t& ray : reach) {
+    const std::int32_t along_x = recon::nearest_whole(recon::kSlopeOne * direction.x());
+    const std::int32_t along_y = recon::nearest_whole(recon::kSlopeOne * direction.y());
+    for (std::int32_t range = body + kBesideBody; range <= kLongestRange; range += kStep) {
+      if (!floor.seen(x + recon::times(range, along_x), y + recon::times(range, along_y))) break;
+      ray = static_cast<std::int16_t>(range);
+    }
+    direction = recon::rotated({step.cos, step.sin}, direction);
+  }
+  for (std::size_t k = 0; k < kSectors; ++k) {
+    free_[k] = std::min({reach[(2 * k + kRays - 1) % kRays], reach[2 * k], reach[2 * k + 1]});
+  }
+  position_ = odometry.position;
+  heading_ = {first.cos, first.sin};
+}
+
+// From one place counter-clockwise to the other, less than half a turn.
+void Sectors::put(const Vec2& right, const Vec2& left, float range) {
+  const std::int16_t kept = whole(range);
+  const std::size_t last = sector_of(left);
+  for (std::size_t k = sector_of(right);; k = (k + 1) % kSectors) {
+    near_[k] = std::min(near_[k], kept);
+    if (k == last) return;
+  }
+}
+
+// Robot frame; its nearest point counts, and `nearer`, in all sectors that it reaches into.
+void Sectors::put_disc(const Vec2& center, float radius, float nearer) {
+  const float distance = center.norm();
+  if (distance <= radius) return near_.fill(0);
+  // Where the rays that touch it do so, or a little wider.
+  const float share = radius / distance;
+  const Vec2 middle = (1.0F - share * share) * center;
+  const Vec2 aside = share * recon::left_of(center);
+  put(middle - aside, middle + aside, distance - radius - nearer);
+}
+
+void Sectors::add(std::span<const recon::guard::Front> fronts, recon::MapPoint origin) {
+  const Vec2 from = recon::offset_from(position_, origin);
+  const Vec2 back{heading_.x(), -heading_.y()};
+  for (const recon::guard::Front& front : fronts) {
+    put_disc(recon::rotated(back, from + Vec2{metres(front.x), metres(front.y)}), kFrontRadius, 0);
+  }
+}
+
+void Sectors::add_cylinder(const recon::ObjectCore& object, const RobotPlace& robot) {
+  const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+  if (!cylinder.ok()) return;
+  const Vec2 back{robot.heading.x(), -robot.heading.y()};
+  const Vec2 center = recon::offset_from(robot.position, object.origin) + cylinder.center;
+  put_disc(recon::rotated(back, center), cylinder.radius, kNearer * cylinder.outline_sigma());
+}
+
+// Each of its sides by the nearer end; long ones in pieces.
+void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
+  const Vec2 from = recon::offset_from(robot.position, outline.origin);
+  const Vec2 back{robot.heading.x(), -robot.heading.y()};
+  const float nearer = kNearer * outline.view.mean_sigma();
+  const std::size_t sides = outline.view.offsets.size();
+  const Vec2 first = recon::rotated(back, from + outline.view.corner(sides - 1));
+  Vec2 before = first;
+  float distance = before.norm();
+  bool inside = true;
+  for (std::size_t k = 0; k < sides; ++k) {
+    const Vec2 corner = recon::rotated(back, from + outline.view.corner(k));
+    const Vec2 side = corner - before;
+    inside = inside && recon::cross(before, side) > 0;
+    const float length = std::fabs(side.x()) + std::fabs(side.y());
+    const int pieces = 1 + std::min(kMostPieces, static_cast<int>(length / kPiece));
+    const Vec2 step = side / static_cast<float>(pieces);
+    for (int i = 1; i <= pieces; ++i) {
+      const Vec2 after = i == pieces ? corner : Vec2(before + step);
+      const float then = after.norm();
+      const float range = std::min(distance, then) - nearer;
+      recon::cross(before, after) > 0 ? put(before, after, range) : put(after, before, range);
+      before = after;
+      distance = then;
+    }
+  }
+  if (inside) near_.fill(0);
+}
+
+std::optional<std::int32_t> Sectors::range(std::size_t sector) const {
+  const std::int32_t free = free_[sector];
+  const std::int32_t near = near_[sector];
+  if (near <= kLongestRange && (free == 0 || near <= free + kHidden)) return near;
+  if (free == 0) return std::nullopt;
+  return free;
+}
+
+}  // namespace fencepost::alert

@@ -1,0 +1,165 @@
+#include "firmware/recon/guard/seen_floor.hpp"
+
+#include <algorithm>
+
+#include "firmware/recon/floor_frame.hpp"
+#include "hal/base/fixed.hpp"
+
+namespace fencepost::recon::guard {
+namespace {
+
+constexpr std::int32_t kUnitsPerMm = kMapUnitsPerMetre / 1000;
+// Of a cell whose middle is so far from a border, all of it is inside: half of its diagonal.
+constexpr std::int32_t kCellMargin = kFloorCell * 3 / 4;
+
+// What one blob hides: all that is farther than its foot.
+struct Shade {
+  std::int32_t depth = 0;
+  std::int32_t left = 0;  // slopes
+  std::int32_t right = 0;
+};
+using Shades = base::FixedVector<Shade, sensor::kMaxBlobs>;
+
+Shades shades_of(const WaitingFrame& frame, const FloorCamera& floor) {
+  Shades shades;
+  for (const WaitingBlob& blob : frame.blobs) {
+    const auto [left, right] = floor.at(2 * blob.box.x1 - 1, 2 * blob.box.x2 + 1, 2 * blob.box.y2 + 1);
+    const std::int32_t depth = std::min(left.depth, right.depth);
+    if (depth > kFloorReach + 2 * kFloorCell) continue;
+    static_cast<void>(shades.push_back({depth, left.slope, right.slope}));
+  }
+  return shades;
+}
+
+// The part of the floor that an image shows.
+class View {
+ public:
+  View(const WaitingFrame& frame, const CameraModel& camera) : shades_(shades_of(frame, camera.floor)) {
+    const FloorCamera& floor = camera.floor;
+    left_ = floor.leftmost_visible();
+    right_ = floor.rightmost_visible();
+    // The ray of the lowest row is so high above the floor at a share of its way: as the rest of the lens's height.
+    const auto height = nearest_whole(kMillimetresPerMetre * camera.height);
+    nearest_ = floor.nearest_visible();
+    if (height > 0) nearest_ -= nearest_ * std::min(kLeastHeight, height) / height;
+  }
+
+  [[nodiscard]] bool shows(const FloorPlace& place) const {
+    if (place.depth < nearest_ || place.depth > kFloorReach) return false;
+    if (place.left > times(place.depth, left_) - kCellMargin) return false;
+    if (place.left < times(place.depth, right_) + kCellMargin) return false;
+    return std::none_of(shades_.begin(), shades_.end(), [&](const Shade& shade) {
+      return place.depth > shade.depth - kCellMargin && place.left < times(place.depth, shade.left) + kCellMargin &&
+             place.left > times(place.depth, shade.right) - kCellMargin;
+    });
+  }
+  [[nodiscard]] std::int32_t left() const { return left_; }
+  [[nodiscard]] std::int32_t right() const { return right_; }
+
+ private:
+  Shades shades_;
+  std::int32_t nearest_ = 0;
+  std::int32_t left_ = 0;
+  std::int32_t right_ = 0;
+};
+
+// Cells, both ends included.
+struct Range {
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+  void include(std::int32_t millimetres) {
+    low = std::min(low, millimetres >> kFloorCellLog2);
+    high = std::max(high, millimetres >> kFloorCellLog2);
+  }
+  void keep_within(std::int32_t first, std::int32_t count) {
+    low = std::max(low, first);
+    high = std::min(high, first + count - 1);
+  }
+};
+
+constexpr std::uint64_t bit_of(std::int32_t cell) {
+  return std::uint64_t{1} << (static_cast<std::uint32_t>(cell) % 64U);
+}
+constexpr std::size_t row_of(std::int32_t cell) { return static_cast<std::uint32_t>(cell) % 64U; }
+
+}  // namespace
+
+void SeenFloor::age(base::Time t) {
+  if (has_looked_ && began_at_.since(t) < kFloorRemembered) return;
+  before_ = now_;
+  now_.fill(0);
+  if (!has_looked_ || began_at_.since(t) >= kFloorRemembered + kFloorRemembered) before_.fill(0);
+  began_at_ = base::Stamp(t);
+}
+
+// The robot stays in the middle; what enters at an edge was not seen.
+void SeenFloor::follow(std::int32_t x, std::int32_t y) {
+  const std::int32_t first_x = (x >> kFloorCellLog2) - kCells / 2;
+  const std::int32_t first_y = (y >> kFloorCellLog2) - kCells / 2;
+  const std::int32_t steps_x = std::clamp(first_x - first_x_, -kCells, kCells);
+  const std::int32_t steps_y = std::clamp(first_y - first_y_, -kCells, kCells);
+  std::uint64_t kept = ~std::uint64_t{0};
+  for (std::int32_t i = 0; i < std::abs(steps_x); ++i) {
+    kept &= ~bit_of(steps_x > 0 ? first_x + kCells - 1 - i : first_x + i);
+  }
+  for (std::int32_t i = 0; i < std::abs(steps_y); ++i) {
+    const std::size_t row = row_of(steps_y > 0 ? first_y + kCells - 1 - i : first_y + i);
+    now_[row] = before_[row] = 0;
+  }
+  if (steps_x != 0) {
+    for (std::uint64_t& row : now_) row &= kept;
+    for (std::uint64_t& row : before_) row &= kept;
+  }
+  first_x_ = first_x;
+  first_y_ = first_y;
+}
+
+void SeenFloor::look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& robot) {
+  const base::Time t = frame.t - camera.latency;
+  if (!camera.floor.usable() || frame.blobs.full()) return;
+  if (has_looked_ && looked_at_.since(t) < kFloorInterval) return;
+  age(t);
+  has_looked_ = true;
+  looked_at_ = base::Stamp(t);
+  const LensPose pose = lens_pose(robot, camera);
+  FloorFrame lens;
+  const std::int32_t robot_x = pose.anchor.x / kUnitsPerMm;
+  const std::int32_t robot_y = pose.anchor.y / kUnitsPerMm;
+  follow(robot_x, robot_y);
+  lens.x = robot_x + nearest_whole(kMillimetresPerMetre * pose.lens.x(), 4000);
+  lens.y = robot_y + nearest_whole(kMillimetresPerMetre * pose.lens.y(), 4000);
+  lens.axis_x = nearest_whole(static_cast<float>(kSlopeOne) * pose.axis.x());
+  lens.axis_y = nearest_whole(static_cast<float>(kSlopeOne) * pose.axis.y());
+
+  const View view(frame, camera);
+  // The box around the lens and the two farthest places.
+  Range xs{lens.x >> kFloorCellLog2, lens.x >> kFloorCellLog2};
+  Range ys{lens.y >> kFloorCellLog2, lens.y >> kFloorCellLog2};
+  for (const std::int32_t slope : {view.left(), view.right()}) {
+    const std::int32_t left = times(kFloorReach, slope);
+    xs.include(lens.x + times(kFloorReach, lens.axis_x) - times(left, lens.axis_y));
+    ys.include(lens.y + times(kFloorReach, lens.axis_y) + times(left, lens.axis_x));
+  }
+  xs.keep_within(first_x_, kCells);
+  ys.keep_within(first_y_, kCells);
+  for (std::int32_t y = ys.low; y <= ys.high; ++y) {
+    std::uint64_t shown = 0;
+    for (std::int32_t x = xs.low; x <= xs.high; ++x) {
+      const FloorPlace place = lens.see(x * kFloorCell + kFloorCell / 2, y * kFloorCell + kFloorCell / 2);
+      if (view.shows(place)) shown |= bit_of(x);
+    }
+    now_[row_of(y)] |= shown;
+  }
+}
+
+bool SeenFloor::holds(std::int32_t x, std::int32_t y) const {
+  return x >= first_x_ && x < first_x_ + kCells && y >= first_y_ && y < first_y_ + kCells;
+}
+
+bool SeenFloor::seen(std::int32_t x, std::int32_t y) const {
+  const std::int32_t column = x >> kFloorCellLog2;
+  const std::int32_t row = y >> kFloorCellLog2;
+  return has_looked_ && holds(column, row) && ((now_[row_of(row)] | before_[row_of(row)]) & bit_of(column)) != 0;
+}
+
+}  // namespace fencepost::recon::guard

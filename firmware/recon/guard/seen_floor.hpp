@@ -1,0 +1,60 @@
+// Which floor around the robot was seen empty lately: a grid of bits that goes with the robot, in the frame of odometry
+// alone. What was never seen, or not for some seconds, is unknown and not free.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/recon/observe/frame_queue.hpp"
+#include "firmware/recon/observe/sighting.hpp"
+#include "hal/base/stamp.hpp"
+
+namespace fencepost::recon::guard {
+
+/// mm, the side of a cell. A power of two.
+inline constexpr int kFloorCellLog2 = 6;
+inline constexpr std::int32_t kFloorCell = 1 << kFloorCellLog2;
+/// mm along the optical axis: floor that is farther is not looked at, as the guard's points.
+inline constexpr std::int32_t kFloorReach = 1500;
+/// A frame is looked at so often, at most.
+inline constexpr base::Duration kFloorInterval = base::milliseconds(100);
+/// What was seen is known for so long at least, and for no more than twice that: what moves may have come since.
+inline constexpr base::Duration kFloorRemembered = base::milliseconds(5000);
+/// mm. What stands on the floor is at least so high: nearer than the lowest row sees its foot, it would be in the
+/// image.
+inline constexpr std::int32_t kLeastHeight = 60;
+
+class SeenFloor {
+ public:
+  /// Nothing was seen: a new run, or another calibration.
+  void clear() { has_looked_ = false; }
+
+  /// Floor that this frame shows empty: inside its columns, and nearer than the foot of what is in front of it.
+  /// `robot`: at the exposure, by odometry. Nothing without the camera's pitch and height, or if the camera may have
+  /// more blobs than it tells.
+  void look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& robot);
+
+  /// mm, odometry's frame.
+  [[nodiscard]] bool seen(std::int32_t x, std::int32_t y) const;
+
+ private:
+  static constexpr std::int32_t kCells = 64;  ///< to a side: 4 m
+  using Rows = std::array<std::uint64_t, kCells>;
+
+  void age(base::Time t);
+  void follow(std::int32_t x, std::int32_t y);
+  [[nodiscard]] bool holds(std::int32_t x, std::int32_t y) const;
+
+  Rows now_{};
+  Rows before_{};
+  std::int32_t first_x_ = 0;  ///< the lowest cell of the grid
+  std::int32_t first_y_ = 0;
+  base::Stamp looked_at_;
+  base::Stamp began_at_;  ///< with now_
+  bool has_looked_ = false;
+};
+
+static_assert(sizeof(SeenFloor) <= 1056);
+
+}  // namespace fencepost::recon::guard

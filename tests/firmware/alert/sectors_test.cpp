@@ -1,0 +1,167 @@
+#include "firmware/alert/sectors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "firmware/config/profile.hpp"
+#include "tests/firmware/alert/box_outline.hpp"
+#include "tests/firmware/alert/known_object.hpp"
+#include "tests/firmware/level_pixy2.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using alert::kSectors;
+using alert::Sectors;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+recon::MapPose pose_at(double x, double y, double heading) {
+  constexpr double kUnits = recon::kMapUnitsPerMetre;
+  return {{static_cast<std::int32_t>(std::lround(x * kUnits)), static_cast<std::int32_t>(std::lround(y * kUnits))},
+          static_cast<std::int32_t>(std::lround(1e6 * heading))};
+}
+
+// A robot that has looked at empty floor in these directions.
+recon::guard::SeenFloor floor_seen(const recon::MapPose& robot, std::initializer_list<double> degrees) {
+  recon::guard::SeenFloor floor;
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2());
+  double t = 1;
+  for (const double turned : degrees) {
+    recon::MapPose pose = robot;
+    pose.heading += static_cast<std::int32_t>(std::lround(1e6 * turned * kDegree));
+    floor.look(recon::make_waiting({base::Time::nearest(t), 1, {}}, 0), camera, pose);
+    t += 0.2;
+  }
+  return floor;
+}
+
+recon::guard::Front front_at(double x, double y) {
+  recon::guard::Front front;
+  front.x = static_cast<std::int16_t>(std::lround(1000 * x));
+  front.y = static_cast<std::int16_t>(std::lround(1000 * y));
+  front.frames = 0xFF;
+  return front;
+}
+
+const recon::MapPose kHome = pose_at(0, 0, 0);
+
+TEST(Sectors, WhatWasNotSeenIsUnknown) {
+  const Sectors sectors({}, kHome, 150);
+  for (std::size_t k = 0; k < kSectors; ++k) EXPECT_FALSE(sectors.range(k)) << k;
+}
+
+// 60 degrees are in view: the sectors at -20 to 20, from side to side.
+TEST(Sectors, EmptyFloorIsAsFarAsItWasSeen) {
+  for (const double heading : {0.0, 90.0, -135.0, 1000.0}) {
+    const recon::MapPose robot = pose_at(12.3, -4.5, heading * kDegree);
+    const Sectors sectors(floor_seen(robot, {0, 0, 0}), robot, 150);
+    EXPECT_GT(sectors.range(0).value_or(0), 1300) << heading;
+    for (std::size_t k = 4; k < 33; ++k) EXPECT_FALSE(sectors.range(k)) << k << " at " << heading;
+  }
+}
+
+TEST(Sectors, ALookAroundKnowsAllOfThem) {
+  const Sectors sectors(floor_seen(kHome, {0, 40, 80, 120, 160, 200, 240, 280, 320}), kHome, 250);
+  for (std::size_t k = 0; k < kSectors; ++k) EXPECT_GT(sectors.range(k).value_or(0), 1200) << k;
+}
+
+// Each degree all around, each in one frame and at some distance: the sector is the one that holds it.
+TEST(Sectors, APointIsInItsSector) {
+  for (int degree = -179; degree <= 180; ++degree) {
+    if (std::abs(degree) % 10 == 5) continue;  // on a border it is in both
+    for (const double heading : {0.0, 137.0}) {
+      const recon::MapPose robot = pose_at(1, 2, heading * kDegree);
+      Sectors sectors({}, robot, 150);
+      const double angle = (degree + heading) * kDegree;
+      const recon::guard::Front front = front_at(1.2 * std::cos(angle), 1.2 * std::sin(angle));
+      sectors.add({&front, 1}, robot.position);
+      const auto sector = static_cast<std::size_t>(std::floor((degree + 365) / 10.0)) % kSectors;
+      ASSERT_TRUE(sectors.range(sector)) << degree;
+      EXPECT_NEAR(*sectors.range(sector), 1150, 3) << degree << ": 5 cm before a point between two others";
+      EXPECT_FALSE(sectors.range((sector + 2) % kSectors)) << degree;
+      EXPECT_FALSE(sectors.range((sector + kSectors - 2) % kSectors)) << degree;
+    }
+  }
+}
+
+TEST(Sectors, ARangeEndsBeforeFloorThatWasNotSeen) {
+  // It looked from one metre back: floor from 0.5 to 1.5 m ahead of where it was.
+  const recon::guard::SeenFloor floor = floor_seen(pose_at(-1, 0, 0), {0});
+  Sectors sectors(floor, kHome, 150);
+  ASSERT_TRUE(sectors.range(0));
+  EXPECT_GT(*sectors.range(0), 300);
+  EXPECT_LE(*sectors.range(0), 564) << "and a cell";
+  const recon::guard::Front far = front_at(1.2, 0);
+  sectors.add({&far, 1}, {});
+  EXPECT_LE(*sectors.range(0), 564) << "something may stand before it";
+  const recon::guard::Front near = front_at(0.6, 0);
+  sectors.add({&near, 1}, {});
+  EXPECT_NEAR(*sectors.range(0), 550, 3) << "its foot hides the floor before it";
+}
+
+TEST(Sectors, AThingIsKnownWhereTheFloorIsNot) {
+  Sectors sectors({}, kHome, 150);
+  const recon::guard::Front behind = front_at(-0.5, 0);
+  sectors.add({&behind, 1}, {});
+  EXPECT_NEAR(sectors.range(18).value_or(0), 450, 3);
+}
+
+TEST(Sectors, ACylinderReachesOverSectors) {
+  recon::Object<config::Small> object;
+  static_cast<recon::ObjectCore&>(object) = known_object(0, 1.0, 0.3);  // to the left: 17.5 degrees to each side
+  Sectors sectors({}, kHome, 150);
+  sectors.add(object, alert::RobotPlace(kHome));
+  for (const std::size_t k : {8U, 9U, 10U}) {
+    EXPECT_LE(sectors.range(k).value_or(9999), 700) << k;
+    EXPECT_GT(sectors.range(k).value_or(0), 600) << k;
+  }
+  EXPECT_FALSE(sectors.range(6));
+  EXPECT_FALSE(sectors.range(12));
+  object.id = 0;
+  Sectors none({}, kHome, 150);
+  none.add(object, alert::RobotPlace(kHome));
+  EXPECT_FALSE(none.range(9));
+}
+
+// A wall 2 m long, 0.5 m to the right of the robot and along its way: nearest beside it, farther ahead.
+TEST(Sectors, AnOutlineHasARangeForEachSector) {
+  recon::Object<config::Small> object;
+  static_cast<recon::ObjectCore&>(object) = known_object(0, -0.55, 0.1);
+  object.hybrid().refusal = recon::HybridRefusal::kNone;
+  object.hybrid().known_well = true;
+  object.hybrid().origin = {0, -55'000};
+  const BoxOutline box(2.0F, 0.1F, 0.005F);
+  std::ranges::copy(box.view().offsets, object.hybrid().offsets.begin());
+  std::ranges::copy(box.view().sigmas, object.hybrid().sigmas.begin());
+  for (const double heading : {0.0, 73.0}) {
+    // The same place, the robot turned on: sectors move by whole ones only at multiples of ten degrees.
+    const recon::MapPose robot = pose_at(0, 0, heading * kDegree);
+    Sectors sectors({}, robot, 150);
+    sectors.add(object, alert::RobotPlace(robot));
+    for (int degree = -150; degree <= -30; ++degree) {
+      const double at = (degree - heading);
+      const auto sector = static_cast<std::size_t>(std::floor((at + 725) / 10.0)) % kSectors;
+      const double exact = 500 / std::sin(-degree * kDegree);
+      if (exact > 1000) continue;
+      ASSERT_TRUE(sectors.range(sector)) << degree;
+      EXPECT_LE(*sectors.range(sector), exact + 1) << degree;
+      EXPECT_GE(*sectors.range(sector), 0.6 * exact) << degree;
+    }
+    const auto beside = static_cast<std::size_t>(std::floor((-90 - heading + 725) / 10.0)) % kSectors;
+    EXPECT_NEAR(*sectors.range(beside), 490, 12);
+  }
+}
+
+TEST(Sectors, InsideAThingAllRangesAreZero) {
+  recon::Object<config::Small> object;
+  static_cast<recon::ObjectCore&>(object) = known_object(0.1, 0, 0.3);
+  Sectors sectors({}, kHome, 150);
+  sectors.add(object, alert::RobotPlace(kHome));
+  for (std::size_t k = 0; k < kSectors; ++k) EXPECT_EQ(sectors.range(k), 0) << k;
+}
+
+}  // namespace
+}  // namespace fencepost::test
