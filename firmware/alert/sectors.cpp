@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hybrid/sector_store.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::alert {
@@ -10,11 +11,16 @@ namespace {
 
 using recon::Vec2;
 
-constexpr std::int32_t kStep = recon::guard::kFloorCell;
+// mm: no cell on a ray's way is passed over by more than its corner.
+constexpr std::int32_t kStep = recon::guard::kFloorCell * 3 / 2;
 constexpr std::int32_t kUnitsPerMm = recon::kMapUnitsPerMetre / 1000;
 // mm before a thing where its foot hides the floor, and around the robot's body, that need not have been seen.
 constexpr std::int32_t kHidden = 200;
 constexpr std::int32_t kBesideBody = 100;
+// m. What reaches no farther from its middle has one range: that of its nearest point.
+constexpr float kSmall = 0.25F;
+// m. What is farther tells nothing, by its nearest point.
+constexpr float kFarthest = 0.001F * static_cast<float>(kLongestRange) + kSmall;
 // m. Half of what is between two points of a front, and some of their noise.
 constexpr float kFrontRadius = 0.05F;
 // m, and how many, of a side of an outline.
@@ -57,12 +63,9 @@ Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odo
   Vec2 direction{first.cos, first.sin};
   std::array<std::int16_t, kRays> reach{};
   for (std::int16_t& ray : reach) {
-    const std::int32_t along_x = recon::nearest_whole(recon::kSlopeOne * direction.x());
-    const std::int32_t along_y = recon::nearest_whole(recon::kSlopeOne * direction.y());
-    for (std::int32_t range = body + kBesideBody; range <= kLongestRange; range += kStep) {
-      if (!floor.seen(x + recon::times(range, along_x), y + recon::times(range, along_y))) break;
-      ray = static_cast<std::int16_t>(range);
-    }
+    const recon::FloorFrame along{x, y, static_cast<std::int32_t>(recon::kSlopeOne * direction.x()),
+                                  static_cast<std::int32_t>(recon::kSlopeOne * direction.y())};
+    ray = static_cast<std::int16_t>(floor.seen_along(along, body + kBesideBody, kStep));
     direction = recon::rotated({step.cos, step.sin}, direction);
   }
   for (std::size_t k = 0; k < kSectors; ++k) {
@@ -82,22 +85,27 @@ void Sectors::put(const Vec2& right, const Vec2& left, float range) {
   }
 }
 
-// Robot frame; its nearest point counts, and `nearer`, in all sectors that it reaches into.
-void Sectors::put_disc(const Vec2& center, float radius, float nearer) {
-  const float distance = center.norm();
-  if (distance <= radius) return near_.fill(0);
-  // Where the rays that touch it do so, or a little wider.
-  const float share = radius / distance;
-  const Vec2 middle = (1.0F - share * share) * center;
-  const Vec2 aside = share * recon::left_of(center);
-  put(middle - aside, middle + aside, distance - radius - nearer);
+// All that is within `radius` of a place, robot frame.
+void Sectors::put_around(const Vec2& center, float radius, float range) {
+  const float square = center.squaredNorm();
+  if (square <= radius * radius) return near_.fill(0);
+  // Where the rays that touch the circle do so, or a little wider.
+  const Vec2 middle = (1.0F - radius * radius / square) * center;
+  const Vec2 aside = radius / std::sqrt(square) * recon::left_of(center);
+  put(middle - aside, middle + aside, range);
 }
 
 void Sectors::add(std::span<const recon::guard::Front> fronts, recon::MapPoint origin) {
   const Vec2 from = recon::offset_from(position_, origin);
   const Vec2 back{heading_.x(), -heading_.y()};
   for (const recon::guard::Front& front : fronts) {
-    put_disc(recon::rotated(back, from + Vec2{metres(front.x), metres(front.y)}), kFrontRadius, 0);
+    const Vec2 place = recon::rotated(back, from + Vec2{metres(front.x), metres(front.y)});
+    const float square = place.squaredNorm();
+    if (square > kFarthest * kFarthest) continue;
+    const float distance = std::sqrt(square);
+    if (distance <= kFrontRadius) return near_.fill(0);
+    const Vec2 aside = kFrontRadius / distance * recon::left_of(place);
+    put(place - aside, place + aside, distance - kFrontRadius);
   }
 }
 
@@ -106,21 +114,35 @@ void Sectors::add_cylinder(const recon::ObjectCore& object, const RobotPlace& ro
   if (!cylinder.ok()) return;
   const Vec2 back{robot.heading.x(), -robot.heading.y()};
   const Vec2 center = recon::offset_from(robot.position, object.origin) + cylinder.center;
-  put_disc(recon::rotated(back, center), cylinder.radius, kNearer * cylinder.outline_sigma());
+  const float distance = center.norm() - cylinder.radius;
+  put_around(recon::rotated(back, center), cylinder.radius, distance - kNearer * cylinder.outline_sigma());
+}
+
+void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
+  const Vec2 center = recon::offset_from(robot.position, outline.origin);
+  std::int16_t most = 0;
+  for (const std::int16_t offset : outline.view.offsets) most = std::max(most, offset);
+  const float reach = recon::kOffsetStep * static_cast<float>(most);
+  const float nearer = kNearer * outline.view.mean_sigma();
+  if (center.squaredNorm() > kFarthest * kFarthest && reach < kSmall) return;
+  const Vec2 back{robot.heading.x(), -robot.heading.y()};
+  if (reach > kSmall) return add_sides(outline.view, recon::rotated(back, center), back, nearer);
+  // No part of it is nearer than the line that touches it there.
+  const float distance = center.norm();
+  const std::size_t sides = outline.view.offsets.size();
+  const recon::SectorPlace place = recon::place_of(Vec2(-center / std::max(distance, 1e-3F)), sides);
+  const float toward = std::max(outline.view.offset(place.sector), outline.view.offset((place.sector + 1) % sides));
+  put_around(recon::rotated(back, center), reach, distance - toward - nearer);
 }
 
 // Each of its sides by the nearer end; long ones in pieces.
-void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
-  const Vec2 from = recon::offset_from(robot.position, outline.origin);
-  const Vec2 back{robot.heading.x(), -robot.heading.y()};
-  const float nearer = kNearer * outline.view.mean_sigma();
-  const std::size_t sides = outline.view.offsets.size();
-  const Vec2 first = recon::rotated(back, from + outline.view.corner(sides - 1));
-  Vec2 before = first;
+void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, const Vec2& back, float nearer) {
+  const std::size_t sides = outline.offsets.size();
+  Vec2 before = center + recon::rotated(back, outline.corner(sides - 1));
   float distance = before.norm();
   bool inside = true;
   for (std::size_t k = 0; k < sides; ++k) {
-    const Vec2 corner = recon::rotated(back, from + outline.view.corner(k));
+    const Vec2 corner = center + recon::rotated(back, outline.corner(k));
     const Vec2 side = corner - before;
     inside = inside && recon::cross(before, side) > 0;
     const float length = std::fabs(side.x()) + std::fabs(side.y());

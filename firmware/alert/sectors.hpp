@@ -46,7 +46,8 @@ class Sectors {
   void add_cylinder(const recon::ObjectCore& object, const RobotPlace& robot);
   void add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot);
   void put(const recon::Vec2& right, const recon::Vec2& left, float range);
-  void put_disc(const recon::Vec2& center, float radius, float nearer);
+  void put_around(const recon::Vec2& center, float radius, float range);
+  void add_sides(const recon::OutlineView& outline, const recon::Vec2& center, const recon::Vec2& back, float nearer);
 
   std::array<std::int16_t, kSectors> free_{};  ///< how far the floor was seen empty; 0: not at all
   std::array<std::int16_t, kSectors> near_{};  ///< the nearest thing

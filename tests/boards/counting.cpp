@@ -41,6 +41,12 @@ Stages stages_of_a_loop(const Stages& more) {
   return stages;
 }
 
+Stages with_sectors(Stages more) {
+  more.emplace_back("floor", "SeenFloor::look(");
+  more.emplace_back("sectors", "::sectors_of<");
+  return more;
+}
+
 std::vector<std::string> counting_arguments(const std::string& elf, const Stages& stages, const std::string& out) {
   const std::string symbols = output_of("arm-none-eabi-nm " + elf);
   std::istringstream code(output_of("arm-none-eabi-objdump -d -C --no-show-raw-insn " + elf));
@@ -160,6 +166,7 @@ void expect_ready_to_count(Bench& bench, const SceneStream& stream, PoseCorrecte
 void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t objects) {
   const std::string number = std::to_string(objects);
   bench.play(stream);
+  EXPECT_TRUE(bench.obey("sectors", "\r\n")) << bench.said();
   EXPECT_TRUE(bench.obey("status", "objects " + number + " of " + number)) << bench.said();
 }
 

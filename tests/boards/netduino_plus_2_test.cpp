@@ -14,8 +14,9 @@ namespace {
 // that is 240,000 instructions at 1.4 cycles each. Most of it updates models and outlines of the objects whose turn it
 // is. 600 frames are shown.
 void count_eight_objects(PoseCorrected corrected) {
-  const FullTable table{
-      "netduino_plus_2", {{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}, eight_boxes(12), 8, 590};
+  const FullTable table{"netduino_plus_2",
+                        with_sectors({{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}),
+                        eight_boxes(12), 8, 590};
   expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return netduino_plus_2(arguments); });
 }
 

@@ -1,9 +1,10 @@
 #include "firmware/recon/guard/seen_floor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
 #include "firmware/recon/floor_frame.hpp"
-#include "hal/base/fixed.hpp"
 
 namespace fencepost::recon::guard {
 namespace {
@@ -12,55 +13,54 @@ constexpr std::int32_t kUnitsPerMm = kMapUnitsPerMetre / 1000;
 // Of a cell whose middle is so far from a border, all of it is inside: half of its diagonal.
 constexpr std::int32_t kCellMargin = kFloorCell * 3 / 4;
 
-// What one blob hides: all that is farther than its foot.
-struct Shade {
-  std::int32_t depth = 0;
-  std::int32_t left = 0;  // slopes
-  std::int32_t right = 0;
-};
-using Shades = base::FixedVector<Shade, sensor::kMaxBlobs>;
-
-Shades shades_of(const WaitingFrame& frame, const FloorCamera& floor) {
-  Shades shades;
-  for (const WaitingBlob& blob : frame.blobs) {
-    const auto [left, right] = floor.at(2 * blob.box.x1 - 1, 2 * blob.box.x2 + 1, 2 * blob.box.y2 + 1);
-    const std::int32_t depth = std::min(left.depth, right.depth);
-    if (depth > kFloorReach + 2 * kFloorCell) continue;
-    static_cast<void>(shades.push_back({depth, left.slope, right.slope}));
-  }
-  return shades;
-}
-
-// The part of the floor that an image shows.
+// The part of the floor that an image shows: between its columns, and by strips of them up to the nearest foot.
 class View {
  public:
-  View(const WaitingFrame& frame, const CameraModel& camera) : shades_(shades_of(frame, camera.floor)) {
+  View(const WaitingFrame& frame, const CameraModel& camera) {
     const FloorCamera& floor = camera.floor;
     left_ = floor.leftmost_visible();
     right_ = floor.rightmost_visible();
+    strip_ = std::max((left_ - right_) / kStrips, std::int32_t{1});
     // The ray of the lowest row is so high above the floor at a share of its way: as the rest of the lens's height.
     const auto height = nearest_whole(kMillimetresPerMetre * camera.height);
     nearest_ = floor.nearest_visible();
     if (height > 0) nearest_ -= nearest_ * std::min(kLeastHeight, height) / height;
+    ends_.fill(kFloorReach);
+    for (const WaitingBlob& blob : frame.blobs) hide_behind(blob, floor);
   }
 
   [[nodiscard]] bool shows(const FloorPlace& place) const {
     if (place.depth < nearest_ || place.depth > kFloorReach) return false;
     if (place.left > times(place.depth, left_) - kCellMargin) return false;
     if (place.left < times(place.depth, right_) + kCellMargin) return false;
-    return std::none_of(shades_.begin(), shades_.end(), [&](const Shade& shade) {
-      return place.depth > shade.depth - kCellMargin && place.left < times(place.depth, shade.left) + kCellMargin &&
-             place.left > times(place.depth, shade.right) - kCellMargin;
-    });
+    return place.depth <= ends_[strip_of((place.left << kSlopeBits) / place.depth)];
   }
   [[nodiscard]] std::int32_t left() const { return left_; }
   [[nodiscard]] std::int32_t right() const { return right_; }
 
  private:
-  Shades shades_;
+  static constexpr std::int32_t kStrips = 32;
+
+  [[nodiscard]] std::size_t strip_of(std::int32_t slope) const {
+    return static_cast<std::size_t>(std::clamp((slope - right_) / strip_, std::int32_t{0}, kStrips - 1));
+  }
+  // A cell that is beside a blob's ray by less than its size may be behind it, too.
+  void hide_behind(const WaitingBlob& blob, const FloorCamera& floor) {
+    const auto [left, right] = floor.at(2 * blob.box.x1 - 1, 2 * blob.box.x2 + 1, 2 * blob.box.y2 + 1);
+    const std::int32_t depth = std::min(left.depth, right.depth) - kCellMargin;
+    if (depth > kFloorReach) return;
+    const std::int32_t beside = kCellMargin * kSlopeOne / std::max(depth, kCellMargin);
+    const std::size_t last = strip_of(left.slope + beside);
+    for (std::size_t i = strip_of(right.slope - beside); i <= last; ++i) {
+      ends_[i] = static_cast<std::int16_t>(std::min(std::int32_t{ends_[i]}, std::max(depth, std::int32_t{0})));
+    }
+  }
+
+  std::array<std::int16_t, kStrips> ends_{};  ///< mm
   std::int32_t nearest_ = 0;
-  std::int32_t left_ = 0;
+  std::int32_t left_ = 0;  ///< slopes
   std::int32_t right_ = 0;
+  std::int32_t strip_ = 1;
 };
 
 // Cells, both ends included.
@@ -144,9 +144,15 @@ void SeenFloor::look(const WaitingFrame& frame, const CameraModel& camera, const
   ys.keep_within(first_y_, kCells);
   for (std::int32_t y = ys.low; y <= ys.high; ++y) {
     std::uint64_t shown = 0;
+    // The middle of the first cell of the row, and from one to the next.
+    const std::int32_t dx = xs.low * kFloorCell + kFloorCell / 2 - lens.x;
+    const std::int32_t dy = y * kFloorCell + kFloorCell / 2 - lens.y;
+    std::int32_t depth = lens.axis_x * dx + lens.axis_y * dy;
+    std::int32_t left = lens.axis_x * dy - lens.axis_y * dx;
     for (std::int32_t x = xs.low; x <= xs.high; ++x) {
-      const FloorPlace place = lens.see(x * kFloorCell + kFloorCell / 2, y * kFloorCell + kFloorCell / 2);
-      if (view.shows(place)) shown |= bit_of(x);
+      if (view.shows({depth >> kSlopeBits, left >> kSlopeBits})) shown |= bit_of(x);
+      depth += lens.axis_x * kFloorCell;
+      left -= lens.axis_y * kFloorCell;
     }
     now_[row_of(y)] |= shown;
   }
@@ -154,6 +160,26 @@ void SeenFloor::look(const WaitingFrame& frame, const CameraModel& camera, const
 
 bool SeenFloor::holds(std::int32_t x, std::int32_t y) const {
   return x >= first_x_ && x < first_x_ + kCells && y >= first_y_ && y < first_y_ + kCells;
+}
+
+std::int32_t SeenFloor::seen_along(const FloorFrame& ray, std::int32_t first, std::int32_t step) const {
+  if (!has_looked_) return 0;
+  // Cells from the grid's first one, which is never far: so they fit with the bits of a direction.
+  std::int32_t x = ((ray.x - first_x_ * kFloorCell) << kSlopeBits) + first * ray.axis_x;
+  std::int32_t y = ((ray.y - first_y_ * kFloorCell) << kSlopeBits) + first * ray.axis_y;
+  constexpr int kCellBits = kSlopeBits + kFloorCellLog2;
+  std::int32_t reach = 0;
+  for (std::int32_t range = first; range <= kFloorReach; range += step) {
+    const std::int32_t column = x >> kCellBits;
+    const std::int32_t row = y >> kCellBits;
+    if (((column | row) & ~(kCells - 1)) != 0) break;
+    const std::size_t at = row_of(row + first_y_);
+    if (((now_[at] | before_[at]) & bit_of(column + first_x_)) == 0) break;
+    reach = range;
+    x += step * ray.axis_x;
+    y += step * ray.axis_y;
+  }
+  return reach;
 }
 
 bool SeenFloor::seen(std::int32_t x, std::int32_t y) const {

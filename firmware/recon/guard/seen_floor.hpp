@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware/recon/floor_frame.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
 #include "firmware/recon/observe/sighting.hpp"
 #include "hal/base/stamp.hpp"
@@ -18,7 +19,7 @@ inline constexpr std::int32_t kFloorCell = 1 << kFloorCellLog2;
 /// mm along the optical axis: floor that is farther is not looked at, as the guard's points.
 inline constexpr std::int32_t kFloorReach = 1500;
 /// A frame is looked at so often, at most.
-inline constexpr base::Duration kFloorInterval = base::milliseconds(100);
+inline constexpr base::Duration kFloorInterval = base::milliseconds(200);
 /// What was seen is known for so long at least, and for no more than twice that: what moves may have come since.
 inline constexpr base::Duration kFloorRemembered = base::milliseconds(5000);
 /// mm. What stands on the floor is at least so high: nearer than the lowest row sees its foot, it would be in the
@@ -35,6 +36,9 @@ class SeenFloor {
   /// more blobs than it tells.
   void look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& robot);
 
+  /// How far the floor was seen on a ray, from `first` mm on, looked up every `step` mm and no farther than
+  /// kFloorReach; 0 if it was not seen there. The ray is the frame's axis, mm, odometry's frame.
+  [[nodiscard]] std::int32_t seen_along(const FloorFrame& ray, std::int32_t first, std::int32_t step) const;
   /// mm, odometry's frame.
   [[nodiscard]] bool seen(std::int32_t x, std::int32_t y) const;
 
