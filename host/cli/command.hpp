@@ -27,6 +27,7 @@ const std::vector<Command>& commands();
 
 Command configure_command();
 Command demo_command();
+Command doctor_command();
 Command record_command();
 Command replay_command();
 Command report_command();

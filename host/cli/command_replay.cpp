@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "host/cli/command.hpp"
@@ -8,6 +9,7 @@
 #include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/doctor/log/difference.hpp"
 #include "host/result/text.hpp"
 #include "host/result/to_json.hpp"
 
@@ -23,10 +25,12 @@ struct ReplayRequest {
   bool json = false;
   bool passes = false;
   std::vector<std::string> sides;  ///< NAME=left|right
+  std::vector<std::string> diff;   ///< two logs
   ReplayOptions options;
 };
 
 void check_usage(const ReplayRequest& request) {
+  if (request.log.empty()) throw Failure(Exit::kUsage, "LOG is required; see fencepost replay --help");
   if (request.log == "-" && request.camera == "-") {
     throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
   }
@@ -83,7 +87,24 @@ Exit judge(const CheckOutcome& check) {
   return Exit::kDone;
 }
 
+/// Settings, calibration and alerts of two logs beside each other.
+Exit run_difference(const ReplayRequest& request) {
+  if (!request.log.empty()) throw Failure(Exit::kUsage, "--diff has its two logs behind it; leave out " + request.log);
+  const auto survey = [](const std::string& path) {
+    doctor::LogSurvey log = doctor::survey_log(read_input(path), input_name(path));
+    if (log.replayed.unreadable) throw Failure(Exit::kUnreadable, log.replayed.unreadable->message);
+    return log;
+  };
+  const doctor::LogSurvey first = survey(request.diff[0]);
+  const doctor::LogSurvey second = survey(request.diff[1]);
+  const doctor::Difference difference = doctor::difference_of(first, second);
+  write_output(request.output, request.json ? doctor::difference_json(difference).dump(2) + "\n"
+                                            : doctor::difference_text(difference, first.name, second.name));
+  return difference.any() ? Exit::kCheckFailed : Exit::kDone;
+}
+
 Exit run(ReplayRequest request) {
+  if (!request.diff.empty()) return run_difference(request);
   check_usage(request);
   const std::vector<SideRule> sides = read_sides(request.sides);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
@@ -105,7 +126,11 @@ Exit run(ReplayRequest request) {
 
 Action configure_replay(CLI::App& app) {
   const auto request = std::make_shared<ReplayRequest>();
-  app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
+  app.add_option("LOG", request->log, "a recorded stream; - is standard input");
+  app.add_option("--diff", request->diff,
+                 "instead: settings, calibration and alerts of two logs; exit 1 if they differ")
+      ->type_name("A B")
+      ->expected(2);
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_flag("--json", request->json, "write the result document instead of text");
@@ -142,7 +167,8 @@ Command replay_command() {
           "alerts and objects of a recorded run",
           "  fencepost replay run.log\n"
           "  fencepost replay run.log --json | jq '.objects[0].models.clip.geometry'\n"
-          "  fencepost replay robot.log --check\n",
+          "  fencepost replay robot.log --check\n"
+          "  fencepost replay --diff yesterday.log today.log\n",
           configure_replay,
           {}};
 }

@@ -3,6 +3,7 @@
 
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/odometry/wheel_base.hpp"
+#include "hal/linux/usb_settings.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 
@@ -104,6 +105,7 @@ Rows nxt() {
                      .role = Role::kOdometry,
                      .live = std::nullopt,
                      .emulated = brick_with_camera()};
+  brick_alone.usb = UsbIds{linux::kNxtUsb.vendor, linux::kNxtUsb.product};
   return {brick_alone, with_camera};
 }
 

@@ -1,6 +1,7 @@
 // Pixy2 and Pixy2.1.
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
+#include "hal/linux/usb_settings.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/emulate/models/camera_adapters.hpp"
@@ -79,6 +80,7 @@ Rows pixy2() {
   Rows rows = {row<pixy2::kPixy2Profile>("pixy2", "Pixy2"), row<pixy2::kPixy21Profile>("pixy2.1", "Pixy2.1")};
   rows.front().images = {"pixy2", "pixy2_i2c"};
   rows.back().images = {"pixy2.1", "pixy2.1_i2c"};
+  for (Row& row : rows) row.usb = UsbIds{linux::kPixyUsb.vendor, linux::kPixyUsb.product};
   return rows;
 }
 

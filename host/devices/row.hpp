@@ -114,6 +114,11 @@ struct Emulated {
   std::vector<PlaceKind> places = {PlaceKind::kTty, PlaceKind::kTcp};
 };
 
+struct UsbIds {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+};
+
 struct Row {
   Given<std::string> name;   ///< KIND on the command line
   Given<std::string> about;  ///< the device as people call it
@@ -122,6 +127,8 @@ struct Row {
   Given<std::optional<Emulated>> emulated;
   /// What `set camera` or `set odometry` call it on a board (firmware/config/devices.hpp).
   std::vector<std::string> images = {};
+  /// Its own ids on USB; of one behind a serial adapter there are none.
+  std::optional<UsbIds> usb = {};
 };
 using Rows = std::vector<Row>;
 

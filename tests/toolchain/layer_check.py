@@ -77,9 +77,12 @@ ROOMS = {
     "host/emulate/scene": "host/emulate/transport host/simulate",
     "host/configure": "hal/mcu host/live",
     "host/devices": "drivers/* host/emulate/scene host/live",
+    "host/doctor": "host/text",
+    "host/doctor/log": "host/doctor host/recorder host/replay",
+    "host/doctor/ports": "host/devices host/doctor",
     "host/calibrate": "host/live host/report",
     "host/smooth": "host/calibrate",
-    "host/cli": "host/configure host/devices host/merge host/paper host/recorder host/segment host/smooth",
+    "host/cli": "host/configure host/doctor/log host/doctor/ports host/merge host/paper host/recorder host/segment host/smooth",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

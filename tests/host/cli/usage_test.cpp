@@ -13,9 +13,10 @@ using testing::recording;
 using testing::shell;
 using testing::spill;
 
-const std::vector<std::string> kCommands = {"",      "demo",    "replay",        "report",       "simulate", "evaluate",
-                                            "paper", "import",  "import mrclam", "import rings", "emulate",  "record",
-                                            "run",   "segment", "configure",     "calibrate",    "merge",    "smooth"};
+const std::vector<std::string> kCommands = {"",          "demo",   "replay", "report",        "simulate",
+                                            "evaluate",  "paper",  "import", "import mrclam", "import rings",
+                                            "emulate",   "record", "run",    "segment",       "configure",
+                                            "calibrate", "merge",  "smooth", "doctor"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;
@@ -34,7 +35,7 @@ TEST(Help, ListsEveryCommand) {
   const Folder folder;
   const std::string out = shell(folder, "fencepost --help").out;
   for (const char* name : {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "paper", "emulate",
-                           "import", "segment", "configure", "calibrate", "merge", "smooth"}) {
+                           "import", "segment", "configure", "calibrate", "merge", "smooth", "doctor"}) {
     EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
   }
 }

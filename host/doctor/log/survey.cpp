@@ -1,0 +1,162 @@
+#include "host/doctor/log/survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "firmware/record/stream_reader.hpp"
+
+namespace fencepost::host::doctor {
+namespace {
+
+constexpr double kFastest = 4;       // m/s
+constexpr double kFastestTurn = 15;  // rad/s
+constexpr double kLeastJump = 0.05;  // m, and rad: rounding and slow clocks are no jumps
+constexpr std::size_t kLeastFrames = 30;
+
+double shortest_turn(double turn) { return std::remainder(turn, 2 * std::numbers::pi); }
+
+/// A car tells counts; the robot's own loop makes poses of them.
+double length_of(const std::vector<PoseResult>& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+  return length;
+}
+
+class Surveyor {
+ public:
+  explicit Surveyor(LogSurvey& survey) : survey_(survey) {}
+
+  void accept(const record::Header& header) {
+    losses_.accept(header);
+    end_run();
+    ++survey_.runs;
+  }
+  void accept(const sensor::CameraIntrinsics& camera) {
+    if (survey_.calibrations.empty() || !(survey_.calibrations.back() == camera)) {
+      survey_.calibrations.push_back(camera);
+    }
+    camera_ = camera;
+  }
+  void accept(const record::Signature& signature) { survey_.colour_names[signature.signature] = signature.name.view(); }
+  void accept(const record::Setting& setting) {
+    survey_.settings[std::string(setting.key.view())] = setting.value.view();
+  }
+  void accept(const sensor::OdometrySample& sample) {
+    note_time(sample.t);
+    odometry_.add(sample.t);
+    if (pose_) step(*pose_, sample);
+    pose_ = sample;
+  }
+  void accept(const sensor::CarSample& sample) {
+    note_time(sample.t);
+    odometry_.add(sample.t);
+  }
+  void accept(const sensor::BlobFrame& frame) {
+    note_time(frame.t);
+    losses_.accept(frame);
+    frames_.add(frame.t);
+    colours_.add(frame, camera_);
+    if (pose_) offsets_.push_back((frame.t - pose_->t).to_double());
+  }
+  void accept(const record::StatusReport& status) { losses_.accept(status); }
+  void accept(const record::LinkReport& link) {
+    const std::string device(link.device.view());
+    close(device, link.t);
+    if (sensor::works(link.state)) return;
+    LinkTrouble& trouble = survey_.links[device];
+    trouble.state = sensor::name(link.state);
+    ++trouble.times;
+    down_since_[device] = link.t;
+  }
+  void accept(const record::Heartbeat& beat) {
+    if (beat_ && beat_->level == record::AlertLevel::kBlind) survey_.blind_seconds += (beat.t - beat_->t).to_double();
+    beat_ = beat;
+  }
+  template <class Record>
+  void accept(const Record& /*record*/) {}
+
+  void finish() {
+    end_run();
+    survey_.runs = std::max<std::uint64_t>(survey_.runs, 1);
+    survey_.camera = frames_.spacing();
+    survey_.odometry = odometry_.spacing();
+    survey_.colours = colours_.qualities();
+    survey_.frames_missing = losses_.frames_missing();
+    survey_.reported = losses_.reported();
+    survey_.clock_offset = median_of(offsets_);
+    if (offsets_.size() < kLeastFrames) return;
+    const auto third = static_cast<std::ptrdiff_t>(offsets_.size() / 3);
+    survey_.clock_drift =
+        median_of({offsets_.end() - third, offsets_.end()}) - median_of({offsets_.begin(), offsets_.begin() + third});
+  }
+
+ private:
+  void note_time(base::Time t) {
+    if (!first_) first_ = t;
+    last_ = std::max(last_.value_or(t), t);
+  }
+  void step(const sensor::OdometrySample& from, const sensor::OdometrySample& to) {
+    const PoseJump step{from.t.to_double(), std::hypot((to.x - from.x).to_double(), (to.y - from.y).to_double()),
+                        std::abs(shortest_turn((to.heading - from.heading).to_double())), (to.t - from.t).to_double()};
+    survey_.path += step.distance;
+    survey_.turned += step.turn;
+    const bool far = step.distance > std::max(kLeastJump, kFastest * step.interval);
+    const bool turned = step.turn > std::max(kLeastJump, kFastestTurn * step.interval);
+    if (!far && !turned) return;
+    ++survey_.pose_jumps;
+    if (!survey_.first_jump) survey_.first_jump = step;
+  }
+  void close(const std::string& device, base::Time t) {
+    const auto since = down_since_.find(device);
+    if (since == down_since_.end()) return;
+    survey_.links[device].seconds += std::max(0.0, (t - since->second).to_double());
+    down_since_.erase(since);
+  }
+  void end_run() {
+    if (last_) {
+      for (const auto& [device, since] : std::map(down_since_)) close(device, *last_);
+      survey_.seconds += (*last_ - *first_).to_double();
+    }
+    down_since_.clear();
+    first_.reset();
+    last_.reset();
+    pose_.reset();
+    beat_.reset();
+    frames_.restart();
+    odometry_.restart();
+  }
+
+  LogSurvey& survey_;
+  Losses losses_;
+  SpacingMeter frames_;
+  SpacingMeter odometry_;
+  ColourMeter colours_;
+  std::optional<sensor::CameraIntrinsics> camera_;
+  std::optional<sensor::OdometrySample> pose_;
+  std::optional<record::Heartbeat> beat_;
+  std::optional<base::Time> first_;
+  std::optional<base::Time> last_;
+  std::vector<double> offsets_;
+  std::map<std::string, base::Time> down_since_;
+};
+
+}  // namespace
+
+LogSurvey survey_log(std::string_view bytes, const std::string& name) {
+  LogSurvey survey;
+  survey.name = name;
+  Surveyor surveyor(survey);
+  std::array<char, record::StreamReader::kBuffer> buffer{};
+  record::StreamReader reader(buffer);
+  reader.push(bytes, surveyor);
+  reader.finish();
+  surveyor.finish();
+  survey.counts = reader.counts();
+  survey.replayed = replay(bytes, name, {});
+  if (survey.path == 0) survey.path = length_of(survey.replayed.result.path);
+  return survey;
+}
+
+}  // namespace fencepost::host::doctor

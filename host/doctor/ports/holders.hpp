@@ -1,0 +1,31 @@
+// Which programs have a port open.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "host/doctor/ports/surroundings.hpp"
+
+namespace fencepost::host::doctor {
+
+struct Holder {
+  pid_t pid = 0;
+  std::string program;
+};
+
+struct Holders {
+  std::vector<Holder> programs;  ///< by number, without this one
+  bool all_seen = true;          ///< false: what other users' programs have open is not shown to this user
+};
+
+Holders holders_of(const Roots& roots, const std::string& path);
+
+/// "picocom (pid 4711)", or whose it may be.
+std::string holders_text(const Holders& holders);
+
+/// What to type so that they let it go.
+std::string holders_remedy(const Holders& holders, const std::string& path);
+
+}  // namespace fencepost::host::doctor
