@@ -5,12 +5,25 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/import_takes.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
 
 namespace fencepost::host::cli {
+namespace {}  // namespace
+
+Exit finish_import(const ImportResult& imported, const std::string& output) {
+  if (!imported.ok()) throw Failure(Exit::kUnreadable, imported.error().message());
+  write_output(output, imported->log);
+  const ImportSummary& summary = imported->summary;
+  say(fmt::format("{} frames with {} blobs, {} odometry samples", summary.frames, summary.blobs, summary.odometry));
+  for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} {}", count, what));
+  for (const std::string& note : summary.notes) say(note);
+  return Exit::kDone;
+}
+
 namespace {
 
 struct ImportRequest {
@@ -27,12 +40,7 @@ Exit finish(const ImportResult& imported, const ImportRequest& request) {
       throw Failure(Exit::kUnreadable, request.source + ": its truth is not known; leave out --truth");
     write_output(request.truth, write_scene(*imported->truth));
   }
-  write_output(request.output, imported->log);
-  const ImportSummary& summary = imported->summary;
-  say(fmt::format("{} frames with {} blobs, {} odometry samples", summary.frames, summary.blobs, summary.odometry));
-  for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} {}", count, what));
-  for (const std::string& note : summary.notes) say(note);
-  return Exit::kDone;
+  return finish_import(imported, request.output);
 }
 
 void add_outputs(CLI::App& app, ImportRequest& request) {
@@ -92,8 +100,11 @@ Command import_command() {
                          "  fencepost import rings box.csv -o box.log\n",
                          configure_rings,
                          {}};
-  return {
-      "import", "recordings of others as a record stream", mrclam.examples + rings.examples, nullptr, {mrclam, rings}};
+  std::vector<Command> children = {mrclam, rings};
+  for (Command& command : take_commands()) children.push_back(std::move(command));
+  std::string examples;
+  for (const Command& command : children) examples += command.examples.substr(0, command.examples.find('\n') + 1);
+  return {"import", "recordings of others as a record stream", examples, nullptr, children};
 }
 
 }  // namespace fencepost::host::cli

@@ -146,7 +146,7 @@ Action configure_replay(CLI::App& app) {
       ->type_name("N")
       ->check(positive());
   app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+                 "a file with an FPCAM line, a scene, its \"camera\", or OpenCV's YAML: for logs without FPCAM")
       ->type_name("FILE");
   app.add_option("--pose-noise", request->pose_noise,
                  "sigmas of each pose; default 4,7: a robot that drives. Calibrated cameras: less")

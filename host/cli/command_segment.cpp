@@ -200,7 +200,7 @@ Action configure_segment(CLI::App& app) {
   const auto request = std::make_shared<SegmentRequest>();
   app.add_option("IMAGES", request->images, "a folder, or PNG and JPEG files")->required();
   app.add_option("--camera", request->camera,
-                 "their calibration: a scene, its \"camera\", or a file with the $FPCAM line")
+                 "their calibration: a scene, its \"camera\", a file with the $FPCAM line, or OpenCV's YAML")
       ->type_name("FILE")
       ->required();
   app.add_option("--poses", request->poses, "CSV image,t,x,y,heading (s, m, rad); default: poses.csv beside the images")

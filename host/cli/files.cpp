@@ -10,9 +10,11 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
+#include "host/cli/gunzip.hpp"
 #include "host/cli/interrupt.hpp"
 #include "host/cli/terminal.hpp"
 
@@ -162,6 +164,18 @@ void write_and_rename(const std::string& path, std::string_view bytes) {
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
+namespace {
+
+std::string unpacked(std::string bytes, const std::string& path) {
+  if (!is_gzip(bytes)) return bytes;
+  if (std::optional<std::string> whole = gunzip(bytes)) return std::move(*whole);
+  throw Failure(Exit::kUnreadable,
+                "cannot read " + input_name(path) +
+                    ": what gzip packed is damaged or cut off; try 'gzip -t' on it, and copy it again");
+}
+
+}  // namespace
+
 std::string read_input(const std::string& path) {
   const bool standard = path == "-";
   if (standard && is_terminal(STDIN_FILENO)) say("reading from the terminal; end with Ctrl-D");
@@ -174,7 +188,7 @@ std::string read_input(const std::string& path) {
     const ssize_t size = ::read(file.get(), chunk.data(), chunk.size());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) fail_reading(path, errno);
-    if (size == 0) return bytes;
+    if (size == 0) return unpacked(std::move(bytes), path);
     bytes.append(chunk.data(), static_cast<std::size_t>(size));
   }
 }

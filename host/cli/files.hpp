@@ -9,7 +9,8 @@ namespace fencepost::host::cli {
 /// For messages: the path, or "standard input".
 std::string input_name(const std::string& path);
 
-/// The bytes of a file. errors: Failure (kUnreadable): missing, directory, not allowed, read error.
+/// The bytes of a file; of one that gzip packed, what is in it. errors: Failure (kUnreadable): missing, directory, not
+/// allowed, read error.
 std::string read_input(const std::string& path);
 
 /// "-", or what names standard output otherwise: /dev/stdout, /dev/fd/1, /proc/self/fd/1.

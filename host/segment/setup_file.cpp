@@ -7,6 +7,7 @@
 #include "firmware/record/stream_reader.hpp"
 #include "host/scene/read_scene.hpp"
 #include "host/segment/image_file.hpp"
+#include "host/segment/opencv_camera.hpp"
 
 namespace fencepost::host {
 
@@ -74,9 +75,11 @@ sensor::CameraIntrinsics parse_camera(std::string_view text, const std::string& 
       return scene.camera;
     });
   }
+  if (is_opencv_calibration(text)) return parse_opencv_calibration(text, name);
   const SetupSink sink = read_stream(text);
   if (sink.camera) return *sink.camera;
-  throw SegmentProblem{name, "has no calibration", "give a scene, its block \"camera\", or the $FPCAM line of a log"};
+  throw SegmentProblem{name, "has no calibration",
+                       "give a scene, its block \"camera\", the $FPCAM line of a log, or OpenCV's YAML"};
 }
 
 std::vector<record::Signature> parse_signatures(std::string_view text, const std::string& name) {

@@ -10,7 +10,8 @@
 
 namespace fencepost::host {
 
-/// From a scene, from JSON that has just its block "camera", or from a line $FPCAM. errors: SegmentProblem
+/// From a scene, from JSON that has just its block "camera", from a line $FPCAM, or from a calibration of OpenCV's or
+/// ROS's (opencv_camera.hpp). errors: SegmentProblem
 sensor::CameraIntrinsics parse_camera(std::string_view text, const std::string& name);
 
 /// From a scene, from JSON that has just its "signatures", or from lines $FPSIG. At least one, each number once.

@@ -61,6 +61,8 @@ ROOMS = {
     "host/scene": "hal/sensor host/geometry host/text",
     "host/simulate": "firmware/record host/scene",
     "host/import": "firmware/record host/scene",
+    "host/import/csv": "host/import",
+    "host/import/*": "drivers/* host/import host/import/csv",
     "host/segment": "host/import",
     "host/metrics": "host/simulate",
     "host/render": "host/metrics",
@@ -82,7 +84,7 @@ ROOMS = {
     "host/doctor/ports": "host/devices host/doctor",
     "host/calibrate": "host/live host/report",
     "host/smooth": "host/calibrate",
-    "host/cli": "host/configure host/doctor/log host/doctor/ports host/merge host/paper host/recorder host/segment host/smooth",
+    "host/cli": "host/configure host/doctor/log host/doctor/ports host/import/* host/merge host/paper host/recorder host/segment host/smooth",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

@@ -13,10 +13,11 @@ using testing::recording;
 using testing::shell;
 using testing::spill;
 
-const std::vector<std::string> kCommands = {"",          "demo",   "replay", "report",        "simulate",
-                                            "evaluate",  "paper",  "import", "import mrclam", "import rings",
-                                            "emulate",   "record", "run",    "segment",       "configure",
-                                            "calibrate", "merge",  "smooth", "doctor"};
+const std::vector<std::string> kCommands = {
+    "",       "demo",       "replay",        "report",        "simulate",       "evaluate",
+    "paper",  "import",     "import mrclam", "import rings",  "emulate",        "record",
+    "run",    "segment",    "configure",     "calibrate",     "merge",          "smooth",
+    "doctor", "import csv", "import sketch", "import player", "import candump", "import mcap"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;

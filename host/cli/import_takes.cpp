@@ -1,0 +1,161 @@
+#include "host/cli/import_takes.hpp"
+
+#include <memory>
+
+#include "host/cli/files.hpp"
+#include "host/cli/live_devices.hpp"
+#include "host/cli/positive.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/devices/catalogue.hpp"
+#include "host/devices/open_devices.hpp"
+#include "host/import/candump/candump.hpp"
+#include "host/import/csv/csv.hpp"
+#include "host/import/mcap/mcap.hpp"
+#include "host/import/player/player.hpp"
+#include "host/import/sketch/sketch.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct TakeRequest {
+  std::string source;
+  std::string camera;
+  std::string poses;
+  std::string robot;
+  std::string blobs;
+  double rate = TakeSettings().rate;
+  McapTopics topics;
+  std::string output = "-";
+};
+
+/// A file, or a camera of the catalogue as its maker describes it.
+sensor::CameraIntrinsics camera_named(const std::string& name) {
+  for (const devices::Row* row : devices::rows_for(devices::Use::kCamera)) {
+    if (*row->name != name) continue;
+    if (const auto camera = devices::nominal_camera(*row)) return *camera;
+  }
+  return read_camera(name);
+}
+
+TakeSettings settings_of(const TakeRequest& request) {
+  TakeSettings settings;
+  settings.rate = request.rate;
+  if (!request.camera.empty()) settings.camera = camera_named(request.camera);
+  try {
+    if (!request.poses.empty()) settings.poses = parse_pose_table(read_input(request.poses), input_name(request.poses));
+  } catch (const ImportError& error) {
+    throw Failure(Exit::kUnreadable, error.message());
+  }
+  return settings;
+}
+
+Exit import_can(const TakeRequest& request) {
+  const RobotFile robot = read_robot(request.robot);
+  if (!robot.can) {
+    throw Failure(
+        Exit::kUnreadable,
+        request.robot + ": has no \"can\", which says where the wheels' numbers stand; share/doc/live.md shows it");
+  }
+  try {
+    return finish_import(
+        import_candump(read_input(request.source), input_name(request.source), *robot.can,
+                       take_csv(read_input(request.blobs), input_name(request.blobs)), settings_of(request)),
+        request.output);
+  } catch (const ImportError& error) {
+    throw Failure(Exit::kUnreadable, error.message());
+  }
+}
+
+void add_common(CLI::App& app, TakeRequest& request, const char* source, const char* about) {
+  app.add_option(source, request.source, about)->required();
+  app.add_option("--camera", request.camera,
+                 "how the camera sees: a name such as pixy2, or a file with an FPCAM line, a scene, or its \"camera\"")
+      ->type_name("NAME|FILE");
+  app.add_option("-o,--output", request.output, "where to write the log; default: standard output")->type_name("LOG");
+}
+
+void add_poses(CLI::App& app, TakeRequest& request) {
+  app.add_option("--poses", request.poses, "the robot's poses: CSV t,x,y,heading (s, m, rad), or TUM's eight numbers")
+      ->type_name("FILE");
+}
+
+template <class Import>
+Action with(CLI::App& app, const std::shared_ptr<TakeRequest>& request, const char* source, const char* about,
+            Import import) {
+  add_common(app, *request, source, about);
+  add_poses(app, *request);
+  return [request, import] {
+    return finish_import(import(read_input(request->source), input_name(request->source), settings_of(*request)),
+                         request->output);
+  };
+}
+
+Action configure_csv(CLI::App& app) {
+  return with(app, std::make_shared<TakeRequest>(), "CSV", "blobs, by the names of their columns",
+              [](const auto&... arguments) { return import_csv(arguments...); });
+}
+
+Action configure_sketch(CLI::App& app) {
+  const auto request = std::make_shared<TakeRequest>();
+  app.add_option("--rate", request->rate, "frames a second, where the text has no times; default 20")
+      ->type_name("HZ")
+      ->check(positive());
+  return with(app, request, "TEXT", "what the monitor of the Arduino IDE showed, saved",
+              [](const auto&... arguments) { return import_sketch(arguments...); });
+}
+
+Action configure_player(CLI::App& app) {
+  return with(app, std::make_shared<TakeRequest>(), "LOG", "of Player's writelog: position2d and blobfinder",
+              [](const auto&... arguments) { return import_player(arguments...); });
+}
+
+Action configure_mcap(CLI::App& app) {
+  const auto request = std::make_shared<TakeRequest>();
+  app.add_option("--detections", request->topics.detections, "the topic; default: the first of its kind")
+      ->type_name("TOPIC");
+  app.add_option("--odometry", request->topics.odometry, "likewise")->type_name("TOPIC");
+  return with(app, request, "MCAP", "Detection2DArray and Odometry, as CDR or JSON",
+              [request](const auto& bytes, const auto& file, const auto& settings) {
+                return import_mcap(bytes, file, request->topics, settings);
+              });
+}
+
+Action configure_candump(CLI::App& app) {
+  const auto request = std::make_shared<TakeRequest>();
+  add_common(app, *request, "LOG", "of candump -l, or its output with -t a");
+  app.add_option("--robot", request->robot, "the robot file with the mapping \"can\"")->required()->type_name("FILE");
+  app.add_option("--blobs", request->blobs, "CSV as of import csv, by the same clock")->required()->type_name("CSV");
+  return [request] { return import_can(*request); };
+}
+
+}  // namespace
+
+std::vector<Command> take_commands() {
+  return {{"csv",
+           "blobs and poses, by the names of their columns",
+           "  fencepost import csv blobs.csv --poses poses.csv --camera camera.json -o run.log\n",
+           configure_csv,
+           {}},
+          {"sketch",
+           "what the Arduino examples of Pixy, HuskyLens and CMUcam print",
+           "  fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log\n",
+           configure_sketch,
+           {}},
+          {"player",
+           "logs of Player's writelog",
+           "  fencepost import player run.player --camera camera.json -o run.log\n",
+           configure_player,
+           {}},
+          {"candump",
+           "wheels on CAN, beside a table of blobs",
+           "  fencepost import candump can.log --robot robot.json --blobs blobs.csv --camera pixy2 -o run.log\n",
+           configure_candump,
+           {}},
+          {"mcap",
+           "detections and odometry of ROS 2",
+           "  fencepost import mcap run.mcap --camera camera.json -o run.log\n",
+           configure_mcap,
+           {}}};
+}
+
+}  // namespace fencepost::host::cli

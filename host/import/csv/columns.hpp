@@ -1,0 +1,55 @@
+// A CSV whose columns go by their names.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fencepost::host {
+
+/// One row, with its place for messages.
+class CsvRow {
+ public:
+  CsvRow(std::vector<std::string_view> fields, std::string place)
+      : fields_(std::move(fields)), place_(std::move(place)) {}
+  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+  [[nodiscard]] bool empty(std::size_t column) const { return fields_[column].empty(); }
+  /// errors: ImportProblem
+  [[nodiscard]] double number(std::size_t column) const;
+  [[nodiscard]] const std::string& place() const { return place_; }
+
+ private:
+  std::vector<std::string_view> fields_;
+  std::string place_;
+};
+
+/// The header is the first line that is neither blank nor a comment (#); fields are parted by commas, or by semicolons
+/// or tabs if the header is.
+class CsvReader {
+ public:
+  /// errors: ImportProblem: nothing in it
+  CsvReader(std::string_view text, std::string file);
+
+  /// Where the first of these names stands, in any case of letters.
+  [[nodiscard]] std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+  /// errors: ImportProblem, which names the first of them
+  [[nodiscard]] std::size_t need(std::initializer_list<std::string_view> names) const;
+  /// Each row. errors: ImportProblem: a row of another width, or what `take` throws
+  void each(const std::function<void(const CsvRow&)>& take) const;
+
+ private:
+  [[nodiscard]] std::vector<std::string_view> fields(std::string_view line) const;
+
+  std::string file_;
+  std::vector<std::string_view> lines_;
+  std::size_t header_line_ = 0;  ///< index
+  char separator_ = ',';
+  std::vector<std::string> names_;
+};
+
+}  // namespace fencepost::host

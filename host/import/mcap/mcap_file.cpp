@@ -1,0 +1,182 @@
+#include "host/import/mcap/mcap_file.hpp"
+
+#include <lz4frame.h>
+#include <zstd.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/import/table.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr std::uint64_t kLargestChunk = 1ULL << 31U;  // bytes; beyond, a damaged length
+
+enum Opcode : std::uint8_t { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
+
+/// Little-endian fields of a record; what is beyond its end is an end, not an error.
+class Fields {
+ public:
+  explicit Fields(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class Integer>
+  Integer integer() {
+    Integer value = 0;
+    const std::string_view part = take(sizeof(Integer));
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      value = static_cast<Integer>(
+          value | static_cast<Integer>(static_cast<Integer>(static_cast<std::uint8_t>(part[i])) << (8 * i)));
+    }
+    return value;
+  }
+  std::string_view string() { return take(integer<std::uint32_t>()); }
+  std::string_view take(std::uint64_t size) {
+    if (size > bytes_.size()) {
+      short_ = true;
+      bytes_ = {};
+      return {};
+    }
+    const std::string_view part = bytes_.substr(0, size);
+    bytes_.remove_prefix(size);
+    return part;
+  }
+  [[nodiscard]] std::string_view rest() const { return bytes_; }
+  [[nodiscard]] bool ended_early() const { return short_; }
+
+ private:
+  std::string_view bytes_;
+  bool short_ = false;
+};
+
+std::string unpack_lz4(std::string_view packed, std::size_t size) {
+  LZ4F_dctx* made = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) return {};
+  const std::unique_ptr<LZ4F_dctx, void (*)(LZ4F_dctx*)> context(
+      made, [](LZ4F_dctx* c) { LZ4F_freeDecompressionContext(c); });
+  std::string bytes(size, '\0');
+  std::size_t filled = 0;
+  while (filled < size && !packed.empty()) {
+    std::size_t room = size - filled;
+    std::size_t used = packed.size();
+    const std::size_t hint =
+        LZ4F_decompress(context.get(), bytes.data() + filled, &room, packed.data(), &used, nullptr);
+    if (LZ4F_isError(hint) != 0 || (room == 0 && used == 0)) break;
+    filled += room;
+    packed.remove_prefix(used);
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+std::string unpack_zstd(std::string_view packed, std::size_t size) {
+  std::string bytes(size, '\0');
+  const std::size_t filled = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+  bytes.resize(ZSTD_isError(filled) != 0 ? 0 : filled);
+  return bytes;
+}
+
+class McapReader {
+ public:
+  McapReader(const std::string& file, const std::function<void(const McapMessage&)>& take) : file_(file), take_(take) {}
+
+  void read(std::string_view bytes) {
+    Fields fields(bytes);
+    while (!fields.rest().empty() && !ended_) {
+      const auto opcode = fields.integer<std::uint8_t>();
+      const std::string_view content = fields.take(fields.integer<std::uint64_t>());
+      if (fields.ended_early()) {
+        end_.truncated = true;
+        return;
+      }
+      take_record(opcode, content);
+    }
+  }
+  [[nodiscard]] McapEnd end() const {
+    McapEnd end = end_;
+    end.truncated = end.truncated || !ended_;
+    return end;
+  }
+
+ private:
+  struct Channel {
+    std::string topic;
+    std::string encoding;
+    std::uint16_t schema = 0;
+  };
+
+  void take_record(std::uint8_t opcode, std::string_view content) {
+    Fields fields(content);
+    switch (opcode) {
+      case kSchema: {
+        const auto id = fields.integer<std::uint16_t>();
+        schemas_[id] = fields.string();
+        break;
+      }
+      case kChannel: {
+        const auto id = fields.integer<std::uint16_t>();
+        Channel& channel = channels_[id];
+        channel.schema = fields.integer<std::uint16_t>();
+        channel.topic = fields.string();
+        channel.encoding = fields.string();
+        break;
+      }
+      case kMessage: take_message(fields); break;
+      case kChunk: take_chunk(fields); break;
+      case kDataEnd: ended_ = true; break;
+      default: break;  // the specification asks readers to pass over what they do not know
+    }
+  }
+  void take_message(Fields& fields) {
+    const auto channel = channels_.find(fields.integer<std::uint16_t>());
+    static_cast<void>(fields.integer<std::uint32_t>());  // sequence
+    const auto log_time = fields.integer<std::uint64_t>();
+    static_cast<void>(fields.integer<std::uint64_t>());  // publish_time
+    if (channel == channels_.end() || fields.ended_early()) return;
+    take_({channel->second.topic, schemas_[channel->second.schema], channel->second.encoding,
+           static_cast<double>(log_time) * 1e-9, fields.rest()});
+  }
+  void take_chunk(Fields& fields) {
+    static_cast<void>(fields.take(16));  // times of its messages
+    const auto size = fields.integer<std::uint64_t>();
+    static_cast<void>(fields.integer<std::uint32_t>());  // CRC-32 of what is in it
+    const std::string compression(fields.string());
+    const std::string_view packed = fields.take(fields.integer<std::uint64_t>());
+    if (size > kLargestChunk || fields.ended_early()) throw damaged();
+    if (compression.empty()) return read(packed);
+    if (compression != "lz4" && compression != "zstd") {
+      throw ImportProblem{file_, "has chunks compressed by \"" + compression + "\"",
+                          "write it anew: mcap compress --compression zstd"};
+    }
+    const std::string bytes = compression == "lz4" ? unpack_lz4(packed, size) : unpack_zstd(packed, size);
+    if (bytes.size() != size) throw damaged();
+    read(bytes);
+  }
+  [[nodiscard]] ImportProblem damaged() const {
+    return {file_, "has a chunk that is damaged", "try 'mcap recover' on it, or copy it again"};
+  }
+
+  const std::string& file_;
+  const std::function<void(const McapMessage&)>& take_;
+  std::map<std::uint16_t, std::string> schemas_;
+  std::map<std::uint16_t, Channel> channels_;
+  bool ended_ = false;
+  McapEnd end_;
+};
+
+}  // namespace
+
+McapEnd read_mcap(std::string_view bytes, const std::string& file,
+                  const std::function<void(const McapMessage&)>& take) {
+  if (!bytes.starts_with(kMagic)) {
+    throw ImportProblem{file, "is no MCAP file", "a bag of SQLite (.db3) is converted by 'ros2 bag convert'"};
+  }
+  McapReader reader(file, take);
+  reader.read(bytes.substr(kMagic.size()));
+  return reader.end();
+}
+
+}  // namespace fencepost::host

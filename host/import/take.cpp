@@ -1,0 +1,150 @@
+#include "host/import/take.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/import/log_builder.hpp"
+#include "host/import/table.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr double kTick = 1e-4;   // s
+constexpr double kStep = 0.02;   // s, of the poses of a robot that stands still
+constexpr double kMargin = 0.1;  // s, of those before the first frame: a latency
+constexpr int kLastSignature = 255;
+
+std::optional<sensor::Blob> blob_of(const TakenBlob& taken, const sensor::CameraIntrinsics& camera) {
+  const double right = camera.width - 1;
+  const double bottom = camera.height - 1;
+  if (!(taken.x1 <= taken.x2 && taken.y1 <= taken.y2)) return std::nullopt;
+  if (taken.x2 < 0 || taken.y2 < 0 || taken.x1 > right || taken.y1 > bottom) return std::nullopt;
+  sensor::Blob blob;
+  const auto whole = [](double value, double last) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, 0.0, last)));
+  };
+  blob.signature = static_cast<std::uint8_t>(taken.signature);
+  blob.x1 = whole(taken.x1, right);
+  blob.x2 = whole(taken.x2, right);
+  blob.y1 = whole(taken.y1, bottom);
+  blob.y2 = whole(taken.y2, bottom);
+  const double cx = taken.cx.value_or((blob.x1 + blob.x2) / 2.0);
+  const double cy = taken.cy.value_or((blob.y1 + blob.y2) / 2.0);
+  blob.cx = base::Pixels1::nearest(std::clamp<double>(cx, blob.x1, blob.x2));
+  blob.cy = base::Pixels1::nearest(std::clamp<double>(cy, blob.y1, blob.y2));
+  blob.pixels = taken.pixels;
+  blob.rgb = taken.rgb;
+  return blob;
+}
+
+int area(const sensor::Blob& blob) { return (blob.x2 - blob.x1 + 1) * (blob.y2 - blob.y1 + 1); }
+
+sensor::BlobFrame frame_of(const TakenFrame& taken, const sensor::CameraIntrinsics& camera, Taken& counts) {
+  std::vector<sensor::Blob> blobs;
+  for (const TakenBlob& blob : taken.blobs) {
+    if (const auto inside = blob_of(blob, camera)) {
+      blobs.push_back(*inside);
+    } else {
+      ++counts.skipped["blobs outside the image"];
+    }
+  }
+  std::ranges::stable_sort(blobs, [](const auto& a, const auto& b) { return area(a) > area(b); });
+  sensor::BlobFrame frame;
+  for (const sensor::Blob& blob : blobs) {
+    if (!frame.blobs.push_back(blob)) ++counts.skipped["blobs beyond 16 in a frame"];
+  }
+  return frame;
+}
+
+/// In order, each at least a tick after the one before; others are left out and counted.
+template <class Item>
+void put_in_order(std::vector<Item>& items, const char* what, Taken& counts) {
+  std::ranges::stable_sort(items, {}, &Item::t);
+  std::vector<Item> kept;
+  for (Item& item : items) {
+    if (!kept.empty() && item.t - kept.back().t < kTick) {
+      ++counts.skipped[std::string(what) + " with the time of another"];
+    } else {
+      kept.push_back(std::move(item));
+    }
+  }
+  items = std::move(kept);
+}
+
+void stand_still(Taken& taken) {
+  taken.notes.emplace_back("no poses: the robot is taken to stand still; give its poses with --poses");
+  const double end = taken.frames.back().t;
+  for (double t = taken.frames.front().t - kMargin; t < end + kStep; t += kStep) taken.poses.push_back({t, 0, 0, 0});
+}
+
+sensor::CameraIntrinsics camera_of(const Taken& taken, const TakeSettings& settings, const std::string& source) {
+  if (taken.frames.empty()) return settings.camera.value_or(sensor::CameraIntrinsics());
+  if (!settings.camera) {
+    throw ImportProblem{source, "does not say how its camera sees",
+                        "give --camera: a name such as pixy2, or a file with its calibration"};
+  }
+  if (taken.image && (taken.image->first != settings.camera->width || taken.image->second != settings.camera->height)) {
+    throw ImportProblem{source,
+                        "is of images of " + std::to_string(taken.image->first) + " x " +
+                            std::to_string(taken.image->second) + " px, --camera of " +
+                            std::to_string(settings.camera->width) + " x " + std::to_string(settings.camera->height),
+                        "give the calibration of these images"};
+  }
+  return *settings.camera;
+}
+
+std::vector<record::Signature> signatures_of(const Taken& taken, const std::string& source) {
+  std::map<int, std::string> all = taken.names;
+  for (const TakenFrame& frame : taken.frames) {
+    for (const TakenBlob& blob : frame.blobs)
+      all.try_emplace(blob.signature, "signature" + std::to_string(blob.signature));
+  }
+  std::vector<record::Signature> list;
+  for (const auto& [number, name] : all) {
+    if (number < 0 || number > kLastSignature) {
+      throw ImportProblem{source, "has signature " + std::to_string(number) + "; they are 0 to 255",
+                          "number the colours anew"};
+    }
+    list.push_back({static_cast<std::uint8_t>(number), colour_number(list.size(), all.size()), std::string_view(name)});
+  }
+  return list;
+}
+
+}  // namespace
+
+Imported log_of(Taken taken, const TakeSettings& settings, const std::string& source, const std::string& target) {
+  if (!settings.poses.empty()) taken.poses = settings.poses;
+  if (taken.frames.empty() && taken.poses.empty()) {
+    throw ImportProblem{source, "has neither blobs nor poses in a form that is known",
+                        "share/doc/import.md shows each; is it the right file?"};
+  }
+  put_in_order(taken.frames, "frames", taken);
+  put_in_order(taken.poses, "poses", taken);
+  LogParts parts;
+  parts.target = target;
+  parts.camera = camera_of(taken, settings, source);
+  parts.signatures = signatures_of(taken, source);
+  if (taken.poses.empty()) stand_still(taken);
+  const double zero =
+      taken.frames.empty() ? taken.poses.front().t : std::min(taken.poses.front().t, taken.frames.front().t);
+  for (const TakenPose& pose : taken.poses) {
+    parts.odometry.push_back({base::Time::nearest(pose.t - zero), base::Metres::nearest(pose.x),
+                              base::Metres::nearest(pose.y), base::Radians::nearest(pose.heading)});
+  }
+  Imported imported;
+  for (const TakenFrame& frame : taken.frames) {
+    sensor::BlobFrame made = frame_of(frame, parts.camera, taken);
+    made.t = base::Time::nearest(frame.t - zero);
+    made.frame = static_cast<std::uint32_t>(parts.frames.size());
+    imported.summary.blobs += made.blobs.size();
+    parts.frames.push_back(made);
+  }
+  imported.log = build_log(parts);
+  imported.summary.frames = parts.frames.size();
+  imported.summary.odometry = parts.odometry.size();
+  imported.summary.skipped.assign(taken.skipped.begin(), taken.skipped.end());
+  imported.summary.notes = taken.notes;
+  return imported;
+}
+
+}  // namespace fencepost::host

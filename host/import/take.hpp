@@ -1,0 +1,62 @@
+// What an importer of blobs and poses takes from its source, before it is a record stream.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/sensor/camera.hpp"
+#include "host/import/import.hpp"
+
+namespace fencepost::host {
+
+/// Inclusive pixels, as BlobFrame has them; not yet clamped to an image.
+struct TakenBlob {
+  int signature = 1;
+  double x1 = 0;
+  double y1 = 0;
+  double x2 = 0;
+  double y2 = 0;
+  std::optional<double> cx;  ///< the box's middle where the source does not tell
+  std::optional<double> cy;
+  std::uint32_t pixels = 0;
+  std::optional<sensor::Rgb> rgb;
+};
+
+struct TakenFrame {
+  double t = 0;  ///< s, of any clock
+  std::vector<TakenBlob> blobs;
+};
+
+struct TakenPose {
+  double t = 0;
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+};
+
+struct Taken {
+  std::vector<TakenFrame> frames;
+  std::vector<TakenPose> poses;
+  std::map<int, std::string> names;          ///< of signatures
+  std::optional<std::pair<int, int>> image;  ///< width and height, where the source tells
+  std::map<std::string, std::uint64_t> skipped;
+  std::vector<std::string> notes;
+};
+
+/// What the source does not know, given by the user.
+struct TakeSettings {
+  std::optional<sensor::CameraIntrinsics> camera;
+  double rate = 20;              ///< frames a second, of texts without times
+  std::vector<TakenPose> poses;  ///< of another file; empty: the source's own
+};
+
+/// Times from zero, each kind in order and strictly increasing; boxes clamped to the image, at most 16 a frame, the
+/// largest first. Without poses the robot stands still, which is said. errors: ImportProblem: no frame and no pose, no
+/// camera, a signature that is none
+Imported log_of(Taken taken, const TakeSettings& settings, const std::string& source, const std::string& target);
+
+}  // namespace fencepost::host

@@ -1,0 +1,37 @@
+// Lines of a text that others printed, with what the Arduino IDE's monitor may put before each.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fencepost::host {
+
+/// "HH:MM:SS.mmm -> " taken off, seconds of the day.
+struct StampedLine {
+  std::string_view text;
+  std::optional<double> t;
+};
+StampedLine without_stamp(std::string_view line);
+
+/// Each line without its end, 1-based by position.
+std::vector<std::string_view> lines_of(std::string_view text);
+
+/// Without blanks around it.
+std::string_view trimmed_text(std::string_view text);
+
+/// A whole plain number, with nothing behind it.
+std::optional<double> number_in(std::string_view text);
+
+/// The number behind `key` in "x: 12 y: 34" or "x=12,y=34"; the key stands alone, not at the end of a word.
+std::optional<double> value_after(std::string_view line, std::string_view key);
+
+/// For messages: what was read, in print and not too much of it.
+std::string quoted(std::string_view text);
+
+/// Separated by blanks.
+std::vector<std::string_view> words_of(std::string_view line);
+
+}  // namespace fencepost::host

@@ -1,0 +1,79 @@
+// Importers as their users call them, and packed files.
+#include <gtest/gtest.h>
+
+#include "tests/host/cli/run.hpp"
+
+namespace fencepost::host {
+namespace {
+
+using testing::Folder;
+using testing::Outcome;
+using testing::recording;
+using testing::shell;
+using testing::spill;
+
+TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
+  const Folder folder;
+  std::string monitor;
+  std::string poses = "t,x,y,heading\n";
+  for (int i = 0; i < 20; ++i) {  // past a pillar to the left: its bearing grows
+    char line[200];
+    std::snprintf(
+        line, sizeof line,
+        "12:00:%02d.%03d -> Detected 1\n12:00:%02d.%03d ->   block 0: sig: 1 x: %d y: 90 width: 20 height: 40 "
+        "index: 1 age: %d\nrubbish\n",
+        i / 10, 100 * (i % 10), i / 10, 100 * (i % 10), 130 - 2 * i, i);
+    monitor += line;
+    std::snprintf(line, sizeof line, "%.1f,%.2f,0,0\n", 43'200 + 0.1 * i - 0.05, 0.03 * i);
+    poses += line;
+  }
+  spill(folder.path() / "monitor.txt", monitor);
+  spill(folder.path() / "poses.csv", poses);
+  const Outcome run = shell(folder, "fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "20 frames with 20 blobs, 20 odometry samples\nleft out: 20 lines of no known form\n");
+  const Outcome map = shell(folder, "fencepost replay run.log");
+  EXPECT_EQ(map.exit_code, 0) << map.err;
+  EXPECT_NE(map.out.find("signature1  confirmed"), std::string::npos) << map.out;
+}
+
+TEST(ImportCommand, SaysWhatIsMissing) {
+  const Folder folder;
+  spill(folder.path() / "b.csv", "t,x,y,w,h\n1,2,3,4,5\n");
+  const Outcome blind = shell(folder, "fencepost import csv b.csv");
+  EXPECT_EQ(blind.exit_code, 3);
+  EXPECT_EQ(blind.out, "");
+  EXPECT_EQ(
+      blind.err,
+      "fencepost: b.csv: does not say how its camera sees; give --camera: a name such as pixy2, or a file with its "
+      "calibration\n");
+  spill(folder.path() / "robot.json", "{}");
+  const Outcome can = shell(folder, "fencepost import candump b.csv --robot robot.json --blobs b.csv --camera pixy2");
+  EXPECT_EQ(can.exit_code, 3);
+  EXPECT_NE(can.err.find("has no \"can\""), std::string::npos) << can.err;
+  EXPECT_EQ(shell(folder, "fencepost import mcap b.csv --camera pixy2").exit_code, 3);
+  EXPECT_EQ(shell(folder, "fencepost import player b.csv --camera pixy2").exit_code, 3);
+}
+
+TEST(PackedInput, IsReadEverywhereAndRefusedWhereItIsDamaged) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "gzip -c " + recording("stop_pixy2.log") + " > run.log.gz").exit_code, 0);
+  const Outcome whole = shell(folder, "fencepost replay " + recording("stop_pixy2.log"));
+  const Outcome packed = shell(folder, "fencepost replay run.log.gz");
+  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_EQ(packed.out, whole.out);
+  EXPECT_EQ(shell(folder, "fencepost replay - < run.log.gz").out, whole.out);
+  // Two members behind each other, as `cat a.gz b.gz` makes them.
+  ASSERT_EQ(shell(folder, "head -c 5000 " + recording("stop_pixy2.log") + " | gzip > two.gz; tail -c +5001 " +
+                              recording("stop_pixy2.log") + " | gzip >> two.gz")
+                .exit_code,
+            0);
+  EXPECT_EQ(shell(folder, "fencepost replay two.gz").out, whole.out);
+  ASSERT_EQ(shell(folder, "head -c 3000 run.log.gz > cut.gz").exit_code, 0);
+  const Outcome cut = shell(folder, "fencepost replay cut.gz");
+  EXPECT_EQ(cut.exit_code, 3);
+  EXPECT_NE(cut.err.find("damaged or cut off; try 'gzip -t'"), std::string::npos) << cut.err;
+}
+
+}  // namespace
+}  // namespace fencepost::host
