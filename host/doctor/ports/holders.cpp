@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-pid_t number(const std::string& name) {
+pid_t process_number(const std::string& name) {
   pid_t pid = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
   return error == std::errc() && end == name.data() + name.size() ? pid : 0;
@@ -50,7 +50,7 @@ Holders holders_of(const Roots& roots, const std::string& path) {
   if (problem) return holders;
   for (auto entry = fs::directory_iterator(roots.proc, problem); !problem && entry != fs::directory_iterator();
        entry.increment(problem)) {
-    const pid_t pid = number(entry->path().filename().string());
+    const pid_t pid = process_number(entry->path().filename().string());
     if (pid == 0 || pid == ::getpid()) continue;
     const std::optional<bool> open = has_open(entry->path(), node);
     if (!open) holders.all_seen = false;

@@ -16,15 +16,16 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
   const Folder folder;
   std::string monitor;
   std::string poses = "t,x,y,heading\n";
-  for (int i = 0; i < 20; ++i) {  // past a pillar to the left: its bearing grows
+  for (int i = 0; i < 20; ++i) {  // past a pillar of 6 cm, 1.2 m ahead and 0.1 m to the left
     char line[200];
+    const double ahead = 1.2 - 0.03 * i;
     std::snprintf(
         line, sizeof line,
-        "12:00:%02d.%03d -> Detected 1\n12:00:%02d.%03d ->   block 0: sig: 1 x: %d y: 90 width: 20 height: 40 "
-        "index: 1 age: %d\nrubbish\n",
-        i / 10, 100 * (i % 10), i / 10, 100 * (i % 10), 130 - 2 * i, i);
+        "12:00:%02d.%03d -> Detected 1\n12:00:%02d.%03d ->   block 0: sig: 1 x: %.0f y: 90 width: %.0f height: "
+        "40 index: 1 age: %d\nrubbish\n",
+        i / 10, 100 * (i % 10), i / 10, 100 * (i % 10), 157.5 - 273.7 * 0.1 / ahead, 273.7 * 0.06 / ahead, i);
     monitor += line;
-    std::snprintf(line, sizeof line, "%.1f,%.2f,0,0\n", 43'200 + 0.1 * i - 0.05, 0.03 * i);
+    std::snprintf(line, sizeof line, "%.2f,%.3f,0,0\n", 43'200 + 0.1 * i, 0.03 * i);
     poses += line;
   }
   spill(folder.path() / "monitor.txt", monitor);

@@ -9,7 +9,7 @@ namespace {
 
 using testing::line_of;
 
-std::string recording(const char* name) {
+std::string recorded_log(const char* name) {
   return testing::slurp(std::string(FENCEPOST_SOURCE_DIR "/host/share/recordings/") + name);
 }
 
@@ -24,14 +24,14 @@ std::string with(std::string log, const std::string& fields) {
 }
 
 TEST(ReplayDifference, IsNoneOfALogAndItself) {
-  const std::string log = recording("approach_stop.log");
+  const std::string log = recorded_log("approach_stop.log");
   const doctor::Difference none = difference(log, log);
   EXPECT_FALSE(none.any());
   EXPECT_GT(none.alerts_alike, 4U) << "something was compared";
 }
 
 TEST(ReplayDifference, ShowsASettingAndTheAlertsThatItMoves) {
-  const std::string log = recording("approach_stop.log");
+  const std::string log = recorded_log("approach_stop.log");
   const doctor::Difference found = difference(log, with(log, "FPCFG,alert.notice,0.8"));
   ASSERT_EQ(found.settings.size(), 1U);
   EXPECT_EQ(found.settings[0].key, "alert.notice");
@@ -45,7 +45,7 @@ TEST(ReplayDifference, ShowsASettingAndTheAlertsThatItMoves) {
 }
 
 TEST(ReplayDifference, ShowsWhatChangedOfTheCalibration) {
-  const std::string log = recording("approach_stop.log");
+  const std::string log = recorded_log("approach_stop.log");
   const std::size_t begin = log.find("$FPCAM") + 1;
   std::string fields = log.substr(begin, log.find('*', begin) - begin);
   const std::string old_line = log.substr(begin - 1, log.find('\n', begin) + 2 - begin);
@@ -64,7 +64,7 @@ TEST(ReplayDifference, ShowsWhatChangedOfTheCalibration) {
 }
 
 TEST(ReplayDifference, ShowsAlertsThatOnlyOneRunHas) {
-  const std::string log = recording("approach_stop.log");
+  const std::string log = recorded_log("approach_stop.log");
   const std::string half = log.substr(0, log.find('\n', log.size() / 2) + 1);
   const doctor::Difference found = difference(log, half);
   bool only_first = false;

@@ -306,16 +306,17 @@ class Bytes {
   std::string text;
 };
 
-std::string record(std::uint8_t opcode, const std::string& content) {
+std::string mcap_record(std::uint8_t opcode, const std::string& content) {
   return Bytes().put(opcode).put(static_cast<std::uint64_t>(content.size())).text + content;
 }
 std::string message(std::uint16_t channel, const std::string& data) {
-  return record(5, Bytes().put(channel).put(0U).put(std::uint64_t{5'000'000'000}).put(std::uint64_t{0}).text + data);
+  return mcap_record(5,
+                     Bytes().put(channel).put(0U).put(std::uint64_t{5'000'000'000}).put(std::uint64_t{0}).text + data);
 }
 std::string channel(std::uint16_t id, const std::string& schema, const std::string& topic,
                     const std::string& encoding) {
-  return record(3, Bytes().put(id).string(schema).string("ros2msg").string("...").text) +
-         record(4, Bytes().put(id).put(id).string(topic).string(encoding).put(0U).text);
+  return mcap_record(3, Bytes().put(id).string(schema).string("ros2msg").string("...").text) +
+         mcap_record(4, Bytes().put(id).put(id).string(topic).string(encoding).put(0U).text);
 }
 Bytes cdr() {
   Bytes bytes;
@@ -347,24 +348,24 @@ std::string detections(double t, const std::vector<std::string>& classes) {
 }
 const std::string kMagic("\x89MCAP0\r\n", 8);
 std::string file_of(const std::string& records) {
-  return kMagic + record(1, "") + records + record(15, std::string(4, '\0')) + kMagic;
+  return kMagic + mcap_record(1, "") + records + mcap_record(15, std::string(4, '\0')) + kMagic;
 }
 std::string ros_records() {
   return channel(1, "vision_msgs/msg/Detection2DArray", "/boxes", "cdr") +
          channel(2, "nav_msgs/msg/Odometry", "/odom", "cdr") + channel(3, "std_msgs/msg/String", "/chatter", "cdr") +
-         message(2, odometry(100, 1, 0.5)) + message(3, "noise") + record(0x77, "a record of the future") +
+         message(2, odometry(100, 1, 0.5)) + message(3, "noise") + mcap_record(0x77, "a record of the future") +
          message(1, detections(100.05, {"cone", "ball"})) + message(2, odometry(100.1, 1.1, 0.5)) +
          message(1, detections(100.15, {}));
 }
 std::string chunk(const std::string& compression, const std::string& packed, std::size_t size) {
-  return record(6, std::string(16, '\0') +
-                       Bytes()
-                           .put(static_cast<std::uint64_t>(size))
-                           .put(0U)
-                           .string(compression)
-                           .put(static_cast<std::uint64_t>(packed.size()))
-                           .text +
-                       packed);
+  return mcap_record(6, std::string(16, '\0') +
+                            Bytes()
+                                .put(static_cast<std::uint64_t>(size))
+                                .put(0U)
+                                .string(compression)
+                                .put(static_cast<std::uint64_t>(packed.size()))
+                                .text +
+                            packed);
 }
 void expect_ros(const ImportResult& result) {
   const Recorded log = recorded(result);
