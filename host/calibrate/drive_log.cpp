@@ -102,7 +102,15 @@ class Watcher final : public RunObserver {
     for (std::size_t i = 0; i < frame.blobs.size(); ++i) {
       if (i != index) leave_out_hidden(box, frame.blobs[i].box, seen);
     }
+    leave_out_cut(seen);
     return seen;
+  }
+
+  /// Where an end is missing, so may be the nearest point of the footprint: what is left of it has its foot farther up.
+  static void leave_out_cut(SeenBox& seen) {
+    if (seen.left && seen.right) return;
+    seen.foot.reset();
+    seen.top.reset();
   }
 
   void count_ends(const SeenBox& seen) {

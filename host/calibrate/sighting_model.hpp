@@ -127,6 +127,23 @@ T support(const T* object, const T& nx, const T& ny) {
   return reach;
 }
 
+/// How fast that grows as the direction turns to the left: the point that touches lies so far along (-ny, nx) from the
+/// middle.
+template <class T>
+T support_slope(const T* object, const T& nx, const T& ny) {
+  T slope = T(0.0);
+  T c = nx;
+  T s = ny;
+  for (std::size_t m = 2; m <= kLastHarmonic; ++m) {
+    const T next = c * nx - s * ny;
+    s = s * nx + c * ny;
+    c = next;
+    const std::size_t at = kShape + 2 * (m - 2);
+    slope += static_cast<double>(m) * (c * object[at + 1] - s * object[at]);
+  }
+  return slope;
+}
+
 /// Rows and columns over the focal length, without distortion -> with it: the factor for both.
 template <class T>
 T distortion(const T& k1, const T& across, const T& down) {
@@ -164,7 +181,9 @@ T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, co
   const T nx = -sign * along_y;
   const T ny = sign * along_x;
   const T beyond = support(object, nx, ny) - nx * view.x - ny * view.y;
-  const T range = not_behind<T>(along_x * (object[kCentreX] - view.x) + along_y * (object[kCentreY] - view.y));
+  // Of the point that touches, not of the middle: a residual that a shape can make smaller by a factor bends the shape.
+  const T range = not_behind<T>(along_x * (object[kCentreX] - view.x) + along_y * (object[kCentreY] - view.y) -
+                                sign * support_slope(object, nx, ny));
   const T depth = range / length;
   const T tan_pitch = view.sin_pitch / view.cos_pitch;
 

@@ -68,6 +68,32 @@ TEST(SightingModel, ASquaresHarmonicsMakeItsCorners) {
   EXPECT_NEAR(calibration::support(object.data(), std::sqrt(0.5), std::sqrt(0.5)), 0.0707, 0.004);
 }
 
+// Whatever the shape: the residual of an edge that was seen elsewhere is how far elsewhere that was. A shape that makes
+// it less by a factor would be bent by noise (and was: yaws came out half a degree off).
+TEST(SightingModel, AShapeDoesNotMakeResidualsSmaller) {
+  const Camera camera;
+  const CameraValues values = values_of(camera);
+  const auto view = view_of(camera);
+  ObjectValues object = round({0.65, 0.05}, 0.06, 0.2);
+  object[kShape] = 0.008;
+  object[kShape + 1] = -0.012;
+  object[kShape + 3] = 0.006;
+  Sighting sighting;
+  sighting.row_low = 90;
+  sighting.row_high = 143;
+  for (const double sign : {1.0, -1.0}) {
+    const auto edge = [&](double beside) {
+      return calibration::edge_column(optics(), values.data(), view, object.data(), sighting, beside, sign);
+    };
+    double exact = 157.5;
+    for (int i = 0; i < 20; ++i) exact = edge(exact);
+    for (const double off : {-1.0, 1.0}) {
+      // What is left are curvatures: of second order in a pixel.
+      EXPECT_NEAR(edge(exact + off) - (exact + off), -off, 0.01) << sign;
+    }
+  }
+}
+
 struct Seen {
   Camera camera;
   Point centre;

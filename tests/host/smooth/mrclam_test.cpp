@@ -38,7 +38,7 @@ TEST_P(MrclamSmooth, OptimumByOdometryAlone) {
 }
 INSTANTIATE_TEST_SUITE_P(DataSets, MrclamSmooth, ::testing::Values("D7_R2", "D6_R2"));
 
-// The bearings' own bias against the survey is within 0.2 degrees in this run.
+// The bearings' own bias against the survey is within 0.2 degrees in this run; what is found, within its sigma of that.
 TEST(MrclamCalibrate, FindsTheBearingsBias) {
   const std::string folder = kData + "D7_R2";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "NOT TESTED: " << folder << " is not on this machine";
@@ -53,7 +53,7 @@ TEST(MrclamCalibrate, FindsTheBearingsBias) {
     if (finding.key != "yaw") continue;
     std::printf("  yaw %.2f +- %.2f degrees\n", finding.found, finding.sigma);
     EXPECT_TRUE(finding.observed);
-    EXPECT_LT(std::abs(finding.found), 0.2);
+    EXPECT_LT(std::abs(finding.found), 0.2 + finding.sigma);
     EXPECT_LT(finding.sigma, 0.4);
   }
 }
