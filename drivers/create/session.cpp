@@ -1,8 +1,9 @@
 #include "drivers/create/session.hpp"
 
 #include <array>
+#include <span>
 
-#include "hal/base/trig.hpp"
+#include "hal/base/check.hpp"
 
 namespace fencepost::create {
 namespace {
@@ -25,37 +26,61 @@ constexpr std::uint8_t kFull = 0x84;
 constexpr std::uint8_t kDrive = 0x89;
 constexpr std::uint8_t kStream = 0x94;
 
-StreamLayout layout_of(Model model) {
-  constexpr StreamField kDistance{19, 2};
-  constexpr StreamField kAngle{20, 2};
-  constexpr StreamField kLeftEncoder{43, 2};
-  constexpr StreamField kRightEncoder{44, 2};
+/// Of a Create 1: later than this, a frame was lost. A request that was not followed is repeated.
+constexpr base::Duration kFrameAndHalf = base::milliseconds(25);
+constexpr base::Duration kAskAgain = base::milliseconds(100);
+
+using PacketIds = base::FixedVector<std::uint8_t, kMaxFields>;
+
+PacketIds packets(Model model, bool reading) {
+  constexpr std::array<std::uint8_t, 2> kEncoders = {43, 44};               // left, right
+  constexpr std::array<std::uint8_t, 4> kReadRequested = {19, 20, 42, 41};  // distance, angle, left, right
+  PacketIds ids;
+  std::span<const std::uint8_t> wanted = kEncoders;
+  if (model == Model::kCreate1) wanted = std::span(kReadRequested).subspan(reading ? 0 : 2);
+  bool stored = true;
+  for (const std::uint8_t id : wanted) stored = ids.push_back(id) && stored;
+  FENCEPOST_CHECK(stored);
+  return ids;
+}
+
+StreamLayout layout_of(Model model, bool reading) {
   StreamLayout layout;
-  const bool first = model == Model::kCreate1;
-  const bool stored =
-      layout.push_back(first ? kDistance : kLeftEncoder) && layout.push_back(first ? kAngle : kRightEncoder);
+  bool stored = true;
+  for (const std::uint8_t id : packets(model, reading)) stored = layout.push_back({id, 2}) && stored;
   FENCEPOST_CHECK(stored);
   return layout;
 }
 
 }  // namespace
 
-Session::Session(const Config& config) : config_(config), decoder_(layout_of(config.model)), wheels_(config.wheels) {}
+Session::Session(const Config& config)
+    : config_(config),
+      decoder_(layout_of(config.model, false)),
+      wheels_(config.wheels),
+      reading_decoder_(layout_of(config.model, true)),
+      requested_(config.wheels.track_pm) {}
 
 bool Session::take(std::uint8_t byte, base::Time now) {
   heard_ = true;
   heard_at_ = now;
-  if (!decoder_.feed(byte, now)) return false;
-  const base::Time t = decoder_.t();
-  // Several frames bunched together: the first one's time is used for all, and a Create 1's motions still add up.
-  if (any_ && t < last_t_) return false;
-  config_.model == Model::kCreate1 ? take_distance() : take_counts();
-  last_t_ = t;
+  if (!take_frame(byte, now)) return false;
   any_ = true;
   streaming_ = true;
   tries_ = 0;
   deadline_ = now + kPatience;
   ++counts_.frames;
+  return true;
+}
+
+bool Session::take_frame(std::uint8_t byte, base::Time now) {
+  if (config_.model == Model::kCreate1) {
+    const bool reading = reading_decoder_.feed(byte, now);
+    return (decoder_.feed(byte, now) || reading) && take_requested(reading);
+  }
+  if (!decoder_.feed(byte, now) || (any_ && decoder_.t() < last_t_)) return false;
+  take_counts();
+  last_t_ = decoder_.t();
   return true;
 }
 
@@ -86,32 +111,62 @@ std::int64_t Session::furthest_mm(base::Duration time) const {
   return config_.wheels.max_speed_mm_s * (time + kLateness).raw / base::Duration::kPerUnit + 1;
 }
 
-void Session::take_distance() {
-  const std::int64_t mm = static_cast<std::int16_t>(decoder_.value(0));
-  const std::int64_t degrees = static_cast<std::int16_t>(decoder_.value(1));
-  const base::Time t = decoder_.t();
-  if (any_) {  // the first reading covers an unknown time
-    const std::int64_t furthest = furthest_mm(t - last_t_);
-    if (mm > furthest || mm < -furthest) {
-      ++counts_.impossible;
+// The first reading covers an unknown time.
+bool Session::take_requested(bool reading) {
+  const StreamDecoder& decoder = reading ? reading_decoder_ : decoder_;
+  const base::Time t = decoder.t();
+  const auto value = [&](std::size_t field) { return static_cast<std::int16_t>(decoder.value(field)); };
+  if (any_ && t < last_t_) return false;
+  if (!any_ && !reading) return false;
+  // A frame that was lost may have been a reading; a robot that was switched off forgot.
+  const bool in_part = t - last_t_ > kFrameAndHalf;
+  requested_.request(value(reading ? 2 : 0), value(reading ? 3 : 1), t);
+  last_t_ = t;
+  if (reading) {
+    const std::int64_t furthest = furthest_mm(t - read_at_);
+    const bool possible = value(0) <= furthest && value(0) >= -furthest;
+    if (any_ && !possible) ++counts_.impossible;
+    if (any_ && possible) {
+      requested_.read({value(0), value(1), in_part});
     } else {
-      degrees_ += degrees;
-      const std::int64_t heading = odometry::divide_nearest(degrees_ * (base::kTwoPiPicoradians / 360), 1'000'000);
-      pose_.advance(mm * odometry::kPicometresPerMillimetre, heading);
+      requested_.skip_reading();
     }
+    read_at_ = t;
+    reading_due_ = t + requested_.interval();
+    (void)request_packets(false);
   }
-  sample_ = pose_.sample(t);
+  sample_ = requested_.sample(t);
+  return true;
+}
+
+bool Session::request_packets(bool reading) {
+  base::FixedVector<std::uint8_t, 2 + kMaxFields> bytes;
+  const PacketIds ids = packets(config_.model, reading);
+  bool stored = bytes.push_back(kStream) && bytes.push_back(static_cast<std::uint8_t>(ids.size()));
+  for (const std::uint8_t id : ids) stored = bytes.push_back(id) && stored;
+  FENCEPOST_CHECK(stored);
+  return outbox_.put(bytes.view());
+}
+
+void Session::ask_for_reading(base::Time now) {
+  if (config_.model != Model::kCreate1 || !streaming_) return;
+  if (now < reading_due_ || now - asked_at_ < kAskAgain) return;
+  if (request_packets(true)) asked_at_ = now;
 }
 
 void Session::step(base::Time now) {
   if (now - heard_at_ > kPatience) heard_ = false;
   ask_if_due(now);
+  ask_for_reading(now);
   steer(now);
 }
 
 void Session::ask_if_due(base::Time now) {
   if (begun_ && now < deadline_) return;
-  if (begun_ && streaming_) decoder_.forget_rule();
+  if (begun_ && streaming_) {
+    decoder_.forget_rule();
+    reading_decoder_.forget_rule();
+  }
   streaming_ = false;
   ask_for_stream(now);
 }
@@ -124,19 +179,16 @@ void Session::ask_for_stream(base::Time now) {
   begun_ = true;
   deadline_ = now + kPatience;
   ++counts_.starts;
-  base::FixedVector<std::uint8_t, 8 + kPadding> bytes;
+  base::FixedVector<std::uint8_t, 2 + kPadding> bytes;
   bool stored = true;
   const auto put = [&](std::uint8_t byte) { stored = bytes.push_back(byte) && stored; };
   // A robot that took damaged bytes for the start of a long command waits for the remainder and swallows our request.
   for (std::size_t i = 0; whole && tries_ > kTriesToPadding && i < kPadding; ++i) put(kStart);
   if (whole) put(kStart);
   if (whole && config_.mode != Mode::kPassive) put(config_.mode == Mode::kSafe ? kSafe : kFull);
-  put(kStream);
-  put(2);
-  put(config_.model == Model::kCreate1 ? 19 : 43);
-  put(config_.model == Model::kCreate1 ? 20 : 44);
   FENCEPOST_CHECK(stored);
-  (void)outbox_.put(bytes.view());  // no room: the line is blocked; the next step retries
+  // No room: the line is blocked; the next step retries.
+  if (outbox_.put(bytes.view()) && request_packets(true)) asked_at_ = now;
 }
 
 // A robot whose wheels are not heard of is not driven on.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "drivers/create/requested_motion.hpp"
 #include "drivers/create/stream_decoder.hpp"
 #include "drivers/odometry/differential_drive.hpp"
 #include "drivers/serial/outbox.hpp"
@@ -14,7 +15,7 @@
 namespace fencepost::create {
 
 enum class Model : std::uint8_t {
-  kCreate1,  ///< packets 19, 20: whole mm and degrees since the last reading, truncated by the robot
+  kCreate1,  ///< packets 41, 42: requested wheel speeds; 19, 20 now and then (requested_motion.hpp)
   kCreate2,  ///< packets 43, 44: encoder counts; Roomba 600 too
 };
 
@@ -35,7 +36,7 @@ struct Motion {
 struct Config {
   Model model = Model::kCreate2;
   Mode mode = Mode::kPassive;
-  odometry::WheelBase wheels = odometry::kCreate2Wheels;  ///< for a Create 1 only the top speed is used
+  odometry::WheelBase wheels = odometry::kCreate2Wheels;  ///< of a Create 1 (kCreate1Wheels) track and top speed
 };
 
 struct Counts {
@@ -44,9 +45,9 @@ struct Counts {
   std::uint32_t impossible = 0;  ///< readings faster than the wheels can turn: not taken as motion
 };
 
-/// A frame comes every 15 ms. The motion in a Create 1's frame is lost with the frame; a Create 2's is not. A robot
-/// that was switched off counts from zero again: after a second of silence, counts as near to zero as the robot can
-/// have driven since are taken as a restart, and the pose continues from where it was.
+/// A frame comes every 15 ms. No motion is lost with a frame, except what a Create 1 did unasked before a reading that
+/// is lost. A Create 2 that was switched off counts from zero again: after a second of silence, counts as near to zero
+/// as the robot can have driven since are taken as a restart, and the pose continues from where it was.
 class Session {
  public:
   using Sample = sensor::OdometrySample;
@@ -75,6 +76,8 @@ class Session {
   [[nodiscard]] sensor::LinkState link() const;
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] const StreamDecoder& decoder() const { return decoder_; }
+  /// Of a Create 1.
+  [[nodiscard]] const RequestedMotion& requested() const { return requested_; }
 
  private:
   void ask_if_due(base::Time now);
@@ -82,15 +85,21 @@ class Session {
   void steer(base::Time now);
   [[nodiscard]] bool put(const Motion& motion);
   void take_counts();
-  void take_distance();
+  [[nodiscard]] bool take_frame(std::uint8_t byte, base::Time now);
+  [[nodiscard]] bool take_requested(bool reading);
+  void ask_for_reading(base::Time now);
+  [[nodiscard]] bool request_packets(bool reading);
   [[nodiscard]] bool may_have_restarted(base::Duration silence) const;
   [[nodiscard]] std::int64_t furthest_mm(base::Duration time) const;
 
   Config config_;
   StreamDecoder decoder_;
   odometry::DifferentialDrive wheels_;
-  odometry::ArcIntegrator pose_;
-  std::int64_t degrees_ = 0;
+  StreamDecoder reading_decoder_;  ///< a Create 1's frames with distance and angle
+  RequestedMotion requested_;
+  base::Time read_at_;
+  base::Time reading_due_;
+  base::Time asked_at_;  ///< for a reading
   serial::Outbox<64> outbox_;
   std::optional<Motion> motion_;   ///< that is asked for
   std::optional<Motion> steered_;  ///< that was sent last

@@ -45,4 +45,7 @@ constexpr WheelBase make_wheel_base(const WheelDrawing& wheel, double track_mm, 
 /// driven at 500 mm/s at most, a slope allowed for.
 inline constexpr WheelBase kCreate2Wheels = make_wheel_base({72.0, 508.8}, 235.0, 16, 600);
 
+/// iRobot Create 1: axle 258 mm (its manual's figure); it tells no counts.
+inline constexpr WheelBase kCreate1Wheels = make_wheel_base({72.0, 508.8}, 258.0, 16, 600);
+
 }  // namespace fencepost::odometry

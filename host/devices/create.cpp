@@ -16,9 +16,11 @@ constexpr std::uint32_t kCreate1Baud = 57'600;
 constexpr std::uint32_t kCreate2Baud = 115'200;
 
 constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
-// Create: Open Interface specification.
-constexpr emulate::WheelShape kCreateWheels{metres(odometry::kCreate2Wheels.left_pm_per_count),
-                                            metres(odometry::kCreate2Wheels.track_pm)};
+template <create::Model Model>
+constexpr odometry::WheelBase kWheels =
+    Model == create::Model::kCreate1 ? odometry::kCreate1Wheels : odometry::kCreate2Wheels;
+template <create::Model Model>
+constexpr emulate::WheelShape kShape{metres(kWheels<Model>.left_pm_per_count), metres(kWheels<Model>.track_pm)};
 
 using Wheels = Ported<create::Create<host::BytePort>>;
 
@@ -53,7 +55,7 @@ std::unique_ptr<host::OdometryDevice> open_create(const Opening& opening) {
   const auto velocity = static_cast<std::int16_t>(opening.spec.number("drive"));
   create::Config config;
   config.model = Model;
-  config.wheels = opening.robot.wheels.over(config.wheels);
+  config.wheels = opening.robot.wheels.over(kWheels<Model>);
   config.mode = mode_of(opening.spec.option("mode"), velocity != 0);
   return std::make_unique<CreateDevice>(opening, config, velocity);
 }
@@ -77,19 +79,20 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
                        .unready = "what comes is no sensor stream: check the baud and the model",
                        .driver = OdometryDriver{open_create<Model>}},
           .emulated = Emulated{.tells = tells,
-                               .options = wheel_options(delivered_baud, kCreateWheels),
+                               .options = wheel_options(delivered_baud, kShape<Model>),
                                .describe = emulate::describe_create,
                                .make = make<Emulation>,
-                               .wheels = kCreateWheels},
+                               .wheels = kShape<Model>},
           .images = {name}};
 }
 
 }  // namespace
 
 Rows create() {
-  return {row<create::Model::kCreate1, CreateModel::kOne>("create1", "iRobot Create", kCreate1Baud,
-                                                          "whole mm and degrees since the last reading"),
-          row<create::Model::kCreate2, CreateModel::kTwo>("create2", "Create 2, Roomba 600", kCreate2Baud, "counts")};
+  return {
+      row<create::Model::kCreate1, CreateModel::kOne>("create1", "iRobot Create", kCreate1Baud,
+                                                      "requested speeds, whole mm and degrees since the last reading"),
+      row<create::Model::kCreate2, CreateModel::kTwo>("create2", "Create 2, Roomba 600", kCreate2Baud, "counts")};
 }
 
 }  // namespace fencepost::devices

@@ -24,7 +24,8 @@ struct Create : create::Create<board::Link> {
     const bool first = opening.devices.odometry() == config::OdometryId::kCreate1;
     const bool drives = opening.devices.raw(config::DeviceKey::kDrive) != 0;
     return {first ? create::Model::kCreate1 : create::Model::kCreate2,
-            drives ? create::Mode::kSafe : create::Mode::kPassive, odometry::kCreate2Wheels};
+            drives ? create::Mode::kSafe : create::Mode::kPassive,
+            first ? odometry::kCreate1Wheels : odometry::kCreate2Wheels};
   }
 };
 

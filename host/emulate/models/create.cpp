@@ -23,9 +23,15 @@ constexpr int kPassive = 1;
 constexpr int kSafeMode = 2;
 constexpr int kFullMode = 3;
 
+// Bytes that the line takes in 15 ms, at 57600 and at 115200 Bd.
+constexpr std::size_t kFitsInOne = 86;
+constexpr std::size_t kFitsInTwo = 172;
+
 constexpr int kFastest = 500;         // mm/s
 constexpr int kWidestRadius = 2'000;  // mm
-constexpr double kTrack = 235;        // mm
+// Between the wheels, mm.
+constexpr double kTrackOfOne = 258;
+constexpr double kTrackOfTwo = 235;
 constexpr double kMillimetresPerCount = std::numbers::pi * 72.0 / 508.8;
 
 int at(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
@@ -35,14 +41,14 @@ int signed_at(std::string_view bytes, std::size_t i) {
 }
 
 // The Open Interface's special radii: straight, and on the spot to the right and to the left.
-CreateDevice::Speeds speeds_of(int velocity, int radius) {
+CreateDevice::Speeds speeds_of(int velocity, int radius, double track) {
   velocity = std::clamp(velocity, -kFastest, kFastest);
   if (radius == 0x7FFF || radius == -0x8000) return {velocity, velocity};
   if (radius == -1) return {velocity, -velocity};
   if (radius == 1) return {-velocity, velocity};
   radius = std::clamp(radius, -kWidestRadius, kWidestRadius);
   if (radius == 0) return {velocity, velocity};
-  const double share = kTrack / 2 / radius;
+  const double share = track / 2 / radius;
   return {static_cast<int>(std::lround(velocity * (1 - share))), static_cast<int>(std::lround(velocity * (1 + share)))};
 }
 
@@ -61,7 +67,9 @@ std::string CreateDevice::power_up() {
   pending_.clear();
   stream_.clear();
   set_mode(kOff);
+  unsent_ = 0;
   driven_ = false;
+  speeds_ = {};
   streaming_ = false;
   left_ = right_ = 0;
   left_rest_ = right_rest_ = 0;
@@ -80,6 +88,7 @@ void CreateDevice::move(double mm, double degrees) {
 }
 
 void CreateDevice::drive_on(double seconds) {
+  if (!driven_) return;
   const auto turn = [seconds](int speed, double& rest) {
     rest += speed * seconds / kMillimetresPerCount;
     const double counts = std::trunc(rest);
@@ -89,8 +98,10 @@ void CreateDevice::drive_on(double seconds) {
   const int left = turn(speeds_.left, left_rest_);
   roll(left, turn(speeds_.right, right_rest_));
   const double mm = (speeds_.left + speeds_.right) / 2.0 * seconds;
-  move(mm, (speeds_.right - speeds_.left) * seconds / kTrack * 180 / std::numbers::pi);
+  move(mm, (speeds_.right - speeds_.left) * seconds / track() * 180 / std::numbers::pi);
 }
+
+double CreateDevice::track() const { return model_ == CreateModel::kOne ? kTrackOfOne : kTrackOfTwo; }
 
 void CreateDevice::lift() {
   if (mode_ == kSafeMode) set_mode(kPassive);
@@ -99,14 +110,14 @@ void CreateDevice::lift() {
 // Only in safe and full does it go as it was told.
 void CreateDevice::set_mode(int mode) {
   mode_ = mode;
-  if (mode < kSafeMode) speeds_ = {};
+  if (mode < kSafeMode && driven_) speeds_ = {};
 }
 
 void CreateDevice::obey_drive() {
   if (mode_ < kSafeMode) return;
   driven_ = true;
   if (at(pending_, 0) == kDrive) {
-    speeds_ = speeds_of(signed_at(pending_, 1), signed_at(pending_, 3));
+    speeds_ = speeds_of(signed_at(pending_, 1), signed_at(pending_, 3), track());
   } else {
     speeds_ = {std::clamp(signed_at(pending_, 3), -kFastest, kFastest),
                std::clamp(signed_at(pending_, 1), -kFastest, kFastest)};
@@ -166,6 +177,8 @@ std::string CreateDevice::value_of(int id) {
     case 35: return std::string(1, static_cast<char>(mode_));
     case 19: return big_endian(whole(mm_));
     case 20: return big_endian(whole(degrees_));
+    case 41: return big_endian(static_cast<std::uint16_t>(speeds_.right));
+    case 42: return big_endian(static_cast<std::uint16_t>(speeds_.left));
     case 43: return model_ == CreateModel::kTwo ? big_endian(left_) : std::string();
     case 44: return model_ == CreateModel::kTwo ? big_endian(right_) : std::string();
     default: return {};
@@ -174,6 +187,10 @@ std::string CreateDevice::value_of(int id) {
 
 std::string CreateDevice::frame() {
   if (!streaming_) return {};
+  // Of a longer list than fits, frames come as the line takes them.
+  const std::size_t fits = model_ == CreateModel::kOne ? kFitsInOne : kFitsInTwo;
+  unsent_ -= std::min(unsent_, fits);
+  if (unsent_ > 0) return {};
   std::string payload;
   for (const int id : stream_) {
     const std::string value = value_of(id);
@@ -182,7 +199,9 @@ std::string CreateDevice::frame() {
   std::string bytes = "\x13" + std::string(1, static_cast<char>(payload.size())) + payload;
   unsigned sum = 0;
   for (std::size_t i = header_in_checksum_ ? 0 : 1; i < bytes.size(); ++i) sum += static_cast<unsigned char>(bytes[i]);
-  return bytes + static_cast<char>(256 - sum % 256);
+  bytes += static_cast<char>(256 - sum % 256);
+  unsent_ = bytes.size();
+  return bytes;
 }
 
 }  // namespace fencepost::emulate

@@ -25,8 +25,11 @@ class CreateDevice {
   void roll(int left, int right);
   /// The robot has moved, in mm and degrees (Create 1), fractions kept until read.
   void move(double mm, double degrees);
-  /// It drives as it was told for so long; not before it was told for the first time. Its wheels are those of a Create
-  /// 2, on which the counts of both models' motions are based.
+  /// The speeds that a program of its own requests, which packets 39 to 42 tell; whoever drives it overrides them.
+  void request(int left, int right) {
+    if (!driven_) speeds_ = {left, right};
+  }
+  /// It drives as it was told for so long; not before it was told for the first time.
   void drive_on(double seconds);
   /// A wheel drops or a cliff is seen: out of mode safe the robot falls back to passive, and stands.
   void lift();
@@ -44,6 +47,7 @@ class CreateDevice {
 
  private:
   [[nodiscard]] std::size_t arguments_wanted() const;
+  [[nodiscard]] double track() const;  ///< mm
   std::string obey();
   void set_mode(int mode);
   void obey_drive();
@@ -55,6 +59,7 @@ class CreateDevice {
   int mode_ = 0;         ///< of packet 35: off, passive, safe, full
   bool streaming_ = false;
   std::vector<int> stream_;
+  std::size_t unsent_ = 0;  ///< of the last frame
   std::uint16_t left_ = 0;
   std::uint16_t right_ = 0;
   double mm_ = 0;

@@ -41,6 +41,9 @@ class CreateAdapter final : public DeviceModel {
     const std::int64_t right = counts_of(travel.right(wheels_.track), wheels_.tick);
     device_.roll(static_cast<int>(left - left_), static_cast<int>(right - right_));
     device_.move((travel.distance - last_.distance) * 1'000, (travel.heading - last_.heading) / kDegree);
+    const double lead = travel.turn_rate * wheels_.track / 2;
+    device_.request(static_cast<int>(std::lround((travel.speed - lead) * 1'000)),
+                    static_cast<int>(std::lround((travel.speed + lead) * 1'000)));
     left_ = left;
     right_ = right;
     last_ = travel;

@@ -23,6 +23,10 @@ struct StraightOn {
   bool moving = false;
 };
 
+template <create::Model Model>
+constexpr odometry::WheelBase kWheelsOf =
+    Model == create::Model::kCreate1 ? odometry::kCreate1Wheels : odometry::kCreate2Wheels;
+
 struct CreateRig : StraightOn {
   using Sample = sensor::OdometrySample;
   using Link = Cable<emulate::CreateDevice>;
@@ -74,7 +78,7 @@ struct CreateRig : StraightOn {
 template <create::Model Model, emulate::CreateModel Device>
 struct HostileCreate : CreateRig {
   HostileCreate(const fake::SteppedClock& clock, const Damage& damage)
-      : CreateRig(clock, {Model, create::Mode::kPassive, odometry::kCreate2Wheels}, Device, false, damage) {}
+      : CreateRig(clock, {Model, create::Mode::kPassive, kWheelsOf<Model>}, Device, false, damage) {}
 };
 
 }  // namespace fencepost::test

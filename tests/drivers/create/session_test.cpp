@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "hal/fake/scripted_link.hpp"
@@ -36,7 +38,7 @@ std::string sent_by(const Config& config) {
 
 TEST(CreateSession, StartsAsTheOpenInterfaceSays) {
   EXPECT_EQ(sent_by(config_of(Model::kCreate2)), test::hex_text("80 94 02 2B 2C"));
-  EXPECT_EQ(sent_by(config_of(Model::kCreate1)), test::hex_text("80 94 02 13 14"));
+  EXPECT_EQ(sent_by(config_of(Model::kCreate1)), test::hex_text("80 94 04 13 14 2A 29"));
   EXPECT_EQ(sent_by(config_of(Model::kCreate2, Mode::kSafe)), test::hex_text("80 83 94 02 2B 2C"));
   EXPECT_EQ(sent_by(config_of(Model::kCreate2, Mode::kFull)), test::hex_text("80 84 94 02 2B 2C"));
 }
@@ -73,24 +75,122 @@ TEST(CreateSession, TurnsOnTheSpot) {
   EXPECT_NEAR(rig.last.heading.raw, -31'353, 1);
 }
 
-TEST(CreateSession, ACreate1TellsMillimetresAndDegrees) {
-  Rig rig(config_of(Model::kCreate1), CreateModel::kOne);
+Config create1() {
+  Config config = config_of(Model::kCreate1);
+  config.wheels = odometry::kCreate1Wheels;
+  return config;
+}
+
+// A reading, 0 mm and 0 degrees at 100 mm/s, then requested speeds alone, left 100, right 90: after 15 ms 1.5 mm and,
+// on the mean of both, -0.075 mm / 258 mm = -0.00029 rad. Checksums without the header.
+TEST(CreateSession, ACreate1IsReadSeldom) {
+  const auto reading = test::bytes_of(test::hex_text("13 0C 13 00 00 14 00 00 2A 00 64 29 00 64 B2"));
+  const auto requested = test::bytes_of(test::hex_text("13 06 2A 00 64 29 00 5A E9"));
+  const std::array<fake::LinkStep, 3> script = {{{{}, base::Error::kNotReady}, {reading, {}}, {requested, {}}}};
+  fake::ScriptedLink<64> link(script);
+  Create<fake::ScriptedLink<64>> driver(link, create1());
+  EXPECT_FALSE(driver.poll({0}));
+  EXPECT_EQ(*driver.poll({100}), (sensor::OdometrySample{{100}, {}, {}, {}}));
+  const auto moved = driver.poll({250});
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->x.raw, 15);
+  EXPECT_EQ(moved->heading.raw, -3);
+  EXPECT_EQ(std::string(link.written().begin(), link.written().end()),
+            test::hex_text("80 94 04 13 14 2A 29 94 02 2A 29"));
+}
+
+/// Drives for so long as requested, mm/s, its wheels turning `share` of that.
+void drive(Rig& rig, int left, int right, int ms, double share = 1) {
+  rig.device.request(left, right);
+  rig.mm_a_frame = share * (left + right) / 2.0 * 0.015;
+  rig.degrees_a_frame = share * (right - left) * 0.015 / 258 * 180 / std::numbers::pi;
+  rig.run(ms);
+}
+
+double degrees(const sensor::OdometrySample& sample) { return sample.heading.to_double() * 180 / std::numbers::pi; }
+
+// 0.073 degrees a frame, of which no frame's reading would tell anything: 90 degrees in 18.4 s.
+TEST(CreateSession, ACreate1sSlowTurnsAreKept) {
+  Rig rig(create1(), CreateModel::kOne);
   rig.device.move(500, 90);  // before anybody listened
   rig.run(90);
   EXPECT_EQ(rig.last.x.raw, 0) << "the first reading covers an unknown time";
+  EXPECT_EQ(rig.last.heading.raw, 0);
+  drive(rig, -11, 11, 18'424);
+  drive(rig, 0, 0, 1'500);
+  EXPECT_NEAR(degrees(rig.last), 90, 0.2);
+  drive(rig, 200, 200, 5'000);
+  drive(rig, 0, 0, 1'500);
+  EXPECT_NEAR(rig.last.x.to_double(), 0, 0.005);
+  EXPECT_NEAR(rig.last.y.to_double(), 1, 0.005);
+  EXPECT_EQ(rig.driver.session().requested().surprises(), 0U);
+}
+
+// Ten turns with wheels 5 % slower than requested: without readings the heading would be 180 degrees off.
+TEST(CreateSession, ACreate1sReadingsCorrectWhatWasRequested) {
+  Rig rig(create1(), CreateModel::kOne);
+  rig.run(90);
+  drive(rig, -100, 100, 85'300, 0.95);
+  drive(rig, 0, 0, 1'500);
+  const double turned = 200 * 0.95 * 85.3 / 258 * 180 / std::numbers::pi;
+  EXPECT_NEAR(std::remainder(degrees(rig.last) - turned, 360), 0, 10) << "0.3 % of 3599 degrees";
+}
+
+TEST(CreateSession, ACreate1ThatStallsStands) {
+  Rig rig(create1(), CreateModel::kOne);
+  rig.run(90);
+  drive(rig, 200, 200, 10'000, 0);
+  EXPECT_LT(rig.last.x.to_double(), 0.06) << "the 0.25 s until the next reading, at most";
+  drive(rig, 0, 0, 1'500);
+  EXPECT_NEAR(rig.last.x.to_double(), 0, 0.002);
+  EXPECT_GT(rig.driver.session().requested().surprises(), 10U);
+}
+
+// Nothing is requested: 45 degrees/s and 200 mm/s are found by the readings alone.
+TEST(CreateSession, ACreate1ThatIsPushedIsReadMoreOften) {
+  Rig rig(create1(), CreateModel::kOne);
+  rig.run(90);
   rig.mm_a_frame = 3;
   rig.run(1'500);
   rig.mm_a_frame = 0;
-  rig.degrees_a_frame = 1;
-  rig.run(1'350);
+  rig.degrees_a_frame = 0.675;
+  rig.run(1'995);
   rig.degrees_a_frame = 0;
-  rig.mm_a_frame = -2;
+  rig.mm_a_frame = -3;
   rig.run(1'500);
   rig.stand();
-  rig.run(30);
-  EXPECT_EQ(rig.last.x.raw, 3'000);
-  EXPECT_EQ(rig.last.y.raw, -2'000);
-  EXPECT_EQ(rig.last.heading.raw, 15'708);
+  rig.run(1'500);
+  EXPECT_NEAR(rig.last.x.to_double(), 0.3, 0.02);
+  EXPECT_NEAR(rig.last.y.to_double(), -0.3, 0.02);
+  EXPECT_NEAR(degrees(rig.last), 90, 3);
+}
+
+// What it drove in 0.3 s is in the next reading, though it was driven unseen.
+TEST(CreateSession, AShortUnplugCostsACreate1NoMotion) {
+  Rig rig(create1(), CreateModel::kOne);
+  rig.run(90);
+  drive(rig, 200, 200, 3'000);
+  rig.link.unplug();
+  rig.run(300);
+  rig.link.replug();
+  rig.run(2'700);
+  drive(rig, 0, 0, 1'500);
+  EXPECT_NEAR(rig.last.x.to_double(), 1.2, 0.005);
+}
+
+TEST(CreateSession, ACreate1ThatWasSwitchedOffGoesOnFromWhereItWas) {
+  Rig rig(create1(), CreateModel::kOne);
+  rig.run(90);
+  drive(rig, 200, 200, 2'400);
+  const base::Metres before = rig.last.x;
+  rig.link.power(false);
+  rig.run(3'000);
+  (void)rig.device.power_up();
+  rig.stand();
+  rig.link.power(true);
+  rig.run(1'200);
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+  EXPECT_NEAR(rig.last.x.to_double(), before.to_double(), 0.02) << "0.1 s as requested";
 }
 
 TEST(CreateSession, ARobotThatWasSwitchedOffGoesOnFromWhereItWas) {

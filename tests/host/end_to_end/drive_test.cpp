@@ -28,7 +28,7 @@ struct Wheels {
 
 /// Every camera of the catalogue that can be emulated, each with the next one of the wheel bases.
 std::vector<Drive> drives() {
-  const Wheels wheels[] = {{"create2", 0.01}, {"records", 0.01}, {"nxt", 0.02}};
+  const Wheels wheels[] = {{"create2", 0.01}, {"records", 0.01}, {"nxt", 0.02}, {"create1", 0.01}};
   std::vector<Drive> drives;
   for (const devices::Row* row : devices::rows_for(devices::Use::kCamera)) {
     if (!row->emulated->has_value()) continue;

@@ -32,6 +32,17 @@ TEST(EmulatedCreate, ReadingDistanceAndAngleResetsThem) {
   EXPECT_EQ(one.frame(), test::hex_text("13 06 13 00 00 14 00 00 D3")) << "the fractions are gone too";
 }
 
+// Packets 41 and 42: of the right wheel and of the left one.
+TEST(EmulatedCreate, TellsWhatWasRequested) {
+  CreateDevice one(CreateModel::kOne, false);
+  (void)one.feed(test::hex_text("80 83"));
+  one.request(90, 100);
+  EXPECT_EQ(one.feed(test::hex_text("95 02 29 2A")), test::hex_text("00 64 00 5A"));
+  (void)one.feed(test::hex_text("91 FF 38 00 C8"));
+  one.request(90, 100);
+  EXPECT_EQ(one.feed(test::hex_text("95 02 29 2A")), test::hex_text("FF 38 00 C8")) << "whoever drives it";
+}
+
 TEST(EmulatedCreate, DoesNothingBeforeStart) {
   CreateDevice two(CreateModel::kTwo, false);
   EXPECT_EQ(two.feed(test::hex_text("94 02 2B 2C 8E 2B")), "");
@@ -86,8 +97,8 @@ TEST(EmulatedCreate, ItsMotionIsWhatItReports) {
   for (int i = 0; i < 10; ++i) one.drive_on(0.015);
   EXPECT_EQ(one.feed(test::hex_text("95 02 13 14")), test::hex_text("00 1E 00 00")) << "30 mm straight on";
   (void)one.feed(test::hex_text("89 00 C8 00 01"));
-  one.drive_on(1);  // 400 mm/s between wheels 235 mm apart: 97.5 degrees
-  EXPECT_EQ(one.feed(test::hex_text("95 02 13 14")), test::hex_text("00 00 00 61"));
+  one.drive_on(1);  // 400 mm/s between wheels 258 mm apart: 88.8 degrees
+  EXPECT_EQ(one.feed(test::hex_text("95 02 13 14")), test::hex_text("00 00 00 58"));
 }
 
 }  // namespace
