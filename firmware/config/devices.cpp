@@ -2,6 +2,7 @@
 
 #include "drivers/cmucam/dialect.hpp"
 #include "drivers/huskylens/huskylens.hpp"
+#include "drivers/jevois/session.hpp"
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/xbc/session.hpp"
@@ -44,6 +45,7 @@ sensor::CameraIntrinsics delivered_calibration(CameraId id) {
     case CameraId::kNxtcam:
     case CameraId::kNxtcamI2c: return nxtcam::kProfile;
     case CameraId::kXbc: return xbc::nominal_intrinsics({});
+    case CameraId::kJevois: return jevois::nominal_intrinsics({});
   }
   return {};
 }

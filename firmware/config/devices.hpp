@@ -34,8 +34,9 @@ enum class CameraId : std::uint8_t {
   kNxtcam,
   kNxtcamI2c,
   kXbc,
+  kJevois,
 };
-inline constexpr std::size_t kCameraIds = 14;
+inline constexpr std::size_t kCameraIds = 15;
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -63,6 +64,7 @@ inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
     {"nxtcam", Port::kLine, 115'200},
     {"nxtcam_i2c", Port::kTwoWire, 0, 0x01},
     {"xbc", Port::kLine, 38'400},
+    {"jevois", Port::kLine, 115'200},
 }};
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{

@@ -8,6 +8,7 @@ Rows cmucam();
 Rows console();
 Rows create();
 Rows huskylens();
+Rows jevois();
 Rows nxt();
 Rows nxtcam();
 Rows pixy2();
@@ -16,7 +17,8 @@ Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2, cmucam, huskylens, nxtcam, xbc, create, nxt, can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens,  nxtcam,  xbc,    jevois,
+                                   create, nxt,    can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

@@ -6,6 +6,7 @@
 #include "firmware/image/cameras/console.hpp"
 #include "firmware/image/cameras/huskylens.hpp"
 #include "firmware/image/cameras/huskylens_i2c.hpp"
+#include "firmware/image/cameras/jevois.hpp"
 #include "firmware/image/cameras/nxtcam.hpp"
 #include "firmware/image/cameras/nxtcam_i2c.hpp"
 #include "firmware/image/cameras/pixy2.hpp"
@@ -19,7 +20,8 @@
 namespace fencepost::image {
 
 /// In the order in which a turn of the loop asks which it is.
-using Camera = CameraChoice<ConsoleCamera, Pixy2, Pixy2I2c, CmuCam, HuskyLens, HuskyLensI2c, NxtCam, NxtCamI2c, Xbc>;
+using Camera =
+    CameraChoice<ConsoleCamera, Pixy2, Pixy2I2c, CmuCam, HuskyLens, HuskyLensI2c, NxtCam, NxtCamI2c, Xbc, JeVois>;
 using Odometry = OdometryChoice<ConsoleOdometry, Encoders, Create>;
 
 }  // namespace fencepost::image

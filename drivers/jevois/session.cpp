@@ -1,0 +1,68 @@
+#include "drivers/jevois/session.hpp"
+
+namespace fencepost::jevois {
+namespace {
+
+// Ten frames at 20 /s; a module that is loading is told again so often.
+constexpr base::Duration kPatience = base::milliseconds(500);
+
+constexpr std::string_view kSettings =
+    "setpar serout All\n"
+    "setpar serstyle Normal\n"
+    "setpar serprec 1\n"
+    "setpar serstamp Frame\n"
+    "setpar sermark Both\n"
+    "streamon\n";
+
+}  // namespace
+
+bool Session::take(std::uint8_t byte, base::Time now) {
+  const Event event = decoder_.feed(byte, now);
+  if (event == Event::kNone) return false;
+  heard_ = true;
+  heard_at_ = now;
+  if (event != Event::kFrame) return false;
+  framed_ = true;
+  framed_at_ = now;
+  as_told_ = decoder_.as_told();
+  return true;
+}
+
+void Session::step(base::Time now) {
+  if (now - heard_at_ > kPatience) heard_ = false;
+  if (now - framed_at_ > kPatience) framed_ = false;
+  if (begun_ && ((framed_ && as_told_) || now < next_telling_)) return;
+  begun_ = true;
+  outbox_.clear();
+  (void)outbox_.put(kSettings);
+  next_telling_ = now + kPatience;
+}
+
+void Session::link_lost() {
+  begun_ = heard_ = framed_ = false;
+  outbox_.clear();
+}
+
+sensor::LinkState Session::link() const {
+  if (!heard_) return sensor::LinkState::kSilent;
+  if (!framed_) return sensor::LinkState::kUnready;
+  return decoder_.frame().blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
+}
+
+sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount) {
+  // 160 / tan(30 deg).
+  constexpr base::Pixels2 kFocal = base::Pixels2::nearest(277.13);
+  sensor::CameraIntrinsics intrinsics;
+  intrinsics.model = "jevois";
+  intrinsics.width = static_cast<std::uint16_t>(kWidth);
+  intrinsics.height = static_cast<std::uint16_t>(kHeight);
+  intrinsics.fx = kFocal;
+  intrinsics.fy = kFocal;
+  intrinsics.cx = base::Pixels2::nearest((kWidth - 1) / 2.0);
+  intrinsics.cy = base::Pixels2::nearest((kHeight - 1) / 2.0);
+  intrinsics.mount = mount;
+  intrinsics.latency = base::milliseconds(67);
+  return intrinsics;
+}
+
+}  // namespace fencepost::jevois

@@ -1,0 +1,181 @@
+#include "drivers/jevois/decoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/drivers/hex.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::jevois {
+namespace {
+
+struct Reading {
+  Reading& bytes(std::string_view bytes) {
+    for (const char byte : bytes) {
+      if (decoder.feed(test::octet(byte), now) == Event::kFrame) frames.push_back(decoder.frame());
+      ++now.raw;
+    }
+    return *this;
+  }
+  Reading& frame(std::string_view line) {
+    return bytes("MARK START\r\n").bytes(line).bytes("\r\n").bytes("MARK STOP\r\n");
+  }
+
+  Decoder decoder{[] {
+    Names names;
+    (void)names.push_back({"red_ball", 7});
+    return names;
+  }()};
+  base::Time now{0};
+  std::vector<sensor::BlobFrame> frames;
+};
+
+sensor::Blob only(std::string_view line) {
+  Reading reading;
+  reading.frame(line);
+  EXPECT_EQ(reading.frames.size(), 1U) << line;
+  if (reading.frames.empty() || reading.frames[0].blobs.empty()) return {};
+  return reading.frames[0].blobs[0];
+}
+
+// The document's example: 320x240, centre (200, 90), 64 x 48 px: columns 168 to 231, rows 66 to 113. y = -188 is
+// rounded from -187.5, which is 0.08 pixels: the same rows.
+constexpr sensor::Blob kBall{7, 168, 66, 231, 113, {1'995}, {895}, 0, {}};
+constexpr std::string_view kExample = "12 MARK START\r\n12 N2 red_ball 250 -187.5 400 300\r\n12 MARK STOP\r\n";
+
+TEST(JevoisDecoder, TheWorkedExample) {
+  Reading reading;
+  reading.bytes(kExample);
+  ASSERT_EQ(reading.frames.size(), 1U);
+  EXPECT_EQ(reading.frames[0].frame, 12U);
+  EXPECT_EQ(reading.frames[0].t.raw, 0) << "the first byte of the first mark";
+  ASSERT_EQ(reading.frames[0].blobs.size(), 1U);
+  EXPECT_EQ(reading.frames[0].blobs[0], kBall);
+  sensor::Blob rounded = only("N2 red_ball 250 -188 400 300");
+  EXPECT_EQ(rounded.cy.raw, 894) << "0.75 * (2000 * 89.9 / 240 - 1000) = -188";
+  rounded.cy = kBall.cy;
+  EXPECT_EQ(rounded, kBall);
+}
+
+TEST(JevoisDecoder, TheWholePictureAndItsCorners) {
+  EXPECT_EQ(only("N2 red_ball 0 0 2000 1500"), (sensor::Blob{7, 0, 0, 319, 239, {1'595}, {1'195}, 0, {}}));
+  EXPECT_EQ(only("N2 red_ball -996.875 -746.875 6.25 6.25"), (sensor::Blob{7, 0, 0, 0, 0, {0}, {0}, 0, {}}));
+  EXPECT_EQ(only("N2 red_ball -0 -0.0 6.25 6.25").x1, 160) << "-0 is written";
+  EXPECT_EQ(only("N2 red_ball 900 0 400 300").x2, 319) << "cut off at the edge";
+}
+
+// The same box as polygons: as the manual has them, as the sources write them (second vertex twice), and with the
+// count.
+TEST(JevoisDecoder, PolygonsAreTheirBox) {
+  for (const std::string_view line :
+       {"D2 red_ball 50 -337.5 450 -337.5 450 -37.5 50 -37.5", "D2 red_ball 50 -337.5 450 -337.5 450 -37.5 450 -337.5",
+        "D2 red_ball 4 50 -337.5 450 -337.5 450 -37.5 50 -37.5",
+        "D2 red_ball 50 -337.5 450 -337.5 450 -37.5 50 -37.5 and more",
+        "F2 red_ball 5 50 -187.5 250 -337.5 450 -187.5 450 -37.5 250 -37.5"}) {
+    EXPECT_EQ(only(line), kBall) << line;
+  }
+}
+
+TEST(JevoisDecoder, EveryStamp) {
+  for (const std::string stamp : {"", "5 ", "12:34:56 ", "5/12:34:56 ", "5/2020-01-31/12:34:56 "}) {
+    Reading reading;
+    reading.bytes(stamp + "MARK START\n" + stamp + "N2 red_ball 250 -187.5 400 300\n" + stamp + "MARK STOP\n");
+    ASSERT_EQ(reading.frames.size(), 1U) << stamp;
+    EXPECT_EQ(reading.frames[0].blobs.size(), 1U) << stamp;
+    EXPECT_EQ(reading.frames[0].frame, stamp.find('5') == 0 ? 5U : 1U) << stamp;
+  }
+}
+
+TEST(JevoisDecoder, WhatAThingIsCalled) {
+  EXPECT_EQ(only("N2 red_ball 0 0 400 300").signature, 7);
+  EXPECT_EQ(only("N2 blob2 0 0 400 300").signature, 2);
+  EXPECT_EQ(only("N2 31 0 0 400 300").signature, 31);
+  for (const std::string_view id : {"unknown", "blob0", "blob256", "blob4294967297", "red_balls"}) {
+    EXPECT_EQ(only("N2 " + std::string(id) + " 0 0 400 300").signature, 1) << id;
+  }
+}
+
+TEST(JevoisDecoder, CutInAtAnyByteTheNextFrameIsUnderstood) {
+  for (std::size_t cut = 0; cut < kExample.size(); ++cut) {
+    Reading reading;
+    reading.bytes(kExample.substr(cut)).bytes(kExample);
+    EXPECT_EQ(reading.frames.size(), cut == 0 ? 2U : 1U) << cut;
+    EXPECT_EQ(reading.frames.back().blobs.size(), 1U) << cut;
+  }
+}
+
+TEST(JevoisDecoder, AFrameCutOffAnywhereCostsAtMostTheNextOne) {
+  for (std::size_t cut = 1; cut < kExample.size(); ++cut) {
+    Reading reading;
+    reading.bytes(kExample.substr(0, cut)).bytes(kExample).bytes(kExample);
+    ASSERT_GE(reading.frames.size(), 1U) << cut;
+    for (const sensor::BlobFrame& frame : reading.frames) EXPECT_EQ(frame.blobs.size(), 1U) << cut;
+  }
+}
+
+TEST(JevoisDecoder, EachLineOfAFrameCounts) {
+  const std::string start = "1 MARK START\n";
+  const std::string ball = "1 N2 red_ball 250 -188 400 300\n";
+  const std::string stop = "1 MARK STOP\n";
+  EXPECT_EQ(Reading().bytes(start + stop).frames.size(), 1U) << "nothing is seen";
+  for (const std::string& bytes :
+       {start + start, ball + stop, start + ball + "2 MARK STOP\n", start + "1 N2 red_ball 250 -188 40x 300\n" + stop,
+        start + "1 N2 red_ball 250 -188 400\n" + stop, start + "1 X2 red_ball 250 -188 400 300\n" + stop,
+        start + "1 N2 red_ball 250 -188 0 300\n" + stop, start + "1 N2 red_ball 250 -188 -400 300\n" + stop,
+        start + "1 N2 red_ball 250 -188 400 300 5\n" + stop, start + "1 N2 red_ball 3000 -188 400 300\n" + stop,
+        start + "1 N2 red_ball 25000 -188 400 300\n" + stop, start + "1 MARK STAPT\n" + stop,
+        start + "1 D2 red_ball 5 50 -337 450 -337 450 -37 50 -37\n" + stop,
+        start + std::string(300, 'x') + "\n" + stop}) {
+    EXPECT_TRUE(Reading().bytes(bytes).frames.empty()) << bytes;
+  }
+  for (const std::string line : {"1 T2 0 -188", "1 N1 x 0 10", "1 N3 x 0 0 0 1 1 1", "1 NO dog:80"}) {
+    Reading reading;
+    EXPECT_TRUE(reading.bytes(start + line + "\n" + stop).frames.empty()) << "it would look as if nothing were there";
+    EXPECT_EQ(reading.decoder.counts().unused, 1U) << line;
+  }
+  for (const std::string line : {"OK", "ERR Command error", "INF Engine::mainLoop: on", ""}) {
+    EXPECT_EQ(Reading().bytes(start + line + "\n" + ball + stop).frames.size(), 1U) << line;
+  }
+}
+
+TEST(JevoisDecoder, KnowsWhetherItComesAsTold) {
+  const auto as_told = [](std::string_view bytes) {
+    Reading reading;
+    reading.bytes(bytes);
+    return reading.frames.size() == 1 && reading.decoder.as_told();
+  };
+  EXPECT_TRUE(as_told("1 MARK START\n1 N2 blob2 0.0 -0.0 12.5 300.0\n1 MARK STOP\n"));
+  EXPECT_FALSE(as_told("1 MARK START\n1 N2 blob2 0 -0 12 300\n1 MARK STOP\n"));
+  EXPECT_FALSE(as_told("MARK START\nMARK STOP\n"));
+}
+TEST(JevoisDecoder, KeepsTheLargestAndCountsTheOthers) {
+  Reading reading;
+  reading.bytes("MARK START\n");
+  for (int i = 0; i < 20; ++i) reading.bytes("N2 blob2 0 0 " + std::to_string(100 + 20 * i) + " 300\n");
+  reading.bytes("MARK STOP\n");
+  ASSERT_EQ(reading.frames.size(), 1U);
+  EXPECT_EQ(reading.frames[0].blobs.size(), 16U);
+  EXPECT_GT(reading.frames[0].blobs[0].x2, reading.frames[0].blobs[1].x2);
+  EXPECT_EQ(reading.decoder.counts().dropped, 4U);
+}
+
+TEST(JevoisDecoder, TheFuzzersEntryRuns) {
+  std::uint32_t state = 5;
+  for (int round = 0; round < 2'000; ++round) {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < 200; ++i) {
+      state = state * 1'664'525 + 1'013'904'223;
+      constexpr std::string_view kMeaningful = "MARK START STOP\n N2 D2 F2 blob 0123456789-.\r\n/:";
+      const std::uint32_t r = state >> 16;
+      bytes.push_back(r % 4 != 0 ? test::octet(kMeaningful[r / 4 % kMeaningful.size()])
+                                 : static_cast<std::uint8_t>(r / 4));
+    }
+    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::jevois

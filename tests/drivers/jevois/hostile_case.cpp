@@ -1,0 +1,14 @@
+// A JeVois through hostile hours.
+#include "tests/drivers/bench/hostile_case.hpp"
+#include "tests/drivers/jevois/rig.hpp"
+
+namespace fencepost::test {
+namespace {
+
+// Nothing is sealed: of a frame's 60 bytes a dozen are a box's digits, and one in 100 bytes is damaged.
+constexpr double kNoSum = 0.1;
+
+const RegisteredCase kCase{hostile_case<JeVoisRig, 2>("jevois:tty", {kNoSum, 30'000, base::milliseconds(10'000)})};
+
+}  // namespace
+}  // namespace fencepost::test

@@ -1,0 +1,77 @@
+// The session with an emulated JeVois.
+#include "drivers/jevois/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/fake/scripted_link.hpp"
+#include "tests/drivers/jevois/rig.hpp"
+
+namespace fencepost::jevois {
+namespace {
+
+using sensor::LinkState;
+
+struct Rig : test::Bench<test::JeVoisRig> {
+  Rig() { scene = {blob_of(500), blob_of(900)}; }
+};
+
+TEST(JevoisSession, SaysHowToWriteUntilFramesCome) {
+  fake::ScriptedLink<1'024> link({});
+  JeVois<fake::ScriptedLink<1'024>> driver(link, Config{});
+  const std::string once =
+      "setpar serout All\nsetpar serstyle Normal\nsetpar serprec 1\nsetpar serstamp Frame\nsetpar sermark Both\n"
+      "streamon\n";
+  for (std::int64_t ms = 0; ms < 1'500; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
+  EXPECT_EQ(std::string(link.written().begin(), link.written().end()), once + once + once);
+  EXPECT_EQ(driver.link(), LinkState::kSilent);
+}
+
+TEST(JevoisSession, FramesAndLinkStates) {
+  Rig rig;
+  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
+  EXPECT_TRUE(rig.run(2'900).empty()) << "it boots";
+  const auto frames = rig.run(1'100);
+  ASSERT_FALSE(frames.empty()) << "at most a second after its boot";
+  for (const sensor::BlobFrame& frame : frames) {
+    ASSERT_EQ(frame.blobs.size(), 2U);
+    EXPECT_EQ(frame.blobs[0], rig.blob_of(500));
+    EXPECT_EQ(frame.blobs[1], rig.blob_of(900));
+  }
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+  rig.scene.clear();
+  rig.run(200);
+  EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
+  rig.link.unplug();
+  rig.run(300);
+  EXPECT_EQ(rig.driver.link(), LinkState::kAbsent);
+  rig.link.replug();
+  rig.run(300);
+  EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
+}
+
+// Another module was loaded: style and marks are as delivered again.
+TEST(JevoisSession, AnotherModuleIsToldAnew) {
+  Rig rig;
+  rig.run(4'000);
+  for (const char c : std::string("setpar sermark None\nsetpar serstyle Terse\n")) {
+    (void)rig.device.take(static_cast<std::uint8_t>(c), rig.clock.now());
+  }
+  rig.run(100);
+  EXPECT_FALSE(rig.run(1'000).empty());
+  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
+}
+
+TEST(JevoisSession, TalkWithoutFramesIsUnready) {
+  Session session{Config{}};
+  session.step({0});
+  for (const char c : std::string("OK\r\nN2 blob2 0 0 10 10\r\n")) {
+    EXPECT_FALSE(session.take(static_cast<std::uint8_t>(c), {1'000}));
+  }
+  session.step({2'000});
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  session.step({9'000});
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+}
+
+}  // namespace
+}  // namespace fencepost::jevois
