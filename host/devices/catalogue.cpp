@@ -7,6 +7,7 @@ Rows can_wheels();
 Rows cmucam();
 Rows console();
 Rows create();
+Rows frames();
 Rows huskylens();
 Rows jevois();
 Rows nxt();
@@ -17,8 +18,8 @@ Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens,  nxtcam,  xbc,    jevois,
-                                   create, nxt,    can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam,     xbc,     jevois,
+                                   frames, create, nxt,       can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

@@ -1,0 +1,91 @@
+// Cameras whose own programs print $FPFRM lines: the scripts in host/share/examples, or anybody's.
+#include <cmath>
+#include <numbers>
+
+#include "drivers/serial/pump.hpp"
+#include "hal/sensor/sources.hpp"
+#include "host/devices/options.hpp"
+#include "host/devices/ported.hpp"
+#include "host/emulate/models/frames.hpp"
+#include "host/live/records_camera.hpp"
+
+namespace fencepost::devices {
+
+Rows frames();
+
+namespace {
+
+using Camera = serial::Pump<host::BytePort, host::FramesSession>;
+static_assert(sensor::BlobCamera<Camera>);
+
+constexpr std::uint32_t kFramesBaud = 115'200;
+constexpr std::uint16_t kWidth = 320;
+constexpr std::uint16_t kHeight = 240;
+// A board with a standard lens, told in degrees across.
+constexpr double kOpenMvLens = 70.8;  // its documentation, of the 2.8 mm lens
+constexpr double kMaixCamLens = 60;   // no source: assumed
+constexpr double kVexAiVision = 74;   // as its users quote it
+
+/// Two frames of 30 /s as latency: assumed.
+sensor::CameraIntrinsics profile_of(const char* model, double degrees) {
+  const double focal = kWidth / 2.0 / std::tan(degrees / 2 * std::numbers::pi / 180);
+  sensor::CameraIntrinsics profile;
+  profile.model = model;
+  profile.width = kWidth;
+  profile.height = kHeight;
+  profile.fx = profile.fy = base::Pixels2::nearest(focal);
+  profile.cx = base::Pixels2::nearest((kWidth - 1) / 2.0);
+  profile.cy = base::Pixels2::nearest((kHeight - 1) / 2.0);
+  profile.latency = base::milliseconds(67);
+  return profile;
+}
+
+std::unique_ptr<host::CameraDevice> open_frames(const Opening& opening) {
+  return camera_on_line<Camera>(opening, host::FramesConfig{});
+}
+
+std::optional<sensor::CameraIntrinsics> openmv(const DeviceSpec& /*spec*/) { return profile_of("openmv", kOpenMvLens); }
+std::optional<sensor::CameraIntrinsics> maixcam(const DeviceSpec& /*spec*/) {
+  return profile_of("maixcam", kMaixCamLens);
+}
+std::optional<sensor::CameraIntrinsics> vex(const DeviceSpec& /*spec*/) { return profile_of("vex_ai", kVexAiVision); }
+
+template <bool Areas>
+std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& /*spec*/, const emulate::Colours& /*colours*/) {
+  return std::make_unique<emulate::FramePrinter>(Areas);
+}
+
+Row row(const char* name, const char* about, decltype(openmv)* profile) {
+  return {.name = name,
+          .about = about,
+          .role = Role::kCamera,
+          .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
+                       .options = {baud(kFramesBaud)},
+                       .unready = "what comes is no $FPFRM: start the script on it, and check the baud",
+                       .driver = CameraDriver{open_frames, profile}},
+          .emulated = std::nullopt};
+}
+
+Row emulated(Row row, const char* tells, decltype(make<true>)* model, const Blobs& blobs) {
+  const auto& camera = std::get<CameraDriver>((*row.live)->driver);
+  row.emulated = Emulated{.tells = tells,
+                          .options = {line_baud(kFramesBaud)},
+                          .describe = emulate::describe_text,
+                          .make = model,
+                          .image = image_of(*(*camera.profile)({}), blobs, 30)};
+  return row;
+}
+
+}  // namespace
+
+Rows frames() {
+  return {emulated(row("openmv", "OpenMV, with examples/openmv_frames.py running on it; calibrate", openmv),
+                   "lines by a clock of its own", make<true>, {.first_signature = 1, .last_signature = 16}),
+          emulated(row("maixcam", "MaixCAM, with examples/maixcam_frames.py running on it; calibrate", maixcam),
+                   "lines by a clock of its own", make<true>, {.first_signature = 1, .last_signature = 16}),
+          emulated(row("vex", "VEX AI Vision, with examples/vex_frames.py running on the Brain; calibrate", vex),
+                   "lines by a clock of its own; no areas", make<false>,
+                   {.of_signature = 8, .first_signature = 1, .last_signature = 7})};
+}
+
+}  // namespace fencepost::devices

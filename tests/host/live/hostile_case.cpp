@@ -1,0 +1,51 @@
+// A camera that prints frames, on a serial line through hostile hours.
+#include "tests/drivers/bench/hostile_case.hpp"
+#include "drivers/serial/pump.hpp"
+#include "host/emulate/models/frames.hpp"
+#include "host/live/records_camera.hpp"
+#include "tests/drivers/bench/bench.hpp"
+#include "tests/drivers/bench/cable.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct FramesRig : CameraRig<> {
+  using Link = Cable<emulate::FramePrinter>;
+  static constexpr base::Duration kImage = base::milliseconds(33);
+
+  explicit FramesRig(const fake::SteppedClock& clock, const Damage& damage = {})
+      : device(true), link(device, clock, damage), driver(link, host::FramesConfig{}) {
+    (void)device.power_up(clock.now());
+    link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes[0] == '$'; });
+  }
+  void live(base::Time now) {
+    if (!expose(now, kImage)) return;
+    sensor::BlobFrame frame;
+    for (const sensor::Blob& blob : moving ? std::vector{blob_of(images)} : scene) (void)frame.blobs.push_back(blob);
+    link.inject(device.see(frame, now));
+  }
+  base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
+  void restart(base::Time now) { static_cast<void>(device.power_up(now)), link.forget(), link.power(true); }
+  static sensor::Blob blob_of(std::int64_t image) {
+    const auto x = static_cast<std::int16_t>(image % 250);
+    const auto y = static_cast<std::int16_t>(image / 250 % 190);
+    return {
+        3,   x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
+        900, {}};
+  }
+  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
+    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
+  }
+  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
+  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
+
+  emulate::FramePrinter device;
+  Link link;
+  serial::Pump<Link, host::FramesSession> driver;
+};
+
+constexpr double kSum16 = 1e-4;
+const RegisteredCase kCase{hostile_case<FramesRig, 2>("frames:tty", {kSum16, 30'000, base::milliseconds(10'000)})};
+
+}  // namespace
+}  // namespace fencepost::test
