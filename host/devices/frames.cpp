@@ -19,23 +19,25 @@ using Camera = serial::Pump<host::BytePort, host::FramesSession>;
 static_assert(sensor::BlobCamera<Camera>);
 
 constexpr std::uint32_t kFramesBaud = 115'200;
-constexpr std::uint16_t kWidth = 320;
-constexpr std::uint16_t kHeight = 240;
-// A board with a standard lens, told in degrees across.
+// Pictures as the scripts take them; 4 : 3.
+constexpr std::uint16_t kColumns = 320;
+constexpr std::uint16_t kCbcColumns = 160;
+// Standard lenses, in degrees across.
 constexpr double kOpenMvLens = 70.8;  // its documentation, of the 2.8 mm lens
 constexpr double kMaixCamLens = 60;   // no source: assumed
 constexpr double kVexAiVision = 74;   // as its users quote it
+constexpr double kCbcLens = 45;       // no source, and any webcam: assumed, as for the XBC
 
 /// Two frames of 30 /s as latency: assumed.
-sensor::CameraIntrinsics profile_of(const char* model, double degrees) {
-  const double focal = kWidth / 2.0 / std::tan(degrees / 2 * std::numbers::pi / 180);
+sensor::CameraIntrinsics profile_of(const char* model, double degrees, std::uint16_t columns = kColumns) {
+  const double focal = columns / 2.0 / std::tan(degrees / 2 * std::numbers::pi / 180);
   sensor::CameraIntrinsics profile;
   profile.model = model;
-  profile.width = kWidth;
-  profile.height = kHeight;
+  profile.width = columns;
+  profile.height = static_cast<std::uint16_t>(columns / 4 * 3);
   profile.fx = profile.fy = base::Pixels2::nearest(focal);
-  profile.cx = base::Pixels2::nearest((kWidth - 1) / 2.0);
-  profile.cy = base::Pixels2::nearest((kHeight - 1) / 2.0);
+  profile.cx = base::Pixels2::nearest((profile.width - 1) / 2.0);
+  profile.cy = base::Pixels2::nearest((profile.height - 1) / 2.0);
   profile.latency = base::milliseconds(67);
   return profile;
 }
@@ -49,6 +51,9 @@ std::optional<sensor::CameraIntrinsics> maixcam(const DeviceSpec& /*spec*/) {
   return profile_of("maixcam", kMaixCamLens);
 }
 std::optional<sensor::CameraIntrinsics> vex(const DeviceSpec& /*spec*/) { return profile_of("vex_ai", kVexAiVision); }
+std::optional<sensor::CameraIntrinsics> cbc(const DeviceSpec& /*spec*/) {
+  return profile_of("cbc", kCbcLens, kCbcColumns);
+}
 
 template <bool Areas>
 std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& /*spec*/, const emulate::Colours& /*colours*/) {
@@ -85,7 +90,10 @@ Rows frames() {
                    "lines by a clock of its own", make<true>, {.first_signature = 1, .last_signature = 16}),
           emulated(row("vex", "VEX AI Vision, with examples/vex_frames.py running on the Brain; calibrate", vex),
                    "lines by a clock of its own; no areas", make<false>,
-                   {.of_signature = 8, .first_signature = 1, .last_signature = 7})};
+                   {.of_signature = 8, .first_signature = 1, .last_signature = 7}),
+          emulated(row("cbc", "CBC, with examples/cbc_frames.c running on it; calibrate", cbc),
+                   "lines by a clock of its own", make<true>,
+                   {.of_signature = 10, .first_signature = 1, .last_signature = 4})};
 }
 
 }  // namespace fencepost::devices

@@ -56,6 +56,7 @@ ROOMS = {
     "firmware/loop": "firmware/console firmware/recon/map",
     "firmware/view": "firmware/console",
     "firmware/image": "drivers/* firmware/loop firmware/view hal/mcu",
+    "host/share/examples": "",
     "host/text": "",
     "host/geometry": "",
     "host/scene": "hal/sensor host/geometry host/text",
