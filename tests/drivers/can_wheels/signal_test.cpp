@@ -24,6 +24,8 @@ TEST(CanSignal, CanopenPositions) {
 
 TEST(CanSignal, TalonSrxPositionsAndVelocities) {
   const auto forward = frame(0x02041443, true, "01 E2 40 FF 06 00 00 00");
+  EXPECT_EQ(talon_srx_status2(3), 0x0204'1443U);
+  EXPECT_EQ((FrcId{7, 8, 63, 15, 63}.id()), 0x0708'FFFFU);
   EXPECT_EQ(value_in(forward, talon_srx_position(3)), 123'456);
   EXPECT_EQ(value_in(forward, talon_srx_velocity(3)), -250);
   const auto back = frame(0x02041443, true, "FF FC 18 00 64 00 00 00");

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 #include "drivers/pixy2/camera.hpp"
@@ -102,6 +104,42 @@ TEST(RobotFile, ReadsCountsOnCan) {
   EXPECT_EQ(robot.can->wheels.right_pm_per_count, -1'000'000'000);
   EXPECT_EQ(robot.can->wheels.track_pm, 400'000'000'000);
   EXPECT_EQ(robot.can->wheels.counter_bits, 16);
+}
+
+std::string shared(const char* name) {
+  std::ifstream file(std::string(FENCEPOST_SOURCE_DIR "/host/share/can/") + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bus::CanFrame frame_of(std::uint32_t id, bool extended, std::initializer_list<std::uint8_t> data) {
+  bus::CanFrame frame;
+  frame.id = id;
+  frame.extended = extended;
+  frame.length = static_cast<std::uint8_t>(data.size());
+  std::copy(data.begin(), data.end(), frame.data.begin());
+  return frame;
+}
+
+// The document's frames: node 5, 100000 and -123456 counts.
+TEST(RobotFile, TheCanopenExampleReadsPositions) {
+  const RobotFile robot = read(shared("canopen_wheels.json"));
+  ASSERT_TRUE(robot.can.has_value());
+  EXPECT_EQ(value_in(frame_of(0x185, false, {0x37, 0x06, 0xA0, 0x86, 0x01, 0x00}), robot.can->left), 100'000);
+  EXPECT_EQ(value_in(frame_of(0x186, false, {0x37, 0x06, 0xC0, 0x1D, 0xFE, 0xFF}), robot.can->right), -123'456);
+  EXPECT_EQ(robot.can->wheels.counter_bits, 32);
+  EXPECT_EQ(robot.can->wheels.right_pm_per_count, -robot.can->wheels.left_pm_per_count);
+}
+
+// Device 3 at 123456, device 4 at -1000; a frame of 11 bits with the same number is another one.
+TEST(RobotFile, TheTalonExampleReadsPositions) {
+  const RobotFile robot = read(shared("frc_talon_srx_wheels.json"));
+  ASSERT_TRUE(robot.can.has_value());
+  const auto forward = frame_of(0x0204'1443, true, {0x01, 0xE2, 0x40, 0xFF, 0x06, 0, 0, 0});
+  EXPECT_EQ(value_in(forward, robot.can->left), 123'456);
+  EXPECT_EQ(value_in(forward, robot.can->right), std::nullopt);
+  EXPECT_EQ(value_in(frame_of(0x0204'1444, true, {0xFF, 0xFC, 0x18, 0x00, 0x64, 0, 0, 0}), robot.can->right), -1'000);
+  EXPECT_EQ(value_in(frame_of(0x443, false, {0x01, 0xE2, 0x40, 0, 0, 0, 0, 0}), robot.can->left), std::nullopt);
+  EXPECT_EQ(robot.can->wheels.counter_bits, 24);
 }
 
 TEST(RobotFile, ReadsVelocitiesOnCan) {
