@@ -3,6 +3,7 @@
 #include "drivers/cmucam/dialect.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "drivers/nxtcam/camera.hpp"
+#include "drivers/pixy1/pixy1.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/xbc/session.hpp"
 #include "firmware/record/decimal.hpp"
@@ -44,6 +45,8 @@ sensor::CameraIntrinsics delivered_calibration(CameraId id) {
     case CameraId::kNxtcam:
     case CameraId::kNxtcamI2c: return nxtcam::kProfile;
     case CameraId::kXbc: return xbc::nominal_intrinsics({});
+    case CameraId::kPixy1:
+    case CameraId::kPixy1I2c: return pixy1::kProfile;
   }
   return {};
 }

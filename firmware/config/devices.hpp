@@ -34,8 +34,10 @@ enum class CameraId : std::uint8_t {
   kNxtcam,
   kNxtcamI2c,
   kXbc,
+  kPixy1,
+  kPixy1I2c,
 };
-inline constexpr std::size_t kCameraIds = 14;
+inline constexpr std::size_t kCameraIds = 16;
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -63,6 +65,8 @@ inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
     {"nxtcam", Port::kLine, 115'200},
     {"nxtcam_i2c", Port::kTwoWire, 0, 0x01},
     {"xbc", Port::kLine, 38'400},
+    {"pixy1", Port::kLine, 115'200},
+    {"pixy1_i2c", Port::kTwoWire, 0, 0x54},
 }};
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{

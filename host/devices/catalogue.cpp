@@ -10,13 +10,15 @@ Rows create();
 Rows huskylens();
 Rows nxt();
 Rows nxtcam();
+Rows pixy1();
 Rows pixy2();
 Rows records();
 Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2, cmucam, huskylens, nxtcam, xbc, create, nxt, can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens,  nxtcam,  xbc,    pixy1,
+                                   create, nxt,    can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

@@ -8,6 +8,8 @@
 #include "firmware/image/cameras/huskylens_i2c.hpp"
 #include "firmware/image/cameras/nxtcam.hpp"
 #include "firmware/image/cameras/nxtcam_i2c.hpp"
+#include "firmware/image/cameras/pixy1.hpp"
+#include "firmware/image/cameras/pixy1_i2c.hpp"
 #include "firmware/image/cameras/pixy2.hpp"
 #include "firmware/image/cameras/pixy2_i2c.hpp"
 #include "firmware/image/cameras/xbc.hpp"
@@ -19,7 +21,8 @@
 namespace fencepost::image {
 
 /// In the order in which a turn of the loop asks which it is.
-using Camera = CameraChoice<ConsoleCamera, Pixy2, Pixy2I2c, CmuCam, HuskyLens, HuskyLensI2c, NxtCam, NxtCamI2c, Xbc>;
+using Camera = CameraChoice<ConsoleCamera, Pixy2, Pixy2I2c, CmuCam, HuskyLens, HuskyLensI2c, NxtCam, NxtCamI2c, Xbc,
+                            Pixy1, Pixy1I2c>;
 using Odometry = OdometryChoice<ConsoleOdometry, Encoders, Create>;
 
 }  // namespace fencepost::image

@@ -1,0 +1,15 @@
+// A Pixy on a serial line through hostile hours.
+#include "tests/drivers/bench/hostile_case.hpp"
+#include "drivers/pixy1/pixy1.hpp"
+#include "tests/drivers/bench/cable.hpp"
+#include "tests/drivers/pixy1/rig.hpp"
+
+namespace fencepost::test {
+namespace {
+
+// Two wrong of three and a half million samples in a day: what made zeros of a mark, or the sum right.
+constexpr double kWordSum = 1e-5;
+const RegisteredCase kSerial{hostile_case<Pixy1Rig, 2>("pixy1:tty", {kWordSum, 100'000, base::milliseconds(1'500)})};
+
+}  // namespace
+}  // namespace fencepost::test
