@@ -1,6 +1,7 @@
 #include "firmware/config/devices.hpp"
 
 #include "drivers/cmucam/dialect.hpp"
+#include "drivers/cognachrome/session.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/pixy1/pixy1.hpp"
@@ -47,6 +48,7 @@ sensor::CameraIntrinsics delivered_calibration(CameraId id) {
     case CameraId::kXbc: return xbc::nominal_intrinsics({});
     case CameraId::kPixy1:
     case CameraId::kPixy1I2c: return pixy1::kProfile;
+    case CameraId::kCognachrome: return cognachrome::kProfile;
   }
   return {};
 }

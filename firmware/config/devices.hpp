@@ -36,8 +36,9 @@ enum class CameraId : std::uint8_t {
   kXbc,
   kPixy1,
   kPixy1I2c,
+  kCognachrome,
 };
-inline constexpr std::size_t kCameraIds = 16;
+inline constexpr std::size_t kCameraIds = 17;
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -67,6 +68,7 @@ inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
     {"xbc", Port::kLine, 38'400},
     {"pixy1", Port::kLine, 115'200},
     {"pixy1_i2c", Port::kTwoWire, 0, 0x54},
+    {"cognachrome", Port::kLine, 38'400},
 }};
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{

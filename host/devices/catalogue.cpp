@@ -5,6 +5,7 @@ namespace fencepost::devices {
 // A family shares a driver; each is in the file of its name.
 Rows can_wheels();
 Rows cmucam();
+Rows cognachrome();
 Rows console();
 Rows create();
 Rows huskylens();
@@ -17,8 +18,8 @@ Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens,  nxtcam,  xbc,    pixy1,
-                                   create, nxt,    can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,       cmucam, huskylens, nxtcam,     xbc,     pixy1,
+                                   cognachrome, create, nxt,       can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

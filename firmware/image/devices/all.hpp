@@ -3,6 +3,7 @@
 
 #include "firmware/image/camera_choice.hpp"
 #include "firmware/image/cameras/cmucam.hpp"
+#include "firmware/image/cameras/cognachrome.hpp"
 #include "firmware/image/cameras/console.hpp"
 #include "firmware/image/cameras/huskylens.hpp"
 #include "firmware/image/cameras/huskylens_i2c.hpp"
@@ -22,7 +23,7 @@ namespace fencepost::image {
 
 /// In the order in which a turn of the loop asks which it is.
 using Camera = CameraChoice<ConsoleCamera, Pixy2, Pixy2I2c, CmuCam, HuskyLens, HuskyLensI2c, NxtCam, NxtCamI2c, Xbc,
-                            Pixy1, Pixy1I2c>;
+                            Pixy1, Pixy1I2c, Cognachrome>;
 using Odometry = OdometryChoice<ConsoleOdometry, Encoders, Create>;
 
 }  // namespace fencepost::image
