@@ -49,6 +49,8 @@ sensor::CameraIntrinsics delivered_calibration(CameraId id) {
     case CameraId::kPixy1:
     case CameraId::kPixy1I2c: return pixy1::kProfile;
     case CameraId::kCognachrome: return cognachrome::kProfile;
+    case CameraId::kHuskylens2:
+    case CameraId::kHuskylens2I2c: return huskylens::kProfile2;
   }
   return {};
 }

@@ -37,8 +37,10 @@ enum class CameraId : std::uint8_t {
   kPixy1,
   kPixy1I2c,
   kCognachrome,
+  kHuskylens2,
+  kHuskylens2I2c,
 };
-inline constexpr std::size_t kCameraIds = 17;
+inline constexpr std::size_t kCameraIds = 19;
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -69,6 +71,8 @@ inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
     {"pixy1", Port::kLine, 115'200},
     {"pixy1_i2c", Port::kTwoWire, 0, 0x54},
     {"cognachrome", Port::kLine, 38'400},
+    {"huskylens2", Port::kLine, 115'200},
+    {"huskylens2_i2c", Port::kTwoWire, 0, 0x50},
 }};
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{
