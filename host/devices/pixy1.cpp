@@ -1,6 +1,7 @@
 // Pixy, the CMUcam5.
 #include "drivers/pixy1/pixy1.hpp"
 
+#include "drivers/pixy1/usb.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/emulate/models/pixy1.hpp"
@@ -17,6 +18,10 @@ constexpr std::uint32_t kPixy1Baud = 19'200;
 
 std::unique_ptr<host::CameraDevice> open_pixy1(const Opening& opening) {
   if (opening.spec.place.kind == kI2c) return camera_on_i2c<pixy1::Camera<I2cLink>>(opening);
+  if (opening.spec.place.kind == kUsb) {
+    return std::make_unique<host::PortedCamera<Ported<pixy1::UsbCamera<host::BytePort>>>>(
+        kTalks, host::open_pixy_pipe(opening.spec.option("serial"), opening.port()));
+  }
   return std::make_unique<host::PortedCamera<Ported<pixy1::Camera<host::BytePort>>>>(kTalks, open_line(opening));
 }
 
@@ -28,8 +33,8 @@ Rows pixy1() {
   return {{.name = "pixy1",
            .about = "Pixy, the CMUcam5",
            .role = Role::kCamera,
-           .live = Live{.places = {kTty, kTcp, kI2c},
-                        .options = {baud(kPixy1Baud), address(pixy1::kAddress)},
+           .live = Live{.places = {kTty, kTcp, kI2c, kUsb},
+                        .options = {baud(kPixy1Baud), address(pixy1::kAddress), serial()},
                         .unready = "what comes is no Pixy's: in PixyMon choose the data out port (UART, I2C) and the "
                                    "baud rate",
                         .driver = CameraDriver{open_pixy1, pixy1_profile}},

@@ -1,4 +1,4 @@
-// A Pixy on a serial line through hostile hours.
+// A Pixy on a serial line, and on USB, through hostile hours.
 #include "tests/drivers/bench/hostile_case.hpp"
 #include "drivers/pixy1/pixy1.hpp"
 #include "tests/drivers/bench/cable.hpp"
@@ -10,6 +10,10 @@ namespace {
 // Two wrong of three and a half million samples in a day: what made zeros of a mark, or the sum right.
 constexpr double kWordSum = 1e-5;
 const RegisteredCase kSerial{hostile_case<Pixy1Rig, 2>("pixy1:tty", {kWordSum, 100'000, base::milliseconds(1'500)})};
+
+// USB has its own checksum, Chirp none.
+constexpr double kNoSum = 0.1;
+const RegisteredCase kUsb{hostile_case<Pixy1UsbRig, 2>("pixy1:usb", {kNoSum, 30'000, base::milliseconds(10'000)})};
 
 }  // namespace
 }  // namespace fencepost::test
