@@ -7,7 +7,7 @@ namespace fencepost::pixy1 {
 namespace {
 
 constexpr base::Duration kAnswer = base::milliseconds(300);
-constexpr base::Duration kPatience = base::milliseconds(500);
+constexpr base::Duration kNoImage = base::milliseconds(500);
 constexpr std::uint8_t kPushed = 0x18;
 // Types of arguments; 40 marks those that only a curious host is told.
 constexpr std::uint8_t kTypeHint = 0x64;
@@ -133,7 +133,7 @@ bool UsbSession::take_message(std::span<const std::uint8_t> message, base::Time 
   if (!pushed) return false;
   counts_.blobs_dropped += pushed->dropped;
   frame_at_ = now;
-  deadline_ = now + kPatience;
+  deadline_ = now + kNoImage;
   // Two that came in one heap have one time: the older one is given.
   if (last_t_ && first_byte <= *last_t_) return false;
   last_t_ = first_byte;
@@ -151,7 +151,7 @@ void UsbSession::take_answer(std::span<const std::uint8_t> message, base::Time n
     send(chirp::enumerate("run"), now + kAnswer);
   } else if (answer->type == chirp::Type::kEnumerated && phase_ == Phase::kInitialised) {
     phase_ = Phase::kRunning;
-    send(chirp::call(static_cast<std::uint16_t>(answer->result)), now + kPatience);
+    send(chirp::call(static_cast<std::uint16_t>(answer->result)), now + kNoImage);
   }
 }
 
@@ -162,8 +162,8 @@ void UsbSession::send(const chirp::Transfer& transfer, base::Time until) {
 }
 
 void UsbSession::step(base::Time now) {
-  if (message_at_ && now - *message_at_ > kPatience) message_at_.reset();
-  if (frame_at_ && now - *frame_at_ > kPatience) frame_at_.reset();
+  if (message_at_ && now - *message_at_ > kNoImage) message_at_.reset();
+  if (frame_at_ && now - *frame_at_ > kNoImage) frame_at_.reset();
   if (deadline_ && now < *deadline_) return;
   // A message whose rest never came answers nothing, and would swallow the next.
   scanner_.reset();

@@ -6,9 +6,9 @@ namespace fencepost::test {
 namespace {
 
 // There is no checksum at all; a start is five prompts, begun anew when a byte of theirs was damaged.
-constexpr double kNoChecksum = 0.1;
-const RegisteredCase kCase{
-    hostile_case<CognachromeRig, 2>("cognachrome:tty", {kNoChecksum, 100'000, base::milliseconds(30'000)})};
+constexpr double kCognachromeSum = 0.1;
+const RegisteredCase kCognachrome{
+    hostile_case<CognachromeRig, 2>("cognachrome:tty", {kCognachromeSum, 100'000, base::milliseconds(30'000)})};
 
 }  // namespace
 }  // namespace fencepost::test
