@@ -1,168 +1,97 @@
 #include "drivers/huskylens/huskylens.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "drivers/serial/largest_first.hpp"
-#include "drivers/wire/endian.hpp"
 
 namespace fencepost::huskylens {
 namespace {
 
 using sensor::LinkState;
 
-enum Reply : std::uint8_t {
-  kInfo = 0x29,
-  kBlock = 0x2A,
-  kArrow = 0x2B,
-  kDone = 0x2E,
-  kVersion = 0x3C,
-  kBusy = 0x3D,
-  kNeedPro = 0x3E
-};
-
-constexpr std::uint8_t kFirst = 0x55;
-constexpr std::uint8_t kSecond = 0xAA;
-constexpr std::uint8_t kThird = 0x11;
-constexpr std::size_t kObject = 10;  // data bytes of an INFO, a BLOCK, an ARROW
 constexpr std::uint8_t kPatience = 5;
+// HuskyLens 2 does not count its images: no more of them are asked for than it takes.
+constexpr base::Duration kImage2 = base::milliseconds(30);
+// It loads another network before it says that it has.
+constexpr base::Duration kAlgorithm2 = base::milliseconds(1'000);
 
 // Checksums are the sums of the bytes before them.
-constexpr std::array<std::uint8_t, 6> kKnock = {kFirst, kSecond, kThird, 0x00, 0x2C, 0x3C};
-constexpr std::array<std::uint8_t, 8> kColour = {kFirst, kSecond, kThird, 0x02, 0x2D, 0x04, 0x00, 0x43};
-constexpr std::array<std::uint8_t, 6> kAskBlocks = {kFirst, kSecond, kThird, 0x00, 0x21, 0x31};
-
-// A damaged header is seen at once, not after the bytes that it promises.
-bool plausible(std::uint8_t length, std::uint8_t command) {
-  switch (command) {
-    case kInfo:
-    case kBlock:
-    case kArrow: return length == kObject;
-    case kDone:
-    case kVersion: return length <= kLongestData;
-    case kBusy:
-    case kNeedPro: return length == 0;
-    default: return false;
-  }
-}
-
-struct Ends {
-  std::int32_t first = 0;
-  std::int32_t last = 0;
-};
-
-// The pixel behind the middle of an even number of pixels is its centre.
-Ends inside(std::int32_t centre, std::int32_t size, std::int32_t limit) {
-  const std::int32_t first = centre - size / 2;
-  return {std::max(first, std::int32_t{0}), std::min(first + size - 1, limit - 1)};
-}
+constexpr std::array<std::uint8_t, 6> kKnock = {0x55, 0xAA, 0x11, 0x00, 0x2C, 0x3C};
+constexpr std::array<std::uint8_t, 8> kColour = {0x55, 0xAA, 0x11, 0x02, 0x2D, 0x04, 0x00, 0x43};
+constexpr std::array<std::uint8_t, 6> kAskBlocks = {0x55, 0xAA, 0x11, 0x00, 0x21, 0x31};
+constexpr std::array<std::uint8_t, 16> kKnock2 = {0x55, 0xAA, 0x20, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x29};
+constexpr std::array<std::uint8_t, 16> kColour2 = {0x55, 0xAA, 0x30, 0, 10, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x3E};
+constexpr std::array<std::uint8_t, 6> kAskBlocks2 = {0x55, 0xAA, 0x21, 0x05, 0x00, 0x25};
 
 }  // namespace
-
-wire::Verdict examine(std::span<const std::uint8_t> bytes) {
-  using wire::Front;
-  constexpr std::array<std::uint8_t, 3> kStart = {kFirst, kSecond, kThird};
-  for (std::size_t i = 0; i < std::min(bytes.size(), kStart.size()); ++i) {
-    if (bytes[i] != kStart[i]) return {Front::kNoise, wire::skip_to(bytes, kFirst)};
-  }
-  if (bytes.size() < 5) return {};
-  if (!plausible(bytes[3], bytes[4])) return {Front::kNoise, wire::skip_to(bytes, kFirst)};
-  const std::size_t size = kAround + bytes[3];
-  if (bytes.size() < size) return {};
-  unsigned sum = 0;
-  for (std::size_t i = 0; i + 1 < size; ++i) sum += bytes[i];
-  if (bytes[size - 1] != wire::low(sum)) return {Front::kDamaged, 1};
-  return {Front::kMessage, size};
-}
-
-std::optional<sensor::Blob> blob_of(std::span<const std::uint8_t> data) {
-  const std::int32_t width = wire::little_u16(data, 4);
-  const std::int32_t height = wire::little_u16(data, 6);
-  const std::uint16_t id = wire::little_u16(data, 8);
-  if (width == 0 || height == 0 || id == 0 || id > 255) return std::nullopt;
-  const Ends x = inside(static_cast<std::int16_t>(wire::little_u16(data, 0)), width, kWidth);
-  const Ends y = inside(static_cast<std::int16_t>(wire::little_u16(data, 2)), height, kHeight);
-  if (x.first > x.last || y.first > y.last) return std::nullopt;
-  sensor::Blob blob;
-  blob.signature = static_cast<std::uint8_t>(id);
-  blob.x1 = static_cast<std::int16_t>(x.first);
-  blob.x2 = static_cast<std::int16_t>(x.last);
-  blob.y1 = static_cast<std::int16_t>(y.first);
-  blob.y2 = static_cast<std::int16_t>(y.last);
-  blob.cx = {5 * (x.first + x.last)};
-  blob.cy = {5 * (y.first + y.last)};
-  return blob;
-}
 
 void Session::take(std::uint8_t byte, base::Time now) {
   const std::uint32_t damaged = scanner_.damaged();
   scanner_.feed(byte, now, [&](std::span<const std::uint8_t> message, base::Time first_byte) {
-    take_message(message, first_byte, now);
+    take_message(message_of(message), first_byte, now);
   });
-  if (waiting_ && !scanner_.pending().empty()) deadline_ = now + options_.timeout;
+  if (waiting_ && !scanner_.pending().empty()) deadline_ = now + patience();
   if (scanner_.damaged() == damaged || !waiting_) return;
   // It was of the answer, most likely: there is no point in waiting on.
   ++counts_.broken;
   answered(now, base::milliseconds(20));
 }
 
-void Session::take_message(std::span<const std::uint8_t> message, base::Time first_byte, base::Time now) {
-  const std::span<const std::uint8_t> data = message.subspan(5, message[3]);
+void Session::take_message(const Message& message, base::Time first_byte, base::Time now) {
+  if (message.generation != generation_ && step_ != Step::kKnock) return;
   heard_ = true;
   missed_ = 0;
   if (!waiting_) return;  // the rest of an answer that was given up
-  deadline_ = now + options_.timeout;
-  switch (message[4]) {
-    case kDone:
-      if (step_ == Step::kKnock) {
-        step_ = options_.select_colour ? Step::kAlgorithm : Step::kBlocks;
-      } else if (step_ == Step::kAlgorithm) {
-        step_ = Step::kBlocks;
-      } else {
-        return;
-      }
-      new_image_ = now;
-      return answered(now, {});
-    case kBusy:
-    case kNeedPro:
+  deadline_ = now + patience();
+  switch (message.kind) {
+    case Kind::kDone: known_ = generation_ = message.generation; return take_done(now);
+    case Kind::kBusy:
       ++counts_.busy;
       work_ = LinkState::kUnready;
       return answered(now, base::milliseconds(50));
-    case kInfo: return take_info(data, first_byte, now);
-    case kBlock:
+    case Kind::kInfo: return take_info(info_in(message), first_byte, now);
+    case Kind::kBlock:
       if (!building_) return;
-      take_block(data);
+      take_block(message);
       --left_;
       return finish_if_whole(now);
-    case kArrow:
+    case Kind::kArrow:
       if (!building_) return;
       --left_;
       return finish_if_whole(now);
-    default: return;
+    case Kind::kOther: return;
   }
 }
 
-void Session::take_info(std::span<const std::uint8_t> data, base::Time first_byte, base::Time now) {
+void Session::take_done(base::Time now) {
+  if (step_ == Step::kBlocks) return;
+  step_ = step_ == Step::kKnock && options_.select_colour ? Step::kAlgorithm : Step::kBlocks;
+  new_image_ = now;
+  answered(now, {});
+}
+
+void Session::take_info(const Info& info, base::Time first_byte, base::Time now) {
   if (step_ != Step::kBlocks) return;
   frame_ = {};
   frame_.t = first_byte;
-  left_ = wire::little_u16(data, 0);
-  taught_ = wire::little_u16(data, 2) > 0;
-  building_number_ = wire::little_u16(data, 4);
+  left_ = info.objects;
+  taught_ = info.taught;
+  building_number_ = info.number;
   building_ = true;
   finish_if_whole(now);
 }
 
-void Session::take_block(std::span<const std::uint8_t> data) {
-  if (wire::little_u16(data, 8) == 0) ++counts_.not_learned;
-  const std::optional<sensor::Blob> blob = blob_of(data);
+void Session::take_block(const Message& block) {
+  if (id_in(block) == 0) ++counts_.not_learned;
+  const std::uint16_t width = options_.generation == Generation::kTwo ? kWidth2 : kWidth;
+  const std::optional<sensor::Blob> blob = blob_in(block, width);
   if (blob && !serial::insert_largest_first(frame_, *blob)) ++counts_.blobs_dropped;
 }
 
 void Session::finish_if_whole(base::Time now) {
   if (!building_ || left_ > 0) return;
-  if (number_ == building_number_) {
+  if (building_number_ && number_ == building_number_) {
     ++counts_.stale;
     if (now - new_image_ >= options_.frozen) work_ = LinkState::kUnready;
     return answered(now, base::milliseconds(5));
@@ -176,7 +105,7 @@ void Session::finish_if_whole(base::Time now) {
     last_t_ = frame_.t;
     complete_ = frame_;
   }
-  answered(now, {});
+  answered(now, building_number_ ? base::Duration{} : kImage2);
 }
 
 void Session::answered(base::Time now, base::Duration pause) {
@@ -194,6 +123,7 @@ void Session::expire(base::Time now) {
 
 void Session::restart() {
   ++counts_.restarts;
+  if (step_ == Step::kKnock) choose_generation();
   step_ = Step::kKnock;
   work_ = LinkState::kUnready;
   heard_ = false;
@@ -204,13 +134,31 @@ void Session::restart() {
 void Session::step(base::Time now) {
   expire(now);
   if (waiting_ || absent_ || now < next_) return;
-  switch (step_) {
-    case Step::kKnock: wire::replace(outbox_, kKnock); break;
-    case Step::kAlgorithm: wire::replace(outbox_, kColour); break;
-    case Step::kBlocks: wire::replace(outbox_, kAskBlocks); break;
-  }
+  put_question();
   waiting_ = true;
-  deadline_ = now + options_.timeout;
+  deadline_ = now + patience();
+}
+
+base::Duration Session::patience() const {
+  const bool loads = step_ == Step::kAlgorithm && generation_ == Generation::kTwo;
+  return loads ? kAlgorithm2 : options_.timeout;
+}
+
+void Session::put_question() {
+  const bool two = generation_ == Generation::kTwo;
+  switch (step_) {
+    case Step::kKnock: return two ? wire::replace(outbox_, kKnock2) : wire::replace(outbox_, kKnock);
+    case Step::kAlgorithm: return two ? wire::replace(outbox_, kColour2) : wire::replace(outbox_, kColour);
+    case Step::kBlocks: return two ? wire::replace(outbox_, kAskBlocks2) : wire::replace(outbox_, kAskBlocks);
+  }
+}
+
+// One that has answered is seldom left: its successor may be the other, but a HuskyLens 2 is deafened by each try.
+void Session::choose_generation() {
+  constexpr std::uint8_t kRounds = 6;
+  if (known_ == generation_ && ++rounds_ < kRounds) return;
+  rounds_ = 0;
+  generation_ = generation_ == Generation::kOne ? Generation::kTwo : Generation::kOne;
 }
 
 void Session::lose_link() {

@@ -1,4 +1,4 @@
-// HuskyLens 1, protocol 0.5.1 of the vendor: UART and I2C carry the same frames.
+// HuskyLens 1 and 2: UART and I2C carry the same frames. Which one it is, the knock that it answers says.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "drivers/huskylens/frames.hpp"
 #include "drivers/serial/outbox.hpp"
 #include "drivers/wire/flush.hpp"
 #include "drivers/wire/receive.hpp"
@@ -19,29 +20,21 @@
 
 namespace fencepost::huskylens {
 
-inline constexpr std::uint16_t kWidth = 320;
-inline constexpr std::uint16_t kHeight = 240;
-inline constexpr std::uint8_t kAddress = 0x32;  ///< on I2C, seven bits
+inline constexpr std::uint8_t kAddress = 0x32;   ///< on I2C, seven bits
+inline constexpr std::uint8_t kAddress2 = 0x50;  ///< of HuskyLens 2
 
 /// The vendor does not say what lens it has: 60 degrees across are assumed, fx = 160 / tan 30 deg. Calibrate. The
 /// latency: one image of 30 /s, and a question and its answer at 9600 baud.
 inline constexpr sensor::CameraIntrinsics kProfile = {"huskylens", kWidth,   kHeight, {27'713}, {27'713},
                                                       {15'950},    {11'950}, {0},     {},       base::milliseconds(80)};
 
-/// `55 AA 11 <length> <command> <data> <checksum>`; the checksum is the low byte of the sum of all before it.
-inline constexpr std::size_t kAround = 6;  ///< bytes of a frame without its data
-inline constexpr std::size_t kLongestData = 32;
-inline constexpr std::size_t kLongestFrame = kAround + kLongestData;
-
-/// For wire::Scanner; knows the answers that there are, and their lengths.
-wire::Verdict examine(std::span<const std::uint8_t> bytes);
-
-/// A BLOCK's box in our convention: the camera tells the middle (rounded up) and the size. What reaches out of the
-/// image is cut off. errors: empty if it has no size, lies outside, or its id is none that can be told (1 to 255)
-std::optional<sensor::Blob> blob_of(std::span<const std::uint8_t> data);
+/// HuskyLens 2, as little known: twice the columns, and at 115200 baud a question is short.
+inline constexpr sensor::CameraIntrinsics kProfile2 = {
+    "huskylens2", kWidth2, kHeight2, {55'426}, {55'426}, {31'950}, {23'950}, {0}, {}, base::milliseconds(60)};
 
 struct Options {
-  bool select_colour = true;  ///< false leaves the algorithm that runs alone
+  Generation generation = Generation::kOne;  ///< tried first, and the image that boxes are told in
+  bool select_colour = true;                 ///< false leaves the algorithm that runs alone
   /// Without a byte for so long the answer is lost.
   base::Duration timeout = base::milliseconds(100);
   /// The image counter may stand still for so long.
@@ -59,10 +52,12 @@ struct Counts {
   std::uint32_t restarts = 0;  ///< conversations begun anew
 };
 
-/// One question is outstanding at a time. Five lost answers in a row: all over again.
+/// One question is outstanding at a time. Five lost answers in a row: all over again. After five lost knocks the other
+/// generation is tried, after thirty where one has answered before: a HuskyLens 2 takes the other's knocks for data,
+/// and then does not hear some of its own.
 class Session {
  public:
-  explicit Session(const Options& options) : options_(options) {}
+  explicit Session(const Options& options) : options_(options), generation_(options.generation) {}
 
   void take(std::uint8_t byte, base::Time now);
   /// Lets time pass; the next question, if it is due, is then in the outbox.
@@ -74,6 +69,8 @@ class Session {
   std::optional<sensor::BlobFrame> take_frame();
   auto& outbox() { return outbox_; }
   [[nodiscard]] sensor::LinkState link() const;
+  /// That answered last, or is tried.
+  [[nodiscard]] Generation generation() const { return generation_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   /// Frames with a wrong checksum.
   [[nodiscard]] std::uint32_t damaged() const { return scanner_.damaged(); }
@@ -81,17 +78,24 @@ class Session {
  private:
   enum class Step : std::uint8_t { kKnock, kAlgorithm, kBlocks };
 
-  void take_message(std::span<const std::uint8_t> message, base::Time first_byte, base::Time now);
-  void take_info(std::span<const std::uint8_t> data, base::Time first_byte, base::Time now);
-  void take_block(std::span<const std::uint8_t> data);
+  void take_message(const Message& message, base::Time first_byte, base::Time now);
+  void take_done(base::Time now);
+  void take_info(const Info& info, base::Time first_byte, base::Time now);
+  void take_block(const Message& block);
   void finish_if_whole(base::Time now);
   void answered(base::Time now, base::Duration pause);
+  [[nodiscard]] base::Duration patience() const;
+  void put_question();
   void expire(base::Time now);
   void restart();
+  void choose_generation();
 
   Options options_;
   wire::Scanner<kLongestFrame, examine> scanner_;
-  serial::Outbox<8> outbox_;
+  serial::Outbox<16> outbox_;
+  Generation generation_;
+  std::optional<Generation> known_;  ///< that answered last
+  std::uint8_t rounds_ = 0;          ///< of knocks that it has not answered since
   Step step_ = Step::kKnock;
   sensor::LinkState work_ = sensor::LinkState::kUnready;  ///< while it answers
   bool absent_ = false;
@@ -104,7 +108,7 @@ class Session {
   std::uint16_t left_ = 0;  ///< objects still to come
   bool taught_ = false;
   std::optional<std::uint16_t> number_;  ///< of the last image that was given
-  std::uint16_t building_number_ = 0;
+  std::optional<std::uint16_t> building_number_;
   base::Time new_image_;
   std::optional<base::Time> last_t_;
   sensor::BlobFrame frame_;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "drivers/pixy2/chirp.hpp"
+#include "drivers/chirp/chirp.hpp"
 #include "drivers/pixy2/protocol.hpp"
 #include "drivers/wire/flush.hpp"
 #include "drivers/wire/scanner.hpp"

@@ -1,9 +1,11 @@
 #include "firmware/config/devices.hpp"
 
 #include "drivers/cmucam/dialect.hpp"
+#include "drivers/cognachrome/session.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "drivers/jevois/session.hpp"
 #include "drivers/nxtcam/camera.hpp"
+#include "drivers/pixy1/pixy1.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/xbc/session.hpp"
 #include "firmware/record/decimal.hpp"
@@ -46,6 +48,11 @@ sensor::CameraIntrinsics delivered_calibration(CameraId id) {
     case CameraId::kNxtcamI2c: return nxtcam::kProfile;
     case CameraId::kXbc: return xbc::nominal_intrinsics({});
     case CameraId::kJevois: return jevois::nominal_intrinsics({});
+    case CameraId::kPixy1:
+    case CameraId::kPixy1I2c: return pixy1::kProfile;
+    case CameraId::kCognachrome: return cognachrome::kProfile;
+    case CameraId::kHuskylens2:
+    case CameraId::kHuskylens2I2c: return huskylens::kProfile2;
   }
   return {};
 }

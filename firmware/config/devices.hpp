@@ -34,9 +34,14 @@ enum class CameraId : std::uint8_t {
   kNxtcam,
   kNxtcamI2c,
   kXbc,
+  kPixy1,
+  kPixy1I2c,
+  kCognachrome,
+  kHuskylens2,
+  kHuskylens2I2c,
   kJevois,
 };
-inline constexpr std::size_t kCameraIds = 15;
+inline constexpr std::size_t kCameraIds = 20;
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -64,6 +69,11 @@ inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
     {"nxtcam", Port::kLine, 115'200},
     {"nxtcam_i2c", Port::kTwoWire, 0, 0x01},
     {"xbc", Port::kLine, 38'400},
+    {"pixy1", Port::kLine, 115'200},
+    {"pixy1_i2c", Port::kTwoWire, 0, 0x54},
+    {"cognachrome", Port::kLine, 38'400},
+    {"huskylens2", Port::kLine, 115'200},
+    {"huskylens2_i2c", Port::kTwoWire, 0, 0x50},
     {"jevois", Port::kLine, 115'200},
 }};
 /// By OdometryId.

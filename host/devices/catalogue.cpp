@@ -5,6 +5,7 @@ namespace fencepost::devices {
 // A family shares a driver; each is in the file of its name.
 Rows can_wheels();
 Rows cmucam();
+Rows cognachrome();
 Rows console();
 Rows create();
 Rows frames();
@@ -12,14 +13,15 @@ Rows huskylens();
 Rows jevois();
 Rows nxt();
 Rows nxtcam();
+Rows pixy1();
 Rows pixy2();
 Rows records();
 Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam,     xbc,     jevois,
-                                   frames, create, nxt,       can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam, xbc,        pixy1,   cognachrome,
+                                   jevois, frames, create,    nxt,    can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

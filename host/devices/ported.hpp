@@ -35,19 +35,22 @@ struct Ported {
 using I2cLink = wire::I2cStream<host::I2cPort>;
 template <class Driver>
 struct OnI2c {
-  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address) : bus(std::move(port)), link(*bus, address) {}
+  template <class... Arguments>
+  OnI2c(std::unique_ptr<host::I2cPort> port, std::uint8_t address, Arguments&&... arguments)
+      : bus(std::move(port)), link(*bus, address), driver(link, std::forward<Arguments>(arguments)...) {}
   [[nodiscard]] host::Port& port() const { return *bus; }
 
   std::unique_ptr<host::I2cPort> bus;
   I2cLink link;
-  Driver driver{link};
+  Driver driver;
 };
 
-template <class Driver>
-std::unique_ptr<host::CameraDevice> camera_on_i2c(const Opening& opening) {
+template <class Driver, class... Arguments>
+std::unique_ptr<host::CameraDevice> camera_on_i2c(const Opening& opening, Arguments&&... arguments) {
   const auto address = static_cast<std::uint8_t>(opening.spec.number("address"));
-  return std::make_unique<host::PortedCamera<OnI2c<Driver>>>(
-      kLookedAt, host::open_i2c(opening.spec.place.name, opening.port()), address);
+  return std::make_unique<host::PortedCamera<OnI2c<Driver>>>(kLookedAt,
+                                                             host::open_i2c(opening.spec.place.name, opening.port()),
+                                                             address, std::forward<Arguments>(arguments)...);
 }
 
 /// The port of a device at a tty or on tcp.

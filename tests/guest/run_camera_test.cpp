@@ -8,11 +8,14 @@
 #include <thread>
 
 #include "drivers/nxtcam/camera.hpp"
+#include "drivers/pixy1/pixy1.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "firmware/record/encode.hpp"
 #include "hal/base/crc16.hpp"
 #include "hal/linux/usb_settings.hpp"
 #include "host/emulate/models/nxtcam.hpp"
+#include "host/emulate/models/pixy1.hpp"
+#include "host/emulate/models/pixy1_usb.hpp"
 #include "host/emulate/models/pixy2_usb.hpp"
 #include "tests/guest/approach.hpp"
 #include "tests/guest/i2c_adapter.hpp"
@@ -131,13 +134,26 @@ TEST_F(RunOnCamera, Pixy2OnI2cThatIsUnpluggedAndComesBack) {
   EXPECT_EQ(said_absent(path), 1U) << run->err();
 }
 
-TEST_F(RunOnCamera, Pixy2OnUsb) {
-  emulate::Pixy2 camera(base::Time{} - kLongAgo);
-  emulate::Pixy2Usb pipe(camera);
+TEST_F(RunOnCamera, Pixy1OnI2c) {
+  emulate::Pixy1 camera(0);
+  I2cAdapter adapter([&](const I2cMessage& message) -> std::optional<Bytes> {
+    const std::lock_guard lock(mutex);
+    if (message.address != pixy1::kAddress) return std::nullopt;
+    return camera.pull(message.length, world.now());
+  });
+  start("pixy1:" + I2cAdapter::path(), "console");
+  expect_a_post([&] {
+    const std::lock_guard lock(mutex);
+    camera.show({world.post(pixy1::kProfile)});
+  });
+}
+
+/// The pipe of both Pixys.
+UsbModel pixy_model(const std::string& name) {
   UsbModel model;
   model.vendor = linux::kPixyUsb.vendor;
   model.product = linux::kPixyUsb.product;
-  model.strings = {"Charmed Labs", "Pixy2", "1"};
+  model.strings = {"Charmed Labs", name, "1"};
   model.interfaces = 2;
   model.interface_descriptors = {9, 4,  0,
                                  0, 0,  0xFF,
@@ -151,17 +167,45 @@ TEST_F(RunOnCamera, Pixy2OnUsb) {
                                  7, 5,  linux::kPixyUsb.in_endpoint,
                                  2, 64, 0,
                                  0};
+  return model;
+}
+
+/// In packets, as the bus carries them.
+void give(UsbipDevice& wire, const Bytes& bytes) {
+  for (std::size_t at = 0; at < bytes.size(); at += 64) {
+    const std::size_t end = std::min(bytes.size(), at + 64);
+    wire.give(linux::kPixyUsb.in_endpoint,
+              Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(end)));
+  }
+}
+
+TEST_F(RunOnCamera, Pixy1OnUsb) {
+  emulate::Pixy1Usb camera(world.now() - kLongAgo);
+  UsbModel model = pixy_model("Pixy");
   UsbipDevice* wire = nullptr;
   model.on_bulk = [&](const Bytes& transfer) {
     const std::lock_guard lock(mutex);
-    for (const std::uint8_t byte : transfer) {
-      const Bytes answer = pipe.take(byte, world.now());
-      for (std::size_t at = 0; at < answer.size(); at += 64) {
-        const std::size_t end = std::min(answer.size(), at + 64);
-        wire->give(linux::kPixyUsb.in_endpoint, Bytes(answer.begin() + static_cast<std::ptrdiff_t>(at),
-                                                      answer.begin() + static_cast<std::ptrdiff_t>(end)));
-      }
-    }
+    for (const std::uint8_t byte : transfer) give(*wire, camera.take(byte, world.now()));
+  };
+  UsbipDevice device(model);
+  wire = &device;
+  device.plug();
+  start("pixy1:usb", "console");
+  expect_a_post([&] {
+    const std::lock_guard lock(mutex);
+    camera.show({world.post(pixy1::kProfile)});
+    while (camera.next() <= world.now()) give(device, camera.step(camera.next()));
+  });
+}
+
+TEST_F(RunOnCamera, Pixy2OnUsb) {
+  emulate::Pixy2 camera(base::Time{} - kLongAgo);
+  emulate::Pixy2Usb pipe(camera);
+  UsbModel model = pixy_model("Pixy2");
+  UsbipDevice* wire = nullptr;
+  model.on_bulk = [&](const Bytes& transfer) {
+    const std::lock_guard lock(mutex);
+    for (const std::uint8_t byte : transfer) give(*wire, pipe.take(byte, world.now()));
   };
   UsbipDevice device(model);
   wire = &device;

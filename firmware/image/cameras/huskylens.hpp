@@ -1,4 +1,5 @@
-// The camera `huskylens` on a serial line; in its settings: protocol type UART 9600.
+// The cameras `huskylens` and `huskylens2` on a serial line; in their settings: protocol type UART, 9600 or 115200
+// baud.
 #pragma once
 
 #include <array>
@@ -10,8 +11,12 @@
 namespace fencepost::image {
 
 struct HuskyLens : huskylens::Camera<board::Link> {
-  static constexpr std::array kCameras = {config::CameraId::kHuskylens};
-  explicit HuskyLens(const Opening& /*opening*/) : huskylens::Camera<board::Link>(board::camera()) {}
+  static constexpr std::array kCameras = {config::CameraId::kHuskylens, config::CameraId::kHuskylens2};
+  explicit HuskyLens(const Opening& opening)
+      : huskylens::Camera<board::Link>(
+            board::camera(),
+            {.generation = opening.devices.camera() == config::CameraId::kHuskylens2 ? huskylens::Generation::kTwo
+                                                                                     : huskylens::Generation::kOne}) {}
   static void start(const Opening& opening) { board::start_camera(opening.camera_baud()); }
 };
 

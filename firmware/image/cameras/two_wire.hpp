@@ -13,7 +13,9 @@ namespace fencepost::image {
 template <template <class> class Driver>
 class TwoWireCamera {
  public:
-  explicit TwoWireCamera(const Opening& opening) : stream_(board::i2c(), opening.camera_address()) {}
+  template <class... Options>
+  explicit TwoWireCamera(const Opening& opening, const Options&... options)
+      : stream_(board::i2c(), opening.camera_address()), camera_(stream_, options...) {}
   static void start(const Opening& /*opening*/) { board::start_i2c(); }
 
   base::Result<sensor::BlobFrame> poll(base::Time now) { return camera_.poll(now); }
@@ -22,7 +24,7 @@ class TwoWireCamera {
 
  private:
   wire::I2cStream<board::I2c> stream_;
-  Driver<wire::I2cStream<board::I2c>> camera_{stream_};
+  Driver<wire::I2cStream<board::I2c>> camera_;
 };
 
 }  // namespace fencepost::image

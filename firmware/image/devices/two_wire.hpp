@@ -5,13 +5,14 @@
 #include "firmware/image/cameras/console.hpp"
 #include "firmware/image/cameras/huskylens_i2c.hpp"
 #include "firmware/image/cameras/nxtcam_i2c.hpp"
+#include "firmware/image/cameras/pixy1_i2c.hpp"
 #include "firmware/image/cameras/pixy2_i2c.hpp"
 #include "firmware/image/odometry/console.hpp"
 #include "firmware/image/odometry_choice.hpp"
 
 namespace fencepost::image {
 
-using Camera = CameraChoice<ConsoleCamera, Pixy2I2c, HuskyLensI2c, NxtCamI2c>;
+using Camera = CameraChoice<ConsoleCamera, Pixy2I2c, HuskyLensI2c, NxtCamI2c, Pixy1I2c>;
 using Odometry = OdometryChoice<ConsoleOdometry>;
 
 }  // namespace fencepost::image

@@ -1,20 +1,25 @@
-// A HuskyLens on a serial line, through hostile hours.
+// A HuskyLens of either generation on a serial line, through hostile hours.
 #include "tests/drivers/bench/hostile_case.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "host/emulate/models/huskylens.hpp"
+#include "host/emulate/models/huskylens2.hpp"
 #include "tests/drivers/bench/cable.hpp"
 
 namespace fencepost::test {
 namespace {
 
+template <class Device, huskylens::Generation Generation>
 struct HuskyLensRig : CameraRig<> {
-  using Link = Cable<emulate::HuskyLens>;
+  using Link = Cable<Device>;
+  static constexpr bool kTwo = Generation == huskylens::Generation::kTwo;
   static constexpr base::Duration kImage = base::milliseconds(33);
 
   explicit HuskyLensRig(const fake::SteppedClock& clock, const Damage& damage = {})
-      : device(clock.now()), link(device, clock, damage), driver(link) {
-    link.set_bytes_per_ms(1);
-    link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes.size() > 5 && bytes[4] == 0x29; });
+      : device(clock.now()), link(device, clock, damage), driver(link, {.generation = Generation}) {
+    link.set_bytes_per_ms(kTwo ? 12 : 1);
+    link.count_frames([](std::span<const std::uint8_t> bytes) {
+      return bytes.size() > 5 && bytes[kTwo ? 2 : 4] == (kTwo ? 0x42 : 0x29);
+    });
   }
   void live(base::Time now) {
     if (expose(now, kImage)) device.show(moving ? std::vector{blob_of(images)} : scene);
@@ -34,12 +39,18 @@ struct HuskyLensRig : CameraRig<> {
   [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
   [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
-  emulate::HuskyLens device;
+  Device device;
   Link link;
   huskylens::Camera<Link> driver;
 };
 
-const RegisteredCase kCase{hostile_case<HuskyLensRig, 2>("huskylens:tty", {kSum8, 30'000, base::milliseconds(10'000)})};
+using HuskyLens1 = HuskyLensRig<emulate::HuskyLens, huskylens::Generation::kOne>;
+using HuskyLens2 = HuskyLensRig<emulate::HuskyLens2, huskylens::Generation::kTwo>;
+const RegisteredCase kHuskyLens1{
+    hostile_case<HuskyLens1, 2>("huskylens:tty", {kSum8, 30'000, base::milliseconds(10'000)})};
+// A damaged length makes it wait for up to 255 bytes more: a dozen questions.
+const RegisteredCase kHuskyLens2{
+    hostile_case<HuskyLens2, 2>("huskylens2:tty", {kSum8, 30'000, base::milliseconds(30'000)})};
 
 }  // namespace
 }  // namespace fencepost::test

@@ -6,6 +6,7 @@
 
 #include "drivers/wire/i2c_stream.hpp"
 #include "host/emulate/models/huskylens.hpp"
+#include "host/emulate/models/huskylens2.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 #include "tests/drivers/bench/i2c_cable.hpp"
@@ -70,6 +71,10 @@ struct Talk {
 Bytes operator+(Bytes a, const Bytes& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
+}
+
+std::optional<sensor::Blob> blob_of(const Bytes& data) {
+  return blob_in({Generation::kOne, Kind::kBlock, data}, kWidth);
 }
 
 // 60 x 40 around (160, 120): columns 130 to 189, rows 100 to 139, whose middles are 159.5 and 119.5.
@@ -243,6 +248,118 @@ TEST(HuskyLens, BeginsAnewAfterFiveLostAnswers) {
   EXPECT_EQ(talk.asks(), kKnock);
   EXPECT_EQ(talk.session.link(), LinkState::kSilent);
   EXPECT_EQ(talk.session.counts().timeouts, 5U);
+}
+
+// Of the vendor's library; the sums are those of the bytes before them.
+const Bytes kKnock2 = hex("55 AA 20 00 0A 00 00 00 00 00 00 00 00 00 00 29");
+const Bytes kColour2 = hex("55 AA 30 00 0A 05 00 00 00 00 00 00 00 00 00 3E");
+const Bytes kAskBlocks2 = hex("55 AA 21 05 00 25");
+const Bytes kOk2 = hex("55 AA 40 00 0A 00 00 00 00 00 00 00 00 00 00 49");
+const Bytes kInfo2 = hex("55 AA 42 05 0A 01 00 01 00 01 00 01 00 01 00 55");
+// 60 x 40 around (160, 120) of 640 x 480, id 1, confidence 90, "Color1", no content.
+const Bytes kBlock2 = hex("55 AA 43 05 12 01 5A A0 00 78 00 3C 00 28 00 06 43 6F 6C 6F 72 31 00 66");
+
+/// To the first question for blocks, which is answered.
+std::vector<sensor::BlobFrame> start_two(Talk& talk) {
+  EXPECT_EQ(talk.asks(), kKnock2);
+  talk.hears(kOk2);
+  EXPECT_EQ(talk.asks(), kColour2);
+  talk.hears(kOk2);
+  EXPECT_EQ(talk.asks(), kAskBlocks2);
+  return talk.hears(kInfo2 + kBlock2);
+}
+
+TEST(HuskyLens2, IsAskedInItsOwnWords) {
+  Talk talk{Session{Options{.generation = Generation::kTwo}}};
+  const auto frames = start_two(talk);
+  ASSERT_EQ(frames.size(), 1U);
+  ASSERT_EQ(frames[0].blobs.size(), 1U);
+  EXPECT_EQ(frames[0].blobs[0], kBox) << "in the image of 640 x 480";
+  EXPECT_EQ(talk.session.link(), LinkState::kOk);
+  EXPECT_EQ(talk.asks(), Bytes{}) << "30 images a second, and it does not count them";
+  talk.wait(30);
+  EXPECT_EQ(talk.asks(), kAskBlocks2);
+  EXPECT_EQ(talk.hears(kInfo2 + kBlock2).size(), 1U);
+}
+
+TEST(HuskyLens2, IsFoundWhereAHuskyLens1WasNamed) {
+  Talk talk;
+  for (int knock = 0; knock < 5; ++knock) {
+    EXPECT_EQ(talk.asks(), kKnock);
+    talk.wait(100);
+  }
+  const auto frames = start_two(talk);
+  ASSERT_EQ(frames.size(), 1U);
+  ASSERT_EQ(frames[0].blobs.size(), 1U);
+  // Columns 130 to 189 of 640 are 65 to 94 of 320, rows 100 to 139 are 50 to 69.
+  EXPECT_EQ(frames[0].blobs[0], (sensor::Blob{1, 65, 50, 94, 69, {795}, {595}, 0, {}}));
+  EXPECT_EQ(talk.session.generation(), Generation::kTwo);
+}
+
+TEST(HuskyLens2, AHuskyLens1IsFoundWhereItWasNamed) {
+  Talk talk{Session{Options{.generation = Generation::kTwo}}};
+  for (int knock = 0; knock < 5; ++knock) {
+    EXPECT_EQ(talk.asks(), kKnock2);
+    talk.wait(100);
+  }
+  talk.start();
+  const auto frames = talk.hears(kInfo8 + kBlock);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0].blobs[0], (sensor::Blob{1, 260, 200, 379, 279, {3'195}, {2'395}, 0, {}}));
+}
+
+TEST(HuskyLens2, AByteThatIsAnotherCostsOneAnswer) {
+  const Bytes whole = kInfo2 + kBlock2;
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    Talk talk{Session{Options{.generation = Generation::kTwo}}};
+    ASSERT_EQ(start_two(talk).size(), 1U);
+    talk.wait(30);
+    EXPECT_EQ(talk.asks(), kAskBlocks2);
+    Bytes damaged = whole;
+    damaged[at] ^= 0x40;
+    EXPECT_TRUE(talk.hears(damaged).empty()) << at;
+    talk.wait(120);
+    talk.session.step(talk.now);
+    const Bytes asked = talk.asks();
+    EXPECT_TRUE(asked == kAskBlocks2 || asked.empty());
+    const auto frames = talk.hears(kInfo2 + kBlock2);
+    ASSERT_EQ(frames.size(), 1U) << at;
+    EXPECT_EQ(frames[0].blobs[0], kBox) << at;
+  }
+}
+
+TEST(HuskyLens2, AnotherAlgorithmIsUnready) {
+  Talk talk{Session{Options{.generation = Generation::kTwo}}};
+  ASSERT_EQ(start_two(talk).size(), 1U);
+  talk.wait(30);
+  EXPECT_EQ(talk.asks(), kAskBlocks2);
+  talk.hears(hex("55 AA 41 05 0A 00 00 00 00 00 00 00 00 00 00 4F"));
+  EXPECT_EQ(talk.session.link(), LinkState::kUnready);
+}
+
+// Its own second, then at worst five knocks of the other kind and three that those swallow.
+TEST(HuskyLens2, ComesBackWithinASecondOfItsStart) {
+  for (int phase = 0; phase < 1'000; phase += 50) {
+    for (const Generation named : {Generation::kOne, Generation::kTwo}) {
+      fake::SteppedClock clock;
+      emulate::HuskyLens2 device(clock.now());
+      test::Cable<emulate::HuskyLens2> cable(device, clock);
+      Camera<test::Cable<emulate::HuskyLens2>> driver(cable, {.generation = named});
+      device.show({kBox});
+      const auto run = [&](int ms) {
+        for (int i = 0; i < ms; ++i) {
+          clock.advance(milliseconds(1));
+          static_cast<void>(driver.poll(clock.now()));
+        }
+      };
+      run(3'000 + phase);
+      ASSERT_EQ(driver.link(), LinkState::kOk) << phase;
+      static_cast<void>(device.power_up(clock.now()));
+      cable.forget();
+      run(2'000);
+      EXPECT_EQ(driver.link(), LinkState::kOk) << phase;
+    }
+  }
 }
 
 /// On the two-wire bus: what it has to say is read in portions, and filler where it has nothing.

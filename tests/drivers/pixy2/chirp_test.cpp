@@ -1,5 +1,5 @@
 // USB: the documented messages, and the camera's driver over them.
-#include "drivers/pixy2/chirp.hpp"
+#include "drivers/chirp/chirp.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "drivers/wire/scanner.hpp"
 #include "hal/base/fixed.hpp"
 
-namespace fencepost::pixy2::chirp {
+namespace fencepost::chirp {
 
 /// `55 55 AA AA`, type, pad, procedure (i16), payload length (u32), payload. The first transfer of a message is always
 /// 64 bytes, filled with whatever; all of ours fit into it.
@@ -30,6 +30,9 @@ Transfer initialise();
 Transfer enumerate(std::string_view procedure);
 /// Calls `ser_packet(type, data)`; at most 44 bytes of data.
 Transfer call(std::uint16_t procedure, std::uint8_t type, std::span<const std::uint8_t> data);
+
+/// Calls a procedure without arguments.
+Transfer call(std::uint16_t procedure);
 
 /// For wire::Scanner. A message ends with its payload: the filler behind it is noise.
 wire::Verdict examine(std::span<const std::uint8_t> bytes);
@@ -50,4 +53,4 @@ struct Packet {
 /// errors: empty if the arguments are of other types or lengths
 std::optional<Packet> packet_in(const Message& message);
 
-}  // namespace fencepost::pixy2::chirp
+}  // namespace fencepost::chirp

@@ -1,8 +1,8 @@
-#include "drivers/pixy2/chirp.hpp"
+#include "drivers/chirp/chirp.hpp"
 
 #include "drivers/wire/endian.hpp"
 
-namespace fencepost::pixy2::chirp {
+namespace fencepost::chirp {
 namespace {
 
 constexpr std::uint8_t kCall = 0x80;
@@ -75,6 +75,8 @@ Transfer call(std::uint16_t procedure, std::uint8_t type, std::span<const std::u
   return writer.finish();
 }
 
+Transfer call(std::uint16_t procedure) { return Writer(kCall, procedure).finish(); }
+
 wire::Verdict examine(std::span<const std::uint8_t> bytes) {
   constexpr std::uint8_t kMark[] = {kStart, kStart, 0xAA, 0xAA};
   for (std::size_t i = 0; i < 4 && i < bytes.size(); ++i) {
@@ -104,4 +106,4 @@ std::optional<Packet> packet_in(const Message& message) {
   return Packet{rest[1], rest.subspan(kData)};
 }
 
-}  // namespace fencepost::pixy2::chirp
+}  // namespace fencepost::chirp

@@ -1,0 +1,89 @@
+#include "drivers/cognachrome/session.hpp"
+
+#include <algorithm>
+
+namespace fencepost::cognachrome {
+namespace {
+
+constexpr base::Duration kPatience = base::milliseconds(500);
+constexpr base::Duration kPrompt = base::milliseconds(300);
+constexpr std::array<std::uint8_t, 2> kToVision = {0xFE, 3};  // stream 3 is tpuvis
+
+/// What tpuvis asks for a string with, and the keys that make it ask.
+struct Question {
+  std::string_view prompt;
+  std::string_view keys;
+};
+constexpr std::array<Question, 1 + kChannels> kQuestions = {
+    {{"header:", "ph"}, {"chan A:", "pa"}, {"chan B:", "pb"}, {"chan C:", "pc"}}};
+
+}  // namespace
+
+bool Session::take(std::uint8_t byte, base::Time now) {
+  byte_at_ = now;
+  const bool complete = decoder_.feed(byte, now);
+  if (complete) frame_at_ = now;
+  follow_prompt(byte, now);
+  return complete;
+}
+
+void Session::follow_prompt(std::uint8_t byte, base::Time now) {
+  std::copy(tail_.begin() + 1, tail_.end(), tail_.begin());
+  tail_.back() = static_cast<char>(byte);
+  if (asked_ == 0 || std::string_view(tail_.data(), kTail) != kQuestions[asked_ - 1U].prompt) return;
+  const std::string_view text = format_.strings[asked_ - 1U];
+  if (asked_ == kQuestions.size()) {
+    say(text, "r", now);
+    return listen(now);
+  }
+  say(text, kQuestions[asked_].keys, now);
+  ++asked_;
+}
+
+// A string ends with a line feed; keys do not.
+void Session::say(std::string_view first, std::string_view then, base::Time now) {
+  outbox_.clear();
+  (void)outbox_.put(kToVision);
+  (void)outbox_.put(first);
+  if (!first.empty()) (void)outbox_.put("\n");
+  (void)outbox_.put(then);
+  deadline_ = now + kPrompt;
+}
+
+void Session::listen(base::Time now) {
+  asked_ = 0;
+  deadline_ = now + kPatience;
+}
+
+void Session::step(base::Time now) {
+  if (byte_at_ && now - *byte_at_ > kPatience) byte_at_.reset();
+  if (frame_at_ && now - *frame_at_ > kPatience) frame_at_.reset();
+  if (!deadline_ || frame_at_) return listen(now);
+  if (now < *deadline_ || format_.strings[0].empty()) return;
+  if (asked_ > 0) {
+    outbox_.clear();
+    return listen(now);
+  }
+  // The line feed ends what an earlier try left open.
+  say({}, "\nq", now);
+  (void)outbox_.put(kQuestions[0].keys);
+  asked_ = 1;
+}
+
+void Session::link_lost() {
+  decoder_.reset();
+  outbox_.clear();
+  asked_ = 0;
+  byte_at_.reset();
+  frame_at_.reset();
+  deadline_.reset();
+}
+
+sensor::LinkState Session::link() const {
+  using enum sensor::LinkState;
+  if (!byte_at_) return kSilent;
+  if (!frame_at_) return kUnready;
+  return decoder_.saw() ? kOk : kEmpty;
+}
+
+}  // namespace fencepost::cognachrome

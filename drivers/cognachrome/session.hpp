@@ -1,0 +1,61 @@
+// The conversation with a Cognachrome: it listens, and where nothing comes it makes it send.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "drivers/cognachrome/decoder.hpp"
+#include "drivers/serial/outbox.hpp"
+#include "hal/sensor/camera.hpp"
+#include "hal/sensor/link_state.hpp"
+
+namespace fencepost::cognachrome {
+
+/// No source tells a field of view, it has the lens of any video camera: 45 degrees across and an image of 4 by 3 are
+/// assumed. fx = 125 / tan 22.5 deg, fy = fx 16 / 15. Two fields of 60 /s as latency. Calibrate.
+inline constexpr sensor::CameraIntrinsics kProfile = {
+    "cognachrome", kWidth, kHeight, {30'178}, {32'190}, {12'450}, {9'950}, {0}, {}, base::milliseconds(33)};
+
+struct Config {
+  const Format* format = &kBinary;
+};
+
+/// Half a second without a frame, and if its strings are known it is stopped, told them and started; each prompt is
+/// waited for 300 ms, and then it all begins anew.
+class Session {
+ public:
+  using Sample = sensor::BlobFrame;
+
+  explicit Session(const Config& config) : format_(*config.format), decoder_(*config.format) {}
+
+  bool take(std::uint8_t byte, base::Time now);
+  [[nodiscard]] const sensor::BlobFrame& sample() const { return decoder_.frame(); }
+  void step(base::Time now);
+  void link_lost();
+  auto& outbox() { return outbox_; }
+
+  /// kUnready: it says something, but for half a second no frame has come.
+  [[nodiscard]] sensor::LinkState link() const;
+  [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().blobs_dropped; }
+  [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
+
+ private:
+  static constexpr std::size_t kTail = 7;
+
+  void follow_prompt(std::uint8_t byte, base::Time now);
+  void say(std::string_view first, std::string_view then, base::Time now);
+  void listen(base::Time now);
+
+  const Format& format_;
+  Decoder decoder_;
+  serial::Outbox<24> outbox_;
+  std::array<char, kTail> tail_{};  ///< the last characters
+  std::uint8_t asked_ = 0;          ///< prompts that were asked for; 0: it only listens
+  std::optional<base::Time> byte_at_;
+  std::optional<base::Time> frame_at_;
+  std::optional<base::Time> deadline_;  ///< of the prompt, or of the next try
+};
+
+}  // namespace fencepost::cognachrome

@@ -1,0 +1,210 @@
+#include "drivers/cognachrome/cognachrome.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/drivers/cognachrome/rig.hpp"
+#include "tests/drivers/hex.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::cognachrome {
+namespace {
+
+using base::milliseconds;
+using base::Time;
+using sensor::LinkState;
+using test::hex;
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes text(std::string_view said) { return test::bytes_of(said); }
+
+// A at column 120, row 80 with 600 pixels; B at 33, 210 is below the image: 110 here, 45 pixels.
+const Bytes kFrame = hex("FF 61 00 78 00 50 02 5C 62 00 21 00 6E 00 2D");
+const Bytes kMark = hex("FF");
+
+// 600 pixels: 23 columns, since 23 x 23 x 16 = 8464 is at most 600 x 15 = 9000, and 24 x 24 x 16 is not.
+const sensor::Blob kA{1, 109, 0, 131, 199, {1'200}, {800}, 600, {}};
+// 45 pixels: 6 columns, the sixth to the right of the middle.
+const sensor::Blob kB{2, 31, 0, 36, 199, {330}, {1'100}, 45, {}};
+
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::vector<sensor::Blob> blobs_of(const sensor::BlobFrame& frame) { return {frame.blobs.begin(), frame.blobs.end()}; }
+
+struct Listener {
+  explicit Listener(const Format& format = kBinary) : decoder(format) {}
+  Decoder decoder;
+  Time now{};
+
+  std::vector<std::vector<sensor::Blob>> hears(const Bytes& bytes) {
+    std::vector<std::vector<sensor::Blob>> frames;
+    for (const std::uint8_t byte : bytes) {
+      now = now + milliseconds(1);
+      if (decoder.feed(byte, now)) frames.push_back(blobs_of(decoder.frame()));
+    }
+    return frames;
+  }
+};
+using Frames = std::vector<std::vector<sensor::Blob>>;
+
+TEST(Cognachrome, ReadsWhatMissionLabInstalls) {
+  Listener listener;
+  EXPECT_EQ(listener.hears(kFrame), Frames{}) << "more objects may follow";
+  EXPECT_EQ(listener.hears(kMark), (Frames{{kA, kB}}));
+  EXPECT_EQ(listener.decoder.frame().t, Time{} + milliseconds(1)) << "the first mark";
+  EXPECT_EQ(listener.hears(kMark), Frames{{}}) << "an empty frame is a mark alone";
+}
+
+TEST(Cognachrome, ReadsWhatTeamBotsReads) {
+  Listener listener(kHex);
+  // Roots 24 and 6 of the pixels; 576 pixels are 23 columns, 36 are 5.
+  const Frames frames = listener.hears(text("$1A#18:78:50:20&06:21:6E:00\r\n$1B$1C^FF:00:00:00$"));
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0], (std::vector<sensor::Blob>{{1, 109, 0, 131, 199, {1'200}, {800}, 576, {}},
+                                                  {2, 31, 0, 35, 199, {330}, {1'100}, 36, {}}}));
+  EXPECT_TRUE(frames[1].empty());
+  EXPECT_EQ(listener.decoder.counts().broken, 1U) << "255 by 255 pixels are more than there are";
+}
+
+TEST(Cognachrome, BoxesEndAtTheImage) {
+  EXPECT_EQ(blob_of(0, 0, 0, 600), (sensor::Blob{1, 0, 0, 11, 199, {0}, {0}, 600, {}}));
+  EXPECT_EQ(blob_of(2, 249, 199, 1), (sensor::Blob{3, 249, 0, 249, 199, {2'490}, {1'990}, 1, {}}));
+  for (const auto& [column, row, pixels] : {std::tuple(250, 0, 1), {0, 200, 1}, {0, 0, 0}, {0, 0, 50'001}}) {
+    EXPECT_EQ(blob_of(0, column, row, pixels), std::nullopt);
+  }
+}
+
+TEST(Cognachrome, GarbageBeforeAFrameIsPassedOver) {
+  for (const char* garbage : {"00", "61 00 78", "FF 61 00", "FF 31", "FE 03 74 70 75", "FE"}) {
+    Listener listener;
+    EXPECT_EQ(listener.hears(hex(garbage) + kFrame + kMark), (Frames{{kA, kB}})) << garbage;
+  }
+}
+
+// A byte lost or too many is noticed by the next channel letter or mark; another value often is not: no checksum.
+TEST(Cognachrome, AByteLostOrTooManyCostsItsFrame) {
+  for (std::size_t at = 1; at < kFrame.size(); ++at) {
+    Bytes lost = kFrame;
+    lost.erase(lost.begin() + static_cast<std::ptrdiff_t>(at));
+    Bytes more = kFrame;
+    more.insert(more.begin() + static_cast<std::ptrdiff_t>(at), 0xF0);
+    for (const Bytes& damaged : {lost, more}) {
+      Listener listener;
+      EXPECT_EQ(listener.hears(damaged + kFrame + kMark), (Frames{{kA, kB}})) << at;
+    }
+  }
+}
+
+TEST(Cognachrome, MoreObjectsThanAFrameHoldsAreCounted) {
+  Bytes frame = kMark;
+  for (std::uint8_t i = 1; i <= 20; ++i) {
+    frame = frame + Bytes{'a', 0, 100, 0, 100, 0, i};
+  }
+  Listener listener;
+  const Frames frames = listener.hears(frame + kFrame + kMark);
+  ASSERT_EQ(frames.size(), 2U);
+  ASSERT_EQ(frames[0].size(), 16U);
+  EXPECT_EQ(frames[0][0].pixels, 20U);
+  EXPECT_EQ(frames[0][15].pixels, 5U);
+  EXPECT_EQ(listener.decoder.counts().blobs_dropped, 4U);
+  EXPECT_EQ(frames[1], (std::vector{kA, kB}));
+}
+
+// Prompt by prompt, as MissionLab answers them.
+TEST(CognachromeSession, InstallsItsStrings) {
+  Session session{Config{}};
+  Time now{};
+  const auto says = [&] {
+    session.step(now);
+    const auto waiting = session.outbox().waiting();
+    Bytes bytes(waiting.begin(), waiting.end());
+    session.outbox().clear();
+    return bytes;
+  };
+  const auto hears = [&](std::string_view text) {
+    for (const char c : text) static_cast<void>(session.take(static_cast<std::uint8_t>(c), now));
+  };
+  const Bytes to_vision = hex("FE 03");
+  EXPECT_EQ(says(), Bytes{}) << "it listens first";
+  now = now + milliseconds(500);
+  EXPECT_EQ(says(), to_vision + text("\nqph"));
+  hears("tpuvis [a]> ph\r\nNew protocol header:");
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  EXPECT_EQ(says(), to_vision + text("\\377\npa"));
+  hears("\\377\r\ntpuvis [a]> pa\r\nNew protocol chan A:");
+  EXPECT_EQ(says(), to_vision + text("a%wC%wR%wN\npb"));
+  hears("\r\nNew protocol chan B:");
+  EXPECT_EQ(says(), to_vision + text("b%wC%wR%wN\npc"));
+  hears("\r\nNew protocol chan C:");
+  EXPECT_EQ(says(), to_vision + text("c%wC%wR%wN\nr"));
+  for (const std::uint8_t byte : kFrame + kMark) static_cast<void>(session.take(byte, now));
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  now = now + milliseconds(490);
+  EXPECT_EQ(says(), Bytes{}) << "it tracks";
+}
+
+TEST(CognachromeSession, APromptThatDoesNotComeIsGivenUp) {
+  Session session{Config{}};
+  std::size_t tries = 0;
+  for (int ms = 0; ms < 10'000; ++ms) {
+    session.step(Time{} + milliseconds(ms));
+    tries += session.outbox().waiting().empty() ? 0U : 1U;
+    session.outbox().clear();
+  }
+  EXPECT_EQ(tries, 12U) << "500 ms, then every 800 ms";
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+}
+
+TEST(CognachromeSession, WhoseStringsAreNotKnownIsOnlyListenedTo) {
+  Session session{Config{&kHex}};
+  for (int ms = 0; ms < 10'000; ++ms) session.step(Time{} + milliseconds(ms));
+  EXPECT_TRUE(session.outbox().waiting().empty());
+}
+
+using Bench = test::Bench<test::CognachromeRig>;
+const sensor::Blob kScene{1, 100, 60, 139, 99, {}, {}, 1'600, {}};
+
+TEST(CognachromeCamera, TakesEveryFieldOnce) {
+  Bench bench;
+  bench.run(3'000, {kScene});
+  const std::size_t before = bench.frames.size();
+  bench.run(1'670, {kScene});
+  EXPECT_EQ(bench.frames.size() - before, 100U);
+  EXPECT_EQ(blobs_of(bench.frames.back()),
+            (std::vector<sensor::Blob>{{1, 102, 0, 139, 199, {1'200}, {800}, 1'600, {}}}));
+  bench.run(100, {});
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
+}
+
+// Its start, then at most one try in vain (800 ms) and the conversation.
+TEST(CognachromeCamera, ComesBackAsSoonAsTheCameraDoes) {
+  for (int phase = 0; phase < 900; phase += 50) {
+    Bench bench;
+    bench.run(3'000 + phase, {kScene});
+    ASSERT_EQ(bench.driver.link(), LinkState::kOk);
+    bench.restart(bench.clock.now());
+    bench.run(1'950, {kScene});
+    EXPECT_EQ(bench.driver.link(), LinkState::kOk) << phase;
+  }
+}
+
+TEST(Cognachrome, FuzzRunsShortly) {
+  std::uint32_t state = 1;
+  const Bytes words[] = {kMark, kFrame, text("$1A#18:78:50:20"), text("&06:21:6E:00"), hex("FE 03")};
+  for (int run = 0; run < 300; ++run) {
+    Bytes input;
+    for (int i = 0; i < 40; ++i) {
+      state = state * 1'664'525U + 1'013'904'223U;
+      Bytes word = words[(state >> 16U) % 5U];
+      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
+      input = input + word;
+    }
+    LLVMFuzzerTestOneInput(input.data(), input.size());
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::cognachrome

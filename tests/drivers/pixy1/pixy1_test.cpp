@@ -1,0 +1,311 @@
+#include "drivers/pixy1/pixy1.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/wire/i2c_stream.hpp"
+#include "tests/drivers/bench/i2c_cable.hpp"
+#include "tests/drivers/hex.hpp"
+#include "tests/drivers/pixy1/rig.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fencepost::pixy1 {
+namespace {
+
+using base::milliseconds;
+using base::Time;
+using sensor::LinkState;
+using test::hex;
+using Bytes = std::vector<std::uint8_t>;
+
+// 331 = 1 + 160 + 100 + 40 + 30 and 134 = 2 + 50 + 60 + 12 + 10.
+const Bytes kIdle = hex("00 00");
+const Bytes kMark = hex("55 AA");
+const Bytes kOne = hex("55 AA 4B 01 01 00 A0 00 64 00 28 00 1E 00");
+const Bytes kTwo = hex("55 AA 86 00 02 00 32 00 3C 00 0C 00 0A 00");
+// 0x0145 = 10 + 200 + 80 + 60 + 20 + 0xFFD3: a colour code 1-2, turned by -45 degrees.
+const Bytes kCode = hex("56 AA 45 01 0A 00 C8 00 50 00 3C 00 14 00 D3 FF");
+
+// 40 columns from 140 on; rows 85 to 115, the last one included.
+const sensor::Blob kOneBlob{1, 140, 85, 179, 115, {1'595}, {1'000}, 0, {}};
+const sensor::Blob kTwoBlob{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
+const sensor::Blob kCodeBlob{10, 170, 70, 229, 90, {1'995}, {800}, 0, {}};
+
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// A session on a clock, a byte every half millisecond, as at 19200 baud.
+struct Listener {
+  Session session{Options{}};
+  Time now{};
+
+  std::vector<sensor::BlobFrame> hears(const Bytes& bytes) {
+    std::vector<sensor::BlobFrame> frames;
+    for (const std::uint8_t byte : bytes) {
+      now = now + base::Duration{5};
+      session.step(now);
+      if (session.take(byte, now)) frames.push_back(session.sample());
+    }
+    return frames;
+  }
+  void wait(std::int64_t ms) {
+    now = now + milliseconds(ms);
+    session.step(now);
+  }
+};
+
+std::vector<sensor::Blob> blobs_of(const sensor::BlobFrame& frame) { return {frame.blobs.begin(), frame.blobs.end()}; }
+
+TEST(Pixy1, BringsTheDocumentsExampleToOurPixels) {
+  Listener listener;
+  EXPECT_TRUE(listener.hears(kMark + kOne + kTwo).empty()) << "more blocks may follow";
+  const auto frames = listener.hears(kIdle);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob, kTwoBlob}));
+  EXPECT_EQ(frames[0].t, Time{} + base::Duration{5}) << "the first byte of its mark";
+  EXPECT_EQ(listener.session.link(), LinkState::kOk);
+}
+
+TEST(Pixy1, TheNextImagesMarkEndsOneToo) {
+  Listener listener;
+  const auto frames = listener.hears(kMark + kOne + kMark + kTwo + kMark + kCode + kIdle);
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
+  EXPECT_EQ(blobs_of(frames[1]), (std::vector{kTwoBlob}));
+  EXPECT_EQ(blobs_of(frames[2]), (std::vector{kCodeBlob}));
+  EXPECT_EQ(frames[2].frame, 2U);
+}
+
+TEST(Pixy1, AColourCodesSignatureIsItsOctalNumber) {
+  Listener listener;
+  const auto frames = listener.hears(kMark + kOne + kCode + kIdle);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(blobs_of(frames[0]), (std::vector{kCodeBlob, kOneBlob})) << "60 x 21 is larger than 40 x 31";
+  // 01111 octal is 585: above 255. The sum is 585 + 200 + 80 + 60 + 20 = 945.
+  const auto beyond = listener.hears(kMark + hex("56 AA B1 03 49 02 C8 00 50 00 3C 00 14 00 00 00") + kIdle);
+  ASSERT_EQ(beyond.size(), 1U);
+  EXPECT_TRUE(beyond[0].blobs.empty());
+  EXPECT_EQ(listener.session.dropped(), 1U);
+}
+
+TEST(Pixy1, BoxesAtTheEdges) {
+  const auto box = [](const char* text) { return blob_of(hex(text)); };
+  // 320 x 199 around (160, 99): the whole image.
+  EXPECT_EQ(box("55 AA 00 00 01 00 A0 00 63 00 40 01 C7 00"), (sensor::Blob{1, 0, 0, 319, 199, {1'595}, {995}, 0, {}}));
+  // One column, one row: the height is 0.
+  EXPECT_EQ(box("55 AA 00 00 07 00 0A 00 05 00 01 00 00 00"), (sensor::Blob{7, 10, 5, 10, 5, {100}, {50}, 0, {}}));
+  for (const char* wrong : {"55 AA 00 00 00 00 A0 00 63 00 28 00 1E 00", "55 AA 00 00 01 00 A0 00 63 00 00 00 1E 00",
+                            "55 AA 00 00 01 00 05 00 63 00 28 00 1E 00", "55 AA 00 00 01 00 3C 01 63 00 28 00 1E 00",
+                            "55 AA 00 00 01 00 A0 00 05 00 28 00 1E 00", "55 AA 00 00 01 00 A0 00 C7 00 28 00 1E 00"}) {
+    EXPECT_EQ(box(wrong), std::nullopt) << wrong;
+  }
+}
+
+TEST(Pixy1, AnImageMayComeInAnyTwoParts) {
+  const Bytes whole = kIdle + kMark + kOne + kTwo + kIdle;
+  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
+    Listener listener;
+    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(cut);
+    auto frames = listener.hears({whole.begin(), middle});
+    listener.wait(50);
+    for (const auto& frame : listener.hears({middle, whole.end()})) frames.push_back(frame);
+    ASSERT_EQ(frames.size(), 1U) << cut;
+    EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob, kTwoBlob})) << cut;
+  }
+}
+
+TEST(Pixy1, GarbageBeforeAnImageIsPassedOver) {
+  for (const char* garbage :
+       {"00", "FF FF FF", "55", "55 AA", "AA 55", "56 AA 56", "55 AA 01 02", "55 AA 55 AA 4B 01 01"}) {
+    Listener listener;
+    const auto frames = listener.hears(hex(garbage) + kIdle + kMark + kOne + kTwo + kIdle);
+    ASSERT_EQ(frames.size(), 1U) << garbage;
+    EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob, kTwoBlob})) << garbage;
+  }
+}
+
+// Another value, a byte lost, a byte too many: at most one image is missing, and none is given that was not sent.
+TEST(Pixy1, ADamagedByteCostsAtMostOneImage) {
+  const Bytes image = kIdle + kMark + kOne + kTwo;
+  const std::vector sent = {kOneBlob, kTwoBlob};
+  for (std::size_t at = 0; at < image.size(); ++at) {
+    for (int kind = 0; kind < 3; ++kind) {
+      Bytes damaged = image;
+      const auto place = damaged.begin() + static_cast<std::ptrdiff_t>(at);
+      if (kind == 0) *place ^= 0x40;
+      if (kind == 1) damaged.erase(place);
+      if (kind == 2) damaged.insert(place, 0x31);
+      Listener listener;
+      const auto frames = listener.hears(image + damaged + image + kIdle);
+      EXPECT_GE(frames.size(), 2U) << at << ", " << kind;
+      for (const auto& frame : frames) EXPECT_EQ(blobs_of(frame), sent) << at << ", " << kind;
+    }
+  }
+}
+
+TEST(Pixy1, AnImageWhoseMarkWasLostIsNotAddedToTheOneBefore) {
+  Listener listener;
+  const auto frames = listener.hears(kMark + kOne + kTwo + kOne + kTwo + kMark + kOne + kIdle);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
+  EXPECT_EQ(listener.session.counts().broken, 1U);
+}
+
+// 0xAA55 = 1 + 160 + 100 + 40 + 43220: no camera sends that height, but the words of a block may be any.
+TEST(Pixy1, ASumThatLooksLikeAMarkCostsItsImage) {
+  Listener listener;
+  const auto frames = listener.hears(kMark + hex("55 AA 55 AA 01 00 A0 00 64 00 28 00 28 A9") + kMark + kOne + kIdle);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
+}
+
+TEST(Pixy1, MoreBlocksThanAFrameHoldsAreCounted) {
+  Bytes image = kMark;
+  for (std::uint8_t width = 2; width <= 40; width = static_cast<std::uint8_t>(width + 2)) {
+    Bytes block = hex("55 AA 00 00 01 00 A0 00 64 00 00 00 1E 00");
+    const unsigned sum = 1U + 160U + 100U + width + 30U;
+    block[2] = static_cast<std::uint8_t>(sum & 0xFFU);
+    block[3] = static_cast<std::uint8_t>(sum >> 8U);
+    block[10] = width;
+    image = image + block;
+  }
+  Listener listener;
+  const auto frames = listener.hears(image + kMark + kOne + kIdle);
+  ASSERT_EQ(frames.size(), 2U);
+  ASSERT_EQ(frames[0].blobs.size(), 16U);
+  EXPECT_EQ(frames[0].blobs[0], (sensor::Blob{1, 140, 85, 179, 115, {1'595}, {1'000}, 0, {}}));
+  EXPECT_EQ(frames[0].blobs[15].x2 - frames[0].blobs[15].x1 + 1, 10);
+  EXPECT_EQ(listener.session.dropped(), 4U);
+  EXPECT_EQ(blobs_of(frames[1]), (std::vector{kOneBlob}));
+}
+
+// A UART's two zeros with each image, 20 ms apart: the fourth in a row says that there is nothing.
+TEST(Pixy1, ZerosAloneAreAnImageWithoutBlocks) {
+  Listener listener;
+  ASSERT_EQ(listener.hears(kMark + kOne + kIdle).size(), 1U);
+  std::vector<std::size_t> frames;
+  for (int image = 0; image < 7; ++image) {
+    listener.wait(19);
+    const auto got = listener.hears(kIdle);
+    frames.push_back(got.size());
+    for (const auto& frame : got) EXPECT_TRUE(frame.blobs.empty());
+  }
+  EXPECT_EQ(frames, (std::vector<std::size_t>{0, 0, 1, 0, 0, 1, 0}));
+  EXPECT_EQ(listener.session.link(), LinkState::kEmpty);
+}
+
+TEST(Pixy1, ZerosBetweenDamagedImagesAreNoEmptyImage) {
+  Listener listener;
+  Bytes lost = kOne;
+  for (int image = 0; image < 50; ++image) {
+    EXPECT_TRUE(listener.hears(kIdle + kOne).empty()) << "without its mark";
+    EXPECT_TRUE(listener.hears(kIdle + hex("57 AA") + kOne).empty()) << "with a damaged one";
+    listener.wait(5);
+  }
+  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
+}
+
+TEST(Pixy1, TellsSilenceFromAnotherLanguage) {
+  Listener listener;
+  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
+  EXPECT_TRUE(listener.hears(hex("AF C1 21 0E 6D 01 FF 80 3C 7F")).empty());
+  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
+  listener.wait(501);
+  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
+  listener.hears(kMark + kOne + kIdle);
+  EXPECT_EQ(listener.session.link(), LinkState::kOk);
+  listener.wait(501);
+  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
+}
+
+using Bench = test::Bench<test::Pixy1Rig>;
+const sensor::Blob kNear{1, 100, 60, 219, 159, {1'595}, {1'095}, 0, {}};
+const sensor::Blob kFar{2, 10, 20, 29, 39, {195}, {295}, 0, {}};
+
+TEST(Pixy1Camera, TakesEveryImageOnce) {
+  Bench bench;
+  bench.run(2'000, {kFar, kNear});
+  const std::size_t before = bench.frames.size();
+  bench.run(1'000, {kFar, kNear});
+  EXPECT_EQ(bench.frames.size() - before, 50U);
+  EXPECT_EQ(blobs_of(bench.frames.back()), (std::vector{kNear, kFar}));
+  EXPECT_EQ(bench.disorder, 0U);
+  bench.run(200, {});
+  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
+}
+
+// Its own start, and two images.
+TEST(Pixy1Camera, ComesBackAsSoonAsTheCameraDoes) {
+  Bench bench;
+  bench.run(2'000, {kNear});
+  bench.restart(bench.clock.now());
+  bench.run(999, {kNear});
+  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
+  bench.run(41, {kNear});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+  bench.link.unplug();
+  bench.run(10, {kNear});
+  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
+  bench.link.replug();
+  bench.run(41, {kNear});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
+}
+
+/// On the two-wire bus: what there is of the image is read in portions, and zeros where there is nothing.
+class OnTwoWires final : public emulate::I2cDevice {
+ public:
+  explicit OnTwoWires(emulate::Pixy1& camera) : camera_(camera) {}
+  std::optional<Bytes> transfer(std::uint8_t address, const Bytes& /*out*/, std::size_t expected, Time now) override {
+    if (address != kAddress) return std::nullopt;
+    return camera_.pull(expected, now);
+  }
+
+ private:
+  emulate::Pixy1& camera_;
+};
+
+TEST(Pixy1Camera, SeesOverI2cWhatItSeesOverSerial) {
+  fake::SteppedClock clock;
+  emulate::Pixy1 camera(0);
+  OnTwoWires wires(camera);
+  test::I2cCable bus(wires, clock);
+  wire::I2cStream<test::I2cCable> stream(bus, kAddress);
+  Camera<wire::I2cStream<test::I2cCable>> driver(stream);
+  camera.show({kNear, kFar});
+  std::size_t frames = 0;
+  for (int ms = 0; ms < 3'000; ++ms) {
+    clock.advance(milliseconds(1));
+    const auto frame = driver.poll(clock.now());
+    if (!frame || ms < 1'050) continue;
+    ++frames;
+    EXPECT_EQ(blobs_of(*frame), (std::vector{kNear, kFar})) << ms;
+  }
+  EXPECT_GE(frames, 95U) << "of two seconds";
+  EXPECT_LE(bus.longest_read(), 16U);
+  camera.show({});
+  for (int ms = 0; ms < 200; ++ms) {
+    clock.advance(milliseconds(1));
+    static_cast<void>(driver.poll(clock.now()));
+  }
+  EXPECT_EQ(driver.link(), LinkState::kEmpty);
+}
+
+TEST(Pixy1, FuzzRunsShortly) {
+  std::uint32_t state = 1;
+  const Bytes words[] = {kIdle, kMark, kOne, kTwo, kCode};
+  for (int run = 0; run < 300; ++run) {
+    Bytes input;
+    for (int i = 0; i < 40; ++i) {
+      state = state * 1'664'525U + 1'013'904'223U;
+      Bytes word = words[(state >> 16U) % 5U];
+      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
+      input = input + word;
+    }
+    LLVMFuzzerTestOneInput(input.data(), input.size());
+  }
+}
+
+}  // namespace
+}  // namespace fencepost::pixy1
