@@ -20,7 +20,7 @@ class DriftEvidence {
   void weigh(const CircleEquation& bearing, float variance, const Vec2& by_odometry, const Vec2& by_filter) {
     const auto off = [&](const Vec2& away) {
       const float residual = bearing.bound - bearing.normal.dot(away);
-      return std::min(kMostSurprise, residual * residual / variance);
+      return std::min(kMostEvidence, residual * residual / variance);
     };
     sum_ = std::max(0.0F, sum_ + off(by_odometry) - off(by_filter) - kEvidenceSlack);
   }
