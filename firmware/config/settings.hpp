@@ -66,7 +66,7 @@ inline constexpr std::array<KeyInfo, kKeys> kKeyInfo = {{
     {"alert.rate", "/s", 0, 5, 1, 50, "repeated alerts of one object"},
     {"camera.noise", "px", 2, 0, 0, 1000, "sigma of a box edge; 0: by its columns"},
     {"correct.drift", "%", 1, 30, 1, 500, "of the distance: how far off odometry is"},
-    {"correct.pose", kChoice, 0, kCorrectOff, 0, kCorrectAuto, "by landmarks seen again; auto: if odometry drifts"},
+    {"correct.pose", kChoice, 0, kCorrectAuto, 0, kCorrectAuto, "by landmarks seen again; auto: if odometry drifts"},
     {"car.counts", "/m", 1, 0, -10'000'000, 10'000'000, "of a car's encoder; 0: not told; negative: backwards"},
     {"car.wheelbase", "m", 3, 0, 0, 3'000, "between its axles; 0: not told"},
     {"steer.scale", "", 3, 1'000, -10'000, 10'000, "turn of the wheels for one told; negative: right is told positive"},

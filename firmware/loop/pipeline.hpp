@@ -386,9 +386,11 @@ class Pipeline {
     const recon::Confirmation confirmation{settings.raw(config::Key::kConfirmK), settings.raw(config::Key::kConfirmN)};
     const std::int32_t correct = settings.raw(config::Key::kCorrectPose);
     recon::CorrectionOrder correction;
-    if (correct != config::kCorrectOff) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
-    correction.always = correct == config::kCorrectOn;
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
+    correction.always = correct == config::kCorrectOn;
+    // Widths alone place landmarks too badly to judge odometry by them.
+    const bool may_judge = correct == config::kCorrectAuto && camera.pitch_known;
+    if (correction.always || may_judge) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
     m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction);
     if (m_.run.testing) return;
     if constexpr (Profile::kSeesFloor) m_.floor.look(frame, camera, pose);

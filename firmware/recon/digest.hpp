@@ -45,8 +45,13 @@ template <class Correction>
 void hash_correction(base::Fnv1a64& hash, const Correction& correction, std::size_t slot) {
   const auto& filter = correction.filter();
   const DriftGauge& gauge = filter.gauge();
-  const std::array<float, 6> drift{gauge.factor,   gauge.position, gauge.heading,
-                                   gauge.surprise, gauge.usual,    correction.strayers().mean(slot)};
+  const std::array<float, 7> drift{gauge.factor,
+                                   gauge.position,
+                                   gauge.heading,
+                                   gauge.surprise,
+                                   gauge.usual,
+                                   correction.evidence().sum(),
+                                   correction.strayers().mean(slot)};
   hash.u8(correction.corrects() ? 1 : 0);
   hash_floats(hash, drift);
   for (const std::uint8_t signature : correction.strayers().signatures()) hash.u8(signature);

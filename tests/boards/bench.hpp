@@ -32,7 +32,7 @@ class Bench {
 
   /// Until the board says that its camera works.
   bool await_camera(double seconds = 10);
-  /// correct.pose on, if so; it is off at first.
+  /// correct.pose on, if so; it is auto at first.
   bool correct_pose(bool on) { return !on || obey("set correct.pose on", "correct.pose = on"); }
   /// Mode log and a new run; then the calibration.
   bool start_log(const SceneStream& stream);

@@ -68,6 +68,21 @@ Line tangent_of(const Tangent& tangent, const Vec2& slope, float variance) {
   return {{tangent.line.normal, tangent.line.bound, 1, slope}, squared(tangent.sigma) + variance};
 }
 
+// What a foot's row tells. In a pinhole's image a row is a depth along the axis, whatever the column; through an
+// equidistant lens the lowest point of a foot is the nearest one on the ray to it.
+Line foot_of(const Sighting& seen, float variance, const MeasurementNoise& noise) {
+  const RowDepth foot = foot_depth(seen, noise);
+  if (!foot.known) return {};
+  if (!seen.equidistant) {
+    const Vec2 normal = -seen.axis;
+    return {{normal, normal.dot(seen.lens) - foot.depth, 1, normal}, foot.variance + variance};
+  }
+  const Vec2 normal = -seen.center;
+  const float along = seen.center.dot(seen.axis);
+  const float range = foot.depth / along;
+  return {{normal, normal.dot(seen.lens) - range, 1, normal}, foot.variance / squared(squared(along)) + variance};
+}
+
 }  // namespace
 
 SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
@@ -95,10 +110,7 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
   } else if ((view.present & ViewTangents::kRight) != 0) {
     circle.lines[0] = tangent_of(view.right, inwards - across, shape + pose);
   }
-  if (const RowDepth foot = foot_depth(seen, noise); foot.known) {
-    const Vec2 normal = -seen.axis;
-    circle.lines[2] = {{normal, normal.dot(seen.lens) - foot.depth, 1, normal}, foot.variance + shape + place};
-  }
+  circle.lines[2] = foot_of(seen, shape + place, noise);
   for (Line& line : circle.lines) line.variance /= novelty;
   return circle;
 }

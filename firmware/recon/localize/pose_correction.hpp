@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/recon/localize/drift_evidence.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
 #include "firmware/recon/localize/strayers.hpp"
 #include "firmware/recon/localize/tuning.hpp"
@@ -27,7 +28,10 @@ struct SightedCircle {
     CircleEquation equation;
     float variance = 0;  ///< m^2; 0: there is none
   };
-  std::array<Line, 3> lines;
+  std::array<Line, 3> lines;  ///< of width (or of the one end), middle and foot
+
+  /// Tells the bearing alone, of both ends.
+  [[nodiscard]] const Line& middle() const { return lines[1]; }
 };
 
 /// Both ends give the width, which no wrong heading changes, and the middle, which the radius does not change; a single
@@ -45,7 +49,8 @@ struct CorrectionOrder {
 /// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
 /// distance can at least be guessed, is a landmark until it ends, moves or its models begin again.
 /// Unless it is to correct always, the filter runs beside the odometry, which is believed until the filter knows
-/// better: odometry is kDriftKnown sigmas from where the landmarks say. Poses and objects go over to the filter then.
+/// better: odometry is kDriftKnown sigmas from where the landmarks say, and bearings alone bear that out. Poses and
+/// objects go over to the filter then.
 template <class Profile>
 class PoseCorrection {
  public:
@@ -55,6 +60,7 @@ class PoseCorrection {
   void clear() {
     running_ = corrects_ = looks_ = false;
     next_ = 0;
+    evidence_.clear();
     strayers_.clear();
     filter_.view().at = at_ = {};
   }
@@ -67,6 +73,7 @@ class PoseCorrection {
       const FilterView filter = filter_.view();
       filter.at = {corrected(odometry), odometry};
       start(filter);
+      evidence_.clear();
     }
     running_ = on;
     corrects_ = on && (corrects_ || order.always);
@@ -80,6 +87,7 @@ class PoseCorrection {
   /// Odometry is not believed any more.
   [[nodiscard]] bool corrects() const { return corrects_; }
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(at_, odometry); }
+  [[nodiscard]] const DriftEvidence& evidence() const { return evidence_; }
   [[nodiscard]] const Strayers<kLandmarks>& strayers() const { return strayers_; }
   [[nodiscard]] const LandmarkFilter<kLandmarks>& filter() const { return filter_; }
   /// At the last frame.
@@ -119,8 +127,10 @@ class PoseCorrection {
       if (matcher.observation_of(next_).moves) continue;
       const Sighting seen = make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.observation_of(next_));
       // While the robot stands its shape error is the same in every view, so it counts as little as the view is novel.
-      const float surprise =
-          apply(next_, seen, camera, objects[next_].novelty(lens.lens_from(objects[next_].origin)), noise);
+      const float novelty = objects[next_].novelty(lens.lens_from(objects[next_].origin));
+      const SightedCircle circle = circle_of(next_, seen, camera, novelty, noise);
+      if (!corrects_) weigh(circle.middle(), next_, objects[next_], driven);
+      const float surprise = apply(next_, circle);
       if (strayers_.look(next_, objects[next_].signature, surprise)) forget_landmark(filter_.view(), next_);
       ++turns;
     }
@@ -158,14 +168,18 @@ class PoseCorrection {
   }
 
  private:
-  // The largest surprise. `seen` from the robot: its anchor is the robot frame's origin.
-  float apply(std::size_t slot, const Sighting& seen, const CameraModel& camera, float novelty,
-              const MeasurementNoise& noise) {
+  // `seen` from the robot: its anchor is the robot frame's origin.
+  [[nodiscard]] SightedCircle circle_of(std::size_t slot, const Sighting& seen, const CameraModel& camera,
+                                        float novelty, const MeasurementNoise& noise) const {
     const Landmark& landmark = filter_.landmark(slot);
     const LensPose lens = lens_pose(pose(), camera);
     const Vec2 from_lens = -lens.lens_from(landmark.center);
     const Vec2 away = rotated(seen.axis, to_camera(lens, from_lens));
-    const SightedCircle circle = sighted_circle(seen, away, landmark.radius, novelty, noise);
+    return sighted_circle(seen, away, landmark.radius, novelty, noise);
+  }
+
+  // The largest surprise.
+  float apply(std::size_t slot, const SightedCircle& circle) {
     float surprise = 0;
     for (const SightedCircle::Line& line : circle.lines) {
       if (!(line.variance > 0)) continue;
@@ -176,10 +190,19 @@ class PoseCorrection {
     return surprise;
   }
 
+  void weigh(const SightedCircle::Line& bearing, std::size_t slot, const ObjectCore& object, const MapPose& driven) {
+    const CylinderEstimate& estimate = object.cylinder.estimate();
+    if (!(bearing.variance > 0) || !estimate.ok()) return;
+    const Vec2 placed = offset_from(driven.position, object.origin) + estimate.center;
+    const Vec2 followed = offset_from(pose().position, filter_.landmark(slot).center);
+    evidence_.weigh(bearing.equation, bearing.variance, turned(placed, -driven.heading),
+                    turned(followed, -pose().heading));
+  }
+
   // Residuals that are larger than expected, of lost pieces and false blobs, make the filter surer than it should be.
   [[nodiscard]] bool knows_better_than(const MapPose& driven) {
     const float usual = std::max(1.0F, filter_.gauge().usual);
-    return distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
+    return evidence_.enough() && distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
   }
 
   // While odometry is believed, the filter looks only as often as there is something new to compare: most frames of a
@@ -203,6 +226,7 @@ class PoseCorrection {
 
   LandmarkFilter<kLandmarks> filter_;
   Strayers<kLandmarks> strayers_;
+  DriftEvidence evidence_;
   FilterPose at_;          ///< the last pose that was given out as corrected
   std::uint8_t next_ = 0;  ///< whose turn it was
   bool running_ = false;

@@ -60,6 +60,13 @@ inline constexpr float kUsualGain = 1.0F / 64.0F;
 /// Sigmas from the odometry to where landmarks say, from which on odometry is known to drift. Less: true poses are
 /// made worse; more: a drifting map for longer. Real runs.
 inline constexpr float kDriftKnown = 4.0F;
+/// And by how many squared sigmas bearings have to fit the landmarks better than the odometry, in sum; each at most by
+/// so many, for real bearings have long tails, and each is worth so much less, for the filter is free to follow noise.
+/// Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are taken for drift;
+/// more: a drifting map for longer. Real runs, and tests with true odometry that broke without it.
+inline constexpr float kEvidence = 12.0F;
+inline constexpr float kMostEvidence = 4.0F;
+inline constexpr float kEvidenceSlack = 0.1F;
 /// What share of a landmark's mean surprise its last sighting makes, and the mean from which on it is something that
 /// moves: a jump of the pose is over before that. Real runs, with the other robots.
 inline constexpr float kStrayGain = 1.0F / 16.0F;

@@ -47,7 +47,7 @@ TEST(Console, Help) {
       "  alert.rate         5  1..50 /s      repeated alerts of one object\r\n"
       "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
       "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
-      "  correct.pose     off  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n"
+      "  correct.pose    auto  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n"
       "  car.counts       0.0  -1000000.0..1000000.0 /m of a car's encoder; 0: not told; negative: backwards\r\n"
       "  car.wheelbase  0.000  0.000..3.000 m between its axles; 0: not told\r\n"
       "  steer.scale    1.000  -10.000..10.000 turn of the wheels for one told; negative: right is told positive\r\n"

@@ -16,7 +16,7 @@ TEST(Settings, StartWithTheDocumentedDefaults) {
       {Key::kAlertTtcStop, "0.8"}, {Key::kAlertTtcWarn, "2.0"},   {Key::kRobotFront, "0.00"},
       {Key::kRobotRear, "0.00"},   {Key::kRobotWidth, "0.20"},    {Key::kRobotMargin, "0.05"},
       {Key::kConfirmK, "3"},       {Key::kConfirmN, "5"},         {Key::kAlertRate, "5"},
-      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"},   {Key::kCorrectPose, "off"},
+      {Key::kCameraNoise, "0.00"}, {Key::kCorrectDrift, "3.0"},   {Key::kCorrectPose, "auto"},
       {Key::kCarCounts, "0.0"},    {Key::kCarWheelbase, "0.000"}, {Key::kSteerScale, "1.000"},
       {Key::kSteerOffset, "0.00"}, {Key::kGyroScale, "1.0000"},   {Key::kGyroBias, "0.000"}};
   static_assert(std::size(defaults) == config::kKeys);

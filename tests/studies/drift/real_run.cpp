@@ -142,9 +142,11 @@ const std::vector<RealRun>& real_runs() {
 }
 
 bool present(const RealRun& run) { return std::filesystem::exists(run.folder); }
+bool has_survey(const RealRun& run) { return run.folder.find("mrclam_maps") == std::string::npos; }
 
 RealResult run_real(const RealRun& run, const RealOptions& options) {
-  const host::Imported imported = import(run, options, host::PoseSource::kOdometry);
+  const host::Imported imported =
+      import(run, options, options.surveyed ? host::PoseSource::kTruth : host::PoseSource::kOdometry);
   const host::ResultDocument found = replay(imported, options, run.name);
   RealResult result;
   std::vector<Pair> pairs;
@@ -175,7 +177,7 @@ RealResult run_real(const RealRun& run, const RealOptions& options) {
   result.map = rms(result.landmarks);
   result.turned = alignment.turn;
   result.scale = alignment.scale;
-  if (run.folder.find("mrclam_maps") == std::string::npos) {
+  if (has_survey(run)) {
     const host::Imported truth = import(run, options, host::PoseSource::kTruth);
     RealOptions uncorrected = options;
     uncorrected.settings = {{"correct.pose", "off"}};

@@ -20,12 +20,15 @@ struct RealRun {
 /// What the constants may be chosen on: D1. Judged: D4, D6_R2, D7_R2.
 const std::vector<RealRun>& real_runs();
 [[nodiscard]] bool present(const RealRun& run);
+/// Its path was surveyed, too.
+[[nodiscard]] bool has_survey(const RealRun& run);
 
 struct RealOptions {
   std::string profile = "full";
-  std::vector<std::pair<std::string, std::string>> settings{{"correct.pose", "auto"}};  ///< beside the defaults
-  bool rows = false;                                                                    ///< ranges also as ground rows
-  bool robots = false;  ///< the other robots, too, as one signature
+  std::vector<std::pair<std::string, std::string>> settings;  ///< beside the defaults
+  bool rows = false;                                          ///< ranges also as ground rows
+  bool surveyed = false;  ///< by the true poses, where there are any: what correction by itself costs good odometry
+  bool robots = false;    ///< the other robots, too, as one signature
 };
 
 struct PathError {

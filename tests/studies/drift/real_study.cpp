@@ -54,7 +54,7 @@ bool run(const Request& request) {
   std::vector<double> maps;
   std::size_t objects = 0;
   for (const RealRun& run : real_runs()) {
-    if (!wanted.wants(run)) continue;
+    if (!wanted.wants(run) || (wanted.options.surveyed && !has_survey(run))) continue;
     if (!present(run)) {
       print(fmt::format("NOT MEASURED: {} is not on this machine\n", run.folder));
       continue;
@@ -77,6 +77,7 @@ void options(CLI::App& app, Request& request) {
   app.add_option("--runs", request.only, "first characters of their names: D1, D4, D6, D7")->delimiter(',');
   app.add_option("--set", request.settings, "KEY=VALUE, beside the defaults");
   app.add_flag("--rows", request.options.rows, "ranges also as ground rows; without, widths and bearings");
+  app.add_flag("--surveyed", request.options.surveyed, "by the true poses: what correction costs good odometry");
   app.add_flag("--robots", request.options.robots, "the other robots, too, as one signature");
   add_profile_option(app, request.options.profile);
   app.add_flag("!--no-judgement", request.judge, "print only");
