@@ -15,8 +15,8 @@ Rows frames();
 
 namespace {
 
-using Camera = serial::Pump<host::BytePort, host::FramesSession>;
-static_assert(sensor::BlobCamera<Camera>);
+using FramesCamera = serial::Pump<host::BytePort, host::FramesSession>;
+static_assert(sensor::BlobCamera<FramesCamera>);
 
 constexpr std::uint32_t kFramesBaud = 115'200;
 // Pictures as the scripts take them; 4 : 3.
@@ -43,7 +43,7 @@ sensor::CameraIntrinsics profile_of(const char* model, double degrees, std::uint
 }
 
 std::unique_ptr<host::CameraDevice> open_frames(const Opening& opening) {
-  return camera_on_line<Camera>(opening, host::FramesConfig{});
+  return camera_on_line<FramesCamera>(opening, host::FramesConfig{});
 }
 
 std::optional<sensor::CameraIntrinsics> openmv(const DeviceSpec& /*spec*/) { return profile_of("openmv", kOpenMvLens); }

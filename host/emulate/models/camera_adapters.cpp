@@ -1,4 +1,5 @@
 #include "host/emulate/models/camera_adapters.hpp"
+#include "host/emulate/models/bytes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@
 namespace fencepost::emulate {
 namespace {
 
-Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 std::string text_of(std::uint8_t byte) { return {static_cast<char>(byte)}; }
 std::vector<sensor::Blob> list_of(const sensor::BlobFrame& frame) { return {frame.blobs.begin(), frame.blobs.end()}; }
 

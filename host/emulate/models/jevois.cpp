@@ -1,4 +1,5 @@
 #include "host/emulate/models/jevois.hpp"
+#include "host/emulate/models/bytes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,6 @@ namespace fencepost::emulate {
 namespace {
 
 constexpr int kMostDecimals = 10;
-
-Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 bool one_of(const std::string& word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();

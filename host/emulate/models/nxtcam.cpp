@@ -7,7 +7,7 @@ namespace fencepost::emulate {
 namespace {
 
 constexpr std::uint8_t kAddress = 0x01;
-constexpr std::size_t kCommand = 0x41;
+constexpr std::size_t kCommandRegister = 0x41;
 constexpr std::size_t kCount = 0x42;
 constexpr std::size_t kMap = 0x80;
 
@@ -42,7 +42,7 @@ std::optional<std::vector<std::uint8_t>> NxtCam::transfer(std::uint8_t address, 
   for (std::size_t i = 1; i < out.size(); ++i) {
     const std::size_t at = (out[0] + i - 1) % registers_.size();
     registers_[at] = out[i];
-    if (at == kCommand) command(out[i], now);
+    if (at == kCommandRegister) command(out[i], now);
   }
   std::vector<std::uint8_t> in;
   for (std::size_t i = 0; i < expected; ++i) in.push_back(registers_[(out[0] + i) % registers_.size()]);
