@@ -79,7 +79,7 @@ bool is_talk(std::string_view word) {
 
 /// Nearest of what lies in the picture: `edge` in hundredths from its middle, to a part of `pixels`.
 std::int32_t edge_pixels(std::int32_t edge, std::int32_t half, std::int32_t pixels) {
-  const std::int64_t from_first = std::clamp(edge + half, 0, 2 * half);
+  const std::int64_t from_first = std::clamp<std::int32_t>(edge + half, 0, 2 * half);
   return static_cast<std::int32_t>((from_first * pixels + half) / (2 * half));
 }
 
@@ -188,8 +188,10 @@ Event Decoder::add(std::string_view id, std::span<const std::int32_t, 4> edges) 
   blob.x2 = std::max(blob.x1, blob.x2);
   blob.y2 = std::max(blob.y1, blob.y2);
   // The first pixel's middle is half a pixel from its edge.
-  blob.cx = {std::clamp(edge_pixels((left + right) / 2, kHalfWidth, 10 * kWidth) - 5, 0, 10 * (kWidth - 1))};
-  blob.cy = {std::clamp(edge_pixels((top + bottom) / 2, kHalfHeight, 10 * kHeight) - 5, 0, 10 * (kHeight - 1))};
+  blob.cx = {
+      std::clamp<std::int32_t>(edge_pixels((left + right) / 2, kHalfWidth, 10 * kWidth) - 5, 0, 10 * (kWidth - 1))};
+  blob.cy = {
+      std::clamp<std::int32_t>(edge_pixels((top + bottom) / 2, kHalfHeight, 10 * kHeight) - 5, 0, 10 * (kHeight - 1))};
   blob.signature = signature_of(id);
   if (building_ && !serial::insert_largest_first(next_, blob)) ++over_;
   return Event::kLine;

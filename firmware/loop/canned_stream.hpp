@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x0cfb1815e8a795e4;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x31ef9c96f689bf25;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xa53e72b9199f1425;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xbfc39935dad9410f;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x53b257c01475d830;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x6f040cdd962c5d16;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -6,9 +6,10 @@ namespace fencepost::test {
 namespace {
 
 // Nothing is sealed: of a frame's 60 bytes a dozen are a box's digits, and one in 100 bytes is damaged.
-constexpr double kNoSum = 0.1;
+constexpr double kJeVoisNoSum = 0.1;
 
-const RegisteredCase kCase{hostile_case<JeVoisRig, 2>("jevois:tty", {kNoSum, 30'000, base::milliseconds(10'000)})};
+const RegisteredCase kJeVois{
+    hostile_case<JeVoisRig, 2>("jevois:tty", {kJeVoisNoSum, 30'000, base::milliseconds(10'000)})};
 
 }  // namespace
 }  // namespace fencepost::test

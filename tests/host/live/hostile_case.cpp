@@ -44,8 +44,9 @@ struct FramesRig : CameraRig<> {
   serial::Pump<Link, host::FramesSession> driver;
 };
 
-constexpr double kSum16 = 1e-4;
-const RegisteredCase kCase{hostile_case<FramesRig, 2>("frames:tty", {kSum16, 30'000, base::milliseconds(10'000)})};
+constexpr double kFramesSum = 1e-4;
+const RegisteredCase kFrames{
+    hostile_case<FramesRig, 2>("frames:tty", {kFramesSum, 30'000, base::milliseconds(10'000)})};
 
 }  // namespace
 }  // namespace fencepost::test

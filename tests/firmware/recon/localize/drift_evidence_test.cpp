@@ -12,7 +12,7 @@ using recon::DriftEvidence;
 using recon::Vec2;
 
 constexpr float kSigma = 0.02F;  // m
-constexpr float kVariance = kSigma * kSigma;
+constexpr float kBearingVariance = kSigma * kSigma;
 
 /// That the object is `aside` m left of straight ahead.
 CircleEquation bearing(float aside) { return {{0, 1}, aside, 0, {0, 1}}; }
@@ -23,7 +23,7 @@ TEST(DriftEvidence, BearingsThatOnlyTheFilterExplainsAreDrift) {
   DriftEvidence evidence;
   for (int n = 1; n <= 4; ++n) {
     EXPECT_FALSE(evidence.enough()) << n;
-    evidence.weigh(bearing(0), kVariance, at(2, 2 * kSigma), at(2, 0));
+    evidence.weigh(bearing(0), kBearingVariance, at(2, 2 * kSigma), at(2, 0));
   }
   EXPECT_TRUE(evidence.enough());
   evidence.clear();
@@ -33,13 +33,13 @@ TEST(DriftEvidence, BearingsThatOnlyTheFilterExplainsAreDrift) {
 // A row that lies moves the filter's landmark along its bearing, and the robot with it.
 TEST(DriftEvidence, WhereTheRowsPutAnObjectIsNoDrift) {
   DriftEvidence evidence;
-  for (int n = 0; n < 1000; ++n) evidence.weigh(bearing(0), kVariance, at(2, 0), at(3, 0));
+  for (int n = 0; n < 1000; ++n) evidence.weigh(bearing(0), kBearingVariance, at(2, 0), at(3, 0));
   EXPECT_EQ(evidence.sum(), 0);
 }
 
 TEST(DriftEvidence, OneOutlierIsNoDrift) {
   DriftEvidence evidence;
-  evidence.weigh(bearing(0), kVariance, at(2, 1), at(2, 0));
+  evidence.weigh(bearing(0), kBearingVariance, at(2, 1), at(2, 0));
   EXPECT_LE(evidence.sum(), recon::kMostEvidence);
   EXPECT_FALSE(evidence.enough());
 }
@@ -51,7 +51,7 @@ TEST(DriftEvidence, FollowingNoiseIsNoDrift) {
   std::normal_distribution<float> noise(0, 2 * kSigma);
   for (int n = 0; n < 36'000; ++n) {
     const float aside = noise(random);
-    evidence.weigh(bearing(aside), kVariance, at(2, 0), at(2, 0.01F * aside));
+    evidence.weigh(bearing(aside), kBearingVariance, at(2, 0), at(2, 0.01F * aside));
     ASSERT_FALSE(evidence.enough()) << n;
   }
 }

@@ -9,11 +9,11 @@ namespace {
 
 constexpr base::Time kUp = base::Time{} + JeVois::kBoot;
 
-std::string said(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+std::string text_said(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 std::string tell(JeVois& camera, const std::string& commands, base::Time now = kUp) {
   std::string answers;
-  for (const char c : commands) answers += said(camera.take(static_cast<std::uint8_t>(c), now));
+  for (const char c : commands) answers += text_said(camera.take(static_cast<std::uint8_t>(c), now));
   return answers;
 }
 
@@ -32,16 +32,16 @@ struct JevoisModel : ::testing::Test {
 };
 
 TEST_F(JevoisModel, TheDocumentsMessages) {
-  EXPECT_EQ(said(camera.see(seeing(kBall), kUp)), "") << "it streams nowhere yet";
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp)), "") << "it streams nowhere yet";
   EXPECT_EQ(tell(camera, "setpar serout Hard\nstreamon\r\n"), "OK\r\nOK\r\n");
-  EXPECT_EQ(said(camera.see(seeing(kBall), kUp)), "T2 250 -188\r\n") << "-187.5 is rounded away from zero";
-  EXPECT_EQ(said(camera.see(seeing({1, 144, 58, 175, 121, {}, {}, 0, {}}), kUp)), "T2 0 -188\r\n");
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp)), "T2 250 -188\r\n") << "-187.5 is rounded away from zero";
+  EXPECT_EQ(text_said(camera.see(seeing({1, 144, 58, 175, 121, {}, {}, 0, {}}), kUp)), "T2 0 -188\r\n");
   EXPECT_EQ(camera.see(seeing({1, 144, 58, 175, 121, {}, {}, 0, {}}), kUp),
             test::hex("54 32 20 30 20 2D 31 38 38 0D 0A"));
   EXPECT_EQ(tell(camera, "setpar serstyle Normal\n"), "OK\r\n");
-  EXPECT_EQ(said(camera.see(seeing(kBall), kUp)), "N2 blob1 250 -188 400 300\r\n");
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp)), "N2 blob1 250 -188 400 300\r\n");
   EXPECT_EQ(tell(camera, "setpar serprec 1\nsetpar serstyle Detail\n"), "OK\r\nOK\r\n");
-  EXPECT_EQ(said(camera.see(seeing(kBall), kUp)), "D2 blob1 50.0 -337.5 450.0 -337.5 450.0 -37.5 450.0 -337.5\r\n")
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp)), "D2 blob1 50.0 -337.5 450.0 -337.5 450.0 -37.5 450.0 -337.5\r\n")
       << "its sources repeat the second vertex";
 }
 
@@ -50,7 +50,8 @@ TEST_F(JevoisModel, MarksStampsAndLimit) {
              "setpar serout USB\nstreamon\nsetpar sermark Both\nsetpar serstamp FrameTime\nsetpar serlimit 1\n");
   sensor::BlobFrame two = seeing(kBall);
   (void)two.blobs.push_back(kBall);
-  EXPECT_EQ(said(camera.see(two, kUp)), "1/00:00:00 MARK START\r\n1/00:00:00 T2 250 -188\r\n1/00:00:00 MARK STOP\r\n");
+  EXPECT_EQ(text_said(camera.see(two, kUp)),
+            "1/00:00:00 MARK START\r\n1/00:00:00 T2 250 -188\r\n1/00:00:00 MARK STOP\r\n");
 }
 
 TEST_F(JevoisModel, Answers) {
@@ -61,7 +62,7 @@ TEST_F(JevoisModel, Answers) {
   }
   (void)tell(camera, "setpar serout All\nstreamon\nsetpar serstyle Normal\n");
   (void)camera.power_up(kUp);
-  EXPECT_EQ(said(camera.see(seeing(kBall), kUp + JeVois::kBoot)), "") << "all is forgotten";
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp + JeVois::kBoot)), "") << "all is forgotten";
 }
 
 }  // namespace
