@@ -10,12 +10,20 @@ namespace {
 constexpr int kStart = 128;
 constexpr int kSafe = 131;
 constexpr int kFull = 132;
+constexpr int kControl = 130;
+constexpr int kPower = 133;
+constexpr int kSpot = 134;
+constexpr int kClean = 135;
+constexpr int kDemo = 136;
 constexpr int kDrive = 137;
 constexpr int kSensors = 142;
+constexpr int kDock = 143;
 constexpr int kDriveDirect = 145;
+constexpr int kDrivePwm = 146;
 constexpr int kStream = 148;
 constexpr int kQueryList = 149;
 constexpr int kPauseResume = 150;
+constexpr int kStop = 173;
 
 // Of packet 35.
 constexpr int kOff = 0;
@@ -29,6 +37,8 @@ constexpr std::size_t kFitsInTwo = 172;
 
 constexpr int kFastest = 500;         // mm/s
 constexpr int kWidestRadius = 2'000;  // mm
+constexpr int kStraight = 0x7FFF;
+constexpr int kFullPwm = 255;
 // Between the wheels, mm.
 constexpr double kTrackOfOne = 258;
 constexpr double kTrackOfTwo = 235;
@@ -53,6 +63,13 @@ CreateDevice::Speeds speeds_of(int velocity, int radius, double track) {
 }
 
 std::string big_endian(std::uint16_t value) { return {static_cast<char>(value >> 8), static_cast<char>(value & 0xFF)}; }
+
+int radius_of(const CreateDevice::Speeds& speeds, double track) {
+  if (speeds.left == speeds.right) return speeds.left == 0 ? 0 : kStraight;
+  if (speeds.left == -speeds.right) return speeds.right > 0 ? 1 : -1;
+  const double radius = track / 2 * (speeds.left + speeds.right) / (speeds.right - speeds.left);
+  return std::clamp(static_cast<int>(std::lround(radius)), -kWidestRadius, kWidestRadius);
+}
 
 // What is read is gone, what was cut off too: that is the Create 1's known loss.
 std::uint16_t whole(double& amount) {
@@ -116,7 +133,12 @@ void CreateDevice::set_mode(int mode) {
 void CreateDevice::obey_drive() {
   if (mode_ < kSafeMode) return;
   driven_ = true;
-  if (at(pending_, 0) == kDrive) {
+  if (at(pending_, 0) == kDrivePwm) {
+    const auto speed = [this](std::size_t i) {
+      return std::clamp(signed_at(pending_, i), -kFullPwm, kFullPwm) * kFastest / kFullPwm;
+    };
+    speeds_ = {speed(3), speed(1)};
+  } else if (at(pending_, 0) == kDrive) {
     speeds_ = speeds_of(signed_at(pending_, 1), signed_at(pending_, 3), track());
   } else {
     speeds_ = {std::clamp(signed_at(pending_, 3), -kFastest, kFastest),
@@ -129,34 +151,19 @@ std::string CreateDevice::feed(std::string_view bytes) {
   for (const char byte : bytes) {
     if (pending_.empty() && static_cast<unsigned char>(byte) < kStart) continue;
     pending_ += byte;
-    if (pending_.size() < 1 + arguments_wanted()) continue;
+    if (pending_.size() < 1 + create_arguments(model_, pending_).value_or(0)) continue;
     replies += obey();
     pending_.clear();
   }
   return replies;
 }
 
-std::size_t CreateDevice::arguments_wanted() const {
-  switch (at(pending_, 0)) {
-    case kDrive:
-    case kDriveDirect: return 4;
-    case kSensors:
-    case kPauseResume: return 1;
-    case kStream:
-    case kQueryList: return pending_.size() < 2 ? 1 : 1U + static_cast<std::size_t>(at(pending_, 1));
-    default: return 0;
-  }
-}
-
 std::string CreateDevice::obey() {
   const int opcode = at(pending_, 0);
   if (opcode == kStart) set_mode(kPassive);
   if (mode_ == kOff) return {};
-  if (opcode == kSafe) set_mode(kSafeMode);
-  if (opcode == kFull) set_mode(kFullMode);
-  if (opcode == kDrive || opcode == kDriveDirect) obey_drive();
+  act(opcode);
   if (opcode == kSensors) return value_of(at(pending_, 1));
-  if (opcode == kPauseResume) streaming_ = at(pending_, 1) == 1;
   if (opcode != kStream && opcode != kQueryList) return {};
   std::vector<int> ids;
   for (std::size_t i = 2; i < pending_.size(); ++i) ids.push_back(at(pending_, i));
@@ -170,18 +177,77 @@ std::string CreateDevice::obey() {
   return values;
 }
 
+void CreateDevice::act(int opcode) {
+  switch (opcode) {
+    case kStart:
+    case kSensors:
+    case kStream:
+    case kQueryList: break;
+    case kControl:
+    case kSafe: set_mode(kSafeMode); break;
+    case kFull: set_mode(kFullMode); break;
+    // It would drive by itself, which is not emulated, or go to sleep: passive in each case.
+    case kPower:
+    case kSpot:
+    case kClean:
+    case kDemo:
+    case kDock: set_mode(kPassive); break;
+    case kDrive:
+    case kDriveDirect: obey_drive(); break;
+    case kDrivePwm: model_ == CreateModel::kTwo ? obey_drive() : not_emulated_.note("opcode 146"); break;
+    case kPauseResume: streaming_ = at(pending_, 1) == 1; break;
+    case kStop:
+      if (model_ == CreateModel::kOne) break;
+      streaming_ = false;
+      set_mode(kOff);
+      break;
+    // Lights, songs and brushes: nothing that a packet told of would change.
+    default:
+      if (!create_arguments(model_, pending_)) not_emulated_.note("opcode " + std::to_string(opcode));
+  }
+}
+
 std::string CreateDevice::value_of(int id) {
+  const std::vector<int> group = create_group(model_, id);
+  if (group.empty()) return packet(id);
+  std::string bytes;
+  for (const int member : group) bytes += packet(member);
+  return bytes;
+}
+
+std::string CreateDevice::packet(int id) {
+  const std::size_t size = create_packet_size(model_, id);
+  if (size == 0) {
+    not_emulated_.note("packet " + std::to_string(id));
+    return {};
+  }
+  const auto value = static_cast<std::uint16_t>(word(id));
+  return size == 2 ? big_endian(value) : std::string(1, static_cast<char>(value & 0xFF));
+}
+
+// On a floor without walls or edges, its battery nearly full, nobody touching it.
+int CreateDevice::word(int id) {
   switch (id) {
-    case 13: return std::string(1, '\0');  // virtual wall: none
-    case 29: return big_endian(0x0219);    // cliff signal
-    case 35: return std::string(1, static_cast<char>(mode_));
-    case 19: return big_endian(whole(mm_));
-    case 20: return big_endian(whole(degrees_));
-    case 41: return big_endian(static_cast<std::uint16_t>(speeds_.right));
-    case 42: return big_endian(static_cast<std::uint16_t>(speeds_.left));
-    case 43: return model_ == CreateModel::kTwo ? big_endian(left_) : std::string();
-    case 44: return model_ == CreateModel::kTwo ? big_endian(right_) : std::string();
-    default: return {};
+    case 19: return whole(mm_);
+    case 20: return whole(degrees_);
+    case 22: return 16'000;  // mV
+    case 23: return -300;    // mA
+    case 24: return 25;      // degrees Celsius
+    case 25: return 2'600;   // mAh
+    case 26: return 2'696;
+    case 28:
+    case 29:
+    case 30:
+    case 31: return 0x0219;  // what the cliff sensors get back from the floor
+    case 35: return mode_;
+    case 38: return static_cast<int>(stream_.size());
+    case 39: return (speeds_.left + speeds_.right) / 2;
+    case 40: return radius_of(speeds_, track());
+    case 41: return speeds_.right;
+    case 42: return speeds_.left;
+    case 43: return left_;
+    case 44: return right_;
+    default: return 0;
   }
 }
 

@@ -6,9 +6,10 @@
 #include <string_view>
 #include <vector>
 
-namespace fencepost::emulate {
+#include "host/emulate/models/create_commands.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
-enum class CreateModel : std::uint8_t { kOne, kTwo };
+namespace fencepost::emulate {
 
 class CreateDevice {
  public:
@@ -44,14 +45,19 @@ class CreateDevice {
   [[nodiscard]] bool driven() const { return driven_; }
   [[nodiscard]] int mode() const { return mode_; }
   [[nodiscard]] bool streaming() const { return streaming_; }
+  /// Opcodes and packets that it does not have, or does not obey.
+  [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
  private:
-  [[nodiscard]] std::size_t arguments_wanted() const;
   [[nodiscard]] double track() const;  ///< mm
   std::string obey();
+  void act(int opcode);
   void set_mode(int mode);
   void obey_drive();
+  /// A packet's bytes, or a group's.
   std::string value_of(int id);
+  std::string packet(int id);
+  [[nodiscard]] int word(int id);
 
   CreateModel model_;
   bool header_in_checksum_;
@@ -68,6 +74,7 @@ class CreateDevice {
   bool driven_ = false;
   double left_rest_ = 0;  ///< of a count
   double right_rest_ = 0;
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

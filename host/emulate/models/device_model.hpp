@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "hal/base/units.hpp"
 #include "hal/sensor/blob_frame.hpp"
@@ -52,6 +54,8 @@ class DeviceModel {
   [[nodiscard]] virtual bool in_use() const = 0;
   /// It sends unasked, so being connected is being in use.
   [[nodiscard]] virtual bool talks_unasked() const { return false; }
+  /// Commands of the host that this model does not know or only acknowledges, by their names.
+  [[nodiscard]] virtual std::vector<std::string> not_emulated() const { return {}; }
 };
 
 }  // namespace fencepost::emulate

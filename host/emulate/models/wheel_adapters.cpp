@@ -18,10 +18,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+// The stream's checksum takes the header in: the example of the Create 1's manual does, if not its sentence, and other
+// people's libraries for both want it.
 class CreateAdapter final : public DeviceModel {
  public:
-  CreateAdapter(CreateModel model, const WheelShape& wheels)
-      : device_(model, model == CreateModel::kTwo), wheels_(wheels) {}
+  CreateAdapter(CreateModel model, const WheelShape& wheels) : device_(model, true), wheels_(wheels) {}
 
   Bytes power_up(base::Time now) override {
     next_ = now + kPeriod;
@@ -56,6 +57,7 @@ class CreateAdapter final : public DeviceModel {
     return {frame.begin(), frame.end()};
   }
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return device_.not_emulated(); }
 
  private:
   static constexpr base::Duration kPeriod = base::milliseconds(15);

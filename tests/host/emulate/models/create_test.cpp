@@ -101,5 +101,92 @@ TEST(EmulatedCreate, ItsMotionIsWhatItReports) {
   EXPECT_EQ(one.feed(test::hex_text("95 02 13 14")), test::hex_text("00 00 00 58"));
 }
 
+// All packets, 7 to 58, in 80 bytes, as a host asks that takes them for a struct: mode at 40, counts at 52.
+TEST(EmulatedCreate, TellsAllPacketsAtOnce) {
+  CreateDevice two(CreateModel::kTwo, true);
+  (void)two.feed(test::hex_text("80 83"));
+  two.roll(1'000, 65'500);
+  const std::string all = two.feed(test::hex_text("8E 64"));
+  ASSERT_EQ(all.size(), 80U);
+  EXPECT_EQ(all.substr(17, 9), test::hex_text("3E 80 FE D4 19 0A 28 0A 88")) << "16 V, -300 mA, 25 C, 2600 of 2696 mAh";
+  EXPECT_EQ(all[40], '\x02');
+  EXPECT_EQ(all.substr(52, 4), test::hex_text("03 E8 FF DC"));
+  EXPECT_EQ(two.feed(test::hex_text("8E 65")), all.substr(52)) << "packets 43 to 58";
+  const std::pair<int, std::size_t> sizes[] = {{0, 26}, {1, 10}, {2, 6},    {3, 10}, {4, 14},
+                                               {5, 12}, {6, 52}, {106, 12}, {107, 9}};
+  for (const auto& [group, size] : sizes) {
+    EXPECT_EQ(two.feed(std::string{'\x8E', static_cast<char>(group)}).size(), size) << group;
+  }
+  EXPECT_TRUE(two.not_emulated().empty());
+}
+
+// A host that counts the bytes of a frame takes no frame that lacks a packet. Its lists, without and with wheel counts.
+TEST(EmulatedCreate, StreamsEveryPacketAskedFor) {
+  CreateDevice one(CreateModel::kOne, true);
+  (void)one.feed(test::hex_text("80 94 14 07 08 09 0A 0B 0C 0D 0E 0F 11 12 13 14 15 16 17 18 19 1A 23"));
+  EXPECT_EQ(one.frame(),
+            test::hex_text("13 2E 07 00 08 00 09 00 0A 00 0B 00 0C 00 0D 00 0E 00 0F 00 11 00 12 00 13 00 00 14 00 00 "
+                           "15 00 16 3E 80 17 FE D4 18 19 19 0A 28 1A 0A 88 23 01 F4"));
+  CreateDevice two(CreateModel::kTwo, true);
+  (void)two.feed(
+      test::hex_text("80 94 1E 07 08 09 0A 0B 0C 0D 0E 0F 11 12 15 16 17 18 19 1A 23 2B 2C 2D 2E 2F 30 31 32 "
+                     "33 34 35 3A"));
+  const std::string frame = two.frame();
+  ASSERT_EQ(frame.size(), 75U);
+  EXPECT_EQ(frame[1], 72);
+  unsigned sum = 0;
+  for (const char byte : frame) sum += static_cast<unsigned char>(byte);
+  EXPECT_EQ(sum % 256, 0U) << "header included";
+  EXPECT_TRUE(two.not_emulated().empty());
+}
+
+// Arguments that are opcodes themselves: 148 is a stream, 255 its length.
+TEST(EmulatedCreate, KnowsTheArgumentsOfWhatItDoesNotDo) {
+  constexpr const char* kCommands[] = {
+      "92 FF 94 FF 9C",        // PWM of -108 and -100
+      "8A 94",                 // motors
+      "8B 94 94 94",           // LEDs
+      "8C 01 02 94 94 94 94",  // song of two notes
+      "8C 00 00",              // an empty one
+      "8D 94",                 // play
+      "90 94 94 94",           // PWM of the motors
+      "A2 94 94",              // scheduling LEDs
+      "A3 94 94 94 94",        // digits
+      "A4 94 94 94 94",
+      "A5 94",  // buttons
+      "A7 94 94 94 94 94 94 94 94 94 94 94 94 94 94 94",
+      "A8 94 94 94",
+      "81 94",  // baud
+  };
+  for (const char* command : kCommands) {
+    CreateDevice two(CreateModel::kTwo, true);
+    (void)two.feed(test::hex_text("80 83"));
+    EXPECT_EQ(two.feed(test::hex_text(command)), "") << command;
+    EXPECT_EQ(two.feed(test::hex_text("8E 23")), test::hex_text("02")) << command;
+    EXPECT_FALSE(two.streaming()) << command;
+    EXPECT_TRUE(two.not_emulated().empty()) << command;
+  }
+  CreateDevice one(CreateModel::kOne, true);
+  (void)one.feed(test::hex_text("80 83 98 03 94 94 94 9C 94 94 9E 94 93 94 97 94"));
+  EXPECT_EQ(one.feed(test::hex_text("8E 23")), test::hex_text("02")) << "script, waits, outputs, infrared";
+  EXPECT_TRUE(one.not_emulated().empty());
+  (void)one.feed(test::hex_text("A6 AB 8E 2B"));
+  EXPECT_EQ(one.not_emulated(), (std::vector<std::string>{"opcode 166", "opcode 171", "packet 43"}));
+}
+
+TEST(EmulatedCreate, DrivesByPwmAndStops) {
+  CreateDevice two = driven("92 FF 94 FF 9C", 0);  // right -108, left -100 of 255, which are 500 mm/s
+  EXPECT_EQ(two.speeds(), (CreateDevice::Speeds{-196, -211}));
+  EXPECT_EQ(two.feed(test::hex_text("95 01 27")), test::hex_text("FF 35")) << "their mean, -203";
+  EXPECT_EQ(driven("89 00 C8 01 F4", 0).feed(test::hex_text("95 02 27 28")), test::hex_text("00 C8 01 F4"));
+  (void)two.feed(test::hex_text("94 01 2B"));
+  (void)two.feed(test::hex_text("AD"));
+  EXPECT_EQ(two.mode(), 0) << "stop is off";
+  EXPECT_EQ(two.frame(), "");
+  EXPECT_EQ(two.speeds(), CreateDevice::Speeds());
+  (void)two.feed(test::hex_text("80 84 8F 8E 23"));
+  EXPECT_EQ(two.mode(), 1) << "docking is passive";
+}
+
 }  // namespace
 }  // namespace fencepost::emulate
