@@ -6,53 +6,16 @@
 #include <iterator>
 #include <utility>
 
+#include "host/emulate/models/cmucam_commands.hpp"
+
 namespace fencepost::emulate {
 namespace {
 
-constexpr unsigned kOne = 1;
-constexpr unsigned kTwo = 2;
-constexpr unsigned kThree = 4;
-constexpr unsigned kFour = 8;
-constexpr unsigned kTwoOrThree = kTwo | kThree;
-constexpr unsigned kAll = kOne | kTwoOrThree | kFour;
-
+constexpr std::array kWholeWindow = {0, 0, 159, 119};  // of a CMUcam4
+constexpr std::size_t kNoCount = 99;                   // of arguments that are no numbers
 constexpr int kRawOutput = 1;
 constexpr int kNoAck = 2;
 constexpr int kRawInput = 4;
-
-/// Who knows a command, with how many arguments.
-struct Known {
-  std::string_view name;
-  unsigned models;
-  std::size_t least;
-  std::size_t most;
-};
-
-// Commands that need more of a camera than tracking (dumps, servos, histograms) are not emulated: NCK.
-constexpr Known kKnown[] = {
-    {"GV", kAll, 0, 0},
-    {"RS", kAll, 0, 0},
-    {"TC", kAll, 0, 6},
-    {"PM", kAll, 1, 1},
-    {"RM", kOne | kTwoOrThree, 1, 1},
-    {"CR", kOne | kTwoOrThree, 0, 16},
-    {"MM", kOne, 1, 1},
-    {"NF", kAll, 1, 1},
-    {"DM", kOne | kTwo | kFour, 1, 1},
-    {"HM", kOne | kFour, 1, 1},
-    {"SW", kOne | kFour, 0, 4},
-    {"VW", kTwoOrThree, 4, 4},
-    {"HR", kTwoOrThree, 1, 1},
-    {"PF", kTwoOrThree, 1, 1},
-    {"OM", kTwoOrThree, 2, 2},
-    {"ST", kTwoOrThree | kFour, 0, 6},
-    {"GT", kTwoOrThree | kFour, 0, 0},
-    {"AG", kFour, 1, 1},
-    {"AW", kFour, 1, 1},
-    {"VF", kFour, 1, 1},
-};
-
-unsigned bit(CmuCamModel model) { return 1U << static_cast<unsigned>(model); }
 
 /// What the camera sees within its bounds: one box.
 struct Seen {
@@ -115,6 +78,12 @@ std::vector<int> fields_of(CmuCamModel model, const Seen& seen, bool middle) {
   return fields;
 }
 
+/// For people: of bytes that are no text, what they are.
+std::string told_name(const std::string& name) {
+  const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  return !name.empty() && name.size() <= 8 && std::all_of(name.begin(), name.end(), plain) ? name : "unreadable bytes";
+}
+
 }  // namespace
 
 std::string CmuCamDevice::banner() const {
@@ -131,6 +100,7 @@ void CmuCamDevice::reset() {
   line_.clear();
   raw_.clear();
   std::fill(std::begin(bounds_), std::end(bounds_), 0);
+  std::copy_n(kWholeWindow.begin(), 4, window_);
   mode_ = 0;
   polled_ = tracking_ = false;
   reports_middle_ = true;
@@ -172,7 +142,8 @@ std::string CmuCamDevice::feed_byte(char byte) {
   constexpr std::size_t kLongestLine = 127;
   if (byte == '\n') return {};
   if (byte != '\r') {
-    line_ += byte;
+    if (model_ == CmuCamModel::kFour && edit(byte)) return {};
+    line_ += byte == '\t' ? ' ' : byte;
     if (line_.size() < kLongestLine) return {};
     line_.clear();
     return answer(false);
@@ -181,6 +152,14 @@ std::string CmuCamDevice::feed_byte(char byte) {
   if (!line.empty()) return obey(parsed(line));
   // A lone CR: the older models just prompt.
   return model_ == CmuCamModel::kOne || model_ == CmuCamModel::kTwo ? ":" : answer(true);
+}
+
+// Of a CMUcam4's line: what is no character of a command.
+bool CmuCamDevice::edit(char byte) {
+  constexpr unsigned char kDelete = 0x7F;
+  if (byte == '\b' && !line_.empty()) line_.pop_back();
+  const auto code = static_cast<unsigned char>(byte);
+  return (code < ' ' && byte != '\t') || code >= kDelete;
 }
 
 std::string CmuCamDevice::feed_raw(char byte) {
@@ -220,19 +199,21 @@ CmuCamDevice::Command CmuCamDevice::parsed(std::string_view line) const {
   for (const char c : words[0]) command.name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    command.bad = command.bad || words[i].size() > 3 || !std::all_of(words[i].begin(), words[i].end(), digit);
+    const std::size_t longest = model_ == CmuCamModel::kFour ? 7 : 3;  // a baud rate
+    command.bad = command.bad || words[i].size() > longest || !std::all_of(words[i].begin(), words[i].end(), digit);
     if (!command.bad) command.arguments.push_back(std::stoi(words[i]));
   }
   return command;
 }
 
 std::string CmuCamDevice::obey(const Command& command) {
-  const auto* known = std::find_if(std::begin(kKnown), std::end(kKnown), [&](const Known& candidate) {
-    return candidate.name == command.name && (candidate.models & bit(model_)) != 0;
-  });
-  const std::size_t count = command.arguments.size();
-  if (known == std::end(kKnown) || command.bad || count < known->least || count > known->most) return answer(false);
-  return act(command);
+  switch (cmucam_judgement(model_, command.name, command.bad ? kNoCount : command.arguments.size())) {
+    case CmuCamJudgement::kAct: return act(command);
+    case CmuCamJudgement::kRefuse: return answer(false);
+    case CmuCamJudgement::kAccept: not_emulated_.note(told_name(command.name)); return answer(true);
+    case CmuCamJudgement::kUnknown: not_emulated_.note(told_name(command.name)); return answer(false);
+  }
+  return {};
 }
 
 std::string CmuCamDevice::act(const Command& command) {
@@ -244,6 +225,14 @@ std::string CmuCamDevice::act(const Command& command) {
     reset();
     starting_ = model_ == CmuCamModel::kFour;  // a CMUcam3's program goes on
     return acknowledged + line_end + (starting_ ? "" : greeting());
+  }
+  // The old rate's answer; the host goes on at the new one with a CR, which is answered like any.
+  if (command.name == "BM") return "ACK\r";
+  if (command.name == "GT") return answer(true, told(bounds_));
+  if (command.name == "GW") return answer(true, told(window_));
+  if (command.name == "SW" && model_ == CmuCamModel::kFour) {
+    if (arguments.size() != 4 && !arguments.empty()) return answer(false);
+    std::copy_n(arguments.empty() ? kWholeWindow.data() : arguments.data(), 4, window_);
   }
   if (command.name == "RM") mode_ = arguments[0];
   if (command.name == "PM") polled_ = arguments[0] == 1;
@@ -257,6 +246,12 @@ std::string CmuCamDevice::act(const Command& command) {
   if (swapped && model_ == CmuCamModel::kThree) return answer(true);
   tracking_ = true;
   return (mode_ & kNoAck) != 0 ? "" : "ACK\r";
+}
+
+std::string CmuCamDevice::told(std::span<const int> numbers) {
+  std::string line;
+  for (const int number : numbers) line += (line.empty() ? "" : " ") + std::to_string(number);
+  return line + "\r";
 }
 
 std::string CmuCamDevice::frame(std::span<const ColouredSpot> spots) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/base/units.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -25,9 +26,10 @@ struct ColouredSpot {
   int pixels = 0;
 };
 
-/// Echoes nothing, folds case, takes LF for garbage. One box over all that matches: the camera knows no second one.
-/// Traps that are emulated: raw input takes a CR for a count; a CMUcam3 turns raw arguments 97..122 to upper case,
-/// ends its GV without CR, and stays mute on swapped bounds.
+/// Echoes nothing, folds case, takes LF for garbage; a CMUcam4 overhears all control characters but CR, backspace and
+/// tab, so that a host that seeks its baud rate can begin with zeros. One box over all that matches: the camera knows
+/// no second one. Traps that are emulated: raw input takes a CR for a count; a CMUcam3 turns raw arguments 97..122 to
+/// upper case, ends its GV without CR, and stays mute on swapped bounds.
 class CmuCamDevice {
  public:
   explicit CmuCamDevice(CmuCamModel model) : model_(model) {}
@@ -44,6 +46,8 @@ class CmuCamDevice {
   /// One image has been taken: the packet, if any is due.
   std::string frame(std::span<const ColouredSpot> spots);
   [[nodiscard]] bool tracking() const { return tracking_; }
+  /// Commands that it does not know, and those that it accepts though they change nothing here.
+  [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
  private:
   struct Command {
@@ -53,12 +57,14 @@ class CmuCamDevice {
   };
 
   std::string feed_byte(char byte);
+  bool edit(char byte);
   std::string feed_raw(char byte);
   [[nodiscard]] Command parsed(std::string_view line) const;
   std::string obey(const Command& command);
   std::string act(const Command& command);
   [[nodiscard]] std::string answer(bool good, std::string_view data = {}) const;
   [[nodiscard]] std::string banner() const;
+  static std::string told(std::span<const int> numbers);
   [[nodiscard]] std::string packet(std::span<const ColouredSpot> spots) const;
   [[nodiscard]] std::string greeting() const;
   void reset();
@@ -67,11 +73,13 @@ class CmuCamDevice {
   std::string line_;
   std::string raw_;
   int bounds_[6] = {};
-  int mode_ = 0;  ///< of RM
+  int window_[4] = {0, 0, 159, 119};  ///< of SW on a CMUcam4, as told: it hides nothing
+  int mode_ = 0;                      ///< of RM
   bool polled_ = false;
   bool tracking_ = false;
   bool reports_middle_ = true;
   bool starting_ = false;
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

@@ -110,5 +110,37 @@ TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
   EXPECT_EQ(three.frame(kZeroBased), "T 0 0 0 0 0 0 0 0\r");
 }
 
+// A host that seeks the baud rate, resets, and goes to the fastest rate: three zeros and a CR before each attempt, the
+// answer to BM without ':', a CR at the new rate, then the stop bits.
+TEST(EmulatedCmuCam, ACmucam4ChangesItsBaudRate) {
+  CmuCamDevice four(CmuCamModel::kFour);
+  (void)four.power_up();
+  (void)four.finish_start();
+  EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "ACK\r:ACK\r\r");
+  EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "") << "starting";
+  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_EQ(four.feed("BM 250000\r"), "ACK\r");
+  EXPECT_EQ(four.feed("\r"), "ACK\r:");
+  EXPECT_EQ(four.feed("DM 0\r"), "ACK\r:");
+  EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D") + "GV\r"), "ACK\r:ACK\rCMUcam4 v1.02\r:") << "before each command";
+  EXPECT_EQ(four.feed("AX\bG\t1\r"), "ACK\r:") << "backspace and tab";
+  EXPECT_EQ(four.feed("\x80\xFF\x7F\r"), "ACK\r:");
+  EXPECT_TRUE(four.not_emulated().empty());
+}
+
+TEST(EmulatedCmuCam, ACmucam4TellsItsBoundsAndAcceptsWhatItDoesNotDo) {
+  CmuCamDevice four(CmuCamModel::kFour);
+  (void)four.feed("ST 90 130 16 40 16 40\r");
+  EXPECT_EQ(four.feed("GT\r"), "ACK\r90 130 16 40 16 40\r:");
+  EXPECT_EQ(four.feed("GW\r"), "ACK\r0 0 159 119\r:");
+  EXPECT_EQ(four.feed("SW 10 20 30 40\rGW\r"), "ACK\r:ACK\r10 20 30 40\r:");
+  EXPECT_EQ(four.feed("SW\rGW\r"), "ACK\r:ACK\r0 0 159 119\r:");
+  EXPECT_EQ(four.feed("L1 5\rSS 0 1 1500\rL1\rGM\r"), "ACK\r:ACK\r:NCK\r:NCK\r:");
+  EXPECT_EQ(four.not_emulated(), (std::vector<std::string>{"L1", "SS", "GM"}));
+  CmuCamDevice three(CmuCamModel::kThree);
+  EXPECT_EQ(three.feed("BM 250000\r\x05\r"), "NCK\r:NCK\r:") << "of a CMUcam4 only";
+  EXPECT_EQ(three.not_emulated(), (std::vector<std::string>{"BM", "unreadable bytes"}));
+}
+
 }  // namespace
 }  // namespace fencepost::emulate
