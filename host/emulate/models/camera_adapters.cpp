@@ -65,6 +65,7 @@ class CmuCamAdapter final : public DeviceModel {
     return bytes_of(camera_.frame(spots_));
   }
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
  private:
   // A real one streams continuously, and its hosts rely on that: where the feed is slow, or has not begun, it repeats
@@ -135,6 +136,7 @@ class NxtCamAdapter final : public DeviceModel {
     return camera_.packet();
   }
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
  private:
   NxtCam camera_{base::Time{}};

@@ -1,6 +1,8 @@
 #include "host/emulate/models/nxtcam.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 #include <utility>
 
 namespace fencepost::emulate {
@@ -10,9 +12,26 @@ constexpr std::uint8_t kAddress = 0x01;
 constexpr std::size_t kCommandRegister = 0x41;
 constexpr std::size_t kCount = 0x42;
 constexpr std::size_t kMap = 0x80;
+constexpr int kColumns = 176;
+constexpr int kRows = 144;
 
 // 88 columns, reported doubled.
 std::uint8_t column(std::int16_t x) { return static_cast<std::uint8_t>(x / 2 * 2); }
+
+/// What follows the command; nullopt: one is larger than a byte, or more than 64 were sent.
+std::optional<std::vector<std::uint8_t>> values_of(const std::string& line) {
+  constexpr std::size_t kMost = 64;
+  std::vector<std::uint8_t> values;
+  std::istringstream words(line);
+  std::string word;
+  words >> word;
+  while (words >> word) {
+    const long value = std::strtol(word.c_str(), nullptr, 10);  // of "1A" the firmware takes the 1 as well
+    if (value > 255 || values.size() == kMost) return std::nullopt;
+    values.push_back(static_cast<std::uint8_t>(value));
+  }
+  return values;
+}
 
 int area(const sensor::Blob& blob) { return (blob.x2 - blob.x1 + 1) * (blob.y2 - blob.y1 + 1); }
 
@@ -65,6 +84,10 @@ void NxtCam::command(std::uint8_t letter, base::Time now) {
 
 // A colour is the reds of one entry, the greens of the next, the blues of the one after.
 void NxtCam::fill_map() {
+  if (map_) {
+    std::copy(map_->begin(), map_->end(), registers_.begin() + kMap);
+    return;
+  }
   std::fill_n(registers_.begin() + kMap, 48, std::uint8_t{0});
   for (unsigned colour = 0; colour < 8; ++colour) {
     if ((static_cast<unsigned>(taught_) >> colour & 1U) == 0) continue;
@@ -76,6 +99,7 @@ void NxtCam::fill_map() {
 }
 
 void NxtCam::show(const std::vector<sensor::Blob>& blobs) {
+  seen_ = blobs;
   if (!tracking_ || locked_) return;
   std::vector<sensor::Blob> list = blobs;
   const auto larger = [](const sensor::Blob& a, const sensor::Blob& b) { return area(a) > area(b); };
@@ -104,21 +128,55 @@ std::vector<std::uint8_t> NxtCam::packet() const {
 std::vector<std::uint8_t> NxtCam::take(std::uint8_t byte, base::Time now) {
   if (now - power_on_ < kBoot) return {};
   if (byte != '\r') {
-    if (line_.size() < 256) line_.push_back(static_cast<char>(byte));
+    const bool stored = byte == ' ' || (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'Z');
+    if (stored && line_.size() < 256) line_.push_back(static_cast<char>(byte));
     return {};
   }
-  const std::string line = std::exchange(line_, {});
-  std::string answer = "ACK\r";
-  if (line == "GV") {
-    answer += "AVRcam v1.4\r";
-  } else if (line == "ET") {
-    tracking_ = true;
-  } else if (line == "DT") {
-    tracking_ = false;
-  } else if (line != "PG") {
-    answer = "NCK\r";
-  }
+  const std::string answer = obey(std::exchange(line_, {}));
   return {answer.begin(), answer.end()};
+}
+
+std::string NxtCam::obey(const std::string& line) {
+  const std::string name = line.substr(0, line.find(' '));
+  const auto values = values_of(line);
+  if (!values) return "NCK\r";
+  if (name == "PG") return "ACK\r";
+  if (name == "GV") return "ACK\rAVRcam v1.4\r";
+  if (name == "ET" || name == "DT") {
+    tracking_ = name == "ET";
+    return "ACK\r";
+  }
+  if (name == "DF") return "ACK\r" + (tracking_ ? std::string() : picture());
+  if (name == "SM") {
+    std::array<std::uint8_t, 48> map{};
+    std::copy_n(values->begin(), std::min(values->size(), map.size()), map.begin());
+    map_ = map;
+    return "ACK\r";
+  }
+  not_emulated_.note(name.empty() || name.size() > 8 ? "unreadable bytes" : name);
+  // Registers and reset of the image sensor, objects or lines.
+  const bool accepted = name == "CR" || name == "RS" || name == "TO" || name == "TL";
+  return accepted ? "ACK\r" : "NCK\r";
+}
+
+// Two lines at a time, a pixel of each in a byte, of which the Bayer pattern keeps four bits: things are light, all
+// else is dark. No byte is the packet's end, by which some hosts find it.
+std::string NxtCam::picture() const {
+  constexpr char kDark = 0x4;
+  constexpr char kLight = 0xC;
+  const auto level = [this](int x, int y) {
+    const auto holds = [&](const sensor::Blob& blob) {
+      return x >= blob.x1 && x <= blob.x2 && y >= blob.y1 && y <= blob.y2;
+    };
+    return std::any_of(seen_.begin(), seen_.end(), holds) ? kLight : kDark;
+  };
+  std::string packets;
+  for (int y = 0; y < kRows; y += 2) {
+    packets += {'\x0B', static_cast<char>(y / 2)};
+    for (int x = 0; x < kColumns; ++x) packets += static_cast<char>(16 * level(x, y) + level(x, y + 1));
+    packets += '\x0F';
+  }
+  return packets;
 }
 
 }  // namespace fencepost::emulate

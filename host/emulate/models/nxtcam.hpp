@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/sensor/blob_frame.hpp"
 #include "host/emulate/models/i2c_device.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -29,12 +31,18 @@ class NxtCam final : public I2cDevice {
   void set_product(const std::string& product) { product_ = product; }
   [[nodiscard]] bool tracking() const { return tracking_; }
 
-  /// The serial side, AVRcam's dialect: what a byte from the host is answered with.
+  /// The serial side, AVRcam's dialect: what a byte from the host is answered with. Commands are of capitals, digits
+  /// and spaces; its firmware stores no other character, LF after CR among them.
   std::vector<std::uint8_t> take(std::uint8_t byte, base::Time now);
   /// The packet of the frame last shown, if tracking is on.
   [[nodiscard]] std::vector<std::uint8_t> packet() const;
+  /// Serial commands that it does not know, and those that it accepts though they change nothing here.
+  [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
  private:
+  /// A whole line: its answer.
+  std::string obey(const std::string& line);
+  [[nodiscard]] std::string picture() const;
   void command(std::uint8_t letter, base::Time now);
   void write_text(std::size_t at, const std::string& text);
   void fill_map();
@@ -47,6 +55,9 @@ class NxtCam final : public I2cDevice {
   std::uint8_t taught_ = 1;
   std::string product_ = "NXTCam";
   std::string line_;
+  std::vector<sensor::Blob> seen_;                   ///< whether tracked or not
+  std::optional<std::array<std::uint8_t, 48>> map_;  ///< of colours, if one was sent
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

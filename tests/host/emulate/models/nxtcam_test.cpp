@@ -38,5 +38,54 @@ TEST(EmulatedNxtCam, SpeaksTheSerialDialect) {
   EXPECT_EQ(answer, hex("4E 43 4B 0D"));
 }
 
+std::vector<std::uint8_t> ask(NxtCam& device, const std::string& bytes) {
+  std::vector<std::uint8_t> answers;
+  for (const char c : bytes) {
+    for (const std::uint8_t out : device.take(static_cast<std::uint8_t>(c), kReady)) answers.push_back(out);
+  }
+  return answers;
+}
+
+// A host that ends lines with CR LF, and one that sends what lies behind its string as well.
+TEST(EmulatedNxtCam, StoresNoOtherCharacters) {
+  NxtCam device(base::Time{});
+  EXPECT_EQ(ask(device, "PG\r\nPG\r\n"), hex("41 43 4B 0D 41 43 4B 0D"));
+  EXPECT_EQ(ask(device, std::string("ET\r\n\0\x01%d\0", 9) + "DT\r"), hex("41 43 4B 0D 41 43 4B 0D"));
+  EXPECT_FALSE(device.tracking());
+  EXPECT_TRUE(device.not_emulated().empty());
+}
+
+TEST(EmulatedNxtCam, TakesAColourMap) {
+  NxtCam device(base::Time{});
+  std::string command = "SM";
+  for (int i = 0; i < 48; ++i) command += " " + std::to_string(i + 100);
+  EXPECT_EQ(ask(device, command + "\r\n"), hex("41 43 4B 0D"));
+  EXPECT_TRUE(device.transfer(1, hex("41 47"), 0, kReady));
+  EXPECT_EQ(device.transfer(1, hex("80"), 3, kReady), hex("64 65 66"));
+  EXPECT_EQ(device.transfer(1, hex("AD"), 3, kReady), hex("91 92 93"));
+  EXPECT_EQ(ask(device, "SM 256\r"), hex("4E 43 4B 0D"));
+  EXPECT_EQ(ask(device, "CR 18 44\rTL\rQQ\r"), hex("41 43 4B 0D 41 43 4B 0D 4E 43 4B 0D"));
+  EXPECT_EQ(device.not_emulated(), (std::vector<std::string>{"CR", "TL", "QQ"}));
+}
+
+// 72 packets of two lines: 0B, the number, 176 bytes, 0F, which stands nowhere else but as a number.
+TEST(EmulatedNxtCam, SendsItsPicture) {
+  NxtCam device(base::Time{});
+  device.show({kSecond});  // columns 60 to 81, rows 40 to 70
+  const std::vector<std::uint8_t> answer = ask(device, "DF\r\n");
+  ASSERT_EQ(answer.size(), 4U + 72U * 179U);
+  const auto at = [&](std::size_t packet, std::size_t i) { return answer[4 + 179 * packet + i]; };
+  for (std::size_t packet = 0; packet < 72; ++packet) {
+    EXPECT_EQ(at(packet, 0), 0x0B);
+    EXPECT_EQ(at(packet, 1), packet);
+    for (std::size_t i = 2; i < 178; ++i) EXPECT_NE(at(packet, i), 0x0F);
+    EXPECT_EQ(at(packet, 178), 0x0F);
+  }
+  EXPECT_EQ(at(20, 2 + 59), 0x44);
+  EXPECT_EQ(at(20, 2 + 60), 0xCC);
+  EXPECT_EQ(at(35, 2 + 81), 0xC4) << "row 70 is light, row 71 is not";
+  EXPECT_EQ(ask(device, "ET\rDF\r"), hex("41 43 4B 0D 41 43 4B 0D")) << "not while it tracks";
+}
+
 }  // namespace
 }  // namespace fencepost::emulate
