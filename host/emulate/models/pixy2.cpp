@@ -11,6 +11,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 // Room for a program's name and its packet; longer requests are dropped.
 constexpr std::size_t kReceiveBuffer = 64;
+const std::string kBlobs = "color_connected_components";
 // Of the transmit buffer, in blocks: the list is cut before it is sorted.
 constexpr std::size_t kTransmitBlocks = 18;
 
@@ -91,22 +92,26 @@ Bytes Pixy2::answer(std::uint8_t type, const Bytes& data, base::Time now) {
     case 0x12: return data.size() == 4 ? packet(0x01, {0, 0, 0, 0}) : error(-3);
     case 0x14: return data.size() == 3 ? packet(0x01, {0, 0, 0, 0}) : error(-3);
     case 0x16: return data.size() == 2 ? packet(0x01, {0, 0, 0, 0}) : error(-3);
-    case 0x18: return packet(0x01, {60, 0, 0, 0});
+    case 0x18: return packet(0x01, {61, 0, 0, 0});
     case 0x20: break;
     default: return error(-4);
   }
   if (button_) return error(-5);
   if (now - changed_ < kProgramChange) return error(-6);
-  return program_ == "color_connected_components" ? answer_blocks(data) : error(-4);
+  if (program_ == kBlobs) return answer_blocks(data);
+  // It changes program by itself and says so.
+  program_ = kBlobs;
+  changed_ = now;
+  return error(-6);
 }
 
 Bytes Pixy2::answer_program(const Bytes& data, base::Time now) {
   const std::string name(data.begin(), std::find(data.begin(), data.end(), 0));
-  for (const std::string known : {"color_connected_components", "line_tracking", "video"}) {
+  for (const std::string& known : {kBlobs, std::string("line_tracking"), std::string("video")}) {
     if (known.compare(0, name.size(), name) != 0) continue;
-    const bool runs = program_ == known;
-    if (!runs) changed_ = now;
+    if (program_ != known) changed_ = now;
     program_ = known;
+    const bool runs = now - changed_ >= kProgramChange;
     return packet(0x01, {static_cast<std::uint8_t>(runs ? 1 : 0), 0, 0, 0});
   }
   return error(-3);
