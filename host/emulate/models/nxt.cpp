@@ -1,6 +1,8 @@
 #include "host/emulate/models/nxt.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <string_view>
 
 namespace fencepost::emulate {
 namespace {
@@ -23,11 +25,22 @@ void put32(Bytes& bytes, std::int32_t value) {
   }
 }
 
+// Name, Bluetooth address, signal, free flash.
+Bytes device_info() {
+  Bytes reply = {0x02, 0x9B, 0};
+  for (const char c : std::string_view("NXT\0\0\0\0\0\0\0\0\0\0\0\0", 15))
+    reply.push_back(static_cast<std::uint8_t>(c));
+  for (const int byte : {0x00, 0x16, 0x53, 0x00, 0x00, 0x01, 0x00}) reply.push_back(static_cast<std::uint8_t>(byte));
+  put32(reply, 0);
+  put32(reply, 65'536);
+  return reply;
+}
+
 }  // namespace
 
 void NxtBrick::restart(base::Time now) {
   power_on_ = last_command_ = now;
-  zeros_ = motors_;
+  zeros_ = block_zeros_ = rotation_zeros_ = motors_;
   framed_.clear();
   for (Port& port : ports_) port = Port{port.device, false, 0, {}, {}};
 }
@@ -47,8 +60,10 @@ std::optional<Bytes> NxtBrick::telegram(const Bytes& command, base::Time now) {
     reply = direct(command, now);
   } else if (command[1] == 0x88) {
     reply = {0x02, 0x88, 0, 0x7C, 1, 0x1D, 1};
+  } else if (command[1] == 0x9B) {
+    reply = device_info();
   } else {
-    reply = {0x02, command[1], kUnknown};
+    reply = unknown(command);
   }
   // Direct commands without a reply, and with it, both have been carried out.
   if ((command[0] & 0x80U) != 0) return std::nullopt;
@@ -65,6 +80,7 @@ Bytes NxtBrick::direct(const Bytes& command, base::Time now) {
       ports_[port].status = kNotConfigured;
       return {0x02, 0x05, 0};
     case 0x06: motors_read_ = true; return output_state(port);
+    case 0x0A: return reset_position(command);
     case 0x0B:
       return {0x02, 0x0B, 0, static_cast<std::uint8_t>(battery_ & 0xFFU), static_cast<std::uint8_t>(battery_ >> 8U)};
     case 0x0D: {
@@ -76,8 +92,23 @@ Bytes NxtBrick::direct(const Bytes& command, base::Time now) {
     case 0x0E:
     case 0x0F:
     case 0x10: return sensor(command, now);
-    default: return {0x02, command[1], kUnknown};
+    default: return unknown(command);
   }
+}
+
+Bytes NxtBrick::unknown(const Bytes& command) {
+  char name[16] = {};
+  (void)std::snprintf(name, sizeof name, "0x%02X 0x%02X", command[0] & 0x7FU, command[1]);
+  not_emulated_.note(name);
+  return {0x02, command[1], kUnknown};
+}
+
+Bytes NxtBrick::reset_position(const Bytes& command) {
+  if (command.size() != 4) return {0x02, 0x0A, kInsane};
+  const std::uint8_t port = command[2];
+  if (port > 2) return {0x02, 0x0A, kOutOfRange};
+  (command[3] != 0 ? block_zeros_ : rotation_zeros_)[port] = motors_[port];
+  return {0x02, 0x0A, 0};
 }
 
 Bytes NxtBrick::output_state(std::uint8_t port) const {
@@ -87,14 +118,13 @@ Bytes NxtBrick::output_state(std::uint8_t port) const {
     reply.resize(25, 0);
     return reply;
   }
-  const std::int32_t tacho = motors_[port] - zeros_[port];
   for (const int byte : {0, static_cast<int>(port), 75, 0x07, 0x01, 0x00, 0x20}) {
     reply.push_back(static_cast<std::uint8_t>(byte));
   }
   put32(reply, 0);
-  put32(reply, tacho);
-  put32(reply, tacho);
-  put32(reply, tacho);
+  put32(reply, motors_[port] - zeros_[port]);
+  put32(reply, motors_[port] - block_zeros_[port]);
+  put32(reply, motors_[port] - rotation_zeros_[port]);
   return reply;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/emulate/models/i2c_device.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -35,6 +36,8 @@ class NxtBrick {
   [[nodiscard]] bool on(base::Time now) const;
   /// Whether a motor was ever read.
   [[nodiscard]] bool motors_read() const { return motors_read_; }
+  /// Commands that it does not know.
+  [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
  private:
   using Bytes = std::vector<std::uint8_t>;
@@ -52,6 +55,8 @@ class NxtBrick {
   static Bytes status(Port& port, base::Time now);
   static Bytes read(Port& port, base::Time now);
   [[nodiscard]] Bytes output_state(std::uint8_t port) const;
+  Bytes unknown(const Bytes& command);
+  Bytes reset_position(const Bytes& command);
 
   base::Time power_on_;
   base::Time last_command_;
@@ -59,8 +64,11 @@ class NxtBrick {
   std::uint16_t battery_ = 7'800;
   std::array<Port, 4> ports_;
   std::array<std::int32_t, 3> motors_{};
-  std::array<std::int32_t, 3> zeros_{};  ///< what the motors had turned at the last power-on
+  std::array<std::int32_t, 3> zeros_{};           ///< what the motors had turned at the last power-on
+  std::array<std::int32_t, 3> block_zeros_{};     ///< and where their relative position was last reset
+  std::array<std::int32_t, 3> rotation_zeros_{};  ///< and their absolute one
   bool motors_read_ = false;
+  NotEmulated not_emulated_;
   Bytes framed_;
   base::Time last_byte_;
 };

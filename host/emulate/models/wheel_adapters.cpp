@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "firmware/record/encode.hpp"
 #include "hal/base/crc16.hpp"
@@ -81,11 +83,21 @@ class NxtAdapter final : public DeviceModel {
   Bytes power_up(base::Time now) override {
     brick_.restart(now);
     camera_.restart(now);
+    replies_.clear();
     return {};
   }
   Bytes take(std::uint8_t byte, base::Time now) override {
-    Bytes reply = brick_.take(byte, now);
+    const Bytes reply = brick_.take(byte, now);
     used_ = used_ || (has_camera_ ? camera_.tracking() : brick_.motors_read());
+    if (!reply.empty()) replies_.emplace_back(now + kTurnaround, reply);
+    return {};
+  }
+  [[nodiscard]] std::optional<base::Time> next() const override {
+    return replies_.empty() ? std::nullopt : std::optional(replies_.front().first);
+  }
+  Bytes step(base::Time) override {
+    Bytes reply = std::move(replies_.front().second);
+    replies_.pop_front();
     return reply;
   }
   Bytes see(const sensor::BlobFrame& frame, base::Time) override {
@@ -97,13 +109,19 @@ class NxtAdapter final : public DeviceModel {
     brick_.turn(2, static_cast<std::int32_t>(counts_of(travel.right(wheels_.track), wheels_.tick)));
   }
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return brick_.not_emulated(); }
 
  private:
+  // Bluetooth takes some 30 ms to turn around. A tenth of that is enough for hosts that ask 30 times at once whether
+  // the sensor has answered.
+  static constexpr base::Duration kTurnaround = base::milliseconds(3);
+
   NxtBrick brick_{base::Time{}};
   NxtCam camera_{base::Time{}};
   WheelShape wheels_;
   bool has_camera_;
   bool used_ = false;
+  std::deque<std::pair<base::Time, Bytes>> replies_;  ///< each with when it leaves
 };
 
 class CanAdapter final : public DeviceModel {

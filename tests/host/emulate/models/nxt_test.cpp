@@ -65,5 +65,25 @@ TEST(EmulatedNxt, FramesForBluetooth) {
   EXPECT_EQ(answer, hex("05 00 02 0B 00 78 1E"));
 }
 
+TEST(EmulatedNxt, TellsItsNameAndResetsPositions) {
+  NxtBrick brick(base::Time{});
+  brick.turn(1, 1234);
+  EXPECT_EQ(brick.telegram(hex("01 9B"), kReady),
+            hex("02 9B 00 4E 58 54 00 00 00 00 00 00 00 00 00 00 00 00 00 16 53 00 00 01 00 00 00 00 00 00 00 01 00"));
+  EXPECT_EQ(brick.telegram(hex("00 0A 01 01"), kReady), hex("02 0A 00"));
+  brick.turn(1, 1235);
+  EXPECT_EQ(brick.telegram(hex("00 06 01"), kReady),
+            hex("02 06 00 01 4B 07 01 00 20 00 00 00 00 D3 04 00 00 01 00 00 00 D3 04 00 00"))
+      << "relative";
+  EXPECT_EQ(brick.telegram(hex("00 0A 01 00"), kReady), hex("02 0A 00"));
+  EXPECT_EQ(brick.telegram(hex("00 06 01"), kReady),
+            hex("02 06 00 01 4B 07 01 00 20 00 00 00 00 D3 04 00 00 01 00 00 00 00 00 00 00"))
+      << "absolute";
+  EXPECT_EQ(brick.telegram(hex("00 0A 03 00"), kReady), hex("02 0A C0"));
+  EXPECT_TRUE(brick.not_emulated().empty());
+  EXPECT_EQ(brick.telegram(hex("01 77"), kReady), hex("02 77 BE"));
+  EXPECT_EQ(brick.not_emulated(), std::vector<std::string>{"0x01 0x77"});
+}
+
 }  // namespace
 }  // namespace fencepost::emulate
