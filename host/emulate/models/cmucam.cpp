@@ -106,8 +106,9 @@ void CmuCamDevice::reset() {
   reports_middle_ = true;
 }
 
-// A CMUcam3 ends the text at power-up with a CR, that of GV without.
+// A CMUcam3 ends the text at power-up with a CR, that of GV without; a CMUcam4 begins it with one.
 std::string CmuCamDevice::greeting() const {
+  if (model_ == CmuCamModel::kFour) return "\r" + banner() + ":";
   return (model_ == CmuCamModel::kThree ? banner() + "\r" : banner()) + ":";
 }
 
@@ -221,7 +222,8 @@ std::string CmuCamDevice::act(const Command& command) {
   if (command.name == "GV") return answer(true, banner());
   if (command.name == "RS") {
     const std::string acknowledged = (mode_ & kNoAck) != 0 ? "" : "ACK\r";
-    const std::string line_end = (mode_ & kRawOutput) != 0 ? "" : "\r";
+    const bool silent = (mode_ & kRawOutput) != 0 || model_ == CmuCamModel::kFour;  // which starts with a CR
+    const std::string line_end = silent ? "" : "\r";
     reset();
     starting_ = model_ == CmuCamModel::kFour;  // a CMUcam3's program goes on
     return acknowledged + line_end + (starting_ ? "" : greeting());

@@ -35,12 +35,12 @@ TEST(EmulatedCmuCam, ACmucam4Starts) {
   EXPECT_EQ(four.power_up(), "");
   EXPECT_TRUE(four.starting());
   EXPECT_EQ(four.feed("\rRS\r"), "");
-  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_EQ(four.finish_start(), "\rCMUcam4 v1.02\r:");
   EXPECT_EQ(four.feed("TC 0 255 0 255 0 255\r"), "ACK\r");
-  EXPECT_EQ(four.feed("RS\rGV\r"), "ACK\r\r");
+  EXPECT_EQ(four.feed("RS\rGV\r"), "ACK\r");
   EXPECT_TRUE(four.starting());
   EXPECT_EQ(four.frame(kOneBased), "");
-  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_EQ(four.finish_start(), "\rCMUcam4 v1.02\r:");
   EXPECT_FALSE(four.starting());
 }
 
@@ -116,9 +116,9 @@ TEST(EmulatedCmuCam, ACmucam4ChangesItsBaudRate) {
   CmuCamDevice four(CmuCamModel::kFour);
   (void)four.power_up();
   (void)four.finish_start();
-  EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "ACK\r:ACK\r\r");
+  EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "ACK\r:ACK\r");
   EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "") << "starting";
-  EXPECT_EQ(four.finish_start(), "CMUcam4 v1.02\r:");
+  EXPECT_EQ(four.finish_start(), "\rCMUcam4 v1.02\r:");
   EXPECT_EQ(four.feed("BM 250000\r"), "ACK\r");
   EXPECT_EQ(four.feed("\r"), "ACK\r:");
   EXPECT_EQ(four.feed("DM 0\r"), "ACK\r:");
