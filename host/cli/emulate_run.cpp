@@ -203,6 +203,9 @@ void say_counts(const emulate::Endpoint& endpoint) {
   std::string line = fmt::format("{}: {} bytes heard, {} replies", endpoint.name(), counts.commands, counts.replies);
   if (endpoint.fit()) line += fmt::format(", {} frames seen, {} skipped", counts.frames, counts.skipped);
   say(line);
+  if (const std::vector<std::string> names = endpoint.not_emulated(); !names.empty()) {
+    say(fmt::format("  {} not emulated: {}", names.size(), fmt::join(names, ", ")));
+  }
   if (endpoint.fit()) {
     const emulate::FitLosses& losses = endpoint.fit()->losses();
     if (losses.signatures > 0) say(fmt::format("  {} blobs of signatures that it does not have", losses.signatures));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "host/emulate/models/device_model.hpp"
 #include "host/emulate/models/messages.hpp"
@@ -79,6 +80,8 @@ class Endpoint {
 
   [[nodiscard]] const FaultCounts& faults() const { return line_.counts(); }
   [[nodiscard]] const EndpointCounts& counts() const { return counts_; }
+  /// What the hosts asked for in vain, each name once.
+  [[nodiscard]] std::vector<std::string> not_emulated() const { return model_->not_emulated(); }
   /// Nothing for what is no camera.
   [[nodiscard]] const std::optional<ImageFit>& fit() const { return fit_; }
 

@@ -18,7 +18,7 @@ constexpr base::Duration kPortion = base::milliseconds(1);
 Server::Server(Playback& playback, linux::MonotonicClock clock, Say say, Say moved)
     : playback_(playback), clock_(clock), say_(std::move(say)), moved_(std::move(moved)) {}
 
-void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport), false, false, 0}); }
+void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport), false, 0, 0}); }
 
 bool Server::run(const std::function<bool()>& stop) {
   while (!playback_.over(clock_.now())) {
@@ -57,6 +57,7 @@ void Server::tend(std::size_t index, base::Time now) {
   if (const bool there = transport.tend(); there != endpoint.connected()) {
     say_(endpoint.name() + (there ? ": host connected" : ": host gone"));
     endpoint.connect(there, now);
+    places_[index].baud = 0;
   }
   const Bytes bytes = transport.read();
   if (bytes.empty()) return;
@@ -85,9 +86,9 @@ void Server::follow_plug(std::size_t index) {
 void Server::check_baud(std::size_t index) {
   Place& place = places_[index];
   const EmulatedDevice& device = playback_.endpoint(index).device();
-  if (std::exchange(place.baud_checked, true) || device.baud == 0) return;
+  if (device.baud == 0) return;
   const std::uint32_t baud = place.transport->host_baud();
-  if (baud == 0 || baud == device.baud) return;
+  if (std::exchange(place.baud, baud) == baud || baud == 0 || baud == device.baud) return;
   say_(playback_.endpoint(index).name() + ": the host has set " + std::to_string(baud) + " Bd, the device " +
        std::to_string(device.baud) + "; a real cable would carry nothing sensible: set one as the other (--baud)");
 }

@@ -32,7 +32,7 @@ class Server {
   struct Place {
     std::unique_ptr<Transport> transport;
     bool hung_up = false;
-    bool baud_checked = false;
+    std::uint32_t baud = 0;  ///< of the host, as last compared with the device's
     std::uint64_t lost = 0;
   };
   void tend(std::size_t index, base::Time now);

@@ -35,7 +35,7 @@ class Running {
   explicit Running(const Feed& feed, const PlaybackSettings& settings = {})
       : playback_(feed, settings, clock_.now()),
         server_(
-            playback_, clock_, [](const std::string&) {}, [](const std::string&) {}) {}
+            playback_, clock_, [this](const std::string& line) { said_.push_back(line); }, [](const std::string&) {}) {}
   ~Running() { stop(); }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -63,10 +63,12 @@ class Running {
   [[nodiscard]] const linux::MonotonicClock& clock() const { return clock_; }
   /// After the end.
   Endpoint& endpoint(std::size_t index) { return playback_.endpoint(index); }
+  [[nodiscard]] const std::vector<std::string>& said() const { return said_; }
 
  private:
   linux::MonotonicClock clock_;
   Playback playback_;
+  std::vector<std::string> said_;
   Server server_;
   std::atomic<bool> stop_ = false;
   std::atomic<bool> finished_ = false;

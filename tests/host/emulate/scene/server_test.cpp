@@ -106,6 +106,30 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
   EXPECT_EQ(running.endpoint(0).faults().unplugs, 0U);
 }
 
+// The first host has the right rate; what is wrong with the second one is still said, once.
+TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam4", open_pty(folder.file("camera")));
+  running.start();
+  for (const std::uint32_t baud : {19'200U, 115'200U}) {
+    auto tty = linux::Tty::open({folder.file("camera"), baud});
+    ASSERT_TRUE(tty.ok()) << tty.problem();
+    std::array<std::uint8_t, 64> in{};
+    EXPECT_TRUE(eventually(running.clock(), [&] {
+      (void)tty->write(hex("0D"));
+      return tty->read(in).ok();
+    })) << baud;
+  }
+  running.stop();
+  std::vector<std::string> complaints;
+  for (const std::string& line : running.said()) {
+    if (line.find("the host has set") != std::string::npos) complaints.push_back(line);
+  }
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_NE(complaints[0].find("115200 Bd, the device 19200"), std::string::npos) << complaints[0];
+}
+
 TEST(EmulateServer, ShowsFramesOnTcp) {
   const Feed feed = moving_box(316, 208, 12);
   Running running(feed, unhurried());
