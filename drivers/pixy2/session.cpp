@@ -62,7 +62,9 @@ void Session::expire(base::Time now) {
   ask_after(kSilentPause, now);
 }
 
+// On a line that brings nothing else no request is ever missed: asking again begins a new wait.
 void Session::take_damage(base::Time now) {
+  if (step_ == Step::kBlocks && now - last_frame_ > kFrameOverdue) work_ = LinkState::kUnready;
   if (waiting_) ask_after({}, now);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/bench/pixy2_rig.hpp"
 #include "tests/drivers/hex.hpp"
@@ -89,6 +91,35 @@ TEST(Pixy2Camera, FirstByteStampsTheFrame) {
   while (bench.frames.empty()) bench.run(1, {kRed, kSmall});
   // 34 bytes at two a millisecond: the last comes 16 ms after the first.
   EXPECT_EQ((bench.clock.now() - bench.frames[0].t), base::milliseconds(16));
+}
+
+// A line at another rate, or beside a motor: 200 bytes a millisecond of anything, packets with wrong checksums among
+// them.
+TEST(Pixy2Camera, NoiseAloneIsNotOk) {
+  Bench bench;
+  bench.run(3'000, {kRed});
+  ASSERT_EQ(bench.driver.link(), LinkState::kOk);
+  bench.link.power(false);
+  bench.link.set_bytes_per_ms(200);
+  std::minstd_rand random(1);
+  const std::uint32_t damaged = bench.driver.damaged();
+  for (int ms = 0; ms < 10'000; ++ms) {
+    std::vector<std::uint8_t> bytes(200);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() >> 8U);
+    if (ms % 100 == 0) std::copy_n(test::hex("AF C1 21 01 FF FF 00").begin(), 7, bytes.begin());
+    bench.link.noise(bytes);
+    bench.clock.advance(base::milliseconds(1));
+    (void)bench.driver.poll(bench.clock.now());
+    if (ms > 1'200) {
+      ASSERT_NE(bench.driver.link(), LinkState::kOk) << ms;
+    }
+  }
+  EXPECT_GT(bench.driver.damaged(), damaged + 50);
+  bench.link.forget();
+  bench.link.power(true);
+  bench.link.set_bytes_per_ms(12);
+  bench.run(2'000, {kRed});
+  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, AnotherProgramIsChanged) {
