@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -380,6 +382,26 @@ TEST(CreateSession, BytesThatAreNoStreamAreUnready) {
   rig.run(600);
   EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
   EXPECT_EQ(rig.frames.size(), 0U);
+}
+
+// 200 bytes a millisecond of anything: a checksum of one byte fits by chance now and then, a whole frame hardly ever.
+TEST(CreateSession, NoiseAloneIsNotOk) {
+  Rig rig(config_of(Model::kCreate2), CreateModel::kTwo, true);
+  rig.run(1'000);
+  ASSERT_EQ(rig.driver.link(), LinkState::kOk);
+  rig.link.power(false);
+  std::minstd_rand random(1);
+  int ok = 0;
+  for (int ms = 0; ms < 10'000; ++ms) {
+    std::vector<std::uint8_t> bytes(200);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() >> 8U);
+    rig.link.noise(bytes);
+    rig.clock.advance(base::milliseconds(1));
+    (void)rig.poll(rig.clock.now());
+    if (ms > 1'200 && rig.driver.link() == LinkState::kOk) ++ok;
+  }
+  EXPECT_EQ(ok, 0);
+  EXPECT_NEAR(rig.last.x.to_double(), 0, 0.001);
 }
 
 TEST(CreateSession, APortThatTakesNothingDoesNotHang) {
