@@ -51,6 +51,17 @@ TEST(Emulate, InterruptedCleansUpAndTells) {
   EXPECT_NE(run.err.find("pixy2: 0 bytes heard"), std::string::npos) << run.err;
 }
 
+// Start, two opcodes that a Create 2 does not have, a packet that it does not have.
+TEST(Emulate, SaysWhatWasAskedForInVain) {
+  const Folder folder;
+  const Outcome run =
+      shell(folder, "fencepost emulate create2 " + kScene +
+                        " --link base --seconds 1.5 & "
+                        "for i in $(seq 500); do test -L base && break; sleep 0.02; done; "
+                        "(sleep 0.1; printf '\\200\\310\\311\\310\\216\\077\\216\\043'; sleep 0.5) >base; wait");
+  EXPECT_NE(run.err.find("  3 not emulated: opcode 200, opcode 201, packet 63\n"), std::string::npos) << run.err;
+}
+
 TEST(Emulate, CountsFaultsAtTheEnd) {
   const Folder folder;
   const Outcome run =
