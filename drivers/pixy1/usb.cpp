@@ -86,13 +86,13 @@ bool add_blocks(Pushed& pushed, std::span<const std::uint8_t> words, std::size_t
 }  // namespace
 
 wire::Verdict examine_message(std::span<const std::uint8_t> bytes) {
-  constexpr std::uint8_t kMark[] = {0x55, 0x55, 0xAA, 0xAA};
+  constexpr std::uint8_t kMessageMark[] = {0x55, 0x55, 0xAA, 0xAA};
   for (std::size_t i = 0; i < 4 && i < bytes.size(); ++i) {
-    if (bytes[i] != kMark[i]) return {wire::Front::kNoise, wire::skip_to(bytes, kMark[0])};
+    if (bytes[i] != kMessageMark[i]) return {wire::Front::kNoise, wire::skip_to(bytes, kMessageMark[0])};
   }
   if (bytes.size() < chirp::kHeader) return {};
   const std::uint32_t length = wire::little_u32(bytes, chirp::kHeader - 4);
-  if (length > kLongestMessage - chirp::kHeader) return {wire::Front::kNoise, wire::skip_to(bytes, kMark[0])};
+  if (length > kLongestMessage - chirp::kHeader) return {wire::Front::kNoise, wire::skip_to(bytes, kMessageMark[0])};
   if (bytes.size() < chirp::kHeader + length) return {};
   return {wire::Front::kMessage, chirp::kHeader + length};
 }

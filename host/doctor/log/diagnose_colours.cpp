@@ -8,7 +8,8 @@ namespace {
 
 using enum Severity;
 
-// On the bundled recordings and simulated scenes of one pixel's noise flicker is 4.2 at most and jitter 3.5 px or less than 0.1.
+// On the bundled recordings and simulated scenes of one pixel's noise flicker is 4.2 at most and jitter 3.5 px or less
+// than 0.1.
 constexpr double kMuchFlicker = 10;   // of 100 frames with it
 constexpr double kMuchJitter = 0.15;  // of the width
 constexpr double kMuchJitterPx = 3;
