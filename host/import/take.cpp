@@ -14,7 +14,7 @@ constexpr double kStep = 0.02;   // s, of the poses of a robot that stands still
 constexpr double kMargin = 0.1;  // s, of those before the first frame: a latency
 constexpr int kLastSignature = 255;
 
-std::optional<sensor::Blob> blob_of(const TakenBlob& taken, const sensor::CameraIntrinsics& camera) {
+std::optional<sensor::Blob> blob_of(const ImportedBlob& taken, const sensor::CameraIntrinsics& camera) {
   const double right = camera.width - 1;
   const double bottom = camera.height - 1;
   if (!(taken.x1 <= taken.x2 && taken.y1 <= taken.y2)) return std::nullopt;
@@ -41,7 +41,7 @@ int area(const sensor::Blob& blob) { return (blob.x2 - blob.x1 + 1) * (blob.y2 -
 
 sensor::BlobFrame frame_of(const TakenFrame& taken, const sensor::CameraIntrinsics& camera, Taken& counts) {
   std::vector<sensor::Blob> blobs;
-  for (const TakenBlob& blob : taken.blobs) {
+  for (const ImportedBlob& blob : taken.blobs) {
     if (const auto inside = blob_of(blob, camera)) {
       blobs.push_back(*inside);
     } else {
@@ -96,7 +96,7 @@ sensor::CameraIntrinsics camera_of(const Taken& taken, const TakeSettings& setti
 std::vector<record::Signature> signatures_of(const Taken& taken, const std::string& source) {
   std::map<int, std::string> all = taken.names;
   for (const TakenFrame& frame : taken.frames) {
-    for (const TakenBlob& blob : frame.blobs)
+    for (const ImportedBlob& blob : frame.blobs)
       all.try_emplace(blob.signature, "signature" + std::to_string(blob.signature));
   }
   std::vector<record::Signature> list;

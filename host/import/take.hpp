@@ -14,7 +14,7 @@
 namespace fencepost::host {
 
 /// Inclusive pixels, as BlobFrame has them; not yet clamped to an image.
-struct TakenBlob {
+struct ImportedBlob {
   int signature = 1;
   double x1 = 0;
   double y1 = 0;
@@ -28,7 +28,7 @@ struct TakenBlob {
 
 struct TakenFrame {
   double t = 0;  ///< s, of any clock
-  std::vector<TakenBlob> blobs;
+  std::vector<ImportedBlob> blobs;
 };
 
 struct TakenPose {

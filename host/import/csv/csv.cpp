@@ -41,7 +41,7 @@ struct BoxColumns {
 
   [[nodiscard]] std::size_t first() const { return x1 ? *x1 : *x; }
 
-  void read(const CsvRow& row, TakenBlob& blob) const {
+  void read(const CsvRow& row, ImportedBlob& blob) const {
     if (x1 && y1 && x2 && y2) {
       blob.x1 = row.number(*x1);
       blob.y1 = row.number(*y1);
@@ -114,7 +114,7 @@ class BlobTable {
     const double t = row.number(time_);
     if (taken_.frames.empty() || taken_.frames.back().t != t) taken_.frames.push_back({t, {}});
     if (row.empty(box_.first())) return;
-    TakenBlob blob;
+    ImportedBlob blob;
     box_.read(row, blob);
     blob.signature = signature_of(row);
     if (cx_ && !row.empty(*cx_)) blob.cx = row.number(*cx_);

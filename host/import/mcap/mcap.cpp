@@ -182,7 +182,7 @@ class McapImport {
   void add(const Detections& detections, double log_time) {
     TakenFrame frame{detections.t > 0 ? detections.t : log_time, {}};
     for (const Detection& detection : detections.list) {
-      TakenBlob blob;
+      ImportedBlob blob;
       blob.signature = numbers_.try_emplace(detection.name, static_cast<int>(numbers_.size()) + 1).first->second;
       // Continuous edges, whose pixels are centred on whole numbers.
       blob.x1 = std::round(detection.x - detection.width / 2);

@@ -41,7 +41,7 @@ class PlayerLog {
     // Most drivers leave the id at 0 and tell colours apart by colour.
     std::set<int> ids;
     for (const auto& frame : taken_.frames) {
-      for (const TakenBlob& blob : frame.blobs) ids.insert(blob.signature);
+      for (const ImportedBlob& blob : frame.blobs) ids.insert(blob.signature);
     }
     if (ids == std::set<int>{0}) number_by_colour();
     return std::move(taken_);
@@ -73,7 +73,7 @@ class PlayerLog {
     TakenFrame frame{value(0), {}};
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(count, 0.0, 1000.0)); ++i) {
       const std::size_t at = kHead + 3 + i * kBlobFields;
-      TakenBlob blob;
+      ImportedBlob blob;
       blob.signature = static_cast<int>(value(at));
       const auto colour = static_cast<std::uint32_t>(value(at + 1));
       blob.rgb = sensor::Rgb{static_cast<std::uint8_t>(colour >> 16U), static_cast<std::uint8_t>(colour >> 8U),
@@ -94,7 +94,7 @@ class PlayerLog {
   void number_by_colour() {
     std::map<std::uint32_t, int> numbers;
     for (auto& frame : taken_.frames) {
-      for (TakenBlob& blob : frame.blobs) {
+      for (ImportedBlob& blob : frame.blobs) {
         const sensor::Rgb rgb = *blob.rgb;
         const std::uint32_t colour = rgb.red * 65'536U + rgb.green * 256U + rgb.blue;
         blob.signature = numbers.try_emplace(colour, static_cast<int>(numbers.size()) + 1).first->second;

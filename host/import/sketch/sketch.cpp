@@ -12,8 +12,8 @@ namespace {
 constexpr double kDay = 86'400;  // s
 
 /// Centre rounded down; columns count the pixels, rows of a Pixy the difference of the edges (drivers/pixy2).
-TakenBlob centred(double x, double y, double width, double height, bool pixy) {
-  TakenBlob blob;
+ImportedBlob centred(double x, double y, double width, double height, bool pixy) {
+  ImportedBlob blob;
   blob.x1 = x - std::floor(width / 2);
   blob.x2 = blob.x1 + width - 1;
   blob.y1 = y - std::floor(height / 2);
@@ -123,7 +123,7 @@ class Reader {
     if (v[2] > v[4] || v[3] > v[5]) return false;
     begin_frame();
     if (v[7] == 0) return true;  // no confidence
-    TakenBlob blob;
+    ImportedBlob blob;
     blob.cx = v[0];
     blob.cy = v[1];
     blob.x1 = v[2];
@@ -134,7 +134,7 @@ class Reader {
     return true;
   }
 
-  void add(TakenBlob blob, double signature) {
+  void add(ImportedBlob blob, double signature) {
     blob.signature = static_cast<int>(signature);
     taken_.frames.back().blobs.push_back(blob);
   }
