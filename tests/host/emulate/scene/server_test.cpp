@@ -126,8 +126,12 @@ TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
   for (const std::string& line : running.said()) {
     if (line.find("the host has set") != std::string::npos) complaints.push_back(line);
   }
-  ASSERT_EQ(complaints.size(), 1U);
-  EXPECT_NE(complaints[0].find("115200 Bd, the device 19200"), std::string::npos) << complaints[0];
+  // Twice if the first one's end was noticed only when the second one had already spoken.
+  EXPECT_GE(complaints.size(), 1U);
+  EXPECT_LE(complaints.size(), 2U);
+  for (const std::string& complaint : complaints) {
+    EXPECT_NE(complaint.find("115200 Bd, the device 19200"), std::string::npos) << complaint;
+  }
 }
 
 TEST(EmulateServer, ShowsFramesOnTcp) {
