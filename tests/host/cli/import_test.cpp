@@ -16,14 +16,14 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
   const Folder folder;
   std::string monitor;
   std::string poses = "t,x,y,heading\n";
-  for (int i = 0; i < 20; ++i) {  // past a pillar of 6 cm, 1.2 m ahead and 0.1 m to the left
+  for (int i = 0; i < 20; ++i) {  // past a pillar of 6 cm, 1.2 m ahead and 0.3 m to the left
     char line[200];
     const double ahead = 1.2 - 0.03 * i;
     std::snprintf(
         line, sizeof line,
         "12:00:%02d.%03d -> Detected 1\n12:00:%02d.%03d ->   block 0: sig: 1 x: %.0f y: 90 width: %.0f height: "
         "40 index: 1 age: %d\nrubbish\n",
-        i / 10, 100 * (i % 10), i / 10, 100 * (i % 10), 157.5 - 273.7 * 0.1 / ahead, 273.7 * 0.06 / ahead, i);
+        i / 10, 100 * (i % 10), i / 10, 100 * (i % 10), 157.5 - 273.7 * 0.3 / ahead, 273.7 * 0.06 / ahead, i);
     monitor += line;
     std::snprintf(line, sizeof line, "%.2f,%.3f,0,0\n", 43'200 + 0.1 * i, 0.03 * i);
     poses += line;
@@ -35,7 +35,7 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
   EXPECT_EQ(run.err, "20 frames with 20 blobs, 20 odometry samples\nleft out: 20 lines of no known form\n");
   const Outcome map = shell(folder, "fencepost replay run.log");
   EXPECT_EQ(map.exit_code, 0) << map.err;
-  EXPECT_NE(map.out.find("signature1  confirmed"), std::string::npos) << map.out;
+  EXPECT_NE(map.out.find("signature1 confirmed"), std::string::npos) << map.out;
 }
 
 TEST(ImportCommand, SaysWhatIsMissing) {
