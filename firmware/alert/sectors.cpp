@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
 #include "hal/base/trig.hpp"
 
@@ -43,11 +44,23 @@ std::size_t sector_of(const Vec2& place) {
   const float aside = std::fabs(place.y());
   const float more = std::max(along, aside);
   const float less = std::min(along, aside);
-  std::size_t in_eighth = 0;
-  for (const float border : kBorders) in_eighth += less > border * more ? 1U : 0U;
+  std::size_t in_eighth = less > kBorders[1] * more ? 2 : 0;
+  if (less > kBorders[in_eighth] * more) ++in_eighth;
+  if (in_eighth == 3 && less > kBorders[3] * more) ++in_eighth;
   const std::size_t in_quarter = aside > along ? kQuarter - in_eighth : in_eighth;
   const std::size_t in_half = place.x() < 0 ? 2 * kQuarter - in_quarter : in_quarter;
   return place.y() < 0 ? (kSectors - in_half) % kSectors : in_half;
+}
+
+// No point is farther from the middle. Every fourth side will do: where two of these meet is farthest.
+float reach_of(const recon::OutlineView& outline) {
+  constexpr std::size_t kApart = 4;
+  const std::size_t sides = outline.offsets.size();
+  std::int16_t most = 0;
+  for (std::size_t k = 0; k < sides; k += kApart) most = std::max(most, outline.offsets[k]);
+  // 1 / cos of half of what is between them.
+  const float farther = sides == recon::kDirections ? 1.019592F : 1.082392F;
+  return recon::kOffsetStep * farther * static_cast<float>(most);
 }
 
 }  // namespace
@@ -56,20 +69,28 @@ Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odo
   near_.fill(static_cast<std::int16_t>(kNothing));
   const std::int32_t x = odometry.position.x / kUnitsPerMm;
   const std::int32_t y = odometry.position.y / kUnitsPerMm;
-  // Along the middle of each sector and both its borders.
-  constexpr std::size_t kRays = 2 * kSectors;
+  // Along the middle of each sector and both its borders; no border tells more than the middles beside it.
   const base::SinCos first = base::sincos_urad(odometry.heading);
-  const base::SinCos step = base::sincos_urad(3'141'593 / static_cast<std::int64_t>(kSectors));
+  const base::SinCos half = base::sincos_urad(3'141'593 / static_cast<std::int64_t>(kSectors));
+  const Vec2 step = recon::rotated({half.cos, half.sin}, Vec2{half.cos, half.sin});
   Vec2 direction{first.cos, first.sin};
-  std::array<std::int16_t, kRays> reach{};
-  for (std::int16_t& ray : reach) {
-    const recon::FloorFrame along{x, y, static_cast<std::int32_t>(recon::kSlopeOne * direction.x()),
-                                  static_cast<std::int32_t>(recon::kSlopeOne * direction.y())};
-    ray = static_cast<std::int16_t>(floor.seen_along(along, body + kBesideBody, kStep));
-    direction = recon::rotated({step.cos, step.sin}, direction);
+  const auto seen_along = [&](const Vec2& axis) {
+    const recon::FloorFrame ray{x, y, static_cast<std::int32_t>(recon::kSlopeOne * axis.x()),
+                                static_cast<std::int32_t>(recon::kSlopeOne * axis.y())};
+    return static_cast<std::int16_t>(floor.seen_along(ray, body + kBesideBody, kStep));
+  };
+  for (std::int16_t& middle : free_) {
+    middle = seen_along(direction);
+    direction = recon::rotated(step, direction);
+  }
+  direction = recon::rotated({half.cos, half.sin}, direction);
+  std::array<std::int16_t, kSectors> border{};  // between a sector and the next one
+  for (std::size_t k = 0; k < kSectors; ++k) {
+    if (free_[k] != 0 || free_[(k + 1) % kSectors] != 0) border[k] = seen_along(direction);
+    direction = recon::rotated(step, direction);
   }
   for (std::size_t k = 0; k < kSectors; ++k) {
-    free_[k] = std::min({reach[(2 * k + kRays - 1) % kRays], reach[2 * k], reach[2 * k + 1]});
+    free_[k] = std::min({border[(k + kSectors - 1) % kSectors], free_[k], border[k]});
   }
   position_ = odometry.position;
   heading_ = {first.cos, first.sin};
@@ -120,19 +141,20 @@ void Sectors::add_cylinder(const recon::ObjectCore& object, const RobotPlace& ro
 
 void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
   const Vec2 center = recon::offset_from(robot.position, outline.origin);
-  std::int16_t most = 0;
-  for (const std::int16_t offset : outline.view.offsets) most = std::max(most, offset);
-  const float reach = recon::kOffsetStep * static_cast<float>(most);
-  const float nearer = kNearer * outline.view.mean_sigma();
-  if (center.squaredNorm() > kFarthest * kFarthest && reach < kSmall) return;
+  const float square = center.squaredNorm();
+  const bool far = square > kFarthest * kFarthest;
+  const float reach = reach_of(outline.view);
+  if (far && reach < kSmall) return;
   const Vec2 back{robot.heading.x(), -robot.heading.y()};
-  if (reach > kSmall) return add_sides(outline.view, recon::rotated(back, center), back, nearer);
+  const Vec2 ahead = recon::rotated(back, center);
+  if (reach > kSmall) return add_sides(outline.view, ahead, back, kNearer * outline.view.mean_sigma());
   // No part of it is nearer than the line that touches it there.
-  const float distance = center.norm();
   const std::size_t sides = outline.view.offsets.size();
-  const recon::SectorPlace place = recon::place_of(Vec2(-center / std::max(distance, 1e-3F)), sides);
-  const float toward = std::max(outline.view.offset(place.sector), outline.view.offset((place.sector + 1) % sides));
-  put_around(recon::rotated(back, center), reach, distance - toward - nearer);
+  const std::size_t one = recon::place_of(Vec2(-center), sides).sector;
+  const std::size_t other = one + 1 == sides ? 0 : one + 1;
+  const float toward = std::max(outline.view.offset(one), outline.view.offset(other));
+  const float sigma = std::max(outline.view.sigma(one), outline.view.sigma(other));
+  put_around(ahead, reach, std::sqrt(square) - toward - kNearer * sigma);
 }
 
 // Each of its sides by the nearer end; long ones in pieces.

@@ -164,22 +164,34 @@ bool SeenFloor::holds(std::int32_t x, std::int32_t y) const {
 
 std::int32_t SeenFloor::seen_along(const FloorFrame& ray, std::int32_t first, std::int32_t step) const {
   if (!has_looked_) return 0;
-  // Cells from the grid's first one, which is never far: so they fit with the bits of a direction.
-  std::int32_t x = ((ray.x - first_x_ * kFloorCell) << kSlopeBits) + first * ray.axis_x;
-  std::int32_t y = ((ray.y - first_y_ * kFloorCell) << kSlopeBits) + first * ray.axis_y;
   constexpr int kCellBits = kSlopeBits + kFloorCellLog2;
-  std::int32_t reach = 0;
-  for (std::int32_t range = first; range <= kFloorReach; range += step) {
-    const std::int32_t column = x >> kCellBits;
-    const std::int32_t row = y >> kCellBits;
-    if (((column | row) & ~(kCells - 1)) != 0) break;
-    const std::size_t at = row_of(row + first_y_);
-    if (((now_[at] | before_[at]) & bit_of(column + first_x_)) == 0) break;
-    reach = range;
+  // Places from the grid's first cell, which is never far: so they fit with the bits of a direction.
+  const std::int32_t from_x = (ray.x - first_x_ * kFloorCell) << kSlopeBits;
+  const std::int32_t from_y = (ray.y - first_y_ * kFloorCell) << kSlopeBits;
+  const auto outside = [&](std::int32_t range) {
+    const std::int32_t column = (from_x + range * ray.axis_x) >> kCellBits;
+    const std::int32_t row = (from_y + range * ray.axis_y) >> kCellBits;
+    return ((column | row) & ~(kCells - 1)) != 0;
+  };
+  // Between two places of the grid all are.
+  std::int32_t last = kFloorReach;
+  while (last >= first && outside(last)) last -= step;
+  if (last < first || outside(first)) return 0;
+  // Rows and bits go round: of the first cell only what is left over counts.
+  std::int32_t x = from_x + ((first_x_ & (kCells - 1)) << kCellBits) + first * ray.axis_x;
+  std::int32_t y = from_y + ((first_y_ & (kCells - 1)) << kCellBits) + first * ray.axis_y;
+  std::int32_t range = first;
+  for (; range <= last; range += step) {
+    const std::size_t row = row_of(y >> kCellBits);
+    const auto column = static_cast<std::uint32_t>(x >> kCellBits);
+    // Half of them: shifts of 64 bits are calls, or many instructions, on small cores.
+    const std::uint64_t cells = now_[row] | before_[row];
+    const auto half = static_cast<std::uint32_t>((column & 32U) != 0 ? cells >> 32U : cells);
+    if (((half >> (column & 31U)) & 1U) == 0) break;
     x += step * ray.axis_x;
     y += step * ray.axis_y;
   }
-  return reach;
+  return range == first ? 0 : range - step;
 }
 
 bool SeenFloor::seen(std::int32_t x, std::int32_t y) const {

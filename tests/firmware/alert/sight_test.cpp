@@ -49,7 +49,7 @@ class Inputs {
   bool odometry_on = true;
   bool used = true;
   bool frozen = false;
-  std::vector<FlatFront> world = {{0.9, -0.2, 0.2, 1}};
+  std::vector<FlatFront> world = std::vector<FlatFront>(1, FlatFront{0.9, -0.2, 0.2, 1});
   double speed = 0.3;
   double turn = 0;
   double t = 0;
