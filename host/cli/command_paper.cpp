@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <opencv2/imgproc.hpp>
 #include <system_error>
 
 #include "host/cli/command.hpp"
@@ -12,6 +13,8 @@
 #include "host/cli/terminal.hpp"
 #include "host/paper/log_tour.hpp"
 #include "host/paper/paper.hpp"
+#include "host/segment/image_file.hpp"
+#include "host/segment/image_list.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -21,6 +24,7 @@ namespace fs = std::filesystem;
 struct PaperRequest {
   std::string log;
   std::string scene;
+  std::string images;
   std::string output = "fencepost-paper";
   PaperOptions options;
 };
@@ -37,14 +41,51 @@ void prepare(const std::string& folder) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(std::system_category().message(errno));
 }
 
+/// The photographs of a folder, by the number of the frame that was made of each.
+std::function<Picture(std::uint32_t)> photographs(const std::string& folder, const Tour& tour) {
+  std::vector<std::string> files;
+  try {
+    files = images_in(folder);
+  } catch (const SegmentProblem& problem) {
+    throw Failure(Exit::kUnreadable, problem.message());
+  }
+  for (const FrameTruth& frame : tour.frames) {
+    if (frame.frame.frame < files.size()) continue;
+    throw Failure(Exit::kUnreadable,
+                  fmt::format("{}: {} images, but the run has a frame {}; name the folder that the run was made of",
+                              folder, files.size(), frame.frame.frame));
+  }
+  const sensor::CameraIntrinsics camera = tour.scene.camera;
+  return [files, camera](std::uint32_t frame) {
+    const std::string& file = files[frame];
+    try {
+      const cv::Mat image = read_image(file);
+      if (image.cols != camera.width || image.rows != camera.height) {
+        throw Failure(Exit::kUnreadable, fmt::format("{}: {} x {} px, but the run\u2019s camera has {} x {}", file,
+                                                     image.cols, image.rows, camera.width, camera.height));
+      }
+      cv::Mat rgb;
+      cv::cvtColor(image, rgb, cv::COLOR_BGR2RGB);
+      return Picture{rgb.cols, rgb.rows, {rgb.datastart, rgb.dataend}};
+    } catch (const SegmentProblem& problem) {
+      throw Failure(Exit::kUnreadable, problem.message());
+    }
+  };
+}
+
 /// The recorded run, if one was named.
 std::optional<PaperRun> recorded_run(const PaperRequest& request) {
-  if (request.log.empty() && request.scene.empty()) return std::nullopt;
+  if (request.log.empty() && request.scene.empty()) {
+    if (request.images.empty()) return std::nullopt;
+    throw Failure(Exit::kUsage, "--images are those of a recorded run: name it with --log and --scene");
+  }
   if (request.log.empty() || request.scene.empty()) {
     throw Failure(Exit::kUsage, "--log and --scene belong together: a run, and the truth about it");
   }
   const Scene scene = read_scene(request.scene);
-  return PaperRun{fs::path(request.log).filename().string(), tour_of_log(read_input(request.log), scene)};
+  PaperRun run{fs::path(request.log).filename().string(), tour_of_log(read_input(request.log), scene)};
+  if (!request.images.empty()) run.tour.photograph = photographs(request.images, run.tour);
+  return run;
 }
 
 std::vector<PaperFile> make_page(const PaperOptions& options, const std::string& log) {
@@ -90,6 +131,14 @@ Action configure_paper(CLI::App& app) {
       ->type_name("LOG");
   app.add_option("--scene", request->scene, "the truth about that run; its first two objects are the landmarks")
       ->type_name("SCENE");
+  app.add_option("--images", request->images,
+                 "the photographs that the run was made of: the first by name is that of frame 0; without it real "
+                 "images are drawn from the scene")
+      ->type_name("DIR");
+  app.add_option("--single", request->options.single_scenes,
+                 "scenes in each of which, alone, every sentence is looked at again; default: 20")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10'000));
   return [request] { return run(*request); };
 }
 
@@ -100,7 +149,7 @@ Command paper_command() {
           "the paper's figures and its table, from simulated scenes, as a folder",
           "  fencepost paper -o paper\n"
           "  fencepost paper -o paper-7 --seed 7 --scenes 10\n"
-          "  fencepost paper -o blocks --log blocks.log --scene blocks.json\n",
+          "  fencepost paper -o blocks --log blocks.log --scene blocks.json --images photos\n",
           configure_paper,
           {}};
 }

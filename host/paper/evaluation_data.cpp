@@ -7,7 +7,7 @@
 namespace fencepost::host {
 namespace {
 
-/// This many hard scenes are searched for a mismatch if the table's have none.
+/// This many hard scenes are searched for examples that the table's have none of.
 constexpr std::uint64_t kHardScenes = 10;
 
 MultiPolygon geometry_of(const Snapshot& snapshot, std::string_view name) {
@@ -76,20 +76,8 @@ void sample_novelty(const SequenceData& data, std::vector<std::vector<NoveltySam
   }
 }
 
-/// Keeps the mismatch of least confidence.
-void keep_least_sure(const Sequence& sequence, Mismatch found, std::optional<Mismatch>& least) {
-  for (found.landmark = 0; found.landmark < sequence.size(); ++found.landmark) {
-    for (found.frame = 0; found.frame < sequence[found.landmark].size(); ++found.frame) {
-      const Reacquisition& one = sequence[found.landmark][found.frame];
-      if (one.outcome != MatchOutcome::kMismatched) continue;
-      found.confidence = one.match->match_confidence;
-      if (!least || found.confidence < least->confidence) least = found;
-    }
-  }
-}
-
 std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t seed, std::size_t scenes,
-                                             std::optional<Mismatch>& least) {
+                                             Examples& examples) {
   std::vector<ReacquisitionScore> table(algorithms().size());
   for (std::uint64_t i = 0; i < scenes; ++i) {
     const Tour tour = drive(blocks_world(world, seed + i));
@@ -98,10 +86,15 @@ std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t se
     for (std::size_t a = 0; a < table.size(); ++a) {
       const Sequence sequence = reacquire_all(tour, renderer, world_of(tour, models, algorithms()[a], 0));
       table[a].add(sequence);
-      keep_least_sure(sequence, {world, seed + i, a, 0, 0, 0}, least);
+      examples.add(sequence, {world, seed + i, a, 0, 0, 0});
     }
   }
   return table;
+}
+
+SequenceData figures_sequence(std::uint64_t seed, bool noisy, const std::vector<std::size_t>& after) {
+  constexpr BlocksWorld kKind = BlocksWorld::kFigures;
+  return follow_sequence(drive(blocks_world(kKind, seed, noisy)), block_count(kKind), after);
 }
 
 std::vector<std::size_t> first_numbers(std::size_t count) {
@@ -111,6 +104,24 @@ std::vector<std::size_t> first_numbers(std::size_t count) {
 }
 
 }  // namespace
+
+void Examples::add(const Sequence& sequence, Decision found) {
+  const bool of_the_paper = algorithms()[found.algorithm].paper_average.has_value();
+  for (found.landmark = 0; found.landmark < sequence.size(); ++found.landmark) {
+    for (found.frame = 0; found.frame < sequence[found.landmark].size(); ++found.frame) {
+      const Reacquisition& one = sequence[found.landmark][found.frame];
+      found.confidence = one.match ? one.match->match_confidence : 0;
+      auto& example = outcomes[static_cast<std::size_t>(one.outcome)];
+      if (!example && of_the_paper) example = found;
+      if (one.outcome != MatchOutcome::kMismatched) continue;
+      if (!least_sure_mismatch || found.confidence < least_sure_mismatch->confidence) least_sure_mismatch = found;
+    }
+  }
+}
+
+bool Examples::complete() const {
+  return least_sure_mismatch && std::all_of(outcomes.begin(), outcomes.end(), [](const auto& one) { return one; });
+}
 
 std::size_t SequenceData::snapshot(std::size_t images) const {
   const auto found = std::find(after.begin(), after.end(), images);
@@ -130,29 +141,40 @@ SequenceData follow_sequence(Tour tour, std::size_t blocks, const std::vector<st
 
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
                          const Progress& progress) {
-  const auto sequence = [](std::uint64_t number, bool noisy, const std::vector<std::size_t>& after) {
-    constexpr BlocksWorld kKind = BlocksWorld::kFigures;
-    return follow_sequence(drive(blocks_world(kKind, number, noisy)), block_count(kKind), after);
-  };
   PaperData data;
   data.seed = seed;
   data.table_scenes = table_scenes;
   data.mean_images = kMeanImages;
   progress("the sequence that is drawn");
-  data.shown = sequence(seed, true, first_numbers(kPaperViews));
+  data.shown = figures_sequence(seed, true, first_numbers(kPaperViews));
   data.sequence = reacquire_by_all(data.shown);
   progress("more scenes, for means");
   data.novelty.resize(algorithms().size());
   for (std::uint64_t i = 1; i <= mean_scenes; ++i) {
-    data.noisy.push_back(sequence(seed + i, true, kMeanImages));
-    data.ideal.push_back(sequence(seed + i, false, kMeanImages));
+    data.noisy.push_back(figures_sequence(seed + i, true, kMeanImages));
+    data.ideal.push_back(figures_sequence(seed + i, false, kMeanImages));
     sample_novelty(data.noisy.back(), data.novelty);
   }
   progress("landmarks found again, for the table");
-  data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.mismatch);
-  for (std::uint64_t i = 0; i < kHardScenes && !data.mismatch; ++i) {
-    score_scenes(BlocksWorld::kHard, seed + i, 1, data.mismatch);
+  data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.examples);
+  for (std::uint64_t i = 0; i < kHardScenes && !data.examples.complete(); ++i) {
+    score_scenes(BlocksWorld::kHard, seed + i, 1, data.examples);
   }
+  return data;
+}
+
+PaperData evaluate_scene(std::uint64_t seed) {
+  PaperData data;
+  data.seed = seed;
+  data.table_scenes = 1;
+  data.mean_images = kMeanImages;
+  data.shown = figures_sequence(seed, true, first_numbers(kPaperViews));
+  data.sequence = reacquire_by_all(data.shown);
+  data.noisy.push_back(data.shown);
+  data.ideal.push_back(figures_sequence(seed, false, kMeanImages));
+  data.novelty.resize(algorithms().size());
+  sample_novelty(data.shown, data.novelty);
+  data.table = score_scenes(BlocksWorld::kPaperLike, seed, 1, data.examples);
   return data;
 }
 
@@ -178,7 +200,7 @@ PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progr
   data.table.resize(algorithms().size());
   for (std::size_t a = 0; a < data.table.size(); ++a) {
     data.table[a].add(data.sequence[a]);
-    keep_least_sure(data.sequence[a], {BlocksWorld::kPaperLike, 0, a, 0, 0, 0}, data.mismatch);
+    data.examples.add(data.sequence[a], {BlocksWorld::kPaperLike, 0, a, 0, 0, 0});
   }
   return data;
 }

@@ -1,6 +1,7 @@
 // All data of the figures, computed once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -45,14 +46,24 @@ struct NoveltySample {
 /// Sets of first images that Figure 13 builds its models of.
 inline const std::vector<std::size_t> kNoveltySets{8, 18, 36};
 
-/// A region that was wrongly taken for the landmark.
-struct Mismatch {
+/// What an algorithm decided about one landmark in one image.
+struct Decision {
   BlocksWorld world = BlocksWorld::kPaperLike;
   std::uint64_t seed = 0;
   std::size_t algorithm = 0;
   std::size_t landmark = 0;
   std::size_t frame = 0;
-  double confidence = 0;
+  double confidence = 0;  ///< of the match, if there is one
+};
+
+/// What is worth a picture.
+struct Examples {
+  std::optional<Decision> least_sure_mismatch;
+  std::array<std::optional<Decision>, kMatchOutcomes> outcomes;  ///< the first of each by an algorithm of the paper
+
+  /// Of a sequence of images; `found` says of which scene and algorithm.
+  void add(const Sequence& sequence, Decision found);
+  [[nodiscard]] bool complete() const;
 };
 
 struct PaperData {
@@ -64,8 +75,8 @@ struct PaperData {
   std::vector<SequenceData> ideal;        ///< the same scenes without noise
   std::vector<ReacquisitionScore> table;  ///< by algorithm, over `table_scenes` scenes
   std::size_t table_scenes = 0;
-  std::optional<Mismatch> mismatch;  ///< the one of least confidence in those scenes; if there is none, in a hard one
-  std::vector<Sequence> sequence;    ///< by algorithm: the shown scene's landmarks, by models of all its images
+  Examples examples;               ///< in those scenes; of what there is none, in hard ones
+  std::vector<Sequence> sequence;  ///< by algorithm: the shown scene's landmarks, by models of all its images
   std::vector<std::vector<NoveltySample>> novelty;  ///< by algorithm, over `noisy`
 };
 
@@ -78,6 +89,9 @@ using Progress = std::function<void(std::string_view what)>;
 /// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
                          const Progress& progress);
+
+/// The same of one scene of the curves and one of the table, alone: is a statement about many true of each?
+PaperData evaluate_scene(std::uint64_t seed);
 
 /// The same of one recorded run: the scene's first two objects are the landmarks (red, yellow), the means are of this
 /// run alone, and so is the table. errors: std::runtime_error: too few frames or objects.

@@ -31,8 +31,13 @@ void PaperFigure::add_picture(const std::string& name, const Picture& picture, c
   files.push_back({name, png(picture)});
 }
 
-void PaperFigure::say(bool holds, const std::string& text, const std::string& otherwise) {
-  claims.push_back({holds ? ClaimKind::kMatches : ClaimKind::kDiffers, holds ? text : "Not here: " + text + otherwise});
+void PaperFigure::say(const std::string& key, bool holds, const std::string& text, const std::string& otherwise) {
+  claims.push_back({holds ? ClaimKind::kMatches : ClaimKind::kDiffers, key,
+                    holds ? text : "Not here: " + text + otherwise, true, 0, 0});
+}
+
+void PaperFigure::compare(const std::string& key, bool better, const std::string& text) {
+  claims.push_back({better ? ClaimKind::kBeyond : ClaimKind::kWorse, key, text, true, 0, 0});
 }
 
 void Csv::row(const std::vector<std::string>& fields) {

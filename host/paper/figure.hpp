@@ -20,13 +20,20 @@ struct PaperFile {
 enum class ClaimKind : unsigned char {
   kMatches,  ///< the paper's statement holds here too
   kDiffers,  ///< it does not, with the reason
-  kBeyond,   ///< not in the paper
+  kBeyond,   ///< not in the paper: better than the paper's algorithms
+  kWorse,    ///< not in the paper, and no better
 };
 
 /// One sentence, plain text. Its numbers are computed.
 struct Claim {
   ClaimKind kind = ClaimKind::kMatches;
+  std::string key;  ///< of the figure's claims only this one; the same for other data
   std::string text;
+  bool of_scenes = true;   ///< may hold in one scene and not in the next
+  std::size_t scenes = 0;  ///< that were looked at one by one, and allow to say anything about it
+  std::size_t holds = 0;   ///< in so many of them
+
+  [[nodiscard]] bool good() const { return kind == ClaimKind::kMatches || kind == ClaimKind::kBeyond; }
 };
 
 struct PaperFigure {
@@ -41,8 +48,10 @@ struct PaperFigure {
   /// Adds an image with a caption below it (HTML), and its file.
   void add_picture(const std::string& name, const Picture& picture, const std::string& caption);
   void add_file(std::string name, std::string bytes) { files.push_back({std::move(name), std::move(bytes)}); }
-  /// `holds`: the claim is kMatches, otherwise kDiffers and `otherwise` is appended.
-  void say(bool holds, const std::string& text, const std::string& otherwise = {});
+  /// What the paper says. `holds`: the claim is kMatches, otherwise kDiffers and `otherwise` is appended.
+  void say(const std::string& key, bool holds, const std::string& text, const std::string& otherwise = {});
+  /// What the paper does not have, against what it has.
+  void compare(const std::string& key, bool better, const std::string& text);
   void add(const std::string& markup) { html += markup; }
 };
 
@@ -71,9 +80,6 @@ std::string scenes_text(const PaperData& data, std::size_t scenes);
 /// The first frame from `from` on (else before it) that shows both landmarks whole; `from` if there is none.
 std::size_t frame_with_both(const Tour& tour, std::size_t from);
 
-/// The true world from the true pose at `frame`, as a camera would take it.
-Picture real_picture(const Tour& tour, std::size_t frame);
-
 /// What `algorithm` has of `landmark` at a snapshot; empty if nothing.
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot);
@@ -89,6 +95,7 @@ PaperFigure figure_5(const PaperData& data);
 PaperFigure figure_6(const PaperData& data);
 PaperFigure figure_7(const PaperData& data);
 PaperFigure figure_8(const PaperData& data);
+PaperFigure figure_9(const PaperData& data);
 PaperFigure figure_10(const PaperData& data);
 PaperFigure figure_11(const PaperData& data);
 PaperFigure figure_12(const PaperData& data);

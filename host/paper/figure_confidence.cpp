@@ -68,14 +68,30 @@ struct Segments {
   std::size_t fitted = 0;
   std::size_t downward = 0;
 
-  void add(const std::optional<double>& slope) {
+  void add(const std::optional<Slope>& slope) {
     if (!slope) return;
     ++fitted;
-    if (*slope < 0) ++downward;
+    if (slope->falls()) ++downward;
   }
 };
 
-std::string slope_cell(const std::optional<double>& slope) { return slope ? figure(*slope, 2) : "nothing to fit"; }
+std::string slope_cell(const std::optional<Slope>& slope) {
+  return slope ? fmt::format("{}<small>\u00b1 {}</small>", figure(slope->value, 2), figure(slope->sigma, 2))
+               : "nothing to fit";
+}
+
+/// "8, 18 and 36", as far as there are so many images.
+std::string novelty_sets(const PaperData& data) {
+  std::vector<std::string> sets;
+  for (const std::size_t images : kNoveltySets) {
+    if (images <= data.shown.tour.frames.size()) sets.push_back(std::to_string(images));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == sets.size() ? " and " : ", ") + sets[i];
+  }
+  return text;
+}
 
 Chart novelty_chart(const Algorithm& algorithm, const std::vector<NoveltySample>& samples) {
   constexpr std::size_t kShown = 25;  ///< of so many viewpoints, one is a dot
@@ -92,35 +108,60 @@ Chart novelty_chart(const Algorithm& algorithm, const std::vector<NoveltySample>
 
 void say_of_novelty(PaperFigure& fig, const Segments& segments) {
   if (segments.fitted == 0) {
-    fig.say(false, "Confidence falls as novelty rises.",
+    fig.say("falls", false, "Confidence falls as novelty rises.",
             " All viewpoints on each side of half new are equally new: there is nothing to fit.");
     return;
   }
   fig.say(
-      2 * segments.downward > segments.fitted,
-      fmt::format("Confidence falls as novelty rises in {} of {} segments of the paper\u2019s three algorithms (the "
-                  "paper: in five of six).",
-                  segments.downward, segments.fitted),
-      " Below half new, the models already have the side that is in view; what else is in the image decides.");
+      "falls", 2 * segments.downward > segments.fitted,
+      fmt::format("Confidence falls as novelty rises, by more than two standard errors, in {} of {} segments of the "
+                  "paper\u2019s three algorithms (the paper: in all).",
+                  segments.downward, segments.fitted));
+}
+
+void say_who_is_least_sure(PaperFigure& fig, const PaperData& data) {
+  std::string list;
+  std::optional<std::size_t> least;
+  std::vector<double> means;
+  for (std::size_t a = 0; a < algorithms().size(); ++a) {
+    std::vector<double> values;
+    for (const NoveltySample& sample : data.novelty[a]) values.push_back(sample.confidence);
+    means.push_back(mean(values));
+    if (!algorithms()[a].paper_average || values.empty()) continue;
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", algorithms()[a].label, figure(means[a], 3));
+    if (!least || means[a] < means[*least]) least = a;
+  }
+  if (!least) return;
+  fig.say("least sure", algorithms()[*least].key == "carving",
+          fmt::format("Space carving is the least confident of the three (means: {}).", list));
 }
 
 double trend(const PaperData& data, std::size_t algorithm, double Score::*what) {
   return rank_correlation(against_thoroughness(data.noisy, algorithm, what));
 }
 
+constexpr int kThoroughnessParts = 20;
+constexpr std::size_t kLeastInPart = 3;
+
 void draw_trends(PaperFigure& fig, const PaperData& data) {
+  Csv parts("algorithm,measure,thoroughness,n,mean,deviation");
   fig.add("<div class=\"charts\">");
   for (const bool reckless : {true, false}) {
     Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
       ChartSeries series = series_of(algorithms()[a]);
-      series.points = binned_means(
-          against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia), 0, 1, 20, 3);
+      const auto points = against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia);
+      series.points = binned_means(points, 0, 1, kThoroughnessParts, kLeastInPart);
       chart.series.push_back(series);
+      for (const BinStatistics& bin : bin_statistics(points, 0, 1, kThoroughnessParts)) {
+        parts.row({std::string(algorithms()[a].key), reckless ? "recklessness" : "paranoia", csv_number(bin.x),
+                   std::to_string(bin.count), csv_number(bin.mean), bin.count > 1 ? csv_number(bin.deviation) : ""});
+      }
     }
     fig.add_svg(reckless ? "fig14_r.svg" : "fig14_p.svg", draw_chart(chart), "chart");
   }
   fig.add("</div>");
+  fig.add_file("fig14_parts.csv", parts.text());
 }
 
 void add_trend_table(PaperFigure& fig, const PaperData& data) {
@@ -147,20 +188,18 @@ void say_of_trends(PaperFigure& fig, const PaperData& data, std::size_t cylinder
   const double cylinder_p = trend(data, cylinder, &Score::paranoia);
   const double carving_p = trend(data, carving, &Score::paranoia);
   fig.say(
-      cylinder_p < 0 && carving_p < 0,
+      "paranoia", cylinder_p < 0 && carving_p < 0,
       fmt::format("Paranoia decreases as more of the object is seen, by cylinders (rank correlation {}) and by carving "
                   "({}).",
-                  figure(cylinder_p, 2), figure(carving_p, 2)),
-      " The additional images do not help here.");
+                  figure(cylinder_p, 2), figure(carving_p, 2)));
   const double cylinder_r = trend(data, cylinder, &Score::recklessness);
-  fig.say(cylinder_r < 0, fmt::format("Recklessness decreases too for cylinders ({}).", figure(cylinder_r, 2)),
-          " Its floor is the difference between a circle and the block.");
+  fig.say("recklessness of cylinders", cylinder_r < 0,
+          fmt::format("Recklessness decreases too for cylinders ({}).", figure(cylinder_r, 2)));
   const double carving_r = trend(data, carving, &Score::recklessness);
-  fig.say(carving_r > 0,
+  fig.say("recklessness of carving", carving_r > 0,
           fmt::format("For carving it can only increase, since what is cut away never comes back ({}){}.",
                       figure(carving_r, 2),
-                      data.run.empty() ? "; here not slowly: 5 % of our segments lose up to half of their width" : ""),
-          " No segment was too small.");
+                      data.run.empty() ? "; here not slowly: 5 % of our segments lose up to half of their width" : ""));
 }
 
 bool of_the_paper(const Algorithm& algorithm) { return algorithm.paper_average.has_value(); }
@@ -201,7 +240,7 @@ PaperFigure figure_12(const PaperData& data) {
   if (const auto cylinder = algorithm_index("cylinder")) {
     const Range range = range_of(data.sequence[*cylinder][kYellowLandmark]);
     fig.say(
-        range.high - range.low > 0.2,
+        "varies", range.high - range.low > 0.2,
         fmt::format("The confidence varies hugely with the pose of the camera, whatever the algorithm: by cylinders, "
                     "for yellow, between {} and {}, by {} from one image to the next. What else is in the image "
                     "decides it.",
@@ -214,10 +253,10 @@ PaperFigure figure_12(const PaperData& data) {
 PaperFigure figure_13(const PaperData& data) {
   PaperFigure fig{"13", "Match confidence against novelty", {}, {}, {}};
   fig.add(
-      fmt::format("<p>Models of the first 8, 18 and 36 images ({}), rendered from all poses that show the yellow "
+      fmt::format("<p>Models of the first {} images ({}), rendered from all poses that show the yellow "
                   "landmark. Novelty is that of the viewpoint over the images of the model. Lines: means over tenths "
                   "of novelty; dots: every 25th viewpoint.</p><div class=\"charts\">",
-                  scenes_text(data, data.noisy.size())));
+                  novelty_sets(data), scenes_text(data, data.noisy.size())));
   Csv csv("algorithm,images,novelty,match_confidence");
   Segments segments;
   std::string slopes;
@@ -239,10 +278,11 @@ PaperFigure figure_13(const PaperData& data) {
   }
   fig.add(
       "</div><div class=\"scroll\"><table class=\"counts\"><thead><tr><th>model</th><th class=\"n\">slope below "
-      "half new</th><th class=\"n\">slope above</th></tr></thead><tbody>\n" +
+      "half new, its standard error</th><th class=\"n\">slope above</th></tr></thead><tbody>\n" +
       slopes + "</tbody></table></div>\n");
   fig.add_file("fig13.csv", csv.text());
   say_of_novelty(fig, segments);
+  say_who_is_least_sure(fig, data);
   return fig;
 }
 
@@ -250,8 +290,9 @@ PaperFigure figure_14(const PaperData& data) {
   PaperFigure fig{"14", "Recklessness and paranoia against thoroughness", {}, {}, {}};
   fig.add(
       fmt::format("<p>The data of Figure 7 (yellow, {}) by the share of the perimeter that the images have "
-                  "shown: means over parts of 5 %.</p>",
-                  scenes_text(data, data.noisy.size())));
+                  "shown: means over parts of 5 % with at least {} points; how many and how far apart these are stands "
+                  "in fig14_parts.csv.</p>",
+                  scenes_text(data, data.noisy.size()), kLeastInPart));
   draw_trends(fig, data);
   add_trend_table(fig, data);
   const auto cylinder = algorithm_index("cylinder");
@@ -262,11 +303,11 @@ PaperFigure figure_14(const PaperData& data) {
   if (!hybrid) return fig;
   const double hybrid_r = trend(data, *hybrid, &Score::recklessness);
   const double hybrid_p = trend(data, *hybrid, &Score::paranoia);
-  fig.claims.push_back(
-      {ClaimKind::kBeyond,
-       fmt::format("The hybrid: rank correlation of its recklessness with thoroughness {}, of its paranoia {}{}.",
-                   figure(hybrid_r, 2), figure(hybrid_p, 2),
-                   hybrid_r < 0 && hybrid_p < 0 ? "; both fall, it takes back what a bad segment cut away" : "")});
+  fig.compare(
+      "hybrid", hybrid_r < 0 && hybrid_p < 0,
+      fmt::format("The hybrid: rank correlation of its recklessness with thoroughness {}, of its paranoia {}{}.",
+                  figure(hybrid_r, 2), figure(hybrid_p, 2),
+                  hybrid_r < 0 && hybrid_p < 0 ? "; both fall, it takes back what a bad segment cut away" : ""));
   return fig;
 }
 

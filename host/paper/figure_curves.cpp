@@ -66,34 +66,45 @@ std::string algorithm_legend() {
   return html + "</p>\n";
 }
 
-std::vector<Point> binned_means(const std::vector<Point>& points, double low, double high, int bins,
-                                std::size_t least) {
-  struct Bin {
-    double x = 0;
-    double y = 0;
-    std::size_t count = 0;
-  };
-  std::vector<Bin> all(static_cast<std::size_t>(bins));
+std::vector<BinStatistics> bin_statistics(const std::vector<Point>& points, double low, double high, int bins) {
+  std::vector<std::vector<Point>> all(static_cast<std::size_t>(bins));
   for (const Point& p : points) {
     if (!(p.x >= low && p.x <= high)) continue;
-    const auto at = static_cast<std::size_t>(std::min(bins - 1.0, std::floor((p.x - low) / (high - low) * bins)));
-    all[at] = {all[at].x + p.x, all[at].y + p.y, all[at].count + 1};
+    all[static_cast<std::size_t>(std::min(bins - 1.0, std::floor((p.x - low) / (high - low) * bins)))].push_back(p);
   }
+  std::vector<BinStatistics> statistics;
+  for (const std::vector<Point>& bin : all) {
+    if (bin.empty()) continue;
+    BinStatistics& one = statistics.emplace_back();
+    one.count = bin.size();
+    const auto n = static_cast<double>(bin.size());
+    for (const Point& p : bin) {
+      one.x += p.x / n;
+      one.mean += p.y / n;
+    }
+    if (bin.size() > 1) one.deviation = std::sqrt(central_moments(bin).yy / (n - 1));
+  }
+  return statistics;
+}
+
+std::vector<Point> binned_means(const std::vector<Point>& points, double low, double high, int bins,
+                                std::size_t least) {
   std::vector<Point> means;
-  for (const Bin& bin : all) {
-    const auto n = static_cast<double>(bin.count);
-    if (bin.count >= std::max<std::size_t>(1, least)) means.push_back({bin.x / n, bin.y / n});
+  for (const BinStatistics& bin : bin_statistics(points, low, high, bins)) {
+    if (bin.count >= least) means.push_back({bin.x, bin.mean});
   }
   return means;
 }
 
-std::optional<double> slope(const std::vector<Point>& points) {
+std::optional<Slope> slope(const std::vector<Point>& points) {
   constexpr double kLeastSpread = 1e-6;  // of shares; less is the rounding of equal ones
   const auto [least, greatest] =
       std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  if (points.empty() || greatest->x - least->x < kLeastSpread) return std::nullopt;
+  if (points.size() < 3 || greatest->x - least->x < kLeastSpread) return std::nullopt;
   const Moments moments = central_moments(points);
-  return moments.xy / moments.xx;
+  const double value = moments.xy / moments.xx;
+  const double residuals = std::max(0.0, moments.yy - value * moments.xy);
+  return Slope{value, std::sqrt(residuals / (static_cast<double>(points.size()) - 2) / moments.xx)};
 }
 
 double rank_correlation(const std::vector<Point>& points) {

@@ -21,9 +21,26 @@ std::string algorithm_legend();
 std::vector<Point> binned_means(const std::vector<Point>& points, double low, double high, int bins,
                                 std::size_t least = 1);
 
-/// Slope of the least-squares line, x being a share; empty if all x are the same but for rounding: nothing can be
-/// fitted.
-std::optional<double> slope(const std::vector<Point>& points);
+struct Slope {
+  double value = 0;
+  double sigma = 0;  ///< its standard error, by the residuals
+
+  /// True if it is below zero by more than chance would have it: by two standard errors.
+  [[nodiscard]] bool falls() const { return value < -2 * sigma; }
+};
+
+/// Of the least-squares line, x being a share; empty if there are fewer than three points, or all x are the same but
+/// for rounding: nothing can be fitted.
+std::optional<Slope> slope(const std::vector<Point>& points);
+
+/// The points whose x is in one of the equal parts of a range.
+struct BinStatistics {
+  double x = 0;  ///< mean
+  std::size_t count = 0;
+  double mean = 0;
+  double deviation = 0;  ///< standard, of the points
+};
+std::vector<BinStatistics> bin_statistics(const std::vector<Point>& points, double low, double high, int bins);
 
 /// Spearman's rank correlation, ties averaged; 0 for fewer than two points.
 double rank_correlation(const std::vector<Point>& points);

@@ -1,10 +1,11 @@
-// Figures 4, 6, 8 and 11: real images beside rendered ones.
+// Figures 4, 6 and 8: real images beside rendered ones.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "host/geometry/planar.hpp"
 #include "host/paper/figure.hpp"
+#include "host/paper/figure_pictures.hpp"
 #include "host/report/markup.hpp"
 
 namespace fencepost::host {
@@ -12,47 +13,6 @@ namespace {
 
 using markup::escaped;
 using markup::figure;
-
-constexpr int kScale = 2;  ///< of images on the page
-constexpr sensor::Rgb kBlack{20, 24, 30};
-constexpr sensor::Rgb kMagenta{200, 0, 160};
-
-PictureView view_at(const Tour& tour, const TimedPose& robot) {
-  const auto& pitch = tour.scene.camera.mount.pitch;
-  return {tour.scene.camera, lens_at(tour.scene.camera, robot), pitch ? pitch->to_double() : 0.0, kScale};
-}
-
-std::vector<Solid> true_world(const Tour& tour) {
-  std::vector<Solid> world;
-  for (std::size_t i = 0; i < tour.scene.objects.size(); ++i) world.push_back(solid_of(tour.scene, i));
-  return world;
-}
-
-/// The silhouettes in flat colours, and around them the boxes that the camera reports.
-Picture segmentation(const Tour& tour, std::size_t frame) {
-  const PictureView view = view_at(tour, tour.frames[frame].pose);
-  Picture picture = draw_picture(true_world(tour), view, PictureStyle::kSegmented);
-  for (const Region& region : tour.images[frame].regions) draw_box(picture, view, region, kBlack);
-  return picture;
-}
-
-/// The models' silhouettes from the believed pose; their boxes dashed, the real regions' boxes solid.
-Picture rendered_picture(const Tour& tour, const std::vector<Solid>& world, std::size_t frame,
-                         const std::vector<Reacquisition>& both) {
-  const PictureView view = view_at(tour, believed_pose(tour, frame));
-  Picture picture = draw_picture(world, view, PictureStyle::kSegmented);
-  for (const Region& region : tour.images[frame].regions) {
-    if (region.signature == 1 || region.signature == 2) draw_box(picture, view, region, kBlack);
-  }
-  for (const Reacquisition& one : both) {
-    if (one.rendered) draw_box(picture, view, *one.rendered, kMagenta, true);
-  }
-  return picture;
-}
-
-std::string error_text(const Reacquisition& one) {
-  return one.match ? figure(one.match->error, 3) : std::string("not rendered");
-}
 
 /// The lens on the same side, but raised, looking down at the middle of the blocks.
 PictureView raised_view(const Tour& tour, std::size_t frame) {
@@ -99,6 +59,21 @@ std::string terms_table(const std::vector<TermSample>& samples) {
   return html + "</tbody></table></div>\n";
 }
 
+/// The paper lists its criteria in decreasing importance.
+void say_of_weights(PaperFigure& fig) {
+  const auto terms = named_terms({});
+  const bool decreasing = std::is_sorted(terms.begin(), terms.end(),
+                                         [](const NamedTerm& a, const NamedTerm& b) { return a.weight > b.weight; });
+  std::string list;
+  for (const NamedTerm& term : terms) {
+    list += fmt::format("{}{} {:.2f}", list.empty() ? "" : ", ", term.name, term.weight);
+  }
+  fig.say("weights", decreasing, fmt::format("The criteria weigh less in the paper's order: {}.", list),
+          " The weight of location was raised on other scenes: where a second thing has the landmark's colour, nothing "
+          "else tells them apart.");
+  fig.claims.back().of_scenes = false;
+}
+
 /// Of the landmark's own region, the widest; nothing if it is not in the image.
 const Region* own_region(const RealImage& image, std::size_t landmark) {
   const Region* widest = nullptr;
@@ -111,17 +86,13 @@ const Region* own_region(const RealImage& image, std::size_t landmark) {
 
 }  // namespace
 
-Picture real_picture(const Tour& tour, std::size_t frame) {
-  return draw_picture(true_world(tour), view_at(tour, tour.frames[frame].pose), PictureStyle::kShaded);
-}
-
 PaperFigure figure_4(const PaperData& data) {
   PaperFigure fig{"4", "An input image and the models of the two objects", {}, {}, {}};
   const Tour& tour = data.shown.tour;
   constexpr std::size_t kFrame = 0;
   fig.add("<div class=\"pictures\">");
   fig.add_picture("fig04_input.png", real_picture(tour, kFrame),
-                  fmt::format("input: image 1 of {}", tour.frames.size()));
+                  fmt::format("input: image 1 of {}, {}", tour.frames.size(), real_picture_name(tour)));
   const PictureView raised = raised_view(tour, kFrame);
   const std::size_t last = data.shown.snapshot(tour.frames.size());
   fig.add_picture("fig04_truth.png",
@@ -156,7 +127,7 @@ PaperFigure figure_6(const PaperData& data) {
                   "boxes that the camera reports. Magenta, dashed: what the model renders.</p><div "
                   "class=\"pictures\">",
                   images, frame + 1));
-  fig.add_picture("fig06_real.png", real_picture(tour, frame), "real image");
+  fig.add_picture("fig06_real.png", real_picture(tour, frame), "real image, " + real_picture_name(tour));
   fig.add_picture("fig06_segmented.png", segmentation(tour, frame), "its regions");
   std::vector<TermSample> samples;
   Csv csv("algorithm,landmark,hue,rgb,width,height,shape,location,error");
@@ -190,8 +161,9 @@ PaperFigure figure_6(const PaperData& data) {
     }
   }
   fig.add("</div>" + terms_table(samples));
+  say_of_weights(fig);
   fig.say(
-      right < wrong,
+      "criteria", right < wrong,
       fmt::format("The criteria tell the landmarks from everything else in this image: the largest error of a right "
                   "pair is {}, the least of a wrong one {}.",
                   figure(right, 3), figure(wrong, 3)),
@@ -209,7 +181,7 @@ PaperFigure figure_8(const PaperData& data) {
        {frame_with_both(tour, tour.frames.size() / 4), frame_with_both(tour, tour.frames.size() * 4 / 5)}) {
     fig.add("<div class=\"pictures\">");
     fig.add_picture(fmt::format("fig08_{}_real.png", frame + 1), real_picture(tour, frame),
-                    fmt::format("image {}", frame + 1));
+                    fmt::format("image {}, {}", frame + 1, real_picture_name(tour)));
     fig.add_picture(fmt::format("fig08_{}_segmented.png", frame + 1), segmentation(tour, frame), "its regions");
     for (const Algorithm& algorithm : algorithms()) {
       const auto world = world_of(tour, data.shown.models, algorithm, data.shown.snapshot(tour.frames.size()));
@@ -233,64 +205,18 @@ PaperFigure figure_8(const PaperData& data) {
   if (cylinder && carving) {
     const double by_cylinder = mean(data.table[*cylinder].right_errors);
     const double by_carving = mean(data.table[*carving].right_errors);
-    fig.say(by_cylinder < by_carving,
+    fig.say("recognition", by_cylinder < by_carving,
             fmt::format(
                 "Triangulation yields better recognition than space carving: in the decisions of Figure 10 the mean "
                 "error of a right match is {} by cylinders and {} by carving.",
                 figure(by_cylinder, 3), figure(by_carving, 3)),
-            " With this little noise carving loses nothing of the landmarks.");
+            std::string());
+    if (const auto hybrid = algorithm_index("hybrid")) {
+      const double by_hybrid = mean(data.table[*hybrid].right_errors);
+      fig.compare("hybrid", by_hybrid < std::min(by_cylinder, by_carving),
+                  fmt::format("By the hybrid the mean error of a right match is {}.", figure(by_hybrid, 3)));
+    }
   }
-  if (const auto hybrid = algorithm_index("hybrid")) {
-    fig.claims.push_back({ClaimKind::kBeyond, fmt::format("By the hybrid the mean error of a right match is {}.",
-                                                          figure(mean(data.table[*hybrid].right_errors), 3))});
-  }
-  return fig;
-}
-
-PaperFigure figure_11(const PaperData& data) {
-  PaperFigure fig{"11", "A mismatch of low confidence", {}, {}, {}};
-  Csv csv("world,seed,image,algorithm,landmark,error,match_confidence");
-  if (!data.mismatch) {
-    fig.add("<p>No landmark was taken for something else in any scene of this page.</p>");
-    fig.add_file("fig11.csv", csv.text());
-    return fig;
-  }
-  const Mismatch& found = *data.mismatch;
-  const bool hard = found.world == BlocksWorld::kHard;
-  const bool recorded = !data.run.empty();
-  const Tour tour = recorded ? data.shown.tour : drive(blocks_world(found.world, found.seed));
-  RegionRenderer renderer(tour.scene.camera);
-  const std::size_t blocks = recorded ? data.shown.models.given.size() : block_count(found.world);
-  const Models models = reconstruct(tour, blocks, {tour.frames.size()});
-  const Algorithm& algorithm = algorithms()[found.algorithm];
-  const auto world = world_of(tour, models, algorithm, 0);
-  const auto both = reacquire_both(tour, renderer, world, found.frame);
-  const LandmarkMatch& match = *both[found.landmark].match;
-  Picture real = real_picture(tour, found.frame);
-  draw_box(real, view_at(tour, tour.frames[found.frame].pose), tour.images[found.frame].regions[match.best], kMagenta);
-  fig.add("<div class=\"pictures\">");
-  fig.add_picture("fig11_real.png", real, "real image; magenta: the region that was taken");
-  fig.add_picture("fig11_segmented.png", segmentation(tour, found.frame), "its regions");
-  fig.add_picture("fig11_rendered.png", rendered_picture(tour, world, found.frame, both),
-                  fmt::format("rendered by {}", escaped(algorithm.label)));
-  fig.add("</div>");
-  const auto& owner = tour.images[found.frame].truths[match.best].object;
-  fig.add(fmt::format("<p>The {} landmark, as the {} renders it, matched {} (error {}).</p>",
-                      landmark_name(found.landmark), escaped(algorithm.label),
-                      owner ? escaped(tour.scene.objects[*owner].name) : std::string("a false region"),
-                      figure(match.error, 3)));
-  fig.say(match.match_confidence < 0.1,
-          fmt::format("Of all mismatches in {}, the least sure one has a confidence of {} (the paper's: 0.003): almost "
-                      "no faith should be placed in it.",
-                      hard ? "a hard scene (the paper-like ones have none)" : scenes_text(data, data.table_scenes),
-                      figure(match.match_confidence, 3)),
-          " The landmark is not in the image, and nothing else is near.");
-  csv.row({recorded ? data.run
-           : hard   ? "hard"
-                    : "paper-like",
-           std::to_string(found.seed), std::to_string(found.frame + 1), std::string(algorithm.key),
-           landmark_name(found.landmark), csv_number(match.error), csv_number(match.match_confidence)});
-  fig.add_file("fig11.csv", csv.text());
   return fig;
 }
 

@@ -125,7 +125,7 @@ PaperFigure figure_5(const PaperData& data) {
       bold = bold && data.shown.score(*carving, landmark, kImages).recklessness <=
                          data.shown.score(*cylinder, landmark, kImages).recklessness;
     }
-    fig.say(bold,
+    fig.say("trade-off", bold,
             "The two values track the trade-off: the carved region encloses more of each object, the cylinder "
             "claims less free space.",
             " In this scene a lost piece of a segment cuts the carved region at once.");

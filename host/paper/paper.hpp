@@ -18,9 +18,10 @@ struct PaperRun {
 
 struct PaperOptions {
   std::uint64_t seed = 1;
-  std::size_t scenes = 60;       ///< of Figure 10
-  std::size_t mean_scenes = 20;  ///< of the curves
-  std::optional<PaperRun> run;   ///< then the seed and the numbers of scenes play no part
+  std::size_t scenes = 60;         ///< of Figure 10
+  std::size_t mean_scenes = 20;    ///< of the curves
+  std::size_t single_scenes = 20;  ///< in each of which, alone, every claim is looked at again
+  std::optional<PaperRun> run;     ///< then the seed and the numbers of scenes play no part
   std::string generator = "fencepost";
   Progress progress = [](std::string_view) {};
 };

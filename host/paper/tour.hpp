@@ -1,11 +1,14 @@
 // One scene, simulated once: the robot's inputs, and the ground truth.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "hal/sensor/odometry.hpp"
 #include "host/metrics/reacquisition.hpp"
+#include "host/render/picture.hpp"
 #include "host/scene/scene.hpp"
 #include "host/simulate/truth.hpp"
 
@@ -31,6 +34,8 @@ struct Tour {
   std::vector<sensor::OdometrySample> poses;    ///< as the log has them, at each frame's exposure
   std::vector<RealImage> images;                ///< one for each frame
   std::vector<std::vector<HiddenEnds>> hidden;  ///< by frame and object
+  /// What the camera took, by the frame's number; none: images are drawn from the scene.
+  std::function<Picture(std::uint32_t)> photograph;
 };
 
 /// errors: std::runtime_error: the scene cannot be simulated, or has no odometry at an exposure.

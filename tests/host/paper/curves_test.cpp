@@ -21,10 +21,13 @@ TEST(BinnedMeans, AreOfThePointsInEachPart) {
 }
 
 TEST(Slope, IsTheLeastSquaresLines) {
-  EXPECT_NEAR(slope({{0, 1}, {1, 3}, {2, 5}}).value(), 2, 1e-12);
+  EXPECT_NEAR(slope({{0, 1}, {1, 3}, {2, 5}})->value, 2, 1e-12);
+  EXPECT_NEAR(slope({{0, 1}, {1, 3}, {2, 5}})->sigma, 0, 1e-7);
   // Means (1, 2): sums of dx dy = 1*1 + 1*1 = 2, of dx^2 = 2.
-  EXPECT_NEAR(slope({{0, 1}, {1, 2}, {2, 3}}).value(), 1, 1e-12);
-  EXPECT_NEAR(slope({{0, 0}, {1, 3}, {2, 0}}).value(), 0, 1e-12);
+  EXPECT_NEAR(slope({{0, 1}, {1, 2}, {2, 3}})->value, 1, 1e-12);
+  EXPECT_NEAR(slope({{0, 0}, {1, 3}, {2, 0}})->value, 0, 1e-12);
+  // Residuals 1, -2, 1 of one degree of freedom, over a sum of squares of 2.
+  EXPECT_NEAR(slope({{0, 0}, {1, 3}, {2, 0}})->sigma, std::sqrt(3.0), 1e-9);
   EXPECT_FALSE(slope({{1, 1}, {1, 2}}));
   EXPECT_FALSE(slope({{1, 1}}));
   EXPECT_FALSE(slope({}));
@@ -36,7 +39,7 @@ TEST(Slope, RoundingIsNoSpread) {
   const double same = 0.1 + 0.2;
   ASSERT_NE(same, 0.3);
   EXPECT_FALSE(slope({{same, 0.2}, {0.3, 0.9}, {0.3, 0.4}}));
-  EXPECT_NEAR(slope({{0.3, 0.4}, {0.30001, 0.5}}).value(), 1e4, 1) << "a small spread is one";
+  EXPECT_NEAR(slope({{0.3, 0.4}, {0.30001, 0.5}, {0.30002, 0.6}})->value, 1e4, 1) << "a small spread is one";
 }
 
 PaperData novelties(const std::vector<std::vector<NoveltySample>>& samples) {
@@ -86,8 +89,8 @@ TEST(CsvNumber, IsEmptyWhereThereIsNone) {
 
 TEST(PaperFigure, SaysWhetherAClaimHolds) {
   PaperFigure figure{"1", "t", {}, {}, {}};
-  figure.say(true, "So it is.", " A reason.");
-  figure.say(false, "So it is.", " A reason.");
+  figure.say("one", true, "So it is.", " A reason.");
+  figure.say("other", false, "So it is.", " A reason.");
   ASSERT_EQ(figure.claims.size(), 2U);
   EXPECT_EQ(figure.claims[0].kind, ClaimKind::kMatches);
   EXPECT_EQ(figure.claims[0].text, "So it is.");

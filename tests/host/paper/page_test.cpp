@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "host/paper/paper.hpp"
@@ -15,6 +16,7 @@ PaperOptions few_scenes() {
   options.seed = 5;
   options.scenes = 2;
   options.mean_scenes = 2;
+  options.single_scenes = 1;
   options.generator = "test & <check>";
   return options;
 }
@@ -43,20 +45,21 @@ std::set<std::string> values_of(const std::string& attribute) {
 
 TEST(WritePaper, GivesTheSameBytesEachTime) {
   const std::vector<PaperFile> again = write_paper(few_scenes());
-  EXPECT_EQ(again.size(), files().size());
+  EXPECT_EQ(again.size(), files().size()) << "each file is named once";
   for (const PaperFile& file : again) EXPECT_EQ(file.bytes, files().at(file.name)) << file.name;
 }
 
 TEST(WritePaper, GivesOtherBytesForAnotherSeed) {
   PaperOptions options = few_scenes();
   options.seed = 6;
-  EXPECT_NE(write_paper(options).front().bytes, page());
+  options.single_scenes = 0;
+  const std::string other = write_paper(options).front().bytes;
+  EXPECT_NE(other, page());
+  EXPECT_EQ(other.find("taken alone"), std::string::npos);
 }
 
-TEST(WritePaper, NamesEachFileOnce) { EXPECT_EQ(write_paper(few_scenes()).size(), files().size()); }
-
 TEST(WritePaper, HasEveryFigureOfThePaper) {
-  for (const std::string number : {"4", "5", "6", "7", "8", "10", "11", "12", "12b", "13", "14"}) {
+  for (const std::string number : {"4", "5", "6", "7", "8", "9", "10", "11", "12", "12b", "13", "14"}) {
     EXPECT_NE(page().find("<section id=\"fig" + number + "\">"), std::string::npos) << number;
     const std::string csv = "fig" + std::string(number[0] > '3' && number.size() == 1 ? "0" : "") + number + ".csv";
     EXPECT_TRUE(files().contains(csv)) << csv;
@@ -102,12 +105,14 @@ TEST(WritePaper, HasTablesWithTheirHeadersAndWholeRows) {
       {"fig06.csv", "algorithm,landmark,hue,rgb,width,height,shape,location,error"},
       {"fig07.csv", "scenes,image,algorithm,recklessness,paranoia,iou"},
       {"fig08.csv", "image,algorithm,landmark,error,match_confidence,outcome"},
+      {"fig09.csv", "outcome,correct,world,seed,image,algorithm,landmark,error"},
       {"fig10.csv", "landmark,result,algorithm,wrong,all,right_percent,paper_percent"},
       {"fig11.csv", "world,seed,image,algorithm,landmark,error,match_confidence"},
       {"fig12.csv", "image,landmark,algorithm,error,match_confidence,margin,outcome"},
       {"fig12b.csv", "image,landmark,thoroughness,novelty"},
       {"fig13.csv", "algorithm,images,novelty,match_confidence"},
-      {"fig14.csv", "algorithm,thoroughness,recklessness,paranoia"}};
+      {"fig14.csv", "algorithm,thoroughness,recklessness,paranoia"},
+      {"fig14_parts.csv", "algorithm,measure,thoroughness,n,mean,deviation"}};
   for (const auto& [name, header] : headers) {
     const std::string& text = files().at(name);
     EXPECT_EQ(text.substr(0, text.find('\n')), header) << name;
@@ -125,6 +130,31 @@ TEST(WritePaper, ComparesEveryAlgorithmInEveryTable) {
       EXPECT_NE(files().at(name).find(std::string(algorithm.key) + ","), std::string::npos) << name;
     }
   }
+}
+
+TEST(WritePaper, SaysInHowManyScenesASentenceHolds) {
+  const std::regex counted("Holds in ([0-9]+) of ([0-9]+) scenes taken alone");
+  std::size_t sentences = 0;
+  for (std::sregex_iterator it(page().begin(), page().end(), counted); it != std::sregex_iterator(); ++it) {
+    EXPECT_LE(std::stoi((*it)[1]), std::stoi((*it)[2]));
+    EXPECT_EQ(std::stoi((*it)[2]), 1);
+    ++sentences;
+  }
+  EXPECT_GT(sentences, 30U);  // each twice: in the summary and below its figure
+}
+
+// Figure 9: an example of each of the six outcomes, as a picture of what was taken and one of what was rendered.
+TEST(WritePaper, ShowsTheSixOutcomes) {
+  std::size_t shown = 0;
+  for (const MatchOutcome outcome : {MatchOutcome::kMatched, MatchOutcome::kUnmatched, MatchOutcome::kUnseen,
+                                     MatchOutcome::kMismatched, MatchOutcome::kMissed, MatchOutcome::kUnrendered}) {
+    const std::string prefix = "fig09_" + std::string(name(outcome));
+    EXPECT_EQ(files().contains(prefix + "_real.png"), files().contains(prefix + "_rendered.png")) << prefix;
+    if (files().contains(prefix + "_real.png")) ++shown;
+  }
+  EXPECT_GE(shown, 5U);
+  // What has no example is named.
+  EXPECT_EQ(shown < 6, page().find("There is no example of: ") != std::string::npos);
 }
 
 TEST(WritePaper, CountsEveryDecisionOfTheTable) {
