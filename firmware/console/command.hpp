@@ -89,7 +89,7 @@ Answer about_key(Reply reply, Reply of_device, bool offered, std::string_view ke
 /// The names of all settings, those of devices behind the others.
 std::string_view name_of_key(std::size_t index);
 
-/// The name nearest to `word` among those of `all(0) .. all(count - 1)`, if any is near: it begins with `word`, or
+/// The name nearest to `word` among those that are offered, if any is near: it begins with `word`, or
 /// holds it, or differs by at most two letters.
 class NearestName {
  public:

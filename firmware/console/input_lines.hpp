@@ -13,7 +13,7 @@ namespace fencepost::console {
 
 class InputLines {
  public:
-  /// A line ends with '\r' or '\n', "\r\n" is one end. One of at most kMaxLine - 1 characters fits.
+  /// A line ends with CR or LF, the two together are one end. One of at most kMaxLine - 1 characters fits.
   struct Line {
     std::span<char> text;  ///< without its end; of a line that was too long, its first characters
     bool too_long = false;

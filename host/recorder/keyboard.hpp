@@ -20,7 +20,7 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// What is to be sent now; never waits. From a terminal whole lines, each ended with '\r'.
+  /// What is to be sent now; never waits. From a terminal whole lines, each ended with CR.
   std::string read();
   /// Once in a while: a shell that stopped and continued the program has set the terminal its own way.
   void tend();
