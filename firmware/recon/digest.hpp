@@ -6,8 +6,8 @@
 //   since which exposure the robot stands;
 //   of the guard beside the map: how many points it has, and four of them in turn;
 //   of the check of the lens: one of its four parts in turn.
-//   unless pose correction is off: the filter's pose and covariance, how far odometry drifts, and the landmark of that
-//   slot with all of its covariances.
+//   in frames that the pose correction takes: the filter's pose and covariance, how far odometry drifts, and one
+//   landmark in turn with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 

@@ -108,7 +108,7 @@ class Map {
     hash_standing(hash, standing_);
     hash_guard(hash, guard_, frames_);
     lens_check_.hash(hash, frames_);
-    if (correction_.running()) hash_correction(hash, correction_, frames_ % kObjects);
+    if (correction_.looks()) hash_correction(hash, correction_, correction_.looks_taken() % kObjects);
     ++frames_;
     digest_ = hash.value();
   }

@@ -24,7 +24,7 @@ class DriftEvidence {
     };
     sum_ = std::max(0.0F, sum_ + off(by_odometry) - off(by_filter) - kEvidenceSlack);
   }
-  [[nodiscard]] bool enough() const { return sum_ > kEvidence; }
+  [[nodiscard]] bool enough(float least) const { return sum_ > least; }
   /// For the digest.
   [[nodiscard]] float sum() const { return sum_; }
 

@@ -59,26 +59,54 @@ float along(const Jacobian& jacobian, std::size_t slot, Row&& row) {
          jacobian.heading * row(kHeading);
 }
 
-// P J' for all states.
-void project(const FilterView& filter, std::size_t slot, const Jacobian& jacobian, std::span<float> out) {
-  const Covariance covariance(filter);
-  const std::span<const float> own = covariance.radius(slot);
-  const std::size_t places = covariance.places();
-  for (std::size_t i = 0; i < places; ++i) {
-    out[i] = along(jacobian, slot, [&](std::size_t j) { return covariance.at(i, j); }) + jacobian.radius * own[i];
-  }
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
-    const std::span<const float> radius = covariance.radius(l);
-    out[places + l] = along(jacobian, slot, [&](std::size_t j) { return radius[j]; });
-  }
-  out[places + slot] += jacobian.radius * own[places];
-}
+/// The step of an equation, as far as it is known: P J', by states.
+class Projection {
+ public:
+  Projection(const FilterView& filter, std::size_t slot, const Jacobian& jacobian, std::span<float> out)
+      : covariance_(filter),
+        landmarks_(filter.landmarks.size()),
+        slot_(slot),
+        jacobian_(jacobian),
+        own_(covariance_.radius(slot)),
+        out_(out) {}
 
-// J P J' of what project() gave.
-float variance_along(const Jacobian& jacobian, std::size_t slot, std::size_t places, std::span<const float> projected) {
-  return along(jacobian, slot, [&](std::size_t j) { return projected[j]; }) +
-         jacobian.radius * projected[places + slot];
-}
+  /// Of the states that the equation is about. J P J'.
+  [[nodiscard]] float own() const {
+    for (const std::size_t i : {std::size_t{kX}, std::size_t{kY}, std::size_t{kHeading}, x_of(slot_), y_of(slot_)}) {
+      project_place(i);
+    }
+    project_radius(slot_);
+    return along(jacobian_, slot_, [&](std::size_t j) { return out_[j]; }) +
+           jacobian_.radius * out_[covariance_.places() + slot_];
+  }
+  /// Of all others.
+  void others() const {
+    for (std::size_t l = 0; l < landmarks_; ++l) {
+      if (l == slot_) continue;
+      project_place(x_of(l));
+      project_place(y_of(l));
+      project_radius(l);
+    }
+  }
+
+ private:
+  void project_place(std::size_t i) const {
+    out_[i] = along(jacobian_, slot_, [&](std::size_t j) { return covariance_.at(i, j); }) + jacobian_.radius * own_[i];
+  }
+  void project_radius(std::size_t l) const {
+    const std::span<const float> radius = covariance_.radius(l);
+    float& part = out_[covariance_.places() + l];
+    part = along(jacobian_, slot_, [&](std::size_t j) { return radius[j]; });
+    if (l == slot_) part += jacobian_.radius * own_[covariance_.places()];
+  }
+
+  Covariance covariance_;
+  std::size_t landmarks_;
+  std::size_t slot_;
+  Jacobian jacobian_;
+  std::span<const float> own_;
+  std::span<float> out_;
+};
 
 bool stays_positive(const FilterView& filter, std::span<const float> projected, float innovation) {
   const Covariance covariance(filter);
@@ -264,21 +292,23 @@ void forget_landmark(const FilterView& filter, std::size_t slot) {
 }
 
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step) {
+                       std::span<float> step, float least_told) {
   const MapPose& pose = filter.at.pose;
   const Landmark& landmark = filter.landmarks[slot];
-  const std::size_t places = places_of(filter.landmarks.size());
   const Vec2 map_R_robot = direction_of(pose.heading);
   const Vec2 normal = rotated(map_R_robot, seen.normal);
   const Vec2 away = offset_from(pose.position, landmark.center);
   const Jacobian jacobian = jacobian_of(rotated(map_R_robot, seen.slope), away, seen.radii);
   const float residual = seen.bound - normal.dot(away) - seen.radii * landmark.radius;
-  project(filter, slot, jacobian, step);
-  float innovation = variance_along(jacobian, slot, places, step) + variance;
+  const Projection projection(filter, slot, jacobian, step);
+  const float known = projection.own();
+  float innovation = known + variance;
   if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
   const float squared = residual * residual / innovation;
   compare(filter.gauge, jacobian, squared, innovation);
   if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
+  if (known < least_told * variance) return TangentFate::kKnown;
+  projection.others();
   if (squared > kHuberSigmas * kHuberSigmas) innovation *= std::sqrt(squared) / kHuberSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
   const float gain = residual / innovation;

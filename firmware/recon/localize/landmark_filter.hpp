@@ -65,6 +65,7 @@ struct PoseSigma {
 
 enum class TangentFate : std::uint8_t {
   kUsed,
+  kKnown,    ///< hardly less certain than what was seen: not worth its cost, which is nearly all saved
   kGated,    ///< more than three sigmas off: of something else, or cut short
   kRefused,  ///< the numbers would not be a covariance any more, or the step is absurd: nothing was changed
 };
@@ -115,10 +116,12 @@ void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGues
 void forget_landmark(const FilterView& filter, std::size_t slot);
 
 /// Takes one equation of the landmark in `slot`: `variance` (m^2) of its bound, non-roundness included.
-/// Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if it was used it then
-/// holds by how much each state was moved (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
+/// It is left out if its bound is known better than the share
+/// `least_told` of that. Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if it was
+/// used it then holds by how much each state was moved (m, rad). Cost: (places^2 + 4 places * landmarks)
+/// multiplications.
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step);
+                       std::span<float> step, float least_told = 0);
 
 /// The landmark as seen from the robot: its centre from the pose's position, map axes, and the covariance of what is
 /// between the two, the heading's part included.

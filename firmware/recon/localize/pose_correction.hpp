@@ -55,11 +55,13 @@ template <class Profile>
 class PoseCorrection {
  public:
   static constexpr std::size_t kLandmarks = Profile::kObjects;
+  /// Where there is no time for all that is seen, there is none for all frames.
+  static constexpr LandmarkPace kPace = Profile::kLookTurns < kLandmarks ? kPaceOfRobots : kPaceOfDesks;
 
   /// A new run: the map frame is that of the odometry.
   void clear() {
     running_ = corrects_ = looks_ = false;
-    next_ = 0;
+    next_ = looks_taken_ = 0;
     evidence_.clear();
     strayers_.clear();
     filter_.view().at = at_ = {};
@@ -77,13 +79,17 @@ class PoseCorrection {
     }
     running_ = on;
     corrects_ = on && (corrects_ || order.always);
-    looks_ = on && (corrects_ || has_gone(odometry));
+    looks_ = on && has_gone(odometry, corrects_ ? kPace.corrected : kPace.believed);
     if (looks_) drive_to(filter_.view(), odometry, drift_noise(order.drift));
     if (corrects_) at_ = filter_.at();
     return corrected(odometry);
   }
 
   [[nodiscard]] bool running() const { return running_; }
+  /// Takes the latest frame.
+  [[nodiscard]] bool looks() const { return looks_; }
+  /// For the digest: how often it did, whose parts take turns by that.
+  [[nodiscard]] std::uint8_t looks_taken() const { return looks_taken_; }
   /// Odometry is not believed any more.
   [[nodiscard]] bool corrects() const { return corrects_; }
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(at_, odometry); }
@@ -117,6 +123,7 @@ class PoseCorrection {
   [[gnu::noinline]] MapPose correct(const MapPose& driven, Objects& objects, const Matcher& matcher,
                                     const CameraModel& camera, const MeasurementNoise& noise) {
     if (!looks_) return driven;
+    ++looks_taken_;
     const LensPose lens = lens_pose(driven, camera);
     // Whether odometry drifts can be asked of one landmark at a time; where it is needs as many as there is time for.
     const std::size_t most = corrects_ ? Profile::kModelTurns : Profile::kLookTurns;
@@ -181,10 +188,14 @@ class PoseCorrection {
   // The largest surprise.
   float apply(std::size_t slot, const SightedCircle& circle) {
     float surprise = 0;
-    for (const SightedCircle::Line& line : circle.lines) {
-      if (!(line.variance > 0)) continue;
+    // What tells the distance by itself and what tells the radius take turns, where there is no time for both.
+    const bool both_ends = circle.middle().variance > 0;
+    const std::size_t left_out = kPace.in_turns && both_ends ? (looks_taken_ % 2U) * 2U : circle.lines.size();
+    for (std::size_t i = 0; i < circle.lines.size(); ++i) {
+      const SightedCircle::Line& line = circle.lines[i];
+      if (!(line.variance > 0) || i == left_out) continue;
       std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step));
+      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step, kPace.least_told));
       surprise = std::max(surprise, filter_.gauge().surprise);
     }
     return surprise;
@@ -202,16 +213,16 @@ class PoseCorrection {
   // Residuals that are larger than expected, of lost pieces and false blobs, make the filter surer than it should be.
   [[nodiscard]] bool knows_better_than(const MapPose& driven) {
     const float usual = std::max(1.0F, filter_.gauge().usual);
-    return evidence_.enough() && distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
+    return evidence_.enough(kPace.evidence) &&
+           distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
   }
 
-  // While odometry is believed, the filter looks only as often as there is something new to compare: most frames of a
-  // small robot go without.
-  [[nodiscard]] bool has_gone(const MapPose& odometry) const {
+  // The filter looks only as often as there is something new to compare: most frames of a small robot go without.
+  [[nodiscard]] bool has_gone(const MapPose& odometry, const LookInterval& interval) const {
     const MapPose& last = filter_.at().odometry;
     const std::int64_t turned = short_way(static_cast<std::int64_t>(odometry.heading) - last.heading);
-    return turned > kLookTurn || turned < -kLookTurn ||
-           offset_from(last.position, odometry.position).squaredNorm() > kLookStep * kLookStep;
+    return turned > interval.turn || turned < -interval.turn ||
+           offset_from(last.position, odometry.position).squaredNorm() > interval.step * interval.step;
   }
 
   // Objects stand where their landmarks do; what they look like, their models find out for themselves.
@@ -229,6 +240,7 @@ class PoseCorrection {
   DriftEvidence evidence_;
   FilterPose at_;          ///< the last pose that was given out as corrected
   std::uint8_t next_ = 0;  ///< whose turn it was
+  std::uint8_t looks_taken_ = 0;
   bool running_ = false;
   bool corrects_ = false;
   bool looks_ = false;  ///< at this frame

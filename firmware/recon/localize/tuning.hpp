@@ -52,19 +52,37 @@ inline constexpr float kSmallestLandmark = 0.005F;
 inline constexpr float kDriftGain = 0.03F;
 inline constexpr float kMostSurprise = 9.0F;
 inline constexpr float kMostDrift = 400.0F;
-/// m and urad. While odometry is believed, the filter takes a frame each time the robot has gone so far. By design.
-inline constexpr float kLookStep = 0.04F;
-inline constexpr std::int32_t kLookTurn = 80'000;
+/// The filter takes a frame each time the robot has gone (m) or turned (urad) so far.
+struct LookInterval {
+  float step = 0;
+  std::int32_t turn = 0;
+};
+/// What the correction may cost.
+struct LandmarkPace {
+  LookInterval believed;   ///< while odometry is believed
+  LookInterval corrected;  ///< since it is not; a turn of -1: every frame
+  /// An equation is left out whose bound is known better than this share of its variance: it would tell hardly more.
+  float least_told = 0;
+  bool in_turns = false;  ///< width and foot: one of them each time
+  /// By how many squared sigmas bearings have to fit the landmarks better than the odometry, in sum; each at most by
+  /// kMostEvidence. Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are
+  /// taken for drift; more: a drifting map for longer.
+  float evidence = 0;
+};
+/// Of profile full: desks and Linux. By design; evidence by real runs, and tests with true odometry that broke without
+/// it.
+inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 12.0F};
+/// Of small profiles: half as much evidence of half as many looks. Drift study with profile small, loops 500 to 529,
+/// also with five times the frames.
+inline constexpr LandmarkPace kPaceOfRobots{{0.08F, 160'000}, {0.04F, 80'000}, 0.02F, true, 6.0F};
 /// Share of the mean surprise that the last one makes. By design.
 inline constexpr float kUsualGain = 1.0F / 64.0F;
 /// Sigmas from the odometry to where landmarks say, from which on odometry is known to drift. Less: true poses are
 /// made worse; more: a drifting map for longer. Real runs.
 inline constexpr float kDriftKnown = 4.0F;
-/// And by how many squared sigmas bearings have to fit the landmarks better than the odometry, in sum; each at most by
-/// so many, for real bearings have long tails, and each is worth so much less, for the filter is free to follow noise.
-/// Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are taken for drift;
-/// more: a drifting map for longer. Real runs, and tests with true odometry that broke without it.
-inline constexpr float kEvidence = 12.0F;
+/// And bearings have to fit the landmarks better than the odometry, see LandmarkPace: each tells at most so many
+/// squared sigmas, for real bearings have long tails, and is worth so much less, for the filter is free to follow
+/// noise. Real runs.
 inline constexpr float kMostEvidence = 4.0F;
 inline constexpr float kEvidenceSlack = 0.1F;
 /// What share of a landmark's mean surprise its last sighting makes, and the mean from which on it is something that

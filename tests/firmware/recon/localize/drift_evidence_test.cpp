@@ -22,12 +22,12 @@ Vec2 at(float distance, float aside) { return {distance, aside}; }
 TEST(DriftEvidence, BearingsThatOnlyTheFilterExplainsAreDrift) {
   DriftEvidence evidence;
   for (int n = 1; n <= 4; ++n) {
-    EXPECT_FALSE(evidence.enough()) << n;
+    EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
     evidence.weigh(bearing(0), kBearingVariance, at(2, 2 * kSigma), at(2, 0));
   }
-  EXPECT_TRUE(evidence.enough());
+  EXPECT_TRUE(evidence.enough(recon::kPaceOfDesks.evidence));
   evidence.clear();
-  EXPECT_FALSE(evidence.enough());
+  EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
 }
 
 // A row that lies moves the filter's landmark along its bearing, and the robot with it.
@@ -41,7 +41,7 @@ TEST(DriftEvidence, OneOutlierIsNoDrift) {
   DriftEvidence evidence;
   evidence.weigh(bearing(0), kBearingVariance, at(2, 1), at(2, 0));
   EXPECT_LE(evidence.sum(), recon::kMostEvidence);
-  EXPECT_FALSE(evidence.enough());
+  EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
 }
 
 // The filter follows 2 % of a noise that is twice as large as was thought, for an hour.
@@ -52,7 +52,7 @@ TEST(DriftEvidence, FollowingNoiseIsNoDrift) {
   for (int n = 0; n < 36'000; ++n) {
     const float aside = noise(random);
     evidence.weigh(bearing(aside), kBearingVariance, at(2, 0), at(2, 0.01F * aside));
-    ASSERT_FALSE(evidence.enough()) << n;
+    ASSERT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
   }
 }
 
