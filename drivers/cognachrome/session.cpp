@@ -58,15 +58,19 @@ void Session::listen(base::Time now) {
 void Session::step(base::Time now) {
   if (byte_at_ && now - *byte_at_ > kPatience) byte_at_.reset();
   if (frame_at_ && now - *frame_at_ > kPatience) frame_at_.reset();
-  if (!deadline_ || frame_at_) return listen(now);
+  // While it is asked a frame may be one that was begun before and ended by a prompt's letters.
+  if (!deadline_ || (frame_at_ && asked_ == 0)) return listen(now);
   if (now < *deadline_ || format_.strings[0].empty()) return;
-  if (asked_ > 0) {
-    outbox_.clear();
-    return listen(now);
+  if (frame_at_) return listen(now);
+  // What it was asked has not gone yet: a line that stalls.
+  if (asked_ > 0 && !outbox_.waiting().empty()) {
+    deadline_ = now + kPrompt;
+    return;
   }
   // The line feed ends what an earlier try left open.
   say({}, "\nq", now);
   (void)outbox_.put(kQuestions[0].keys);
+  decoder_.reset();
   asked_ = 1;
 }
 

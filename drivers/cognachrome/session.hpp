@@ -23,7 +23,7 @@ struct Config {
 };
 
 /// Half a second without a frame, and if its strings are known it is stopped, told them and started; each prompt is
-/// waited for 300 ms, and then it all begins anew.
+/// waited for 300 ms, and then it all begins anew at once.
 class Session {
  public:
   using Sample = sensor::BlobFrame;

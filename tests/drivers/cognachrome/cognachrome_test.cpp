@@ -154,7 +154,7 @@ TEST(CognachromeSession, APromptThatDoesNotComeIsGivenUp) {
     tries += session.outbox().waiting().empty() ? 0U : 1U;
     session.outbox().clear();
   }
-  EXPECT_EQ(tries, 12U) << "500 ms, then every 800 ms";
+  EXPECT_EQ(tries, 32U) << "500 ms, then every 300 ms";
   EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
