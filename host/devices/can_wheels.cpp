@@ -69,7 +69,7 @@ Rows can_wheels() {
                                 .make = make,
                                 .wheels = kCanWheels,
                                 .places = {PlaceKind::kCan}},
-           .tried = {{PlaceKind::kCan, "", "RunOnCan.FollowsEmulatedWheelsThroughTheInterfaceGoingDown",
+           .tried = {{PlaceKind::kCan, "", "RunOnKvaser.FollowsEmulatedWheelsThroughTheInterfaceGoingDown",
                       "candump, canplayer, cangen, python-can"}}}};
 }
 
