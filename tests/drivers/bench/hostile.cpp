@@ -29,6 +29,10 @@ void show_recovery(const HostileCase& driver) {
   const Recovery recovery = driver.recovery();
   fmt::print("{:<20} after a stall {:.2f} s, an unplug {:.2f} s, a power cycle {:.2f} s\n", driver.name,
              recovery.stall.to_double(), recovery.unplug.to_double(), recovery.power.to_double());
+  if (const auto noise = driver.noise()) {
+    fmt::print("{:<20} of noise {} samples, {:.2f} % of the time it was said to work\n", driver.name, noise->samples,
+               100.0 * static_cast<double>(noise->working) / static_cast<double>(noise->polls));
+  }
   std::fflush(stdout);
 }
 

@@ -54,6 +54,14 @@ TEST_P(EveryDriver, GoesOnWithinASecondOfASilence) {
   EXPECT_NE(document.str().find(row), std::string::npos) << "host/share/doc/emulate.md has no line\n" << row;
 }
 
+TEST_P(EveryDriver, DoesNotTakeNoiseForItsDevice) {
+  const std::optional<Noise> noise = GetParam().noise();
+  if (!noise) return;  // its cable carries whole transfers
+  EXPECT_GT(noise->bytes, 100'000U) << "it was not looked at";
+  EXPECT_EQ(noise->working, 0U) << "of " << noise->polls;
+  EXPECT_EQ(noise->samples, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(hostile_cases().begin(), hostile_cases().end()),
                          [](const auto& driver) {
                            std::string name;
