@@ -84,7 +84,10 @@ bool Session::take(std::uint8_t byte, base::Time now) {
   const Event event = decoder_.feed(byte, now);
   if (event == Event::kNone || phase_ == Phase::kOff) return false;
   note_event(event);
-  if (banner_ && !acked_ && (phase_ == Phase::kCommand || phase_ == Phase::kSettle || phase_ == Phase::kTrack)) {
+  const bool unasked = phase_ == Phase::kCommand || phase_ == Phase::kSettle || phase_ == Phase::kTrack;
+  // Or asked, but it had not answered for a while; that it is only its ACK that was lost is less likely then.
+  const bool late = phase_ == Phase::kFlush && tries_ > 0;
+  if (banner_ && !acked_ && (unasked || late)) {
     // The camera has just been switched on: its set-up is gone. A reset would start it anew, for two seconds.
     forget_set_up(now);
     flush(now);

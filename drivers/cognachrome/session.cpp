@@ -6,6 +6,8 @@ namespace fencepost::cognachrome {
 namespace {
 
 constexpr base::Duration kPatience = base::milliseconds(500);
+// Six fields. Nothing in a frame is sealed: in noise there is one now and then, but hardly two in a row.
+constexpr base::Duration kSteady = base::milliseconds(100);
 constexpr base::Duration kPrompt = base::milliseconds(300);
 constexpr std::array<std::uint8_t, 2> kToVision = {0xFE, 3};  // stream 3 is tpuvis
 
@@ -22,9 +24,12 @@ constexpr std::array<Question, 1 + kChannels> kQuestions = {
 bool Session::take(std::uint8_t byte, base::Time now) {
   byte_at_ = now;
   const bool complete = decoder_.feed(byte, now);
-  if (complete) frame_at_ = now;
+  if (complete) {
+    steady_ = frame_at_ && now - *frame_at_ <= kSteady;
+    frame_at_ = now;
+  }
   follow_prompt(byte, now);
-  return complete;
+  return complete && steady_;
 }
 
 void Session::follow_prompt(std::uint8_t byte, base::Time now) {
@@ -58,15 +63,19 @@ void Session::listen(base::Time now) {
 void Session::step(base::Time now) {
   if (byte_at_ && now - *byte_at_ > kPatience) byte_at_.reset();
   if (frame_at_ && now - *frame_at_ > kPatience) frame_at_.reset();
-  if (!deadline_ || frame_at_) return listen(now);
+  // While it is asked a frame may be one that was begun before and ended by a prompt's letters.
+  if (!deadline_ || (frame_at_ && asked_ == 0)) return listen(now);
   if (now < *deadline_ || format_.strings[0].empty()) return;
-  if (asked_ > 0) {
-    outbox_.clear();
-    return listen(now);
+  if (frame_at_) return listen(now);
+  // What it was asked has not gone yet: a line that stalls.
+  if (asked_ > 0 && !outbox_.waiting().empty()) {
+    deadline_ = now + kPrompt;
+    return;
   }
   // The line feed ends what an earlier try left open.
   say({}, "\nq", now);
   (void)outbox_.put(kQuestions[0].keys);
+  decoder_.reset();
   asked_ = 1;
 }
 
@@ -82,7 +91,7 @@ void Session::link_lost() {
 sensor::LinkState Session::link() const {
   using enum sensor::LinkState;
   if (!byte_at_) return kSilent;
-  if (!frame_at_) return kUnready;
+  if (!frame_at_ || !steady_) return kUnready;
   return decoder_.saw() ? kOk : kEmpty;
 }
 

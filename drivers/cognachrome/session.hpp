@@ -23,7 +23,7 @@ struct Config {
 };
 
 /// Half a second without a frame, and if its strings are known it is stopped, told them and started; each prompt is
-/// waited for 300 ms, and then it all begins anew.
+/// waited for 300 ms, and then it all begins anew at once. The first frame after a pause is not given: it may be noise.
 class Session {
  public:
   using Sample = sensor::BlobFrame;
@@ -36,7 +36,7 @@ class Session {
   void link_lost();
   auto& outbox() { return outbox_; }
 
-  /// kUnready: it says something, but for half a second no frame has come.
+  /// kUnready: it says something, but for half a second no frame has come, or just one.
   [[nodiscard]] sensor::LinkState link() const;
   [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().blobs_dropped; }
   [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
@@ -55,6 +55,7 @@ class Session {
   std::uint8_t asked_ = 0;          ///< prompts that were asked for; 0: it only listens
   std::optional<base::Time> byte_at_;
   std::optional<base::Time> frame_at_;
+  bool steady_ = false;                 ///< the last frame came soon after one
   std::optional<base::Time> deadline_;  ///< of the prompt, or of the next try
 };
 

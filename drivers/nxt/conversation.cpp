@@ -5,7 +5,7 @@ namespace {
 
 // Bluetooth replies within some 30 ms, later while the brick is busy with its display.
 constexpr base::Duration kReplyTime = base::milliseconds(200);
-constexpr base::Duration kProbePause = base::milliseconds(500);
+constexpr base::Duration kProbePause = base::milliseconds(200);
 // The shortest idle time that the brick can be set to is two minutes.
 constexpr base::Duration kHousePause = base::milliseconds(5'000);
 constexpr std::uint8_t kTries = 3;

@@ -11,7 +11,8 @@ namespace {
 using sensor::LinkState;
 
 constexpr base::Duration kRetry = base::milliseconds(20);
-constexpr base::Duration kSilentPause = base::milliseconds(500);
+constexpr base::Duration kSilentPause = base::milliseconds(100);
+constexpr base::Duration kOtherSensorPause = base::milliseconds(500);
 constexpr base::Duration kUntaughtPause = base::milliseconds(2'000);
 // After this long without objects tracking is switched on again.
 constexpr base::Duration kReassure = base::milliseconds(5'000);
@@ -99,15 +100,16 @@ void Session::take(std::span<const std::uint8_t> bytes, base::Time t) {
     case Step::kVersion: take_version(bytes); return advance(Step::kProduct, {}, t);
     case Step::kProduct:
       // Another sensor: it may be exchanged for the camera.
-      return is_nxtcam(bytes) ? advance(Step::kDisable, {}, t) : restart(kSilentPause, t);
-    case Step::kDisable:
-      return advance(options_.check_colour_map ? Step::kFetchMap : Step::kSort, options_.command_wait, t);
-    case Step::kFetchMap: return advance(Step::kMap1, options_.command_wait, t);
+      if (!is_nxtcam(bytes)) return restart(kOtherSensorPause, t);
+      wait_ = proven_ ? options_.again_wait : options_.command_wait;
+      return advance(std::exchange(proven_, false) ? Step::kSort : Step::kDisable, {}, t);
+    case Step::kDisable: return advance(options_.check_colour_map ? Step::kFetchMap : Step::kSort, wait_, t);
+    case Step::kFetchMap: return advance(Step::kMap1, wait_, t);
     case Step::kMap1:
     case Step::kMap2:
     case Step::kMap3: return take_map(bytes, t);
-    case Step::kSort: return advance(Step::kObjects, options_.command_wait, t);
-    case Step::kObjects: return advance(Step::kEnable, options_.command_wait, t);
+    case Step::kSort: return advance(Step::kObjects, wait_, t);
+    case Step::kObjects: return advance(Step::kEnable, wait_, t);
     case Step::kEnable: return take_enabled(t);
     case Step::kLock: return advance(Step::kCount, {}, t);
     case Step::kCount: return take_count(bytes, t);
@@ -120,7 +122,7 @@ void Session::take(std::span<const std::uint8_t> bytes, base::Time t) {
 void Session::take_enabled(base::Time t) {
   const bool tracked_before = link_ > LinkState::kUnready;
   last_seen_ = t;
-  next_frame(tracked_before ? t : t + options_.command_wait);
+  next_frame(tracked_before ? t : t + wait_);
 }
 
 void Session::take_version(std::span<const std::uint8_t> bytes) {
@@ -162,7 +164,10 @@ void Session::finish_frame(base::Time t) {
   building_.frame = counters_.frames++;
   frame_ = building_;
   link_ = building_.blobs.empty() ? LinkState::kEmpty : LinkState::kOk;
-  if (!building_.blobs.empty()) last_seen_ = t;
+  if (!building_.blobs.empty()) {
+    last_seen_ = t;
+    proven_ = true;
+  }
   if (options_.lock_buffer) return advance(Step::kUnlock, {}, t);
   next_frame(t);
 }

@@ -18,6 +18,8 @@ namespace fencepost::nxtcam {
 struct Options {
   /// After each command of the start-up. The guide gives none; programs of others wait 100 to 500 ms.
   base::Duration command_wait = base::milliseconds(200);
+  /// The same where it need only go on: the least that these wait.
+  base::Duration again_wait = base::milliseconds(100);
   base::Duration period = base::milliseconds(33);  ///< 30 frames a second
   bool check_colour_map = true;                    ///< false where the registers of the map are not as in the v4
   bool lock_buffer = false;                        ///< later v4 only: nothing is torn between the reads of one frame
@@ -39,8 +41,10 @@ struct Transfer {
 };
 
 /// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects indefinitely, at most
-/// sixteen bytes a transfer. While nothing is seen, tracking is switched on again now and then: a camera that was
-/// switched off and on between two reads answers as if it saw nothing.
+/// sixteen bytes a transfer. After a silence a camera that has shown objects before is neither stopped nor asked for
+/// its colours, once: either it tracks as it was told, or it was switched off and waits for just the rest. While
+/// nothing is seen, tracking is switched on again now and then: a camera that was switched off and on between two reads
+/// answers as if it saw nothing.
 class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}
@@ -95,6 +99,8 @@ class Session {
   Step step_ = Step::kVersion;
   sensor::LinkState link_ = sensor::LinkState::kSilent;
   std::uint8_t failures_ = 0;
+  base::Duration wait_;  ///< after each command of this start
+  bool proven_ = false;  ///< it has shown objects since it was last asked for its colours
   std::optional<base::Time> next_;
   base::Time started_;
   base::Time last_seen_;

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/segment/read_poses.hpp"
 #include "host/segment/segment.hpp"
 #include "host/segment/setup_file.hpp"
 
@@ -25,6 +27,7 @@ struct SegmentRequest {
   std::string labelled;
   std::string output = "-";
   SegmentOptions options;
+  FloorOptions floor;
 };
 
 std::string hex(sensor::Rgb rgb) { return fmt::format("{:02x}{:02x}{:02x}", rgb.red, rgb.green, rgb.blue); }
@@ -72,6 +75,17 @@ std::string poses_of(const SegmentRequest& request) {
   const std::string path = (folder / "poses.csv").string();
   if (fs::exists(path, ignored)) return path;
   throw Failure(Exit::kUnreadable, path + " is missing; write it (image,t,x,y,heading), or name it with --poses");
+}
+
+/// As a table would name them: in a folder by their file names.
+std::vector<std::string> names_of(const std::vector<std::string>& sources) {
+  std::error_code ignored;
+  const bool folder = sources.size() == 1 && fs::is_directory(sources.front(), ignored);
+  std::vector<std::string> names;
+  for (const std::string& path : folder ? images_in(sources.front()) : sources) {
+    names.push_back(fs::path(path).filename().string());
+  }
+  return names;
 }
 
 void show_progress(std::size_t done, std::size_t all) {
@@ -129,8 +143,9 @@ void say_colours(const SegmentSummary& summary) {
 
 void say_table(const PosesTable& table, const ImageList& list) {
   if (list.without_pose > 0) say(counted(list.without_pose, "image") + " left out: not in " + table.file);
-  if (table.made_up_times) say(table.file + " has no column t: times are made up, one image every 0.1 s");
+  if (table.made_up_times) say(table.file + " tells no times: they are made up, one image every 0.1 s");
   if (table.shifted_times) say("t counts from the first image: the stream's clock ends at 999999 s");
+  for (const std::string& note : table.notes) say(note);
   for (const std::string& column : table.unused_columns) say("column " + column + " of " + table.file + " is not used");
 }
 
@@ -145,7 +160,9 @@ Exit run(SegmentRequest request) {
   try {
     const sensor::CameraIntrinsics camera = parse_camera(read_input(request.camera), input_name(request.camera));
     const std::string poses = poses_of(request);
-    const PosesTable table = parse_poses(read_input(poses), input_name(poses));
+    request.floor.rotate = request.options.straightening.rotate;
+    const PosesTable table =
+        read_poses(read_input(poses), input_name(poses), names_of(request.images), camera.mount, request.floor);
     const ImageList list = list_images(request.images, table);
     const SegmentResult result = segment(list.views, camera, request.options, hooks_for(request, list.views));
     if (!result.ok()) throw result.error();
@@ -203,8 +220,17 @@ Action configure_segment(CLI::App& app) {
                  "their calibration: a scene, its \"camera\", a file with the $FPCAM line, or OpenCV's YAML")
       ->type_name("FILE")
       ->required();
-  app.add_option("--poses", request->poses, "CSV image,t,x,y,heading (s, m, rad); default: poses.csv beside the images")
+  app.add_option("--poses", request->poses,
+                 "CSV image,t,x,y,heading (s, m, rad), COLMAP's images.txt, or TUM's trajectory; default: poses.csv "
+                 "beside the images")
       ->type_name("FILE");
+  static const std::map<std::string, bool> kWhose = {{"camera", false}, {"robot", true}};
+  app.add_option("--poses-of", request->floor.of_robot, "whose poses COLMAP's or TUM's are; default: camera")
+      ->transform(CLI::CheckedTransformer(kWhose))
+      ->option_text("camera|robot");
+  app.add_option("--scale", request->floor.scale, "m that one unit of COLMAP's or TUM's poses is; default: 1")
+      ->type_name("M")
+      ->check(positive());
   add_looks(app, *request);
   add_knobs(app, request->options);
   app.add_option("--debug-images", request->labelled, "write what was found as pictures into this folder")

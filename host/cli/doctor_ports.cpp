@@ -47,7 +47,7 @@ std::string next_step(const PortEntry& port) {
 void add_port(const PortEntry& port, PortExamination& found, Findings& findings) {
   std::optional<Finding> finding;
   if (port.kind != PlaceKind::kCan) finding = doctor::examine_node(port.path, {}, doctor::Identity::own());
-  const std::string state = finding ? finding->code : "";
+  const std::string state = finding ? finding->code.str() : "";
   found.text += fmt::format("{:<24} {:<44} {}\n", port.path, described(port), finding ? "" : next_step(port));
   if (!port.lasting.empty()) found.text += fmt::format("{:<24} {}\n", "", port.lasting);
   nlohmann::ordered_json entry = {{"path", port.path}, {"lasting", port.lasting}, {"state", finding ? state : "free"}};
@@ -91,20 +91,10 @@ PortExamination list_all() {
 bool stopped() { return StopSignals::caught() != 0; }
 
 Findings ask_everybody(const std::string& port) {
-  if (auto finding = doctor::examine_node(port, {}, doctor::Identity::own())) return {*finding};
-  if (is_terminal(STDERR_FILENO)) say("asking each device of the catalogue at " + port + "; some ten seconds");
-  Findings findings;
-  for (const devices::DeviceSpec& spec : doctor::who_answers(port, {}, stopped)) {
-    const bool camera = *spec.row->role == devices::Role::kCamera;
-    findings.push_back({kNote, "answers", spec.where() + " answers",
-                        fmt::format("fencepost doctor --{} {}", camera ? "camera" : "odometry", spec.text)});
-  }
-  if (findings.empty()) {
-    findings.push_back({kFault, "silent", "nothing that is known answers at " + port + " as it is delivered",
-                        "check power and wires (TX to RX); 'doctor --camera KIND:" + port +
-                            "' tries every baud for what you know to be there"});
-  }
-  return findings;
+  const bool can_be_opened = !doctor::examine_node(port, {}, doctor::Identity::own());
+  if (can_be_opened && is_terminal(STDERR_FILENO))
+    say("asking each device of the catalogue at " + port + "; some ten seconds");
+  return doctor::examine_port(port, {}, doctor::Identity::own(), {}, stopped);
 }
 
 Findings ask(const std::string& text, devices::Use use, const std::string& robot) {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
-#include "host/cli/gunzip.hpp"
 #include "host/cli/interrupt.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/text/gunzip.hpp"
 
 namespace fencepost::host::cli {
 namespace {

@@ -68,7 +68,9 @@ Rows can_wheels() {
                                 .describe = emulate::describe_can,
                                 .make = make,
                                 .wheels = kCanWheels,
-                                .places = {PlaceKind::kCan}}}};
+                                .places = {PlaceKind::kCan}},
+           .tried = {{PlaceKind::kCan, "", "RunOnKvaser.FollowsEmulatedWheelsThroughTheInterfaceGoingDown",
+                      "candump, canplayer, cangen, python-can"}}}};
 }
 
 }  // namespace fencepost::devices

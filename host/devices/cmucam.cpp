@@ -54,7 +54,7 @@ std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& /*spec*/, const emu
 
 template <const Dialect& (*DialectOf)(const DeviceSpec&), CmuCamModel Model>
 Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double rate,
-        const std::vector<Option>& own_options) {
+        const std::vector<Option>& own_options, const char* others) {
   std::vector<Option> options = {baud(delivered_baud), {"settle", Whole{0, 60}, "5", "s for white balance and gain"}};
   options.insert(options.end(), own_options.begin(), own_options.end());
   const std::string name = fmt::format("cmucam{}", number);
@@ -70,7 +70,8 @@ Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double r
                                .describe = emulate::describe_text,
                                .make = make<Model>,
                                .image = image_of(cmucam::nominal_intrinsics(usual, {}), {}, rate)},
-          .images = {name}};
+          .images = {name},
+          .tried = {{.others = others}}};
 }
 
 }  // namespace
@@ -78,10 +79,11 @@ Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double r
 Rows cmucam() {
   const Option resolution = {"resolution", Words{{"low", "high"}}, "low"};
   const Option imager = {"imager", Words{{"ov6620", "ov7620"}}, "ov6620"};
-  return {row<dialect1, CmuCamModel::kOne>(1, cmucam::kCmuCam1, kCmucamBaud, kRate, {}),
-          row<dialect2, CmuCamModel::kTwo>(2, cmucam::kCmuCam2, kCmucamBaud, kRate, {resolution, imager}),
-          row<dialect3, CmuCamModel::kThree>(3, cmucam::kCmuCam3, kCmucamBaud, kRate, {resolution}),
-          row<dialect4, CmuCamModel::kFour>(4, cmucam::kCmuCam4, kCmucam4Baud, kRate4, {})};
+  return {row<dialect1, CmuCamModel::kOne>(1, cmucam::kCmuCam1, kCmucamBaud, kRate, {}, "cmucam-viewer"),
+          row<dialect2, CmuCamModel::kTwo>(2, cmucam::kCmuCam2, kCmucamBaud, kRate, {resolution, imager}, "CMUcam2PY"),
+          row<dialect3, CmuCamModel::kThree>(3, cmucam::kCmuCam3, kCmucamBaud, kRate, {resolution},
+                                             "firmware cmucam2 of the CMUcam3, compiled for a PC"),
+          row<dialect4, CmuCamModel::kFour>(4, cmucam::kCmuCam4, kCmucam4Baud, kRate4, {}, "CMUCam4.c of EECS 373")};
 }
 
 }  // namespace fencepost::devices

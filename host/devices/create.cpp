@@ -66,7 +66,7 @@ std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& spec, const emulate
 }
 
 template <create::Model Model, CreateModel Emulation>
-Row row(const char* name, const char* about, std::uint32_t delivered_baud, const char* tells) {
+Row row(const char* name, const char* about, std::uint32_t delivered_baud, const char* tells, const char* others) {
   return {.name = name,
           .about = about,
           .role = Role::kOdometry,
@@ -83,16 +83,19 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
                                .describe = emulate::describe_create,
                                .make = make<Emulation>,
                                .wheels = kShape<Model>},
-          .images = {name}};
+          .images = {name},
+          .tried = {{.others = others}}};
 }
 
 }  // namespace
 
 Rows create() {
-  return {
-      row<create::Model::kCreate1, CreateModel::kOne>("create1", "iRobot Create", kCreate1Baud,
-                                                      "requested speeds, whole mm and degrees since the last reading"),
-      row<create::Model::kCreate2, CreateModel::kTwo>("create2", "Create 2, Roomba 600", kCreate2Baud, "counts")};
+  return {row<create::Model::kCreate1, CreateModel::kOne>(
+              "create1", "iRobot Create", kCreate1Baud, "requested speeds, whole mm and degrees since the last reading",
+              "libcreate failed; mended since, not tried again"),
+          row<create::Model::kCreate2, CreateModel::kTwo>(
+              "create2", "Create 2, Roomba 600", kCreate2Baud, "counts",
+              "counts that others recorded; libcreate and pycreate2 failed, mended since, not tried again")};
 }
 
 }  // namespace fencepost::devices

@@ -71,7 +71,8 @@ Rows huskylens() {
                                 },
                                 .image = image_of(huskylens::kProfile, {.first_signature = 1}, 30),
                                 .asked = true},
-           .images = {"huskylens", "huskylens_i2c"}},
+           .images = {"huskylens", "huskylens_i2c"},
+           .tried = {{kI2c, "HuskyLens.SeesOverI2cWhatItSeesOverSerial"}}},
           huskylens2()};
 }
 

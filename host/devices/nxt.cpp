@@ -99,7 +99,10 @@ Rows nxt() {
                    .options = {baud(kBluetoothBaud), serial(), {"left", motors, "B"}, {"right", motors, "C"}},
                    .unready = "its motors do not answer: check left= and right=",
                    .driver = OdometryDriver{open_nxt, open_brick}},
-      .emulated = brick()};
+      .emulated = brick(),
+      .tried = {
+          {kUsb, "nxt:usb", "RunOnNxt.SeesAPostWhereItIs"},
+          {kTty, "", "", "nxt-python: motors, battery, firmware; its sensors failed, mended since, not tried again"}}};
   Row with_camera = {.name = "nxtcam:nxt",
                      .about = "LEGO NXT with an NXTCam",
                      .role = Role::kOdometry,

@@ -17,6 +17,7 @@ using enum PlaceKind;
 using Camera = std::unique_ptr<host::CameraDevice>;
 
 constexpr std::uint32_t kNxtcamBaud = 115'200;
+constexpr const char* kViewer = "aNXTCam failed; mended since, not tried again";
 constexpr const char* kTeach = "teach it colours with the maker's program";
 
 struct NxtcamOnI2c {
@@ -111,7 +112,10 @@ Rows nxtcam() {
                    .unready = kTeach,
                    .driver = CameraDriver{open_nxtcam, nxtcam_profile}},
       .emulated = avrcam_dialect(),
-      .images = {"nxtcam", "nxtcam_i2c"}};
+      .images = {"nxtcam", "nxtcam_i2c"},
+      .tried = {{kI2c, "nxtcam:i2c", "RunOnCamera.NxtCamOnI2c"},
+                {kNxt, "nxtcam:nxt (usb)", "RunOnNxt.SeesAPostWhereItIs"},
+                {kTty, "", "", kViewer}}};
   Row v5 = {
       .name = "nxtcam5",
       .about = "the line inside an NXTCam v5",
@@ -134,7 +138,8 @@ Rows nxtcam() {
                              .options = {baud(kNxtcamBaud)},
                              .unready = kTeach,
                              .driver = CameraDriver{open_avrcam, avrcam_profile}},
-                .emulated = avrcam_dialect()};
+                .emulated = avrcam_dialect(),
+                .tried = {{.others = kViewer}}};
   return {on_bus, v5, avrcam};
 }
 

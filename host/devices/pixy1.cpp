@@ -47,7 +47,9 @@ Rows pixy1() {
                                 },
                                 .image = image_of(pixy1::kProfile, {.first_signature = 1, .last_signature = 7}, 50),
                                 .asked = true},
-           .images = {"pixy1", "pixy1_i2c"}}};
+           .images = {"pixy1", "pixy1_i2c"},
+           .tried = {{kI2c, "Pixy1Camera.SeesOverI2cWhatItSeesOverSerial", "RunOnCamera.Pixy1OnI2c"},
+                     {kUsb, "pixy1:usb", "RunOnCamera.Pixy1OnUsb"}}}};
 }
 
 }  // namespace fencepost::devices

@@ -71,7 +71,10 @@ Row row(const char* name, const char* about) {
                        .describe = emulate::describe_pixy2,
                        .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_pixy2_model(); },
                        .image = image_of(Profile, {.first_signature = 1, .last_signature = 7}, 61),
-                       .asked = true}};
+                       .asked = true},
+          .tried = {{kTty, "", "", "Arduino library (UART); firmware 3.0.20 compiled for a PC"},
+                    {kI2c, "", "RunOnCamera.Pixy2OnI2cThatIsUnpluggedAndComesBack"},
+                    {kUsb, "pixy2:usb", "RunOnCamera.Pixy2OnUsb"}}};
 }
 
 }  // namespace

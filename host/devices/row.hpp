@@ -119,6 +119,15 @@ struct UsbIds {
   std::uint16_t product = 0;
 };
 
+/// With what a device on a link was tried, beside the tests of its decoder. What is named exists: a test looks for it.
+struct Tried {
+  PlaceKind link = PlaceKind::kTty;  ///< kTty stands for kTcp too
+  /// Where `emulate` does not reach: a test ("Suite.Name", or a hostile hour's "KIND:LINK") with an emulator there.
+  std::string bench = {};
+  std::string guest = {};   ///< "Suite.Name" of tests/guest: on a real kernel's bus
+  std::string others = {};  ///< other people's programs at the emulator, or firmware at the driver; none: emulator only
+};
+
 struct Row {
   Given<std::string> name;   ///< KIND on the command line
   Given<std::string> about;  ///< the device as people call it
@@ -129,6 +138,7 @@ struct Row {
   std::vector<std::string> images = {};
   /// Its own ids on USB; of one behind a serial adapter there are none.
   std::optional<UsbIds> usb = {};
+  std::vector<Tried> tried = {};
 };
 using Rows = std::vector<Row>;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/devices/catalogue.hpp"
+#include "host/devices/coverage.hpp"
 #include "host/text/device_word.hpp"
 
 namespace fencepost::devices {
@@ -134,7 +135,18 @@ std::string devices_document() {
          "goes.\n\n"
          "## Of `run` and `record`\n" +
          live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry") + "\n## Of `emulate`\n" +
-         emulated_table();
+         emulated_table() +
+         "\n## What was tried with what\n"
+         "No line of this table was tried with the device itself. Where no other people's software was at the "
+         "emulator, and "
+         "nobody's firmware or\nrecording at the driver, both were written after the same documents and can be wrong "
+         "alike: "
+         "that is what `emulator only` says.\n`run` and `emulate` reach it from the command line; in tests: an "
+         "emulator "
+         "on that bus is only there. Guest kernel: the bus of a real\nkernel (`toolchain/guest`); a serial line needs "
+         "none, a "
+         "pty is one. Board: its name there.\n\n" +
+         coverage_table();
 }
 
 }  // namespace fencepost::devices

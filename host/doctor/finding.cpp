@@ -26,6 +26,12 @@ std::string_view word(Severity severity) {
 
 }  // namespace
 
+Code Code::of(std::string_view word) {
+  Code code;
+  code.word_ = listed(word);
+  return code;
+}
+
 bool has_fault(const Findings& findings) {
   return std::ranges::any_of(findings, [](const Finding& finding) { return finding.severity == Severity::kFault; });
 }
@@ -43,7 +49,7 @@ nlohmann::ordered_json findings_json(const Findings& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : worst_first(findings)) {
     list.push_back({{"severity", name(finding.severity)},
-                    {"code", finding.code},
+                    {"code", finding.code.str()},
                     {"what", printable(finding.what)},
                     {"remedy", printable(finding.remedy)}});
   }

@@ -14,11 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kPacked = ".gz";
+
+/// The file of that name, or what gzip made of it.
+std::string packed_or_not(const std::string& path) {
+  std::error_code none;
+  const bool packed = !fs::exists(path, none) && fs::exists(path + std::string(kPacked), none);
+  return packed ? path + std::string(kPacked) : path;
+}
+
 std::set<int> robots_in(const std::string& folder) {
   std::set<int> robots;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
+    if (name.ends_with(kPacked)) name.resize(name.size() - kPacked.size());
     constexpr std::string_view kEnd = "_Measurement.dat";
     if (name.size() == 6 + kEnd.size() && name.starts_with("Robot") && name.ends_with(kEnd) && name[5] >= '1' &&
         name[5] <= '9') {
@@ -51,7 +61,7 @@ int whole(double value, const char* name, const std::string& place) {
 }
 
 void read_truth(const std::string& prefix, MrclamRecording& recording) {
-  const Table truth = read_space_table(prefix + "_Groundtruth.dat", 4, "time, x, y, heading");
+  const Table truth = read_space_table(packed_or_not(prefix + "_Groundtruth.dat"), 4, "time, x, y, heading");
   for (const TableRow& row : truth.rows) {
     if (!recording.truth.empty() && row.values[0] < recording.truth.back().t) {
       throw ImportProblem{truth.place(row), "time runs backwards", "sort the file by time"};
@@ -62,11 +72,11 @@ void read_truth(const std::string& prefix, MrclamRecording& recording) {
 
 void read_tables(const std::string& folder, MrclamRecording& recording, bool poses_needed) {
   const std::string prefix = (fs::path(folder) / ("Robot" + std::to_string(recording.robot))).string();
-  for (const TableRow& row : read_space_table(prefix + "_Odometry.dat", 3, "time, forward, turn").rows) {
+  for (const TableRow& row : read_space_table(packed_or_not(prefix + "_Odometry.dat"), 3, "time, forward, turn").rows) {
     recording.odometry.push_back({row.values[0], row.values[1], row.values[2]});
   }
-  if (poses_needed || fs::exists(prefix + "_Groundtruth.dat")) read_truth(prefix, recording);
-  const Table seen = read_space_table(prefix + "_Measurement.dat", 4, "time, barcode, range, bearing");
+  if (poses_needed || fs::exists(packed_or_not(prefix + "_Groundtruth.dat"))) read_truth(prefix, recording);
+  const Table seen = read_space_table(packed_or_not(prefix + "_Measurement.dat"), 4, "time, barcode, range, bearing");
   for (const TableRow& row : seen.rows) {
     if (!recording.measurements.empty() && row.values[0] < recording.measurements.back().t) {
       throw ImportProblem{seen.place(row), "time runs backwards", "sort the file by time"};
@@ -77,7 +87,8 @@ void read_tables(const std::string& folder, MrclamRecording& recording, bool pos
 }
 
 void read_survey(const std::string& folder, MrclamRecording& recording) {
-  const Table barcodes = read_space_table((fs::path(folder) / "Barcodes.dat").string(), 2, "subject, barcode");
+  const Table barcodes =
+      read_space_table(packed_or_not((fs::path(folder) / "Barcodes.dat").string()), 2, "subject, barcode");
   for (const TableRow& row : barcodes.rows) {
     const int subject = whole(row.values[0], "the subject", barcodes.place(row));
     const int barcode = whole(row.values[1], "the barcode", barcodes.place(row));
@@ -86,7 +97,7 @@ void read_survey(const std::string& folder, MrclamRecording& recording) {
                           "each subject has one of its own"};
     }
   }
-  const std::string survey = (fs::path(folder) / "Landmark_Groundtruth.dat").string();
+  const std::string survey = packed_or_not((fs::path(folder) / "Landmark_Groundtruth.dat").string());
   const Table landmarks = read_space_table(survey, 5, "subject, x, y, x std-dev, y std-dev");
   for (const TableRow& row : landmarks.rows) {
     recording.landmarks[whole(row.values[0], "the subject", landmarks.place(row))] = {row.values[1], row.values[2]};

@@ -3,24 +3,40 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
+
+#include "host/text/gunzip.hpp"
 
 namespace fencepost::host {
 
 namespace {
 
-std::vector<std::string> read_lines(const std::string& path) {
+std::string read_whole(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  // A folder opens but does not read.
+  std::error_code none;
+  if (!file || std::filesystem::is_directory(path, none)) {
+    throw ImportProblem{path, "cannot be read", "check the name and the permissions"};
+  }
+  if (!is_gzip(bytes.view())) return std::move(bytes).str();
+  if (std::optional<std::string> unpacked = gunzip(bytes.view())) return std::move(*unpacked);
+  throw ImportProblem{path, "is damaged or cut off", "try 'gzip -t' on it, and copy it again"};
+}
+
+std::vector<std::string> read_lines(const std::string& path) {
+  std::istringstream text(read_whole(path));
   std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line; std::getline(text, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines.push_back(std::move(line));
   }
-  // A folder opens but does not read; then not even end-of-file is reached.
-  if (!file.eof()) throw ImportProblem{path, "cannot be read", "check the name and the permissions"};
   if (lines.empty()) throw ImportProblem{path, "is empty", "check that the copy is complete"};
   return lines;
 }

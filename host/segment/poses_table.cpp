@@ -113,7 +113,8 @@ ImagePose to_row(std::string_view line, const Header& header, std::size_t number
   return row;
 }
 
-/// Times as the stream can say them: from 0 on, strictly increasing when rounded to 0.1 ms.
+}  // namespace
+
 void settle_times(PosesTable& table, bool has_time) {
   table.made_up_times = !has_time;
   if (!has_time) {
@@ -137,8 +138,6 @@ void settle_times(PosesTable& table, bool has_time) {
     previous = tick;
   }
 }
-
-}  // namespace
 
 PosesTable parse_poses(std::string_view text, const std::string& file) {
   PosesTable table;

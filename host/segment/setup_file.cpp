@@ -6,6 +6,7 @@
 
 #include "firmware/record/stream_reader.hpp"
 #include "host/scene/read_scene.hpp"
+#include "host/segment/colmap_camera.hpp"
 #include "host/segment/image_file.hpp"
 #include "host/segment/opencv_camera.hpp"
 
@@ -75,11 +76,13 @@ sensor::CameraIntrinsics parse_camera(std::string_view text, const std::string& 
       return scene.camera;
     });
   }
+  if (is_colmap_calibration(text)) return parse_colmap_calibration(text, name);
   if (is_opencv_calibration(text)) return parse_opencv_calibration(text, name);
   const SetupSink sink = read_stream(text);
   if (sink.camera) return *sink.camera;
-  throw SegmentProblem{name, "has no calibration",
-                       "give a scene, its block \"camera\", the $FPCAM line of a log, or OpenCV's YAML"};
+  throw SegmentProblem{
+      name, "has no calibration",
+      "give a scene, its block \"camera\", the $FPCAM line of a log, OpenCV's YAML, or COLMAP's cameras.txt"};
 }
 
 std::vector<record::Signature> parse_signatures(std::string_view text, const std::string& name) {

@@ -4,7 +4,10 @@
 
 #include "drivers/can_wheels/odometry.hpp"
 #include "drivers/cmucam/cmucam.hpp"
+#include "drivers/cognachrome/cognachrome.hpp"
 #include "drivers/create/create.hpp"
+#include "drivers/huskylens/huskylens.hpp"
+#include "drivers/jevois/jevois.hpp"
 #include "drivers/nxt/brick.hpp"
 #include "drivers/nxt/framed_link.hpp"
 #include "drivers/nxt/sensor_port.hpp"
@@ -12,6 +15,8 @@
 #include "drivers/nxtcam/camera.hpp"
 #include "drivers/nxtcam/serial_camera.hpp"
 #include "drivers/nxtcam/v5_camera.hpp"
+#include "drivers/pixy1/pixy1.hpp"
+#include "drivers/pixy1/usb.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
 #include "drivers/wire/i2c_stream.hpp"
@@ -61,6 +66,8 @@ struct SomeCan {
 
 using UsbPixy2 = pixy2::Camera<pixy2::ChirpLink<SomeBytes>>;
 using I2cPixy2 = pixy2::Camera<wire::I2cStream<SomeI2c>>;
+using I2cPixy1 = pixy1::Camera<wire::I2cStream<SomeI2c>>;
+using I2cHuskyLens = huskylens::Camera<wire::I2cStream<SomeI2c>>;
 using NxtCamBehindBrick = nxtcam::Camera<nxt::SensorPort>;
 using BluetoothBrick = nxt::Brick<nxt::FramedLink<SomeBytes>>;
 
@@ -78,6 +85,17 @@ using Frame = sensor::BlobFrame;
 using Pose = sensor::OdometrySample;
 void stack_root_can_wheels(can_wheels::Odometry<probe::SomeCan>& wheels, Pose& pose) { probe::keep_poll(wheels, pose); }
 void stack_root_cmucam(cmucam::CmuCam<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_cognachrome(cognachrome::Camera<probe::SomeBytes>& camera, Frame& frame) {
+  probe::keep_poll(camera, frame);
+}
+void stack_root_huskylens_serial(huskylens::Camera<probe::SomeBytes>& camera, Frame& frame) {
+  probe::keep_poll(camera, frame);
+}
+void stack_root_huskylens_i2c(probe::I2cHuskyLens& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_jevois(jevois::JeVois<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_pixy1_serial(pixy1::Camera<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_pixy1_i2c(probe::I2cPixy1& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_pixy1_usb(pixy1::UsbCamera<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_create(create::Create<probe::SomeBytes>& base, Pose& pose) { probe::keep_poll(base, pose); }
 void stack_root_nxt_usb(nxt::Brick<probe::SomePackets>& brick) { brick.poll({}); }
 void stack_root_nxt_bluetooth(probe::BluetoothBrick& brick) { brick.poll({}); }

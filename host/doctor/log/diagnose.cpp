@@ -39,7 +39,7 @@ void diagnose_rejects(const LogSurvey& survey, Findings& findings) {
     const record::RejectCount& reject = survey.counts.rejected(reason);
     if (reject.lines == 0) continue;
     const bool only_the_end = reason == record::Reject::kTruncated;
-    findings.push_back({only_the_end ? kNote : kFault, std::string(record::name(reason)),
+    findings.push_back({only_the_end ? kNote : kFault, Code::of(record::name(reason)),
                         fmt::format("{} line{} rejected ({}), {:.2g} % of all, first in line {}", reject.lines,
                                     reject.lines == 1 ? "" : "s", record::name(reason), percent(reject.lines, lines),
                                     reject.first_line),
@@ -88,13 +88,12 @@ void diagnose_refused(const RefusedFrames& refused, Findings& findings) {
   const auto add = [&](std::uint64_t count, const char* reason, const char* remedy) {
     if (count == 0) return;
     const bool edges = count <= kAtTheEdges && std::string_view(reason) == "no_pose";
-    findings.push_back({edges ? kNote : kFault, std::string("refused_") + reason,
+    findings.push_back({edges ? kNote : kFault, Code::of(std::string("refused_") + reason),
                         fmt::format("{} frame{} refused: {}", count, count == 1 ? "" : "s", reason), remedy});
   };
   add(refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clocks");
   add(refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
   add(refused.no_camera, "no_camera", "no $FPCAM came before them");
-  add(refused.queue, "queue", "the log could not keep up: use a faster port");
 }
 
 void diagnose_losses(const LogSurvey& survey, Findings& findings) {
@@ -113,6 +112,14 @@ void diagnose_losses(const LogSurvey& survey, Findings& findings) {
                         fmt::format("{} blobs were more than 16 in a frame", lost.blobs_dropped),
                         "train fewer colours, or raise the camera's least size of a blob"});
   }
+  // Frames that the robot refused and its log does not have: no room to write them.
+  const RefusedFrames& here = survey.replayed.result.log.refused;
+  const std::uint64_t explained = here.no_pose + here.odometry_gap + here.no_camera;
+  if (lost.refused > explained) {
+    findings.push_back({kFault, "refused_queue",
+                        fmt::format("the robot refused {} frames that it could not log", lost.refused - explained),
+                        "the console could not keep up: raise its baud, or a faster card"});
+  }
   if (lost.rejected > 0) {
     findings.push_back({kWarning, "robot_rejected",
                         fmt::format("the robot rejected {} lines that came to it", lost.rejected),
@@ -123,7 +130,7 @@ void diagnose_losses(const LogSurvey& survey, Findings& findings) {
 void diagnose_links(const LogSurvey& survey, Findings& findings) {
   for (const auto& [device, trouble] : survey.links) {
     if (trouble.seconds < 0.1) continue;
-    findings.push_back({kFault, "link_" + trouble.state,
+    findings.push_back({kFault, Code::of("link_" + trouble.state),
                         fmt::format("{} did not work {} time{}, {:.1f} s in all, last it was {}", device, trouble.times,
                                     trouble.times == 1 ? "" : "s", trouble.seconds, trouble.state),
                         trouble.state == "unready"

@@ -101,7 +101,7 @@ void check_doubts(const LogSurvey& survey, Findings& findings) {
   const auto& doubts = survey.replayed.result.calibration;
   if (doubts.empty() || doubts.back().doubt == record::Doubt::kNone) return;
   const bool rows = doubts.back().doubt == record::Doubt::kRows;
-  findings.push_back({kFault, rows ? "calibration_rows" : "calibration_focal_length",
+  findings.push_back({kFault, rows ? Code("calibration_rows") : Code("calibration_focal_length"),
                       fmt::format("what the camera sees contradicts {}: a factor of {:.2f}, since {:.1f} s",
                                   rows ? "its pitch or height" : "its focal length, or the track of the wheels",
                                   doubts.back().factor.to_double(), doubts.back().t.to_double()),

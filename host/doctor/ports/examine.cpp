@@ -42,7 +42,7 @@ Finding cannot_open(const DeviceSpec& spec, const Probe& probe, const Roots& roo
   if (!node.empty()) return about_holders(node, roots);
   const bool busy = probe.problem.find("another program") != std::string::npos;
   const bool denied = probe.problem.find("udev") != std::string::npos;
-  return {kFault, busy ? "busy" : denied ? "no_permission" : "no_port", probe.problem, ""};
+  return {kFault, busy ? Code("busy") : denied ? Code("no_permission") : Code("no_port"), probe.problem, ""};
 }
 
 std::string heard(const DeviceSpec& spec, const Probe& probe) {
@@ -105,6 +105,23 @@ Findings examine_device(const DeviceSpec& spec, const RobotFile& robot, const Ro
   const Probe answer = probe(spec, robot, times, interrupted);
   if (!answer.problem.empty()) return {cannot_open(spec, answer, roots)};
   return {about_link(spec, robot, answer, times, interrupted)};
+}
+
+Findings examine_port(const std::string& path, const Roots& roots, const Identity& who, const ProbeTimes& times,
+                      const Interrupted& interrupted) {
+  if (auto finding = examine_node(path, roots, who)) return {*finding};
+  Findings findings;
+  for (const DeviceSpec& spec : who_answers(path, times, interrupted)) {
+    const bool camera = *spec.row->role == devices::Role::kCamera;
+    findings.push_back({kNote, "answers", spec.where() + " answers",
+                        fmt::format("fencepost doctor --{} {}", camera ? "camera" : "odometry", spec.text)});
+  }
+  if (findings.empty()) {
+    findings.push_back({kFault, "silent", "nothing that is known answers at " + path + " as it is delivered",
+                        "check power and wires (TX to RX); 'doctor --camera KIND:" + path +
+                            "' tries every baud for what you know to be there"});
+  }
+  return findings;
 }
 
 }  // namespace fencepost::host::doctor

@@ -47,9 +47,14 @@ std::vector<devices::DeviceSpec> who_answers(const std::string& path, const Prob
                                              const Interrupted& interrupted);
 
 /// From whether there is a port to whether it works, in this order; ends with exactly one finding about the device:
-/// no_port, no_permission, busy, wrong_baud, silent, unready, nothing_seen or fine.
+/// no_port, no_permission, busy, cannot_open, wrong_baud, silent, unready, nothing_seen or fine.
 Findings examine_device(const devices::DeviceSpec& spec, const RobotFile& robot, const Roots& roots,
                         const Identity& who, const ProbeTimes& times, const Interrupted& interrupted);
+
+/// Of a serial port by whatever is behind it: no_port, no_permission, busy, silent, or an `answers` for each device
+/// that it may be.
+Findings examine_port(const std::string& path, const Roots& roots, const Identity& who, const ProbeTimes& times,
+                      const Interrupted& interrupted);
 
 /// Of a path: no_port, no_permission, busy; nothing where it can be opened.
 std::optional<Finding> examine_node(const std::string& path, const Roots& roots, const Identity& who);

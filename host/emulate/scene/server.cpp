@@ -13,12 +13,20 @@ constexpr base::Duration kLook = base::milliseconds(10);
 /// second.
 constexpr base::Duration kPortion = base::milliseconds(1);
 
+/// What a receiver makes of bits at another rate: some bytes, the same in each run.
+void garble(Bytes& bytes, std::uint32_t& state) {
+  for (std::uint8_t& byte : bytes) {
+    state = state * 1'664'525U + 1'013'904'223U;
+    byte = static_cast<std::uint8_t>(state >> 24U);
+  }
+}
+
 }  // namespace
 
 Server::Server(Playback& playback, linux::MonotonicClock clock, Say say, Say moved)
     : playback_(playback), clock_(clock), say_(std::move(say)), moved_(std::move(moved)) {}
 
-void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport), false, 0, 0}); }
+void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport)}); }
 
 bool Server::run(const std::function<bool()>& stop) {
   while (!playback_.over(clock_.now())) {
@@ -37,8 +45,9 @@ void Server::turn() {
   for (std::size_t i = 0; i < places_.size(); ++i) tend(i, now);
   playback_.advance(now);
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Bytes bytes = playback_.endpoint(i).to_host(now);
+    Bytes bytes = playback_.endpoint(i).to_host(now);
     if (bytes.empty()) continue;
+    if (other_baud(i)) garble(bytes, places_[i].garbage);
     const std::size_t lost = places_[i].transport->write(bytes);
     if (lost > 0 && places_[i].lost == 0 && places_[i].transport->tend()) {
       say_(playback_.endpoint(i).name() + ": the host does not read fast enough; bytes are lost, as on a real line");
@@ -62,6 +71,7 @@ void Server::tend(std::size_t index, base::Time now) {
   const Bytes bytes = transport.read();
   if (bytes.empty()) return;
   check_baud(index);
+  if (other_baud(index)) return;
   if (endpoint.counts().commands == 0) say_(endpoint.name() + ": first command");
   playback_.hear(index, bytes, now);
 }
@@ -90,7 +100,15 @@ void Server::check_baud(std::size_t index) {
   const std::uint32_t baud = place.transport->host_baud();
   if (std::exchange(place.baud, baud) == baud || baud == 0 || baud == device.baud) return;
   say_(playback_.endpoint(index).name() + ": the host has set " + std::to_string(baud) + " Bd, the device " +
-       std::to_string(device.baud) + "; a real cable would carry nothing sensible: set one as the other (--baud)");
+       std::to_string(device.baud) +
+       "; as on a real cable nothing sensible gets through: set one as the other (--baud)");
+}
+
+bool Server::other_baud(std::size_t index) const {
+  const std::uint32_t own = playback_.endpoint(index).device().baud;
+  if (own == 0) return false;
+  const std::uint32_t host = places_[index].transport->host_baud();
+  return host != 0 && host != own;
 }
 
 void Server::wait() {

@@ -4,6 +4,8 @@
 #include "tests/drivers/bench/comeback.hpp"
 #include "tests/drivers/bench/hostile_cases.hpp"
 #include "tests/drivers/bench/hostile_hours.hpp"
+#include "tests/drivers/bench/noise.hpp"
+#include "tests/drivers/bench/recovery.hpp"
 
 namespace fencepost::test {
 
@@ -16,7 +18,10 @@ HostileCase hostile_case(std::string_view name, const HostileLimits& limits) {
   return {
       name,
       [](double hours, std::uint32_t seed) { return run_hostile_hours<Rig>(hours, seed, base::milliseconds(Step)); },
-      [] { return spend_day<Rig>(base::milliseconds(Step)); }, limits};
+      [] { return spend_day<Rig>(base::milliseconds(Step)); },
+      [] { return measure_recovery<Rig>(base::milliseconds(Step)); },
+      [] { return hear_noise<Rig>(base::milliseconds(Step)); },
+      limits};
 }
 
 /// Adds a case, before `main`. Its source belongs to fencepost_hostile.

@@ -35,6 +35,8 @@ struct HostileLimits {
   double undetected_share = 0;      ///< of the samples
   std::uint64_t least_samples = 0;  ///< an hour
   base::Duration longest_wait;      ///< gap or recovery: longer, it hangs
+  base::Duration own_start = {};    ///< of the device, from power to its first sample
+  bool reset_starts_it = false;     ///< and after a silence it has to be reset
 };
 
 /// Violated limits, in words; empty if there are none.

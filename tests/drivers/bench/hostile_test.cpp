@@ -1,6 +1,10 @@
 // Every driver, one hostile hour, and a good day with one fault of each kind.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
 #include "tests/drivers/bench/hostile_cases.hpp"
 
 namespace fencepost::test {
@@ -29,6 +33,33 @@ TEST_P(EveryDriver, ComesBackFromAStallAnUnplugAndAPowerCycle) {
   EXPECT_EQ(day.after_power_cycle, LinkState::kOk);
   EXPECT_GE(day.samples_after_power_cycle, 20U);
   EXPECT_EQ(day.wrong, 0U) << "on a good cable";
+}
+
+// On a good cable, whenever the silence began and however long it was; beyond what the device itself takes to start.
+TEST_P(EveryDriver, GoesOnWithinASecondOfASilence) {
+  constexpr base::Duration kSecond = base::milliseconds(1'000);
+  const HostileLimits& limits = GetParam().limits;
+  const Recovery recovery = GetParam().recovery();
+  const base::Duration after_silence = limits.reset_starts_it ? limits.own_start + kSecond : kSecond;
+  EXPECT_LE(recovery.stall, after_silence);
+  EXPECT_LE(recovery.unplug, after_silence);
+  EXPECT_LE(recovery.power, limits.own_start + kSecond);
+  EXPECT_GE(recovery.power, limits.own_start) << "it starts sooner than it is said to";
+  std::ostringstream document;
+  document << std::ifstream(FENCEPOST_SOURCE_DIR "/host/share/doc/emulate.md").rdbuf();
+  char row[120];
+  std::snprintf(row, sizeof row, "| `%s` | %.1f | %.2f | %.2f | %.2f |\n", std::string(GetParam().name).c_str(),
+                limits.own_start.to_double(), recovery.stall.to_double(), recovery.unplug.to_double(),
+                recovery.power.to_double());
+  EXPECT_NE(document.str().find(row), std::string::npos) << "host/share/doc/emulate.md has no line\n" << row;
+}
+
+TEST_P(EveryDriver, DoesNotTakeNoiseForItsDevice) {
+  const std::optional<Noise> noise = GetParam().noise();
+  if (!noise) return;  // its cable carries whole transfers
+  EXPECT_GT(noise->bytes, 100'000U) << "it was not looked at";
+  EXPECT_EQ(noise->working, 0U) << "of " << noise->polls;
+  EXPECT_EQ(noise->samples, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(hostile_cases().begin(), hostile_cases().end()),

@@ -21,10 +21,11 @@ void listen(const cognachrome::Format& format, const std::uint8_t* data, std::si
       if (blob.x1 < 0 || blob.x1 > blob.x2 || blob.x2 >= cognachrome::kWidth) std::abort();
     }
   }
-  // Two marks and a number: what is between is a frame, whatever came before.
+  // Marks and numbers: what is between is a frame, whatever came before; the second of two is given.
   const std::uint8_t mark = format.mark;
+  constexpr std::uint8_t kZero = '0';
   bool found = false;
-  for (const std::uint8_t byte : {mark, std::uint8_t{'0'}, std::uint8_t{'0'}, mark}) {
+  for (const std::uint8_t byte : {mark, kZero, kZero, mark, kZero, kZero, mark}) {
     if (format.count_digits == 0 && byte == '0') continue;
     found = session.take(byte, now) && session.sample().blobs.empty();
   }

@@ -46,11 +46,11 @@ struct HuskyLensRig : CameraRig<> {
 
 using HuskyLens1 = HuskyLensRig<emulate::HuskyLens, huskylens::Generation::kOne>;
 using HuskyLens2 = HuskyLensRig<emulate::HuskyLens2, huskylens::Generation::kTwo>;
-const RegisteredCase kHuskyLens1{
-    hostile_case<HuskyLens1, 2>("huskylens:tty", {kSum8, 30'000, base::milliseconds(10'000)})};
+const RegisteredCase kHuskyLens1{hostile_case<HuskyLens1, 2>(
+    "huskylens:tty", {kSum8, 30'000, base::milliseconds(10'000), base::milliseconds(1'000)})};
 // A damaged length makes it wait for up to 255 bytes more: a dozen questions.
-const RegisteredCase kHuskyLens2{
-    hostile_case<HuskyLens2, 2>("huskylens2:tty", {kSum8, 30'000, base::milliseconds(30'000)})};
+const RegisteredCase kHuskyLens2{hostile_case<HuskyLens2, 2>(
+    "huskylens2:tty", {kSum8, 30'000, base::milliseconds(30'000), base::milliseconds(1'000)})};
 
 }  // namespace
 }  // namespace fencepost::test

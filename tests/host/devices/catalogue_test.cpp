@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -10,6 +11,7 @@
 #include <type_traits>
 
 #include "firmware/config/devices.hpp"
+#include "host/devices/coverage.hpp"
 #include "host/devices/emulated.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/devices/tables.hpp"
@@ -130,6 +132,68 @@ TEST(Catalogue, KnowsEveryDeviceOfABoardsImage) {
   for (const config::DeviceInfo& camera : config::kCameras) there.insert("camera " + std::string(camera.name));
   for (const config::DeviceInfo& odometry : config::kOdometries) there.insert("odometry " + std::string(odometry.name));
   EXPECT_EQ(known, there);
+}
+
+/// All sources under a folder, in one text.
+std::string sources(const fs::path& folder) {
+  std::ostringstream all;
+  for (const auto& file : fs::recursive_directory_iterator(folder)) {
+    if (file.path().extension() == ".cpp" || file.path().extension() == ".hpp") {
+      all << std::ifstream(file.path()).rdbuf();
+    }
+  }
+  return all.str();
+}
+
+/// Whether "Suite.Name" is a test, or "KIND:LINK" a case of the hostile hours, in `text`.
+bool is_test(const std::string& text, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return text.find("\"" + name + "\"") != std::string::npos;
+  const std::string arguments = "(" + name.substr(0, dot) + ", " + name.substr(dot + 1) + ")";
+  return text.find("TEST" + arguments) != std::string::npos || text.find("TEST_F" + arguments) != std::string::npos;
+}
+
+TEST(Catalogue, WhatItWasTriedWithIsThere) {
+  const std::string guest = sources(kSource / "tests/guest");
+  const std::string drivers = sources(kSource / "tests/drivers");
+  EXPECT_FALSE(is_test(guest, "RunOnCamera.NoSuchTest"));
+  EXPECT_FALSE(is_test(drivers, "pixy2:nowhere"));
+  int named = 0;
+  for (const Row& row : catalogue()) {
+    for (const Tried& tried : row.tried) {
+      ASSERT_TRUE(row.live->has_value()) << *row.name;
+      EXPECT_TRUE(std::ranges::count((*row.live)->places, tried.link) == 1) << *row.name << ": no such link";
+      EXPECT_EQ(std::ranges::count(row.tried, tried.link, &Tried::link), 1) << *row.name << ": a link twice";
+      EXPECT_TRUE(tried.bench.empty() || is_test(drivers, tried.bench)) << *row.name << ": " << tried.bench;
+      EXPECT_TRUE(tried.guest.empty() || is_test(guest, tried.guest)) << *row.name << ": " << tried.guest;
+      named += (tried.bench.empty() ? 0 : 1) + (tried.guest.empty() ? 0 : 1);
+    }
+  }
+  EXPECT_GT(named, 10);
+}
+
+TEST(Catalogue, CoverageHasALineForEachDeviceAndLink) {
+  const std::string table = coverage_table();
+  std::set<std::string> lines;
+  std::istringstream text(table);
+  for (std::string line; std::getline(text, line);) EXPECT_TRUE(lines.insert(line).second) << line;
+  std::size_t links = 0;
+  for (const Use use : {Use::kCamera, Use::kOdometry}) {
+    for (const Row* row : rows_for(use)) {
+      for (const PlaceKind place : places_of(*row, use)) links += place != PlaceKind::kTcp && place != PlaceKind::kNone;
+    }
+  }
+  EXPECT_EQ(lines.size(), 2 + links + 1) << "heading, links, and a board's encoders";
+  EXPECT_TRUE(lines.contains("| `nxtcam` | NXT brick | `run` | `emulate` | yes | none | none: emulator only |"));
+  EXPECT_TRUE(
+      lines.contains("| `jevois` | serial | `run` | `emulate` | not needed | `jevois` | none: emulator only |"));
+  EXPECT_NE(table.find("| `pixy2` | serial | `run` | `emulate` | not needed | `pixy2` | Arduino library"),
+            std::string::npos);
+  // Every image of a board is in it, once.
+  for (const config::DeviceInfo& camera : config::kCameras) {
+    if (camera.port == config::Port::kConsole) continue;
+    EXPECT_NE(table.find("`" + std::string(camera.name) + "`"), std::string::npos) << camera.name;
+  }
 }
 
 TEST(Catalogue, TheDocumentShowsIt) {

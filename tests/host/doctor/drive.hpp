@@ -58,7 +58,7 @@ inline doctor::Findings findings_of(const std::string& log, const std::vector<se
 
 inline std::vector<std::string> codes_of(const doctor::Findings& findings) {
   std::vector<std::string> codes;
-  for (const doctor::Finding& finding : findings) codes.push_back(finding.code);
+  for (const doctor::Finding& finding : findings) codes.push_back(finding.code.str());
   return codes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -26,6 +27,12 @@ class Files {
   std::string put(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return (folder_ / name).string();
+  }
+  /// As `gzip NAME` does: only NAME.gz is left. Returns its path.
+  [[nodiscard]] std::string pack(const std::string& name) const {
+    const std::string path = (folder_ / name).string();
+    EXPECT_EQ(std::system(("gzip -f '" + path + "'").c_str()), 0);
+    return path + ".gz";
   }
   void remove(const std::string& name) const { std::filesystem::remove(folder_ / name); }
   [[nodiscard]] std::string folder() const { return folder_.string(); }

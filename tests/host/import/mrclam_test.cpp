@@ -65,6 +65,19 @@ TEST(ImportMrclam, TruePosesBecomeOdometryAndFramesFollowTheirPose) {
   EXPECT_EQ(std::string(log.order.begin(), log.order.end()), "HCSSOOOFFOO");
 }
 
+TEST(ImportMrclam, TakesEachFilePackedOrNot) {
+  const Files files;
+  put_recording(files);
+  const std::string plain = import_mrclam(files.folder(), {})->log;
+  for (const char* name : {"Robot2_Measurement.dat", "Robot2_Groundtruth.dat", "Robot2_Odometry.dat", "Barcodes.dat",
+                           "Landmark_Groundtruth.dat"}) {
+    static_cast<void>(files.pack(name));
+    const ImportResult packed = import_mrclam(files.folder(), {});
+    ASSERT_TRUE(packed.ok()) << name << packed.error().message();
+    EXPECT_EQ(packed->log, plain) << name;
+  }
+}
+
 TEST(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
   const Files files;
   put_recording(files);

@@ -67,6 +67,20 @@ TEST(ImportRings, ACircleComesBackFromTheLog) {
   for (const Point p : region) EXPECT_NEAR(std::hypot(p.x, p.y), 0.05003, 0.00025);
 }
 
+TEST(ImportRings, ReadsWhatGzipPackedAndRefusesWhatWasCutOff) {
+  const Files files;
+  const ImportResult plain = import_rings(files.put("bearings.csv", circle_views(60)));
+  const std::string path = files.pack("bearings.csv");
+  const ImportResult packed = import_rings(path);
+  ASSERT_TRUE(packed.ok()) << packed.error().message();
+  EXPECT_EQ(packed->log, plain->log);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 20);
+  const ImportResult cut = import_rings(path);
+  ASSERT_FALSE(cut.ok());
+  EXPECT_NE(cut.error().message().find("damaged or cut off; try 'gzip -t'"), std::string::npos)
+      << cut.error().message();
+}
+
 TEST(ImportRings, PixelsCostLessThanTenMicrometres) {
   const Files files;
   const ImportResult result = import_rings(files.put("bearings.csv", circle_views(4)));

@@ -45,8 +45,8 @@ struct FramesRig : CameraRig<> {
 };
 
 constexpr double kFramesSum = 1e-4;
-const RegisteredCase kFrames{
-    hostile_case<FramesRig, 2>("frames:tty", {kFramesSum, 30'000, base::milliseconds(10'000)})};
+const RegisteredCase kFrames{hostile_case<FramesRig, 2>(
+    "frames:tty", {kFramesSum, 30'000, base::milliseconds(10'000), base::milliseconds(2'000)})};
 
 }  // namespace
 }  // namespace fencepost::test

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "drivers/create/create.hpp"
+#include "drivers/pixy1/pixy1.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "hal/linux/tty.hpp"
 #include "tests/drivers/hex.hpp"
@@ -106,21 +109,42 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
   EXPECT_EQ(running.endpoint(0).faults().unplugs, 0U);
 }
 
-// The first host has the right rate; what is wrong with the second one is still said, once.
+// The first host has the right rate; what is wrong with the second one is said, once, and nothing gets through.
 TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
   const TestFolder folder;
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam4", open_pty(folder.file("camera")));
   running.start();
-  for (const std::uint32_t baud : {19'200U, 115'200U}) {
-    auto tty = linux::Tty::open({folder.file("camera"), baud});
+  std::array<std::uint8_t, 64> in{};
+  {
+    auto tty = linux::Tty::open({folder.file("camera"), 19'200});
     ASSERT_TRUE(tty.ok()) << tty.problem();
-    std::array<std::uint8_t, 64> in{};
     EXPECT_TRUE(eventually(running.clock(), [&] {
       (void)tty->write(hex("0D"));
       return tty->read(in).ok();
-    })) << baud;
+    }));
   }
+  auto tty = linux::Tty::open({folder.file("camera"), 115'200});
+  ASSERT_TRUE(tty.ok()) << tty.problem();
+  const auto complained = [&] {
+    (void)tty->write(hex("0D"));
+    const auto said = running.said();
+    return std::ranges::any_of(
+        said, [](const std::string& line) { return line.find("the host has set") != std::string::npos; });
+  };
+  EXPECT_TRUE(eventually(running.clock(), complained));
+  // What it still had to answer the first one comes before.
+  const auto quiet = [&] {
+    const bool silent = !tty->read(in).ok();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return silent && !tty->read(in).ok();
+  };
+  EXPECT_TRUE(eventually(running.clock(), quiet));
+  for (int i = 0; i < 50; ++i) {
+    (void)tty->write(hex("0D"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(4));
+  }
+  EXPECT_FALSE(tty->read(in).ok()) << "it has heard nothing to answer";
   running.stop();
   std::vector<std::string> complaints;
   for (const std::string& line : running.said()) {
@@ -132,6 +156,30 @@ TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
   for (const std::string& complaint : complaints) {
     EXPECT_NE(complaint.find("115200 Bd, the device 19200"), std::string::npos) << complaint;
   }
+}
+
+// One that speaks unasked.
+TEST(EmulateServer, SaysGarbageAtAnotherBaudRate) {
+  const TestFolder folder;
+  Running running(moving_box(320, 200, 1'000));
+  running.add("pixy1", open_pty(folder.file("camera")));
+  running.start();
+  for (const bool right : {false, true}) {
+    auto tty = linux::Tty::open({folder.file("camera"), right ? 19'200U : 57'600U});
+    ASSERT_TRUE(tty.ok()) << tty.problem();
+    pixy1::Camera<linux::Tty> camera(*tty);
+    std::uint32_t frames = 0;
+    bool heard = false;
+    const auto begin = running.clock().now();
+    while (running.clock().now() - begin < base::milliseconds(1'500)) {
+      if (camera.poll(running.clock().now())) ++frames;
+      heard = heard || camera.link() != sensor::LinkState::kSilent;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(heard) << "something comes";
+    EXPECT_EQ(frames > 10, right) << frames;
+  }
+  running.stop();
 }
 
 TEST(EmulateServer, ShowsFramesOnTcp) {

@@ -1,10 +1,10 @@
-#include "host/cli/gunzip.hpp"
+#include "host/text/gunzip.hpp"
 
 #include <zlib.h>
 
 #include <array>
 
-namespace fencepost::host::cli {
+namespace fencepost::host {
 namespace {
 
 constexpr int kGzipOnly = 16;  // added to the window's bits
@@ -54,4 +54,4 @@ std::optional<std::string> gunzip(std::string_view bytes) {
   return out;
 }
 
-}  // namespace fencepost::host::cli
+}  // namespace fencepost::host

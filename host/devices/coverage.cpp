@@ -1,0 +1,100 @@
+#include "host/devices/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "firmware/config/devices.hpp"
+#include "host/devices/catalogue.hpp"
+#include "host/text/device_word.hpp"
+
+namespace fencepost::devices {
+namespace {
+
+using enum PlaceKind;
+
+constexpr const char* kNothing = "none";
+
+/// TCP is a serial line over a network: it has no line of its own.
+constexpr PlaceKind kLinks[] = {kTty, kI2c, kSpi, kUsb, kNxt, kCan};
+
+std::string_view link_name(PlaceKind link) {
+  switch (link) {
+    case kTty:
+    case kTcp: return "serial";
+    case kI2c: return "I2C";
+    case kSpi: return "SPI";
+    case kUsb: return "USB";
+    case kNxt: return "NXT brick";
+    case kCan: return "CAN";
+    case kNone: break;
+  }
+  return "";
+}
+
+bool has(const std::vector<PlaceKind>& places, PlaceKind place) {
+  return std::find(places.begin(), places.end(), place) != places.end();
+}
+
+Tried tried_on(const Row& row, PlaceKind link) {
+  const auto found = std::ranges::find(row.tried, link, &Tried::link);
+  return found == row.tried.end() ? Tried{link} : *found;
+}
+
+/// The row of `emulate` that plays `row` there; behind a brick it is one of its own.
+bool is_played(const Row& row, PlaceKind link) {
+  if (link != kNxt) return row.emulated->has_value() && has((*row.emulated)->places, link);
+  return std::ranges::any_of(catalogue(), [&](const Row& other) { return *other.name == *row.name + ":nxt"; });
+}
+
+std::string emulator(const Row& row, PlaceKind link, const Tried& tried) {
+  if (is_played(row, link)) return "`emulate`";
+  return tried.bench.empty() && tried.guest.empty() ? kNothing : "in tests";
+}
+
+std::string guest(PlaceKind link, const Tried& tried) {
+  if (!tried.guest.empty()) return "yes";
+  return link == kTty ? "not needed" : kNothing;
+}
+
+std::string boards(const Row& row, PlaceKind link) {
+  std::vector<std::string> names;
+  for (const std::string& image : row.images) {
+    const config::Port port = *row.role == Role::kCamera ? config::info(config::camera_named(image)).port
+                                                         : config::info(config::odometry_named(image)).port;
+    const bool here = (port == config::Port::kLine && link == kTty) || (port == config::Port::kTwoWire && link == kI2c);
+    if (here) names.push_back("`" + image + "`");
+  }
+  return names.empty() ? kNothing : host::listed(names);
+}
+
+std::string others(const Row& row, PlaceKind link, const Tried& tried) {
+  if (!tried.others.empty()) return tried.others;
+  const bool anything = is_played(row, link) || !tried.bench.empty() || !tried.guest.empty();
+  return anything ? "none: emulator only" : "none: not tried at all";
+}
+
+}  // namespace
+
+std::string coverage_table() {
+  std::string text =
+      "| device | link | driver | emulator | guest kernel | board | other people's software |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const Row& row : catalogue()) {
+    if (!row.live->has_value()) continue;
+    for (const PlaceKind link : kLinks) {
+      if (!has((*row.live)->places, link)) continue;
+      const Tried tried = tried_on(row, link);
+      text += fmt::format("| `{}` | {} | `run` | {} | {} | {} | {} |\n", *row.name, link_name(link),
+                          emulator(row, link, tried), guest(link, tried), boards(row, link), others(row, link, tried));
+    }
+  }
+  for (const config::DeviceInfo& odometry : config::kOdometries) {
+    if (odometry.port != config::Port::kPins) continue;
+    text += fmt::format("| `{0}` | pins | on boards | boards' emulators | not needed | `{0}` | none: emulator only |\n",
+                        odometry.name);
+  }
+  return text;
+}
+
+}  // namespace fencepost::devices

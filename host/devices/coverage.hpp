@@ -1,0 +1,11 @@
+// How far each device is covered on each of its links: the table of share/doc/devices.md.
+#pragma once
+
+#include <string>
+
+namespace fencepost::devices {
+
+/// A line per device and link, with its heading: driver, emulator, guest kernel, board, other people's software.
+std::string coverage_table();
+
+}  // namespace fencepost::devices
