@@ -130,12 +130,14 @@ void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, c
 double sign(Dice& dice) { return dice.below(2) == 0 ? 1 : -1; }
 
 /// A Pixy2 that was screwed on by hand.
-sensor::CameraIntrinsics true_camera(Dice& dice) {
+sensor::CameraIntrinsics true_camera(double fisheye, Dice& dice) {
   sensor::CameraIntrinsics camera;
   camera.model = "pixy2";
   camera.width = 316;
   camera.height = 208;
-  const double f = 273.6 * dice.between(0.95, 1.05);
+  const double nominal = fisheye > 0 ? camera.width / (fisheye * kDegree) : 273.6;
+  if (fisheye > 0) camera.lens = sensor::Lens::kEquidistant;
+  const double f = nominal * dice.between(0.95, 1.05);
   camera.fx = camera.fy = base::Pixels2::nearest(f);
   camera.cx = base::Pixels2::nearest(157.5);
   camera.cy = base::Pixels2::nearest(103.5);
@@ -180,7 +182,7 @@ CalibrationDrive calibration_drive(const DriveOptions& options) {
   CalibrationDrive drive;
   drive.scene.seed = options.seed;
   drive.scene.rate = 50;
-  drive.scene.camera = true_camera(dice);
+  drive.scene.camera = true_camera(options.fisheye, dice);
   drive.told = told_camera(drive.scene.camera, dice);
   const std::vector<host::TimedPose> way = way_of(options, dice);
   drive.scene.path = host::PosesPath{way};
