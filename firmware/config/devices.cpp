@@ -18,12 +18,19 @@ base::Pixels2 scaled(base::Pixels2 length, float by) {
   return {static_cast<std::int32_t>(static_cast<float>(length.raw) * by + 0.5F)};
 }
 
-// The focal length that so many degrees across make of these columns: half of them by the tangent of half the angle.
+// No lens keeps straight lines straight beyond: it is a fisheye.
+constexpr std::int32_t kWidestPinhole = 100;  // degrees across
+
+// The focal length that so many degrees across make of these columns: half of them by the tangent of half the angle, of
+// a fisheye by half the angle.
 void put_lens(sensor::CameraIntrinsics& camera, std::int32_t degrees) {
   constexpr std::int64_t kHalfDegree = 8'727;  // urad: pi / 360
   constexpr float kHalfPerColumn = 50;         // hundredths of a pixel
   const base::SinCos half = base::sincos_urad(degrees * kHalfDegree);
-  const float fx = static_cast<float>(camera.width) * kHalfPerColumn * half.cos / half.sin;
+  const bool fisheye = degrees > kWidestPinhole;
+  if (fisheye) camera.lens = sensor::Lens::kEquidistant;
+  const float one = static_cast<float>(camera.width) * kHalfPerColumn;
+  const float fx = fisheye ? one / (1e-6F * static_cast<float>(degrees * kHalfDegree)) : one * half.cos / half.sin;
   const float by = fx / static_cast<float>(camera.fx.raw);
   camera.fy = scaled(camera.fy, by);
   camera.fx = scaled(camera.fx, by);

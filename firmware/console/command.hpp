@@ -21,6 +21,7 @@ enum class Verb : std::uint8_t {
   kMap,
   kNext,
   kSectors,
+  kCalibrate,
   kAlerts,
   kMode,
   kSet,
@@ -31,7 +32,7 @@ enum class Verb : std::uint8_t {
   kStop,
   kVersion,
 };
-inline constexpr std::size_t kVerbs = 15;
+inline constexpr std::size_t kVerbs = 16;
 
 struct VerbInfo {
   std::string_view name;
@@ -49,6 +50,7 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"map", "", 0, 0, "the map from above"},
     {"next", "[ID]", 0, 1, "from where an object would be learnt most"},
     {"sectors", "", 0, 0, "distances all around as a record, $FPSEC"},
+    {"calibrate", "", 0, 0, "what a calibration drive still needs"},
     {"alerts", "on|off", 1, 1, "say alerts (modes text and log)"},
     {"mode", "text|log|plot|quiet", 1, 1, "sentences, records, numbers to plot, only answers"},
     {"set", "KEY VALUE", 2, 3, "change a setting"},

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "firmware/console/drive_guide.hpp"
 #include "firmware/console/input_lines.hpp"
 #include "firmware/console/quote.hpp"
 #include "firmware/console/top_view.hpp"
@@ -29,6 +30,7 @@ enum class Reply : std::uint8_t {
   kMap,
   kNext,  ///< subject: slot + 1 of the object that was asked for; 0: all
   kSectors,
+  kCalibrate,
   kAllSettings,
   kOneSetting,  ///< subject: Key
   kSettingIs,   ///< subject: Key
@@ -84,6 +86,7 @@ struct ConsoleState {
   Answer answer;
   std::uint16_t selftest_at = 0;  ///< next code of the canned stream
   base::Stamp plotted_at;
+  DriveGuide guide;
   TopView view;  ///< of the map that is being drawn
   InputLines input;
 };

@@ -37,6 +37,7 @@ class Answers {
       case Reply::kMap: return write_map(links, out);
       case Reply::kNext: return write_next(links, out);
       case Reply::kSectors: return write_sectors(links, out);
+      case Reply::kCalibrate: return m_.console.guide.write(answer.line, logs(), out);
       default:
         return console::write_answer(answer,
                                      {m_.console.mode, m_.console.alerts, m_.run.whole, in_force(), m_.run.header,
@@ -55,6 +56,7 @@ class Answers {
       case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said(), m_.offer != nullptr);
       case Reply::kObjects: return next_used(answer.line - 1U) == Profile::kObjects;
       case Reply::kNext: return answer.subject > 0 || next_used(answer.line) == Profile::kObjects;
+      case Reply::kCalibrate: return answer.line >= m_.console.guide.lines(logs());
       case Reply::kMap: return m_.poses.empty() || answer.line >= console::kMapLines;
       default: return true;
     }
@@ -103,6 +105,7 @@ class Answers {
     if (size > 0 && answer.subject == 0) answer.line = static_cast<std::uint8_t>(slot);
     return size;
   }
+  [[nodiscard]] bool logs() const { return m_.console.mode == console::Mode::kLog || m_.journal.on(); }
   [[nodiscard]] std::size_t next_used(std::size_t slot) const {
     while (slot < Profile::kObjects && !m_.map.slots()[slot].used()) ++slot;
     return slot;

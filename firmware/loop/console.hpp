@@ -134,6 +134,9 @@ class Console {
       case Verb::kMap: return {Reply::kMap};
       case Verb::kNext: return next(word);
       case Verb::kSectors: return {Reply::kSectors};
+      case Verb::kCalibrate:
+        if (!state().guide.on()) state().guide.begin();
+        return {Reply::kCalibrate};
       case Verb::kAlerts: state().alerts = word == "on"; return {Reply::kAlertsAre};
       case Verb::kMode: pipeline_.set_mode(*console::mode_named(word)); return {Reply::kModeIs};
       case Verb::kSet: return set(word, words.words[2]);

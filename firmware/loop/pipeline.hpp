@@ -50,6 +50,7 @@ class Pipeline {
     m_.front_alert = {};
     m_.camera_doubt = {};
     m_.reports.fill({});
+    m_.console.guide.new_run();
     const record::Header* header = m_.run.header;
     m_.run = {};
     m_.run.header = header;
@@ -221,6 +222,7 @@ class Pipeline {
     m_.run.sight.frame_used(frame, m_.calibration.models[frame.camera], *pose);
     m_.looming.look(frame, m_.calibration.models[frame.camera], &*pose);
     reconstruct(frame, *pose);
+    if (m_.console.guide.on() && reporter_.logs()) guide_drive(frame, *pose);
     watch_.follow_objects(frame.t);
     if (!m_.run.testing) watch_.judge_camera(frame.t);
     placed(frame);
@@ -396,6 +398,17 @@ class Pipeline {
     if constexpr (Profile::kSeesFloor) m_.floor.look(frame, camera, pose);
     ++m_.counters.frames;
     m_.counters.blobs += static_cast<std::uint32_t>(frame.blobs.size());
+  }
+
+  // Says what a calibration drive still needs, each time that it needs less.
+  [[gnu::noinline]] void guide_drive(const recon::WaitingFrame& frame, const recon::MapPose& pose) {
+    unsigned known = 0;
+    for (const recon::ObjectCore& object : m_.map.slots()) known += object.used() && object.confirmed ? 1U : 0U;
+    console::DriveGuide& guide = m_.console.guide;
+    const bool news = guide.look(frame, m_.calibration.models[frame.camera], pose, known);
+    if (!news || m_.console.answer.pending()) return;
+    guide.say();
+    m_.console.answer = {console::Reply::kCalibrate};
   }
 
   void forget_floor() {

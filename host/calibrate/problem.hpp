@@ -19,6 +19,7 @@ struct ToldOptics {
   double cy = 0;
   double width = 0;
   double height = 0;
+  bool equidistant = false;
 };
 
 /// What one frame shows of one object: continuous edges of its box, px. An end that is cut off or hidden is missing.

@@ -27,11 +27,11 @@ double share_below(std::vector<double> magnitudes, double share) {
 std::optional<Point> floor_point(const CalibrationProblem& problem, const Sighting& sighting,
                                  const calibration::View<double>& view, const CameraValues& camera) {
   if (!problem.rows || !sighting.foot) return std::nullopt;
-  const double down = std::atan((*sighting.foot - problem.optics.cy) / view.fy) + camera[kPitch];
+  const calibration::GroundRay ray = calibration::ground_ray(problem.optics, camera, sighting.middle, *sighting.foot);
   constexpr double kHorizon = 0.02;  // rad
-  if (down < kHorizon) return std::nullopt;
-  const double depth = camera[kHeight] / std::tan(down);
-  const double left = depth * (problem.optics.cx - sighting.middle) / view.fx;
+  if (ray.down < kHorizon * ray.ahead || ray.ahead <= 0) return std::nullopt;
+  const double depth = camera[kHeight] * ray.ahead / ray.down;
+  const double left = camera[kHeight] * ray.left / ray.down;
   return Point{view.x + depth * view.ahead_x - left * view.ahead_y,
                view.y + depth * view.ahead_y + left * view.ahead_x};
 }

@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/calibrate/lens_model.hpp"
 #include "host/calibrate/problem.hpp"
 
 namespace fencepost::host::calibration {
-
-inline double value_of(double number) { return number; }
-/// Of a number with derivatives.
-template <class Number>
-double value_of(const Number& number) {
-  return number.a;
-}
 
 template <class T>
 struct Pose {
@@ -144,12 +138,6 @@ T support_slope(const T* object, const T& nx, const T& ny) {
   return slope;
 }
 
-/// Rows and columns over the focal length, without distortion -> with it: the factor for both.
-template <class T>
-T distortion(const T& k1, const T& across, const T& down) {
-  return 1.0 + k1 * (across * across + down * down);
-}
-
 /// The row, over the focal length, of a point `depth` ahead over the floor and `drop` below the lens.
 template <class T>
 T row_of(const View<T>& view, const T& depth, const T& drop) {
@@ -168,10 +156,9 @@ T not_behind(const T& depth) {
 template <class T>
 T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, const Sighting& sighting,
               double seen, double sign) {
-  const T distorted = (optics.cx - seen) / view.fx;
-  const T row = (0.5 * (sighting.row_low + sighting.row_high) - optics.cy) / view.fy;
-  T across = distorted;  // left of the axis
-  for (int i = 0; i < 3; ++i) across = distorted / distortion(camera[kK1], across, row);
+  const double row = row_of_edge(optics, value_of(view.fy) * value_of(camera[kPitch]), sighting, seen, sign);
+  const T across =
+      undistorted_column<T>(optics, camera[kK1], (optics.cx - seen) / view.fx, (row - optics.cy) / view.fy);
 
   // On a level `drop` below a pitched lens a column is a line from a point that lies drop * tan(pitch) behind it.
   const T slope = across * view.cos_pitch;
@@ -193,7 +180,7 @@ T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, co
     const T turn = sign * miss / range;
     const T found = (slope + turn) / (1.0 - slope * turn) / view.cos_pitch;
     const T down = row_of(view, depth, drop);
-    return optics.cx - view.fx * found * distortion(camera[kK1], found, down);
+    return optics.cx - view.fx * found * distortion<T>(optics, camera[kK1], found, down);
   };
   const T bottom = column_at(camera[kHeight]);
   const T top = column_at(camera[kHeight] - object[kTop]);
@@ -204,7 +191,74 @@ T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, co
     const T middle = column_at(level);
     if ((sign > 0) == (value_of(middle) < value_of(outermost))) outermost = middle;
   }
+  if (!optics.equidistant) return outermost;
+  // A bow that is bent by pitch and lens together has its end anywhere: beside it a step is of second order.
+  constexpr int kSteps = 6;
+  for (int i = 1; i < kSteps; ++i) {
+    const T between = column_at(camera[kHeight] - object[kTop] * (static_cast<double>(i) / kSteps));
+    if ((sign > 0) == (value_of(between) < value_of(outermost))) outermost = between;
+  }
   return outermost;
+}
+
+/// The row of a point on the floor plan that lies `drop` below the lens.
+template <class T>
+T row_of_point(const ToldOptics& optics, const T* camera, const View<T>& view, const T& x, const T& y, const T& drop) {
+  const T dx = x - view.x;
+  const T dy = y - view.y;
+  const T depth = not_behind<T>(dx * view.ahead_x + dy * view.ahead_y);
+  const T across = (dy * view.ahead_x - dx * view.ahead_y) / (depth * view.cos_pitch + drop * view.sin_pitch);
+  const T down = row_of(view, depth, drop);
+  return optics.cy + view.fy * down * distortion<T>(optics, camera[kK1], across, down);
+}
+
+/// Where on the rim the row is extreme: the outward normal there.
+struct RimNormal {
+  double x;
+  double y;
+};
+inline RimNormal extreme_of_rim(const ToldOptics& optics, const CameraValues& camera, const View<double>& view,
+                                const ObjectValues& object, double drop, double sign) {
+  double x = object[kCentreX];
+  double y = object[kCentreY];
+  RimNormal n{};
+  // The rows' gradient turns little from one side of an object to the other: twice is enough.
+  for (int i = 0; i < 3; ++i) {
+    constexpr double kStep = 1e-4;  // m
+    const auto row = [&](double dx, double dy) {
+      return sign * row_of_point<double>(optics, camera.data(), view, x + dx, y + dy, drop);
+    };
+    n = {row(kStep, 0) - row(-kStep, 0), row(0, kStep) - row(0, -kStep)};
+    const double length = std::hypot(n.x, n.y);
+    if (length < 1e-12) return {-view.ahead_x, -view.ahead_y};
+    n = {n.x / length, n.y / length};
+    const double reach = support(object.data(), n.x, n.y) - n.x * object[kCentreX] - n.y * object[kCentreY];
+    const double slope = support_slope(object.data(), n.x, n.y);
+    x = object[kCentreX] + reach * n.x - slope * n.y;
+    y = object[kCentreY] + reach * n.y + slope * n.x;
+  }
+  return n;
+}
+
+/// The lowest (`sign` +1) or the highest (-1) row of the object's rim at a level `drop` below the lens. Through a lens
+/// that bends it is not that of the point nearest along the axis.
+template <class T>
+T rim_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, const T& drop, double sign) {
+  CameraValues camera_values{};
+  ObjectValues values{};
+  for (std::size_t i = 0; i < kCameraParameters; ++i) camera_values[i] = value_of(camera[i]);
+  for (std::size_t i = 0; i < kObjectParameters; ++i) values[i] = value_of(object[i]);
+  const View<double> seen = {value_of(view.x),       value_of(view.y),         value_of(view.azimuth),
+                             value_of(view.ahead_x), value_of(view.ahead_y),   value_of(view.fx),
+                             value_of(view.fy),      value_of(view.sin_pitch), value_of(view.cos_pitch)};
+  const RimNormal n = extreme_of_rim(optics, camera_values, seen, values, value_of(drop), sign);
+  // At the extreme a turn of the normal changes nothing: its derivative is left out.
+  const T nx = T(n.x);
+  const T ny = T(n.y);
+  const T reach = support(object, nx, ny) - nx * object[kCentreX] - ny * object[kCentreY];
+  const T slope = support_slope(object, nx, ny);
+  return row_of_point<T>(optics, camera, view, object[kCentreX] + reach * nx - slope * ny,
+                         object[kCentreY] + reach * ny + slope * nx, drop);
 }
 
 template <class T>
@@ -212,7 +266,7 @@ T row_in_image(const ToldOptics& optics, const T* camera, const View<T>& view, d
                const T& drop) {
   const T down = row_of(view, not_behind(depth), drop);
   const T across = (optics.cx - column) / view.fx;
-  return optics.cy + view.fy * down * distortion(camera[kK1], across, down);
+  return optics.cy + view.fy * down * distortion<T>(optics, camera[kK1], across, down);
 }
 
 template <class T>
@@ -220,9 +274,16 @@ T nearest_depth(const View<T>& view, const T* object) {
   return -support<T>(object, -view.ahead_x, -view.ahead_y) - view.ahead_x * view.x - view.ahead_y * view.y;
 }
 
+/// Straight lines of the floor are bows in the image.
+template <class T>
+bool bends(const ToldOptics& optics, const T* camera) {
+  return optics.equidistant || value_of(camera[kK1]) != 0;
+}
+
 /// The row of the foot: of the footprint's nearest point.
 template <class T>
 T foot_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
+  if (bends(optics, camera)) return rim_row<T>(optics, camera, view, object, camera[kHeight], 1);
   return row_in_image<T>(optics, camera, view, column, nearest_depth(view, object), camera[kHeight]);
 }
 
@@ -230,6 +291,7 @@ T foot_row(const ToldOptics& optics, const T* camera, const View<T>& view, const
 template <class T>
 T top_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
   const T drop = camera[kHeight] - object[kTop];
+  if (bends(optics, camera)) return rim_row<T>(optics, camera, view, object, drop, -1);
   if (value_of(drop) < 0) return row_in_image<T>(optics, camera, view, column, nearest_depth(view, object), drop);
   const T far = support<T>(object, view.ahead_x, view.ahead_y) - view.ahead_x * view.x - view.ahead_y * view.y;
   return row_in_image<T>(optics, camera, view, column, far, drop);

@@ -129,12 +129,18 @@ ObjectValues first_guess(const StartedProblem& started, std::size_t object) {
         started.estimate.wheels.data(), started.estimate.nodes[sighting.node].data());
     return calibration::view_of<double>(problem.optics, started.estimate.camera.data(), robot);
   };
+  const auto ray_of = [&](const Sighting& sighting, double row) {
+    return calibration::ground_ray(problem.optics, started.estimate.camera, sighting.middle, row);
+  };
   constexpr double kUsual = 0.7;    // m, where bearings are parallel
   constexpr double kPrior = 0.002;  // its weight beside a line's
   for (const Sighting& sighting : problem.sightings) {
     if (sighting.object != object) continue;
     const auto view = view_of(sighting);
-    const double bearing = view.azimuth + std::atan((problem.optics.cx - sighting.middle) / view.fx);
+    const auto ray = ray_of(sighting, 0.5 * (sighting.row_low + sighting.row_high));
+    const double bearing =
+        view.azimuth + (problem.optics.equidistant ? std::atan2(ray.left, ray.ahead)
+                                                   : std::atan((problem.optics.cx - sighting.middle) / view.fx));
     const double nx = -std::sin(bearing);
     const double ny = std::cos(bearing);
     const double offset = nx * view.x + ny * view.y;
@@ -156,8 +162,8 @@ ObjectValues first_guess(const StartedProblem& started, std::size_t object) {
     const double range = std::hypot(values[kCentreX] - view.x, values[kCentreY] - view.y);
     radii.push_back(range * (*sighting.right - *sighting.left) / (2 * view.fx));
     if (!sighting.top) continue;
-    const double down = std::atan((*sighting.top - problem.optics.cy) / view.fy) + started.estimate.camera[kPitch];
-    tops.push_back(started.estimate.camera[kHeight] - range * std::tan(down));
+    const auto ray = ray_of(sighting, *sighting.top);
+    tops.push_back(started.estimate.camera[kHeight] - range * ray.down / std::hypot(ray.ahead, ray.left));
   }
   values[kRadius] = std::clamp(median_of(std::move(radii)), 0.01, 0.5);
   values[kTop] = std::clamp(median_of(std::move(tops)), 0.01, 2.0);
@@ -213,7 +219,8 @@ ToldOptics optics_of(const sensor::CameraIntrinsics& camera) {
           camera.cx.to_double(),
           camera.cy.to_double(),
           static_cast<double>(camera.width),
-          static_cast<double>(camera.height)};
+          static_cast<double>(camera.height),
+          camera.lens == sensor::Lens::kEquidistant};
 }
 
 }  // namespace
@@ -223,11 +230,6 @@ std::optional<std::string> too_few(std::size_t objects) {
   return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
                      objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), StartOptions{}.least_views,
                      kLeastObjects, kGuide);
-}
-
-std::optional<std::string> lens_not_fitted(const DriveLog& log) {
-  if (log.camera.lens == sensor::Lens::kPinhole) return std::nullopt;
-  return "the log's $FPCAM says an equidistant lens, which is not fitted yet; give its focal length by hand";
 }
 
 StartedProblem start_with(const DriveLog& log, const StartOptions& options, const std::vector<PoseResult>& path) {
@@ -247,7 +249,6 @@ StartedProblem start_with(const DriveLog& log, const StartOptions& options, cons
 }
 
 std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
-  if (auto why = lens_not_fitted(log)) return *std::move(why);
   if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
   const OdometryTrack odometry(log.odometry);
   if (const auto why = why_hopeless(log, odometry)) return *why;

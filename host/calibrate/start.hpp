@@ -44,8 +44,6 @@ std::variant<StartedProblem, std::string> start_problem(const DriveLog& log);
 
 /// Why this many objects are not enough, or nothing.
 std::optional<std::string> too_few(std::size_t objects);
-/// Why the log's lens cannot be fitted, or nothing.
-std::optional<std::string> lens_not_fitted(const DriveLog& log);
 
 /// For every refusal: how a log is made that is enough.
 inline constexpr const char* kGuide =

@@ -64,7 +64,12 @@ Row row(int number, const Dialect& usual, std::uint32_t delivered_baud, double r
           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
                        .options = options,
                        .unready = "it is being set up, or of another kind",
-                       .driver = CameraDriver{open_cmucam<DialectOf>, cmucam_profile<DialectOf>}},
+                       .driver =
+                           CameraDriver{
+                               open_cmucam<DialectOf>, cmucam_profile<DialectOf>,
+                               number == 2
+                                   ? "published: 44.1 by 33.7 degrees of the FRC kit's lens; teams measured 46.6 to 50"
+                                   : "assumed: that of the CMUcam2"}},
           .emulated = Emulated{.tells = "one box over all that lies inside the colour window",
                                .options = {line_baud(delivered_baud)},
                                .describe = emulate::describe_text,

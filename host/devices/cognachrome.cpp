@@ -45,7 +45,8 @@ Rows cognachrome() {
                     .driver = CameraDriver{open_cognachrome,
                                            [](const DeviceSpec&) -> std::optional<sensor::CameraIntrinsics> {
                                              return cognachrome::kProfile;
-                                           }}},
+                                           },
+                                           "assumed: any video lens fits it, none is named"}},
        .emulated = Emulated{.tells = "centroid and pixels, no box",
                             .options = {line_baud(kCognachromeBaud), format()},
                             .describe = emulate::describe_cognachrome,

@@ -23,7 +23,8 @@ Rows console() {
               CameraDriver{[](const Opening&) -> std::unique_ptr<host::CameraDevice> {
                              return std::make_unique<host::ConsoleCamera>();
                            },
-                           [](const DeviceSpec&) { return std::optional<sensor::CameraIntrinsics>(); }}),
+                           [](const DeviceSpec&) { return std::optional<sensor::CameraIntrinsics>(); },
+                           "told: by `$FPCAM`"}),
           row(Role::kOdometry, "`$FPODO` lines on the console",
               OdometryDriver{[](const Opening&) -> std::unique_ptr<host::OdometryDevice> {
                 return std::make_unique<host::ConsoleOdometry>();

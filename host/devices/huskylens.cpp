@@ -14,6 +14,7 @@ namespace {
 
 using enum PlaceKind;
 
+constexpr const char* kNoAngle = "assumed: no source tells an angle";
 constexpr std::uint32_t kHuskylensBaud = 9'600;
 constexpr std::uint32_t kHuskylens2Baud = 115'200;
 constexpr const char* kUnready = "it has learned no colour, is busy, or shows a menu";
@@ -38,7 +39,7 @@ Row huskylens2() {
                        .options = {baud(kHuskylens2Baud), address(huskylens::kAddress2)},
                        .unready = kUnready,
                        .driver = CameraDriver{open_huskylens<huskylens::Generation::kTwo>,
-                                              huskylens_profile<huskylens::kProfile2>}},
+                                              huskylens_profile<huskylens::kProfile2>, kNoAngle}},
           .emulated =
               Emulated{.tells = "blocks of learned colours; no arrows",
                        .options = {line_baud(kHuskylens2Baud)},
@@ -61,7 +62,7 @@ Rows huskylens() {
                         .options = {baud(kHuskylensBaud), address(huskylens::kAddress)},
                         .unready = kUnready,
                         .driver = CameraDriver{open_huskylens<huskylens::Generation::kOne>,
-                                               huskylens_profile<huskylens::kProfile>}},
+                                               huskylens_profile<huskylens::kProfile>, kNoAngle}},
            .emulated = Emulated{.tells = "blocks of learned colours; no arrows",
                                 .options = {line_baud(kHuskylensBaud)},
                                 .describe = emulate::describe_huskylens,

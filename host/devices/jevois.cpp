@@ -25,28 +25,31 @@ jevois::Config named(const host::RobotFile& robot) {
 }  // namespace
 
 Rows jevois() {
-  return {{.name = "jevois",
-           .about = "JeVois, standardized serial messages; calibrate",
-           .role = Role::kCamera,
-           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
-                        .options = {baud(kJevoisBaud)},
-                        .unready = "no module of it streams: setmapping2 in its initscript.cfg",
-                        .driver = CameraDriver{[](const Opening& opening) {
-                                                 return camera_on_line<jevois::JeVois<host::BytePort>>(
-                                                     opening, named(opening.robot));
-                                               },
-                                               [](const DeviceSpec&) -> std::optional<sensor::CameraIntrinsics> {
-                                                 return jevois::nominal_intrinsics({});
-                                               }}},
-           .emulated = Emulated{.tells = "boxes of things called blob1, blob2 ...",
-                                .options = {line_baud(kJevoisBaud)},
-                                .describe = emulate::describe_text,
-                                .make = [](const DeviceSpec&,
-                                           const emulate::Colours&) -> std::unique_ptr<emulate::DeviceModel> {
-                                  return std::make_unique<emulate::JeVois>();
-                                },
-                                .image = image_of(jevois::nominal_intrinsics({}), {.first_signature = 1}, 30)},
-           .images = {"jevois"}}};
+  return {
+      {.name = "jevois",
+       .about = "JeVois, standardized serial messages; calibrate",
+       .role = Role::kCamera,
+       .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
+                    .options = {baud(kJevoisBaud)},
+                    .unready = "no module of it streams: setmapping2 in its initscript.cfg",
+                    .driver = CameraDriver{[](const Opening& opening) {
+                                             return camera_on_line<jevois::JeVois<host::BytePort>>(
+                                                 opening, named(opening.robot));
+                                           },
+                                           [](const DeviceSpec&) -> std::optional<sensor::CameraIntrinsics> {
+                                             return jevois::nominal_intrinsics({});
+                                           },
+                                           "maker: 60 degrees, doc/Lenses.dox of its sources; 65 elsewhere; others: 90 "
+                                           "degrees, a fisheye of 120"}},
+       .emulated =
+           Emulated{.tells = "boxes of things called blob1, blob2 ...",
+                    .options = {line_baud(kJevoisBaud)},
+                    .describe = emulate::describe_text,
+                    .make = [](const DeviceSpec&, const emulate::Colours&) -> std::unique_ptr<emulate::DeviceModel> {
+                      return std::make_unique<emulate::JeVois>();
+                    },
+                    .image = image_of(jevois::nominal_intrinsics({}), {.first_signature = 1}, 30)},
+       .images = {"jevois"}}};
 }
 
 }  // namespace fencepost::devices

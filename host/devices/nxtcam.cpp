@@ -110,7 +110,8 @@ Rows nxtcam() {
                                {"map", Words{{"on", "off"}}, "on", "check of the colour map", {kI2c, kNxt}},
                                {"lock", Words{{"off", "on"}}, "off", "of the buffer, later v4", {kI2c, kNxt}}},
                    .unready = kTeach,
-                   .driver = CameraDriver{open_nxtcam, nxtcam_profile}},
+                   .driver = CameraDriver{open_nxtcam, nxtcam_profile,
+                                          "published: 43 degrees, often said; its user guides tell none"}},
       .emulated = avrcam_dialect(),
       .images = {"nxtcam", "nxtcam_i2c"},
       .tried = {{kI2c, "nxtcam:i2c", "RunOnCamera.NxtCamOnI2c"},
@@ -120,26 +121,28 @@ Rows nxtcam() {
       .name = "nxtcam5",
       .about = "the line inside an NXTCam v5",
       .role = Role::kCamera,
-      .live = Live{.places = {kTty, kTcp},
-                   .options = {baud(kNxtcamBaud),
-                               {"silence", Words{{"lost", "empty"}}, "lost", "what it means if nothing comes at all"}},
-                   .unready = kTeach,
-                   .driver = CameraDriver{open_v5, v5_profile}},
+      .live =
+          Live{.places = {kTty, kTcp},
+               .options = {baud(kNxtcamBaud),
+                           {"silence", Words{{"lost", "empty"}}, "lost", "what it means if nothing comes at all"}},
+               .unready = kTeach,
+               .driver = CameraDriver{open_v5, v5_profile, "assumed: that of the OpenMV it is built on, 70.8 degrees"}},
       .emulated =
           Emulated{.tells = "nothing for an image without blobs",
                    .options = {line_baud(kNxtcamBaud)},
                    .describe = emulate::describe_nxtcam5,
                    .make = [](const DeviceSpec&, const emulate::Colours&) { return emulate::make_nxtcam5_model(); },
                    .image = image_of(nxtcam::kV5Profile, {}, 30)}};
-  Row avrcam = {.name = "avrcam",
-                .about = "AVRcam",
-                .role = Role::kCamera,
-                .live = Live{.places = {kTty, kTcp},
-                             .options = {baud(kNxtcamBaud)},
-                             .unready = kTeach,
-                             .driver = CameraDriver{open_avrcam, avrcam_profile}},
-                .emulated = avrcam_dialect(),
-                .tried = {{.others = kViewer}}};
+  Row avrcam = {
+      .name = "avrcam",
+      .about = "AVRcam",
+      .role = Role::kCamera,
+      .live = Live{.places = {kTty, kTcp},
+                   .options = {baud(kNxtcamBaud)},
+                   .unready = kTeach,
+                   .driver = CameraDriver{open_avrcam, avrcam_profile, "assumed: as the NXTCam, which is an AVRcam"}},
+      .emulated = avrcam_dialect(),
+      .tried = {{.others = kViewer}}};
   return {on_bus, v5, avrcam};
 }
 

@@ -37,7 +37,8 @@ Rows pixy1() {
                         .options = {baud(kPixy1Baud), address(pixy1::kAddress), serial()},
                         .unready = "what comes is no Pixy's: in PixyMon choose the data out port (UART, I2C) and the "
                                    "baud rate",
-                        .driver = CameraDriver{open_pixy1, pixy1_profile}},
+                        .driver = CameraDriver{open_pixy1, pixy1_profile,
+                                               "published: 75 by 47 degrees, said of the lens it is delivered with"}},
            .emulated = Emulated{.tells = "",
                                 .options = {line_baud(kPixy1Baud)},
                                 .describe = emulate::describe_pixy1,

@@ -54,7 +54,7 @@ std::optional<sensor::CameraIntrinsics> pixy2_profile(const DeviceSpec& /*spec*/
 }
 
 template <const sensor::CameraIntrinsics& Profile>
-Row row(const char* name, const char* about) {
+Row row(const char* name, const char* about, const char* lens) {
   return {.name = name,
           .about = about,
           .role = Role::kCamera,
@@ -64,7 +64,7 @@ Row row(const char* name, const char* about) {
                                    {"hertz", Whole{10'000, 2'000'000}, "2000000", "of the clock", {kSpi}},
                                    serial()},
                        .unready = "it starts, runs another program, or its button is held",
-                       .driver = CameraDriver{open_pixy2, pixy2_profile<Profile>}},
+                       .driver = CameraDriver{open_pixy2, pixy2_profile<Profile>, lens}},
           .emulated =
               Emulated{.tells = "",
                        .options = {line_baud(kPixy2Baud)},
@@ -80,7 +80,10 @@ Row row(const char* name, const char* about) {
 }  // namespace
 
 Rows pixy2() {
-  Rows rows = {row<pixy2::kPixy2Profile>("pixy2", "Pixy2"), row<pixy2::kPixy21Profile>("pixy2.1", "Pixy2.1")};
+  Rows rows = {row<pixy2::kPixy2Profile>("pixy2", "Pixy2", "maker: 60 by 40 degrees"),
+               row<pixy2::kPixy21Profile>("pixy2.1", "Pixy2.1",
+                                          "maker: 80 degrees, with some distortion of which it tells no figure; an M12 "
+                                          "lens, which may be another one")};
   rows.front().images = {"pixy2", "pixy2_i2c"};
   rows.back().images = {"pixy2.1", "pixy2.1_i2c"};
   for (Row& row : rows) row.usb = UsbIds{linux::kPixyUsb.vendor, linux::kPixyUsb.product};

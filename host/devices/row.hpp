@@ -86,6 +86,8 @@ struct CameraDriver {
   Given<std::unique_ptr<host::CameraDevice> (*)(const Opening&)> open;
   /// Resolution, field of view and latency as the camera's maker says them; the mount is the robot's.
   Given<std::optional<sensor::CameraIntrinsics> (*)(const DeviceSpec&)> profile;
+  /// Where the lens of that is from: "maker: ...", "published: ..." (by others) or "assumed: ...", and for whom.
+  Given<std::string> lens;
 };
 struct OdometryDriver {
   Given<std::unique_ptr<host::OdometryDevice> (*)(const Opening&)> open;

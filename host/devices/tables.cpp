@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "host/devices/catalogue.hpp"
 #include "host/devices/coverage.hpp"
+#include "host/devices/open_devices.hpp"
 #include "host/text/device_word.hpp"
 
 namespace fencepost::devices {
@@ -96,6 +99,22 @@ std::string live_table(Use use, std::string_view title) {
   return text;
 }
 
+std::string lens_table() {
+  std::string text = "| camera | image | across | focal length | lens, k1 | source |\n|---|---|---|---|---|---|\n";
+  for (const Row* row : rows_for(Use::kCamera)) {
+    const auto& driver = std::get<CameraDriver>((*row->live)->driver);
+    const auto seen = nominal_camera(*row);
+    if (!seen) continue;
+    const bool fisheye = seen->lens == sensor::Lens::kEquidistant;
+    const double half = 0.5 * seen->width / seen->fx.to_double();
+    const double across = 2 * (fisheye ? half : std::atan(half)) * 180 / std::numbers::pi;
+    text +=
+        fmt::format("| `{}` | {} x {} | {:.1f} deg | {:.1f} px | {}, {:g} | {} |\n", *row->name, seen->width,
+                    seen->height, across, seen->fx.to_double(), name(seen->lens), seen->k1.to_double(), *driver.lens);
+  }
+  return text;
+}
+
 std::string emulated_table() {
   std::string text = "| device | | what it can tell | options |\n|---|---|---|---|\n";
   for (const Row* row : rows_for(Use::kEmulated)) {
@@ -134,8 +153,13 @@ std::string devices_document() {
          "it "
          "goes.\n\n"
          "## Of `run` and `record`\n" +
-         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry") + "\n## Of `emulate`\n" +
-         emulated_table() +
+         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry") +
+         "\n## Lenses\nWhat a camera is taken to see until it is [calibrated](calibrate.md) or told (`camera` of the "
+         "robot file, "
+         "`set lens`), and who says so.\nWhere the source is no maker's, or another lens may be screwed on, calibrate. "
+         "None "
+         "publishes a distortion: k1 is 0.\n\n" +
+         lens_table() + "\n## Of `emulate`\n" + emulated_table() +
          "\n## What was tried with what\n"
          "No line of this table was tried with the device itself. Where no other people's software was at the "
          "emulator, and "

@@ -27,7 +27,8 @@ Rows xbc() {
                                                },
                                                [](const DeviceSpec&) -> std::optional<sensor::CameraIntrinsics> {
                                                  return xbc::nominal_intrinsics({});
-                                               }}},
+                                               },
+                                               "assumed: no source tells an angle"}},
            // Two blobs a channel is what fencepost_xbc.ic sends.
            .emulated =
                Emulated{.tells = "",

@@ -173,10 +173,6 @@ SmoothOutcome smooth(std::string_view bytes, const std::string& name, const Smoo
     outcome.refusal = name + ": there is no odometry to speak of, so there is no path to smooth; record $FPODO, too";
     return outcome;
   }
-  if (const auto why = lens_not_fitted(log)) {
-    outcome.refusal = name + ": " + *why;
-    return outcome;
-  }
   Attempt best = attempt_from(log, outcome.replay);
   const SolverOptions how = wanted(best.started.problem, options.calibrate);
   if (by_odometry_alone(log, outcome.replay.result.path) && strays_too_far(best, how)) {

@@ -42,6 +42,21 @@ TEST(Devices, AWiderLensIsTheOtherCamera) {
   EXPECT_EQ(devices.calibration(), pixy2::kPixy21Profile);
 }
 
+// 316 px over 2.618 rad: half of them are 75 degrees, by the angle itself. The robot's and the board's floats agree.
+TEST(Devices, AFisheyeIsEquidistant) {
+  Devices devices(CameraId::kPixy2, OdometryId::kConsole);
+  ASSERT_FALSE(devices.set("lens", "150"));
+  EXPECT_EQ(devices.calibration().lens, sensor::Lens::kEquidistant);
+  EXPECT_NEAR(devices.calibration().fx.raw, 12'070, 1);
+  EXPECT_NEAR(devices.calibration().fy.raw, 12'070, 1);
+  ASSERT_FALSE(devices.set("lens", "101"));
+  EXPECT_EQ(devices.calibration().lens, sensor::Lens::kEquidistant);
+  ASSERT_FALSE(devices.set("lens", "100"));
+  EXPECT_EQ(devices.calibration().lens, sensor::Lens::kPinhole);
+  ASSERT_FALSE(devices.set("lens", "0"));
+  EXPECT_EQ(devices.calibration(), pixy2::kPixy2Profile);
+}
+
 TEST(Devices, SaysWhatIsNoValue) {
   Devices devices;
   const Devices before = devices;

@@ -22,6 +22,7 @@ TEST(Console, Help) {
       "  map                       the map from above\r\n"
       "  next [ID]                 from where an object would be learnt most\r\n"
       "  sectors                   distances all around as a record, $FPSEC\r\n"
+      "  calibrate                 what a calibration drive still needs\r\n"
       "  alerts on|off             say alerts (modes text and log)\r\n"
       "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
       "  set KEY VALUE             change a setting\r\n"
@@ -116,12 +117,14 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
   const std::pair<const char*, const char*> cases[] = {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
-       "error: unknown command 'fly', there are: help status objects map next sectors alerts mode set get selftest "
+       "error: unknown command 'fly', there are: help status objects map next sectors calibrate alerts mode set get "
+       "selftest "
        "reset go "
        "stop "
        "version"},
       {"a_word_that_is_far_too_long",
-       "error: unknown command 'a_word_that_is..', there are: help status objects map next sectors alerts mode set get "
+       "error: unknown command 'a_word_that_is..', there are: help status objects map next sectors calibrate alerts "
+       "mode set get "
        "selftest "
        "reset go stop version"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
@@ -199,7 +202,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 39 + 6 + 21 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 40 + 6 + 21 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }

@@ -55,6 +55,29 @@ TEST(Calibrate, FindsWhatWasToldWrong) {
   EXPECT_EQ(picture.find("nan"), std::string::npos);
 }
 
+// Wide lenses show more: what the log names is fitted, edges and feet 70 degrees off the axis, too.
+class FisheyeCalibrate : public testing::TestWithParam<double> {};
+TEST_P(FisheyeCalibrate, FindsWhatWasToldWrong) {
+  DriveOptions options;
+  options.seed = 503;
+  options.fisheye = GetParam();
+  const CalibrationDrive drive = calibration_drive(options);
+  const CalibrateOutcome outcome = run(drive);
+  ASSERT_TRUE(outcome.calibration) << outcome.refusal;
+  const Calibration& found = *outcome.calibration;
+  EXPECT_TRUE(found.complete());
+  EXPECT_EQ(found.found.lens, sensor::Lens::kEquidistant);
+  for (const std::string_view key : {"focal_length", "yaw", "pitch", "latency"}) {
+    const Finding& one = finding(found, key);
+    EXPECT_LT(std::abs(one.found - test::true_value(drive, key)), 3 * one.sigma) << key;
+  }
+  EXPECT_LT(finding(found, "focal_length").sigma / found.found.fx.to_double(), 0.005);
+  EXPECT_LT(finding(found, "yaw").sigma, 0.5);
+  EXPECT_LT(found.after.columns_px, 1.3);  // the noise of level 1
+  EXPECT_LT(found.after.rows_px, 1.3);
+}
+INSTANTIATE_TEST_SUITE_P(DegreesAcross, FisheyeCalibrate, testing::Values(100, 120, 150));
+
 // The odometry's metre is the unit until a length is known.
 TEST(Calibrate, ADistanceTellsTheWheelsScale) {
   DriveOptions options;

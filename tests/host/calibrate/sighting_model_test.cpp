@@ -15,18 +15,23 @@ struct Camera {
   double yaw = 0;
   double pitch = 0;
   double k1 = 0;
+  bool fisheye = false;  ///< equidistant, 150 degrees across
 };
 
 constexpr double kFocal = 273.6;
+constexpr double kFisheye = 120.7;
 constexpr double kLens = 0.13;  // m, height
 
 ToldOptics optics() { return {kFocal, kFocal, 157.5, 103.5, 316, 208}; }
+ToldOptics optics(const Camera& camera) {
+  return camera.fisheye ? ToldOptics{kFisheye, kFisheye, 157.5, 103.5, 316, 208, true} : optics();
+}
 
 CameraValues values_of(const Camera& camera) { return {0, camera.yaw, camera.pitch, 0, kLens, 0.05, 0.01, camera.k1}; }
 
 calibration::View<double> view_of(const Camera& camera) {
   const CameraValues values = values_of(camera);
-  return calibration::view_of<double>(optics(), values.data(), {0, 0, 0});
+  return calibration::view_of<double>(optics(camera), values.data(), {0, 0, 0});
 }
 
 ObjectValues round(Point centre, double radius, double top) {
@@ -110,7 +115,8 @@ Scene scene_of(const Seen& seen) {
   // Four times the pixels: whole ones are then a quarter of a pixel.
   camera.width = 4 * 316;
   camera.height = 4 * 208;
-  camera.fx = camera.fy = base::Pixels2::nearest(4 * kFocal);
+  camera.fx = camera.fy = base::Pixels2::nearest(4 * optics(seen.camera).fx);
+  if (seen.camera.fisheye) camera.lens = sensor::Lens::kEquidistant;
   camera.cx = base::Pixels2::nearest(4 * 158 - 0.5);
   camera.cy = base::Pixels2::nearest(4 * 104 - 0.5);
   camera.k1 = base::Ratio4::nearest(seen.camera.k1);
@@ -148,15 +154,15 @@ TEST_P(RenderedCylinder, HasItsEdgesWhereThePredictionHasThem) {
   const auto view = view_of(seen.camera);
   const ObjectValues object = round(seen.centre, seen.radius, seen.top);
   const auto edge = [&](double beside, double sign) {
-    return calibration::edge_column(optics(), values.data(), view, object.data(), sighting, beside, sign);
+    return calibration::edge_column(optics(seen.camera), values.data(), view, object.data(), sighting, beside, sign);
   };
   constexpr double kPixel = 0.30;  // an eighth by whole pixels, and as much for the box's corner
   EXPECT_NEAR(edge(*sighting.left, 1), *sighting.left, kPixel);
   EXPECT_NEAR(edge(*sighting.right, -1), *sighting.right, kPixel);
-  EXPECT_NEAR(calibration::foot_row(optics(), values.data(), view, object.data(), sighting.middle), sighting.row_high,
-              kPixel);
-  EXPECT_NEAR(calibration::top_row(optics(), values.data(), view, object.data(), sighting.middle), sighting.row_low,
-              kPixel);
+  EXPECT_NEAR(calibration::foot_row(optics(seen.camera), values.data(), view, object.data(), sighting.middle),
+              sighting.row_high, kPixel);
+  EXPECT_NEAR(calibration::top_row(optics(seen.camera), values.data(), view, object.data(), sighting.middle),
+              sighting.row_low, kPixel);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RenderedCylinder,
@@ -166,6 +172,16 @@ INSTANTIATE_TEST_SUITE_P(All, RenderedCylinder,
                                          Seen{{0, 0.1, 0}, {0.9, -0.3}, 0.05, 0.07},
                                          Seen{{0.03, 0.08, -0.1}, {0.9, 0.25}, 0.05, 0.1},
                                          Seen{{0, -0.05, 0.1}, {1.2, -0.3}, 0.08, 0.2}));
+
+// To 70 degrees off the axis, seen from above and from below their tops, pitched, with a k1 of their own.
+INSTANTIATE_TEST_SUITE_P(Fisheye, RenderedCylinder,
+                         testing::Values(Seen{{0, 0, 0, true}, {0.6, 0}, 0.05, 0.08},
+                                         Seen{{0, 0, 0, true}, {0.4, 0.5}, 0.06, 0.08},
+                                         Seen{{0, 0, 0, true}, {0.35, -0.6}, 0.06, 0.25},
+                                         Seen{{0.05, 0.1, 0, true}, {0.35, 0.6}, 0.05, 0.08},
+                                         Seen{{-0.05, 0.1, 0, true}, {0.35, -0.6}, 0.05, 0.2},
+                                         Seen{{0, -0.1, 0, true}, {0.3, 0.6}, 0.05, 0.2},
+                                         Seen{{0, 0.15, -0.04, true}, {0.35, 0.45}, 0.05, 0.1}));
 
 // The derivative that fits use, against steps.
 TEST(SightingModel, AMotionIsCorrectedByWhatTheWheelsReallyDo) {

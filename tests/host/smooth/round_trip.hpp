@@ -24,6 +24,7 @@ struct RoundTripOptions {
   double drift = 0;  ///< 0.03: 3 % of the way, 3 degrees a metre and a walk of 1 cm per root metre
   double edge_px = 0.7;
   int blocks = 6;
+  double fisheye = 0;  ///< degrees across of an equidistant lens; 0: a Pixy2's
   bool one_colour = false;
 };
 
@@ -38,6 +39,10 @@ inline RoundTrip round_trip(const RoundTripOptions& options) {
   camera.width = 316;
   camera.height = 208;
   camera.fx = camera.fy = base::Pixels2::nearest(273.6);
+  if (options.fisheye > 0) {
+    camera.lens = sensor::Lens::kEquidistant;
+    camera.fx = camera.fy = base::Pixels2::nearest(camera.width / (options.fisheye * std::numbers::pi / 180));
+  }
   camera.cx = base::Pixels2::nearest(157.5);
   camera.cy = base::Pixels2::nearest(103.5);
   camera.mount.x = base::Metres::nearest(0.05);

@@ -54,6 +54,20 @@ TEST_P(SmoothDrift, OfThreePercentIsTakenBack) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, SmoothDrift, ::testing::Values(301, 302));
 
+TEST_P(SmoothDrift, IsTakenBackThroughAFisheye) {
+  RoundTripOptions options;
+  options.seed = GetParam();
+  options.drift = 0.03;
+  options.fisheye = 150;
+  const RoundTrip trip = round_trip(options);
+  const Smoothed result = smoothed(trip);
+  const SmoothEvaluation par = evaluate_smoothed(result, trip.scene, "trip");
+  EXPECT_EQ(par.optimum.pairs, 6U);
+  EXPECT_LT(par.optimum.aligned, 0.06);
+  EXPECT_LT(path_rms(result.optimum, trip), 0.02);
+  EXPECT_LT(result.edges_after, 1.2);  // px; the noise is 0.7
+}
+
 TEST(Smooth, PerfectOdometryCostsNothing) {
   RoundTripOptions options;
   options.seed = 311;

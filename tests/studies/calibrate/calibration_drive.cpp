@@ -41,12 +41,27 @@ class Driver {
   double turn_rate_ = 0;
 };
 
-std::vector<host::TimedPose> way_of(Motion motion, Dice& dice) {
+/// Half around to one side, then to the other, so that both latency and the whole turn show.
+std::vector<host::TimedPose> to_and_fro(int straights, double speed, double rate, double length) {
+  Driver driver;
+  driver.go(0, 0, 0.5);
+  for (int i = 0; i < straights; ++i) {
+    driver.go(speed, 0, length / speed);
+    driver.go(0, 0, 0.3);
+    driver.go(0, i % 4 < 2 ? rate : -rate, std::numbers::pi / std::abs(rate));
+    driver.go(0, 0, 0.3);
+  }
+  return driver.poses();
+}
+
+std::vector<host::TimedPose> way_of(const DriveOptions& options, Dice& dice) {
+  const Motion motion = options.motion;
   Driver driver;
   const double speed = dice.between(0.17, 0.23);
   const double rate = dice.between(0.75, 0.9) * (dice.below(2) == 0 ? 1 : -1);
   const double straight = dice.between(1.2, 1.4) / speed;
   const double around = (2 * std::numbers::pi + dice.between(0, 0.4)) / std::abs(rate);
+  if (motion == Motion::kToAndFro) return to_and_fro(options.straights, speed, rate, straight * speed);
   driver.go(0, 0, 0.5);
   if (motion == Motion::kStanding) driver.go(0, 0, 15);
   if (motion != Motion::kSpin && motion != Motion::kStanding) driver.go(speed, 0, straight);
@@ -70,13 +85,25 @@ double clearance(const std::vector<host::TimedPose>& way, host::Point p) {
 }
 
 /// Around the place where the robot turns, one to each side and one straight ahead, out of its way.
-void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, int count, Dice& dice) {
+/// Or, where it goes to and fro, a near and a far one beyond either end.
+host::Point place_of_block(int i, bool to_and_fro, Dice& dice) {
+  static constexpr std::array<double, 6> kAround = {0.7, -0.3, 2.4, -2.2, 1.5, -1.3};
+  static constexpr std::array<double, 6> kBeyond = {0.35, -0.2, 2.8, -2.94, 1.5, -1.3};
+  const bool far = i == 1 || (to_and_fro && i == 3);
+  const bool behind = to_and_fro && (i == 2 || i == 3);
+  const double spread = to_and_fro ? 0.15 : 0.35;
+  const double angle = (to_and_fro ? kBeyond : kAround)[static_cast<std::size_t>(i)] + dice.between(-spread, spread);
+  const double range = far ? dice.between(1.3, 1.7) : dice.between(0.5, 0.9);
+  return {(behind ? 0 : 1.3) + range * std::cos(angle), range * std::sin(angle)};
+}
+
+void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, const DriveOptions& options,
+                  Dice& dice) {
   static const std::array<const char*, 6> kNames = {"red", "green", "blue", "yellow", "orange", "pink"};
   static const std::array<sensor::Rgb, 6> kColours = {
       {{208, 32, 32}, {32, 160, 48}, {32, 64, 208}, {216, 192, 32}, {224, 120, 24}, {224, 96, 160}}};
   // As the guide has it: a near one and a far one ahead, the others around where it turns.
-  static constexpr std::array<double, 6> kAround = {0.7, -0.3, 2.4, -2.2, 1.5, -1.3};
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < options.blocks; ++i) {
     const auto id = static_cast<std::uint8_t>(i + 1);
     host::LinearRing ring = random_footprint(dice);
     const double scale = dice.between(0.05, 0.10) / (2 * radius_of(ring));
@@ -85,9 +112,7 @@ void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, i
     host::Point at;
     for (int attempt = 0; attempt == 0 || clearance(way, at) < radius + 0.15; ++attempt) {
       if (attempt > 2000) throw std::runtime_error("no room for a block");
-      const double angle = kAround[static_cast<std::size_t>(i)] + dice.between(-0.35, 0.35);
-      const double range = i == 1 ? dice.between(1.3, 1.7) : dice.between(0.5, 0.9);
-      at = {1.3 + range * std::cos(angle), range * std::sin(angle)};
+      at = place_of_block(i, options.motion == Motion::kToAndFro, dice);
     }
     const double turn = dice.between(0, 6.28);
     host::Polygon footprint{ring, {}};
@@ -105,12 +130,14 @@ void place_blocks(host::Scene& scene, const std::vector<host::TimedPose>& way, i
 double sign(Dice& dice) { return dice.below(2) == 0 ? 1 : -1; }
 
 /// A Pixy2 that was screwed on by hand.
-sensor::CameraIntrinsics true_camera(Dice& dice) {
+sensor::CameraIntrinsics true_camera(double fisheye, Dice& dice) {
   sensor::CameraIntrinsics camera;
   camera.model = "pixy2";
   camera.width = 316;
   camera.height = 208;
-  const double f = 273.6 * dice.between(0.95, 1.05);
+  const double nominal = fisheye > 0 ? camera.width / (fisheye * kDegree) : 273.6;
+  if (fisheye > 0) camera.lens = sensor::Lens::kEquidistant;
+  const double f = nominal * dice.between(0.95, 1.05);
   camera.fx = camera.fy = base::Pixels2::nearest(f);
   camera.cx = base::Pixels2::nearest(157.5);
   camera.cy = base::Pixels2::nearest(103.5);
@@ -155,11 +182,11 @@ CalibrationDrive calibration_drive(const DriveOptions& options) {
   CalibrationDrive drive;
   drive.scene.seed = options.seed;
   drive.scene.rate = 50;
-  drive.scene.camera = true_camera(dice);
+  drive.scene.camera = true_camera(options.fisheye, dice);
   drive.told = told_camera(drive.scene.camera, dice);
-  const std::vector<host::TimedPose> way = way_of(options.motion, dice);
+  const std::vector<host::TimedPose> way = way_of(options, dice);
   drive.scene.path = host::PosesPath{way};
-  place_blocks(drive.scene, way, options.blocks, dice);
+  place_blocks(drive.scene, way, options, dice);
   drive.scene.noise = noise_of(options);
   const auto simulated = host::simulate(drive.scene, [&](std::string_view line) {
     drive.log += line.starts_with("$FPCAM") ? line_of(drive.told) : std::string(line);

@@ -14,14 +14,17 @@ enum class Motion {
   kSpin,      ///< on the spot only
   kStraight,  ///< straight on only
   kStanding,
+  kToAndFro,  ///< straight on between two blocks at either end, `straights` times, half around after each
 };
 
 struct DriveOptions {
   unsigned seed = 1;
   Motion motion = Motion::kGuide;
   int blocks = 4;
-  double noise = 1;  ///< times that of level 1
-  double drift = 1;  ///< times 1 %, 1 degree/m
+  int straights = 2;   ///< of kToAndFro, 10 s each
+  double noise = 1;    ///< times that of level 1
+  double fisheye = 0;  ///< degrees across of an equidistant lens; 0: a Pixy2's
+  double drift = 1;    ///< times 1 %, 1 degree/m
 };
 
 struct CalibrationDrive {

@@ -120,6 +120,17 @@ bool run(const Request& request) {
 void options(CLI::App& app, Request& request) {
   add_seed_options(app, request.seeds, "random drives", "--logs");
   app.add_option("--blocks", request.drive.blocks)->check(CLI::Range(1, 6))->capture_default_str();
+  app.add_option_function<int>(
+         "--straights",
+         [&request](int count) {
+           request.drive.motion = Motion::kToAndFro;
+           request.drive.straights = count;
+         },
+         "the longer drive: straight on to and fro so many times, 10 s each")
+      ->check(CLI::Range(1, 40));
+  app.add_option("--fisheye", request.drive.fisheye, "degrees across of an equidistant lens; 0: a Pixy2's")
+      ->check(CLI::Range(0, 150))
+      ->capture_default_str();
   app.add_option("--noise", request.drive.noise, "times that of level 1")->capture_default_str();
   app.add_option("--drift", request.drive.drift, "times 1 %, 1 degree/m")->capture_default_str();
   app.add_option("--most", request.most, "times the targets that is good enough")->capture_default_str();
