@@ -393,7 +393,8 @@ class Pipeline {
     // Widths alone place landmarks too badly to judge odometry by them.
     const bool may_judge = correct == config::kCorrectAuto && camera.pitch_known;
     if (correction.always || may_judge) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
-    m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction);
+    m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction,
+                     [this](std::uint8_t signature) { return width_of(signature); });
     if (m_.run.testing) return;
     if constexpr (Profile::kSeesFloor) m_.floor.look(frame, camera, pose);
     ++m_.counters.frames;
@@ -422,6 +423,12 @@ class Pipeline {
     const bool told = settings.raw(config::Key::kCameraNoise) > 0;
     noise.edge_px = told ? settings.number(config::Key::kCameraNoise) : camera.edge_px;
     return noise;
+  }
+
+  // Of things of this colour, mm; 0: not told. The self-test is the same on every robot.
+  [[nodiscard]] std::uint16_t width_of(std::uint8_t signature) const {
+    const record::Signature* known = console::find_signature(signature, m_.signatures.view());
+    return known != nullptr && !m_.run.testing ? known->width : std::uint16_t{0};
   }
 
   // The self-test is the same on every robot.

@@ -14,6 +14,11 @@
 
 namespace fencepost::recon {
 
+/// Nothing is known of how wide things are.
+struct UnknownWidths {
+  std::uint16_t operator()(std::uint8_t /*signature*/) const { return 0; }
+};
+
 template <class Profile>
 class Map {
  public:
@@ -33,9 +38,11 @@ class Map {
 
   /// One frame through the whole algorithm. `odometry`: where the robot was at the exposure, by odometry alone;
   /// `correction`: how far objects correct that. Blobs of `frame` that are pieces of one object are joined in place.
+  /// `width_of`: how wide (mm, mean of all sides) all things of a signature are known to be; 0: not known.
+  template <class WidthOf = UnknownWidths>
   FrameOutcome add_frame(WaitingFrame& frame, const CameraModel& camera, const MapPose& odometry,
                          const MeasurementNoise& noise, Confirmation confirmation,
-                         const CorrectionOrder& correction = {}) {
+                         const CorrectionOrder& correction = {}, const WidthOf& width_of = {}) {
     FrameOutcome outcome;
     standing_.look(odometry, frame.t - camera.latency);
     LensPose lens = lens_pose(odometry, camera);
@@ -45,6 +52,7 @@ class Map {
     if (driven != odometry) lens = lens_pose(driven, camera);
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, correction_);
     matcher_.observe(frame, camera, table_.objects());
+    matcher_.tell_widths(width_of);
     outcome.matched = matcher_.match();
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);
     if (pose != driven) lens = lens_pose(pose, camera);

@@ -45,6 +45,12 @@ class FieldReader {
     value = {};
     if (left_ != 0) word(value, last);
   }
+  /// A number at the end of a line, where it may be missing: 0.
+  template <class Rep>
+  void last_number(Rep& raw, const NumberField& field) {
+    raw = 0;
+    if (left_ != 0) number(raw, field);
+  }
   void colour(sensor::Rgb& rgb);
   void colour_or_empty(std::optional<sensor::Rgb>& rgb);
   void digest(std::uint64_t& value);

@@ -45,6 +45,11 @@ class FieldWriter {
   void last_word(Enum value, Enum last) {
     if (value != Enum{}) word(value, last);
   }
+  /// A number at the end of a line; nothing for 0.
+  template <class Rep>
+  void last_number(Rep raw, const NumberField& field) {
+    if (raw != 0) number(raw, field);
+  }
   void colour(sensor::Rgb rgb);
   void colour_or_empty(const std::optional<sensor::Rgb>& rgb) { rgb ? colour(*rgb) : put(','); }
   void digest(std::uint64_t value);

@@ -30,6 +30,7 @@ inline constexpr NumberField kFocalLength{1, 3'276'700, 2};
 inline constexpr NumberField kImageSize{2, 32'767, 0};
 inline constexpr NumberField kCount{0, 4'294'967'295, 0};
 inline constexpr NumberField kSignature{0, 255, 0};
+inline constexpr NumberField kWidth{1, 2'000, 3};  // of a thing: what is larger is a wall
 inline constexpr NumberField kFormatNumber{kStreamFormat, kStreamFormat, 0};
 
 template <class Record, class X>
@@ -68,6 +69,7 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.signature, kSignature);
   fields.colour(r.rgb);
   fields.text(r.name);
+  fields.last_number(r.width, kWidth);
 }
 
 template <class Fields, Is<sensor::OdometrySample> Record>

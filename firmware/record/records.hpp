@@ -52,6 +52,7 @@ struct Signature {
   std::uint8_t signature = 0;
   sensor::Rgb rgb;
   sensor::Text name;
+  std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: not known
   friend constexpr bool operator==(const Signature&, const Signature&) = default;
 };
 

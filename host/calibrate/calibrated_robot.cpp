@@ -67,6 +67,7 @@ Json signatures_json(const std::vector<record::Signature>& signatures) {
         {{"id", signature.signature},
          {"name", std::string(signature.name.view())},
          {"rgb", fmt::format("{:02x}{:02x}{:02x}", signature.rgb.red, signature.rgb.green, signature.rgb.blue)}});
+    if (signature.width > 0) out.back()["size"] = signature.width / 1e3;
   }
   return out;
 }

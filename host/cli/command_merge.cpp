@@ -40,8 +40,8 @@ std::vector<std::string_view> runs_of(std::string_view bytes) {
 
 /// A robot that was carried and told `reset` has two runs in one log. Those without a usable frame are passed over,
 /// unless there is no other.
-void add_runs(const std::string& log, const MergeRequest& request, std::vector<RunMap>& maps) {
-  const std::string bytes = read_input(log);
+void add_runs(const std::string& log, const std::string& bytes, const MergeRequest& request,
+              std::vector<RunMap>& maps) {
   const std::vector<std::string_view> runs = runs_of(bytes);
   std::optional<Unreadable> unreadable;
   bool any = false;
@@ -54,7 +54,7 @@ void add_runs(const std::string& log, const MergeRequest& request, std::vector<R
     }
     any = true;
     say_what_was_left_out(outcome, request.logs.size() + runs.size() > 2 ? name : "");
-    maps.push_back({name, std::move(outcome.result)});
+    maps.push_back({name, std::move(outcome.result), runs[i], request.options.camera});
   }
   if (!any && unreadable) throw Failure(Exit::kUnreadable, unreadable->message);
 }
@@ -64,7 +64,9 @@ Exit run(MergeRequest request) {
   if (inputs > 1) throw Failure(Exit::kUsage, "only one of the logs and --camera can be standard input");
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   std::vector<RunMap> runs;
-  for (const std::string& log : request.logs) add_runs(log, request, runs);
+  std::vector<std::string> bytes;  // the runs point into them
+  for (const std::string& log : request.logs) bytes.push_back(read_input(log));
+  for (std::size_t i = 0; i < bytes.size(); ++i) add_runs(request.logs[i], bytes[i], request, runs);
   const MergedMap merged = merge(runs);
   const bool colour = is_standard_output(request.output) && colour_on_stdout();
   write_output(request.output, request.json ? merge_json(merged) : merge_text(merged, colour));

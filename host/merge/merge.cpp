@@ -22,13 +22,10 @@ constexpr double kOverconfident = 2;
 /// m; a place that is known worse would match anything.
 constexpr double kWorstSigma = 0.3;
 
-struct Points {
-  std::vector<ConstellationPoint> points;
-  std::vector<std::size_t> objects;  ///< of the document, by point
-};
+}  // namespace
 
-Points points_of(const ResultDocument& document) {
-  Points all;
+KnownPoints known_points(const ResultDocument& document) {
+  KnownPoints all;
   for (std::size_t i = 0; i < document.objects.size() && all.points.size() < kMostPoints; ++i) {
     const ObjectResult& object = document.objects[i];
     const Circle* circle = object_circle(object);
@@ -46,13 +43,17 @@ Points points_of(const ResultDocument& document) {
   return all;
 }
 
+namespace {
+
+using Points = KnownPoints;
+
 class Merging {
  public:
   explicit Merging(const std::vector<RunMap>& runs) : runs_(runs), digest_(base::Fnv1a64{}) {
     for (const RunMap& run : runs) {
       merged_.runs.push_back({});
       merged_.runs.back().log = run.log;
-      points_.push_back(points_of(run.result));
+      points_.push_back(known_points(run.result));
       merged_.runs.back().objects = static_cast<std::uint32_t>(points_.back().points.size());
     }
   }
@@ -61,6 +62,7 @@ class Merging {
     begin();
     // The surest first: it makes the map that judges the others.
     while (const std::optional<Found> best = surest()) take(*best);
+    find_starts();
     merged_.map.digest = digest_.value();
     return std::move(merged_);
   }
@@ -84,7 +86,7 @@ class Merging {
 
   std::optional<Found> surest() {
     std::optional<Found> best;
-    const Points known = points_of(merged_.map);
+    const Points known = known_points(merged_.map);
     for (std::size_t i = 1; i < runs_.size(); ++i) {
       RunJoin& join = merged_.runs[i];
       if (join.joined()) continue;
@@ -102,6 +104,17 @@ class Merging {
       if (join.joined() && !taken(i) && !(best && best->run == i)) join.verdict = recon::JoinVerdict::kTooFew;
     }
     return best;
+  }
+  // A map of few objects may belong nowhere surely, and its run all the same.
+  void find_starts() {
+    const Points known = known_points(merged_.map);
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+      RunJoin& join = merged_.runs[i];
+      if (join.joined() || runs_[i].bytes.empty()) continue;
+      RelocateOptions options;
+      options.camera = runs_[i].camera;
+      join.start = relocate(runs_[i].bytes, known.points, options);
+    }
   }
   [[nodiscard]] bool taken(std::size_t run) const {
     return std::find(taken_.begin(), taken_.end(), run) != taken_.end();

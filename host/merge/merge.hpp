@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "firmware/recon/localize/constellation.hpp"
+#include "host/merge/relocate.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {
@@ -13,7 +16,16 @@ namespace fencepost::host {
 struct RunMap {
   std::string log;  ///< its name
   ResultDocument result;
+  std::string_view bytes{};                          ///< of the run; empty: it is not looked at sighting by sighting
+  std::optional<sensor::CameraIntrinsics> camera{};  ///< for one without FPCAM
 };
+
+/// The objects of a map that a search takes: confirmed, or lost since, seen often enough, with a place.
+struct KnownPoints {
+  std::vector<recon::ConstellationPoint> points;
+  std::vector<std::size_t> objects;  ///< of the document, by point
+};
+KnownPoints known_points(const ResultDocument& document);
 
 /// Where a run's map frame lies in that of the merged map, which is the first run's.
 struct RunJoin {
@@ -25,6 +37,8 @@ struct RunJoin {
   std::uint32_t missing = 0;  ///< seen where the others' map has nothing
   double false_alarms = 0;    ///< recon::JoinResult
   double misfit = 0;          ///< m, root mean square of the matches
+  /// Of one that stays out: where it begins all the same, by its single sightings.
+  std::optional<Relocated> start{};
   [[nodiscard]] bool joined() const { return verdict == recon::JoinVerdict::kJoined; }
 };
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/merge/merge.hpp"
+#include "host/merge/move.hpp"
 #include "host/result/geojson.hpp"
 #include "host/result/text.hpp"
 #include "host/result/to_json.hpp"
@@ -50,6 +51,28 @@ std::string reason(const RunJoin& join) {
   return "";
 }
 
+namespace {
+
+std::string start_line(const Relocated& start) {
+  const Motion motion = Motion::of(start.motion);
+  return fmt::format(
+      "  it begins at x {:.3f} m, y {:.3f} m, heading {:.1f} deg: known {:.1f} s after its first frame\n",
+      motion.shift.x, motion.shift.y, motion.heading() * kDegrees, start.after);
+}
+
+nlohmann::ordered_json start_json(const std::optional<Relocated>& start) {
+  if (!start) return nullptr;
+  const Motion motion = Motion::of(start->motion);
+  return {{"x", rounded(motion.shift.x, kDecimals)},
+          {"y", rounded(motion.shift.y, kDecimals)},
+          {"heading", rounded(motion.heading(), kDecimals)},
+          {"after", rounded(start->after, 4)},
+          {"doubt", rounded(static_cast<double>(start->found.doubt), kDecimals)},
+          {"objects", start->found.met}};
+}
+
+}  // namespace
+
 std::string merge_text(const MergedMap& merged, bool colour) {
   std::string text;
   for (std::size_t i = 0; i < merged.runs.size(); ++i) {
@@ -62,6 +85,7 @@ std::string merge_text(const MergedMap& merged, bool colour) {
                           log, join.frame.x, join.frame.y, join.frame.heading * kDegrees, join.matched, join.misfit);
     } else {
       text += fmt::format("{}: left out: {}\n", log, reason(join));
+      if (join.start) text += start_line(*join.start);
     }
   }
   TextOptions options;
@@ -84,7 +108,8 @@ std::string merge_json(const MergedMap& merged) {
                     {"matched", join.matched},
                     {"missing", join.missing},
                     {"misfit", told(join.misfit)},
-                    {"false_alarms", join.false_alarms}});
+                    {"false_alarms", join.false_alarms},
+                    {"start", start_json(join.start)}});
   }
   for (std::size_t i = 0; i < merged.sources.size(); ++i) {
     auto sources = nlohmann::ordered_json::array();

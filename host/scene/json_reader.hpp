@@ -42,6 +42,7 @@ class JsonNode {
   [[nodiscard]] std::size_t size(std::size_t least, std::string_view items) const;
 
   [[nodiscard]] bool is_null() const { return value_->is_null(); }
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
   [[nodiscard]] bool is_text() const { return value_->is_string(); }
   [[nodiscard]] double number(double low, double high, std::string_view unit) const;
   /// Greater than zero.

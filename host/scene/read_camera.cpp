@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "host/scene/read_scene.hpp"
@@ -38,6 +39,18 @@ std::uint16_t read_side(const JsonNode& node) {
   return static_cast<std::uint16_t>(node.integer(2, kLargest));
 }
 
+// A round thing's diameter, or the sides of a box: the mean width of its footprint is the outline over pi.
+std::uint16_t read_width(const JsonNode& node) {
+  constexpr double kLeast = 0.005;  // m
+  constexpr double kMost = 1;
+  const auto millimetres = [](double metres) { return static_cast<std::uint16_t>(std::lround(1e3 * metres)); };
+  if (!node.is_array()) return millimetres(node.number(kLeast, kMost, "m"));
+  if (node.size(2, "lengths") > 2) node.fail("has more than two lengths", "give the diameter or [length, width]");
+  const double a = node.at(std::size_t{0}).number(kLeast, kMost, "m");
+  const double b = node.at(std::size_t{1}).number(kLeast, kMost, "m");
+  return millimetres(2 * (a + b) / std::numbers::pi);
+}
+
 }  // namespace
 
 sensor::Lens read_lens(const JsonNode& node) {
@@ -76,7 +89,7 @@ void read_camera(const JsonNode& node, Scene& scene) {
 }
 
 SceneSignature read_signature(const JsonNode& node) {
-  node.expect_keys({"id", "name", "rgb"});
+  node.expect_keys({"id", "name", "rgb", "size"});
   SceneSignature signature;
   signature.id = static_cast<std::uint8_t>(node.at("id").integer(0, 255));
   const auto name = node.find("name");
@@ -90,6 +103,7 @@ SceneSignature read_signature(const JsonNode& node) {
     return static_cast<std::uint8_t>(std::stoul(digits.substr(at, 2), nullptr, 16));
   };
   signature.rgb = {channel(0), channel(2), channel(4)};
+  if (const auto size = node.find("size")) signature.width = read_width(*size);
   return signature;
 }
 

@@ -18,6 +18,7 @@ struct SceneSignature {
   std::uint8_t id = 0;
   std::string name;
   sensor::Rgb rgb;
+  std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: not told
 };
 
 struct TimedPose {

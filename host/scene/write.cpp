@@ -164,6 +164,7 @@ std::string write_scene(const Scene& scene) {
   root["signatures"] = json::array();
   for (const SceneSignature& s : scene.signatures) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
+    if (s.width > 0) root["signatures"].back()["size"] = s.width / 1e3;
   }
   root["objects"] = json::array();
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));

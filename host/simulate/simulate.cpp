@@ -121,7 +121,7 @@ class Simulation {
   void write_calibration() {
     write(scene_.camera);
     for (const SceneSignature& signature : scene_.signatures) {
-      write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name)});
+      write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name), signature.width});
     }
     if (scene_.odometry.of_car()) write_car();
   }

@@ -75,13 +75,16 @@ CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& l
   return estimate;
 }
 
+NormalEquations with_radius(NormalEquations equations, const RadiusPrior& prior) {
+  const float weight = 1.0F / (prior.sigma * prior.sigma);
+  equations.information.rr += weight;
+  equations.moment_radius += weight * prior.mean;
+  return equations;
+}
+
 // Without enough parallax a typical radius stands in for it.
 CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, const Vec2& lens, float sigma) {
-  NormalEquations supported = equations;
-  const float weight = 1.0F / (sigma * sigma);
-  supported.information.rr += weight;
-  supported.moment_radius += weight * kTypicalRadius;
-  return solve_equations(supported, lens);
+  return solve_equations(with_radius(equations, {kTypicalRadius, sigma}), lens);
 }
 
 // Do they contradict an estimate that was made without them?
@@ -157,6 +160,7 @@ void NormalEquations::scale(float factor) {
 
 void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(origin);
+  known_radius_ = sighting.known_radius;
   if (views_ < kViewsToGuess) ++views_;
   seen_whole_ = seen_whole_ || sighting.both_edges();
   if (!known_whole())
@@ -187,7 +191,7 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
 }
 
 float Cylinder::shape_variance(const MeasurementNoise& noise) const {
-  const float shape = noise.roundness * (estimate_.ok() ? estimate_.radius : kTypicalRadius);
+  const float shape = noise.roundness * (estimate_.ok() ? estimate_.radius : radius_prior(known_radius_).mean);
   return shape * shape;
 }
 
@@ -221,13 +225,15 @@ void Cylinder::solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoi
 }
 
 CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) const {
-  const CylinderEstimate from_edges = solve_equations(edges_, lens);
+  const bool known = known_radius_ > 0 && edges_.information.rr > 0;
+  const NormalEquations edges = known ? with_radius(edges_, radius_prior(known_radius_)) : edges_;
+  const CylinderEstimate from_edges = solve_equations(edges, lens);
   const NormalEquations rows = believed_rows(noise);
   if (!(rows.information.rr > 0) || (edges_know(from_edges, lens) && !agree(rows, from_edges))) {
     return from_edges;
   }
   NormalEquations both = rows;
-  both.add(edges_);
+  both.add(edges);
   CylinderEstimate estimate = solve_equations(both, lens);
   if (!seen_whole_ && views_ < kViewsToGuess) return estimate;
   if (!estimate.ok()) estimate = solve_with_typical_radius(both, lens, kRadiusSigma);
@@ -268,6 +274,7 @@ void Cylinder::hash(base::Fnv1a64& hash) const {
   trend_.hash(hash);
   hash.f32(agreement_);
   hash.f32(false_depth_);
+  if (known_radius_ > 0) hash.f32(known_radius_);
   hash.u8(views_);
   hash.u8(seen_whole_ ? 1 : 0);
   hash.u8(whole_views_);
@@ -282,7 +289,7 @@ float prior_distance(const Sighting& sighting) {
   // sin of the half angle between the rays; a censored end makes the object look smaller, that is farther.
   const float sine = cross(sighting.right.direction, sighting.left.direction);
   const float half = std::max(0.5F * sine, 1e-3F);
-  return std::clamp(kTypicalRadius / half, kNearestGuess, kFarthestGuess);
+  return std::clamp(radius_prior(sighting.known_radius).mean / half, kNearestGuess, kFarthestGuess);
 }
 
 }  // namespace fencepost::recon

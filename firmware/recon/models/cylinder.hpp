@@ -94,6 +94,8 @@ class Cylinder {
   [[nodiscard]] float row_count() const { return row_count_; }
   /// Whether the object's rows are to be believed.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
+  /// m; 0: not told.
+  [[nodiscard]] float known_radius() const { return known_radius_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
   /// Several views in a row had both ends: not of something longer than the image, of which noise has taken an end.
   [[nodiscard]] bool known_whole() const { return whole_views_ >= kViewsWhole; }
@@ -112,6 +114,7 @@ class Cylinder {
   NormalEquations edges_;
   NormalEquations rows_;
   float row_count_ = 0;
+  float known_radius_ = 0;  ///< Sighting::known_radius
   RowTrend trend_;
   float false_depth_ = 0;         ///< what noisy directions add to edges_' information on the distance, 1/m^2
   std::uint8_t views_ = 0;        ///< counted as far as kViewsToGuess
@@ -121,7 +124,7 @@ class Cylinder {
   CylinderEstimate estimate_;
 };
 
-/// Distance assumed for an object seen once, from the width of its interval and a typical radius. m.
+/// Distance assumed for an object seen once, from the width of its interval and a known or typical radius. m.
 float prior_distance(const Sighting& sighting);
 
 }  // namespace fencepost::recon

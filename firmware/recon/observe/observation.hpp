@@ -31,6 +31,7 @@ struct Observation {
   End bottom = End::kLowerBound;
   std::int16_t left_column = 0;  ///< px of the level, undistorted camera: comparable with predictions
   std::int16_t right_column = 0;
+  std::uint16_t width = 0;  ///< mm, known of all things of its signature; 0: not known
 
   [[nodiscard]] int twice_middle() const { return left_column + right_column; }
   [[nodiscard]] int columns() const { return right_column - left_column; }

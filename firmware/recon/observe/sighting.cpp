@@ -31,6 +31,8 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Ob
   sighting.top = {drop_per_depth(camera, u_middle, top_edge(box)), observation.top};
   sighting.bottom = {drop_per_depth(camera, u_middle, bottom_edge(box)), observation.bottom};
   sighting.focal = camera.fx;
+  constexpr float kRadiusPerMillimetre = 0.0005F;
+  sighting.known_radius = kRadiusPerMillimetre * static_cast<float>(observation.width);
   sighting.equidistant = camera.equidistant;
   sighting.lens_height = camera.height;
   sighting.rows_known = camera.pitch_known && camera.height > 0;

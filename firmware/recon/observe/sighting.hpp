@@ -46,6 +46,7 @@ struct Sighting {
   RowSlope bottom;
   float focal = 1;           ///< px, for the edge noise
   float lens_height = 0;     ///< m
+  float known_radius = 0;    ///< m, of a circle as wide as all things of this colour are known to be; 0: not known
   bool equidistant = false;  ///< a column is the same angle everywhere
   bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row tells a depth
 

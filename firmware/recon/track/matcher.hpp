@@ -60,6 +60,12 @@ class Matcher {
     }
   }
 
+  /// `width_of`: of things of a signature, mm; 0: not known.
+  template <class WidthOf>
+  void tell_widths(const WidthOf& width_of) {
+    for (Observation& seen : observations_) seen.width = width_of(seen.signature);
+  }
+
   /// The number of blobs that are objects known before.
   [[gnu::noinline]] std::uint16_t match() {
     const std::size_t blobs = observations_.size();

@@ -61,7 +61,7 @@ class RandomRecords {
     switch (kind) {
       case Kind::kHeader: return Header{kStreamFormat, text(), text(), text(), text()};
       case Kind::kCamera: return camera();
-      case Kind::kSignature: return Signature{u8(), rgb(), text()};
+      case Kind::kSignature: return Signature{u8(), rgb(), text(), static_cast<std::uint16_t>(between(0, 2000))};
       case Kind::kOdometry: return sensor::OdometrySample{time(), position(), position(), heading()};
       case Kind::kFrame: return frame();
       case Kind::kPosition:

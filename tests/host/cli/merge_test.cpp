@@ -21,7 +21,7 @@ struct Place {
 
 /// Six posts in a room, seen from an arc about its middle; `turned`: the map frame lies 90 degrees to the left of the
 /// other one, at (3, -1).
-std::string scene(bool turned, int seed, double start) {
+std::string scene(bool turned, int seed, double start, int colours = 2) {
   const auto at = [turned](Place p) { return turned ? Place{p.y + 1, 3 - p.x} : p; };
   const Place posts[] = {{0.5, 0.1}, {-0.6, 0.3}, {0.1, -0.55}, {-0.2, 0.7}, {0.75, 0.6}, {-0.65, -0.4}};
   nlohmann::json objects = nlohmann::json::array();
@@ -29,7 +29,7 @@ std::string scene(bool turned, int seed, double start) {
   for (const Place& post : posts) {
     const Place p = at(post);
     objects.push_back({{"name", fmt::format("post {}", n)},
-                       {"signature", 1 + n % 2},
+                       {"signature", 1 + n % colours},
                        {"height", 0.3},
                        {"footprint", {{"circle", {p.x, p.y, 0.04}}}}});
     ++n;
@@ -44,8 +44,9 @@ std::string scene(bool turned, int seed, double start) {
                                {"radius", 2.0},      {"start", start},
                                {"sweep", 4.0},       {"views", 90},
                                {"look_at", "center"}};
-  const nlohmann::json signatures = {{{"id", 1}, {"name", "red"}, {"rgb", "d02020"}},
-                                     {{"id", 2}, {"name", "blue"}, {"rgb", "2040c0"}}};
+  nlohmann::json signatures = nlohmann::json::array();
+  for (int i = 1; i <= colours; ++i)
+    signatures.push_back({{"id", i}, {"name", fmt::format("colour {}", i)}, {"rgb", "d02020"}});
   return nlohmann::json{{"format", 1},
                         {"seed", seed},
                         {"camera", camera},
@@ -91,6 +92,27 @@ TEST_F(Merge, JoinsTheRunsOfOneLog) {
   EXPECT_EQ(json["runs"][1]["log"], "both.log, run 2");
   EXPECT_NEAR(json["runs"][1]["x"].get<double>(), 3, 0.03);
   EXPECT_EQ(json["objects"].size(), 6U);
+}
+
+// Half a second is no map, but six known posts of own colours are in sight.
+TEST_F(Merge, SaysWhereAShortRunBegins) {
+  spill(folder.path() / "d.json", scene(false, 11, 0, 6));
+  spill(folder.path() / "e.json", scene(true, 12, 1.5, 6));
+  ASSERT_EQ(
+      shell(folder, "for n in d e; do fencepost simulate $n.json -o $n.log; done; head -n 40 e.log > f.log").exit_code,
+      0);
+  const Outcome run = shell(folder, "fencepost merge d.log f.log --json");
+  EXPECT_EQ(run.exit_code, 1) << "its objects are not in the map";
+  const auto json = nlohmann::json::parse(run.out);
+  const auto& start = json["runs"][1]["start"];
+  ASSERT_TRUE(start.is_object()) << json["runs"];
+  EXPECT_NEAR(start["x"].get<double>(), 3, 0.1);
+  EXPECT_NEAR(start["y"].get<double>(), -1, 0.1);
+  EXPECT_NEAR(start["heading"].get<double>(), 1.5708, 0.05);
+  EXPECT_LT(start["after"].get<double>(), 1);
+  EXPECT_NE(shell(folder, "fencepost merge d.log f.log").out.find("  it begins at x "), std::string::npos);
+  EXPECT_TRUE(
+      nlohmann::json::parse(shell(folder, "fencepost merge a.log b.log --json").out)["runs"][1]["start"].is_null());
 }
 
 TEST_F(Merge, SaysWhatStaysOut) {

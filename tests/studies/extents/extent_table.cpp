@@ -11,6 +11,7 @@
 #include "host/evaluate/metrics.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/simulate/simulate.hpp"
+#include "tests/firmware/record/lines.hpp"
 #include "tests/studies/common/study.hpp"
 #include "tests/studies/extents/extent_scene.hpp"
 
@@ -25,6 +26,7 @@ struct Request {
   std::vector<double> degrees{43};
   std::vector<double> depths{0.02, 0.1, 0};  ///< 0: as deep as long
   std::string profile = "full";
+  std::string correct;  ///< correct.pose; empty: as delivered
 };
 
 /// Sums over scenes.
@@ -51,6 +53,8 @@ void run_one(const ExtentCase& wanted, const Request& request, Row& row) {
   std::string log;
   const auto summary = host::simulate(scene, [&](std::string_view line) { log += line; });
   if (!summary.ok()) throw std::runtime_error(summary.error());
+  if (!request.correct.empty())
+    log = with_setting(std::move(log), {sensor::Text("correct.pose"), sensor::Text(request.correct)});
   host::EvaluateOptions options;
   options.profile = request.profile;
   const host::EvaluateOutcome outcome = host::evaluate(log, "seed " + std::to_string(wanted.seed), scene, options);
@@ -122,6 +126,7 @@ void options(CLI::App& app, Request& request) {
   app.add_option("--lengths", request.lengths, "m")->delimiter(',');
   app.add_option("--depths", request.depths, "m; 0: as deep as long")->delimiter(',');
   app.add_option("--degrees", request.degrees, "of view")->delimiter(',');
+  app.add_option("--correct", request.correct, "the pose by landmarks: off, on, auto; default: as delivered");
 }
 
 constexpr Study<Request> kStudy = {"extent_table", "recklessness and paranoia of long things seen from near", options,

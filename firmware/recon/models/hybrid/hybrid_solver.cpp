@@ -43,11 +43,11 @@ void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offse
 }
 
 template <std::size_t kSectors, std::size_t kOrder>
-void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid) {
+void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid, float known_radius) {
   hybrid.news = false;
   hybrid.fitting = true;
   views_ = hybrid.views;
-  low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, kTypicalRadius);
+  low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, radius_prior(known_radius));
   passes_ = kLowOrderPasses.size();
   pass_ = views_ < kViewsToDoubt ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
   begin_low_order_pass();

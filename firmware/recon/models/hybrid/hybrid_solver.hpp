@@ -21,8 +21,8 @@ class HybridSolver {
   static constexpr bool kPolygon = kSectors == kRing;
   using HybridType = Hybrid<kSectors>;
 
-  /// Starts on `hybrid`, from what it holds now.
-  void begin(HybridType& hybrid);
+  /// Starts on `hybrid`, from what it holds now. `known_radius`: of what it is the outline, m; 0: not known.
+  void begin(HybridType& hybrid, float known_radius = 0);
   /// Goes on with the object it was begun with: at least one piece of work, and no more than about kWorkPerStep. Its
   /// outline is replaced when the fit is done. True: done, or refused.
   bool step(HybridType& hybrid) {
@@ -33,8 +33,8 @@ class HybridSolver {
     return stage_ == Stage::kDone;
   }
   /// All steps at once: the same bits.
-  void solve(HybridType& hybrid) {
-    begin(hybrid);
+  void solve(HybridType& hybrid, float known_radius = 0) {
+    begin(hybrid, known_radius);
     while (!step(hybrid)) {
     }
   }

@@ -56,9 +56,10 @@ void solve_upper(std::span<const float> factor, std::span<float> b) {
 }
 
 template <std::size_t kOrder>
-void LowOrderFit<kOrder>::begin(std::size_t order, float radius) {
+void LowOrderFit<kOrder>::begin(std::size_t order, const RadiusPrior& radius) {
+  radius_ = radius;
   x_.fill(0);
-  x_[0] = radius;
+  x_[0] = radius.mean;
   spread_ = kFirstSpread;
   order_ = static_cast<std::uint8_t>(order);
 }
@@ -110,7 +111,7 @@ void LowOrderFit<kOrder>::add_priors() {
     matrix_[row_of(i) + i] += weight;
     rhs_[i] += weight * (mean - x_[i]);
   };
-  add_prior(0, kTypicalRadius, kRadiusSigma);
+  add_prior(0, radius_.mean, radius_.sigma);
   add_prior(1, 0, kCenterSigma);
   add_prior(2, 0, kCenterSigma);
   const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);

@@ -9,6 +9,7 @@
 
 #include "firmware/recon/models/hybrid/sector_store.hpp"
 #include "firmware/recon/models/inlier.hpp"
+#include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
 
@@ -41,7 +42,7 @@ class LowOrderFit {
  public:
   static constexpr std::size_t kUnknowns = series_size(kOrder);
 
-  void begin(std::size_t order, float radius);
+  void begin(std::size_t order, const RadiusPrior& radius);
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
   /// Adds cluster `index`. `trusted`: no tangent is doubted. What says `at least` counts where it is not met, and not
@@ -69,6 +70,7 @@ class LowOrderFit {
   float spread_ = 1;
   float scale_ = 1;   ///< of sigmas in this pass
   float misfit_ = 0;  ///< m, by which a series of low order is off all the same
+  RadiusPrior radius_;
   Spread sums_;
   std::uint8_t order_ = 1;
   std::uint8_t tangents_ = 0;

@@ -26,7 +26,7 @@ class OutlineFitter {
     if constexpr (Profile::kHybridSteps == 0) {
       for (auto& object : objects) {
         if (!object.used() || !object.hybrid().news) continue;
-        solver_.solve(object.hybrid());
+        solver_.solve(object.hybrid(), object.cylinder.known_radius());
         object.note_outline();
       }
     } else {
@@ -56,7 +56,7 @@ class OutlineFitter {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       slot_ = static_cast<std::uint8_t>(slot_ + 1U < objects.size() ? slot_ + 1U : 0U);
       if (!objects[slot_].used() || !objects[slot_].hybrid().news) continue;
-      solver_.begin(objects[slot_].hybrid());
+      solver_.begin(objects[slot_].hybrid(), objects[slot_].cylinder.known_radius());
       return true;
     }
     return false;

@@ -39,6 +39,29 @@ TEST(Cylinder, RefusesUntilThereIsParallax) {
   EXPECT_TRUE(cylinder.estimate().ok());
 }
 
+// Of a thing whose width is told, one look is enough; parallax overrules a width that was told wrong.
+TEST(Cylinder, IsAtOnceWhereAKnownWidthPutsIt) {
+  Cylinder cylinder;
+  recon::Sighting first = view_of_circle(kCenter, kRadius, {0, 0}).sighting;
+  first.known_radius = static_cast<float>(kRadius);
+  add(cylinder, first);
+  ASSERT_TRUE(cylinder.estimate().ok());
+  EXPECT_NEAR(cylinder.estimate().center.x(), kCenter.x, 0.005);
+  EXPECT_NEAR(cylinder.estimate().radius, kRadius, 0.001);
+  EXPECT_NEAR(recon::prior_distance(first), kCenter.x, 0.005);
+  Cylinder misled;
+  for (int i = 0; i < 200; ++i) {
+    recon::Sighting sighting = view_of_circle(kCenter, kRadius, {0, 0.005 * i}).sighting;
+    sighting.known_radius = static_cast<float>(1.3 * kRadius);
+    add(misled, sighting);
+    if (i == 0) {
+      EXPECT_GT(misled.estimate().center.x(), 1.2);
+    }
+  }
+  EXPECT_NEAR(misled.estimate().center.x(), kCenter.x, 0.03);
+  EXPECT_LT(misled.estimate().radius, 1.15 * kRadius);
+}
+
 TEST(Cylinder, CensoredEndsAddNothing) {
   Cylinder cylinder;
   for (int i = 0; i < 10; ++i) {

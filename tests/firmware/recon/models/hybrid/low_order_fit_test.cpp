@@ -111,7 +111,7 @@ TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
   };
   for (const double angle : {0.4, 2.5, 4.4}) put(angle, 0.1 + 0.2 * std::cos(angle));
   LowOrderFit<TypeParam::kHybridOrder> fit;
-  fit.begin(1, 0.08F);
+  fit.begin(1, RadiusPrior{});
   fit.begin_pass(1);
   for (std::size_t i = 0; i < store.size(); ++i) {
     if (store[i].views > 0) fit.add(store, i, true);
@@ -128,7 +128,7 @@ TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
 // Without a tangent the priors are all there is: 0.08 m around the origin, give or take 5 cm and 2 m.
 TYPED_TEST(LowOrder, KnowsNothingWithoutTangents) {
   LowOrderFit<TypeParam::kHybridOrder> fit;
-  fit.begin(TypeParam::kHybridOrder, 0.08F);
+  fit.begin(TypeParam::kHybridOrder, RadiusPrior{});
   fit.begin_pass(1);
   ASSERT_TRUE(solve(fit));
   EXPECT_NEAR(fit.radius(), 0.08F, 1e-6F);

@@ -1,0 +1,31 @@
+// Where a run of a log begins in a map that was known before it, by what was seen from its start on: for runs that are
+// too short to make a map of their own.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware/recon/localize/relocation.hpp"
+#include "hal/sensor/camera.hpp"
+#include "host/result/result.hpp"
+
+namespace fencepost::host {
+
+struct RelocateOptions {
+  std::optional<sensor::CameraIntrinsics> camera{};  ///< for logs without FPCAM
+  std::optional<double> from{};                      ///< s, stream time: odometry counts from there
+  std::optional<double> to{};
+};
+
+struct Relocated {
+  double after = 0;           ///< s, from the first frame to the one that settled it
+  recon::FrameMotion motion;  ///< from the frame of the run's odometry to the map's
+  recon::Relocation found;
+};
+
+/// `run`: the bytes of one run. Nothing: it was not sure.
+std::optional<Relocated> relocate(std::string_view run, std::span<const recon::ConstellationPoint> known,
+                                  const RelocateOptions& options);
+
+}  // namespace fencepost::host

@@ -1,0 +1,171 @@
+// A robot that lost its place, in random rooms: how soon it knows it again, and that it is never wrong.
+#include "firmware/recon/localize/relocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <vector>
+
+namespace fencepost::recon {
+namespace {
+
+constexpr float kPi = 3.14159265F;
+constexpr float kHalfView = 0.5F;  // rad
+constexpr float kFarthest = 4;     // m
+
+using Room = std::vector<ConstellationPoint>;
+
+/// Things in a square of 6 m, at least half a metre apart.
+Room room(std::mt19937& random, int things, int colours) {
+  std::uniform_real_distribution<float> place(-3, 3);
+  Room all;
+  while (static_cast<int>(all.size()) < things) {
+    const ConstellationPoint next{{place(random), place(random)},
+                                  0.03F,
+                                  0.05F,
+                                  static_cast<std::uint8_t>(1 + static_cast<int>(all.size()) % colours)};
+    bool free = true;
+    for (const ConstellationPoint& other : all) free = free && (other.place - next.place).squaredNorm() > 0.25F;
+    if (free) all.push_back(next);
+  }
+  return all;
+}
+
+struct Answer {
+  float after = 0;  ///< s
+  float off = 0;    ///< m
+  float turn = 0;   ///< rad
+};
+
+/// Four frames a second while it drives arcs of a metre, turning at the walls; odometry counts from the start, and
+/// strays by 3 % of each step and 3 % of each turn. `truth`: what stands there; `known`: the map.
+std::optional<Answer> drive(std::mt19937& random, const Room& truth, const Room& known, float seconds) {
+  std::uniform_real_distribution<float> even(-1, 1);
+  std::normal_distribution<float> normal(0, 1);
+  Vec2 place{2 * even(random), 2 * even(random)};
+  float heading = kPi * even(random);
+  float told = 0;  // odometry's heading; its places do not matter, steps do
+  RelocationFilter filter(known);
+  constexpr float kStep = 0.25F;  // s
+  constexpr float kSpeed = 0.2F;  // m/s
+  float rate = 0;
+  for (float t = 0; t <= seconds; t += kStep) {
+    if (std::fmod(t, 4.0F) < kStep / 2) rate = 0.5F * even(random);
+    if (place.squaredNorm() > 4 && cross(place, {std::cos(heading), std::sin(heading)}) != 0) {
+      const bool outwards = place.dot(Vec2(std::cos(heading), std::sin(heading))) > 0;
+      if (outwards) rate = 0.7F;
+    }
+    const float turned = rate * kStep;
+    heading += turned;
+    place += kSpeed * kStep * Vec2(std::cos(heading), std::sin(heading));
+    const float seen_turn = turned * (1 + 0.03F * normal(random));
+    told += seen_turn;
+    filter.drive(kSpeed * kStep * (1 + 0.03F * normal(random)) * Vec2(std::cos(told), std::sin(told)), seen_turn);
+    for (const ConstellationPoint& thing : truth) {
+      const Vec2 away = thing.place - place;
+      const float range = std::sqrt(away.squaredNorm());
+      const float bearing = std::remainder(std::atan2(away.y(), away.x()) - heading, 2 * kPi);
+      if (range > kFarthest || range < 0.2F || std::fabs(bearing) > kHalfView) continue;
+      const float seen = told + bearing + 0.01F * normal(random);
+      RangedSighting sighted;
+      sighted.direction = {std::cos(seen), std::sin(seen)};
+      sighted.range = range * (1 + 0.05F * normal(random));
+      sighted.from_robot = sighted.range * sighted.direction;
+      sighted.along = 0.0025F * range * range;
+      sighted.across = 0.0001F * range * range;
+      filter.see(sighted, thing.signature);
+    }
+    const auto found = filter.found();
+    if (!found) continue;
+    const float direction = std::atan2(found->rotation.y(), found->rotation.x()) + told;
+    return Answer{t, std::sqrt((found->place - place).squaredNorm()), std::remainder(direction - heading, 2 * kPi)};
+  }
+  return std::nullopt;
+}
+
+struct Sum {
+  int soon = 0;  ///< right within 15 s
+  int right = 0;
+  int wrong = 0;
+};
+
+constexpr int kRooms = 200;
+
+/// `strange`: the map is of another room with the same colours.
+Sum drives(unsigned seed, int things, int colours, bool strange) {
+  Sum sum;
+  for (int i = 0; i < kRooms; ++i) {
+    std::mt19937 random(seed + static_cast<unsigned>(i));
+    const Room truth = room(random, things, colours);
+    const Room known = strange ? room(random, things, colours) : truth;
+    const std::optional<Answer> answer = drive(random, truth, known, 60);
+    if (!answer) continue;
+    const bool right = !strange && answer->off < 0.4F && std::fabs(answer->turn) < 0.25F;
+    ++(right ? sum.right : sum.wrong);
+    if (right && answer->after <= 15) ++sum.soon;
+  }
+  std::printf("  %2d things, %2d colours%s: %d of %d right within 15 s, %d within 60 s, %d wrong\n", things, colours,
+              strange ? ", another room" : "", sum.soon, kRooms, sum.right, sum.wrong);
+  return sum;
+}
+
+// Seeds on which nothing was chosen; kMostDoubt was, on those from 60,001 to 62,200.
+TEST(Relocation, KnowsItsPlaceAgainByThingsOfOwnColours) {
+  const Sum sum = drives(65'001, 8, 8, false);
+  EXPECT_GE(sum.soon, kRooms / 2);
+  EXPECT_GE(sum.right, kRooms * 9 / 10);
+  EXPECT_LE(sum.wrong, kRooms / 100);
+}
+
+TEST(Relocation, ByFewColoursLaterAndSeldomWrong) {
+  for (const int colours : {4, 2, 1}) {
+    const Sum sum = drives(66'001, 8, colours, false);
+    EXPECT_GE(sum.right, kRooms / 4) << colours;
+    EXPECT_LE(sum.wrong, kRooms / 100) << colours;
+  }
+}
+
+TEST(Relocation, InAnotherRoomItIsSeldomSure) {
+  for (const int colours : {8, 2, 1}) EXPECT_LE(drives(64'001, 8, colours, true).wrong, kRooms / 100) << colours;
+}
+
+TEST(Relocation, OfEqualPostsInASquareItIsNeverSure) {
+  const float a = 1.2F;
+  const Room square = {
+      {{a, a}, 0.02F, 0.05F, 1}, {{-a, a}, 0.02F, 0.05F, 1}, {{-a, -a}, 0.02F, 0.05F, 1}, {{a, -a}, 0.02F, 0.05F, 1}};
+  for (unsigned seed = 63'001; seed <= 63'040; ++seed) {
+    std::mt19937 random(seed);
+    EXPECT_FALSE(drive(random, square, square, 60)) << seed;
+  }
+  // Own colours tell them apart.
+  Room told = square;
+  for (std::size_t i = 0; i < told.size(); ++i) told[i].signature = static_cast<std::uint8_t>(1 + i);
+  int right = 0;
+  for (unsigned seed = 63'001; seed <= 63'040; ++seed) {
+    std::mt19937 random(seed);
+    if (const auto answer = drive(random, told, told, 60)) right += answer->off < 0.4F ? 1 : 0;
+  }
+  EXPECT_GE(right, 10);
+}
+
+TEST(Relocation, ARangeFollowsFromTheWidthOfAKnownThing) {
+  Sighting sighting;
+  sighting.focal = 300;
+  const float half = 0.04F;
+  const Vec2 left{std::sqrt(1 - half * half), half};
+  sighting.left = {left, End::kSeen};
+  sighting.right = {{left.x(), -left.y()}, End::kSeen};
+  const auto ranged = recon::ranged(sighting, {0.04F, 0.002F}, {});
+  ASSERT_TRUE(ranged);
+  EXPECT_NEAR(ranged->range, 1.0F, 1e-3F);
+  EXPECT_NEAR(ranged->from_robot.x(), 1.0F, 1e-3F);
+  EXPECT_GT(std::sqrt(ranged->along), 0.05F) << "5 % by the radius alone";
+  EXPECT_FALSE(recon::ranged(sighting, {0.04F, 0.03F}, {})) << "of a radius that is not known";
+  sighting.left.end = End::kLowerBound;
+  EXPECT_FALSE(recon::ranged(sighting, {0.04F, 0.002F}, {})) << "cut off";
+}
+
+}  // namespace
+}  // namespace fencepost::recon
