@@ -194,35 +194,36 @@ TEST(Catalogue, CoverageHasALineForEachDeviceAndLink) {
     if (camera.port == config::Port::kConsole) continue;
     EXPECT_NE(table.find("`" + std::string(camera.name) + "`"), std::string::npos) << camera.name;
   }
+}
 
-  // What a camera sees is from its maker, from others, or assumed, and says which.
-  TEST(Catalogue, EveryLensHasItsSource) {
-    std::size_t lenses = 0;
-    for (const Row* row : rows_for(Use::kCamera)) {
-      const auto nominal = nominal_camera(*row);
-      const std::string& source = *std::get<CameraDriver>((*row->live)->driver).lens;
-      const std::string kind = source.substr(0, source.find(": "));
-      if (!nominal) {
-        EXPECT_EQ(kind, "told") << *row->name;
-        continue;
-      }
-      ++lenses;
-      EXPECT_GT(nominal->fx.raw, 0) << *row->name;
-      EXPECT_TRUE(kind == "maker" || kind == "published" || kind == "assumed") << *row->name << ": " << source;
-      EXPECT_GT(source.size(), kind.size() + 10) << *row->name;
+// What a camera sees is from its maker, from others, or assumed, and says which.
+TEST(Catalogue, EveryLensHasItsSource) {
+  std::size_t lenses = 0;
+  for (const Row* row : rows_for(Use::kCamera)) {
+    const auto nominal = nominal_camera(*row);
+    const std::string& source = *std::get<CameraDriver>((*row->live)->driver).lens;
+    const std::string kind = source.substr(0, source.find(": "));
+    if (!nominal) {
+      EXPECT_EQ(kind, "told") << *row->name;
+      continue;
     }
-    EXPECT_GE(lenses, 19U);
+    ++lenses;
+    EXPECT_GT(nominal->fx.raw, 0) << *row->name;
+    EXPECT_TRUE(kind == "maker" || kind == "published" || kind == "assumed") << *row->name << ": " << source;
+    EXPECT_GT(source.size(), kind.size() + 10) << *row->name;
   }
+  EXPECT_GE(lenses, 19U);
+}
 
-  TEST(Catalogue, TheDocumentShowsIt) {
-    std::ostringstream shown;
-    shown << std::ifstream(kSource / "host/share/doc/devices.md").rdbuf();
-    const std::string now = devices_document();
-    if (shown.str() == now) return;
-    const fs::path copy = fs::absolute("devices.md");
-    std::ofstream(copy) << now;
-    FAIL() << "the catalogue says otherwise: cp " << copy.string() << " host/share/doc/devices.md";
-  }
+TEST(Catalogue, TheDocumentShowsIt) {
+  std::ostringstream shown;
+  shown << std::ifstream(kSource / "host/share/doc/devices.md").rdbuf();
+  const std::string now = devices_document();
+  if (shown.str() == now) return;
+  const fs::path copy = fs::absolute("devices.md");
+  std::ofstream(copy) << now;
+  FAIL() << "the catalogue says otherwise: cp " << copy.string() << " host/share/doc/devices.md";
+}
 
 }  // namespace
 }  // namespace fencepost::devices
