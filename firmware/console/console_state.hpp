@@ -8,6 +8,7 @@
 #include "firmware/console/input_lines.hpp"
 #include "firmware/console/quote.hpp"
 #include "firmware/console/top_view.hpp"
+#include "firmware/console/trail.hpp"
 #include "hal/base/stamp.hpp"
 
 namespace fencepost::console {
@@ -44,6 +45,7 @@ enum class Reply : std::uint8_t {
   kHeld,
   kReleased,
   kGoes,
+  kQuit,
   // From here on a line that says what is wrong and what is allowed.
   kNoSuchCommand,  ///< quote; subject: Verb that was perhaps meant, or kNothingNear
   kTooFewWords,    ///< subject: Verb
@@ -87,6 +89,10 @@ struct ConsoleState {
   std::uint16_t selftest_at = 0;  ///< next code of the canned stream
   base::Stamp plotted_at;
   DriveGuide guide;
+  bool watching = false;  ///< the map again and again, until a line is typed
+  bool drawn = false;     ///< the map, since then
+  base::Stamp drawn_at;
+  Trail trail;
   TopView view;  ///< of the map that is being drawn
   InputLines input;
 };
