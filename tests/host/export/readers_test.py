@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 import PIL.Image
 import yaml
 
-RECORDINGS, READERS, NODE, FENCEPOST = (pathlib.Path(sys.argv.pop()) for _ in range(4))
+RECORDINGS, READERS, NODE, FENCEPOST = (pathlib.Path(sys.argv.pop()).resolve() for _ in range(4))
 DAMAGE = "--damage" in sys.argv
 if DAMAGE:
     sys.argv.remove("--damage")

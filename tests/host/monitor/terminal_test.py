@@ -16,7 +16,7 @@ import termios
 import time
 import unittest
 
-RECORDINGS, FENCEPOST = (pathlib.Path(sys.argv.pop()) for _ in range(2))
+RECORDINGS, FENCEPOST = (pathlib.Path(sys.argv.pop()).resolve() for _ in range(2))
 LOG = RECORDINGS / "approach_stop.log"
 LONGEST = 60  # s; a busy machine is slow
 
