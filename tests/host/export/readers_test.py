@@ -3,6 +3,7 @@
 usage: readers_test.py [--damage] FENCEPOST NODE FOLDER_WITH_READERS RECORDINGS
 --damage: one value of each file is changed before it is read; then each of these tests fails.
 """
+import binascii
 import csv
 import io
 import json
@@ -284,8 +285,51 @@ class Export(unittest.TestCase):
             self.assertEqual([blobs_of(f) for f in frames], [blobs_of(f) for f in FRAMES], form)
 
 
+class Usage(unittest.TestCase):
+    def test_what_is_wrong_is_said_and_nothing_is_written(self):
+        for arguments, code, words in (
+            (["-o", "x.foo"], 2, ".foo: its ending names no format"),
+            ([], 2, "no format was named"),
+            (["--format", "nav2", "-o", "-"], 2, "two files"),
+            (["--format", "nav2", "-o", "x.pgm"], 2, "x.yaml"),
+            (["-o", "x.svg", "--model", "sheef"], 2, "this run has cylinder"),
+            (["-o", "x.yaml", "--resolution", "0.00001"], 2, "choose a larger --resolution"),
+            (["-o", "x.svg", "--from", "100"], 3, "--from"),
+        ):
+            folder = tempfile.TemporaryDirectory()
+            done = subprocess.run([FENCEPOST, "export", LOG, *arguments], capture_output=True, text=True, cwd=folder.name)
+            self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(list(pathlib.Path(folder.name).iterdir()), [])
+            folder.cleanup()
+
+    def test_names_of_logs_and_colours_are_text(self):
+        """In markup, JSON, YAML and CSV alike."""
+        name = '<b>"&\', \x1b[2J'
+        log = LOG.read_bytes().decode()
+        coded = "".join("%%%02X" % c if chr(c) in ",*$%" or c < 32 else chr(c) for c in name.encode())
+        body = f"FPSIG,1,d02020,{coded}"
+        line = "$%s*%04X" % (body, binascii.crc_hqx(body.encode(), 0xFFFF))
+        log = re.sub(r"\$FPSIG,1,[^\r]*", lambda _: line, log)
+        path = pathlib.Path(FOLDER.name) / "a'b\"c.log"
+        path.write_bytes(log.encode())
+        svg = xml.etree.ElementTree.fromstring(fencepost("export", path, "--format", "svg", "-o", "-"))
+        self.assertTrue([t for t in svg.iter("{http://www.w3.org/2000/svg}text") if (t.text or "").startswith('1 <b>"&')])
+        features = json.loads(fencepost("export", path, "--format", "geojson", "-o", "-"))["features"]
+        self.assertEqual(features[0]["properties"]["name"], name)
+        rows = list(csv.reader(io.StringIO(fencepost("export", path, "--format", "csv", "-o", "-").decode())))
+        self.assertTrue(all(len(row) == 3 for row in rows))
+        self.assertNotIn("\x1b", "".join("".join(row) for row in rows))
+        fencepost("export", path, "--format", "nav2", "-o", pathlib.Path(FOLDER.name) / "a'b\"c.yaml")
+        self.assertEqual(yaml.safe_load((pathlib.Path(FOLDER.name) / "a'b\"c.yaml").read_text())["image"], "a'b\"c.pgm")
+        glb = pathlib.Path(FOLDER.name) / "hostile.glb"
+        fencepost("export", path, "-o", glb)
+        self.assertIn(f"1 {name}", [n["name"] for n in read(glb)["json"]["nodes"]])
+
+
 if DAMAGE:
     del Export.test_it_comes_back
+    del Usage
 
 if __name__ == "__main__":
     result = unittest.main(exit=False).result
