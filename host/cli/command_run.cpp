@@ -14,6 +14,7 @@
 #include "host/devices/tables.hpp"
 #include "host/live/alert_command.hpp"
 #include "host/live/can_alert.hpp"
+#include "host/live/listening_console.hpp"
 #include "host/live/run.hpp"
 #include "host/live/stop_line.hpp"
 #include "host/recorder/typing_console.hpp"
@@ -88,6 +89,7 @@ std::unique_ptr<ConsolePort> open(const ConsoleSpec& spec, bool wait) {
   try {
     auto console = open_console(spec, wait);
     if (const auto* pty = dynamic_cast<const PtyConsole*>(console.get())) say("console at " + pty->path());
+    if (const auto* port = dynamic_cast<const ListeningConsole*>(console.get())) say("console at " + port->address());
     return console;
   } catch (const DeviceFailure& failure) {
     throw Failure(Exit::kDevice, failure.message);
@@ -199,7 +201,7 @@ Action configure_run(CLI::App& app) {
   app.add_option("--odometry", request->odometry, "which wheels, and where")->type_name("DEV")->required();
   app.add_option("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)")->type_name("FILE");
   app.add_option("--console", request->console,
-                 "- (this terminal, the default), pty, tcp:HOST:PORT, or /dev/tty...[,baud=N]")
+                 "- (this terminal, the default), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, or /dev/tty...[,baud=N]")
       ->type_name("DEV");
   app.add_option("--mode", request->mode,
                  "of the console; default: log where standard output is no terminal and there is no --log, else text")
