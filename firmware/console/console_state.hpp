@@ -8,7 +8,6 @@
 #include "firmware/console/input_lines.hpp"
 #include "firmware/console/quote.hpp"
 #include "firmware/console/top_view.hpp"
-#include "firmware/console/trail.hpp"
 #include "hal/base/stamp.hpp"
 
 namespace fencepost::console {
@@ -92,7 +91,6 @@ struct ConsoleState {
   bool watching = false;  ///< the map again and again, until a line is typed
   bool drawn = false;     ///< the map, since then
   base::Stamp drawn_at;
-  Trail trail;
   TopView view;  ///< of the map that is being drawn
   InputLines input;
 };

@@ -22,7 +22,7 @@ template <class Profile>
 struct MapContents {
   std::span<const recon::Object<Profile>> objects;
   std::span<const record::Signature> signatures;
-  std::span<const Trail::Place> trail{};
+  std::span<const TrailPlace> trail{};
 };
 
 template <class Profile>
@@ -32,8 +32,8 @@ TopView view_of(const MapContents<Profile>& map, const recon::MapPose& robot) {
   // The way here is shown, all of a long run would make the drawing coarse.
   constexpr std::size_t kLatest = 8;
   const std::size_t count = map.trail.size();
-  for (const Trail::Place place : map.trail.last(count < kLatest ? count : kLatest)) {
-    extent.include(Trail::millimetres(place), 0);
+  for (const TrailPlace place : map.trail.last(count < kLatest ? count : kLatest)) {
+    extent.include(place.millimetres(), 0);
   }
   for (const auto& object : map.objects) {
     if (const auto shape = shape_of(object)) shape->include_in(extent);
@@ -44,7 +44,7 @@ TopView view_of(const MapContents<Profile>& map, const recon::MapPose& robot) {
 template <class Profile>
 std::size_t write_map_row(const MapContents<Profile>& map, const TopView& view, std::size_t row, std::span<char> out) {
   TopViewRow drawing(view, row);
-  for (const Trail::Place place : map.trail) drawing.point(Trail::millimetres(place), kTrailMark);
+  for (const TrailPlace place : map.trail) drawing.point(place.millimetres(), kTrailMark);
   for (std::size_t o = 0; o < map.objects.size(); ++o) {
     if (const auto shape = shape_of(map.objects[o])) shape->draw(letter_of(o), drawing);
   }

@@ -73,7 +73,7 @@ class Answers {
   }
   std::size_t write_map(const console::Links& links, std::span<char> out) {
     if (m_.poses.empty()) return console::write_none("map", status_facts(links), out);
-    const console::MapContents<Profile> map{m_.map.slots(), m_.signatures.view(), m_.console.trail.places()};
+    const console::MapContents<Profile> map{m_.map.slots(), m_.signatures.view(), m_.trail.places()};
     if (m_.console.answer.line == 0) m_.console.view = view_of(map, robot_pose(m_));
     return console::write_map(map, m_.console.view, m_.console.answer.line, out);
   }

@@ -50,7 +50,7 @@ class PathWatch {
     const alert::SweptByBody swept(path);
     const recon::MapPose pose = robot_pose(m_);
     const alert::RobotPlace robot(pose);
-    m_.console.trail.push(console::millimetres(pose.position));
+    m_.trail.push(console::millimetres(pose.position));
     const bool corrected = pose != m_.poses.latest();
     const alert::FrontAhead front =
         fronts_ahead(corrected ? alert::RobotPlace(m_.poses.latest()) : robot, path, rules, now);

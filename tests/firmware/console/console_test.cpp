@@ -95,7 +95,7 @@ TEST(Console, TheMapShowsWhereTheRobotWas) {
   EXPECT_GE(below, 4U) << map;
   EXPECT_NE(map.find("^ robot  o where it was  A red"), std::string::npos) << map;
   EXPECT_EQ(desk.type_line("reset"), "a new run: the map is empty\r\n");
-  EXPECT_TRUE(desk.memory().console.trail.places().empty());
+  EXPECT_TRUE(desk.memory().trail.places().empty());
 }
 
 TEST(Console, WatchDrawsTheMapUntilALineIsTyped) {

@@ -7,18 +7,19 @@
 namespace fencepost::test {
 namespace {
 
-using console::Trail;
+constexpr std::size_t kMost = 32;
+using Trail = console::Trail<kMost>;
 
 TEST(Trail, HoldsEvenlySpacedPlacesOfTheWholeRun) {
   Trail trail;
   for (std::int32_t x = 0; x <= 100'000; x += 10) trail.push({x, -x / 2});
   const auto places = trail.places();
-  ASSERT_GE(places.size(), Trail::kMost / 2);
+  ASSERT_GE(places.size(), kMost / 2);
   EXPECT_EQ(places.front().x, 0) << "where it began";
   const int step = places[1].x - places[0].x;
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_NEAR(places[i].x - places[i - 1].x, step, 2) << i;
   // The end is no farther from the last place than one step.
-  EXPECT_LE(100'000 / Trail::kUnit - places.back().x, step);
+  EXPECT_LE(100'000 / console::TrailPlace::kUnit - places.back().x, step);
   EXPECT_NEAR(places.back().y, -places.back().x / 2, 1);
 }
 
