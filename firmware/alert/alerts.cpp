@@ -33,6 +33,15 @@ AlertLevel change(AlertState& state, AlertLevel level, base::Time now) {
 
 }  // namespace
 
+bool news(AlertState& state, const record::AlertReport& report) {
+  const std::int32_t step = report.distance.raw - state.said_distance.raw;
+  const bool moved = step >= kSaidAgain.raw || step <= -kSaidAgain.raw;
+  if (report.level == state.said && !moved) return false;
+  state.said = report.level;
+  state.said_distance = report.distance;
+  return true;
+}
+
 AlertRules::AlertRules(const config::Settings& settings, float caution)
     : stop(caution * settings.number(Key::kAlertStop)),
       warn(caution * settings.number(Key::kAlertWarn)),

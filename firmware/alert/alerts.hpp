@@ -19,6 +19,8 @@ struct AlertState {
   record::AlertLevel level = record::AlertLevel::kClear;
   bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
   std::uint8_t signature = 0;
+  record::AlertLevel said = record::AlertLevel::kClear;  ///< in words, see news()
+  base::Metres said_distance;
   base::Stamp easing_since;
   base::Stamp reported_at;
   base::Metres distance;
@@ -26,6 +28,10 @@ struct AlertState {
 
   [[nodiscard]] bool in_force() const { return level > record::AlertLevel::kClear; }
 };
+
+/// Whether a person has to be told of a report, who is told: another level, or nearer or farther by kSaidAgain than
+/// when it was last said. Records and outputs repeat an alert as long as it is in force; words would bury all others.
+bool news(AlertState& state, const record::AlertReport& report);
 
 /// The settings as numbers to compare with, once for all objects.
 struct AlertRules {

@@ -19,6 +19,9 @@ inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
 /// A notice is repeated no more often than this: it says where things are, nothing is urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
+/// In words an alert in force is said again when it is so much nearer or farther: twice the centimetre that is shown,
+/// so that one which wavers about a half is not. More: fewer sentences while the robot creeps. By design.
+inline constexpr base::Metres kSaidAgain{200};
 
 /// Safety margin for the uncertainty of a distance: it is subtracted before the comparison with the stop distance.
 struct Margin {

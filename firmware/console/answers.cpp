@@ -151,6 +151,7 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
       s.put("it may move while no alert forbids it");
       if (drives_motors(facts.in_force)) s.put("; no motor is driven: `set bumper` is 0");
       break;
+    case Reply::kQuit: s.put("the robot goes on: close this terminal or its port"); break;
     case Reply::kGoes:
       s.put("ahead, at ").number(facts.in_force.devices.raw(config::DeviceKey::kBumper));
       s.put(" %, until an alert, or until you press Enter");

@@ -99,10 +99,10 @@ std::optional<Mode> mode_named(std::string_view word) {
 }
 
 Answer check(const Words& words) {
-  NearestName nearest(words.words[0]);
+  const std::string_view word = words.words[0] == "?" ? info(Verb::kHelp).name : words.words[0];
+  NearestName nearest(word);
   std::size_t index = 0;
-  for (; index < kVerbs && kVerbInfo[index].name != words.words[0]; ++index)
-    nearest.offer(index, kVerbInfo[index].name);
+  for (; index < kVerbs && kVerbInfo[index].name != word; ++index) nearest.offer(index, kVerbInfo[index].name);
   if (index == kVerbs) {
     return {Reply::kNoSuchCommand, subject_of(nearest), 0, quote(words.words[0])};
   }

@@ -16,9 +16,11 @@ namespace fencepost::console {
 
 enum class Verb : std::uint8_t {
   kHelp,
+  kSettings,
   kStatus,
   kObjects,
   kMap,
+  kWatch,
   kNext,
   kSectors,
   kCalibrate,
@@ -31,8 +33,9 @@ enum class Verb : std::uint8_t {
   kGo,
   kStop,
   kVersion,
+  kQuit,
 };
-inline constexpr std::size_t kVerbs = 16;
+inline constexpr std::size_t kVerbs = 19;
 
 struct VerbInfo {
   std::string_view name;
@@ -44,10 +47,12 @@ struct VerbInfo {
 
 /// By Verb.
 inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
-    {"help", "", 0, 0, "this list"},
+    {"help", "", 0, 0, "this list; `?` as well"},
+    {"settings", "", 0, 0, "all of them: value, range, what it is"},
     {"status", "", 0, 0, "what came in, what was refused, links, robot, digest"},
     {"objects", "", 0, 0, "the objects, the letters are those of the map"},
     {"map", "", 0, 0, "the map from above"},
+    {"watch", "", 0, 0, "the map every two seconds, until Enter"},
     {"next", "[ID]", 0, 1, "from where an object would be learnt most"},
     {"sectors", "", 0, 0, "distances all around as a record, $FPSEC"},
     {"calibrate", "", 0, 0, "what a calibration drive still needs"},
@@ -60,6 +65,7 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"go", "", 0, 0, "after `stop`; where `bumper` is not 0: straight ahead"},
     {"stop", "", 0, 0, "hold the robot until `go`; Enter alone ends `go`, too"},
     {"version", "", 0, 0, "program, target, profile"},
+    {"quit", "", 0, 0, "how to leave"},
 }};
 
 constexpr const VerbInfo& info(Verb verb) { return kVerbInfo[static_cast<std::size_t>(verb)]; }

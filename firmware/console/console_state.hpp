@@ -44,6 +44,7 @@ enum class Reply : std::uint8_t {
   kHeld,
   kReleased,
   kGoes,
+  kQuit,
   // From here on a line that says what is wrong and what is allowed.
   kNoSuchCommand,  ///< quote; subject: Verb that was perhaps meant, or kNothingNear
   kTooFewWords,    ///< subject: Verb
@@ -87,6 +88,9 @@ struct ConsoleState {
   std::uint16_t selftest_at = 0;  ///< next code of the canned stream
   base::Stamp plotted_at;
   DriveGuide guide;
+  bool watching = false;  ///< the map again and again, until a line is typed
+  bool drawn = false;     ///< the map, since then
+  base::Stamp drawn_at;
   TopView view;  ///< of the map that is being drawn
   InputLines input;
 };

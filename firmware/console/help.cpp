@@ -62,16 +62,11 @@ std::size_t write_setting(std::size_t line, const SettingsInForce& in_force, std
   return s.end();
 }
 
-std::size_t write_help(std::size_t line, const SettingsInForce& in_force, std::span<char> out) {
+std::size_t write_help(std::size_t line, std::span<char> out) {
   if (line == 0) return Sentence(out).put("commands, each ended with Enter:").end();
   --line;
   if (line < kVerbs) return write_verb(kVerbInfo[line], out);
-  line -= kVerbs;
-  if (line == 0) {
-    return Sentence(out).put("  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
-  }
-  if (line == 1) return Sentence(out).put("settings: value, range, what it is").end();
-  return write_setting(line - 2, in_force, out);
+  return Sentence(out).put("  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
 }
 
 }  // namespace fencepost::console

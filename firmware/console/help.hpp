@@ -1,4 +1,4 @@
-// `help`: every command and every setting, one a line.
+// `help`: every command, one a line, on one screen; `settings`: every setting.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,13 @@ struct SettingsInForce {
   [[nodiscard]] std::size_t lines() const { return config::kKeys + (offer != nullptr ? config::kDeviceKeys : 0); }
 };
 
-inline constexpr std::size_t kHelpHead = 1 + kVerbs + 2;  ///< lines; those of the settings follow
+/// Lines that a terminal of 24 rows shows above the one that is being typed.
+inline constexpr std::size_t kScreenLines = 22;
+inline constexpr std::size_t kHelpLines = 1 + kVerbs + 1;
+static_assert(kHelpLines <= kScreenLines);
 
-/// `line` < kHelpHead + in_force.lines().
-std::size_t write_help(std::size_t line, const SettingsInForce& in_force, std::span<char> out);
+/// `line` < kHelpLines.
+std::size_t write_help(std::size_t line, std::span<char> out);
 
 /// One setting, its value, range, unit and meaning; `line` < in_force.lines().
 std::size_t write_setting(std::size_t line, const SettingsInForce& in_force, std::span<char> out);

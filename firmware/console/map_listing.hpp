@@ -8,23 +8,33 @@
 #include "firmware/console/sentence.hpp"
 #include "firmware/console/signatures.hpp"
 #include "firmware/console/top_view.hpp"
+#include "firmware/console/trail.hpp"
 
 namespace fencepost::console {
 
 /// Title, rows, lower edge, its numbers, legend.
 inline constexpr std::size_t kMapLines = TopView::kRows + 4;
 
+inline constexpr char kTrailMark = 'o';
+
 /// What the drawing shows: the slots of the map's table, and the names of the signatures.
 template <class Profile>
 struct MapContents {
   std::span<const recon::Object<Profile>> objects;
   std::span<const record::Signature> signatures;
+  std::span<const TrailPlace> trail{};
 };
 
 template <class Profile>
 TopView view_of(const MapContents<Profile>& map, const recon::MapPose& robot) {
   MapExtent extent;
   extent.include(millimetres(robot.position), 0);
+  // The way here is shown, all of a long run would make the drawing coarse.
+  constexpr std::size_t kLatest = 8;
+  const std::size_t count = map.trail.size();
+  for (const TrailPlace place : map.trail.last(count < kLatest ? count : kLatest)) {
+    extent.include(place.millimetres(), 0);
+  }
   for (const auto& object : map.objects) {
     if (const auto shape = shape_of(object)) shape->include_in(extent);
   }
@@ -34,6 +44,7 @@ TopView view_of(const MapContents<Profile>& map, const recon::MapPose& robot) {
 template <class Profile>
 std::size_t write_map_row(const MapContents<Profile>& map, const TopView& view, std::size_t row, std::span<char> out) {
   TopViewRow drawing(view, row);
+  for (const TrailPlace place : map.trail) drawing.point(place.millimetres(), kTrailMark);
   for (std::size_t o = 0; o < map.objects.size(); ++o) {
     if (const auto shape = shape_of(map.objects[o])) shape->draw(letter_of(o), drawing);
   }
@@ -48,6 +59,7 @@ std::size_t write_legend(const MapContents<Profile>& map, const TopView& view, s
   const char arrow = robot_arrow(view);
   Sentence s(out);
   s.put({&arrow, 1}).put(" robot");
+  if (!map.trail.empty()) s.put("  ").put({&kTrailMark, 1}).put(" where it was");
   for (std::size_t o = 0; o < map.objects.size(); ++o) {
     const recon::ObjectCore& object = map.objects[o];
     if (!drawn(object)) continue;

@@ -30,7 +30,7 @@ class MapExtent {
 
 /// Which part, at what scale, with the robot where it was when the drawing began.
 struct TopView {
-  static constexpr std::size_t kRows = 20;
+  static constexpr std::size_t kRows = 18;  ///< with title, edge, numbers and legend one screen
   static constexpr std::size_t kColumns = 71;
   static constexpr std::size_t kMargin = 8;  ///< characters left of the columns
 

@@ -30,7 +30,7 @@ class Answers {
     using console::Reply;
     const console::Answer& answer = m_.console.answer;
     switch (answer.reply) {
-      case Reply::kHelp: return console::write_help(answer.line, in_force(), out);
+      case Reply::kHelp: return console::write_help(answer.line, out);
       case Reply::kAllSettings: return console::write_setting(answer.line, in_force(), out);
       case Reply::kStatus: return console::write_status(answer.line, status_facts(links), out);
       case Reply::kObjects: return write_objects(links, out);
@@ -51,7 +51,7 @@ class Answers {
     using console::Reply;
     const console::Answer& answer = m_.console.answer;
     switch (answer.reply) {
-      case Reply::kHelp: return answer.line >= console::kHelpHead + in_force().lines();
+      case Reply::kHelp: return answer.line >= console::kHelpLines;
       case Reply::kAllSettings: return answer.line >= in_force().lines();
       case Reply::kStatus: return answer.line >= console::status_lines(m_.camera_doubt.said(), m_.offer != nullptr);
       case Reply::kObjects: return next_used(answer.line - 1U) == Profile::kObjects;
@@ -73,7 +73,7 @@ class Answers {
   }
   std::size_t write_map(const console::Links& links, std::span<char> out) {
     if (m_.poses.empty()) return console::write_none("map", status_facts(links), out);
-    const console::MapContents<Profile> map{m_.map.slots(), m_.signatures.view()};
+    const console::MapContents<Profile> map{m_.map.slots(), m_.signatures.view(), m_.trail.places()};
     if (m_.console.answer.line == 0) m_.console.view = view_of(map, robot_pose(m_));
     return console::write_map(map, m_.console.view, m_.console.answer.line, out);
   }

@@ -38,6 +38,17 @@ class Console {
   /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { answers_.set_note(note); }
 
+  /// While somebody watches, the map is drawn again from time to time; the first one at once.
+  void draw_again(base::Time now) {
+    console::ConsoleState& console = state();
+    constexpr base::Duration kEvery = base::milliseconds(2'000);
+    if (!console.watching || console.answer.pending()) return;
+    if (console.drawn && console.drawn_at.since(now) < kEvery) return;
+    console.drawn = true;
+    console.drawn_at = base::Stamp(now);
+    console.answer.reply = console::Reply::kMap;
+  }
+
   /// Acts on the oldest line, which arrived at `now`.
   [[gnu::noinline]] Handled handle_line(base::Time now) {
     const std::optional<console::InputLines::Line> line = state().input.front();
@@ -111,6 +122,7 @@ class Console {
 
   [[gnu::noinline]] void handle_command(std::span<char> text, bool too_long) {
     state().motion.ahead = false;  // whatever was typed, and be it noise
+    state().watching = false;
     const std::optional<std::string_view> line = console::typed(text);
     if (too_long) {
       state().answer.reply = console::Reply::kLineTooLong;
@@ -129,9 +141,14 @@ class Console {
     const std::string_view word = words.words[1];
     switch (static_cast<Verb>(checked.subject)) {
       case Verb::kHelp: return {Reply::kHelp};
+      case Verb::kSettings: return {Reply::kAllSettings};
       case Verb::kStatus: return {Reply::kStatus};
       case Verb::kObjects: return {Reply::kObjects};
       case Verb::kMap: return {Reply::kMap};
+      case Verb::kWatch:
+        state().watching = true;
+        state().drawn = false;
+        return {};
       case Verb::kNext: return next(word);
       case Verb::kSectors: return {Reply::kSectors};
       case Verb::kCalibrate:
@@ -151,6 +168,7 @@ class Console {
       case Verb::kGo: return go();
       case Verb::kStop: state().motion.held = true; return {Reply::kHeld};
       case Verb::kVersion: return {Reply::kVersion};
+      case Verb::kQuit: return {Reply::kQuit};
     }
     return {};
   }

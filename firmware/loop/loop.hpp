@@ -36,6 +36,7 @@ class Loop {
     pass_time(now);
     pipeline_.reporter().calibration();
     send_link_states(now);
+    console_.draw_again(now);
     console_.send_answer(links());
     flush();
   }

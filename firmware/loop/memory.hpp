@@ -18,6 +18,7 @@
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
+#include "firmware/console/trail.hpp"
 #include "firmware/loop/journal.hpp"
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
@@ -64,6 +65,10 @@ struct Run {
   bool testing = false;           ///< the inputs are those of the self-test
 };
 
+/// Of the map that the console draws: micro has few bytes left.
+template <class Profile>
+inline constexpr std::size_t kTrailPlaces = Profile::kObjects < 8 ? 6 : 32;
+
 /// In the place of what a profile has no room for.
 struct NoFloor {};
 
@@ -90,6 +95,7 @@ struct Memory {
   console::Counters counters;
   LinkWatches links;
   console::ConsoleState console;
+  console::Trail<kTrailPlaces<Profile>> trail;
   OutputQueue<Profile::kOutputBytes> output;
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
 };

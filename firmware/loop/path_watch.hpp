@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "firmware/console/map_shape.hpp"
 #include "firmware/console/reports.hpp"
 #include "firmware/loop/memory.hpp"
 #include "firmware/loop/reporter.hpp"
@@ -49,6 +50,7 @@ class PathWatch {
     const alert::SweptByBody swept(path);
     const recon::MapPose pose = robot_pose(m_);
     const alert::RobotPlace robot(pose);
+    m_.trail.push(console::millimetres(pose.position));
     const bool corrected = pose != m_.poses.latest();
     const alert::FrontAhead front =
         fronts_ahead(corrected ? alert::RobotPlace(m_.poses.latest()) : robot, path, rules, now);
@@ -164,6 +166,7 @@ class PathWatch {
     if (level && front.nearest.known && *level != record::AlertLevel::kClear) {
       emit(state, console::report_alert(front, *level, now));
     } else if (level) {
+      state.said = record::AlertLevel::kClear;
       reporter_.alert(console::report_clear(record::kNoObject, state, now));
     }
   }
@@ -172,7 +175,7 @@ class PathWatch {
     state.signature = report.signature;
     state.distance = report.distance;
     state.bearing = report.bearing;
-    reporter_.alert(report);
+    reporter_.alert(report, state);
   }
 
   Memory<Profile>& m_;

@@ -51,6 +51,7 @@ class Pipeline {
     m_.camera_doubt = {};
     m_.reports.fill({});
     m_.console.guide.new_run();
+    m_.trail.clear();
     const record::Header* header = m_.run.header;
     m_.run = {};
     m_.run.header = header;

@@ -92,6 +92,13 @@ class Reporter {
   void alert(const record::AlertReport& report) {
     emit(report, [&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
   }
+  /// One that may be a repetition of what was said of it: in words it is said when it is news.
+  void alert(const record::AlertReport& report, alert::AlertState& state) {
+    const bool in_words = m_.console.alerts && shown_in(console::Mode::kText);
+    if (!in_words) state.said = record::AlertLevel::kClear;  // who is told from now on is told all
+    if (!in_words || news(state, report)) return alert(report);
+    journal_or_drop(report);
+  }
 
   /// The same, of which a person is told the reason.
   void blind(alert::Blindness reason, base::Time now) {

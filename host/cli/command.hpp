@@ -34,6 +34,7 @@ Command report_command();
 Command simulate_command();
 Command evaluate_command();
 Command merge_command();
+Command monitor_command();
 Command calibrate_command();
 Command smooth_command();
 Command import_command();
@@ -41,5 +42,6 @@ Command segment_command();
 Command paper_command();
 Command run_command();
 Command emulate_command();
+Command export_command();
 
 }  // namespace fencepost::host::cli

@@ -14,8 +14,10 @@
 #include "host/devices/tables.hpp"
 #include "host/live/alert_command.hpp"
 #include "host/live/can_alert.hpp"
+#include "host/live/listening_console.hpp"
 #include "host/live/run.hpp"
 #include "host/live/stop_line.hpp"
+#include "host/recorder/typing_console.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -82,9 +84,12 @@ RunLogSettings log_of(const RunRequest& request) {
 }
 
 std::unique_ptr<ConsolePort> open(const ConsoleSpec& spec, bool wait) {
+  const bool typed = spec.kind == ConsoleSpec::Kind::kTerminal && is_terminal(STDIN_FILENO);
+  if (typed && is_terminal(STDOUT_FILENO) && can_redraw()) return std::make_unique<TypingConsole>(colour_on_stdout());
   try {
     auto console = open_console(spec, wait);
     if (const auto* pty = dynamic_cast<const PtyConsole*>(console.get())) say("console at " + pty->path());
+    if (const auto* port = dynamic_cast<const ListeningConsole*>(console.get())) say("console at " + port->address());
     return console;
   } catch (const DeviceFailure& failure) {
     throw Failure(Exit::kDevice, failure.message);
@@ -164,20 +169,25 @@ Exit run(const RunRequest& request) {
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
   const OutputSpecs wanted = output_specs_of(request);
-  const StopSignals signals;
+  StopSignals signals;
+  signals.on_second(Keyboard::give_back_terminal);
   const linux::MonotonicClock clock;
   Outputs outputs;
   if (wanted.line) add_stop_line(outputs, *wanted.line);
   Devices devices = open_devices_of(named, plan.robot, clock, request.wait);
-  const auto console = open(console_spec, request.wait);
+  auto console = open(console_spec, request.wait);
+  auto* const typing = dynamic_cast<TypingConsole*>(console.get());
+  const auto say_there = [typing](std::string_view text) {
+    typing != nullptr ? typing->without_typed_line([text] { say(text); }) : say(text);
+  };
   const std::unique_ptr<WriteBehind> log = request.log.empty() ? nullptr : open_run_log(log_settings, clock.now());
   if (wanted.can) add_can(outputs, *wanted.can, request.wait);
   if (!request.on_alert.empty()) outputs.push_back(std::make_unique<AlertCommand>(request.on_alert));
   say_what_is_assumed(plan, devices);
   if (typed_at(plan)) say("type help for the commands; Ctrl-C ends the run");
-  const RunSummary summary =
-      run_live(plan, {clock, devices, *console, log.get(), [](std::string_view text) { say(text); },
-                      StopSignals::caught(), signals.descriptor(), borrowed(outputs)});
+  const RunSummary summary = run_live(plan, {clock, devices, *console, log.get(), say_there, StopSignals::caught(),
+                                             signals.descriptor(), borrowed(outputs)});
+  console.reset();  // the terminal as it was
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
   return exit_of(summary);
@@ -191,7 +201,7 @@ Action configure_run(CLI::App& app) {
   app.add_option("--odometry", request->odometry, "which wheels, and where")->type_name("DEV")->required();
   app.add_option("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)")->type_name("FILE");
   app.add_option("--console", request->console,
-                 "- (this terminal, the default), pty, tcp:HOST:PORT, or /dev/tty...[,baud=N]")
+                 "- (this terminal, the default), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, or /dev/tty...[,baud=N]")
       ->type_name("DEV");
   app.add_option("--mode", request->mode,
                  "of the console; default: log where standard output is no terminal and there is no --log, else text")

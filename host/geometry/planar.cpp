@@ -103,6 +103,17 @@ Polygon convex_hull(const MultiPolygon& areas) {
   return hull.empty() ? Polygon{} : hull.front();
 }
 
+std::vector<Triangle> triangulation(const MultiPolygon& areas) {
+  GeosSession geos;
+  const auto geometry = geos.to_geos(areas);
+  const auto pieces = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.handle(), geometry.get()));
+  std::vector<Triangle> triangles;
+  for (const Polygon& piece : geos.from_geos(pieces.get())) {
+    triangles.push_back({piece.outer[0], piece.outer[1], piece.outer[2]});
+  }
+  return triangles;
+}
+
 std::optional<OutlineDistance> outline_distance(const MultiPolygon& a, const MultiPolygon& b, double step) {
   if (a.empty() || b.empty()) return std::nullopt;
   return OutlineDistance{farthest(a, b, step), farthest(b, a, step)};

@@ -1,8 +1,10 @@
 // Exact-as-double set operations on planar areas. Backed by GEOS; no GEOS type leaves the .cpp.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/geometry/polygon.hpp"
 
@@ -32,6 +34,10 @@ std::optional<Invalidity> find_invalidity(const Polygon& polygon);
 
 /// Counter-clockwise; an empty outer ring when the input spans no area.
 Polygon convex_hull(const MultiPolygon& areas);
+
+using Triangle = std::array<Point, 3>;  ///< counter-clockwise
+/// The area as triangles whose corners are vertices of its rings, holes left out (constrained Delaunay).
+std::vector<Triangle> triangulation(const MultiPolygon& areas);
 
 /// How far two outlines lie apart: the largest distance from a point of one to the other, each way, metres.
 struct OutlineDistance {

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "host/live/listening_console.hpp"
 #include "host/live/open_port.hpp"
 
 namespace fencepost::host {
@@ -28,7 +29,8 @@ constexpr std::size_t kPipePortion = 4096;  // PIPE_BUF
 /// A file is abandoned after its disk took nothing for this long while the memory for it is full.
 constexpr base::Duration kGivenUp = base::milliseconds(10'000);
 
-constexpr std::string_view kAllowed = "allowed: - (this terminal), pty, tcp:HOST:PORT, /dev/tty...[,baud=N]";
+constexpr std::string_view kAllowed =
+    "allowed: - (this terminal), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, /dev/tty...[,baud=N]";
 
 std::size_t length_of(ssize_t count) { return static_cast<std::size_t>(count); }
 
@@ -58,6 +60,14 @@ std::optional<std::uint32_t> baud_in(std::string_view option) {
   return whole && baud >= 50 && baud <= 4'000'000 ? std::optional(baud) : std::nullopt;
 }
 
+constexpr std::string_view kListen = "tcp-listen:";
+
+/// "4000" or "HOST:4000". Whoever reaches a console can silence its alerts: without HOST only this machine does.
+std::optional<Place> listened_at(std::string_view text) {
+  const bool host = text.find(':') != std::string_view::npos;
+  return parse_tcp((host ? "tcp:" : "tcp:127.0.0.1:") + std::string(text));
+}
+
 }  // namespace
 
 base::Result<ConsoleSpec, std::string> parse_console(std::string_view text) {
@@ -65,6 +75,13 @@ base::Result<ConsoleSpec, std::string> parse_console(std::string_view text) {
   if (text == "-") return spec;
   if (text == "pty") {
     spec.kind = ConsoleSpec::Kind::kPty;
+    return spec;
+  }
+  if (text.starts_with(kListen)) {
+    const auto place = listened_at(text.substr(kListen.size()));
+    if (!place) return fmt::format("console \"{}\": no such place; {}", text, kAllowed);
+    spec.kind = ConsoleSpec::Kind::kListen;
+    spec.place = *place;
     return spec;
   }
   spec.kind = ConsoleSpec::Kind::kLine;
@@ -285,6 +302,7 @@ std::unique_ptr<ConsolePort> open_console(const ConsoleSpec& spec, bool wait) {
   switch (spec.kind) {
     case ConsoleSpec::Kind::kTerminal: return std::make_unique<TerminalConsole>(STDIN_FILENO, STDOUT_FILENO);
     case ConsoleSpec::Kind::kPty: return PtyConsole::open();
+    case ConsoleSpec::Kind::kListen: return ListeningConsole::open(spec.place.name, spec.place.port);
     case ConsoleSpec::Kind::kLine: break;
   }
   return std::make_unique<LineConsole>(open_line(spec.place, spec.baud, {"console", wait}));

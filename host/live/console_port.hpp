@@ -22,14 +22,14 @@
 namespace fencepost::host {
 
 struct ConsoleSpec {
-  enum class Kind : std::uint8_t { kTerminal, kPty, kLine };
+  enum class Kind : std::uint8_t { kTerminal, kPty, kListen, kLine };
   Kind kind = Kind::kTerminal;
-  Place place;  ///< of a line: tty or tcp
+  Place place;  ///< of a line: tty or tcp; where it listens: tcp
   std::uint32_t baud = 115'200;
 };
 
-/// "-" this terminal, "pty", tcp:HOST:PORT, or the path of a serial port with ",baud=N" behind it.
-/// errors: a sentence that says what is wrong and what is allowed.
+/// "-" this terminal, "pty", tcp:HOST:PORT, tcp-listen:[HOST:]PORT (this machine alone without HOST), or the path of a
+/// serial port with ",baud=N" behind it. errors: a sentence that says what is wrong and what is allowed.
 base::Result<ConsoleSpec, std::string> parse_console(std::string_view text);
 
 /// A byte port to people. Output that cannot be written is not kept indefinitely: see PatientConsole.

@@ -26,6 +26,8 @@ struct PlacedFrame {
   std::span<const PlacedSighting> sightings;
   /// The object with that id as it is now, with all models; it must be one of the sightings.
   std::function<ObjectResult(std::uint32_t id)> describe;
+  /// The same with the models that alerts go by alone, cylinder and hybrid: for observers that ask often.
+  std::function<ObjectResult(std::uint32_t id)> outline;
   /// What `sectors` would answer now; nothing of a profile that has none.
   std::function<std::optional<record::SectorReport>()> sectors;
 };

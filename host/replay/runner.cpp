@@ -187,15 +187,28 @@ class ProfileRunner final : public Runner {
       if (!slots[o].used() || !memory_->map.seen_now(o)) continue;
       sightings.push_back({slots[o].id, slots[o].views, memory_->map.blob_of(o)});
     }
-    observer_->frame_placed({frame, sightings,
-                             [&](std::uint32_t id) {
-                               return describe_object(*std::find_if(
-                                   slots.begin(), slots.end(), [&](const auto& object) { return object.id == id; }));
-                             },
-                             [this] { return sectors(); }});
+    const auto find = [&](std::uint32_t id) -> const recon::Object<Profile>& {
+      return *std::find_if(slots.begin(), slots.end(), [&](const auto& object) { return object.id == id; });
+    };
+    observer_->frame_placed({frame, sightings, [&](std::uint32_t id) { return describe_object(find(id)); },
+                             [&](std::uint32_t id) { return outline_object(find(id)); }, [this] { return sectors(); }});
   }
 
   [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {
+    ObjectResult result = numbers_of(object);
+    result.models = models_of(object);
+    result.next = next_of(object);
+    return result;
+  }
+
+  [[nodiscard]] ObjectResult outline_object(const recon::Object<Profile>& object) const {
+    ObjectResult result = numbers_of(object);
+    result.models.push_back(cylinder_model(object));
+    add_results(object, object.hybrid(), result.models);
+    return result;
+  }
+
+  [[nodiscard]] ObjectResult numbers_of(const recon::Object<Profile>& object) const {
     ObjectResult result;
     result.id = object.id;
     result.signature = object.signature;
@@ -212,8 +225,6 @@ class ProfileRunner final : public Runner {
       const bool raised = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
       if (raised && band.bottom_known) result.base = result.z_min;
     }
-    result.models = models_of(object);
-    result.next = next_of(object);
     return result;
   }
 

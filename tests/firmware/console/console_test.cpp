@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <random>
 #include <string>
 
@@ -13,27 +15,33 @@ using console::Mode;
 using namespace std::string_literals;
 
 TEST(Console, Help) {
+  EXPECT_EQ(Desk<>{}.type_line("help"),
+            "commands, each ended with Enter:\r\n"
+            "  help                      this list; `?` as well\r\n"
+            "  settings                  all of them: value, range, what it is\r\n"
+            "  status                    what came in, what was refused, links, robot, digest\r\n"
+            "  objects                   the objects, the letters are those of the map\r\n"
+            "  map                       the map from above\r\n"
+            "  watch                     the map every two seconds, until Enter\r\n"
+            "  next [ID]                 from where an object would be learnt most\r\n"
+            "  sectors                   distances all around as a record, $FPSEC\r\n"
+            "  calibrate                 what a calibration drive still needs\r\n"
+            "  alerts on|off             say alerts (modes text and log)\r\n"
+            "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
+            "  set KEY VALUE             change a setting\r\n"
+            "  get [KEY]                 one setting, or all\r\n"
+            "  selftest                  a known stream through the loop: forgets the map\r\n"
+            "  reset                     forget the map, start a new run\r\n"
+            "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
+            "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
+            "  version                   program, target, profile\r\n"
+            "  quit                      how to leave\r\n"
+            "  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n");
+}
+
+TEST(Console, Settings) {
   EXPECT_EQ(
-      Desk<>{}.type_line("help"),
-      "commands, each ended with Enter:\r\n"
-      "  help                      this list\r\n"
-      "  status                    what came in, what was refused, links, robot, digest\r\n"
-      "  objects                   the objects, the letters are those of the map\r\n"
-      "  map                       the map from above\r\n"
-      "  next [ID]                 from where an object would be learnt most\r\n"
-      "  sectors                   distances all around as a record, $FPSEC\r\n"
-      "  calibrate                 what a calibration drive still needs\r\n"
-      "  alerts on|off             say alerts (modes text and log)\r\n"
-      "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
-      "  set KEY VALUE             change a setting\r\n"
-      "  get [KEY]                 one setting, or all\r\n"
-      "  selftest                  a known stream through the loop: forgets the map\r\n"
-      "  reset                     forget the map, start a new run\r\n"
-      "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
-      "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
-      "  version                   program, target, profile\r\n"
-      "  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n"
-      "settings: value, range, what it is\r\n"
+      Desk<>{}.type_line("settings"),
       "  alert.stop      0.25  0.00..10.00 m in the path and this near: stop\r\n"
       "  alert.warn      0.50  0.00..10.00 m in the path and this near: warn\r\n"
       "  alert.notice    1.00  0.00..10.00 m in the path and this near: notice\r\n"
@@ -55,6 +63,79 @@ TEST(Console, Help) {
       "  steer.offset    0.00  -45.00..45.00 deg told when it goes straight\r\n"
       "  gyro.scale    1.0000  -2.0000..2.0000 true turn for one measured; negative: clockwise is positive\r\n"
       "  gyro.bias      0.000  -30.000..30.000 deg/s measured when nothing turns, until it has stood\r\n");
+}
+
+TEST(Console, HelpAndMapFitAScreen) {
+  const auto lines = [](const std::string& said) { return std::count(said.begin(), said.end(), '\n'); };
+  Desk<> desk(Mode::kQuiet, desk_approach(100));
+  desk.turn(2100);
+  EXPECT_LE(lines(desk.type_line("help")), 22);
+  EXPECT_EQ(lines(desk.type_line("map")), 22);
+  EXPECT_EQ(desk.type_line("?"), desk.type_line("help"));
+  EXPECT_EQ(desk.type_line("settings"), desk.type_line("get"));
+  EXPECT_EQ(desk.type_line("quit"), "the robot goes on: close this terminal or its port\r\n");
+}
+
+TEST(Console, TheMapShowsWhereTheRobotWas) {
+  Desk<> desk(Mode::kQuiet, desk_approach(500));
+  desk.turn(10'100);
+  // 0.4 m in the column of the robot, below it, none of it above.
+  const std::string map = desk.type_line("map");
+  const std::size_t robot = map.find('^');
+  ASSERT_NE(robot, std::string::npos) << map;
+  const std::size_t column = robot - map.rfind('\n', robot) - 1;
+  std::size_t below = 0;
+  std::size_t row = 0;
+  std::istringstream rows(map);
+  for (std::string line; std::getline(rows, line) && row <= 18; ++row) {
+    if (row == 0 || line.size() <= column || line[column] != 'o') continue;
+    EXPECT_GT(map.find(line), robot) << map;
+    ++below;
+  }
+  EXPECT_GE(below, 4U) << map;
+  EXPECT_NE(map.find("^ robot  o where it was  A red"), std::string::npos) << map;
+  EXPECT_EQ(desk.type_line("reset"), "a new run: the map is empty\r\n");
+  EXPECT_TRUE(desk.memory().trail.places().empty());
+}
+
+TEST(Console, WatchDrawsTheMapUntilALineIsTyped) {
+  Desk<> desk(Mode::kQuiet, desk_approach(500));
+  desk.turn(1000);
+  const auto maps = [](const std::string& said) {
+    std::size_t count = 0;
+    for (std::size_t at = said.find("x m     from above"); at != std::string::npos; at = said.find("x m ", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(maps(desk.type_line("watch")), 1U) << "at once";
+  desk.turn(4100);
+  EXPECT_EQ(maps(desk.link.take_said()), 2U);
+  EXPECT_EQ(desk.type_line(""), "");
+  desk.turn(4100);
+  EXPECT_EQ(desk.link.take_said(), "");
+}
+
+TEST(Console, ARobotThatStandsDoesNotRepeatItself) {
+  // Up to 0.6 m before the post, which is less than alert.notice, and there it stays for ten seconds.
+  Script script = desk_approach(500);
+  for (int i = 500; i < 1000; ++i) {
+    const double t = 0.02 * i;
+    script.odometry.push_back({base::Time::nearest(t), desk_odometry(t, 0.4)});
+    script.camera.push_back({base::Time::nearest(t), desk_frame(t, static_cast<std::uint32_t>(i), 0.4)});
+  }
+  const auto sentences = [](const std::string& said) { return std::count(said.begin(), said.end(), '\n'); };
+  Desk<> desk(Mode::kText, script);
+  desk.turn(10'500);
+  EXPECT_GT(sentences(desk.link.take_said()), 5) << "on its way";
+  desk.turn(5'000);
+  EXPECT_LE(sentences(desk.link.take_said()), 1) << "standing";
+  // Records go on, for whoever follows them, and who is told again is told what is in force.
+  desk.type_line("mode log");
+  desk.turn(2'000);
+  EXPECT_NE(desk.link.take_said().find("$FPALR"), std::string::npos);
+  desk.type_line("mode text");
+  desk.turn(2'000);
+  EXPECT_NE(desk.link.take_said().find("NOTICE  red"), std::string::npos);
 }
 
 TEST(Console, StatusOfARobotThatHasSeenNothing) {
@@ -117,16 +198,11 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
   const std::pair<const char*, const char*> cases[] = {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
-       "error: unknown command 'fly', there are: help status objects map next sectors calibrate alerts mode set get "
-       "selftest "
-       "reset go "
-       "stop "
-       "version"},
+       "error: unknown command 'fly', there are: help settings status objects map watch next sectors calibrate alerts "
+       "mode set get selftest reset go stop version quit"},
       {"a_word_that_is_far_too_long",
-       "error: unknown command 'a_word_that_is..', there are: help status objects map next sectors calibrate alerts "
-       "mode set get "
-       "selftest "
-       "reset go stop version"},
+       "error: unknown command 'a_word_that_is..', there are: help settings status objects map watch next sectors "
+       "calibrate alerts mode set get selftest reset go stop version quit"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
       {"mode loud", "error: 'loud' is not possible: mode text|log|plot|quiet"},
       {"alerts", "error: a word is missing: alerts on|off"},
@@ -202,7 +278,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 40 + 6 + 21 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 21 + 6 + 21 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }

@@ -115,13 +115,13 @@ TEST_F(DevicesConsole, StatusNamesCameraLensBaudAndPins) {
   EXPECT_NE(say("status").find(", lens 44 deg by $FPCAM; "), std::string::npos) << say("status");
 }
 
-TEST_F(DevicesConsole, HelpAndGetListThem) {
-  const std::string help = say("help");
+TEST_F(DevicesConsole, SettingsAndGetListThem) {
+  const std::string help = "\r\n" + say("settings");
   for (const config::KeyInfo& entry : config::kDeviceInfo) {
     EXPECT_NE(help.find("\r\n  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
     EXPECT_NE(say("get").find("  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
   }
-  EXPECT_EQ(Desk<>{}.type_line("help").find("\r\n  camera "), std::string::npos) << "nothing to choose on a desk";
+  EXPECT_EQ(Desk<>{}.type_line("settings").find("\r\n  camera "), std::string::npos) << "nothing to choose on a desk";
   EXPECT_EQ(Desk<>{}.type_line("set camera pixy2").substr(0, 31), "error: unknown setting 'camera'");
 }
 

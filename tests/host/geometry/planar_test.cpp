@@ -84,6 +84,23 @@ TEST(ConvexHull, OfAnL) {
   EXPECT_TRUE(convex_hull({}).outer.empty());
 }
 
+TEST(Triangulation, CoversAnLAndASquareWithAHoleButNotTheHole) {
+  Polygon ring = box(10, 0, 13, 3);
+  ring.holes.push_back({{11, 1}, {11, 2}, {12, 2}, {12, 1}});
+  const Polygon l = {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
+  double covered = 0;
+  for (const Triangle& triangle : triangulation({l, ring})) {
+    const double piece = signed_area(triangle);
+    EXPECT_GT(piece, 0) << "counter-clockwise";
+    covered += piece;
+    const Point middle{(triangle[0].x + triangle[1].x + triangle[2].x) / 3,
+                       (triangle[0].y + triangle[1].y + triangle[2].y) / 3};
+    EXPECT_TRUE(contains(l, middle) || contains(ring, middle)) << middle.x << " " << middle.y;
+  }
+  EXPECT_NEAR(covered, 3 + 8, 1e-12);
+  EXPECT_TRUE(triangulation({}).empty());
+}
+
 TEST(OutlineDistance, OfConcentricSquaresEachWay) {
   const auto distance = outline_distance({box(-0.5, -0.5, 0.5, 0.5)}, {box(-1, -1, 1, 1)});
   ASSERT_TRUE(distance.has_value());

@@ -31,11 +31,17 @@ TEST(ConsoleSpec, ReadsEveryPlace) {
   EXPECT_EQ(tty->place.name, "/dev/ttyGS0");
   EXPECT_EQ(tty->baud, 9'600U);
   EXPECT_EQ(parse_console("/dev/ttyGS0")->baud, 115'200U);
+  const auto here = parse_console("tcp-listen:4000");
+  EXPECT_EQ(here->kind, ConsoleSpec::Kind::kListen);
+  EXPECT_EQ(here->place.name, "127.0.0.1") << "not the whole network, unless that was said";
+  EXPECT_EQ(here->place.port, 4000);
+  EXPECT_EQ(parse_console("tcp-listen:0.0.0.0:4000")->place.name, "0.0.0.0");
+  EXPECT_EQ(parse_console("tcp-listen:[::1]:4000")->place.name, "::1");
 }
 
 TEST(ConsoleSpec, SaysWhatIsAllowed) {
-  for (const char* text :
-       {"", "COM3", "tcp:desk", "ptty", "/dev/ttyS0,baud=", "/dev/ttyS0,baud=9e3", "/dev/ttyS0,x=1"}) {
+  for (const char* text : {"", "COM3", "tcp:desk", "ptty", "tcp-listen:", "tcp-listen:x:", "tcp-listen:70000",
+                           "/dev/ttyS0,baud=", "/dev/ttyS0,baud=9e3", "/dev/ttyS0,x=1"}) {
     const auto spec = parse_console(text);
     ASSERT_FALSE(spec.ok()) << text;
     EXPECT_NE(spec.error().find("allowed: - (this terminal), pty, tcp:HOST:PORT"), std::string::npos) << spec.error();

@@ -30,6 +30,22 @@ TEST(ObjectTable, FitsEightyColumns) {
   for (std::string line; std::getline(table, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
+TEST(ObjectTable, NamesAreWholeAndTakeTheirRoomFromTheAreas) {
+  ResultDocument d = small_document();
+  d.objects[0].models.push_back(testing::square_model("hybrid", 0, 0, 0.2));
+  for (const auto& [name, areas] : {std::pair{"landmark 1", 2}, std::pair{"landmark 11", 1},
+                                    std::pair{"landmark of 17 l.", 1}, std::pair{"landmark of 18 let", 0}}) {
+    d.signatures[0].name = name;
+    const std::string table = object_table(d);
+    EXPECT_NE(table.find(std::string("  1 ") + name + " "), std::string::npos) << table;
+    const std::string head = table.substr(0, table.find('\n'));
+    EXPECT_EQ(head.find("hybrid") != std::string::npos, areas > 0) << table;
+    EXPECT_EQ(head.find("carve") != std::string::npos, areas > 1) << table;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+  }
+}
+
 TEST(ObjectTable, ControlCharactersDoNotReachTheTerminal) {
   ResultDocument d = small_document();
   d.signatures[0].name = "\x1b[2J";

@@ -1,0 +1,224 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "host/cli/command.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/positive.hpp"
+#include "host/cli/replay_run.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/export/csv_list.hpp"
+#include "host/export/drawing.hpp"
+#include "host/export/geojson_map.hpp"
+#include "host/export/glb.hpp"
+#include "host/export/mcap/mcap.hpp"
+#include "host/export/nav2_map.hpp"
+#include "host/result/lookup.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+struct ExportRequest {
+  std::string log;
+  std::string format;
+  std::string output;
+  std::string camera;
+  std::string model;
+  std::vector<double> at;  ///< latitude, longitude, bearing; deg
+  double resolution = exports::kMapResolution;
+  double interval = 0.2;
+  double start = 0;
+  double scale = 2;
+  ReplayOptions options;
+};
+
+using Write = std::string (*)(const exports::Run&, const ExportRequest&);
+
+struct Format {
+  std::string_view name;
+  std::string_view ending;  ///< of the file that it writes, and of a FILE that asks for it
+  bool by_ending;           ///< of several formats with that ending, the one it asks for
+  bool history;             ///< uses how objects came to be
+  Write write;
+};
+
+std::optional<exports::Anchor> anchor_of(const ExportRequest& request) {
+  if (request.at.empty()) return std::nullopt;
+  exports::Anchor anchor{request.at[0], request.at[1]};
+  if (request.at.size() > 2) anchor.bearing = request.at[2];
+  return anchor;
+}
+
+/// "maps/run.yaml" has its image beside it: "maps/run.pgm".
+std::string image_beside(const std::string& yaml) {
+  return std::filesystem::path(yaml).replace_extension(".pgm").string();
+}
+
+std::string write_nav2(const exports::Run& run, const ExportRequest& request) {
+  if (is_standard_output(request.output)) {
+    throw Failure(Exit::kUsage, "nav2 is two files, a YAML and a PGM; name the first with -o FILE.yaml");
+  }
+  const std::string image = image_beside(request.output);
+  if (image == request.output) {
+    throw Failure(Exit::kUsage, "-o " + request.output + ": that is the image's name; name the YAML file, such as " +
+                                    std::filesystem::path(image).replace_extension(".yaml").string());
+  }
+  const auto map =
+      exports::nav2_map(run, request.model, request.resolution, std::filesystem::path(image).filename().string());
+  if (!map) {
+    throw Failure(Exit::kUsage, fmt::format("a map of more than {:.0f} million cells; choose a larger --resolution",
+                                            exports::kMostCells / 1e6));
+  }
+  write_output(image, map->pgm);
+  say(fmt::format("wrote {}: {} cells occupied, {} free, all others unknown", image, map->occupied, map->free));
+  return map->yaml;
+}
+
+constexpr std::array<Format, 9> kFormats = {{
+    {"mcap", ".mcap", true, true,
+     [](const exports::Run& run, const ExportRequest& request) {
+       return exports::mcap_of(run, *exports::foxglove_json(), request.start);
+     }},
+    {"mcap-ros2", ".mcap", false, true,
+     [](const exports::Run& run, const ExportRequest& request) {
+       return exports::mcap_of(run, *exports::ros2_cdr(), request.start);
+     }},
+    {"nav2", ".yaml", true, false, write_nav2},
+    {"collision-monitor", ".yaml", false, false,
+     [](const exports::Run& run, const ExportRequest&) { return exports::collision_monitor(run); }},
+    {"geojson", ".geojson", true, false,
+     [](const exports::Run& run, const ExportRequest& request) {
+       return exports::geojson_of(run, request.model, anchor_of(request));
+     }},
+    {"svg", ".svg", true, false,
+     [](const exports::Run& run, const ExportRequest& request) {
+       return exports::svg_of(exports::draw_run(run, request.model), run.name);
+     }},
+    {"png", ".png", true, false,
+     [](const exports::Run& run, const ExportRequest& request) {
+       return exports::png_of(exports::draw_run(run, request.model), request.scale);
+     }},
+    {"glb", ".glb", true, false,
+     [](const exports::Run& run, const ExportRequest& request) { return exports::glb_of(run, request.model); }},
+    {"csv", ".csv", true, true, [](const exports::Run& run, const ExportRequest&) { return exports::csv_of(run); }},
+}};
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : kFormats) names.emplace_back(format.name);
+  return names;
+}
+
+const Format& format_of(const ExportRequest& request) {
+  const std::string ending = std::filesystem::path(request.output).extension().string();
+  for (const Format& format : kFormats) {
+    if (request.format.empty() ? format.by_ending && format.ending == ending : format.name == request.format) {
+      return format;
+    }
+  }
+  std::string endings;
+  for (const Format& format : kFormats) {
+    if (format.by_ending) endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
+  }
+  throw Failure(Exit::kUsage,
+                (request.output.empty() ? "no format was named" : request.output + ": its ending names no format") +
+                    std::string("; choose one with --format, or a FILE that ends in ") + endings);
+}
+
+/// What the chosen model leaves out is said: it would be missed on a map.
+void say_missing(const exports::Run& run, const std::string& model) {
+  if (model.empty()) return;
+  std::size_t missing = 0;
+  for (const ObjectResult& object : run.document.objects) {
+    missing += exports::is_solid(object) && exports::outline_of(object, model) == nullptr ? 1U : 0U;
+  }
+  const std::vector<std::string> known = model_names(run.document);
+  if (std::ranges::find(known, model) == known.end()) {
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    throw Failure(Exit::kUsage, "--model " + model + ": this run has " + (names.empty() ? "no objects" : names));
+  }
+  if (missing > 0) say(fmt::format("{} of its objects have no outline by model {}", missing, model));
+}
+
+Exit run(ExportRequest request) {
+  if (request.log == "-" && request.camera == "-") {
+    throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
+  }
+  if (request.options.from && request.options.to && *request.options.from > *request.options.to) {
+    throw Failure(Exit::kUsage, "--from is later than --to; swap them");
+  }
+  const Format& format = format_of(request);
+  const std::string stem = request.log == "-" ? "fencepost" : std::filesystem::path(request.log).stem().string();
+  if (request.output.empty()) request.output = stem + std::string(format.ending);
+  if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
+
+  const std::string bytes = read_input(request.log);
+  exports::History history(request.interval);
+  if (format.history) request.options.observer = &history;
+  ReplayOutcome outcome = replay(bytes, input_name(request.log), request.options);
+  if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
+  say_what_was_left_out(outcome);
+  const std::string name = request.log == "-" ? "run.log" : std::filesystem::path(request.log).filename().string();
+  const exports::Run made = exports::make_run(bytes, name, request.options, std::move(outcome), history);
+  say_missing(made, request.model);
+  write_output(request.output, format.write(made, request));
+  if (!is_standard_output(request.output)) say("wrote " + request.output);
+  return Exit::kDone;
+}
+
+Action configure_export(CLI::App& app) {
+  const auto request = std::make_shared<ExportRequest>();
+  app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
+  app.add_option("--format", request->format, "what to write; default: by FILE's ending")
+      ->check(CLI::IsMember(format_names()));
+  app.add_option("-o,--output", request->output, "default: the log's name with the format's ending, in this folder")
+      ->type_name("FILE");
+  app.add_option("--model", request->model,
+                 "outlines of that model alone; default: the hybrid's, where there is none the cylinder's")
+      ->type_name("NAME");
+  app.add_option("--every", request->interval, "s, mcap and csv: an object at most so often; default 0.2")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--start", request->start, "mcap: s since 1970 at the run's beginning; default 0")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1e10));
+  app.add_option("--resolution", request->resolution, "nav2: m a cell; default 0.02")
+      ->type_name("M")
+      ->check(positive());
+  app.add_option("--at", request->at,
+                 "geojson: the map's origin in degrees, and its x axis from north; default: metres")
+      ->type_name("LAT,LON[,BEARING]")
+      ->delimiter(',')
+      ->expected(2, 3)
+      ->check(CLI::Range(-360.0, 360.0));
+  app.add_option("--scale", request->scale, "png: pixels for one of the SVG's; default 2")
+      ->type_name("F")
+      ->check(CLI::Range(0.1, 8.0));
+  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
+      ->check(CLI::IsMember({"micro", "small", "full"}));
+  app.add_option("--camera", request->camera,
+                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      ->type_name("FILE");
+  app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
+  app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
+  return [request] { return run(*request); };
+}
+
+}  // namespace
+
+Command export_command() {
+  return {"export",
+          "a run for other programs: Foxglove, ROS 2, maps, pictures, tables",
+          "  fencepost export run.log -o run.mcap\n"
+          "  fencepost export run.log --format mcap-ros2 --start 1767225600\n"
+          "  fencepost export run.log --format nav2 -o map.yaml\n"
+          "  fencepost export run.log -o run.glb\n",
+          configure_export,
+          {}};
+}
+
+}  // namespace fencepost::host::cli

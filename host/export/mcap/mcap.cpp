@@ -1,0 +1,200 @@
+#include "host/export/mcap/mcap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "firmware/console/text.hpp"
+#include "host/report/palette.hpp"
+#include "host/result/lookup.hpp"
+
+namespace fencepost::host::exports {
+namespace {
+
+constexpr double kNanoseconds = 1e9;
+constexpr double kFollows = 0.5;  ///< s; poses farther apart tell no speed
+
+struct Waiting {
+  double t;
+  Topic topic;
+  std::string data;
+};
+
+class Recording {
+ public:
+  Recording(const Run& run, const Encoding& encoding, double start) : run_(run), encoding_(encoding), start_(start) {}
+
+  std::string bytes() {
+    add_camera();
+    add_poses();
+    add_detections();
+    add_history();
+    add_end();
+    add_alerts();
+    std::ranges::stable_sort(waiting_, {}, &Waiting::t);
+    return written();
+  }
+
+ private:
+  [[nodiscard]] bool told(Topic topic) const { return encoding_.channel(topic).has_value(); }
+  void add(double t, Topic topic, std::string data) { waiting_.push_back({t, topic, std::move(data)}); }
+  [[nodiscard]] double stamp(double t) const { return start_ + t; }
+
+  void add_camera() {
+    const auto& camera = run_.document.camera;
+    if (!camera || run_.document.path.empty()) return;
+    const sensor::CameraMount& mount = camera->mount;
+    const double t = run_.document.path.front().t;
+    const double pitch = mount.pitch ? mount.pitch->to_double() : 0;
+    const std::array placement = {Placement{kRobotFrame, kCameraFrame, mount.x.to_double(), mount.y.to_double(),
+                                            mount.z.to_double(), Turn::of(mount.yaw.to_double(), pitch)}};
+    add(t, Topic::kTransforms, encoding_.transforms(stamp(t), placement));
+  }
+
+  void add_poses() {
+    const PoseResult* before = nullptr;
+    for (const PoseResult& pose : run_.document.path) {
+      const double t = stamp(pose.t);
+      const std::array placement = {Placement{kMapFrame, kRobotFrame, pose.x, pose.y, 0, Turn::of(pose.heading)}};
+      add(pose.t, Topic::kTransforms, encoding_.transforms(t, placement));
+      if (told(Topic::kPose)) add(pose.t, Topic::kPose, encoding_.pose(t, pose));
+      add(pose.t, Topic::kOdometry, encoding_.odometry(t, moving(before, pose)));
+      before = &pose;
+    }
+  }
+
+  static Moving moving(const PoseResult* before, const PoseResult& now) {
+    Moving moving{now};
+    const double dt = before != nullptr ? now.t - before->t : 0;
+    if (dt <= 0 || dt > kFollows) return moving;
+    const double dx = (now.x - before->x) / dt;
+    const double dy = (now.y - before->y) / dt;
+    const double c = std::cos(now.heading);
+    const double s = std::sin(now.heading);
+    moving.forward = c * dx + s * dy;
+    moving.left = c * dy - s * dx;
+    const double turn = now.heading - before->heading;
+    moving.turning = std::atan2(std::sin(turn), std::cos(turn)) / dt;
+    return moving;
+  }
+
+  void add_detections() {
+    const auto& camera = run_.document.camera;
+    const double latency = camera ? camera->latency.to_double() : 0;
+    for (const sensor::BlobFrame& frame : run_.frames) {
+      const double t = frame.t.to_double();
+      add(t, Topic::kDetections, encoding_.detections(stamp(t - latency), run_, frame));
+    }
+  }
+
+  void show(SceneChange& change, const ObjectResult& object) {
+    const ModelResult* outline = outline_of(object, "");
+    if (outline == nullptr) return;
+    shown_.insert(object.id);
+    change.shown.push_back(
+        {object, *outline, title_of(run_.document, object), signature_colour(run_.document, object.signature)});
+  }
+  void add(const SceneChange& change) {
+    if (change.shown.empty() && change.gone.empty()) return;
+    SceneChange stamped = change;
+    stamped.t = stamp(change.t);
+    add(change.t, Topic::kObjects, encoding_.objects(stamped));
+  }
+
+  /// Objects that were seen in the same frame are one change.
+  void add_history() {
+    SceneChange change;
+    for (const ObjectAt& at : run_.history) {
+      if (at.t != change.t) {
+        add(change);
+        change = {at.t, {}, {}};
+      }
+      show(change, at.object);
+    }
+    add(change);
+  }
+
+  /// What the map holds at the end, and what it does not hold any more.
+  void add_end() {
+    if (run_.document.path.empty()) return;
+    SceneChange change;
+    change.t = run_.document.path.back().t;
+    if (!run_.frames.empty()) change.t = std::max(change.t, run_.frames.back().t.to_double());
+    std::set<std::uint32_t> gone = shown_;
+    for (const ObjectResult& object : run_.document.objects) {
+      show(change, object);
+      gone.erase(object.id);
+    }
+    change.gone.assign(gone.begin(), gone.end());
+    add(change);
+  }
+
+  void add_alerts() {
+    for (const record::AlertReport& alert : run_.document.alerts) {
+      const record::Signature* known = find_signature(run_.document, alert.signature);
+      std::array<char, console::kMaxSentence> sentence{};
+      const std::size_t size =
+          console::describe(alert, known != nullptr ? known->name.view() : std::string_view(), sentence);
+      const double t = alert.t.to_double();
+      add(t, Topic::kAlerts, encoding_.alert(stamp(t), alert.level, {sentence.data(), size < 2 ? 0 : size - 2}));
+    }
+  }
+
+  std::string written() const {
+    McapWriter writer(encoding_.profile(), "fencepost", encoding_.message_encoding());
+    std::array<std::uint16_t, kTopics> channels{};
+    for (std::size_t i = 0; i < kTopics; ++i) {
+      const auto channel = encoding_.channel(static_cast<Topic>(i));
+      if (channel) channels[i] = writer.add_channel(channel->topic, channel->schema, channel->metadata);
+    }
+    const auto nanoseconds = [this](double t) {
+      return static_cast<std::uint64_t>(std::llround(std::max(0.0, stamp(t)) * kNanoseconds));
+    };
+    for (const Waiting& one : waiting_) {
+      writer.write(channels[static_cast<std::size_t>(one.topic)], nanoseconds(one.t), one.data);
+    }
+    const double end = waiting_.empty() ? 0 : waiting_.back().t;
+    writer.attach(run_.name, "text/plain", nanoseconds(end), run_.log);
+    writer.add_metadata("fencepost", {{"digest", digest_text(run_.document.digest)},
+                                      {"profile", run_.document.profile},
+                                      {"lengths", "m, map frame: x forward at the start, y left, z up"}});
+    return writer.finish();
+  }
+
+  const Run& run_;
+  const Encoding& encoding_;
+  double start_;
+  std::vector<Waiting> waiting_;
+  std::set<std::uint32_t> shown_;
+};
+
+}  // namespace
+
+Turn Turn::of(double yaw, double pitch) {
+  const double cy = std::cos(yaw / 2);
+  const double sy = std::sin(yaw / 2);
+  const double cp = std::cos(pitch / 2);
+  const double sp = std::sin(pitch / 2);
+  return {-sy * sp, cy * sp, sy * cp, cy * cp};
+}
+
+Stamp::Stamp(double t) {
+  // Of tenths of a millisecond, the robot's clock: nanoseconds of a double would show its last bits.
+  constexpr std::int64_t kTicks = 10'000;
+  const std::int64_t ticks = std::max<std::int64_t>(0, std::llround(t * kTicks));
+  seconds = ticks / kTicks;
+  nanoseconds = static_cast<std::uint32_t>(ticks % kTicks * 100'000);
+}
+
+Box::Box(const sensor::Blob& blob)
+    : x((blob.x1 + blob.x2 + 1) / 2.0),
+      y((blob.y1 + blob.y2 + 1) / 2.0),
+      width(blob.x2 - blob.x1 + 1),
+      height(blob.y2 - blob.y1 + 1) {}
+
+std::string mcap_of(const Run& run, const Encoding& encoding, double start) {
+  return Recording(run, encoding, start).bytes();
+}
+
+}  // namespace fencepost::host::exports
