@@ -18,6 +18,7 @@
 #include "firmware/config/settings.hpp"
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
+#include "firmware/loop/alert_listener.hpp"
 #include "firmware/loop/journal.hpp"
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
@@ -92,6 +93,7 @@ struct Memory {
   console::ConsoleState console;
   OutputQueue<Profile::kOutputBytes> output;
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
+  [[no_unique_address]] AlertListener<kIsHeard<Profile>> listener;
 };
 
 /// Where the robot is in the map, by its latest odometry and the corrections so far. Needs odometry.
