@@ -60,8 +60,12 @@ class Installed(unittest.TestCase):
         environment = {name: value for name, value in os.environ.items() if name != "FENCEPOST_SHARE"}
         said = run(program, "demo", "-o", self.root / "demo.html", env=environment, cwd=self.root)
         self.assertIn("STOP    red", said)
-        for file in ("LICENSE", "doc/embed.md", "schema/result.schema.json", "python/fencepost.py", LOG[16:]):
+        for file in ("doc/embed.md", "schema/result.schema.json", "python/fencepost.py", LOG[16:]):
             self.assertTrue((self.prefix / "share/fencepost" / file).is_file(), file)
+        for file in ("share/man/man1/fencepost-replay.1.gz", "share/bash-completion/completions/fencepost",
+                     "share/zsh/site-functions/_fencepost", "share/fish/vendor_completions.d/fencepost.fish",
+                     "share/doc/fencepost/copyright", "share/doc/libfencepost-dev/copyright"):
+            self.assertTrue((self.prefix / file).is_file(), file)
 
     def test_find_package(self):
         build = self.configured("consumer")

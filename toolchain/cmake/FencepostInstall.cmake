@@ -9,7 +9,8 @@ if(FENCEPOST_DESK)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/host/share/${part}" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost
       COMPONENT program)
   endforeach()
-  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost COMPONENT program)
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fencepost RENAME copyright
+    COMPONENT program)
   set(made "${PROJECT_BINARY_DIR}/host/cli/made")
   set(zsh_folder zsh/site-functions)
   if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
@@ -40,7 +41,8 @@ foreach(room ${rooms})
 endforeach()
 install(FILES "${PROJECT_SOURCE_DIR}/firmware/fencepost/fencepost.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost
   COMPONENT development)
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libfencepost-dev RENAME copyright
+  COMPONENT development)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/FencepostConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/FencepostConfig.cmake" INSTALL_DESTINATION ${package_folder})
@@ -54,4 +56,8 @@ if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" AND NOT IS_ABSOLUTE "${CMAKE_INSTAL
   set(FENCEPOST_PREFIX "\${pcfiledir}/${up}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/fencepost.pc.in" "${PROJECT_BINARY_DIR}/fencepost.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/fencepost.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endif()
+
+if(FENCEPOST_DESK AND PROJECT_IS_TOP_LEVEL)
+  include(FencepostPackage)
 endif()
