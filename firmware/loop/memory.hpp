@@ -19,6 +19,7 @@
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/console/trail.hpp"
+#include "firmware/loop/alert_listener.hpp"
 #include "firmware/loop/journal.hpp"
 #include "firmware/loop/link_watch.hpp"
 #include "firmware/loop/output_queue.hpp"
@@ -98,6 +99,7 @@ struct Memory {
   console::Trail<kTrailPlaces<Profile>> trail;
   OutputQueue<Profile::kOutputBytes> output;
   [[no_unique_address]] Journal<Profile::kJournalBytes> journal;
+  [[no_unique_address]] AlertListener<kIsHeard<Profile>> listener;
 };
 
 /// Where the robot is in the map, by its latest odometry and the corrections so far. Needs odometry.

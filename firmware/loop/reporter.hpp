@@ -195,6 +195,7 @@ class Reporter {
   // A switched-off console is told nothing; the journal has it all the same.
   template <class Sentence>
   void emit(const record::AlertReport& report, Sentence&& sentence) {
+    if (!m_.run.testing) m_.listener.tell(report, sentence);
     journal_or_drop(report);
     if (!m_.console.alerts) return;
     if (shown_in(console::Mode::kLog)) put_or_drop(report);

@@ -22,12 +22,17 @@ struct Command {
   std::vector<Command> children;
 };
 
+/// What the program is, in one clause.
+inline constexpr const char* kProgramSummary = "obstacle maps and alerts from coloured blobs and odometry";
+
 /// Every command, in the order in which people meet them. Help, suggestions and completion all read this table.
 const std::vector<Command>& commands();
 
+Command completion_command();
 Command configure_command();
 Command demo_command();
 Command doctor_command();
+Command help_command();
 Command record_command();
 Command replay_command();
 Command report_command();

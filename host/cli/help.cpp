@@ -12,11 +12,11 @@ std::string overview() {
       "  fencepost report run.log -o run.html\n\n"
       "Obstacle maps and alerts from coloured blobs and odometry: the robot's own loop, at the desk.\n\n"
       "Commands:\n";
-  for (const Command& command : commands()) text += fmt::format("  {:<10} {}\n", command.name, command.summary);
+  for (const Command& command : commands()) text += fmt::format("  {:<11} {}\n", command.name, command.summary);
   return text +
          "\nOptions:\n"
-         "  -h,--help   this help; after a command, that command's\n"
-         "  --version   the version\n\n"
+         "  -h,--help     this help; after a command, that command's\n"
+         "  -V,--version  the version\n\n"
          "Data goes to standard output, messages to standard error; - is standard input or output.\n"
          "Exit codes: 0 done, 1 a check failed, 2 usage, 3 unreadable input, 4 device or output, 130 interrupted.\n";
 }

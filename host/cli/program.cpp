@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "host/cli/command.hpp"
+#include "host/cli/describe.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/guarded.hpp"
 #include "host/cli/help.hpp"
 #include "host/cli/interrupt.hpp"
 #include "host/cli/standard_streams.hpp"
-#include "host/text/suggest.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -21,8 +21,10 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
                                            const char* const* argv) {
   if (argc < 1) return fmt::format("no command given; see {} --help", where);
   const std::string_view word = argv[0];
-  if (word == "-h" || word == "--help" || (word == "--version" && &table == &commands())) return std::nullopt;
-  std::vector<std::string> names;
+  const bool of_program = &table == &commands();
+  if (word == "-h" || word == "--help" || (of_program && (word == "--version" || word == "-V"))) return std::nullopt;
+  std::vector<std::string> names = {"--help"};
+  if (of_program) names.emplace_back("--version");
   for (const Command& command : table) {
     if (command.name == word) {
       if (command.children.empty()) return std::nullopt;
@@ -30,14 +32,14 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
     }
     names.push_back(command.name);
   }
-  return fmt::format("no command \"{}\" in {};{} See {} --help", word, where, did_you_mean(word, names), where);
+  return fmt::format("no command \"{}\" in {}{}", word, where, guess_among(names, word, where));
 }
 
 class Program {
  public:
   Program() : app_("", "fencepost") {
     app_.formatter(std::make_shared<HelpWithExample>());
-    app_.set_version_flag("--version", "fencepost " FENCEPOST_VERSION);
+    app_.set_version_flag("-V,--version", "fencepost " FENCEPOST_VERSION);
     app_.require_subcommand(1);
     for (const Command& command : commands()) add(app_, command);
   }
@@ -52,7 +54,8 @@ class Program {
       write_output("-", help_text(success));
       return static_cast<int>(Exit::kDone);
     } catch (const CLI::ParseError& error) {
-      throw Failure(Exit::kUsage, fmt::format("{}; see {} --help", error.what(), parsed_name()));
+      throw Failure(Exit::kUsage,
+                    unknown_option().value_or(fmt::format("{}; see {} --help", error.what(), parsed_name())));
     }
     return static_cast<int>(action_());
   }
@@ -66,6 +69,21 @@ class Program {
     }
     for (const Command& child : command.children) add(*app, child);
     if (!command.children.empty()) app->require_subcommand(1);
+  }
+
+  /// "no option --jsno in fencepost replay; did you mean --json?", if there is one that no command has.
+  [[nodiscard]] std::optional<std::string> unknown_option() const {
+    for (const std::string& word : parsed().remaining()) {
+      if (word.size() < 2 || word[0] != '-') continue;
+      const std::string flag = word.substr(0, word.find('='));
+      std::vector<std::string> names;
+      for (const CLI::Option* option : parsed().get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      }
+      if (flag.size() <= 2) names.clear();  // one letter is near any other
+      return fmt::format("no option {} in {}{}", flag, parsed_name(), guess_among(names, flag, parsed_name()));
+    }
+    return std::nullopt;
   }
 
   /// The command whose options were being read.

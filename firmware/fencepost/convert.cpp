@@ -1,0 +1,154 @@
+#include "firmware/fencepost/convert.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "firmware/config/devices.hpp"
+#include "firmware/record/layout.hpp"
+
+namespace fencepost {
+namespace library {
+namespace {
+
+// False for what is no number, too. A tenth of a millimetre is kept up to 400 m.
+template <class Unit>
+[[nodiscard]] bool put(float value, const record::NumberField& field, Unit& out) {
+  const float scaled = value * static_cast<float>(Unit::kPerUnit);
+  const bool within = scaled >= static_cast<float>(field.min) && scaled <= static_cast<float>(field.max);
+  if (within) out.raw = static_cast<typename Unit::rep>(scaled < 0 ? scaled - 0.5F : scaled + 0.5F);
+  return within;
+}
+
+[[nodiscard]] bool put_mount(const Camera& camera, sensor::CameraMount& mount) {
+  if (camera.pitch_known) {
+    base::Radians pitch;
+    if (!put(camera.pitch, record::kPitch, pitch)) return false;
+    mount.pitch = pitch;
+  }
+  return put(camera.x, record::kPosition, mount.x) && put(camera.y, record::kPosition, mount.y) &&
+         put(camera.z, record::kPosition, mount.z) && put(camera.yaw, record::kHeading, mount.yaw);
+}
+
+[[nodiscard]] bool put_optics(const Camera& camera, sensor::CameraIntrinsics& to) {
+  return put(camera.fx, record::kFocalLength, to.fx) && put(camera.fy, record::kFocalLength, to.fy) &&
+         put(camera.cx, record::kPrincipalPoint, to.cx) && put(camera.cy, record::kPrincipalPoint, to.cy) &&
+         put(camera.k1, record::kDistortion, to.k1);
+}
+
+std::int32_t area(const Box& box) { return (box.right - box.left + 1) * (box.bottom - box.top + 1); }
+
+// Twice the middle, in tenths of a pixel.
+base::Pixels1 middle(std::int16_t low, std::int16_t high) { return {5 * (std::int32_t{low} + high)}; }
+
+sensor::Blob blob_of(const Box& box) {
+  sensor::Blob blob;
+  blob.signature = box.signature;
+  blob.x1 = box.left;
+  blob.y1 = box.top;
+  blob.x2 = box.right;
+  blob.y2 = box.bottom;
+  blob.cx = middle(box.left, box.right);
+  blob.cy = middle(box.top, box.bottom);
+  return blob;
+}
+
+}  // namespace
+
+base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const Camera& camera) {
+  const auto usable = [](std::uint16_t size) {
+    return size >= record::kImageSize.min && size <= record::kImageSize.max;
+  };
+  sensor::CameraIntrinsics to;
+  to.model = "embedded";
+  to.width = camera.width;
+  to.height = camera.height;
+  to.lens = camera.fisheye ? sensor::Lens::kEquidistant : sensor::Lens::kPinhole;
+  to.latency = {camera.latency / kMicrosPerTick};
+  const bool in_time = camera.latency >= 0 && to.latency.raw <= record::kLatency.max;
+  if (!usable(camera.width) || !usable(camera.height) || !in_time) return Answer::kRange;
+  if (!put_optics(camera, to) || !put_mount(camera, to.mount)) return Answer::kRange;
+  return to;
+}
+
+base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose& pose) {
+  sensor::OdometrySample sample;
+  sample.t = t;
+  const bool within = put(pose.x, record::kPosition, sample.x) && put(pose.y, record::kPosition, sample.y) &&
+                      put(pose.heading, record::kHeading, sample.heading);
+  if (!within) return Answer::kRange;
+  return sample;
+}
+
+sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const Box> boxes) {
+  std::array<const Box*, kMostBoxes> largest{};
+  std::size_t count = 0;
+  for (const Box& box : boxes) {
+    std::size_t place = count;
+    while (place > 0 && area(*largest[place - 1]) < area(box)) --place;
+    if (place == kMostBoxes) continue;
+    if (count < kMostBoxes) ++count;
+    for (std::size_t i = count - 1; i > place; --i) largest[i] = largest[i - 1];
+    largest[place] = &box;
+  }
+  sensor::BlobFrame frame{t, number, {}};
+  for (std::size_t i = 0; i < count; ++i) static_cast<void>(frame.blobs.push_back(blob_of(*largest[i])));
+  return frame;
+}
+
+Camera camera_of(const sensor::CameraIntrinsics& intrinsics) {
+  Camera camera;
+  camera.width = intrinsics.width;
+  camera.height = intrinsics.height;
+  camera.fx = intrinsics.fx.to_float();
+  camera.fy = intrinsics.fy.to_float();
+  camera.cx = intrinsics.cx.to_float();
+  camera.cy = intrinsics.cy.to_float();
+  camera.k1 = intrinsics.k1.to_float();
+  camera.fisheye = intrinsics.lens == sensor::Lens::kEquidistant;
+  camera.latency = static_cast<std::int32_t>(intrinsics.latency.raw * kMicrosPerTick);
+  return camera;
+}
+
+Alert alert_of(const record::AlertReport& report, const char* sentence) {
+  Alert alert;
+  alert.level = static_cast<Level>(report.level);
+  alert.object = report.id;
+  alert.signature = report.signature;
+  alert.distance = report.distance.to_float();
+  alert.bearing = report.bearing.to_float();
+  if (report.ttc) alert.contact = report.ttc->to_float();
+  alert.confidence = report.confidence.to_float();
+  alert.time = micros_of(report.t);
+  alert.sentence = sentence;
+  return alert;
+}
+static_assert(static_cast<Level>(record::AlertLevel::kStop) == Level::kStop);
+static_assert(static_cast<Level>(record::AlertLevel::kBlind) == Level::kBlind);
+
+Object object_of(const record::ObjectReport& report) {
+  Object object;
+  object.id = report.id;
+  object.signature = report.signature;
+  object.confirmed = report.state != record::ObjectState::kTentative;
+  object.lost = report.state == record::ObjectState::kLost;
+  object.views = report.views;
+  object.x = report.x.to_float();
+  object.y = report.y.to_float();
+  object.radius = report.radius.to_float();
+  object.z_min = report.z_min.to_float();
+  object.z_max = report.z_max.to_float();
+  object.distance = report.distance.to_float();
+  object.bearing = report.bearing.to_float();
+  object.confidence = report.confidence.to_float();
+  return object;
+}
+
+}  // namespace library
+
+Camera delivered_camera(const char* name) {
+  const config::CameraId id = config::camera_named(name);
+  if (static_cast<std::size_t>(id) >= config::kCameraIds) return {};
+  return library::camera_of(config::delivered_calibration(id));
+}
+
+}  // namespace fencepost

@@ -1,0 +1,63 @@
+# cmake --install: the program with what it reads, and, for other programs, the core and the desk's replay as libraries.
+# Two components, program and development: a package each (FencepostPackage.cmake).
+include(CMakePackageConfigHelpers)
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fencepost")
+
+if(FENCEPOST_DESK)
+  install(TARGETS fencepost_exe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  foreach(part blocks can recordings doc examples python schema)
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/host/share/${part}" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost
+      COMPONENT program)
+  endforeach()
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fencepost RENAME copyright
+    COMPONENT program)
+  set(made "${PROJECT_BINARY_DIR}/host/cli/made")
+  set(zsh_folder zsh/site-functions)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set(zsh_folder zsh/vendor-completions)  # where Debian's zsh looks for what packages bring
+  endif()
+  install(DIRECTORY "${made}/man1" DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+  install(FILES "${made}/fencepost" DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+  install(FILES "${made}/_fencepost" DESTINATION ${CMAKE_INSTALL_DATADIR}/${zsh_folder} COMPONENT program)
+  install(FILES "${made}/fencepost.fish" DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
+  set(libraries fencepost_core fencepost_host)
+  set(rooms hal drivers firmware host/geometry host/replay host/result host/scene host/text)
+else()
+  set(libraries fencepost_core)
+  set(rooms hal drivers firmware)
+endif()
+
+install(TARGETS ${libraries} EXPORT FencepostTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT FencepostTargets NAMESPACE Fencepost:: DESTINATION ${package_folder} COMPONENT development)
+# The path of an include is that in the repository, below a folder of our own: nobody else's <hal/...> is in its way.
+foreach(room ${rooms})
+  get_filename_component(parent ${room} DIRECTORY)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${room}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost/${parent}
+    COMPONENT development FILES_MATCHING PATTERN "*.hpp"
+    # What runs on boards only, and what this machine's devices need.
+    PATTERN boards EXCLUDE PATTERN mcu EXCLUDE PATTERN template EXCLUDE PATTERN linux EXCLUDE PATTERN image EXCLUDE
+    PATTERN fencepost EXCLUDE)
+endforeach()
+install(FILES "${PROJECT_SOURCE_DIR}/firmware/fencepost/fencepost.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost
+  COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libfencepost-dev RENAME copyright
+  COMPONENT development)
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/FencepostConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/FencepostConfig.cmake" INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/FencepostConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/FencepostConfig.cmake" "${PROJECT_BINARY_DIR}/FencepostConfigVersion.cmake"
+  DESTINATION ${package_folder} COMPONENT development)
+
+# Relative to where the file is found, so that an installation may be moved; an absolute folder stays.
+if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" AND NOT IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  string(REGEX REPLACE "[^/]+" ".." up "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+  set(FENCEPOST_PREFIX "\${pcfiledir}/${up}")
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/fencepost.pc.in" "${PROJECT_BINARY_DIR}/fencepost.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/fencepost.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endif()
+
+if(FENCEPOST_DESK AND PROJECT_IS_TOP_LEVEL)
+  include(FencepostPackage)
+endif()
