@@ -161,7 +161,7 @@ class ProfileRunner final : public Runner {
 
   // Each once.
   void complain(const std::string& note) {
-    if (std::ranges::find(complaints_, note) == complaints_.end()) complaints_.push_back(note);
+    if (std::find(complaints_.begin(), complaints_.end(), note) == complaints_.end()) complaints_.push_back(note);
   }
 
   // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.
