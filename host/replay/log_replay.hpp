@@ -24,7 +24,8 @@ class LogReplay {
   LogReplay& operator=(const LogReplay&) = delete;
   ~LogReplay() = default;
 
-  void push(char byte) { reader_.push(byte, *this); }
+  /// At a line's end what became of it, within a line nothing.
+  std::optional<record::LineOutcome> push(char byte) { return reader_.push(byte, *this); }
   /// What follows is not used: there are frames enough, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
@@ -43,8 +44,9 @@ class LogReplay {
   [[nodiscard]] double time() const { return time_; }
   /// How many have begun.
   [[nodiscard]] std::uint32_t runs() const { return runs_; }
-  /// Of this run.
-  [[nodiscard]] const std::vector<record::AlertReport>& alerts() const { return alerts_; }
+  /// In force; nothing before the first run.
+  [[nodiscard]] const config::Settings* settings() const { return runner_ ? &runner_->settings() : nullptr; }
+  [[nodiscard]] const std::optional<sensor::CameraIntrinsics>& camera() const { return camera_; }
 
   // The sink of the reader.
   void accept(const record::Header& header);

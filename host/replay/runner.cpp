@@ -80,6 +80,7 @@ class ProfileRunner final : public Runner {
 
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
+  [[nodiscard]] const config::Settings& settings() const override { return memory_->settings; }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
 
   [[nodiscard]] const std::vector<PassResult>& passes() const override { return passes_.passes(); }
