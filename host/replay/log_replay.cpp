@@ -26,10 +26,12 @@ LogReplay::LogReplay(const ReplayOptions& options)
                 [this](const auto& object) { hear(object); }, [this](const auto& digest) { hear(digest); },
                 [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}) {}
 
-void LogReplay::finish() {
-  if (!complete_) reader_.finish();
+std::optional<record::LineOutcome> LogReplay::finish() {
+  std::optional<record::LineOutcome> line;
+  if (!complete_) line = reader_.finish();
   if (runner_) end_run();
   over_ = true;
+  return line;
 }
 
 void LogReplay::accept(const record::Header& header) {

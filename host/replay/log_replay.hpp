@@ -29,7 +29,8 @@ class LogReplay {
   /// What follows is not used: there are frames enough, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
-  void finish();
+  /// What became of that line, if there is one.
+  std::optional<record::LineOutcome> finish();
 
   /// What was found up to now; `path` only if asked for, it is long.
   [[nodiscard]] ResultDocument now(bool with_path = true) const;

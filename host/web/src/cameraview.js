@@ -23,6 +23,7 @@ export function drawCamera(canvas, { view, ink, theme, selected }) {
   const { frame } = view.page;
   const ratio = camera ? camera.height / camera.width : 0.65;
   canvas.style.aspectRatio = `${1 / ratio}`;
+  canvas.style.maxWidth = `max(260px, ${(30 / ratio).toFixed(2)}vh)`;
   const { g, width, height } = prepare(canvas);
   g.fillStyle = theme === "dark" ? "#0a1016" : "#f6f8fa";
   g.fillRect(0, 0, width, height);
@@ -73,7 +74,8 @@ export function drawCamera(canvas, { view, ink, theme, selected }) {
 
 function drawHorizon(g, camera, width, scale, ink) {
   const v = (camera.cy - camera.fy * Math.tan(camera.mount.pitch ?? 0)) * scale;
-  g.strokeStyle = ink.rule;
+  g.strokeStyle = ink.soft;
+  g.lineWidth = 0.6;
   g.beginPath();
   g.moveTo(0, v);
   g.lineTo(width, v);

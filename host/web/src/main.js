@@ -103,6 +103,7 @@ function fillFactsNow(result, page) {
 }
 
 function show(look, t, force = false) {
+  document.documentElement.dataset.shown = t.toFixed(2);
   state.look = look;
   state.t = t;
   offerModels(look.result);

@@ -221,11 +221,17 @@ function drawLabels({ g, window, ink, view, theme, selected }) {
   g.textBaseline = "middle";
   const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => b.views - a.views);
   for (const object of objects) {
-    const ring = outlineOf(object).map((p) => window.toPage(p));
-    const [u1, u2] = [Math.min(...ring.map((p) => p[0])), Math.max(...ring.map((p) => p[0]))];
-    const [v1, v2] = [Math.min(...ring.map((p) => p[1])), Math.max(...ring.map((p) => p[1]))];
     const [u, v] = window.toPage(centreOf(object));
-    const mark = Math.min(7, Math.max(3, (u2 - u1) / 3));
+    // Of a large outline the name stands beside the mark in its middle.
+    const ring = outlineOf(object).map((p) => window.toPage(p));
+    const near = (axis, middle) => {
+      const values = ring.map((p) => p[axis]);
+      const [low, high] = [Math.min(...values), Math.max(...values)];
+      return high - low > 110 ? [middle - 9, middle + 9] : [low, high];
+    };
+    const [u1, u2] = near(0, u);
+    const [v1, v2] = near(1, v);
+    const mark = Math.min(7, Math.max(2.5, (u2 - u1) / 4));
     g.fillStyle = colourOf(object.rgb, object.signature, theme);
     drawMark(g, markOf(object.signature), u, v, mark);
     if (!view.layers.has("labels") || u2 < 0 || u1 > window.width || v2 < 0 || v1 > window.height) continue;

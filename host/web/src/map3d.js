@@ -1,7 +1,7 @@
 // The same from the side: outlines as solids, drawn from far to near.
 import { label, niceStep, prepare } from "./canvas.js";
 import { colourOf } from "./colours.js";
-import { bodyOf, centreOf, nameOf, outlineOf, placed, sweptRing } from "./scene.js";
+import { bodyOf, centreOf, curvatureAt, nameOf, outlineOf, placed, sweptRing } from "./scene.js";
 
 const ROBOT_HEIGHT = 0.09;  // m, drawn: nobody tells it
 const NEAR = 0.05;
@@ -17,7 +17,7 @@ export class Orbit {
     const [y1, y2] = range(1);
     this.x = (x1 + x2) / 2;
     this.y = (y1 + y2) / 2;
-    this.distance = 0.5 + 1.15 * Math.hypot(x2 - x1, y2 - y1) * Math.max(1, 0.75 * this.height / this.width);
+    this.distance = 0.4 + 0.95 * Math.hypot(x2 - x1, y2 - y1) * Math.max(1, 0.75 * this.height / this.width);
   }
   zoom(factor) { this.distance = Math.min(200, Math.max(0.2, this.distance / factor)); }
   drag(du, dv) {
@@ -149,17 +149,19 @@ export function drawSolid(canvas, orbit, { view, ink, theme, selected }) {
   const body = bodyOf(view.page.settings);
   const { pose } = view;
   if (pose && view.layers.has("zones")) {
-    for (const { level, reach } of body.zones) drawOnFloor(g, orbit, sweptRing(body, reach, 0).map((p) => placed(pose, p)), ink[level], 0.22);
+    const bend = curvatureAt(view.path, view.t);
+    for (const { level, reach } of body.zones) drawOnFloor(g, orbit, sweptRing(body, reach, bend).map((p) => placed(pose, p)), ink[level], 0.22);
   }
   if (view.layers.has("path")) drawPath(g, orbit, view.path, ink.ink);
   const faces = [];
   if (view.layers.has("truth")) {
     g.strokeStyle = ink.soft;
-    g.setLineDash([4, 3]);
+    g.lineWidth = 0.8;
     for (const { ring, low, high } of view.truth) {
       for (const z of [low, high]) { drawFace(g, orbit, ring.map((p) => orbit.axes(p, z))); g.stroke(); }
+      if (ring.length > 12) continue;
+      for (const p of ring) { drawFace(g, orbit, [orbit.axes(p, low), orbit.axes(p, high)]); g.stroke(); }
     }
-    g.setLineDash([]);
   }
   for (const object of view.result.objects) {
     const ring = outlineOf(object);

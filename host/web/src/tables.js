@@ -36,16 +36,16 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
 }
 
 export function fillAlerts(table, { result, go }) {
-  const nameOf = (id) => id === 0 ? "guard: something" : `${id} ${plain(result.objects.find((o) => o.id === id)?.name ?? "")}`;
+  const nameOf = (id) => id === 0 ? "something" : `${id} ${plain(result.objects.find((o) => o.id === id)?.name ?? "")}`;
   const rows = result.alerts.map((alert) => make("tr", {},
     make("td", {}, make("button", { type: "button", onclick: () => go(alert.t), "aria-label": `Go to ${alert.t.toFixed(2)} seconds` }, `${alert.t.toFixed(2)}`)),
     make("td", {}, make("span", { className: `level ${alert.level}` }, alert.level)), make("td", { className: "name" }, nameOf(alert.id)),
     make("td", { className: "n" }, figure(alert.distance, 2)), make("td", { className: "n" }, degrees(alert.bearing)),
-    make("td", { className: "n" }, figure(alert.ttc, 1)), make("td", { className: "n" }, figure(alert.confidence, 2))));
-  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 7 }, "No alerts in this run.")));
+    make("td", { className: "n" }, figure(alert.ttc, 1))));
+  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 6 }, "No alerts in this run.")));
   const n = "n";
   table.replaceChildren(
-    headed(["time, s"], ["level"], ["object"], ["distance, m", n], ["bearing, ° (left +)", n], ["contact in, s", n], ["confidence", n]),
+    headed(["time, s"], ["level"], ["object"], ["away, m", n], ["left, °", n], ["contact, s", n]),
     make("tbody", {}, ...rows));
 }
 
@@ -55,6 +55,9 @@ export function markAlerts(table, alerts, t) {
   const next = alerts.findIndex((alert) => alert.t > t + 1e-9);
   const count = next < 0 ? alerts.length : next;
   alerts.forEach((_, i) => { rows[i].className = i >= count ? "later" : i === count - 1 ? "lit" : ""; });
+  const box = table.parentElement;
+  const row = rows[Math.max(0, count - 1)];
+  if (row && !box.contains(document.activeElement)) box.scrollTop = row.offsetTop - box.clientHeight / 2;
 }
 
 export function fillFacts(list, facts) {

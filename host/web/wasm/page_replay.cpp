@@ -38,17 +38,20 @@ std::size_t PageReplay::feed(std::string_view bytes, double until) {
     if (log_.ended()) return bytes.size();
     const std::optional<record::LineOutcome> line = log_.push(bytes[i]);
     if (!line) continue;
-    if (line->use == record::LineUse::kRejected && bad_lines_.size() < kBadLines) {
-      bad_lines_.push_back({line->line_number, line->reject});
-    }
+    note(line);
     if (log_.time() >= until || log_.runs() != run) return i + 1;
   }
   return bytes.size();
 }
 
 void PageReplay::finish() {
-  log_.finish();
+  note(log_.finish());
   finished_ = true;
+}
+
+void PageReplay::note(const std::optional<record::LineOutcome>& line) {
+  if (!line || line->use != record::LineUse::kRejected || bad_lines_.size() == kBadLines) return;
+  bad_lines_.push_back({line->line_number, line->reject});
 }
 
 void PageReplay::frame_placed(const PlacedFrame& placed) {

@@ -43,6 +43,7 @@ class PageReplay final : private RunObserver {
   };
   static constexpr std::size_t kBadLines = 100;  ///< listed, of any number counted
 
+  void note(const std::optional<record::LineOutcome>& line);
   void run_begins() override { boxes_.reset(); }
   void frame_placed(const PlacedFrame& placed) override;
   static ReplayOptions options(std::string_view profile, RunObserver* observer);

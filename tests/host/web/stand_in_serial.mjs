@@ -1,0 +1,34 @@
+// Runs in the page: a navigator.serial with one port that plays a recorded robot, or has a fault.
+export function standIn({ base64 = "", portion = 512, every = 10, fault = null }) {
+  const log = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  window.written = "";
+  const fail = (name) => { throw new DOMException("stand-in", name); };
+  const spoken = () => {
+    if (fault === "noise") return new Uint8Array(512).map((_, i) => (i * 89) & 255);
+    return new TextEncoder().encode("a robot that only chats\r\n".repeat(40));
+  };
+  const port = {
+    async open({ baudRate }) {
+      if (fault === "NetworkError" || fault === "InvalidStateError") fail(fault);
+      window.baudRate = baudRate;
+      let at = 0;
+      port.readable = new ReadableStream({
+        async pull(controller) {
+          await new Promise((resolve) => setTimeout(resolve, every));
+          if (fault === "unplug" && ++at > 5) {
+            port.readable = null;
+            controller.error(new DOMException("The device has been lost.", "NetworkError"));
+            return;
+          }
+          if (fault) return controller.enqueue(spoken());
+          if (at < log.length) controller.enqueue(log.slice(at, at += portion));
+          else await new Promise(() => {});
+        },
+      }, { highWaterMark: 0 });
+      port.writable = new WritableStream({ write(bytes) { window.written += new TextDecoder().decode(bytes); } });
+    },
+    async close() { port.readable = port.writable = null; },
+  };
+  const serial = { requestPort: async () => fault === "NotFoundError" ? fail(fault) : port };
+  Object.defineProperty(navigator, "serial", { value: serial, configurable: true });
+}
