@@ -1,17 +1,19 @@
-// Runs in the page: a navigator.serial with one port that plays a recorded robot, or has a fault.
-export function standIn({ base64 = "", portion = 512, every = 10, fault = null }) {
+// Runs in the page: a navigator.serial with one port that plays a recorded robot, or has the fault that the page is told: window.fault.
+export function standIn({ base64 = "", portion = 512, every = 10 }) {
   const log = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   window.written = "";
+  window.fault = null;
   const fail = (name) => { throw new DOMException("stand-in", name); };
   const spoken = () => {
-    if (fault === "noise") return new Uint8Array(512).map((_, i) => (i * 89) & 255);
+    if (window.fault === "noise") return new Uint8Array(512).map((_, i) => (i * 89) & 255);
     return new TextEncoder().encode("a robot that only chats\r\n".repeat(40));
   };
   const port = {
     async open({ baudRate }) {
-      if (fault === "NetworkError" || fault === "InvalidStateError") fail(fault);
+      if (window.fault === "NetworkError" || window.fault === "InvalidStateError") fail(window.fault);
       window.baudRate = baudRate;
       let at = 0;
+      const fault = window.fault;
       port.readable = new ReadableStream({
         async pull(controller) {
           await new Promise((resolve) => setTimeout(resolve, every));
@@ -29,6 +31,6 @@ export function standIn({ base64 = "", portion = 512, every = 10, fault = null }
     },
     async close() { port.readable = port.writable = null; },
   };
-  const serial = { requestPort: async () => fault === "NotFoundError" ? fail(fault) : port };
+  const serial = { requestPort: async () => window.fault === "NotFoundError" ? fail(window.fault) : port };
   Object.defineProperty(navigator, "serial", { value: serial, configurable: true });
 }
