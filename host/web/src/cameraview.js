@@ -17,7 +17,10 @@ function drawSolid(g, camera, pose, object, scale, colour) {
   g.globalAlpha = 1;
 }
 
-/** `shown` are the objects' boxes by the map, to be told beside the picture. */
+// An end at the image's border, or where another box is, may be that of a part only.
+const seenWhole = (camera, u, others) => u > 1 && u < camera.width - 2 && !others.some(({ box }) => u >= box[0] - 2 && u <= box[2] + 2);
+
+/** Returns what there is to say about the picture. */
 export function drawCamera(canvas, { view, ink, theme, selected }) {
   const { camera, objects, signatures } = view.result;
   const { frame } = view.page;
@@ -65,11 +68,13 @@ export function drawCamera(canvas, { view, ink, theme, selected }) {
     g.font = "600 12px system-ui, sans-serif";
     label(g, object ? nameOf(object) : "no object", Math.max(3, u1 * scale), Math.max(15, v1 * scale - 2), ink.ink, ink.paper);
     const ours = rendered.get(id);
-    if (ours) errors.push(Math.abs(ours[0] - u1), Math.abs(ours[2] - u2));
+    const others = frame.boxes.filter((other) => other.box !== box);
+    if (ours && seenWhole(camera, box[0], others)) errors.push(Math.abs(ours[0] - u1));
+    if (ours && seenWhole(camera, box[2], others)) errors.push(Math.abs(ours[2] - u2));
   }
   if (!frame) return "No frame yet. Full: boxes sent by the camera; dashed: rendered from the map.";
-  const mean = errors.length ? `; left and right ends differ by ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px on average` : "";
-  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} boxes. Full: sent by the camera; dashed: rendered from the map${mean}.`;
+  const mean = errors.length ? `; ends seen whole differ by ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px on average` : "";
+  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}. Full: sent by the camera; dashed: rendered from the map${mean}.`;
 }
 
 function drawHorizon(g, camera, width, scale, ink) {

@@ -20,7 +20,7 @@ export function addCard(entry, look, open) {
     window.size(canvas.clientWidth, canvas.clientHeight);
     const view = { ...look, t: look.time, pose: look.result.pose, truth: entry.truth, models: ["hybrid"], layers: new Set(["truth", "path"]) };
     window.fit(extentOf(view), 14);
-    drawMap(canvas, window, { view, whole: [], ink: inks(), theme: theme(), selected: null });
+    drawMap(canvas, window, { view, whole: [], ink: inks(), theme: theme(), selected: null, bare: true });
   };
   draw();
   return draw;

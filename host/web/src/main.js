@@ -129,6 +129,7 @@ function offerModels(result) {
 
 const going = { wanted: null, busy: false, cost: 20 };
 async function goTo(t) {
+  if (state.live) return;
   state.t = Math.min(state.end, Math.max(state.begin, t));
   redraw();
   going.wanted = state.t;
@@ -197,16 +198,23 @@ function lineOf(bytes, number) {
   for (let line = 1; line < number && start >= 0; ++line) start = bytes.indexOf(10, start) + 1 || -1;
   if (start < 0) return "";
   const end = bytes.indexOf(10, start);
-  return new TextDecoder().decode(bytes.subarray(start, Math.min(end < 0 ? bytes.length : end, start + 200)));
+  return new TextDecoder().decode(bytes.subarray(start, Math.min(end < 0 ? bytes.length : end, start + 200))).trimEnd();
+}
+
+// What is still coming has no end to go back from.
+function setLive(live) {
+  state.live = live;
+  for (const id of ["slider", "play", "save-result"]) byId(id).disabled = live;
 }
 
 async function openEntry(entry) {
   stop();
-  Object.assign(state, { entry, live: false, loaded: false, selected: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
+  Object.assign(state, { entry, loaded: false, selected: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
   byId("title").textContent = plain(entry.name);
   document.title = `${plain(entry.name)} · Fencepost`;
   summary(`Replaying ${entry.name} …`);
   byId("progress").hidden = false;
+  setLive(false);
   let shown = performance.now();
   const last = await player.load(entry.bytes, 0, (share, look) => {
     byId("progress").value = share;
@@ -230,6 +238,7 @@ async function openEntry(entry) {
 }
 
 async function openFiles(files) {
+  byId("recordings").value = "";
   const { logs, scenes, complaints } = await entriesOf(files);
   if (complaints.length) summary(complaints.join("; "));
   if (!logs.length && scenes.length) {
@@ -358,7 +367,11 @@ async function begin() {
     engine: () => new Engine(engine.module), open: openEntry,
     begin: (name) => {
       stop();
-      Object.assign(state, { live: true, entry: { name, bytes: new Uint8Array(), truth: [] }, look: NOTHING, rows: [], selected: null });
+      player.stop();
+      setLive(true);
+      byId("recordings").value = "";
+      summary("Live: the map is made here, of what the robot sends.");
+      Object.assign(state, { entry: { name, bytes: new Uint8Array(), truth: [] }, look: NOTHING, rows: [], selected: null });
       byId("title").textContent = name;
       byId("problems").hidden = true;
     },

@@ -49,7 +49,7 @@ function trace(g, window, ring, close = true) {
   if (close) g.closePath();
 }
 
-function drawGrid({ g, window, ink }) {
+function drawGrid({ g, window, ink, bare }) {
   const { width, height } = window;
   const step = niceStep(70 / window.scale);
   const [x1, y1] = window.toMap([0, height]);
@@ -63,6 +63,7 @@ function drawGrid({ g, window, ink }) {
   for (const x of lines(x1, x2)) { const [u] = window.toPage([x, 0]); g.moveTo(u, 0); g.lineTo(u, height); }
   for (const y of lines(y1, y2)) { const [, v] = window.toPage([0, y]); g.moveTo(0, v); g.lineTo(width, v); }
   g.stroke();
+  if (bare) return;
   g.font = "12px system-ui, sans-serif";
   g.textBaseline = "alphabetic";
   g.textAlign = "center";
@@ -214,9 +215,9 @@ function drawOpenSides({ g, window, ink }, object) {
 }
 
 // Each beside its object, at the nearest of a few places where it covers no other.
-function drawLabels({ g, window, ink, view, theme, selected }) {
+function drawLabels({ g, window, ink, view, theme, selected, bare }) {
   const taken = [];
-  const hits = (box) => taken.some((b) => box[0] < b[2] && box[2] > b[0] && box[1] < b[3] && box[3] > b[1]);
+  const hits = (box) => box[2] > window.width || box[0] < 0 || taken.some((b) => box[0] < b[2] && box[2] > b[0] && box[1] < b[3] && box[3] > b[1]);
   g.textAlign = "left";
   g.textBaseline = "middle";
   const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => b.views - a.views);
@@ -246,7 +247,7 @@ function drawLabels({ g, window, ink, view, theme, selected }) {
     taken.push(boxAt(place));
     label(g, text, place[0], place[1], object.id === selected ? ink.accent : ink.ink, ink.paper);
   }
-  if (!view.layers.has("truth")) return;
+  if (!view.layers.has("truth") || bare) return;
   g.font = "italic 12px system-ui, sans-serif";
   for (const { name, ring } of view.truth) {
     const points = ring.map((p) => window.toPage(p));
@@ -284,13 +285,13 @@ function drawHighlight({ g, window, ink, view, selected }) {
   g.stroke();
 }
 
-/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run. */
-export function drawMap(canvas, window, { view, whole, ink, theme, selected }) {
+/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers. */
+export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false }) {
   const { g, width, height } = prepare(canvas);
   window.size(width, height);
   g.fillStyle = ink.paper;
   g.fillRect(0, 0, width, height);
-  const all = { g, window, ink, theme, view, whole, selected, pose: view.pose };
+  const all = { g, window, ink, theme, view, whole, selected, bare, pose: view.pose };
   drawGrid(all);
   if (view.layers.has("truth")) drawTruth(all);
   if (view.pose && view.layers.has("zones")) drawZones(all);

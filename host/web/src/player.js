@@ -65,6 +65,9 @@ export class Player {
     return this.last;
   }
 
+  /** Ends what is under way. */
+  stop() { ++this.#job; }
+
   /** Goes to the first input at or after `t`. Null if another job began meanwhile. */
   async seek(t) {
     const job = ++this.#job;

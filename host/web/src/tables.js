@@ -92,7 +92,7 @@ export function fillProblems(section, { result, page, lines }) {
   if (page.bad_lines.length) {
     const rows = page.bad_lines.map(({ line, reason }) => make("tr", {}, make("td", { className: "n" }, line), make("td", {}, reason),
       make("td", {}, plain(lines(line)))));
-    parts.push(make("details", { open: page.bad_lines.length <= 12 }, make("summary", {}, `The first ${page.bad_lines.length} of them, by line`),
+    parts.push(make("details", { open: page.bad_lines.length <= 12 }, make("summary", {}, page.bad_lines.length < 100 ? "By line" : "The first 100, by line"),
       make("div", { className: "scroll tall", tabIndex: 0, role: "region", "aria-label": "Bad lines" },
         make("table", {}, headed(["line", "n"], ["reason"], ["text"]), make("tbody", {}, ...rows)))));
   }

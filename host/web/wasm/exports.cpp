@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "host/web/wasm/page_replay.hpp"
+#include "host/web/page_replay.hpp"
 
 namespace fencepost::host {
 namespace {

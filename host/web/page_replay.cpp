@@ -1,4 +1,4 @@
-#include "host/web/wasm/page_replay.hpp"
+#include "host/web/page_replay.hpp"
 
 #include <nlohmann/json.hpp>
 
