@@ -216,14 +216,20 @@ async function openEntry(entry) {
   byId("progress").hidden = false;
   setLive(false);
   let shown = performance.now();
-  const last = await player.load(entry.bytes, 0, (share, look) => {
-    byId("progress").value = share;
-    if (performance.now() - shown < 400) return;
-    const now = look();
-    Object.assign(state, { look: now, t: now.time, whole: now.path, end: now.time });
-    fit();
-    shown = performance.now();
-  });
+  let last = null;
+  try {
+    last = await player.load(entry.bytes, 0, (share, look) => {
+      byId("progress").value = share;
+      if (performance.now() - shown < 400) return;
+      const now = look();
+      Object.assign(state, { look: now, t: now.time, whole: now.path, end: now.time });
+      fit();
+      shown = performance.now();
+    });
+  } catch (error) {
+    byId("progress").hidden = true;
+    summary(`${entry.name} stopped the loop (${error.message}): does fencepost replay read it? Please report it, with the log.`);
+  }
   if (!last) return null;
   byId("progress").hidden = true;
   Object.assign(state, { loaded: true, whole: last.path, begin: player.begin, end: player.end, rows: rowsOf(last.result, player.end) });
