@@ -15,7 +15,7 @@ using host::replay;
 using host::ReplayOptions;
 using host::to_json;
 
-std::string log_of(const std::string& name) {
+std::string recorded(const std::string& name) {
   std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
   EXPECT_TRUE(file) << name;
   std::stringstream bytes;
@@ -24,7 +24,7 @@ std::string log_of(const std::string& name) {
 }
 
 TEST(LogReplay, LookingOnTheWayChangesNothing) {
-  const std::string log = log_of("noisy_arc");
+  const std::string log = recorded("noisy_arc");
   ReplayOptions options;
   options.check = true;
   LogReplay looked(options);
@@ -39,7 +39,7 @@ TEST(LogReplay, LookingOnTheWayChangesNothing) {
 }
 
 TEST(LogReplay, IsOnTheWayWhereALogCutThereEnds) {
-  const std::string log = log_of("corridor");
+  const std::string log = recorded("corridor");
   const std::size_t half = log.rfind('\n', log.size() / 2) + 1;
   const ReplayOptions options;
   LogReplay part(options);
@@ -69,7 +69,7 @@ TEST(LogReplay, TellsWhatBecameOfEachLine) {
 }
 
 TEST(LogReplay, CountsRunsAndBeginsAnew) {
-  const std::string log = log_of("approach_stop");
+  const std::string log = recorded("approach_stop");
   const ReplayOptions options;
   LogReplay twice(options);
   EXPECT_EQ(twice.runs(), 0U);
