@@ -67,7 +67,11 @@ void PageReplay::frame_placed(const PlacedFrame& placed) {
 
 std::string PageReplay::result() const { return to_json(log_.now()); }
 
-std::string PageReplay::state() const { return to_json(log_.now(false)); }
+std::string PageReplay::state(bool with_alerts) const {
+  ResultDocument document = log_.now(false);
+  if (!with_alerts) document.alerts.clear();
+  return to_json(document);
+}
 
 std::string PageReplay::page() const {
   Json frame = nullptr;

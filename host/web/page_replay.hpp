@@ -25,8 +25,9 @@ class PageReplay final : private RunObserver {
   [[nodiscard]] const LogReplay& log() const { return log_; }
   /// The result document, as `fencepost replay --json` writes it.
   [[nodiscard]] std::string result() const;
-  /// The same without the path, which the page reads from memory.
-  [[nodiscard]] std::string state() const;
+  /// The same without the path, which the page reads from memory; `with_alerts`: those of the run so far, which are
+  /// many in a long one.
+  [[nodiscard]] std::string state(bool with_alerts) const;
   /// What is not in the result document: the latest frame with the objects that took its boxes, settings in force, bad
   /// lines, complaints, how far the robot's own log agrees.
   [[nodiscard]] std::string page() const;

@@ -3,7 +3,8 @@
 const BLOCK = 4096;
 const RESULT = 0;
 const STATE = 1;
-const PAGE = 2;
+const STATE_WITH_ALERTS = 2;
+const PAGE = 3;
 export const PROFILES = ["log's", "full", "small", "micro"];
 
 // The library asks for a system that is not there; nothing of the loop does.
@@ -73,7 +74,7 @@ export class Engine {
 
   /** As `fencepost replay --json` writes it. */
   resultText() { return this.#text(RESULT); }
-  result() { return JSON.parse(this.#text(STATE)); }
+  result(withAlerts) { return JSON.parse(this.#text(withAlerts ? STATE_WITH_ALERTS : STATE)); }
   page() { return JSON.parse(this.#text(PAGE)); }
 
   /** All memory, in blocks; those that are as in `previous` are not kept twice. */

@@ -10,7 +10,7 @@ import { Player } from "./player.js";
 import { listen } from "./pointer.js";
 import { bindPort } from "./port.js";
 import { levelsAt, poseAt } from "./scene.js";
-import { fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
+import { alertsUntil, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf, timeAt } from "./timeline.js";
 
 const LAYERS = { truth: "truth", path: "path", zones: "alert zones", wedge: "camera", guard: "guard's points", labels: "names" };
@@ -66,7 +66,7 @@ function keepingFocus(table, fill) {
   if (label) [...table.querySelectorAll("button")].find((b) => b.getAttribute("aria-label") === label)?.focus();
 }
 
-const shownTables = { at: 0, alerts: null };
+const shownTables = { at: 0, alerts: null, rows: [0, 0] };
 function fillTables(force) {
   if (!force && performance.now() - shownTables.at < 200) return;
   shownTables.at = performance.now();
@@ -74,11 +74,16 @@ function fillTables(force) {
   const all = state.live ? result.alerts : player.last?.result.alerts ?? [];
   const levels = levelsAt(all, state.t);
   keepingFocus(byId("objects"), () => fillObjects(byId("objects"), { result, levels, theme: theme(), selected: state.selected, select }));
-  if (shownTables.alerts !== all || state.live) {
-    keepingFocus(byId("alerts"), () => fillAlerts(byId("alerts"), { result: state.live ? result : player.last?.result ?? result, go: (t) => { stop(); goTo(t); } }));
+  const count = alertsUntil(all, state.t);
+  const [first, end] = shownTables.rows;
+  if (shownTables.alerts !== all || (count < first + 10 && first > 0) || (count > end - 10 && end < all.length)) {
+    const known = state.live ? result : player.last?.result ?? result;
+    keepingFocus(byId("alerts"), () => {
+      shownTables.rows = fillAlerts(byId("alerts"), { result: known, t: state.t, go: (t) => { stop(); goTo(t); } });
+    });
     shownTables.alerts = all;
   }
-  markAlerts(byId("alerts"), all, state.t);
+  markAlerts(byId("alerts"), shownTables.rows, count);
   const worst = [...levels.values()].filter((alert) => alert.level !== "clear");
   byId("now").replaceChildren(...worst.slice(0, 4).flatMap((alert) => [make("span", { className: `level ${alert.level}` }, alert.level),
     ` ${alert.id === 0 ? "something" : `${alert.id} ${plain(result.objects.find((o) => o.id === alert.id)?.name ?? "")}`} `]));
@@ -354,7 +359,7 @@ function bindFiles(recordings) {
 
 function bindSaving() {
   const name = () => state.entry.name.replace(/\.(log|txt|gz)$/i, "") || "fencepost";
-  byId("save-result").onclick = () => download(`${name()}.json`, [player.resultText], "application/json");
+  byId("save-result").onclick = async () => download(`${name()}.json`, [await player.resultText()], "application/json");
   byId("save-picture").onclick = () => byId("map").toBlob((blob) => download(`${name()}.png`, [blob], "image/png"));
 }
 

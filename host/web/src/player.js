@@ -5,9 +5,9 @@ const CHUNK = 4096;       // bytes between two looks at the clock
 const CHECKPOINTS = 48;
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
-/** What the page shows at one time. */
-function look(engine) {
-  return { result: engine.result(), page: engine.page(), path: engine.path(), time: engine.time };
+/** What the page shows at one time; alerts up to then, or none. */
+function look(engine, withAlerts) {
+  return { result: engine.result(withAlerts), page: engine.page(), path: engine.path(), time: engine.time };
 }
 
 export class Player {
@@ -47,7 +47,7 @@ export class Player {
       }
       if (performance.now() - turn > TURN) {
         busy += performance.now() - turn;
-        progress(offset / log.length, () => look(engine));
+        progress(offset / log.length, () => look(engine, false));
         await pause();
         if (job !== this.#job) return null;
         turn = performance.now();
@@ -57,8 +57,7 @@ export class Player {
     busy += performance.now() - turn;
     this.#offset = log.length;
     this.#checkpoints.push({ ...engine.snapshot(this.#checkpoints.at(-1)), offset: log.length, last: true });
-    this.last = look(engine);
-    this.resultText = engine.resultText();
+    this.last = look(engine, true);
     this.begin = this.last.path.length ? this.last.path[0] : 0;
     this.end = engine.time;
     this.took = { busy, whole: performance.now() - started };
@@ -89,7 +88,13 @@ export class Player {
         turn = performance.now();
       }
     }
-    return look(engine);
+    return look(engine, false);
+  }
+
+  /** The result document of all the log, as the command line writes it. */
+  async resultText() {
+    await this.seek(Infinity);
+    return this.#engine.resultText();
   }
 
   #restore(checkpoint) {
@@ -112,7 +117,7 @@ export class Live {
 
   push(bytes) { this.#waiting.push(bytes); }
   stop() { this.#stopped = true; }
-  look() { return look(this.#engine); }
+  look() { return look(this.#engine, true); }
 
   /** Uses what has come, in short turns; true if there was any. */
   async work() {

@@ -23,6 +23,7 @@ export function bindPort(page) {
 
   async function tick() {
     if (!robot?.open) return;
+    const started = performance.now();
     if (await live.work()) {
       const look = live.look();
       records = look.result.log.records;
@@ -33,7 +34,7 @@ export function bindPort(page) {
     tell(`Connected: ${robot.bytes} bytes, ${records} records. The recording has every byte from the first.`);
     complain(diagnose({ bytes: robot.bytes, strange: robot.strange, records, quiet: robot.quiet }));
     buttons();
-    timer = setTimeout(tick, 150);
+    timer = setTimeout(tick, Math.max(150, 2 * (performance.now() - started)));
   }
 
   async function whole() { return new Uint8Array(await new Blob(robot.recording).arrayBuffer()); }

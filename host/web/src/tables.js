@@ -35,9 +35,16 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
     make("tbody", {}, ...rows));
 }
 
-export function fillAlerts(table, { result, go }) {
+const ROWS = 300;  // of alerts at a time: a long run has thousands
+
+/** Those around time t. Returns which: [first, end). */
+export function fillAlerts(table, { result, t, go }) {
+  const now = alertsUntil(result.alerts, t);
+  const first = Math.max(0, Math.min(now - ROWS / 2, result.alerts.length - ROWS));
+  const shown = result.alerts.slice(first, first + ROWS);
+  const more = (n, when) => n > 0 ? [make("tr", {}, make("td", { colSpan: 6 }, `${n} ${when}: move the slider`))] : [];
   const nameOf = (id) => id === 0 ? "something" : `${id} ${plain(result.objects.find((o) => o.id === id)?.name ?? "")}`;
-  const rows = result.alerts.map((alert) => make("tr", {},
+  const rows = shown.map((alert) => make("tr", {},
     make("td", {}, make("button", { type: "button", onclick: () => go(alert.t), "aria-label": `Go to ${alert.t.toFixed(2)} seconds` }, `${alert.t.toFixed(2)}`)),
     make("td", {}, make("span", { className: `level ${alert.level}` }, alert.level)), make("td", { className: "name" }, nameOf(alert.id)),
     make("td", { className: "n" }, figure(alert.distance, 2)), make("td", { className: "n" }, degrees(alert.bearing)),
@@ -46,17 +53,22 @@ export function fillAlerts(table, { result, go }) {
   const n = "n";
   table.replaceChildren(
     headed(["time, s"], ["level"], ["object"], ["away, m", n], ["left, °", n], ["contact, s", n]),
-    make("tbody", {}, ...rows));
+    make("tbody", {}, ...more(first, "earlier"), ...rows, ...more(result.alerts.length - first - shown.length, "later")));
+  return [first, first + shown.length];
 }
 
-/** Which rows are later than t, and which is the latest. */
-export function markAlerts(table, alerts, t) {
-  const rows = table.tBodies[0]?.rows ?? [];
+/** How many there were up to t. */
+export function alertsUntil(alerts, t) {
   const next = alerts.findIndex((alert) => alert.t > t + 1e-9);
-  const count = next < 0 ? alerts.length : next;
-  alerts.forEach((_, i) => { rows[i].className = i >= count ? "later" : i === count - 1 ? "lit" : ""; });
+  return next < 0 ? alerts.length : next;
+}
+
+/** Which of the rows filled with [first, end) are later than `count` of them all, and which is the latest. */
+export function markAlerts(table, [first, end], count) {
+  const rows = [...table.tBodies[0]?.rows ?? []].slice(first > 0 ? 1 : 0).slice(0, end - first);
+  rows.forEach((row, i) => { row.className = first + i >= count ? "later" : first + i === count - 1 ? "lit" : ""; });
   const box = table.parentElement;
-  const row = rows[Math.max(0, count - 1)];
+  const row = rows[Math.max(0, count - 1 - first)];
   if (row && !box.contains(document.activeElement)) box.scrollTop = row.offsetTop - box.clientHeight / 2;
 }
 

@@ -11,7 +11,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::array<std::string_view, 4> kProfiles = {"", "full", "small", "micro"};
-enum Text : std::uint32_t { kResult, kState, kPage };
+enum Text : std::uint32_t { kResult, kState, kStateWithAlerts, kPage };
 
 std::array<char, 65536> input;
 std::unique_ptr<PageReplay> replayed;
@@ -48,12 +48,12 @@ FENCEPOST_EXPORT(path)()->const page::PoseResult* { return page::replayed->log()
 FENCEPOST_EXPORT(path_size)()->std::size_t { return page::replayed->log().path().size(); }
 static_assert(sizeof(page::PoseResult) == 4 * sizeof(double));
 
-/// Makes a text at `text` and returns its size: 0 the result document, 1 the same without path, 2 what else the page
-/// shows.
+/// Makes a text at `text` and returns its size: 0 the result document, 1 the same without path and alerts, 2 without
+/// path, 3 what else the page shows.
 FENCEPOST_EXPORT(write)(std::uint32_t what)->std::size_t {
-  page::text = what == page::kResult  ? page::replayed->result()
-               : what == page::kState ? page::replayed->state()
-                                      : page::replayed->page();
+  page::text = what == page::kResult ? page::replayed->result()
+               : what == page::kPage ? page::replayed->page()
+                                     : page::replayed->state(what == page::kStateWithAlerts);
   return page::text.size();
 }
 FENCEPOST_EXPORT(text)()->const char* { return page::text.data(); }

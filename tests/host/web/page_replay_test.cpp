@@ -50,7 +50,10 @@ TEST(PageReplay, HasTheLatestFrameWithItsObjects) {
   ASSERT_EQ(frame.at("boxes").size(), 1U);
   EXPECT_EQ(frame.at("boxes")[0].at("id"), 1);
   EXPECT_EQ(json.at("settings").at("alert.stop"), "0.25");
-  EXPECT_TRUE(nlohmann::json::parse(page.state()).at("path").empty());
+  const auto state = nlohmann::json::parse(page.state(true));
+  EXPECT_TRUE(state.at("path").empty());
+  EXPECT_GT(state.at("alerts").size(), 5U);
+  EXPECT_TRUE(nlohmann::json::parse(page.state(false)).at("alerts").empty());
 }
 
 TEST(PageReplay, ListsBadLinesUpToAHundred) {
