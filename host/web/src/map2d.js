@@ -297,11 +297,11 @@ export function drawMap(canvas, window, { view, whole, ink, theme, selected, bar
   if (view.pose && view.layers.has("zones")) drawZones(all);
   if (view.pose && view.layers.has("wedge")) drawWedge(all);
   if (view.layers.has("path")) drawPath(all);
+  if (view.layers.has("guard")) drawGuard(all);
   for (const object of view.result.objects) {
     for (const model of view.models) drawModel(all, object, model);
     if (view.models.includes("hybrid")) drawOpenSides(all, object);
   }
-  if (view.layers.has("guard")) drawGuard(all);
   if (view.pose) drawRobot(all);
   drawHighlight(all);
   drawLabels(all);

@@ -121,9 +121,13 @@ await run({
   },
 
   async "the result that it saves is the command line's"() {
+    await drop(page, tools.log("approach_stop"));
+    await goTo(page, 3);
     const saved = page.waitForEvent("download");
     await page.click("#save-result");
     assert.equal(readFileSync(await (await saved).path(), "utf8"), tools.result(tools.log("approach_stop")));
+    await goTo(page, 5);
+    assert.equal(await text(page, "#digest-now"), tools.digest(tools.log("approach_stop"), "--to", "5.001"));
   },
 
   async "names are text, whatever is in them"() {
