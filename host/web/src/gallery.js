@@ -1,5 +1,6 @@
 // Many logs side by side: a small map and the numbers of each.
-import { Window, drawMap, extentOf } from "./map2d.js";
+import { drawMap } from "./map2d.js";
+import { Window, extentOf } from "./window.js";
 import { inks, theme } from "./colours.js";
 import { byId, make, plain } from "./dom.js";
 

@@ -1,17 +1,18 @@
 import { inks, theme } from "./colours.js";
 import { drawCamera } from "./cameraview.js";
+import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
 import { bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, make, plain } from "./dom.js";
 import { Engine } from "./engine.js";
 import { addCard } from "./gallery.js";
-import { Window, describe, drawMap, extentOf, objectAt } from "./map2d.js";
+import { drawMap } from "./map2d.js";
 import { Orbit, drawSolid } from "./map3d.js";
 import { Player } from "./player.js";
-import { listen } from "./pointer.js";
 import { bindPort } from "./port.js";
 import { levelsAt, poseAt } from "./scene.js";
 import { alertsUntil, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
-import { drawTimeline, rowsOf, timeAt } from "./timeline.js";
+import { drawTimeline, rowsOf } from "./timeline.js";
+import { Window, extentOf } from "./window.js";
 
 const LAYERS = { truth: "truth", path: "path", zones: "alert zones", wedge: "camera", guard: "guard's points", labels: "names" };
 const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [], signatures: [], camera: null, log: { rejected: {}, refused: {} } },
@@ -276,87 +277,6 @@ function setTheme(name) {
   redraw();
 }
 
-function bindMap() {
-  const map = byId("map");
-  const tip = byId("tip");
-  const eye = () => state.solid ? orbit : flat;
-  const solid = (on) => {
-    state.solid = on;
-    byId("top").setAttribute("aria-pressed", String(!on));
-    byId("solid").setAttribute("aria-pressed", String(on));
-    tip.hidden = true;
-    redraw();
-  };
-  listen(map, {
-    moved: (du, dv) => {
-      byId("follow").checked = false;
-      if (state.solid) orbit.drag(du, dv);
-      else { flat.x -= du / flat.scale; flat.y += dv / flat.scale; }
-      redraw();
-    },
-    zoomed: (factor, at) => { eye().zoom(factor, at); redraw(); },
-    pointed: (at) => {
-      tip.hidden = !at || state.solid;
-      if (tip.hidden) return;
-      const view = viewNow();
-      const object = objectAt(flat, state.look.result.objects, at);
-      const alerts = state.live ? state.look.result.alerts : player.last?.result.alerts ?? [];
-      const [x, y] = flat.toMap(at);
-      tip.textContent = object ? plain(describe(object, view.pose, levelsAt(alerts, state.t).get(object.id))).replaceAll("\u25a1", "\n") : `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`;
-      tip.style.left = `${Math.max(0, Math.min(at[0] + 14, map.clientWidth - tip.offsetWidth))}px`;
-      tip.style.top = `${at[1] + 18 + tip.offsetHeight > map.clientHeight ? Math.max(0, at[1] - tip.offsetHeight - 10) : at[1] + 18}px`;
-    },
-    clicked: (at) => {
-      const object = !state.solid && objectAt(flat, state.look.result.objects, at);
-      if (object) select(object.id);
-    },
-  });
-  byId("top").onclick = () => solid(false);
-  byId("solid").onclick = () => solid(true);
-  byId("zoom-in").onclick = () => { eye().zoom(1.3); redraw(); };
-  byId("zoom-out").onclick = () => { eye().zoom(1 / 1.3); redraw(); };
-  byId("fit").onclick = fit;
-  byId("follow").onchange = redraw;
-}
-
-function bindKeys() {
-  document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("select, summary, input:not([type=range])")) return;
-    if (event.key === " " && event.target.closest("button")) return;
-    const step = event.shiftKey ? 1 : 0.1;
-    const actions = {
-      " ": () => state.playing ? stop() : play(), ArrowLeft: () => { stop(); goTo(state.t - step); }, ArrowRight: () => { stop(); goTo(state.t + step); },
-      Home: () => { stop(); goTo(state.begin); }, End: () => { stop(); goTo(state.end); }, "+": () => byId("zoom-in").click(), "-": () => byId("zoom-out").click(),
-      0: fit, 3: () => byId(state.solid ? "top" : "solid").click(),
-    };
-    const action = actions[event.key];
-    if (!action || (state.live && /^( |Arrow|Home|End)/.test(event.key))) return;
-    event.preventDefault();
-    action();
-  });
-}
-
-function bindTransport() {
-  byId("play").onclick = () => state.playing ? stop() : play();
-  byId("slider").oninput = (event) => { stop(); goTo(Number(event.target.value)); };
-  byId("timeline").onclick = (event) => { stop(); goTo(timeAt(byId("timeline"), event.offsetX, state.begin, state.end)); };
-}
-
-function bindFiles(recordings) {
-  byId("files").onchange = (event) => { openFiles([...event.target.files]).finally(() => { event.target.value = ""; }); };
-  const drop = byId("drop");
-  document.addEventListener("dragover", (event) => { event.preventDefault(); drop.hidden = false; });
-  document.addEventListener("dragleave", (event) => { if (!event.relatedTarget) drop.hidden = true; });
-  document.addEventListener("drop", (event) => {
-    event.preventDefault();
-    drop.hidden = true;
-    openFiles([...event.dataTransfer.files]);
-  });
-  const list = byId("recordings");
-  list.replaceChildren(make("option", { value: "" }, "choose …"), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
-  list.onchange = async () => { if (list.value !== "") openEntry(await entryOf(recordings[Number(list.value)])); };
-}
-
 function bindSaving() {
   const name = () => state.entry.name.replace(/\.(log|txt|gz)$/i, "") || "fencepost";
   byId("save-result").onclick = async () => download(`${name()}.json`, [await player.resultText()], "application/json");
@@ -369,10 +289,11 @@ async function begin() {
   const { wasm, recordings } = await bundled();
   engine = await Engine.create(wasm);
   player = new Player(engine);
-  bindMap();
-  bindKeys();
-  bindTransport();
-  bindFiles(recordings);
+  const page = { state, flat, orbit, redraw, play, stop, goTo, fit, select, openFiles, openEntry, view: viewNow, last: () => player.last };
+  bindMap(page);
+  bindKeys(page);
+  bindTransport(page);
+  bindFiles(recordings, page);
   bindSaving();
   bindPort({
     engine: () => new Engine(engine.module), open: openEntry,
