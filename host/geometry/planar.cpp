@@ -51,18 +51,6 @@ double farthest(const MultiPolygon& from, const MultiPolygon& to, double step) {
 
 }  // namespace
 
-double area(const Polygon& polygon) {
-  double total = std::abs(signed_area(polygon.outer));
-  for (const LinearRing& hole : polygon.holes) total -= std::abs(signed_area(hole));
-  return total;
-}
-
-double area(const MultiPolygon& areas) {
-  double total = 0;
-  for (const Polygon& polygon : areas) total += area(polygon);
-  return total;
-}
-
 MultiPolygon intersection(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSIntersection_r, a, b); }
 MultiPolygon unite(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSUnion_r, a, b); }
 MultiPolygon difference(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSDifference_r, a, b); }

@@ -6,13 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "host/geometry/polygon.hpp"
+#include "host/geometry/rings.hpp"
 
 namespace fencepost::host {
-
-/// Area in m^2, holes taken out. Rings may have either orientation.
-double area(const Polygon& polygon);
-double area(const MultiPolygon& areas);
 
 /// The parts that both cover, that either covers, that only `a` covers. Rings come back oriented (outer
 /// counter-clockwise). Inputs that are not valid are repaired first; slivers without area vanish.

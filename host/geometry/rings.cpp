@@ -43,6 +43,18 @@ double signed_area(std::span<const Point> ring) {
   return twice / 2;
 }
 
+double area(const Polygon& polygon) {
+  double total = std::abs(signed_area(polygon.outer));
+  for (const LinearRing& hole : polygon.holes) total -= std::abs(signed_area(hole));
+  return total;
+}
+
+double area(const MultiPolygon& areas) {
+  double total = 0;
+  for (const Polygon& polygon : areas) total += area(polygon);
+  return total;
+}
+
 Polygon oriented(Polygon polygon) {
   polygon.outer = with_orientation(std::move(polygon.outer), true);
   for (LinearRing& hole : polygon.holes) hole = with_orientation(std::move(hole), false);

@@ -10,6 +10,10 @@ namespace fencepost::host {
 /// Shoelace area, m^2; positive when counter-clockwise.
 double signed_area(std::span<const Point> ring);
 
+/// Area in m^2, holes taken out. Rings may have either orientation.
+double area(const Polygon& polygon);
+double area(const MultiPolygon& areas);
+
 /// Outer ring counter-clockwise, holes clockwise (RFC 7946), starting vertex kept.
 Polygon oriented(Polygon polygon);
 

@@ -266,8 +266,8 @@ ModelResult carve_model(const recon::ObjectCore& object, std::string name, const
 void sort_models(std::vector<ModelResult>& models) {
   constexpr std::array<std::string_view, 9> kOrder{
       "cylinder", "cylinder_paper", "sheaf_paper", "sheaf", "carve_paper", "clip_paper", "carve", "clip", "hybrid"};
-  const auto place = [&](const ModelResult& model) { return std::ranges::find(kOrder, model.name) - kOrder.begin(); };
-  std::ranges::stable_sort(models, {}, place);
+  const auto place = [&](const ModelResult& model) { return std::find(kOrder.begin(), kOrder.end(), model.name); };
+  std::stable_sort(models.begin(), models.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
 }
 
 }  // namespace fencepost::host

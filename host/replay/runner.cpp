@@ -80,6 +80,7 @@ class ProfileRunner final : public Runner {
 
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
+  [[nodiscard]] const config::Settings& settings() const override { return memory_->settings; }
   [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
 
   [[nodiscard]] const std::vector<PassResult>& passes() const override { return passes_.passes(); }
@@ -161,7 +162,7 @@ class ProfileRunner final : public Runner {
 
   // Each once.
   void complain(const std::string& note) {
-    if (std::ranges::find(complaints_, note) == complaints_.end()) complaints_.push_back(note);
+    if (std::find(complaints_.begin(), complaints_.end(), note) == complaints_.end()) complaints_.push_back(note);
   }
 
   // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.

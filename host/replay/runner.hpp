@@ -39,6 +39,8 @@ class Runner {
 
   [[nodiscard]] virtual const console::Counters& counters() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
+  /// In force now.
+  [[nodiscard]] virtual const config::Settings& settings() const = 0;
   /// Where the robot was in the map at a sample of odometry, by the corrections up to now.
   [[nodiscard]] virtual PoseResult pose_of(const sensor::OdometrySample& sample) const = 0;
   /// All objects with all models of the profile.

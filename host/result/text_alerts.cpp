@@ -70,7 +70,7 @@ std::string summary_line(const ResultDocument& document) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
     return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight
   });
-  const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
+  const auto plural = [](std::uint64_t n) { return n == 1 ? "" : "s"; };
   return fmt::format("{} object{} ({} confirmed), {} alert{}, {} frame{}, profile {}, digest {}\n",
                      document.objects.size(), plural(document.objects.size()), confirmed, document.alerts.size(),
                      plural(document.alerts.size()), document.log.frames, plural(document.log.frames),

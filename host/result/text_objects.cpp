@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/geometry/planar.hpp"
+#include "host/geometry/rings.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/text.hpp"
 #include "host/text/printable.hpp"

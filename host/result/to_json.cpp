@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "host/geometry/planar.hpp"
+#include "host/geometry/rings.hpp"
 #include "host/result/geojson.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/text.hpp"

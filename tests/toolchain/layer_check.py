@@ -74,6 +74,7 @@ ROOMS = {
     "host/evaluate": "host/replay host/simulate",
     "host/merge": "host/result",
     "host/report": "host/evaluate",
+    "host/web": "host/replay",
     "host/paper": "host/render host/report",
     "host/export": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",
@@ -89,7 +90,7 @@ ROOMS = {
     "host/doctor/ports": "host/devices host/doctor",
     "host/calibrate": "host/live host/report",
     "host/smooth": "host/calibrate",
-    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/merge host/monitor host/paper host/recorder host/segment host/smooth",
+    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/merge host/monitor host/paper host/recorder host/segment host/smooth host/web",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

@@ -17,8 +17,8 @@ import tempfile
 
 GCC_ONLY = re.compile(r" -(?:Wno-restrict|fcallgraph-info\S*)(?= )")
 
-# Registers of parts: only a cross compiler can compile these.
-BOARDS = re.compile(r"/hal/(?:mcu|boards/(?!template/))")
+# Registers of parts, and what a page calls: only a cross compiler can compile these.
+BOARDS = re.compile(r"/(?:hal/(?:mcu|boards/(?!template/))|host/web/wasm/)")
 
 HOST = re.compile(r"/host/[^/]+/[^/]+$")
 UNITED = re.compile(r"/Unity/unity_[^/]*$")

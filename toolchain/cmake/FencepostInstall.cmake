@@ -9,6 +9,8 @@ if(FENCEPOST_DESK)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/host/share/${part}" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost
       COMPONENT program)
   endforeach()
+  install(FILES "${PROJECT_SOURCE_DIR}/host/web/dist/fencepost.html" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost/page
+    COMPONENT program)
   install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fencepost RENAME copyright
     COMPONENT program)
   set(made "${PROJECT_BINARY_DIR}/host/cli/made")

@@ -30,8 +30,6 @@ constexpr float kFalseAlarms = 1e-3F;
 /// The rival's chance has to be so many times the best one's.
 constexpr float kLead = 100.0F;
 
-constexpr float kPi = 3.14159265F;
-
 float square_of(float value) { return value * value; }
 
 float distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }

@@ -138,6 +138,22 @@ TEST(Report, WritesBesideUnlessToldWhere) {
   EXPECT_TRUE(holds(piped.out, "Against the truth"));
 }
 
+TEST(Report, WritesThePageWithTheLogInIt) {
+  const Folder folder;
+  const Outcome run = shell(folder, "cp " + kLog + " run.log; fencepost report --page run.log --scene " + kScene);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "wrote run.html"));
+  const std::string page = slurp(folder.path() / "run.html");
+  EXPECT_TRUE(holds(page, R"(id="given">{"name":"run.log","log":"JEZQSERS)"));  // "$FPHDR" in base 64
+  EXPECT_TRUE(holds(page, R"("scene":{"format":1)"));
+  EXPECT_EQ(shell(folder, "fencepost report --page run.log --profile small").exit_code, 2);
+  EXPECT_EQ(shell(folder, "fencepost report --page run.log --scene - </dev/null").exit_code, 2);
+  EXPECT_EQ(shell(folder, "fencepost report --page run.log --scene run.log").exit_code, 3);
+  const Outcome missing = shell(folder, "FENCEPOST_SHARE=/nowhere fencepost report --page run.log");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_TRUE(holds(missing.err, "the page is missing; looked in /nowhere/page"));
+}
+
 TEST(Demo, ShowsAlertsObjectsAndAReport) {
   const Folder folder;
   const Outcome run = shell(folder, "fencepost demo");

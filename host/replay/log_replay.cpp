@@ -1,0 +1,225 @@
+#include "host/replay/log_replay.hpp"
+
+#include <algorithm>
+
+#include "firmware/console/text.hpp"
+
+namespace fencepost::host {
+namespace {
+
+constexpr std::string_view kDefaultProfile = "full";
+
+// Adds what this run has refused.
+void add_refused(const console::Counters& counters, RefusedFrames& refused) {
+  const auto of = [&](console::Refusal reason) { return counters.refused[static_cast<std::size_t>(reason)]; };
+  refused.no_pose += of(console::Refusal::kNoPose);
+  refused.odometry_gap += of(console::Refusal::kOdometryGap);
+  refused.no_camera += of(console::Refusal::kNoCamera);
+  refused.queue += of(console::Refusal::kQueue);
+}
+
+}  // namespace
+
+LogReplay::LogReplay(const ReplayOptions& options)
+    : options_(options),
+      own_log_({options.log, [this](const auto& alert) { hear_alert(alert); },
+                [this](const auto& object) { hear(object); }, [this](const auto& digest) { hear(digest); },
+                [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}) {}
+
+std::optional<record::LineOutcome> LogReplay::finish() {
+  std::optional<record::LineOutcome> line;
+  if (!complete_) line = reader_.finish();
+  if (runner_) end_run();
+  over_ = true;
+  return line;
+}
+
+void LogReplay::accept(const record::Header& header) {
+  if (runner_) end_run();
+  begin_run(header);
+}
+
+void LogReplay::accept(const sensor::CameraIntrinsics& camera) {
+  runner().take(camera);
+  camera_ = camera;
+}
+
+void LogReplay::accept(const record::Signature& signature) {
+  runner().take(signature);
+  signatures_.push_back(signature);
+  for (std::size_t i = 0; i + 1 < signatures_.size(); ++i) {
+    if (signatures_[i].signature != signature.signature) continue;
+    signatures_[i] = signature;
+    signatures_.pop_back();
+    break;
+  }
+}
+
+void LogReplay::accept(const record::Setting& setting) {
+  const auto ours = [&](const auto& entry) { return entry.first == setting.key.view(); };
+  const auto& set = options_.settings;
+  if (std::none_of(set.begin(), set.end(), ours)) runner().take(setting);
+}
+
+void LogReplay::accept(const sensor::OdometrySample& sample) {
+  ++odometry_;
+  if (!pass_to(sample.t)) return;
+  runner().take(sample);
+  drove_to(sample);
+}
+
+void LogReplay::accept(const sensor::CarSample& sample) {
+  ++odometry_;
+  if (!pass_to(sample.t)) return;
+  if (const std::optional<sensor::OdometrySample> pose = runner().take(sample)) drove_to(*pose);
+}
+
+void LogReplay::accept(const sensor::BlobFrame& frame) {
+  ++frames_;
+  if (!pass_to(frame.t)) return;
+  runner().take(frame);
+  ++frames_taken_;
+  complete_ = options_.frames && frames_taken_ >= *options_.frames;
+}
+
+void LogReplay::accept(const record::Heartbeat& beat) {
+  if (!pass_to(beat.t)) return;
+  runner().take(beat);
+  compare(beat);
+}
+
+void LogReplay::drove_to(const sensor::OdometrySample& sample) {
+  path_.push_back(runner().pose_of(sample));
+  last_ = sample;
+}
+
+bool LogReplay::pass_to(base::Time t) {
+  const double seconds = t.to_double();
+  if ((options_.from && seconds < *options_.from) || (options_.to && seconds > *options_.to)) return false;
+  time_ = std::max(time_, seconds);
+  return true;
+}
+
+Runner& LogReplay::runner() {
+  if (!runner_) begin_run(record::Header{});
+  return *runner_;
+}
+
+void LogReplay::begin_run(const record::Header& logged) {
+  std::string profile = options_.profile;
+  if (profile.empty()) profile = std::string(logged.profile.view());
+  if (profile.empty()) profile = kDefaultProfile;
+  runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
+  if (!runner_) {
+    complaints_.push_back("profile " + profile + " of the log is not known here, " + std::string(kDefaultProfile) +
+                          " is used; others: " + std::string(kProfileNames));
+    profile = kDefaultProfile;
+    runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
+  }
+  profile_ = profile;
+  path_.clear();
+  time_ = 0;
+  ++runs_;
+  signatures_.clear();
+  camera_ = options_.camera;
+  alerts_.clear();
+  calibration_.clear();
+  runner_->observe(options_.observer);
+  if (options_.pose_noise) runner_->assume(*options_.pose_noise);
+  runner_->start_run({record::kStreamFormat, "fencepost", FENCEPOST_VERSION, "host", std::string_view(profile_)});
+  if (options_.camera) runner_->take(*options_.camera);
+  for (const auto& [key, value] : options_.settings) {
+    runner_->take(record::Setting{std::string_view(key), std::string_view(value)});
+  }
+}
+
+// Another run may follow.
+void LogReplay::end_run() {
+  runner_->finish();
+  if (options_.check) check_.settle(check_outcome_);
+  const std::vector<std::string>& complaints = runner_->complaints();
+  complaints_.insert(complaints_.end(), complaints.begin(), complaints.end());
+  add_refused(runner_->counters(), before_.refused);
+  used_ += runner_->counters().frames;
+}
+
+ResultDocument LogReplay::now(bool with_path) const {
+  ResultDocument result;
+  fill_counts(result.log);
+  result.alerts = alerts_;
+  result.calibration = calibration_;
+  if (!runner_) return result;
+  result.digest = runner_->digest();
+  result.profile = profile_;
+  result.objects = runner_->objects();
+  result.guard = runner_->guard();
+  result.sectors = runner_->sectors();
+  result.passes = runner_->passes();
+  if (with_path) result.path = path_;
+  result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
+  result.signatures = signatures_;
+  result.camera = camera_;
+  return result;
+}
+
+void LogReplay::hear_alert(const record::AlertReport& alert) {
+  alerts_.push_back(alert);
+  hear(alert);
+  if (!options_.text) return;
+  std::string_view name;
+  for (const record::Signature& known : signatures_) {
+    if (known.signature == alert.signature) name = known.name.view();
+  }
+  std::array<char, console::kMaxSentence> sentence{};
+  const std::size_t size = console::describe(alert, name, sentence);
+  if (size >= 2) options_.text({sentence.data(), size - 2});
+}
+
+// Repetitions are left out, sentences come when it changes.
+void LogReplay::hear_doubt(const record::CalibrationDoubt& doubt) {
+  hear(doubt);
+  if (!calibration_.empty() && calibration_.back() == doubt) return;
+  calibration_.push_back(doubt);
+  if (!options_.text) return;
+  std::array<char, console::kMaxSentence> sentence{};
+  const std::size_t size = console::describe(doubt, sentence);
+  if (size >= 2) options_.text({sentence.data(), size - 2});
+}
+
+void LogReplay::fill_counts(LogCounts& log) const {
+  const record::Counts& counts = reader_.counts();
+  log.records = counts.records;
+  log.frames = frames_;
+  log.odometry = odometry_;
+  log.foreign = counts.foreign;
+  log.refused = before_.refused;
+  if (runner_ && !over_) add_refused(runner_->counters(), log.refused);
+  for (std::size_t i = 0; i < record::kRejectReasons; ++i) {
+    log.rejected[i] = {counts.rejects[i].lines, counts.rejects[i].first_line};
+  }
+}
+
+std::optional<Unreadable> LogReplay::why_unreadable(const std::string& name) const {
+  LogCounts log;
+  fill_counts(log);
+  if (reader_.other_format()) {
+    return Unreadable{name + ":" + std::to_string(reader_.line_number()) + ": stream format " +
+                      std::to_string(*reader_.other_format()) + ", this program reads format " +
+                      std::to_string(record::kStreamFormat) + "; use the release that wrote the log, or a newer one"};
+  }
+  if (used_ > 0) return std::nullopt;
+  if (reader_.line_number() == 0) return Unreadable{name + ": empty; record a run in console mode log and try again"};
+  if (log.records == 0) {
+    return Unreadable{name + ": no record in " + std::to_string(reader_.line_number()) +
+                      " lines; a log has lines such as $FPODO,... and $FPFRM,... (console mode log)"};
+  }
+  if (log.frames == 0) return Unreadable{name + ": no frame record ($FPFRM); was a camera connected?"};
+  std::string message = name + ": none of " + std::to_string(log.frames) + " frames could be used";
+  if (log.refused.no_camera > 0) message += "; no calibration ($FPCAM) before them: give one with --camera";
+  if (log.refused.no_pose > 0) message += "; no odometry ($FPODO) at their exposure: check latency and clock";
+  if (log.refused.odometry_gap > 0) message += "; odometry stopped for more than 0.5 s around them";
+  if (options_.from || options_.to) message += "; --from and --to leave out the rest";
+  return Unreadable{message};
+}
+
+}  // namespace fencepost::host

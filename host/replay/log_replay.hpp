@@ -1,0 +1,113 @@
+// One log through a runner, in any portions: `replay()` gives it all at once, the page of host/web a little at a time.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/record/stream_reader.hpp"
+#include "host/replay/check.hpp"
+#include "host/replay/own_log.hpp"
+#include "host/replay/replay.hpp"
+#include "host/replay/runner.hpp"
+
+namespace fencepost::host {
+
+class LogReplay {
+ public:
+  /// `options` must outlive this.
+  explicit LogReplay(const ReplayOptions& options);
+  LogReplay(const LogReplay&) = delete;
+  LogReplay& operator=(const LogReplay&) = delete;
+  ~LogReplay() = default;
+
+  /// At a line's end what became of it, within a line nothing.
+  std::optional<record::LineOutcome> push(char byte) { return reader_.push(byte, *this); }
+  /// What follows is not used: there are frames enough, or the stream has another format.
+  [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
+  /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
+  /// What became of that line, if there is one.
+  std::optional<record::LineOutcome> finish();
+
+  /// What was found up to now; `path` only if asked for, it is long.
+  [[nodiscard]] ResultDocument now(bool with_path = true) const;
+  [[nodiscard]] const CheckOutcome& check() const { return check_outcome_; }
+  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+  /// Why none of it could be used, if so; `name` of the log in the message. After `finish`.
+  [[nodiscard]] std::optional<Unreadable> why_unreadable(const std::string& name) const;
+
+  /// Of this run, every sample.
+  [[nodiscard]] const std::vector<PoseResult>& path() const { return path_; }
+  /// The time of the latest input of this run, s.
+  [[nodiscard]] double time() const { return time_; }
+  /// How many have begun.
+  [[nodiscard]] std::uint32_t runs() const { return runs_; }
+  /// In force; nothing before the first run.
+  [[nodiscard]] const config::Settings* settings() const { return runner_ ? &runner_->settings() : nullptr; }
+  [[nodiscard]] const std::optional<sensor::CameraIntrinsics>& camera() const { return camera_; }
+
+  // The sink of the reader.
+  void accept(const record::Header& header);
+  void accept(const sensor::CameraIntrinsics& camera);
+  void accept(const record::Signature& signature);
+  void accept(const record::Setting& setting);
+  void accept(const sensor::OdometrySample& sample);
+  void accept(const sensor::CarSample& sample);
+  void accept(const sensor::BlobFrame& frame);
+  void accept(const record::Heartbeat& beat);
+  void accept(const record::ObjectReport& report) { compare(report); }
+  void accept(const record::AlertReport& report) { compare(report); }
+  void accept(const record::DigestReport& report) { compare(report); }
+  void accept(const record::CalibrationDoubt& report) { compare(report); }
+  template <class Record>
+  void accept(const Record&) {}
+
+ private:
+  void drove_to(const sensor::OdometrySample& sample);
+  /// False: it is not asked for.
+  bool pass_to(base::Time t);
+  template <class Record>
+  void compare(const Record& record) {
+    if (options_.check) check_.logged(record, reader_.line_number() + 1);
+  }
+  template <class Record>
+  void hear(const Record& record) {
+    if (options_.check) check_.own(record);
+  }
+  Runner& runner();
+  void begin_run(const record::Header& logged);
+  void end_run();
+  void hear_alert(const record::AlertReport& alert);
+  void hear_doubt(const record::CalibrationDoubt& doubt);
+  void fill_counts(LogCounts& log) const;
+
+  const ReplayOptions& options_;
+  OwnLog own_log_;
+  Check check_;
+  CheckOutcome check_outcome_;
+  std::vector<std::string> complaints_;
+  std::unique_ptr<Runner> runner_;
+  std::string profile_;
+  std::array<char, record::StreamReader::kBuffer> buffer_{};
+  record::StreamReader reader_{buffer_};
+  std::vector<PoseResult> path_;
+  sensor::OdometrySample last_;  ///< of the path
+  std::vector<record::AlertReport> alerts_;
+  std::vector<record::CalibrationDoubt> calibration_;
+  std::vector<record::Signature> signatures_;
+  std::optional<sensor::CameraIntrinsics> camera_;
+  LogCounts before_;  ///< of runs that have ended: the frames that they refused
+  double time_ = 0;
+  std::uint32_t runs_ = 0;
+  std::uint64_t frames_ = 0;
+  std::uint64_t frames_taken_ = 0;
+  std::uint64_t odometry_ = 0;
+  std::uint64_t used_ = 0;
+  bool over_ = false;  ///< the last run has ended
+  bool complete_ = false;
+};
+
+}  // namespace fencepost::host

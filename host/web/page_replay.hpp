@@ -1,0 +1,59 @@
+// One log behind the page: LogReplay, and what the page shows beside the result document.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/replay/log_replay.hpp"
+
+namespace fencepost::host {
+
+class PageReplay final : private RunObserver {
+ public:
+  /// `profile`: micro, small, full; empty: the log's.
+  explicit PageReplay(std::string_view profile);
+  PageReplay(const PageReplay&) = delete;
+  PageReplay& operator=(const PageReplay&) = delete;
+
+  /// Up to the first input at or after `until` (s of this run), or up to the next run. How many bytes were used.
+  std::size_t feed(std::string_view bytes, double until);
+  void finish();
+
+  [[nodiscard]] const LogReplay& log() const { return log_; }
+  /// The result document, as `fencepost replay --json` writes it.
+  [[nodiscard]] std::string result() const;
+  /// The same without the path, which the page reads from memory; `with_alerts`: those of the run so far, which are
+  /// many in a long one.
+  [[nodiscard]] std::string state(bool with_alerts) const;
+  /// What is not in the result document: the latest frame with the objects that took its boxes, settings in force, bad
+  /// lines, complaints, how far the robot's own log agrees.
+  [[nodiscard]] std::string page() const;
+
+ private:
+  struct Boxes {
+    recon::WaitingFrame frame;
+    double exposure = 0;             ///< s
+    std::vector<std::uint32_t> ids;  ///< by blob; record::kNoObject: of none
+  };
+  struct BadLine {
+    std::uint32_t number = 0;
+    record::Reject reason{};
+  };
+  static constexpr std::size_t kBadLines = 100;  ///< listed, of any number counted
+
+  void note(const std::optional<record::LineOutcome>& line);
+  void run_begins() override { boxes_.reset(); }
+  void frame_placed(const PlacedFrame& placed) override;
+  static ReplayOptions options(std::string_view profile, RunObserver* observer);
+
+  ReplayOptions options_;
+  LogReplay log_{options_};
+  std::optional<Boxes> boxes_;
+  std::vector<BadLine> bad_lines_;
+  bool finished_ = false;
+};
+
+}  // namespace fencepost::host

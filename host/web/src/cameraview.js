@@ -1,0 +1,88 @@
+// The image plane: the boxes that the camera sent, and where the map says they should be.
+import { label, prepare } from "./canvas.js";
+import { colourOf, drawMark, markOf } from "./colours.js";
+import { boxOf, ringInImage } from "./lens.js";
+import { nameOf, outlineOf, poseAt } from "./scene.js";
+
+function drawSolid(g, camera, pose, object, scale, colour) {
+  const ring = outlineOf(object);
+  const [low, high] = [object.base, object.z_max].map((z) => ringInImage(camera, pose, ring, z));
+  if ([...low, ...high].some((p) => p === null)) return;
+  g.strokeStyle = colour;
+  g.globalAlpha = 0.6;
+  g.lineWidth = 1;
+  g.beginPath();
+  for (const corners of [low, high]) corners.forEach((p, i) => g[i ? "lineTo" : "moveTo"](p[0] * scale, p[1] * scale));
+  g.stroke();
+  g.globalAlpha = 1;
+}
+
+// An end at the image's border, or where another box is, may be that of a part only.
+const seenWhole = (camera, u, others) => u > 1 && u < camera.width - 2 && !others.some(({ box }) => u >= box[0] - 2 && u <= box[2] + 2);
+
+/** Returns what there is to say about the picture. */
+export function drawCamera(canvas, { view, ink, theme, selected }) {
+  const { camera, objects, signatures } = view.result;
+  const { frame } = view.page;
+  const ratio = camera ? camera.height / camera.width : 0.65;
+  canvas.style.aspectRatio = `${1 / ratio}`;
+  canvas.style.maxWidth = `max(260px, ${(30 / ratio).toFixed(2)}vh)`;
+  const { g, width, height } = prepare(canvas);
+  g.fillStyle = theme === "dark" ? "#0a1016" : "#f6f8fa";
+  g.fillRect(0, 0, width, height);
+  g.strokeStyle = ink.rule;
+  g.strokeRect(0.5, 0.5, width - 1, height - 1);
+  if (!camera) return "This log has no camera record yet.";
+  const scale = width / camera.width;
+  const pose = frame && poseAt(view.path, frame.exposure);
+  const rendered = new Map();
+  if (pose) {
+    drawHorizon(g, camera, width, scale, ink);
+    for (const object of objects) {
+      const box = boxOf(camera, pose, object);
+      if (!box) continue;
+      rendered.set(object.id, box);
+      const colour = colourOf(object.rgb, object.signature, theme);
+      drawSolid(g, camera, pose, object, scale, colour);
+      g.setLineDash([5, 4]);
+      g.lineWidth = object.id === selected ? 2.5 : 1.4;
+      g.strokeStyle = colour;
+      g.strokeRect(box[0] * scale, box[1] * scale, (box[2] - box[0]) * scale, (box[3] - box[1]) * scale);
+      g.setLineDash([]);
+    }
+  }
+  const errors = [];
+  g.textAlign = "left";
+  g.textBaseline = "bottom";
+  for (const { id, signature, box } of frame?.boxes ?? []) {
+    const [u1, v1, u2, v2] = [box[0] - 0.5, box[1] - 0.5, box[2] + 0.5, box[3] + 0.5];
+    const colour = colourOf(signatures.find((s) => s.id === signature)?.rgb, signature, theme);
+    g.fillStyle = g.strokeStyle = colour;
+    g.globalAlpha = 0.22;
+    g.fillRect(u1 * scale, v1 * scale, (u2 - u1) * scale, (v2 - v1) * scale);
+    g.globalAlpha = 1;
+    g.lineWidth = 2;
+    g.strokeRect(u1 * scale, v1 * scale, (u2 - u1) * scale, (v2 - v1) * scale);
+    drawMark(g, markOf(signature), (u1 + u2) / 2 * scale, (v1 + v2) / 2 * scale, 4);
+    const object = objects.find((o) => o.id === id);
+    g.font = "600 12px system-ui, sans-serif";
+    label(g, object ? nameOf(object) : "no object", Math.max(3, u1 * scale), Math.max(15, v1 * scale - 2), ink.ink, ink.paper);
+    const ours = rendered.get(id);
+    const others = frame.boxes.filter((other) => other.box !== box);
+    if (ours && seenWhole(camera, box[0], others)) errors.push(Math.abs(ours[0] - u1));
+    if (ours && seenWhole(camera, box[2], others)) errors.push(Math.abs(ours[2] - u2));
+  }
+  if (!frame) return "No frame yet. Full: boxes sent by the camera; dashed: rendered from the map.";
+  const mean = errors.length ? `; ends seen whole differ by ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px on average` : "";
+  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}. Full: sent by the camera; dashed: rendered from the map${mean}.`;
+}
+
+function drawHorizon(g, camera, width, scale, ink) {
+  const v = (camera.cy - camera.fy * Math.tan(camera.mount.pitch ?? 0)) * scale;
+  g.strokeStyle = ink.soft;
+  g.lineWidth = 0.6;
+  g.beginPath();
+  g.moveTo(0, v);
+  g.lineTo(width, v);
+  g.stroke();
+}

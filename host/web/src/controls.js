@@ -1,0 +1,93 @@
+// What the user does: pointer, buttons, keys, files. `page` is what main.js offers.
+import { entryOf } from "./data.js";
+import { byId, make, plain } from "./dom.js";
+import { describe } from "./map2d.js";
+import { listen } from "./pointer.js";
+import { levelsAt } from "./scene.js";
+import { timeAt } from "./timeline.js";
+import { objectAt } from "./window.js";
+
+/** The map, its buttons and the pointer. */
+export function bindMap(page) {
+  const { state, flat, orbit, redraw } = page;
+  const map = byId("map");
+  const tip = byId("tip");
+  const eye = () => state.solid ? orbit : flat;
+  const solid = (on) => {
+    state.solid = on;
+    byId("top").setAttribute("aria-pressed", String(!on));
+    byId("solid").setAttribute("aria-pressed", String(on));
+    tip.hidden = true;
+    redraw();
+  };
+  listen(map, {
+    moved: (du, dv) => {
+      byId("follow").checked = false;
+      if (state.solid) orbit.drag(du, dv);
+      else { flat.x -= du / flat.scale; flat.y += dv / flat.scale; }
+      redraw();
+    },
+    zoomed: (factor, at) => { eye().zoom(factor, at); redraw(); },
+    pointed: (at) => {
+      tip.hidden = !at || state.solid;
+      if (tip.hidden) return;
+      const view = page.view();
+      const object = objectAt(flat, state.look.result.objects, at);
+      const alerts = state.live ? state.look.result.alerts : page.last()?.result.alerts ?? [];
+      const [x, y] = flat.toMap(at);
+      tip.textContent = object ? plain(describe(object, view.pose, levelsAt(alerts, state.t).get(object.id))).replaceAll("\u25a1", "\n") : `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`;
+      tip.style.left = `${Math.max(0, Math.min(at[0] + 14, map.clientWidth - tip.offsetWidth))}px`;
+      tip.style.top = `${at[1] + 18 + tip.offsetHeight > map.clientHeight ? Math.max(0, at[1] - tip.offsetHeight - 10) : at[1] + 18}px`;
+    },
+    clicked: (at) => {
+      const object = !state.solid && objectAt(flat, state.look.result.objects, at);
+      if (object) page.select(object.id);
+    },
+  });
+  byId("top").onclick = () => solid(false);
+  byId("solid").onclick = () => solid(true);
+  byId("zoom-in").onclick = () => { eye().zoom(1.3); redraw(); };
+  byId("zoom-out").onclick = () => { eye().zoom(1 / 1.3); redraw(); };
+  byId("fit").onclick = page.fit;
+  byId("follow").onchange = redraw;
+}
+
+/** What keys do, wherever they are pressed. */
+export function bindKeys({ state, play, stop, goTo, fit }) {
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("select, summary, input:not([type=range])")) return;
+    if (event.key === " " && event.target.closest("button")) return;
+    const step = event.shiftKey ? 1 : 0.1;
+    const actions = {
+      " ": () => state.playing ? stop() : play(), ArrowLeft: () => { stop(); goTo(state.t - step); }, ArrowRight: () => { stop(); goTo(state.t + step); },
+      Home: () => { stop(); goTo(state.begin); }, End: () => { stop(); goTo(state.end); }, "+": () => byId("zoom-in").click(), "-": () => byId("zoom-out").click(),
+      0: fit, 3: () => byId(state.solid ? "top" : "solid").click(),
+    };
+    const action = actions[event.key];
+    if (!action || (state.live && /^( |Arrow|Home|End)/.test(event.key))) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+export function bindTransport({ state, play, stop, goTo }) {
+  byId("play").onclick = () => state.playing ? stop() : play();
+  byId("slider").oninput = (event) => { stop(); goTo(Number(event.target.value)); };
+  byId("timeline").onclick = (event) => { stop(); goTo(timeAt(byId("timeline"), event.offsetX, state.begin, state.end)); };
+}
+
+/** Files that are chosen or dropped, and the recordings in the page. */
+export function bindFiles(recordings, { openFiles, openEntry }) {
+  byId("files").onchange = (event) => { openFiles([...event.target.files]).finally(() => { event.target.value = ""; }); };
+  const drop = byId("drop");
+  document.addEventListener("dragover", (event) => { event.preventDefault(); drop.hidden = false; });
+  document.addEventListener("dragleave", (event) => { if (!event.relatedTarget) drop.hidden = true; });
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    drop.hidden = true;
+    openFiles([...event.dataTransfer.files]);
+  });
+  const list = byId("recordings");
+  list.replaceChildren(make("option", { value: "" }, "choose …"), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
+  list.onchange = async () => { if (list.value !== "") openEntry(await entryOf(recordings[Number(list.value)])); };
+}

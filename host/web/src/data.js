@@ -1,0 +1,53 @@
+// What is in the page: the loop, recordings, and the log that `fencepost report --page` puts there; and files.
+import { byId } from "./dom.js";
+import { truthOf } from "./scene.js";
+
+const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+
+async function unpacked(bytes) {
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+const read = (id) => JSON.parse(byId(id)?.textContent || "null");
+
+export async function bundled() {
+  const { wasm, recordings } = read("bundle");
+  return { wasm: await unpacked(fromBase64(wasm)), recordings };
+}
+
+/** { name, bytes, truth } of a recording as it is in the page. */
+export async function entryOf({ name, log, scene }) {
+  return { name, bytes: await unpacked(fromBase64(log)), truth: truthOf(scene) };
+}
+
+/** The log that this copy of the page was written for, or null. */
+export const given = () => read("given");
+
+const stem = (name) => name.replace(/(\.(log|txt|json|gz))+$/i, "");
+
+/** Logs with the scenes among `files` that belong to them: by name, or the only one. `scenes` left over come back. */
+export async function entriesOf(files) {
+  const scenes = [];
+  const logs = [];
+  const complaints = [];
+  for (const file of files) {
+    try {
+      if (!/\.json$/i.test(file.name)) {
+        logs.push({ name: file.name, bytes: await unpacked(new Uint8Array(await file.arrayBuffer())), truth: [] });
+        continue;
+      }
+      const scene = JSON.parse(await file.text());
+      if (!Array.isArray(scene?.objects)) throw new Error("no scene: it has no \"objects\"");
+      scenes.push({ name: file.name, truth: truthOf(scene) });
+    } catch (error) {
+      complaints.push(`${file.name}: ${error.message}`);
+    }
+  }
+  for (const log of logs) {
+    const scene = scenes.find((s) => stem(s.name) === stem(log.name)) ?? (scenes.length === 1 && logs.length === 1 ? scenes[0] : null);
+    if (scene) log.truth = scene.truth;
+  }
+  return { logs, scenes, complaints };
+}

@@ -1,0 +1,106 @@
+// The loop as WebAssembly: one log at a time, and copies of its memory to come back to.
+
+const BLOCK = 4096;
+const RESULT = 0;
+const STATE = 1;
+const STATE_WITH_ALERTS = 2;
+const PAGE = 3;
+export const PROFILES = ["log's", "full", "small", "micro"];
+
+// The library asks for a system that is not there; nothing of the loop does.
+function absentSystem() {
+  const refuse = () => 52;
+  return new Proxy({}, {
+    get: (_, name) => name === "proc_exit" ? () => { throw new Error("the loop stopped by itself"); } : refuse,
+  });
+}
+
+function importsOf(module) {
+  const system = absentSystem();
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = system[name];
+  return imports;
+}
+
+export class Engine {
+  #module;
+  #code;
+  #utf8 = new TextDecoder();
+
+  static async create(bytes) {
+    return new Engine(await WebAssembly.compile(bytes));
+  }
+
+  constructor(module) {
+    this.#module = module;
+    this.#start();
+  }
+
+  get module() { return this.#module; }
+
+  #start() {
+    this.#code = new WebAssembly.Instance(this.#module, importsOf(this.#module)).exports;
+  }
+
+  /** Begins a log. `profile`: an index of PROFILES. */
+  open(profile = 0) {
+    this.#start();
+    this.#code._initialize();
+    this.#code.open(profile);
+    this.inputSize = this.#code.input_size();
+  }
+
+  /** Uses bytes of `log` from `offset` on, up to the first input at or after `until` (s) or a new run; how many. */
+  feed(log, offset, until = Infinity) {
+    const part = log.subarray(offset, offset + this.inputSize);
+    new Uint8Array(this.#code.memory.buffer, this.#code.input(), part.length).set(part);
+    return this.#code.feed(part.length, until);
+  }
+
+  finish() { this.#code.finish(); }
+  get ended() { return Boolean(this.#code.ended()); }
+  get time() { return this.#code.time(); }
+  get runs() { return this.#code.runs(); }
+
+  /** The poses so far, four numbers each: t, x, y, heading. */
+  path() {
+    return new Float64Array(this.#code.memory.buffer, this.#code.path(), 4 * this.#code.path_size()).slice();
+  }
+
+  #text(what) {
+    const size = this.#code.write(what);
+    return this.#utf8.decode(new Uint8Array(this.#code.memory.buffer, this.#code.text(), size));
+  }
+
+  /** As `fencepost replay --json` writes it. */
+  resultText() { return this.#text(RESULT); }
+  result(withAlerts) { return JSON.parse(this.#text(withAlerts ? STATE_WITH_ALERTS : STATE)); }
+  page() { return JSON.parse(this.#text(PAGE)); }
+
+  /** All memory, in blocks; those that are as in `previous` are not kept twice. */
+  snapshot(previous) {
+    const memory = new Uint8Array(this.#code.memory.buffer);
+    const words = new Int32Array(this.#code.memory.buffer);
+    const blocks = [];
+    for (let at = 0; at < memory.length; at += BLOCK) {
+      const old = previous?.blocks[at / BLOCK];
+      blocks.push(old && sameWords(words, at / 4, old) ? old : new Int32Array(words.slice(at / 4, (at + BLOCK) / 4)));
+    }
+    return { blocks, time: this.time };
+  }
+
+  /** Another instance, for memory never shrinks. */
+  restore({ blocks }) {
+    this.#start();
+    const { memory } = this.#code;
+    const missing = blocks.length * BLOCK - memory.buffer.byteLength;
+    if (missing > 0) memory.grow(Math.ceil(missing / 65536));
+    const words = new Int32Array(memory.buffer);
+    blocks.forEach((block, i) => words.set(block, i * BLOCK / 4));
+  }
+}
+
+function sameWords(words, start, block) {
+  for (let i = 0; i < block.length; ++i) if (words[start + i] !== block[i]) return false;
+  return true;
+}

@@ -1,0 +1,28 @@
+// Many logs side by side: a small map and the numbers of each.
+import { drawMap } from "./map2d.js";
+import { Window, extentOf } from "./window.js";
+import { inks, theme } from "./colours.js";
+import { byId, make, plain } from "./dom.js";
+
+/** One card; `open` shows the log in full. */
+export function addCard(entry, look, open) {
+  const canvas = make("canvas", { role: "img", "aria-label": "Map at the end" });
+  const { result, page } = look;
+  const stops = result.alerts.filter((alert) => alert.level === "stop").length;
+  const rejected = Object.values(result.log.rejected).reduce((a, b) => a + b, 0);
+  const words = page.unreadable ? plain(page.unreadable)
+    : `${result.objects.length} objects, ${result.alerts.length} alerts (${stops} stop), ${result.log.frames} frames, ${look.time.toFixed(1)} s` +
+      (rejected ? `, ${rejected} bad lines` : "");
+  byId("cards").append(make("div", { className: "card" }, canvas, make("b", {}, plain(entry.name)), make("p", {}, words),
+    make("p", {}, make("code", {}, result.digest)), make("button", { type: "button", onclick: open, "aria-label": `Open ${plain(entry.name)}` }, "Open")));
+  byId("gallery").hidden = false;
+  const draw = () => {
+    const window = new Window();
+    window.size(canvas.clientWidth, canvas.clientHeight);
+    const view = { ...look, t: look.time, pose: look.result.pose, truth: entry.truth, models: ["hybrid"], layers: new Set(["truth", "path"]) };
+    window.fit(extentOf(view), 14);
+    drawMap(canvas, window, { view, whole: [], ink: inks(), theme: theme(), selected: null, bare: true });
+  };
+  draw();
+  return draw;
+}

@@ -1,0 +1,290 @@
+// The top view: x forward is up on the page where the run began, as the robot's driver would look at it.
+import { figure, label, niceStep, prepare } from "./canvas.js";
+import { colourOf, drawMark, markOf } from "./colours.js";
+import { halfAngle } from "./lens.js";
+import { bodyOf, centreOf, curvatureAt, nameOf, openSidesOf, outlineOf, placed, polygonsOf, poseIndex, sweptRing } from "./scene.js";
+
+const DASHES = {
+  hybrid: [], cylinder: [7, 4], sheaf: [10, 3, 2, 3], carve: [2, 3], clip: [4, 2], cylinder_paper: [6, 4], sheaf_paper: [2, 4],
+  carve_paper: [1, 3], clip_paper: [4, 4],
+};
+const WEDGE = 1.5;  // m, how far the camera's wedge is drawn
+
+function trace(g, window, ring, close = true) {
+  ring.forEach((p, i) => g[i ? "lineTo" : "moveTo"](...window.toPage(p)));
+  if (close) g.closePath();
+}
+
+function drawGrid({ g, window, ink, bare }) {
+  const { width, height } = window;
+  const step = niceStep(70 / window.scale);
+  const [x1, y1] = window.toMap([0, height]);
+  const [x2, y2] = window.toMap([width, 0]);
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const lines = (from, to) => Array.from({ length: Math.max(0, Math.floor(to / step) - Math.ceil(from / step) + 1) },
+    (_, i) => (Math.ceil(from / step) + i) * step);
+  g.strokeStyle = ink.rule;
+  g.lineWidth = 1;
+  g.beginPath();
+  for (const x of lines(x1, x2)) { const [u] = window.toPage([x, 0]); g.moveTo(u, 0); g.lineTo(u, height); }
+  for (const y of lines(y1, y2)) { const [, v] = window.toPage([0, y]); g.moveTo(0, v); g.lineTo(width, v); }
+  g.stroke();
+  if (bare) return;
+  g.font = "12px system-ui, sans-serif";
+  g.textBaseline = "alphabetic";
+  g.textAlign = "center";
+  for (const x of lines(x1, x2)) {
+    const u = window.toPage([x, 0])[0];
+    if (u > 36 && u < width - 34) label(g, `${x.toFixed(decimals)}`, u, height - 6, ink.soft, ink.paper);
+  }
+  g.textAlign = "left";
+  for (const y of lines(y1, y2)) {
+    const v = window.toPage([0, y])[1];
+    if (v > 16 && v < height - 26) label(g, `${y.toFixed(decimals)}`, 5, v + 4, ink.soft, ink.paper);
+  }
+  label(g, "y, m", 5, 14, ink.soft, ink.paper);
+  g.textAlign = "right";
+  label(g, "x, m", width - 5, height - 6, ink.soft, ink.paper);
+}
+
+function drawTruth({ g, window, ink, view }) {
+  g.strokeStyle = ink.soft;
+  g.fillStyle = ink.rule;
+  g.lineWidth = 1;
+  for (const { ring } of view.truth) {
+    g.save();
+    g.beginPath();
+    trace(g, window, ring);
+    g.stroke();
+    g.clip();
+    const us = ring.map((p) => window.toPage(p));
+    const [u1, u2] = [Math.min(...us.map((p) => p[0])), Math.max(...us.map((p) => p[0]))];
+    const [v1, v2] = [Math.min(...us.map((p) => p[1])), Math.max(...us.map((p) => p[1]))];
+    g.beginPath();
+    const step = Math.max(6, (u2 - u1 + v2 - v1) / 400);
+    for (let u = u1 - (v2 - v1); u < u2; u += step) { g.moveTo(u, v2); g.lineTo(u + v2 - v1, v1); }
+    g.stroke();
+    g.restore();
+  }
+}
+
+function drawPath({ g, window, ink, view, whole }) {
+  const draw = (path, from, to) => {
+    g.beginPath();
+    let last = null;
+    for (let i = from; i < to; ++i) {
+      const p = window.toPage([path[4 * i + 1], path[4 * i + 2]]);
+      if (last && i + 1 < to && Math.hypot(p[0] - last[0], p[1] - last[1]) < 1) continue;
+      g[last ? "lineTo" : "moveTo"](...p);
+      last = p;
+    }
+    g.stroke();
+  };
+  g.lineJoin = "round";
+  g.strokeStyle = ink.soft;
+  g.globalAlpha = 0.45;
+  g.lineWidth = 1.2;
+  g.setLineDash([3, 4]);
+  if (whole.length) draw(whole, poseIndex(whole, view.t), whole.length / 4);
+  g.setLineDash([]);
+  g.globalAlpha = 1;
+  g.strokeStyle = ink.ink;
+  g.lineWidth = 1.8;
+  if (view.path.length) draw(view.path, 0, view.path.length / 4);
+}
+
+function drawZones({ g, window, ink, view, pose }) {
+  const body = bodyOf(view.page.settings);
+  const bend = curvatureAt(view.path, view.t);
+  for (const { level, reach } of body.zones) {
+    g.beginPath();
+    trace(g, window, sweptRing(body, reach, bend).map((p) => placed(pose, p)));
+    g.globalAlpha = 0.16;
+    g.fillStyle = ink[level];
+    g.fill();
+    g.globalAlpha = 0.9;
+    g.strokeStyle = ink[level];
+    g.lineWidth = 1;
+    g.stroke();
+  }
+  g.globalAlpha = 1;
+}
+
+function drawWedge({ g, window, ink, view, pose }) {
+  const { camera } = view.result;
+  if (!camera) return;
+  const lens = placed(pose, [camera.mount.x, camera.mount.y]);
+  const half = halfAngle(camera);
+  const yaw = pose.heading + camera.mount.yaw;
+  const [u, v] = window.toPage(lens);
+  g.beginPath();
+  g.moveTo(u, v);
+  g.arc(u, v, WEDGE * window.scale, -yaw - half, -yaw + half);
+  g.closePath();
+  g.globalAlpha = 0.08;
+  g.fillStyle = ink.accent;
+  g.fill();
+  g.globalAlpha = 0.7;
+  g.strokeStyle = ink.accent;
+  g.lineWidth = 1;
+  g.stroke();
+  g.globalAlpha = 1;
+}
+
+function drawRobot({ g, window, ink, view, pose }) {
+  const body = bodyOf(view.page.settings);
+  g.beginPath();
+  trace(g, window, body.ring.map((p) => placed(pose, p)));
+  g.fillStyle = ink.ink;
+  g.globalAlpha = 0.85;
+  g.fill();
+  g.globalAlpha = 1;
+  g.strokeStyle = ink.paper;
+  g.lineWidth = 1.5;
+  g.stroke();
+  g.beginPath();
+  const nose = Math.min(body.front, body.width) * 0.7;
+  trace(g, window, [[nose, 0], [-nose * 0.5, nose * 0.6], [-nose * 0.2, 0], [-nose * 0.5, -nose * 0.6]].map((p) => placed(pose, p)));
+  g.fillStyle = ink.paper;
+  g.fill();
+}
+
+function drawModel({ g, window, theme }, object, model) {
+  const polygons = polygonsOf(object, model);
+  if (!polygons.length) return;
+  const colour = colourOf(object.rgb, object.signature, theme);
+  g.globalAlpha = object.state === "tentative" ? 0.45 : object.state === "lost" ? 0.75 : 1;
+  g.beginPath();
+  for (const rings of polygons) for (const ring of rings) trace(g, window, ring);
+  g.strokeStyle = g.fillStyle = colour;
+  g.lineWidth = model === "hybrid" ? 2.6 : 1.4;
+  g.setLineDash(DASHES[model] ?? [3, 3]);
+  g.stroke();
+  g.setLineDash([]);
+  if (model === "hybrid") {
+    g.globalAlpha *= 0.2;
+    g.fill("evenodd");
+  }
+  g.globalAlpha = 1;
+}
+
+function drawOpenSides({ g, window, ink }, object) {
+  g.strokeStyle = ink.paper;
+  g.lineWidth = 2.8;
+  g.setLineDash([4, 4]);
+  for (const line of openSidesOf(object)) {
+    g.beginPath();
+    trace(g, window, line, false);
+    g.stroke();
+  }
+  g.setLineDash([]);
+}
+
+// Each beside its object, at the nearest of a few places where it covers no other.
+function drawLabels({ g, window, ink, view, theme, selected, bare }) {
+  const taken = [];
+  const hits = (box) => box[2] > window.width || box[0] < 0 || taken.some((b) => box[0] < b[2] && box[2] > b[0] && box[1] < b[3] && box[3] > b[1]);
+  g.textAlign = "left";
+  g.textBaseline = "middle";
+  const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => b.views - a.views);
+  for (const object of objects) {
+    const [u, v] = window.toPage(centreOf(object));
+    // Of a large outline the name stands beside the mark in its middle.
+    const ring = outlineOf(object).map((p) => window.toPage(p));
+    const near = (axis, middle) => {
+      const values = ring.map((p) => p[axis]);
+      const [low, high] = [Math.min(...values), Math.max(...values)];
+      return high - low > 110 ? [middle - 9, middle + 9] : [low, high];
+    };
+    const [u1, u2] = near(0, u);
+    const [v1, v2] = near(1, v);
+    const mark = Math.min(7, Math.max(2.5, (u2 - u1) / 4));
+    g.fillStyle = colourOf(object.rgb, object.signature, theme);
+    drawMark(g, markOf(object.signature), u, v, mark);
+    if (!view.layers.has("labels") || u2 < 0 || u1 > window.width || v2 < 0 || v1 > window.height) continue;
+    g.font = `${object.state === "confirmed" ? "600" : "italic"} 13px system-ui, sans-serif`;
+    const text = nameOf(object);
+    const w = g.measureText(text).width + 4;
+    const places = [[u2 + 5, v], [u1 - w - 3, v], [u - w / 2, v1 - 11], [u - w / 2, v2 + 11], [u2 + 3, v1 - 9], [u2 + 3, v2 + 9],
+      [u1 - w, v1 - 9], [u1 - w, v2 + 9]];
+    const boxAt = ([x, y]) => [x, y - 8, x + w, y + 8];
+    const place = places.find((p) => !hits(boxAt(p))) ?? (object.state === "tentative" ? null : places[0]);
+    if (!place) continue;
+    taken.push(boxAt(place));
+    label(g, text, place[0], place[1], object.id === selected ? ink.accent : ink.ink, ink.paper);
+  }
+  if (!view.layers.has("truth") || bare) return;
+  g.font = "italic 12px system-ui, sans-serif";
+  for (const { name, ring } of view.truth) {
+    const points = ring.map((p) => window.toPage(p));
+    const u = points.reduce((s, p) => s + p[0], 0) / points.length;
+    const v = Math.max(...points.map((p) => p[1])) + 12;
+    const w = g.measureText(name).width;
+    const box = [u - w / 2, v - 7, u + w / 2, v + 7];
+    if (hits(box)) continue;
+    taken.push(box);
+    label(g, name, u - w / 2, v, ink.soft, ink.paper);
+  }
+}
+
+function drawGuard({ g, window, ink, view }) {
+  for (const point of view.result.guard) {
+    const [u, v] = window.toPage([point.x, point.y]);
+    g.strokeStyle = ink.stop;
+    g.lineWidth = 1.5;
+    g.beginPath();
+    g.moveTo(u - 3, v - 3); g.lineTo(u + 3, v + 3); g.moveTo(u - 3, v + 3); g.lineTo(u + 3, v - 3);
+    g.stroke();
+  }
+}
+
+function drawHighlight({ g, window, ink, view, selected }) {
+  const object = view.result.objects.find((o) => o.id === selected);
+  const ring = object && outlineOf(object);
+  if (!ring) return;
+  const points = ring.map((p) => window.toPage(p));
+  const [u, v] = window.toPage(centreOf(object));
+  g.beginPath();
+  g.arc(u, v, 8 + Math.max(...points.map((p) => Math.hypot(p[0] - u, p[1] - v))), 0, 2 * Math.PI);
+  g.strokeStyle = ink.accent;
+  g.lineWidth = 2;
+  g.stroke();
+}
+
+/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers. */
+export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false }) {
+  const { g, width, height } = prepare(canvas);
+  window.size(width, height);
+  g.fillStyle = ink.paper;
+  g.fillRect(0, 0, width, height);
+  const all = { g, window, ink, theme, view, whole, selected, bare, pose: view.pose };
+  drawGrid(all);
+  if (view.layers.has("truth")) drawTruth(all);
+  if (view.pose && view.layers.has("zones")) drawZones(all);
+  if (view.pose && view.layers.has("wedge")) drawWedge(all);
+  if (view.layers.has("path")) drawPath(all);
+  if (view.layers.has("guard")) drawGuard(all);
+  for (const object of view.result.objects) {
+    for (const model of view.models) drawModel(all, object, model);
+    if (view.models.includes("hybrid")) drawOpenSides(all, object);
+  }
+  if (view.pose) drawRobot(all);
+  drawHighlight(all);
+  drawLabels(all);
+}
+
+/** The numbers of an object, a line each. */
+export function describe(object, pose, alert) {
+  const circle = object.models.cylinder;
+  const lines = [nameOf(object), `${object.state}, ${object.views} views, confidence ${figure(object.confidence, 2)}`];
+  if (circle?.x != null) lines.push(`x ${figure(circle.x, 3)} m, y ${figure(circle.y, 3)} m, radius ${figure(circle.radius, 3)} m`);
+  const area = object.models.hybrid?.area;
+  lines.push(`${figure(object.base, 2)} to ${figure(object.z_max, 2)} m high${area == null ? "" : `, ${figure(area * 1e4, 0)} cm²`}`);
+  if (pose && circle?.x != null) {
+    const bearing = Math.atan2(circle.y - pose.y, circle.x - pose.x) - pose.heading;
+    const degrees = Math.atan2(Math.sin(bearing), Math.cos(bearing)) * 180 / Math.PI;
+    lines.push(`centre ${figure(Math.hypot(circle.x - pose.x, circle.y - pose.y), 2)} m, ${figure(Math.abs(degrees), 0)}° ${degrees < 0 ? "right" : "left"}`);
+  }
+  if (alert) lines.push(`alert: ${alert.level}${alert.distance == null ? "" : ` at ${figure(alert.distance, 2)} m`}`);
+  return lines.join("\n");
+}

@@ -1,0 +1,93 @@
+// What the tests of the page share: the page in a browser, records with their check sums, the command line.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename, join } from "node:path";
+
+export function crc16(text) {
+  let crc = 0xffff;
+  for (const c of text) {
+    crc ^= c.charCodeAt(0) << 8;
+    for (let i = 0; i < 8; ++i) crc = (crc & 0x8000 ? (crc << 1) ^ 0x1021 : crc << 1) & 0xffff;
+  }
+  return crc.toString(16).toUpperCase().padStart(4, "0");
+}
+
+/** A record as a line: "FPSIG,1,d02020,red". */
+export const record = (body) => `$${body}*${crc16(body)}\r\n`;
+
+export class Tools {
+  constructor(args) { [this.page, this.cli, this.npm, this.shared] = args; }
+  require(name) { return createRequire(join(this.npm, "package.json"))(name); }
+  log(name) { return join(this.shared, "recordings", `${name}.log`); }
+  scene(name) { return join(this.shared, "recordings", `${name}.json`); }
+  result(log, ...options) { return execFileSync(this.cli, ["replay", "--json", ...options, log], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }).toString(); }
+  digest(log, ...options) { return JSON.parse(this.result(log, ...options)).digest; }
+}
+
+export class Browser {
+  static async start(tools) {
+    const { chromium } = tools.require("playwright-core");
+    // Tests may run as root in a container, where the browser's own sandbox cannot be.
+    const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+    return Object.assign(new Browser(), { browser, tools, requests: [], errors: [] });
+  }
+
+  /** The page as it opens from disk, when it has shown its first log. Notes requests to anything else, and errors. */
+  async open({ file = this.tools.page, before, ...options } = {}) {
+    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    const page = await context.newPage();
+    page.on("request", (request) => {
+      const url = request.url();
+      if (!url.startsWith(`file://${file}`) && !/^(data|blob):/.test(url)) this.requests.push(url);
+    });
+    page.on("pageerror", (error) => this.errors.push(String(error)));
+    page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
+    if (before) await page.addInitScript(before.run, before.with);
+    await page.goto(`file://${file}`);
+    await page.waitForSelector("html[data-ready]", { timeout: 60_000 });
+    return page;
+  }
+  close() { return this.browser.close(); }
+}
+
+/** Files dropped on the page as a user does; waits until the digest of the last one is shown. */
+export async function drop(page, ...files) {
+  const given = files.map((file) => typeof file === "string" ? { name: basename(file), bytes: readFileSync(file) } : file)
+    .map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString("base64") }));
+  const data = await page.evaluateHandle((list) => {
+    const transfer = new DataTransfer();
+    for (const { name, base64 } of list) transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    return transfer;
+  }, given);
+  await page.dispatchEvent("body", "drop", { dataTransfer: data });
+  if (given.some(({ name }) => !name.endsWith(".json"))) await page.waitForFunction((name) => document.title.startsWith(name) && document.getElementById("progress").hidden, given.find(({ name }) => !name.endsWith(".json")).name);
+}
+
+export const text = (page, selector) => page.locator(selector).textContent();
+
+export async function goTo(page, t) {
+  await page.evaluate((time) => {
+    const slider = document.getElementById("slider");
+    slider.value = time;
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }, t);
+  await page.waitForFunction((time) => document.documentElement.dataset.shown === time.toFixed(2), t);
+}
+
+/** Runs `cases` one after the other, { name: async () => {} }; the process fails if one does. */
+export async function run(cases, only) {
+  let failed = 0;
+  for (const [name, test] of Object.entries(cases)) {
+    if (only && !name.includes(only)) continue;
+    const started = Date.now();
+    try {
+      await test();
+      console.log(`ok   ${name} (${Date.now() - started} ms)`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAIL ${name}: ${error.stack}`);
+    }
+  }
+  process.exitCode = failed ? 1 : 0;
+}

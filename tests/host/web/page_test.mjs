@@ -1,0 +1,273 @@
+// usage: node page_test.mjs PAGE CLI NPM SHARE [PART]: the page in headless Chromium, opened from disk.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { Browser, Tools, drop, goTo, record, run, text } from "./harness.mjs";
+import { standIn } from "./stand_in_serial.mjs";
+
+const tools = new Tools(process.argv.slice(2));
+const browser = await Browser.start(tools);
+const HOSTILE = '<img src=x onerror=hacked=1>';
+const escaped = (name) => [...name].map((c) => /[\w =.]/.test(c) ? c : `%${c.charCodeAt(0).toString(16).toUpperCase().padStart(2, "0")}`).join("");
+
+const picture = (page, selector = "#map") => page.locator(selector).evaluate((canvas) => canvas.toDataURL());
+
+async function complaints(page) {
+  await page.evaluate(tools.require("axe-core").source);
+  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+  return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(" | ")}`);
+}
+
+let page = await browser.open();
+
+await run({
+  async "shows a bundled log first, with the command line's digest"() {
+    assert.equal(await text(page, "#digest"), tools.digest(tools.log("wro_lap")));
+    assert.equal(await page.locator("#objects tbody tr").count(), 7);
+    assert.ok(await page.locator("#alerts tbody tr").count() > 20);
+  },
+
+  async "a dropped log has the command line's digest"() {
+    for (const name of ["stop_pixy2", "noisy_arc"]) {
+      await drop(page, tools.log(name), tools.scene(name));
+      assert.equal(await text(page, "#digest"), tools.digest(tools.log(name)));
+    }
+    await drop(page, { name: "packed.log.gz", bytes: execFileSync("gzip", ["-c", tools.log("corridor")]) });
+    assert.equal(await text(page, "#digest"), tools.digest(tools.log("corridor")));
+  },
+
+  async "the slider goes to a time and back"() {
+    await drop(page, tools.log("approach_stop"), tools.scene("approach_stop"));
+    const end = await picture(page);
+    await goTo(page, 5);
+    const digest = await text(page, "#digest-now");
+    assert.equal(digest, tools.digest(tools.log("approach_stop"), "--to", "5.001"));
+    assert.notEqual(await picture(page), end);
+    assert.match(await text(page, "#clock"), /^5\.00 s$/);
+    await goTo(page, 2);
+    assert.notEqual(await text(page, "#digest-now"), digest);
+    await goTo(page, 5);
+    assert.equal(await text(page, "#digest-now"), digest);
+    await page.locator("#alerts button").last().click();
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById("clock").textContent) > 7);
+  },
+
+  async "plays by the space bar, and stops; arrows step"() {
+    await page.focus("#map");
+    await page.keyboard.press("Home");
+    await page.waitForFunction(() => document.getElementById("clock").textContent === "0.00 s");
+    await page.keyboard.press(" ");
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById("clock").textContent) > 0.4);
+    await page.keyboard.press(" ");
+    await page.waitForTimeout(250);
+    const there = await text(page, "#clock");
+    await page.waitForTimeout(250);
+    assert.equal(await text(page, "#clock"), there);
+    await page.keyboard.press("Shift+ArrowRight");
+    assert.ok(Math.abs(Number.parseFloat(await text(page, "#clock")) - Number.parseFloat(there) - 1) < 0.02);
+    await page.keyboard.press("ArrowLeft");
+    assert.ok(Math.abs(Number.parseFloat(await text(page, "#clock")) - Number.parseFloat(there) - 0.9) < 0.02);
+    await page.keyboard.press("End");
+    await page.waitForFunction(() => document.documentElement.dataset.shown === Number(document.getElementById("slider").max).toFixed(2));
+  },
+
+  async "layers, models, 3-D, zoom and colours change the picture"() {
+    const seen = new Set([await picture(page)]);
+    const other = async (what) => {
+      await page.waitForTimeout(120);
+      const now = await picture(page);
+      assert.ok(!seen.has(now), what);
+      seen.add(now);
+    };
+    await page.click("#layers summary");
+    for (const layer of ["truth", "alert zones", "camera", "names", "carve", "hybrid"]) {
+      await page.getByLabel(layer, { exact: true }).click();
+      await other(layer);
+    }
+    await page.click("#layers summary");
+    await page.click("#zoom-in");
+    await other("zoom");
+    await page.mouse.move(300, 300);
+    await page.mouse.down();
+    await page.mouse.move(340, 330, { steps: 3 });
+    await page.mouse.up();
+    await other("pan");
+    await page.click("#solid");
+    await other("3-D");
+    await page.click("#theme");
+    await other("colours");
+    await page.click("#theme");
+    await page.click("#top");
+  },
+
+  async "a tooltip has the object's numbers"() {
+    await drop(page, tools.log("approach_stop"));
+    await page.click("#fit");
+    await page.waitForTimeout(200);
+    const found = await page.locator("#map").evaluate((map) => {
+      const { left, top, width, height } = map.getBoundingClientRect();
+      for (let u = width; u > 0; u -= 9) {
+        for (let v = 0; v < height; v += 9) {
+          map.dispatchEvent(new PointerEvent("pointermove", { clientX: left + u, clientY: top + v }));
+          const tip = document.getElementById("tip").textContent;
+          if (tip.startsWith("1 red")) return tip;
+        }
+      }
+      return "";
+    });
+    assert.match(found, /1 red\nconfirmed, \d+ views.*\nx \d/s);
+  },
+
+  async "the result that it saves is the command line's"() {
+    await drop(page, tools.log("approach_stop"));
+    await goTo(page, 3);
+    const saved = page.waitForEvent("download");
+    await page.click("#save-result");
+    assert.equal(readFileSync(await (await saved).path(), "utf8"), tools.result(tools.log("approach_stop")));
+    await goTo(page, 5);
+    assert.equal(await text(page, "#digest-now"), tools.digest(tools.log("approach_stop"), "--to", "5.001"));
+  },
+
+  async "names are text, whatever is in them"() {
+    const lines = readFileSync(tools.log("approach_stop"), "latin1").replace(/\$FPSIG[^\n]*\n/g, record(`FPSIG,1,d02020,${escaped(HOSTILE)}`));
+    const scene = JSON.parse(readFileSync(tools.scene("approach_stop")));
+    for (const object of scene.objects) object.name = HOSTILE;
+    await drop(page, { name: `${HOSTILE}.log`, bytes: Buffer.from(lines, "latin1") }, { name: `${HOSTILE}.json`, bytes: Buffer.from(JSON.stringify(scene)) });
+    assert.equal(await text(page, "#title"), `${HOSTILE}.log`);
+    assert.match(await text(page, "#objects"), /<img src=x/);
+    assert.equal(await page.locator("img").count(), 0);
+    assert.equal(await page.evaluate(() => window.hacked), undefined);
+  },
+
+  async "says what is wrong with a corrupt log, by line"() {
+    const lines = readFileSync(tools.log("approach_stop"), "latin1").split("\n");
+    lines[41] = lines[41].replace(/\d/, "x");
+    lines[99] = "$FPODO,1";
+    await drop(page, { name: "corrupt.log", bytes: Buffer.from(lines.join("\n").slice(0, -20), "latin1") });
+    const rows = await page.locator("#problems tbody tr").allTextContents();
+    assert.equal(rows.length, 3);
+    assert.match(rows[0], /^42crc/);
+    assert.match(rows[1], /^100crc\$FPODO,1/);
+    assert.match(rows[2], /truncated/);
+    assert.match(await text(page, "#problems"), /2 lines not used, crc: damaged on its way/);
+    assert.deepEqual(await complaints(page), []);
+    await page.screenshot({ path: join(tools.npm, "corrupt.png") });
+  },
+
+  async "says why a file is no log"() {
+    for (const [bytes, why] of [["", /empty/], ["hello\nworld\n", /no record in 2 lines/], [record("FPHDR,9,a,b,c,full"), /stream format 9/],
+      [record("FPODO,0.0000,0.0000,0.0000,0.0000"), /no frame record/]]) {
+      await drop(page, { name: `bad${bytes.length}.log`, bytes: Buffer.from(bytes) });
+      assert.match(await text(page, "#problems"), why);
+      assert.match(await text(page, "#summary"), /cannot be replayed/);
+    }
+    await drop(page, tools.log("stop_nxtcam"));
+    assert.ok(await page.locator("#problems").isHidden());
+  },
+
+  async "many logs stand side by side"() {
+    await drop(page, ...["stop_pixy2", "stop_nxtcam", "stop_cmucam2"].map((name) => tools.log(name)));
+    await page.waitForFunction(() => document.querySelectorAll(".card").length === 3);
+    const digests = await page.locator(".card code").allTextContents();
+    assert.deepEqual(digests, ["stop_pixy2", "stop_nxtcam", "stop_cmucam2"].map((name) => tools.digest(tools.log(name))));
+    await page.getByRole("button", { name: "Open stop_cmucam2.log" }).click();
+    await page.waitForFunction(() => document.title.startsWith("stop_cmucam2"));
+    assert.deepEqual(await complaints(page), []);
+  },
+
+  async "a robot on a port: live map, recording, download"() {
+    const log = readFileSync(tools.log("stop_pixy2"));
+    const live = await browser.open({ before: { run: standIn, with: { base64: log.toString("base64"), portion: 997, every: 15 } } });
+    await live.click("#connect");
+    await live.click("#port-open");
+    await live.waitForFunction(() => Number(/(\d+) records/.exec(document.getElementById("port-state").textContent)?.[1]) > 60);
+    assert.equal(await text(live, "#title"), "Robot, live");
+    assert.match(await live.evaluate(() => window.written), /mode log\r/);
+    await live.waitForFunction((size) => document.getElementById("port-state").textContent.includes(`${size} bytes`), log.length);
+    assert.equal(await live.locator("#objects tbody tr").count(), 1);
+    const saved = live.waitForEvent("download");
+    await live.click("#port-save");
+    assert.deepEqual(readFileSync(await (await saved).path()), log);
+    await live.click("#port-close");
+    await live.waitForSelector("#digest");
+    assert.equal(await text(live, "#digest"), tools.digest(tools.log("stop_pixy2")));
+    await live.context().close();
+  },
+
+  async "a port's errors have a cause and a fix"() {
+    const live = await browser.open({ before: { run: standIn, with: {} } });
+    await live.click("#connect");
+    for (const [fault, says, fix] of [["NotFoundError", /No port was chosen/, /cable carries power only/], ["NetworkError", /could not be opened/, /dialout/],
+      ["InvalidStateError", /open already/, /other tab/], ["noise", /no text/, /another speed/], ["chatter", /no record/, /mode log/], ["unplug", /unplugged/, /Close what/]]) {
+      await live.evaluate((name) => { window.fault = name; }, fault);
+      await live.click("#port-open");
+      await live.waitForFunction((words) => new RegExp(words).test(document.getElementById("port-error").textContent), says.source);
+      assert.match(await text(live, "#port-error"), fix);
+      if (await live.locator("#port-close").isEnabled()) await live.click("#port-close");
+      await live.waitForFunction(() => !document.getElementById("port-open").disabled);
+    }
+    assert.deepEqual(await complaints(live), []);
+    await live.context().close();
+    const without = await browser.open({ before: { run: () => delete Navigator.prototype.serial } });
+    await without.click("#connect");
+    assert.match(await text(without, "#port-error"), /no Web Serial.*fencepost record/s);
+    await without.context().close();
+  },
+
+  async "is 400 px wide without a sideways scroll, and accessible, by day and by night"() {
+    for (const colorScheme of ["light", "dark"]) {
+      const phone = await browser.open({ viewport: { width: 400, height: 800 }, colorScheme });
+      assert.equal(await phone.evaluate(() => document.documentElement.scrollWidth), 400);
+      assert.equal(await phone.evaluate(() => document.documentElement.dataset.theme), colorScheme);
+      assert.deepEqual(await complaints(phone), []);
+      await phone.context().close();
+    }
+    await page.click("#connect");
+    for (let i = 0; i < 2; ++i) {
+      assert.deepEqual(await complaints(page), []);
+      await page.click("#theme");
+    }
+  },
+
+  async "axe finds what is planted"() {
+    const planted = await browser.open();
+    await planted.evaluate(() => { document.body.append(document.createElement("button")); });
+    assert.match((await complaints(planted)).join(), /button-name/);
+    await planted.context().close();
+  },
+
+  async "fencepost report --page writes the page with the log in it"() {
+    const folder = mkdtempSync(join(tmpdir(), "fencepost-page-"));
+    try {
+      const log = join(folder, "<!--<script>.log");
+      writeFileSync(log, readFileSync(tools.log("stop_nxtcam")));
+      const file = join(folder, "run.html");
+      execFileSync(tools.cli, ["report", "--page", log, "--scene", tools.scene("stop_nxtcam"), "-o", file], { stdio: "ignore" });
+      const report = await browser.open({ file });
+      assert.equal(await text(report, "#title"), "<!--<script>.log");
+      assert.equal(await text(report, "#digest"), tools.digest(log));
+      await report.context().close();
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  },
+
+  async "nothing was asked of a network, and nothing failed"() {
+    assert.deepEqual(browser.requests, []);
+    assert.deepEqual(browser.errors, []);
+    const refused = await page.evaluate(() => new Promise((resolve) => {
+      document.addEventListener("securitypolicyviolation", (event) => resolve(event.effectiveDirective));
+      fetch("https://example.org/").catch(() => {});
+    }));
+    assert.equal(refused, "connect-src");
+    const planted = await page.evaluate(() => new Promise((resolve) => {
+      document.addEventListener("securitypolicyviolation", (event) => resolve(event.effectiveDirective), { once: true });
+      document.body.append(Object.assign(document.createElement("script"), { textContent: "window.hacked = 1" }));
+    }));
+    assert.match(planted, /script-src/);
+    assert.equal(await page.evaluate(() => window.hacked), undefined);
+  },
+}, process.argv[6]);
+await browser.close();
