@@ -38,9 +38,9 @@ struct KindInfo {
 
 /// By Kind.
 inline constexpr KindInfo kKindInfo[kKinds] = {{"FPHDR", 5}, {"FPCAM", 14, 1}, {"FPSIG", 3, 1}, {"FPODO", 4},
-                                               {"FPFRM", 3}, {"FPPOS", 6},     {"FPOBJ", 13}, {"FPALR", 8},
-                                               {"FPDIG", 2}, {"FPLNK", 4},     {"FPSTA", 10}, {"FPCFG", 2},
-                                               {"FPALV", 4}, {"FPCAL", 3},     {"FPCAR", 4},  {"FPSEC", 2}};
+                                               {"FPFRM", 3}, {"FPPOS", 6},     {"FPOBJ", 13},   {"FPALR", 8},
+                                               {"FPDIG", 2}, {"FPLNK", 4},     {"FPSTA", 10},   {"FPCFG", 2},
+                                               {"FPALV", 4}, {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2}};
 
 template <class Record>
 concept RecordType = index_in<Record>(AllRecords{})
