@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x31ef9c96f689bf25;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x5beabfcfc57dca91;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xbfc39935dad9410f;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x2799ae63f7d644e5;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x6f040cdd962c5d16;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x0a6111be94bf9148;
 
 template <class Profile>
 CannedStream canned_stream() {
