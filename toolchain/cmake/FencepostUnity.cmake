@@ -23,7 +23,7 @@ fencepost_apart(fencepost_emulate_models models/cognachrome.cpp models/create_co
 fencepost_apart(fencepost_export mcap/mcap_writer.cpp mcap/ros2_cdr.cpp)
 fencepost_apart(fencepost_hal_linux can.cpp can_sender.cpp can_socket.cpp i2c_adapter.cpp spi.cpp tcp.cpp usb_device.cpp)
 fencepost_apart(fencepost_hazards ../alerts/approach.cpp ../common/random_footprint.cpp families/cameras.cpp families/movers.cpp families/removal.cpp)
-fencepost_apart(fencepost_recon localize/relocation.cpp observe/floor_camera.cpp)
+fencepost_apart(fencepost_recon observe/floor_camera.cpp)
 fencepost_apart(fencepost_scene write.cpp)
 fencepost_apart(fencepost_segment poses_table.cpp)
 fencepost_apart(guest_run_test run_nxt_test.cpp)

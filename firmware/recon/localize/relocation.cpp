@@ -19,7 +19,7 @@ constexpr float kPlaceStrays = 0.05F;
 constexpr float kTurnStrays = 0.05F;
 constexpr float kTurnStraysTurning = 0.08F;
 /// m, sigma of a thing's place in the map beside its own, and as a share of the range: maps are bent.
-constexpr float kPlaceSigma = 0.05F;
+constexpr float kThingSigma = 0.05F;
 constexpr float kRangeShare = 0.04F;
 /// of its variance: what is seen again and again has the same error.
 constexpr float kSeenAgain = 6.0F;
@@ -38,12 +38,12 @@ constexpr int kFewestMet = 3;
 constexpr float kWorstPlace = 0.3F;  // m
 constexpr float kWorstTurn = 0.1F;   // rad
 /// m, beyond the farthest known thing: so far the known map reaches.
-constexpr float kRegionMargin = 0.5F;
+constexpr float kBeyondTheMap = 0.5F;
 
 using Covariance2 = Eigen::Matrix2f;
 using Row3 = Eigen::Matrix<float, 2, 3>;
 
-float square_of(float value) { return value * value; }
+float power2(float value) { return value * value; }
 
 Covariance2 covariance_of(const RangedSighting& sighted, const Vec2& rotation) {
   const Vec2 d = rotated(rotation, sighted.direction);
@@ -92,7 +92,7 @@ std::optional<KnownRadius> radius_of(std::span<const ConstellationPoint> known, 
     if (point.signature != signature || !(point.radius > 0)) continue;
     ++count;
     sum += point.radius;
-    squares += square_of(point.radius) + square_of(point.sigma);
+    squares += power2(point.radius) + power2(point.sigma);
   }
   if (!(count > 0)) return std::nullopt;
   const float mean = sum / count;
@@ -108,7 +108,7 @@ std::optional<RangedSighting> ranged(const Sighting& sighting, const KnownRadius
   RangedSighting ranged;
   ranged.direction = sighting.center;
   ranged.range = 2 * radius.mean / width;
-  ranged.along = square_of(ranged.range) * (2 * direction / (width * width) + square_of(radius.sigma / radius.mean));
+  ranged.along = power2(ranged.range) * (2 * direction / (width * width) + power2(radius.sigma / radius.mean));
   const float ahead = sighting.center.dot(sighting.axis);
   const RowDepth row = row_depth(sighting, noise);
   if (row.known && ahead > 0) {
@@ -117,7 +117,7 @@ std::optional<RangedSighting> ranged(const Sighting& sighting, const KnownRadius
     ranged.range = (ranged.range * variance + by_foot * ranged.along) / (variance + ranged.along);
     ranged.along *= variance / (variance + ranged.along);
   }
-  if (!(ranged.along < square_of(kWorstRange * ranged.range))) return std::nullopt;
+  if (!(ranged.along < power2(kWorstRange * ranged.range))) return std::nullopt;
   ranged.across = edge_variance(direction, ranged.range, noise);
   ranged.from_robot = sighting.lens + ranged.range * ranged.direction;
   return ranged;
@@ -126,12 +126,12 @@ std::optional<RangedSighting> ranged(const Sighting& sighting, const KnownRadius
 RelocationFilter::RelocationFilter(std::span<const ConstellationPoint> known)
     : known_(known.first(std::min(known.size(), kMostKnown))) {
   const constellation::Known all = constellation::make_known(known_);
-  area_ = base::kPi * square_of(all.reach + kRegionMargin);
+  area_ = base::kPi * power2(all.reach + kBeyondTheMap);
 }
 
 void RelocationFilter::drive(const Vec2& step, float turned) {
   const float way = std::sqrt(step.squaredNorm());
-  const float turn_strays = way * square_of(kTurnStrays) + std::fabs(turned) * square_of(kTurnStraysTurning);
+  const float turn_strays = way * power2(kTurnStrays) + std::fabs(turned) * power2(kTurnStraysTurning);
   for (Candidate& candidate : candidates_) {
     if (!(candidate.weight > 0)) continue;
     const Vec2 moved = rotated(candidate.rotation, step);
@@ -140,8 +140,8 @@ void RelocationFilter::drive(const Vec2& step, float turned) {
     along(0, 2) = -moved.y();
     along(1, 2) = moved.x();
     candidate.covariance = (along * candidate.covariance * along.transpose()).eval();
-    candidate.covariance(0, 0) += way * square_of(kPlaceStrays);
-    candidate.covariance(1, 1) += way * square_of(kPlaceStrays);
+    candidate.covariance(0, 0) += way * power2(kPlaceStrays);
+    candidate.covariance(1, 1) += way * power2(kPlaceStrays);
     candidate.covariance(2, 2) += turn_strays;
   }
 }
@@ -173,7 +173,7 @@ void RelocationFilter::weigh(Candidate& candidate, const RangedSighting& sighted
     ++alike;
     const bool again = ((candidate.met >> k) & 1U) != 0;
     Covariance2 sum = seen;
-    const float place = square_of(known_[k].sigma) + square_of(kPlaceSigma) + square_of(kRangeShare * sighted.range);
+    const float place = power2(known_[k].sigma) + power2(kThingSigma) + power2(kRangeShare * sighted.range);
     sum(0, 0) += place;
     sum(1, 1) += place;
     if (again) sum *= kSeenAgain;
@@ -227,7 +227,7 @@ void RelocationFilter::propose(const RangedSighting& sighted, std::uint8_t signa
       const Vec2 away = rotated(candidate.rotation, sighted.from_robot);
       candidate.place = known_[k].place - away;
       const Covariance2 seen = covariance_of(sighted, candidate.rotation);
-      const float place = square_of(known_[k].sigma) + square_of(kPlaceSigma) + square_of(kRangeShare * sighted.range);
+      const float place = power2(known_[k].sigma) + power2(kThingSigma) + power2(kRangeShare * sighted.range);
       constexpr float kTurn = kStep * kStep / 4;
       const Eigen::Vector3f lever(away.y(), -away.x(), 1);  // of an error of the rotation
       candidate.covariance = kTurn * lever * lever.transpose();
@@ -253,15 +253,15 @@ std::optional<Relocation> RelocationFilter::found() const {
   float all = 1;  // a place that is not in the map
   for (const Candidate& candidate : candidates_) {
     all += candidate.weight;
-    const bool there = (candidate.place - best->place).squaredNorm() < square_of(kSamePlace) &&
+    const bool there = (candidate.place - best->place).squaredNorm() < power2(kSamePlace) &&
                        candidate.rotation.dot(best->rotation) > kSameTurn;
     if (there) same += candidate.weight;
   }
   const Eigen::Matrix3f& covariance = best->covariance;
   const Relocation found{best->place, best->rotation, 1 - same / all, __builtin_popcount(best->met)};
   const bool sure = found.doubt <= kMostDoubt && found.met >= kFewestMet &&
-                    covariance(0, 0) + covariance(1, 1) <= 2 * square_of(kWorstPlace) &&
-                    covariance(2, 2) <= square_of(kWorstTurn);
+                    covariance(0, 0) + covariance(1, 1) <= 2 * power2(kWorstPlace) &&
+                    covariance(2, 2) <= power2(kWorstTurn);
   if (!sure) return std::nullopt;
   return found;
 }
