@@ -63,7 +63,7 @@ const typename Core<Size>::State& Core<Size>::state() const {
 }
 
 template <class Size>
-Core<Size>::Core() {
+Core<Size>::Core() {  // NOLINT(cppcoreguidelines-pro-type-member-init): bytes_ are the State below
   static_assert(sizeof(State) <= Size::kBytes && alignof(State) <= 8);
   static_assert(std::is_trivially_destructible_v<State>);
   static_assert(State::Profile::kObjects == Size::kObjects && recon::kOutlineVertices == kMostCorners);

@@ -123,6 +123,7 @@ class Core {
   using LogFunction = void (*)(void* context, const char* text, std::size_t size);
 
   Core();
+  ~Core() = default;
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 

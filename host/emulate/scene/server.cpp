@@ -26,7 +26,10 @@ void garble(Bytes& bytes, std::uint32_t& state) {
 Server::Server(Playback& playback, linux::MonotonicClock clock, Say say, Say moved)
     : playback_(playback), clock_(clock), say_(std::move(say)), moved_(std::move(moved)) {}
 
-void Server::add(std::unique_ptr<Transport> transport) { places_.push_back({std::move(transport)}); }
+void Server::add(std::unique_ptr<Transport> transport) {
+  transport->preset_baud(playback_.endpoint(places_.size()).device().baud);
+  places_.push_back({std::move(transport)});
+}
 
 bool Server::run(const std::function<bool()>& stop) {
   while (!playback_.over(clock_.now())) {

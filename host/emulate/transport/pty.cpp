@@ -22,14 +22,15 @@ using linux::Descriptor;
 
 constexpr const char* kSlaveRemedy = "see 'ls /dev/pts' and the limit in /proc/sys/kernel/pty/max";
 
-/// Raw 8 bits: of a pty both ends share the settings.
-void make_raw(int fd) {
+/// Raw 8 bits, at `baud` if that is not 0: of a pty both ends share the settings.
+void make_raw(int fd, std::uint32_t baud) {
   termios2 line{};
   if (::ioctl(fd, TCGETS2, &line) != 0) return;
   line.c_iflag = 0;
   line.c_oflag = 0;
   line.c_lflag = 0;
-  line.c_cflag = CS8 | CREAD | CLOCAL | (line.c_cflag & CBAUD);
+  line.c_cflag = CS8 | CREAD | CLOCAL | (baud == 0 ? line.c_cflag & CBAUD : BOTHER);
+  if (baud != 0) line.c_ispeed = line.c_ospeed = baud;
   line.c_cc[VMIN] = 1;
   line.c_cc[VTIME] = 0;
   ::ioctl(fd, TCSETS2, &line);
@@ -52,7 +53,7 @@ class Pty final : public Transport {
       return linux::failure("open", "a pseudo-terminal", errno, kSlaveRemedy).sentence;
     }
     name_ = name.data();
-    make_raw(master_.get());
+    make_raw(master_.get(), preset_baud_);
     // Opened and closed once: from then on the master is told whether somebody has it open.
     const Descriptor slave(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     if (!slave.open()) return linux::failure("open", name_, errno, kSlaveRemedy).sentence;
@@ -72,7 +73,7 @@ class Pty final : public Transport {
     if (connected_ && !there) {
       // The next host starts with an empty line, and with raw settings whatever the last one left.
       ::ioctl(master_.get(), TCFLSH, TCIOFLUSH);
-      make_raw(master_.get());
+      make_raw(master_.get(), preset_baud_);
     }
     connected_ = there;
     return connected_;
@@ -91,6 +92,11 @@ class Pty final : public Transport {
   }
 
   [[nodiscard]] int descriptor() const override { return connected_ ? master_.get() : -1; }
+
+  void preset_baud(std::uint32_t baud) override {
+    preset_baud_ = baud;
+    if (master_.open()) make_raw(master_.get(), baud);
+  }
 
   [[nodiscard]] std::uint32_t host_baud() const override {
     termios2 line{};
@@ -122,6 +128,7 @@ class Pty final : public Transport {
   std::string link_;
   std::string name_;
   Descriptor master_;
+  std::uint32_t preset_baud_ = 0;
   bool connected_ = false;
   bool linked_ = false;
 };

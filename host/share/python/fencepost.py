@@ -55,6 +55,7 @@ class Signature(typing.NamedTuple):
     signature: int
     rgb: str
     name: str
+    width: typing.Optional[float] = None  # m, where it was told
 
 
 class Odometry(typing.NamedTuple):

@@ -145,7 +145,8 @@ std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Ve
 Vec2 guessed_middle(const Sighting& first) {
   const RowDepth row = row_depth(first, {});
   const float along = first.axis.dot(first.center);
-  const float by_foot = row.known && along > 0 ? row.depth / along + kFrontShare * radius_prior(first.known_radius).mean : 0.0F;
+  const float by_foot =
+      row.known && along > 0 ? row.depth / along + kFrontShare * radius_prior(first.known_radius).mean : 0.0F;
   const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kFarthestGuess) : prior_distance(first);
   return first.lens_from(first.anchor) + distance * first.center;
 }

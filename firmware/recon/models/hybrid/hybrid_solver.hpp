@@ -76,7 +76,7 @@ class HybridSolver {
   [[no_unique_address]] std::conditional_t<kPolygon, SupportFit, NoSupport> support_;
   // Until the fit is done the object keeps the outline and the sigmas that it had: alerts read them between two steps.
   std::array<std::uint8_t, kSectors> sigmas_{};
-  [[no_unique_address]] std::conditional_t<kPolygon, NoOffsets, std::array<std::int16_t, kSectors>> offsets_;
+  [[no_unique_address]] std::conditional_t<kPolygon, NoOffsets, std::array<std::int16_t, kSectors>> offsets_{};
   Stage stage_ = Stage::kDone;
   std::uint8_t pass_ = 0;
   std::uint8_t passes_ = 0;

@@ -1,7 +1,9 @@
 // In real time, on this machine's ptys and ports, with hal/linux as the host's end. Waits are for conditions.
 #include "host/emulate/scene/server.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include "drivers/create/create.hpp"
 #include "drivers/pixy1/pixy1.hpp"
 #include "drivers/pixy2/camera.hpp"
+#include "hal/linux/descriptor.hpp"
 #include "hal/linux/tty.hpp"
 #include "tests/drivers/hex.hpp"
 #include "tests/hal/linux/pty.hpp"
@@ -107,6 +110,28 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
   }
   running.stop();
   EXPECT_EQ(running.endpoint(0).faults().unplugs, 0U);
+}
+
+// `cat` and `printf > port` set no rate.
+TEST(EmulateServer, IsHeardByAHostThatSetsNoBaudRate) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam4", open_pty(folder.file("camera")));
+  running.start();
+  { const auto other = linux::Tty::open({folder.file("camera"), 115'200}); }  // leaves nothing behind
+  std::string heard;
+  EXPECT_TRUE(eventually(running.clock(), [&] {
+    const linux::Descriptor port(::open(folder.file("camera").c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    for (int i = 0; i < 20 && heard.find("CMUcam4") == std::string::npos; ++i) {
+      if (i % 10 == 0 && ::write(port.get(), "GV\r", 3) != 3) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      std::array<char, 64> in{};
+      if (const ssize_t got = ::read(port.get(), in.data(), in.size()); got > 0)
+        heard.append(in.data(), static_cast<std::size_t>(got));
+    }
+    return heard.find("CMUcam4") != std::string::npos;
+  })) << heard;
+  running.stop();
 }
 
 // The first host has the right rate; what is wrong with the second one is said, once, and nothing gets through.
