@@ -75,6 +75,9 @@ class Endpoint {
   Bytes to_host(base::Time now) { return line_.to_host(now); }
   [[nodiscard]] std::optional<base::Time> next_to_host() const { return line_.next_to_host(); }
 
+  /// What the host sends has to wait: nothing of it is to be read.
+  [[nodiscard]] bool full() const { return line_.full(); }
+
   /// From now on the faults that have a period come.
   void begin(base::Time now);
 

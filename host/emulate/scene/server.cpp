@@ -71,6 +71,7 @@ void Server::tend(std::size_t index, base::Time now) {
     endpoint.connect(there, now);
     places_[index].baud = 0;
   }
+  if (endpoint.full()) return;  // a host that floods its line is slowed down by it
   const Bytes bytes = transport.read();
   if (bytes.empty()) return;
   check_baud(index);
@@ -116,7 +117,9 @@ bool Server::other_baud(std::size_t index) const {
 
 void Server::wait() {
   linux::WaitSet set;
-  for (const Place& place : places_) set.add_readable(place.transport->descriptor());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (!playback_.endpoint(i).full()) set.add_readable(places_[i].transport->descriptor());
+  }
   const base::Time now = clock_.now();
   base::Time deadline = now + kLook;
   if (const auto next = playback_.next()) deadline = std::clamp(*next, now + kPortion, deadline);

@@ -40,6 +40,8 @@ class Line {
   [[nodiscard]] std::optional<base::Time> next_to_device() const { return next(to_device_); }
   /// Nothing is on its way to the host.
   [[nodiscard]] bool idle() const { return to_host_.empty(); }
+  /// So much is on its way that a sender has to wait.
+  [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMostOnItsWay; }
   /// What is on its way is lost.
   void clear();
 
@@ -47,6 +49,8 @@ class Line {
   FaultCounts& counts() { return counts_; }
 
  private:
+  static constexpr std::size_t kMostOnItsWay = 64 * 1024;
+
   struct Item {
     std::int64_t arrives_ns = 0;
     std::uint8_t byte = 0;

@@ -134,6 +134,29 @@ TEST(EmulateServer, IsHeardByAHostThatSetsNoBaudRate) {
   running.stop();
 }
 
+// A megabyte that a camera of 115,200 baud would answer for minutes: the host's writes wait, and nothing piles up.
+TEST(EmulateServer, AHostThatFloodsItWaits) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam2", open_pty(folder.file("camera")));
+  running.start();
+  const linux::Descriptor port(::open(folder.file("camera").c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  const std::string returns(1024, '\r');
+  std::size_t sent = 0;
+  for (int refused = 0; refused < 100 && sent < (std::size_t{1} << 20U);) {
+    const ssize_t wrote = ::write(port.get(), returns.data(), returns.size());
+    if (wrote > 0) sent += static_cast<std::size_t>(wrote);
+    refused = wrote > 0 ? 0 : refused + 1;
+    if (wrote <= 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::array<char, 4096> in{};
+    while (::read(port.get(), in.data(), in.size()) > 0) {
+    }
+  }
+  EXPECT_GT(sent, std::size_t{1} << 10U);
+  EXPECT_LT(sent, std::size_t{1} << 18U) << "it never had to wait";
+  running.stop();
+}
+
 // The first host has the right rate; what is wrong with the second one is said, once, and nothing gets through.
 TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
   const TestFolder folder;

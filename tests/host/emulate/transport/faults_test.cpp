@@ -51,6 +51,16 @@ TEST(Line, BringsBytesAtItsBaudRate) {
   EXPECT_TRUE(line.idle());
 }
 
+TEST(Line, IsFullUntilMuchOfItHasArrived) {
+  Line line({115'200, 1, {}, 1});
+  line.say(numbered(65'535), base::Time{0});
+  EXPECT_FALSE(line.full());
+  line.send(numbered(1), base::Time{0});
+  EXPECT_TRUE(line.full()) << "both directions count: what comes in is answered";
+  (void)line.to_host(base::Time{10});
+  EXPECT_FALSE(line.full());
+}
+
 TEST(Line, WithoutBaudIsThereAtOnce) {
   Line line({0, 1, {}, 1});
   line.say(numbered(3), base::Time{5});
