@@ -31,6 +31,10 @@ void Losses::accept(const record::StatusReport& status) {
   last_status_ = status;
 }
 
-void Losses::accept(const record::LinkReport& link) { links_[std::string(link.device.view())] = link; }
+void Losses::accept(const record::LinkReport& link) {
+  constexpr std::size_t kMost = 64;  // of names that a damaged or hostile stream makes up there is no end
+  const std::string device(link.device.view());
+  if (links_.size() < kMost || links_.contains(device)) links_[device] = link;
+}
 
 }  // namespace fencepost::host

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace fencepost::host {
 namespace {
 
@@ -28,6 +30,22 @@ TEST(Losses, ACameraThatCountsAnewHasNoGap) {
   Losses losses;
   for (const std::uint32_t number : {100U, 0U, 1U, 3U}) losses.accept(frame(number));
   EXPECT_EQ(losses.frames_missing(), 1U);
+}
+
+// A damaged or hostile stream makes up names without end.
+TEST(Losses, KeepsTheFirstDevicesOnly) {
+  Losses losses;
+  for (int i = 0; i < 10'000; ++i) {
+    record::LinkReport link;
+    link.device = sensor::Text("dev" + std::to_string(i));
+    losses.accept(link);
+  }
+  EXPECT_EQ(losses.links().size(), 64U);
+  record::LinkReport known;
+  known.device = sensor::Text("dev0");
+  known.state = sensor::LinkState::kSilent;
+  losses.accept(known);
+  EXPECT_EQ(losses.links().at("dev0").state, sensor::LinkState::kSilent) << "those go on";
 }
 
 TEST(Losses, ANewRunHasNoGap) {
