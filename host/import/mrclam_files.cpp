@@ -86,6 +86,19 @@ void read_tables(const std::string& folder, MrclamRecording& recording, bool pos
   }
 }
 
+// Barcodes are the signatures where all fit, else subjects.
+void refuse_numbers_without_signature(const MrclamRecording& recording, const std::string& file) {
+  constexpr int kLargest = 255;
+  if (recording.subject_of.empty() || recording.subject_of.rbegin()->first <= kLargest) return;
+  for (const auto& [barcode, subject] : recording.subject_of) {
+    if (subject <= kLargest) continue;
+    throw ImportProblem{file,
+                        "subject " + std::to_string(subject) + " and barcode " +
+                            std::to_string(recording.subject_of.rbegin()->first) + " are both above 255",
+                        "a signature is 0 to 255: number the barcodes or the subjects anew"};
+  }
+}
+
 void read_survey(const std::string& folder, MrclamRecording& recording) {
   const Table barcodes =
       read_space_table(packed_or_not((fs::path(folder) / "Barcodes.dat").string()), 2, "subject, barcode");
@@ -97,6 +110,7 @@ void read_survey(const std::string& folder, MrclamRecording& recording) {
                           "each subject has one of its own"};
     }
   }
+  refuse_numbers_without_signature(recording, barcodes.file);
   const std::string survey = packed_or_not((fs::path(folder) / "Landmark_Groundtruth.dat").string());
   const Table landmarks = read_space_table(survey, 5, "subject, x, y, x std-dev, y std-dev");
   for (const TableRow& row : landmarks.rows) {

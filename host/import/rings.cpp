@@ -37,6 +37,14 @@ RingView to_view(const Table& table, const TableRow& row) {
   if (v[0] < 0 || v[0] > 1e9 || v[0] != std::floor(v[0])) {
     throw ImportProblem{place, "frame is not a whole number", "number the frames from 0"};
   }
+  constexpr double kFarthest = 1'000;  // m: the stream's range
+  if (std::abs(v[1]) > kFarthest || std::abs(v[2]) > kFarthest) {
+    throw ImportProblem{place, "cam_x or cam_y is out of range, -1000 to 1000 m", "positions are metres"};
+  }
+  constexpr double kMostTurned = 1'000;  // rad, whole turns included
+  if (std::abs(v[3]) > kMostTurned) {
+    throw ImportProblem{place, "cam_heading is out of range, -1000 to 1000 rad", "headings are radians"};
+  }
   if (!(v[4] < v[5])) {
     throw ImportProblem{place, "bearing_lo is not less than bearing_hi",
                         "lo is the right end, hi the left end; bearings grow counter-clockwise"};

@@ -31,7 +31,10 @@ std::string read_whole(const std::string& path) {
 }
 
 std::vector<std::string> read_lines(const std::string& path) {
-  std::istringstream text(read_whole(path));
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
+  std::string whole = read_whole(path);
+  if (whole.starts_with(kByteOrderMark)) whole.erase(0, kByteOrderMark.size());
+  std::istringstream text(std::move(whole));
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();

@@ -223,6 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"Robot2_Measurement.dat", "2 63 1 0\n1 63 1 0\n", "/Robot2_Measurement.dat:2", "backwards"},
                     Damage{"Robot2_Measurement.dat", "2 6.5 1 0\n", "/Robot2_Measurement.dat:1", "whole number"},
                     Damage{"Barcodes.dat", "6 63\n7 63\n", "/Barcodes.dat:2", "twice"},
+                    Damage{"Barcodes.dat", "6 630\n262 63\n", "/Barcodes.dat", "subject 262 and barcode 630"},
                     Damage{"Robot3_Measurement.dat", "2 63 1 0\n", "", "several robots"}));
 
 TEST(ImportMrclam, RefusesMissingFilesAndBadOptions) {

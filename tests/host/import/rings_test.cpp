@@ -143,10 +143,20 @@ INSTANTIATE_TEST_SUITE_P(Rows, BadRings,
                                          BadRow{"1,1,0,3.1,-0.05,zero,1,0,0", "\"zero\" is not a number"},
                                          BadRow{"1,1,0,3.1,-0.05,nan,1,0,0", "not a number"},
                                          BadRow{"1,1,,3.1,-0.05,0.06,1,0,0", "\"\" is not a number"},
+                                         BadRow{"1,1e300,0,3.1,-0.05,0.06,1,0,0", "1000 to 1000 m"},
+                                         BadRow{"1,1,-1000.1,3.1,-0.05,0.06,1,0,0", "1000 to 1000 m"},
+                                         BadRow{"1,1,0,1e300,-0.05,0.06,1,0,0", "1000 to 1000 rad"},
                                          BadRow{"1,1,0,3.1,0.06,-0.05,1,0,0", "not less than"},
                                          BadRow{"1,1,0,3.1,-0.05,1.4,1,0,0", "1.2 rad"},
                                          BadRow{"1,1,0,3.1,-0.05,0.06,2,0,0", "neither 0 nor 1"},
                                          BadRow{"1.5,1,0,3.1,-0.05,0.06,1,0,0", "whole number"}));
+
+TEST(ImportRings, ReadsWhatASpreadsheetHasSaved) {
+  const Files files;
+  const ImportResult result = import_rings(files.put("b.csv", "\xEF\xBB\xBF" + circle_views(8)));
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  EXPECT_EQ(result->summary.frames, 8U);
+}
 
 TEST(ImportRings, RefusesOtherFiles) {
   const Files files;
