@@ -152,6 +152,18 @@ TEST(Paths, ThroughAnObjectIsNoticed) {
   EXPECT_EQ(run(scene).summary.frames_inside, 1U);  // at 0.5 m
 }
 
+// A scene of a kilobyte that would take 10 GB.
+TEST(Errors, AnImageIsNoLargerThanAPhotograph) {
+  Scene scene = empty_scene();
+  scene.path = standing(0, 0, 0, 1);
+  scene.camera.width = 32'767;
+  scene.camera.height = 32'767;
+  const auto refused = simulate(scene, [](std::string_view) { FAIL() << "a line was written"; });
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find("32767 x 32767"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("64 megapixels"), std::string::npos) << refused.error();
+}
+
 TEST(Errors, NoPathAndOutOfRangeAreSentences) {
   Scene scene = empty_scene();
   const auto ignore = [](std::string_view) {};
