@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -35,6 +38,13 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
   return fmt::format("no command \"{}\" in {}{}", word, where, guess_among(names, word, where));
 }
 
+/// By what help calls its value, such as "T" or "DEG".
+bool takes_numbers(const CLI::Option& option) {
+  constexpr std::array kNames = {"A B", "D",       "DEG", "DEGREES", "F", "HZ", "M", "MM,MRAD",
+                                 "N",   "N,N,...", "PX",  "S",       "T", "X",  "Y"};
+  return std::ranges::find(kNames, option.get_type_name()) != kNames.end();
+}
+
 class Program {
  public:
   Program() : app_("", "fencepost") {
@@ -57,6 +67,7 @@ class Program {
       throw Failure(Exit::kUsage,
                     unknown_option().value_or(fmt::format("{}; see {} --help", error.what(), parsed_name())));
     }
+    refuse_what_is_no_number();
     return static_cast<int>(action_());
   }
 
@@ -84,6 +95,19 @@ class Program {
       return fmt::format("no option {} in {}{}", flag, parsed_name(), guess_among(names, flag, parsed_name()));
     }
     return std::nullopt;
+  }
+
+  /// "nan" and "inf" are numbers to what converts them; no option means them.
+  void refuse_what_is_no_number() const {
+    for (const CLI::Option* option : parsed().get_options()) {
+      if (!takes_numbers(*option)) continue;
+      for (const std::string& text : option->results()) {
+        double value = 0;
+        if (!CLI::detail::lexical_cast(text, value) || std::isfinite(value)) continue;
+        throw Failure(Exit::kUsage,
+                      fmt::format("{}: {} is not a number; see {} --help", option->get_name(), text, parsed_name()));
+      }
+    }
   }
 
   /// The command whose options were being read.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <vector>
 
 #include "tests/host/cli/run.hpp"
@@ -39,6 +40,26 @@ TEST(Help, ListsEveryCommand) {
                            "import", "segment", "configure", "calibrate", "merge", "smooth", "doctor"}) {
     EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
   }
+}
+
+// To what converts numbers, nan and inf are some. Whatever option has a number, by its help.
+TEST(Help, NoOptionTakesWhatIsNoNumber) {
+  const Folder folder;
+  std::size_t tried = 0;
+  for (const std::string& command : kCommands) {
+    const std::string help = shell(folder, "fencepost " + command + " --help").out;
+    static const std::regex option("(--[a-z-]+) (D|DEG|DEGREES|F|HZ|M|N|PX|S|T|X|Y)[ \n]");
+    for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at) {
+      for (const char* value : {"nan", "-inf"}) {
+        const Outcome run = shell(folder, "fencepost " + command + " " + at->str(1) + "=" + value + " x y");
+        EXPECT_EQ(run.exit_code, 2) << command << " " << at->str(1);
+        EXPECT_NE(run.err.find(value), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find(at->str(1)), std::string::npos) << run.err;
+        ++tried;
+      }
+    }
+  }
+  EXPECT_GT(tried, 50U);
 }
 
 TEST(Version, IsDataOnStandardOutput) {
