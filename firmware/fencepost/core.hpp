@@ -62,8 +62,9 @@ const typename Core<Size>::State& Core<Size>::state() const {
   return *static_cast<const State*>(static_cast<const void*>(bytes_));
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): bytes_ are the State below
 template <class Size>
-Core<Size>::Core() {  // NOLINT(cppcoreguidelines-pro-type-member-init): bytes_ are the State below
+Core<Size>::Core() {
   static_assert(sizeof(State) <= Size::kBytes && alignof(State) <= 8);
   static_assert(std::is_trivially_destructible_v<State>);
   static_assert(State::Profile::kObjects == Size::kObjects && recon::kOutlineVertices == kMostCorners);
