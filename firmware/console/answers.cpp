@@ -97,6 +97,11 @@ void put_error(Sentence& s, const Answer& answer, const SettingsInForce& in_forc
     case Reply::kMayNotGo:
       s.put("error: it may not move now: STOP or BLIND is in force, or a sensor is silent; `status` says more");
       return;
+    case Reply::kWaitsForReset:
+      s.put("error: the console is locked: '")
+          .put(answer.quote.view())
+          .put("' has to wait for a reset (button or power)");
+      return;
     case Reply::kNotText: s.put("error: the line holds bytes that are not text: same baud rate on both ends?"); return;
     case Reply::kLineTooLong:
       s.put("error: the line was discarded, it has more than ").number(record::kMaxLine - 1).put(" characters");
@@ -137,6 +142,9 @@ std::size_t write_answer(const Answer& answer, const AnswerFacts& facts, std::sp
       s.put("; a new run: the map is empty");
       break;
     case Reply::kAlertsAre: s.put("alerts are ").put(facts.alerts ? "on" : "off"); break;
+    case Reply::kLocked:
+      s.put("locked until the next reset: settings, `alerts off`, `reset` and `go` are refused");
+      break;
     case Reply::kModeIs:
       s.put("mode is ").put(name(facts.mode));
       if (facts.mode == Mode::kLog && !facts.whole) {

@@ -98,6 +98,18 @@ std::optional<Mode> mode_named(std::string_view word) {
   return std::nullopt;
 }
 
+bool waits_for_reset(Verb verb, std::string_view word) {
+  switch (verb) {
+    case Verb::kAlerts: return word != "on";
+    case Verb::kMode: return word != name(Mode::kText) && word != name(Mode::kLog);
+    case Verb::kSet:
+    case Verb::kSelftest:
+    case Verb::kReset:
+    case Verb::kGo: return true;
+    default: return false;
+  }
+}
+
 Answer check(const Words& words) {
   const std::string_view word = words.words[0] == "?" ? info(Verb::kHelp).name : words.words[0];
   NearestName nearest(word);

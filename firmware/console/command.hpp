@@ -32,10 +32,11 @@ enum class Verb : std::uint8_t {
   kReset,
   kGo,
   kStop,
+  kLock,
   kVersion,
   kQuit,
 };
-inline constexpr std::size_t kVerbs = 19;
+inline constexpr std::size_t kVerbs = 20;
 
 struct VerbInfo {
   std::string_view name;
@@ -64,11 +65,16 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"reset", "", 0, 0, "forget the map, start a new run"},
     {"go", "", 0, 0, "after `stop`; where `bumper` is not 0: straight ahead"},
     {"stop", "", 0, 0, "hold the robot until `go`; Enter alone ends `go`, too"},
+    {"lock", "", 0, 0, "no command changes anything until a button resets it"},
     {"version", "", 0, 0, "program, target, profile"},
     {"quit", "", 0, 0, "how to leave"},
 }};
 
 constexpr const VerbInfo& info(Verb verb) { return kVerbInfo[static_cast<std::size_t>(verb)]; }
+
+/// Must this wait for the next reset while the console is locked? `word` is what follows the verb. Looking is allowed,
+/// and whatever makes the robot say more or stand.
+bool waits_for_reset(Verb verb, std::string_view word);
 
 /// The words of a line; spaces, tabs and '=' are between them, so that what `get` says can be typed after `set`.
 struct Words {

@@ -40,6 +40,7 @@ enum class Reply : std::uint8_t {
   kModeIs,
   kNewRun,
   kVersion,
+  kLocked,
   kSelftest,
   kHeld,
   kReleased,
@@ -56,6 +57,7 @@ enum class Reply : std::uint8_t {
   kNoSuchDevice,   ///< subject: DeviceKey; quote
   kDeviceRefused,  ///< subject: config::Refusal; quote
   kMayNotGo,
+  kWaitsForReset,  ///< quote
   kNotText,
   kLineTooLong,
   kTableFull,  ///< subject: capacity; quote: what did not fit
@@ -81,7 +83,8 @@ struct Motion {
 
 struct ConsoleState {
   Mode mode = Mode::kText;
-  bool alerts = true;
+  bool alerts : 1 = true;
+  bool locked : 1 = false;              ///< until the program starts again
   std::uint8_t turns_without_room = 0;  ///< since the answer's last line
   Motion motion;
   Answer answer;

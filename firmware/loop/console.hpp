@@ -102,6 +102,12 @@ class Console {
 
   // True if it was an input of the loop.
   bool handle_record(std::string_view line, bool too_long, base::Time now) {
+    if (state().locked && !too_long && changes_settings(line)) {
+      if (!state().answer.pending()) {
+        state().answer = {console::Reply::kWaitsForReset, 0, 0, console::quote(record::before(line, ','))};
+      }
+      return false;
+    }
     Intake<Profile> intake{pipeline_, Purpose::kRun};
     if (too_long) {
       intake.reject = pipeline_.reject(record::Reject::kLength);
@@ -118,6 +124,11 @@ class Console {
                                        console::quote(record::before(line, ','))};
     }
     return intake.input && !intake.reject;
+  }
+
+  static bool changes_settings(std::string_view line) {
+    const std::string_view kind = record::before(line, ',');
+    return kind == "$FPCFG" || kind == "$FPCAM" || kind == "$FPSIG" || kind == "$FPHDR";
   }
 
   [[gnu::noinline]] void handle_command(std::span<char> text, bool too_long) {
@@ -139,6 +150,9 @@ class Console {
     const console::Answer checked = check(words);
     if (checked.pending()) return checked;
     const std::string_view word = words.words[1];
+    if (state().locked && waits_for_reset(static_cast<Verb>(checked.subject), word)) {
+      return {Reply::kWaitsForReset, 0, 0, console::quote(words.words[0])};
+    }
     switch (static_cast<Verb>(checked.subject)) {
       case Verb::kHelp: return {Reply::kHelp};
       case Verb::kSettings: return {Reply::kAllSettings};
@@ -167,6 +181,7 @@ class Console {
       case Verb::kReset: pipeline_.restart(); return {Reply::kNewRun};
       case Verb::kGo: return go();
       case Verb::kStop: state().motion.held = true; return {Reply::kHeld};
+      case Verb::kLock: state().locked = true; return {Reply::kLocked};
       case Verb::kVersion: return {Reply::kVersion};
       case Verb::kQuit: return {Reply::kQuit};
     }

@@ -34,6 +34,7 @@ TEST(Console, Help) {
             "  reset                     forget the map, start a new run\r\n"
             "  go                        after `stop`; where `bumper` is not 0: straight ahead\r\n"
             "  stop                      hold the robot until `go`; Enter alone ends `go`, too\r\n"
+            "  lock                      no command changes anything until a button resets it\r\n"
             "  version                   program, target, profile\r\n"
             "  quit                      how to leave\r\n"
             "  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log\r\n");
@@ -63,6 +64,30 @@ TEST(Console, Settings) {
       "  steer.offset    0.00  -45.00..45.00 deg told when it goes straight\r\n"
       "  gyro.scale    1.0000  -2.0000..2.0000 true turn for one measured; negative: clockwise is positive\r\n"
       "  gyro.bias      0.000  -30.000..30.000 deg/s measured when nothing turns, until it has stood\r\n");
+}
+
+// Whoever reaches the console may look and stop the robot, but neither silence nor blind it.
+TEST(Console, LockedItChangesNothing) {
+  Desk<> desk(Mode::kText, desk_approach(100));
+  desk.turn(2100);
+  EXPECT_NE(desk.type_line("lock").find("locked until the next reset"), std::string::npos);
+  const std::string settings = desk.type_line("settings");
+  const auto objects = desk.memory().map.slots()[0].used();
+  for (const char* line : {"set alert.stop 0", "alerts off", "mode quiet", "mode plot", "selftest", "reset", "go"}) {
+    const std::string said = desk.type_line(line);
+    EXPECT_NE(said.find("error: the console is locked: '"), std::string::npos) << line << ": " << said;
+  }
+  const std::string records[] = {line_of(record::Signature{1, {}, "other"}),
+                                 line_of(record::Setting{"alert.stop", "0.00"})};
+  for (const std::string& line : records) {
+    const std::string said = desk.type(line);
+    EXPECT_NE(said.find("error: the console is locked: '$FP"), std::string::npos) << line << ": " << said;
+  }
+  EXPECT_EQ(desk.type_line("settings"), settings);
+  EXPECT_EQ(desk.memory().map.slots()[0].used(), objects);
+  EXPECT_EQ(desk.type_line("alerts on"), "alerts are on\r\n");
+  EXPECT_EQ(desk.type_line("stop").find("error"), std::string::npos);
+  EXPECT_NE(desk.type_line("lock").find("locked"), std::string::npos) << "there is no unlock";
 }
 
 TEST(Console, HelpAndMapFitAScreen) {
@@ -199,10 +224,10 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
        "error: unknown command 'fly', there are: help settings status objects map watch next sectors calibrate alerts "
-       "mode set get selftest reset go stop version quit"},
+       "mode set get selftest reset go stop lock version quit"},
       {"a_word_that_is_far_too_long",
        "error: unknown command 'a_word_that_is..', there are: help settings status objects map watch next sectors "
-       "calibrate alerts mode set get selftest reset go stop version quit"},
+       "calibrate alerts mode set get selftest reset go stop lock version quit"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
       {"mode loud", "error: 'loud' is not possible: mode text|log|plot|quiet"},
       {"alerts", "error: a word is missing: alerts on|off"},
@@ -278,7 +303,7 @@ TEST(Console, CommandsThatComeTogetherAreAllAnswered) {
   std::string typed;
   for (int i = 0; i < 20; ++i) typed += "version\nhelp\nstatus\nget\nmap\nfrob\n";
   const std::string said = desk.type(typed);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 21 + 6 + 21 + 1 + 1));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20 * (1 + 22 + 6 + 21 + 1 + 1));
   slow.link.chunk = 11;
   EXPECT_EQ(slow.type(typed), said);
 }
