@@ -93,14 +93,15 @@ std::string live_table(Use use, std::string_view title) {
     }
     std::vector<std::string> images;
     for (const std::string& image : row->images) images.push_back("`" + image + "`");
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", *row->name, *row->about, listed(places),
-                        explained_options(*row, use), listed(images));
+    text += fmt::format("| [`{0}`](sensors/{0}.md) | {1} | {2} | {3} | {4} |\n", *row->name, *row->about,
+                        listed(places), explained_options(*row, use), listed(images));
   }
   return text;
 }
 
 std::string lens_table() {
-  std::string text = "| camera | image | across | focal length | lens, k1 | source |\n|---|---|---|---|---|---|\n";
+  std::string text =
+      "| camera | image | across | focal length, px | lens, k1 | latency | source |\n|---|---|---|---|---|---|---|\n";
   for (const Row* row : rows_for(Use::kCamera)) {
     const auto& driver = std::get<CameraDriver>((*row->live)->driver);
     const auto seen = nominal_camera(*row);
@@ -108,9 +109,20 @@ std::string lens_table() {
     const bool fisheye = seen->lens == sensor::Lens::kEquidistant;
     const double half = 0.5 * seen->width / seen->fx.to_double();
     const double across = 2 * (fisheye ? half : std::atan(half)) * 180 / std::numbers::pi;
-    text +=
-        fmt::format("| `{}` | {} x {} | {:.1f} deg | {:.1f} px | {}, {:g} | {} |\n", *row->name, seen->width,
-                    seen->height, across, seen->fx.to_double(), name(seen->lens), seen->k1.to_double(), *driver.lens);
+    text += fmt::format("| `{}` | {} x {} | {:.1f} deg | {:.2f} x {:.2f} | {}, {:g} | {:g} ms | {} |\n", *row->name,
+                        seen->width, seen->height, across, seen->fx.to_double(), seen->fy.to_double(), name(seen->lens),
+                        seen->k1.to_double(), 1e3 * seen->latency.to_double(), *driver.lens);
+  }
+  return text;
+}
+
+std::string unready_table() {
+  std::string text = "| device | why, or what to try |\n|---|---|\n";
+  for (const Use use : {Use::kCamera, Use::kOdometry}) {
+    for (const Row* row : rows_for(use)) {
+      if (places_of(*row, use).front() == PlaceKind::kNone) continue;  // the console
+      text += fmt::format("| `{}` | {} |\n", *row->name, *(*row->live)->unready);
+    }
   }
   return text;
 }
@@ -145,6 +157,7 @@ std::string help_for(Use use) {
 std::string devices_document() {
   return "# Devices\n\n"
          "The catalogue (`host/devices`) as `--help` has it; a test writes this page anew and compares.\n"
+         "The name leads to the device's [own page](sensors/index.md): wires, lines to type, traps.\n"
          "A device is named `KIND:PLACE[,option=value...]`. An option stands here with what it is without being given, "
          "or\nwith its words, the first being what it is then. On a board it is chosen by `set camera` and `set "
          "odometry` "
@@ -159,7 +172,8 @@ std::string devices_document() {
          "`set lens`), and who says so.\nWhere the source is no maker's, or another lens may be screwed on, calibrate. "
          "None "
          "publishes a distortion: k1 is 0.\n\n" +
-         lens_table() + "\n## Of `emulate`\n" + emulated_table() +
+         lens_table() + "\n## When it answers and is not ready\n" + unready_table() + "\n## Of `emulate`\n" +
+         emulated_table() +
          "\n## What was tried with what\n"
          "No line of this table was tried with the device itself. Where no other people's software was at the "
          "emulator, and "

@@ -1,0 +1,114 @@
+"""What is known of each device: the tables of devices.md (the catalogue's), of PINS.md (the boards') and of firmware/config/devices.hpp."""
+
+import re
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+BUS_ONLY = ("microbit", "microbit_v2")
+RP2040 = ("pico", "xrp")
+BOARDS = ("pico", "xrp", "netduino_plus_2", "pyboard", "feather_f405", *BUS_ONLY)
+
+
+@dataclass
+class OnBoard:
+    """A name that a board's image knows it by."""
+
+    name: str
+    port: str  # kLine, kTwoWire, kPins or kConsole
+    speed: int
+    address: int
+
+
+@dataclass
+class Device:
+    name: str
+    about: str
+    camera: bool = False
+    odometry: bool = False
+    places: list = field(default_factory=list)
+    options: list = field(default_factory=list)
+    images: list = field(default_factory=list)  # OnBoard
+    lens: list = field(default_factory=list)  # the row of its lens: image, across, focal length, lens, latency, source
+    tells: str = ""  # what emulate says of it; empty: it is not emulated
+    unready: str = ""
+    tried: list = field(default_factory=list)  # (link, driver, emulator, guest, board, others)
+
+
+def cells_of(line):
+    return [cell.strip() for cell in re.split(r"(?<!\\)\|", line.strip().strip("|"))]
+
+
+def tables_of(text):
+    """{heading of the first column, of each table: rows}"""
+    tables, rows = {}, None
+    for line in text.splitlines():
+        if not line.startswith("|"):
+            rows = None
+        elif rows is None:
+            rows = tables.setdefault(cells_of(line)[0] + (" " + cells_of(line)[1]).rstrip(), [])
+        elif not line.startswith("|---"):
+            rows.append(cells_of(line))
+    return tables
+
+
+def plain(cell):
+    return re.search(r"`([^`]+)`", cell).group(1)
+
+
+def on_boards(sources):
+    text = (sources / "firmware/config/devices.hpp").read_text(encoding="utf-8").replace("'", "")
+    found = {}
+    for table in ("kCameras", "kOdometries"):
+        body = re.search(table + r" = \{\{\n(.*?)\}\};", text, re.DOTALL).group(1)
+        for name, port, speed, address in re.findall(r'\{"([^"]+)"(?:, Port::(\w+))?(?:, (\d+))?(?:, (0x\w+))?\}', body):
+            found.setdefault(name, OnBoard(name, port or "kConsole", int(speed or 0), int(address or "0", 16)))
+    return found
+
+
+def devices_of(sources):
+    """{name: Device}, in the catalogue's order; the boards' own encoders last."""
+    tables = tables_of((sources / "host/share/doc/devices.md").read_text(encoding="utf-8"))
+    images = on_boards(sources)
+    devices = {}
+    for key, role in (("camera", "camera"), ("odometry", "odometry")):
+        for name, about, places, options, names in tables[key]:
+            device = devices.setdefault(plain(name), Device(plain(name), about))
+            setattr(device, role, True)
+            device.places = re.findall(r"`([^`]+)`", places) or ([places] if places else [])
+            device.options = [part.strip() for part in options.replace("\\|", "|").split(";") if part.strip()]
+            device.images += [images[n] for n in re.findall(r"`([^`]+)`", names) if images[n] not in device.images]
+            if about not in device.about:
+                device.about += "; " + about
+    for row in tables["camera image"]:
+        devices[plain(row[0])].lens = row[1:]
+    for name, why in tables["device why, or what to try"]:
+        devices[plain(name)].unready = why
+    for name, _, tells, _ in tables["device"]:
+        base = plain(name).split(":")[0]
+        if base in devices and not devices[base].tells:
+            devices[base].tells = tells
+    devices["encoders"] = Device("encoders", "Quadrature encoders on a board's pins", odometry=True, images=[images["encoders"]])
+    for row in tables["device link"]:
+        devices[plain(row[0])].tried.append(row[1:])
+    return devices
+
+
+def lowest_address(sources, board):
+    """That the board's two-wire bus can speak to."""
+    if board not in RP2040:
+        return 0
+    text = (sources / "hal/boards/pico/board.hpp").read_text(encoding="utf-8")
+    return int(re.search(r"kLowestAddress = (\d+);", text).group(1))
+
+
+def pins_of(sources):
+    sys.path.insert(0, str(sources / "host/share/wiring"))
+    import draw
+
+    pins = draw.pins_of((sources / "hal/boards/PINS.md").read_text(encoding="utf-8"))
+    return {board: pins[board] for board in BOARDS}
+
+
+def page_of(sources, device):
+    return Path(sources) / "host/share/doc/sensors" / f"{device.name}.md"

@@ -1,0 +1,260 @@
+"""usage: sensor_pages.py SOURCES [--write]
+
+The pages of host/share/doc/sensors, one a device: what stands between `<!-- NAME -->` and `<!-- end -->` is made of the catalogue's and the
+boards' tables (device_facts.py), the rest is written by hand. Compares; with --write it renews those parts, the scenes beside the pages and
+the list of them. Exit status 1 if something differs, or a device has no page.
+"""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+from device_facts import BUS_ONLY, Device, devices_of, lowest_address, page_of, pins_of
+
+SECTIONS = ("facts", "wires", "run", "wrong")
+BY_HAND = ("## Set it up", "## Traps")
+SCENE_RATE = 12.5  # pictures a second: what any of them can
+PLACE_SHOWN = {"/dev/tty...": "/dev/ttyUSB0", "/dev/i2c-N": "/dev/i2c-1", "/dev/spidevN.M": "/dev/spidev0.0", "usb": "usb", "nxt": "nxt",
+               "a CAN interface": "can0"}
+LINK_SHOWN = {
+    "/dev/tty...": "a USB serial adapter of 3.3 V, RX to its TX, TX to its RX; on a Raspberry Pi GPIO14 (TX), GPIO15 (RX): `/dev/serial0`",
+    "/dev/i2c-N": "a Raspberry Pi's GPIO2 (data), GPIO3 (clock): `/dev/i2c-1`",
+    "/dev/spidevN.M": "a Raspberry Pi's GPIO10 (MOSI), GPIO9 (MISO), GPIO11 (clock): `/dev/spidev0.0`",
+    "usb": "its own USB port",
+    "nxt": "a sensor port of the NXT brick that is the odometry",
+    "tcp:HOST:PORT": "a serial server, or an emulator",
+    "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
+}
+# Where what a serial port is differs from an adapter's.
+OWN_LINE = {
+    "nxt": "Bluetooth: `rfcomm bind 0 ADDRESS` makes `/dev/rfcomm0`",
+    "openmv": "its USB port, `/dev/ttyACM0`; or a USB serial adapter of 3.3 V",
+    "jevois": "its USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX, TX to its RX",
+    "vex": "the Brain's USB port, `/dev/ttyACM1`",
+    "records": "the other controller's USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX",
+}
+SILENT = {"/dev/tty...": "power; the wires (its TX to our RX); the baud", "a CAN interface": "power, termination, bit rate: `candump can0`"}
+
+
+def table(rows):
+    head, *rest = rows
+    return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *("| " + " | ".join(row) + " |" for row in rest)])
+
+
+def kind(device):
+    return "camera" if device.camera else "odometry"
+
+
+def line_of(device):
+    """The place that examples name: a serial line where there is one."""
+    return "/dev/tty..." if "/dev/tty..." in device.places else device.places[0]
+
+
+def shown_place(device, place):
+    """With the baud that boards and our advice have, where the device is delivered with another one."""
+    shown = PLACE_SHOWN[place]
+    speeds = [image.speed for image in device.images if image.port == "kLine"]
+    other = place == "/dev/tty..." and speeds and f"`baud={speeds[0]}`" not in device.options
+    return f"{shown},baud={speeds[0]}" if other else shown
+
+
+def facts(device, _pins, _sources):
+    rows = [[f"`{device.name}`", device.about.replace("|", "\\|")]]
+    if device.tells:
+        rows.append(["it tells", device.tells])
+    if device.lens:
+        image, across, focal, lens, latency, source = device.lens
+        rows.append(["picture", f"{image}, {across} across, focal length {focal} px, {lens.split(',')[0]}; {source}"])
+        rows.append(["latency", f"{latency} taken for it, until [calibrated](../calibrate.md)"])
+    if device.places:
+        rows.append(["`KIND:PLACE`", ", ".join(f"`{device.name}:{place}`" if "CAN" not in place else f"`{device.name}:can0`"
+                                              for place in device.places)])
+    rows += [["option", option.replace("|", "\\|")] for option in device.options]
+    rows += [[f"tried, {link}", f"board {board}; {others}" if board != "none" else others] for link, _, _, _, board, others in device.tried]
+    return table(rows)
+
+
+def pin(cell):
+    return ", ".join(part for part in cell if part)
+
+
+def boards_with(device, pins, sources):
+    """Rows of the wiring table: (board, what goes where, what is typed)."""
+    for image in device.images:
+        typed = f"`set {kind(device)} {image.name}`"
+        for board, names in pins.items():
+            if image.port == "kLine" and board not in BUS_ONLY:
+                line = "camera" if device.camera or "base sends" not in names else "base"
+                ends = [pin(names[f"{line} receives"]), pin(names[f"{line} sends"])]
+                yield board, f"its TX to {ends[0]}; its RX to {ends[1]}", typed, f"{image.speed} baud"
+            elif image.port == "kTwoWire":
+                ends = f"data to {pin(names['bus data'])}; clock to {pin(names['bus clock'])}"
+                refused = image.address < lowest_address(sources, board)
+                yield (board, "this board's bus cannot speak to its address", "", f"{image.address:#04x}") if refused else (
+                    board, ends, typed, f"address {image.address:#04x}")
+            elif image.port == "kPins" and board not in BUS_ONLY:
+                sides = "; ".join(f"{side} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
+                yield board, sides, typed, ""
+            elif image.port == "kConsole" and "console sends" in names:
+                yield board, f"its TX to {pin(names['console receives'])}; its RX to {pin(names['console sends'])}", typed, "115200 baud"
+
+
+def wires(device, pins, sources):
+    parts = []
+    if device.places:
+        parts.append(table([["Linux", "wires"], *[[f"`{place}`" if " " not in place else place,
+                                                 OWN_LINE.get(device.name, LINK_SHOWN[place]) if place == "/dev/tty..." else LINK_SHOWN[place]]
+                                                for place in device.places]]))
+    rows = list(boards_with(device, pins, sources))
+    if rows:
+        parts.append(table([["board", "wires, and ground to ground", "speed", "typed there"],
+                            *[[f"`{board}`", ends, how, typed] for board, ends, typed, how in rows]]))
+        parts.append("Boards are of 3.3 V: what sends 5 V needs a level shifter (`hal/boards/PINS.md` in the sources).")
+    else:
+        parts.append("No board's image has it: it is for `run`, on Linux.")
+    return "\n\n".join(parts)
+
+
+def unsettled(device):
+    """An emulated camera needs no white balance, and doctor does not wait for it."""
+    return ",settle=0" if any(option.startswith("`settle") for option in device.options) else ""
+
+
+def emulation(device):
+    """(emulate, run) lines in two terminals; None where nothing can be emulated without a CAN interface or a console."""
+    scene = f"host/share/doc/sensors/{device.name if device.lens else 'pixy2'}.json"
+    camera = device.name if device.lens else "pixy2"
+    wheels = device.name if not device.camera else "create2"
+    if not device.tells or device.name == "can":
+        return None
+    settle = unsettled(device)
+    return (f"fencepost emulate {camera} {wheels} {scene} --link ./camera --link ./wheels",
+            f"fencepost run --camera {camera}:./camera{settle} --odometry {wheels}:./wheels --robot {scene} --seconds 14 --log run.log")
+
+
+CONSOLE = ("fencepost run --camera console --odometry console --mode log < host/share/recordings/stop_pixy2.log > again.log",
+           "fencepost replay --check again.log")
+
+
+def places_lines(device):
+    for place in device.places:
+        if place not in PLACE_SHOWN:
+            continue
+        spec = f"{device.name}:{shown_place(device, place)}"
+        if device.camera:
+            wheels = "nxt:usb" if place == "nxt" else "create2:/dev/ttyUSB1"
+            yield f"fencepost run --camera {spec} --odometry {wheels} --robot robot.json --log run.log"
+        else:
+            yield f"fencepost run --camera pixy2:/dev/ttyUSB1 --odometry {spec} --robot robot.json --log run.log"
+
+
+def run(device, _pins, _sources):
+    parts = []
+    shown = emulation(device)
+    if shown:
+        truth = f"[{device.name}.json]({device.name}.json), a red box 1.8 m ahead," if device.lens else "[pixy2.json](pixy2.json)"
+        parts.append(f"Without it, in two terminals, at the top of the sources; {truth} is the scene and the robot file:")
+        parts.append("\n".join("    " + line for line in shown))
+    if device.name == "console":
+        parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
+    lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json"]
+    lines += ["    " + line for line in places_lines(device)]
+    if lines:
+        parts.append("With it ([robot file](../live.md)):\n\n" + "\n".join(lines))
+    if device.images:
+        name = device.images[0].name
+        parts.append(f"On a board, typed on its [console](../console.md), or written into its image beforehand:\n\n    set {kind(device)} {name}\n"
+                     f"    fencepost configure fencepost-VERSION-pico.uf2 --{kind(device)} {name} --robot robot.json -o MINE.uf2")
+    return "\n\n".join(parts)
+
+
+def wrong(device, _pins, _sources):
+    if not device.places:
+        return "`status` on the [console](../console.md) says how its link is: `ok`, `empty`, `unready`, `silent`."
+    place = line_of(device)
+    spec = f"{device.name} at {PLACE_SHOWN[place]}"
+    seen = "frames a second, 1.0 blobs each" if device.camera else "poses a second"
+    rows = [["`fencepost doctor`, `status`, `run`", "it means, or what to try"], [f"`{spec} works: 12 {seen}`", "good"]]
+    if device.camera:
+        rows.append([f"`{spec} works and sees nothing`", "nothing taught is in view: light, or teach it again"])
+    rows.append([f"`{spec} answers but is not ready`", device.unready])
+    address = "; on the two-wire bus the address: `i2cdetect -y 1`" if "/dev/i2c-N" in device.places else ""
+    rows.append([f"`{spec} is silent`", SILENT[place] + address])
+    if place == "/dev/tty...":
+        rows.append([f"`{spec} is silent at ... baud and answers at ...`", "write that baud behind the place: `,baud=...`"])
+    return table(rows) + "\n\nNo port, no permission, port in use: [doctor](../doctor.md)."
+
+
+def scene_of(device):
+    """A box 1.8 m ahead of a robot that stops before it, in this camera's picture; also a robot file."""
+    image, _, focal, _, latency, _ = device.lens
+    width, height = (int(n) for n in image.split(" x "))
+    fx, fy = (float(n) for n in focal.split(" x "))
+    camera = {"model": device.name, "width": width, "height": height, "fx": fx, "fy": fy, "cx": (width - 1) / 2, "cy": (height - 1) / 2,
+              "mount": {"x": 0.05, "y": 0, "z": 0.12, "yaw": 0, "pitch": 0}, "latency": float(latency.split()[0]) / 1000, "rate": SCENE_RATE,
+              "max_blobs": 8}
+    box = [[1.8, -0.06], [1.9, -0.07], [1.92, 0.04], [1.82, 0.05], [1.8, -0.06]]
+    way = [[0, 0], [0.3, 0], [0.7, 0.03], [1.1, -0.02], [1.6, 0]]
+    scene = {"format": 1, "seed": 1, "camera": camera, "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}],
+             "objects": [{"name": "red box", "signature": 1, "height": 0.1, "footprint": {"type": "Polygon", "coordinates": [box]}}],
+             "path": {"type": "waypoints", "points": way, "speed": 0.25, "turn_rate": 0.4}}
+    return "{" + ",\n ".join(f'"{key}": {json.dumps(value)}' for key, value in scene.items()) + "}\n"
+
+
+def index_of(devices):
+    rows = [["device", "", "page"], *[[f"`{d.name}`", d.about.split(";")[0], f"[{d.name}.md]({d.name}.md)"] for d in devices]]
+    return ("# Cameras and wheels, a page each\n\nWhat to set on it, which wire goes where, what to type, what it says when something is wrong, "
+            "and its traps. The tables of all\nof them together: [devices](../devices.md). Tables and lines are made of the catalogue, a test runs "
+            "the lines of each emulated device\n(`tests/host/devices`). Nobody has connected the real things: what is told of them is from their "
+            "makers' documents and\nsources, or from others who used them.\n\n" + table(rows) + "\n")
+
+
+MAKERS = {"facts": facts, "wires": wires, "run": run, "wrong": wrong}
+
+
+def renewed(text, device: Device, pins, sources):
+    """(the page with its parts made anew, the parts that it lacks)"""
+    lacks = [f"<!-- {name} -->" for name in SECTIONS if f"<!-- {name} -->" not in text] + [head for head in BY_HAND if head not in text]
+    for name in SECTIONS:
+        made = MAKERS[name](device, pins, sources)
+        text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda match, made=made: match.group(1) + made + "\n" + match.group(2), text,
+                      flags=re.DOTALL)
+    return text, lacks
+
+
+def files_of(sources):
+    """{path: text} of all that is made, and faults"""
+    devices, pins = devices_of(sources), pins_of(sources)
+    made, faults = {}, []
+    for device in devices.values():
+        page = page_of(sources, device)
+        if not page.is_file():
+            faults.append(f"{device.name} has no page: {page.relative_to(sources)}")
+            continue
+        text, lacks = renewed(page.read_text(encoding="utf-8"), device, pins, sources)
+        faults += [f"{page.name} lacks {part}" for part in lacks]
+        made[page] = text
+        if device.lens:
+            made[page.with_name(f"{device.name}.json")] = scene_of(device)
+    made[page_of(sources, Device("index", ""))] = index_of(devices.values())
+    there = {path for path in (sources / "host/share/doc/sensors").iterdir()}
+    faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]
+    return made, faults
+
+
+def main(arguments):
+    sources = Path(arguments[0]).resolve()
+    made, faults = files_of(sources)
+    if "--write" in arguments:
+        for path, text in made.items():
+            path.write_text(text, encoding="utf-8")
+    faults += [f"{path.relative_to(sources)} is not what the catalogue makes of it: sensor_pages.py {arguments[0]} --write"
+               for path, text in made.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    print("\n".join(faults))
+    print(f"{len(made)} files, {len(faults)} faults")
+    return 1 if faults or len(made) < 40 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

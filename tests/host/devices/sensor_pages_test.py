@@ -1,0 +1,66 @@
+"""Planted faults of the sensors' pages are found: python3 sensor_pages_test.py SOURCES."""
+
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+import sensor_pages
+import sensor_runs
+
+SOURCES = pathlib.Path(sys.argv.pop(1)).resolve()
+READ = ("host/share/doc/devices.md", "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/devices.hpp", "host/share/wiring/draw.py")
+
+
+class Planted(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for name in READ:
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(SOURCES / name, self.root / name)
+        shutil.copytree(SOURCES / "host/share/doc/sensors", self.root / "host/share/doc/sensors")
+        self.pages = self.root / "host/share/doc/sensors"
+
+    def faults(self):
+        made, faults = sensor_pages.files_of(self.root)
+        return faults + [path.name for path, text in made.items() if path.read_text(encoding="utf-8") != text]
+
+    def edit(self, name, old, new):
+        path = self.root / name
+        text = path.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+    def test_as_it_is(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_each_is_found(self):
+        plants = {
+            "pixy2 has no page": lambda: (self.pages / "pixy2.md").unlink(),
+            "old.md is of no device": lambda: (self.pages / "old.md").write_text(""),
+            "pixy2.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
+            "cmucam4.md": lambda: self.edit("firmware/config/devices.hpp", '"cmucam4", Port::kLine, 19\'200', '"cmucam4", Port::kLine, 38\'400'),
+            "huskylens.json": lambda: self.edit("host/share/doc/devices.md", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
+            "xbc.md lacks <!-- wires -->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!-- wires -->", ""),
+            "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
+            "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--seconds 14", "--seconds 1"),
+        }
+        for says, plant in plants.items():
+            with self.subTest(says):
+                plant()
+                self.assertIn(says, "\n".join(self.faults()))
+                self.setUp()
+
+    def test_a_sentence_is_compared_without_its_numbers(self):
+        page = (self.pages / "pixy2.md").read_text(encoding="utf-8")
+        pattern = sensor_runs.sentence(page, "works:")
+        self.assertRegex("note     pixy2 at ./camera works: 9 frames a second, 1.3 blobs each", pattern)
+        self.assertNotRegex("note     pixy2 at ./camera works and sees nothing", pattern)
+        with self.assertRaises(sensor_runs.Wrong):
+            sensor_runs.sentence(page, "is on fire")
+
+
+unittest.main()

@@ -1,0 +1,159 @@
+"""usage: sensor_runs.py FENCEPOST SOURCES [NAME...]
+
+Runs what the pages of host/share/doc/sensors show of each device: emulate and run in two terminals, replay --check of the log, and doctor at
+the emulated device and at a port where nobody answers, whose sentences are those of the page. NAMEs: these alone.
+"""
+
+import os
+import pty
+import re
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from device_facts import devices_of, page_of
+from sensor_pages import CONSOLE, emulation, kind, unsettled
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from shown_place import shown_place  # noqa: E402
+
+AT_ONCE = 6  # pairs of programs, in real time on two cores
+TRIES = 3  # of a machine that is busy with something else
+PATIENCE = 90  # s
+START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
+
+
+class Wrong(Exception):
+    """What was seen is not what the page says."""
+
+
+def start(command, folder, environment):
+    return subprocess.Popen(["sh", "-c", "exec " + command], cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True, start_new_session=True)
+
+
+def await_links(folder, process):
+    for _ in range(500):
+        if all((Path(folder) / link).is_symlink() for link in ("camera", "wheels")):
+            return
+        if process.poll() is not None:
+            break
+        time.sleep(0.02)
+    raise Wrong("emulate made no links:\n" + process.communicate(timeout=PATIENCE)[0])
+
+
+def expect(said, patterns, command):
+    for pattern in patterns:
+        if not re.search(pattern, said, re.MULTILINE):
+            raise Wrong(f"$ {command}\nsaid no {pattern}:\n{said}")
+
+
+def drive(emulate, run, program, sources):
+    """Both lines as they are shown; the robot has to stop, and its log to replay."""
+    camera, wheels = re.match(r"fencepost emulate (\S+) (\S+)", emulate).groups()
+    with shown_place(program, sources) as (folder, environment):
+        beside = start(emulate, folder, environment)
+        try:
+            await_links(folder, beside)
+            robot = start(run, folder, environment)
+            said = robot.communicate(timeout=PATIENCE)[0]
+        finally:
+            beside.terminate()
+            beside.communicate(timeout=PATIENCE)
+        expect(said, [rf"^camera {camera} at \./camera works", rf"^odometry {wheels} at \./wheels works", r"^WARN ", r"^STOP ", ", 0 rejected"], run)
+        if robot.returncode != 0:
+            raise Wrong(f"$ {run}\nended with {robot.returncode}:\n{said}")
+        check = start("fencepost replay --check run.log", folder, environment)
+        said = check.communicate(timeout=PATIENCE)[0]
+        expect(said, [r"check passed: [1-9]\d* logged records agree"], "fencepost replay --check run.log")
+
+
+def sentence(page, says):
+    """What the page's table shows doctor to say, as a pattern, of any place and with any numbers."""
+    shown = re.search(rf"^\| `(\S+ at \S+ {says}[^`]*)`", page, re.MULTILINE)
+    if not shown:
+        raise Wrong(f"the page has no sentence '{says}'")
+    pattern = re.sub(r"\d+(\\\.\d+)?", r"[\\d.]+", re.escape(re.sub(r" at \S+", " at PLACE", shown.group(1))))
+    return pattern.replace("PLACE", r"\S+")
+
+
+def examine(device, emulate, page, program, sources):
+    scene = next(word for word in emulate.split() if word.endswith(".json"))
+    end = "camera" if device.camera else "wheels"
+    with shown_place(program, sources) as (folder, environment):
+        doctor = f"fencepost doctor --{kind(device)} {device.name}:./{end}{unsettled(device)} --robot {scene}"
+        beside = start(emulate, folder, environment)
+        try:
+            await_links(folder, beside)
+            time.sleep(START)
+            said = start(doctor, folder, environment).communicate(timeout=PATIENCE)[0]
+        finally:
+            beside.terminate()
+            beside.communicate(timeout=PATIENCE)
+        expect(said, [sentence(page, "works:")], doctor)
+        master, slave = pty.openpty()  # a port, and nobody behind it
+        os.symlink(os.ttyname(slave), Path(folder) / "nobody")
+        os.close(slave)
+        silent = f"fencepost doctor --{kind(device)} {device.name}:./nobody --robot {scene}"
+        said = start(silent, folder, environment).communicate(timeout=PATIENCE)[0]
+        os.close(master)
+        expect(said, ["^FAULT .*" + sentence(page, "is silent`"[:-1])], silent)
+
+
+def play_a_log(page, program, sources):
+    """The console's lines."""
+    for line in CONSOLE:
+        if f"\n    {line}\n" not in page:
+            raise Wrong(f"the page shows no $ {line}")
+    with shown_place(program, sources) as (folder, environment):
+        for line in CONSOLE:
+            process = subprocess.run(["sh", "-c", line], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                     timeout=PATIENCE, check=False)
+            if process.returncode != 0:
+                raise Wrong(f"$ {line}\nended with {process.returncode}:\n{process.stdout}")
+
+
+def lines_of(page):
+    """(emulate, run) as the page shows them"""
+    found = re.search(r"^ {4}(fencepost emulate .*)\n {4}(fencepost run .*)$", page, re.MULTILINE)
+    return found.groups() if found else None
+
+
+def fault_of(device, program, sources):
+    page = page_of(sources, device).read_text(encoding="utf-8")
+    shown = lines_of(page)
+    if device.name == "console":
+        try:
+            play_a_log(page, program, sources)
+        except Wrong as wrong:
+            return f"{device.name}: {wrong}"
+        return None
+    if not shown:
+        return f"{device.name}: its page shows no emulate and run"
+    for attempt in range(TRIES):
+        try:
+            drive(*shown, program, sources)
+            examine(device, shown[0], page, program, sources)
+            return None
+        except Wrong as wrong:
+            if attempt == TRIES - 1:
+                return f"{device.name}: {wrong}"
+    return None
+
+
+def main(arguments):
+    program, sources = (Path(path).resolve() for path in arguments[:2])
+    wanted = arguments[2:]
+    devices = [device for device in devices_of(sources).values()
+               if (emulation(device) or device.name == "console") and (not wanted or device.name in wanted)]
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        faults = [fault for fault in pool.map(lambda device: fault_of(device, program, sources), devices) if fault]
+    print("\n\n".join(faults))
+    print(f"{len(devices)} devices, {len(faults)} do not as their page says")
+    return 1 if faults or not devices else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
