@@ -5,9 +5,8 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-BUS_ONLY = ("microbit", "microbit_v2")
 RP2040 = ("pico", "xrp")
-BOARDS = ("pico", "xrp", "netduino_plus_2", "pyboard", "feather_f405", *BUS_ONLY)
+BOARDS = ("pico", "xrp", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
 
 
 @dataclass
@@ -107,6 +106,7 @@ def pins_of(sources):
     import draw
 
     pins = draw.pins_of((sources / "hal/boards/PINS.md").read_text(encoding="utf-8"))
+    assert set(pins) == set(BOARDS), f"PINS.md has other boards than BOARDS: {sorted(set(pins) ^ set(BOARDS))}"
     return {board: pins[board] for board in BOARDS}
 
 

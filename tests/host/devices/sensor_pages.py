@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-from device_facts import BUS_ONLY, Device, devices_of, lowest_address, page_of, pins_of
+from device_facts import Device, devices_of, lowest_address, page_of, pins_of
 
 SECTIONS = ("facts", "wires", "run", "wrong")
 BY_HAND = ("## Set it up", "## Traps")
@@ -26,8 +26,14 @@ LINK_SHOWN = {
     "tcp:HOST:PORT": "a serial server, or an emulator",
     "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
 }
-# Where what a serial port is differs from an adapter's.
+FIVE_VOLTS = "a USB serial adapter of 5 V, RX to its TX, TX to its RX; the pins of a Raspberry Pi only behind a level shifter"
+# Where what a serial port is differs from an adapter of 3.3 V.
 OWN_LINE = {
+    **{name: FIVE_VOLTS for name in ("cmucam1", "cmucam2", "avrcam", "create1", "create2")},
+    "cognachrome": "an RS-232 port, or a USB adapter of RS-232",
+    "xbc": "the cable by which its programs are loaded",
+    "cbc": "a serial adapter at its USB port, crossed with one at ours",
+    "nxtcam": "its own USB port, `/dev/ttyUSB0`",
     "nxt": "Bluetooth: `rfcomm bind 0 ADDRESS` makes `/dev/rfcomm0`",
     "openmv": "its USB port, `/dev/ttyACM0`; or a USB serial adapter of 3.3 V",
     "jevois": "its USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX, TX to its RX",
@@ -84,16 +90,16 @@ def boards_with(device, pins, sources):
     for image in device.images:
         typed = f"`set {kind(device)} {image.name}`"
         for board, names in pins.items():
-            if image.port == "kLine" and board not in BUS_ONLY:
+            if image.port == "kLine" and "camera sends" in names:
                 line = "camera" if device.camera or "base sends" not in names else "base"
                 ends = [pin(names[f"{line} receives"]), pin(names[f"{line} sends"])]
                 yield board, f"its TX to {ends[0]}; its RX to {ends[1]}", typed, f"{image.speed} baud"
-            elif image.port == "kTwoWire":
+            elif image.port == "kTwoWire" and "bus data" in names:
                 ends = f"data to {pin(names['bus data'])}; clock to {pin(names['bus clock'])}"
                 refused = image.address < lowest_address(sources, board)
                 yield (board, "this board's bus cannot speak to its address", "", f"{image.address:#04x}") if refused else (
                     board, ends, typed, f"address {image.address:#04x}")
-            elif image.port == "kPins" and board not in BUS_ONLY:
+            elif image.port == "kPins" and "left a" in names:
                 sides = "; ".join(f"{side} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
                 yield board, sides, typed, ""
             elif image.port == "kConsole" and "console sends" in names:
@@ -174,8 +180,8 @@ def wrong(device, _pins, _sources):
         return "`status` on the [console](../console.md) says how its link is: `ok`, `empty`, `unready`, `silent`."
     place = line_of(device)
     spec = f"{device.name} at {PLACE_SHOWN[place]}"
-    seen = "frames a second, 1.0 blobs each" if device.camera else "poses a second"
-    rows = [["`fencepost doctor`, `status`, `run`", "it means, or what to try"], [f"`{spec} works: 12 {seen}`", "good"]]
+    seen = "30 frames a second, 1.0 blobs each" if device.camera else "50 poses a second"
+    rows = [["`fencepost doctor`, `status`, `run`", "it means, or what to try"], [f"`{spec} works: {seen}`", "good"]]
     if device.camera:
         rows.append([f"`{spec} works and sees nothing`", "nothing taught is in view: light, or teach it again"])
     rows.append([f"`{spec} answers but is not ready`", device.unready])
