@@ -181,7 +181,7 @@ def wrong(device, _pins, _sources):
     place = line_of(device)
     spec = f"{device.name} at {PLACE_SHOWN[place]}"
     seen = "30 frames a second, 1.0 blobs each" if device.camera else "50 poses a second"
-    rows = [["`fencepost doctor`, `status`, `run`", "it means, or what to try"], [f"`{spec} works: {seen}`", "good"]]
+    rows = [["`fencepost doctor` says", "it means, or what to try"], [f"`{spec} works: {seen}`", "good"]]
     if device.camera:
         rows.append([f"`{spec} works and sees nothing`", "nothing taught is in view: light, or teach it again"])
     rows.append([f"`{spec} answers but is not ready`", device.unready])
