@@ -1,10 +1,11 @@
 """Renews every document of this folder's and of tests/host/devices' tests: python3 write.py BUILD [CXX], from the top of the sources.
 
-devices.md (of BUILD's devices_test, where that was built), the pages of the sensors, questions.md, segment.md, the three paths, the README's picture. The
+devices.md (of BUILD's devices_test, where that was built), the pages of the sensors, questions.md, segment.md, the three paths, the README's picture and demo. The
 engineer's path installs what BUILD has built, which has to be whole for it. Read the difference afterwards.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +20,17 @@ def python(script, *arguments):
     subprocess.run([sys.executable, "-B", script, *(str(a) for a in arguments), "--write"], check=True)
 
 
+def write_demo(program, folder):
+    """README.md's lines of `fencepost demo`, which commands_test compares."""
+    said = subprocess.run([program, "demo", "-o", Path(folder) / "demo.html"], check=True, capture_output=True, text=True).stdout
+    shown = "".join(("    " + line if line else "") + "\n" for line in said.splitlines())
+    readme = SOURCES / "README.md"
+    text = readme.read_text(encoding="utf-8")
+    renewed, found = re.subn(r"^ {4} +\d+\.\d{3} s  .*?, digest [0-9a-f]{16}\n", lambda _: shown, text, count=1, flags=re.MULTILINE | re.DOTALL)
+    assert found, "README.md shows no demo"
+    readme.write_text(renewed, encoding="utf-8")
+
+
 def main(build, compiler="c++"):
     program = build / "host/cli/fencepost"
     with tempfile.TemporaryDirectory() as folder:
@@ -31,6 +43,7 @@ def main(build, compiler="c++"):
         python(HERE.parent / "devices/sensor_pages.py", SOURCES)
         python(HERE / "questions.py", program, SOURCES, Path(folder) / "questions")
         python(HERE / "picture.py", program, SOURCES)
+        write_demo(program, folder)
         python(HERE.parent / "cli/document.py", program, SOURCES, "segment.md")
         python(HERE / "paths.py", program, SOURCES, build, compiler, "student", "teacher", "engineer")
 
