@@ -129,19 +129,29 @@ class Painter {
     const ModelResult* model = shown(object);
     if (model == nullptr) return;
     double top = HUGE_VAL;
+    double bottom = -HUGE_VAL;
     double left = HUGE_VAL;
     double right = -HUGE_VAL;
     for (const Polygon& polygon : model->geometry) {
       for (const Point& p : polygon.outer) {
         top = std::min(top, f_.y(p.y));
+        bottom = std::max(bottom, f_.y(p.y));
         left = std::min(left, f_.x(p.x));
         right = std::max(right, f_.x(p.x));
       }
     }
-    const std::string text = title_of(document_, object);
+    std::string text = title_of(document_, object);
     const double x = (left + right) / 2;
-    const double y = space_.place(x, std::max(top - 7, f_.top + 14), text, -1);
-    label({x, y}, text, from_hex(ink(signature_colour(document_, object.signature), kTextLuminance)), Align::kMiddle);
+    const Point named{x, (top + bottom) / 2};
+    const Point best{x, std::max(top - 7, f_.top + 14)};
+    std::optional<LabelSpace::Placed> placed = space_.place(best, named, text, -1);
+    if (!placed) {
+      text = std::to_string(object.id);
+      placed = space_.place(best, named, text, -1);
+    }
+    const sensor::Rgb colour = from_hex(ink(signature_colour(document_, object.signature), kTextLuminance));
+    if (placed && placed->from) line(named, *placed->from, colour, 1);
+    label(placed ? placed->at : best, text, colour, Align::kMiddle);
   }
 
   void guard() {
@@ -187,7 +197,7 @@ class Painter {
   const ResultDocument& document_;
   MapFrame f_;
   Drawing drawing_;
-  LabelSpace space_;
+  LabelSpace space_{{f_.left, f_.top, f_.left + f_.width, f_.top + f_.height}};
 };
 
 }  // namespace

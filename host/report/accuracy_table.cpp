@@ -23,7 +23,7 @@ std::string head(const std::vector<std::string>& models) {
 }
 
 std::string row(const ObjectAccuracy& accuracy, const Scene& truth, const std::vector<std::string>& models) {
-  std::string html = fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td>", accuracy.id,
+  std::string html = fmt::format("<tr><td>{}</td><td class=\"name\">{}</td><td class=\"n\">{}</td>", accuracy.id,
                                  escaped(truth.objects[accuracy.truth].name),
                                  accuracy.position_error ? figure(*accuracy.position_error * 100, 1) : "\u2013");
   for (const std::string& name : models) {

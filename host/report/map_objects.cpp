@@ -100,6 +100,21 @@ std::string draw_model(const MapFrame& f, const ResultDocument& document, const 
 
 namespace {
 
+constexpr double kWidest = 420;     ///< px, of a name on the map; the tables have it whole
+constexpr double kTruthReach = 60;  ///< px: a true name further away would only be in the way
+
+/// A label, and the line that leads to it if it had to go far.
+std::string label(const LabelSpace::Placed& placed, Point named, const std::string& attributes,
+                  const std::string& text) {
+  std::string svg;
+  if (placed.from) {
+    svg += fmt::format(R"(<path class="leader" d="M{} {}L{} {}"/>)", px(named.x), px(named.y), px(placed.from->x),
+                       px(placed.from->y));
+  }
+  return svg + fmt::format(R"(<text {} x="{}" y="{}" text-anchor="middle">{}</text>)", attributes, px(placed.at.x),
+                           px(placed.at.y), escaped(text));
+}
+
 std::string object_labels(const MapFrame& f, const ResultDocument& document, LabelSpace& space) {
   std::string svg;
   for (const ObjectResult& object : document.objects) {
@@ -107,23 +122,33 @@ std::string object_labels(const MapFrame& f, const ResultDocument& document, Lab
     if (!at || !f.shows(*at)) continue;
     const Circle* circle = object_circle(object);
     const double above = circle != nullptr ? circle->radius * f.scale : 0;
-    const std::string text = fmt::format("{} {}", object.id, signature_name(document, object.signature));
-    const double y = space.place(f.x(at->x), std::max(f.y(at->y) - above - 9, f.top + 16), text, -1);
-    svg += fmt::format(R"(<text class="{}" x="{}" y="{}" style="fill:{}" text-anchor="middle">{}</text>)",
-                       state_class(object), px(f.x(at->x)), px(y),
-                       ink(signature_colour(document, object.signature), kTextLuminance), escaped(text));
+    std::string text = fmt::format("{} {}", object.id, signature_name(document, object.signature));
+    const Point named{f.x(at->x), f.y(at->y)};
+    const Point best{named.x, std::max(named.y - above - 9, f.top + 16)};
+    auto placed = space.place(best, named, text, -1);
+    if (!placed) {
+      text = std::to_string(object.id);
+      placed = space.place(best, named, text, -1);
+    }
+    svg += label(placed.value_or(LabelSpace::Placed{best, std::nullopt}), named,
+                 fmt::format(R"(class="{}" style="fill:{}")", state_class(object),
+                             ink(signature_colour(document, object.signature), kTextLuminance)),
+                 text);
   }
   return svg;
 }
 
 std::string truth_labels(const MapFrame& f, const Scene& truth, LabelSpace& space) {
+  ShortNames names(kWidest);
   std::string svg;
   for (const SceneObject& object : truth.objects) {
     if (object.footprint.outer.empty()) continue;
-    const double x = f.x(middle(object.footprint.outer).x);
-    const double y = space.place(x, f.y(lowest_y(object.footprint.outer)) + 19, object.name, 1);
-    svg += fmt::format(R"(<text class="layer-truth" x="{}" y="{}" text-anchor="middle">{}</text>)", px(x), px(y),
-                       escaped(object.name));
+    const Point centre = middle(object.footprint.outer);
+    const Point named{f.x(centre.x), f.y(centre.y)};
+    const std::string text = names.shortened(object.name);
+    const Point best{named.x, f.y(lowest_y(object.footprint.outer)) + 19};
+    const auto placed = space.place(best, named, text, 1, kTruthReach);
+    if (placed) svg += label(*placed, named, R"(class="layer-truth")", text);
   }
   return svg;
 }
@@ -131,7 +156,7 @@ std::string truth_labels(const MapFrame& f, const Scene& truth, LabelSpace& spac
 }  // namespace
 
 std::string draw_labels(const MapFrame& f, const ResultDocument& document, const std::optional<Scene>& truth) {
-  LabelSpace space;
+  LabelSpace space({f.left, f.top, f.left + f.width, f.top + f.height});
   std::string svg = R"(<g class="labels">)" + object_labels(f, document, space);
   if (truth) svg += truth_labels(f, *truth, space);
   return svg + "</g>\n";

@@ -5,7 +5,7 @@ namespace fencepost::host {
 const std::string_view kStylesheet = R"css(
 :root { color-scheme: light; --ink: #1c2733; --soft: #5a6775; --rule: #dfe4e9; --paper: #fff; --ground: #f4f6f8; }
 * { box-sizing: border-box; }
-body { margin: 0; background: var(--ground); color: var(--ink); line-height: 1.45;
+body { margin: 0; overflow-wrap: anywhere; background: var(--ground); color: var(--ink); line-height: 1.45;
   font: 15px/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; }
 main { max-width: 1080px; margin: 0 auto; padding: 28px 20px 40px; }
 header { margin-bottom: 18px; }
@@ -51,6 +51,7 @@ svg .robot { fill: #3b4a5c; }
 svg .layer-path text, svg .labels text, svg .nearest { paint-order: stroke; stroke: #fff; stroke-width: 3.5px;
   stroke-linejoin: round; }
 svg .labels text { font-weight: 600; }
+svg .leader { fill: none; stroke: #5a6775; stroke-width: 1; }
 svg .labels .layer-truth { font-weight: 400; }
 svg .nearest { fill: var(--ink); }
 svg text.name { font-weight: 600; }
@@ -70,6 +71,7 @@ table { border-collapse: collapse; width: 100%; font-size: 14px; }
 th { text-align: left; font-weight: 600; color: var(--soft); font-size: 13px; vertical-align: bottom; }
 th small { display: block; font-weight: 400; font-size: 12px; }
 th, td { padding: 6px 9px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
+td.name { white-space: normal; overflow-wrap: anywhere; min-width: 9em; }
 tbody tr:last-child td { border-bottom: 0; }
 td { font-variant-numeric: tabular-nums; }
 .n { text-align: right; }
@@ -96,22 +98,11 @@ footer { color: var(--soft); font-size: 13px; }
   section { border: 0; padding: 0; }
   .figure svg { min-width: 0; }
   .map > label::before { display: none; }
+  .scroll, .figure { overflow: visible; }
+  table { font-size: 10px; }
+  th, td { white-space: normal; overflow-wrap: anywhere; padding: 3px 4px; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
-
-// Free of '<' and '&', so that the page also reads as XML.
-const std::string_view kPointerScript = R"js(
-(function () {
-  var map = document.getElementById("map"), where = document.getElementById("where"), idle = where.textContent;
-  map.addEventListener("pointermove", function (event) {
-    var matrix = map.getScreenCTM();
-    if (!matrix) return;
-    var at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()), d = map.dataset;
-    where.textContent = "x " + ((at.x - d.x) / d.scale).toFixed(3) + " m, y " + ((d.y - at.y) / d.scale).toFixed(3) + " m";
-  });
-  map.addEventListener("pointerleave", function () { where.textContent = idle; });
-})();
-)js";
 
 }  // namespace fencepost::host

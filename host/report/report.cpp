@@ -18,6 +18,7 @@ std::string section(const char* title, const std::string& content) {
 
 std::string head(const ResultDocument& document, const std::optional<Scene>& truth, const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
          title + "</title>\n<style>" + std::string(kStylesheet) + top_view_rules(document, truth) +
          "</style></head>\n<body><main>\n";
@@ -37,8 +38,7 @@ std::string write_report(const ResultDocument& document, const std::optional<Sce
   html += section("Alerts", alert_timeline(document) + alert_table(document));
   html += section("Recording", record_counts(document));
   html += "<footer>Written by " + markup::escaped(options.generator) + ". Lengths in metres, map frame.</footer>\n";
-  html += "</main>\n<script>" + std::string(kPointerScript) + "</script></body></html>\n";
-  return html;
+  return html + "</main></body></html>\n";
 }
 
 }  // namespace fencepost::host

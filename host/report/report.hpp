@@ -1,4 +1,4 @@
-// One run as one HTML file that needs nothing else: no network, no script to read it.
+// One run as one HTML file that needs nothing else, no network and no script: for paper, mail and old browsers.
 #pragma once
 
 #include <optional>

@@ -29,10 +29,11 @@ std::string next_view(const NextViewResult& next) {
 std::string object_row(const ResultDocument& document, const ObjectResult& object,
                        const std::vector<std::string>& models) {
   const Circle* circle = object_circle(object);
-  std::string html =
-      fmt::format("<tr><td class=\"n\">{}</td><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td>{}</td>",
-                  object.id, hex(signature_colour(document, object.signature)),
-                  escaped(signature_name(document, object.signature)), record::name(object.state));
+  std::string html = fmt::format(
+      "<tr><td class=\"n\">{}</td><td class=\"name\"><i class=\"swatch\" "
+      "style=\"background:{}\"></i>{}</td><td>{}</td>",
+      object.id, hex(signature_colour(document, object.signature)), escaped(signature_name(document, object.signature)),
+      record::name(object.state));
   html += cell(fmt::format("{}", object.views));
   html += cell(circle != nullptr ? figure(circle->center.x, 3) : kNone);
   html += cell(circle != nullptr ? figure(circle->center.y, 3) : kNone);

@@ -21,9 +21,10 @@ using markup::figure;
 using markup::px;
 
 constexpr double kWidth = 960;  // the whole drawing, px
-constexpr double kLeft = 120;   // room for names and distances
+constexpr double kLeft = 64;    // room for distances
 constexpr double kRight = 16;
-constexpr double kRow = 98;
+constexpr double kName = 18;  // a line of its own: any name has room
+constexpr double kRow = 116;
 constexpr double kStrip = 18;
 constexpr double kCurve = 48;
 constexpr double kAxis = 44;
@@ -91,10 +92,10 @@ std::string whose(std::uint32_t id) { return id == record::kNoObject ? "guard:" 
 
 std::string draw_row(const ResultDocument& document, const TimeAxis& axis, const AlertSeries& series, double top) {
   const std::string colour = ink(signature_colour(document, series.signature), kTextLuminance);
-  std::string svg = fmt::format(R"(<g><text class="name" x="{}" y="{}" style="fill:{}" text-anchor="end">{} {}</text>)",
-                                px(kLeft - 8), px(top + 14), colour, whose(series.id),
-                                escaped(signature_name(document, series.signature)));
-  svg += draw_strip(axis, series, top) + draw_distances(axis, series, top + kStrip + 10);
+  std::string svg =
+      fmt::format(R"(<g><text class="name" x="{}" y="{}" style="fill:{}">{} {}</text>)", px(kLeft), px(top + 13),
+                  colour, whose(series.id), escaped(signature_name(document, series.signature)));
+  svg += draw_strip(axis, series, top + kName) + draw_distances(axis, series, top + kName + kStrip + 10);
   return svg + "</g>\n";
 }
 

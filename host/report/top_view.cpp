@@ -76,9 +76,8 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
   std::vector<std::string> models = model_names(document);
   std::string html = "<section><h2>Map</h2><div class=\"map\">" + legend(models, truth.has_value());
   html += fmt::format(
-      R"(<div class="figure"><svg id="map" viewBox="0 0 {} {}" role="img" aria-label="Top view of the run" )"
-      R"(data-x="{}" data-y="{}" data-scale="{:.6f}">)",
-      px(f.left + f.width + kRightMargin), px(f.top + f.height + kBottomMargin), px(f.x(0)), px(f.y(0)), f.scale);
+      R"(<div class="figure"><svg id="map" viewBox="0 0 {} {}" role="img" aria-label="Top view of the run">)",
+      px(f.left + f.width + kRightMargin), px(f.top + f.height + kBottomMargin));
   html += R"(<defs><pattern id="hatch" width="6" height="6" patternUnits="userSpaceOnUse" )"
           R"svg(patternTransform="rotate(45)"><path d="M0 0v6" stroke="#6b7683" stroke-width="1.6"/></pattern>)svg";
   html += fmt::format(R"(<clipPath id="plot"><rect x="{}" y="{}" width="{}" height="{}"/></clipPath></defs>)",
@@ -92,7 +91,7 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
   for (const std::string& name : models) html += draw_model(f, document, name);
   html += draw_path(f, document.path) + draw_labels(f, document, truth) + "</g>\n" + draw_scale_bar(f);
   html +=
-      "</svg></div></div><p class=\"note\" id=\"where\">Arrow heads on the path show where the robot faced. "
+      "</svg></div></div><p class=\"note\">Arrow heads on the path show where the robot faced. "
       "Tick models above the map to show or hide them.</p>";
   return html + outside_note(f, document) + "</section>\n";
 }

@@ -77,11 +77,83 @@ TEST(MapFrame, ShowsPathAndTruthWithEqualScales) {
   EXPECT_DOUBLE_EQ(f.x(1) - f.x(0), f.y(0) - f.y(1));
 }
 
+constexpr LabelSpace::Bounds kSheet{0, 0, 400, 300};
+
 TEST(LabelSpace, MovesALabelOffAnother) {
-  LabelSpace space;
-  EXPECT_DOUBLE_EQ(space.place(100, 100, "2 yellow", -1), 100);
-  EXPECT_DOUBLE_EQ(space.place(110, 102, "4 yellow", -1), 102 - 16 - 16);  // one line up would still touch
-  EXPECT_DOUBLE_EQ(space.place(300, 100, "1 red", -1), 100);
+  LabelSpace space(kSheet);
+  EXPECT_DOUBLE_EQ(space.place({100, 100}, {100, 110}, "2 yellow", -1)->at.y, 100);
+  const auto moved = space.place({110, 102}, {110, 112}, "4 yellow", -1);
+  EXPECT_DOUBLE_EQ(moved->at.y, 102 - 16 - 16);  // one line up would still touch
+  EXPECT_TRUE(moved->from) << "so far that a line leads there";
+  EXPECT_DOUBLE_EQ(space.place({300, 100}, {300, 110}, "1 red", -1)->at.y, 100);
+}
+
+struct Box {
+  double left, top, right, bottom;
+};
+
+Box box_of(const LabelSpace::Placed& placed, const std::string& text) {
+  const double half = text_width(text) / 2;
+  return {placed.at.x - half, placed.at.y - 12, placed.at.x + half, placed.at.y + 3};
+}
+
+// 32 things in a heap, with names as long as a log can have.
+TEST(LabelSpace, AHeapOfLongNamesStaysApartAndOnTheSheet) {
+  LabelSpace space({0, 0, 886, 560});
+  std::vector<Box> boxes;
+  for (int i = 0; i < 32; ++i) {
+    const std::string text = std::to_string(i + 1) + " a name that is very long, " + std::to_string(i);
+    const Point named{420.0 + 3 * (i % 6), 260.0 + 4 * (i / 6)};
+    const auto placed = space.place({named.x, named.y - 14}, named, text, -1);
+    ASSERT_TRUE(placed) << i;
+    boxes.push_back(box_of(*placed, text));
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& a = boxes[i];
+    EXPECT_TRUE(a.left >= 0 && a.right <= 886 && a.top >= 0 && a.bottom <= 560) << i;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Box& b = boxes[k];
+      EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) << i << " and " << k;
+    }
+  }
+}
+
+TEST(LabelSpace, KeepsALabelAtTheEdgeOnTheSheet) {
+  LabelSpace space(kSheet);
+  const auto placed = space.place({395, 20}, {395, 30}, "1 orange box", -1);
+  ASSERT_TRUE(placed);
+  EXPECT_LE(placed->at.x + text_width("1 orange box") / 2, 400);
+}
+
+TEST(LabelSpace, SaysWhenThereIsNoPlace) {
+  LabelSpace space(kSheet);
+  EXPECT_FALSE(space.place({200, 100}, {200, 110}, std::string(100, 'x'), -1)) << "wider than the sheet";
+  ASSERT_TRUE(space.place({200, 100}, {200, 110}, "here", 1));
+  EXPECT_TRUE(space.place({200, 100}, {200, 110}, "near", 1, 0)) << "some lines further";
+}
+
+TEST(TextWidth, CountsLettersNotBytes) {
+  EXPECT_DOUBLE_EQ(text_width("\u00e4\u00e4"), text_width("\u00f6\u00f6"));
+  EXPECT_LT(text_width("\u00e4\u00e4"), text_width("aaaa"));
+  EXPECT_GT(text_width("\u7bb1"), text_width("a"));
+  EXPECT_GT(text_width("WWW"), text_width("iii"));
+  EXPECT_GT(text_width("\xff\xfe"), 0);
+}
+
+TEST(ShortNames, CutsInTheMiddleAndNeverAlike) {
+  ShortNames names(100);
+  EXPECT_EQ(names.shortened("short"), "short");
+  const std::string begin = "the same twenty letters and ";
+  const std::string end = " the same end";
+  std::vector<std::string> shown;
+  for (int i = 0; i < 5; ++i) {
+    shown.push_back(names.shortened(begin + std::to_string(i) + end));
+    EXPECT_LE(text_width(shown.back()), 100) << shown.back();
+    for (std::size_t k = 0; k + 1 < shown.size(); ++k) EXPECT_NE(shown[k], shown.back());
+  }
+  EXPECT_EQ(names.shortened(begin + "0" + end), shown[0]) << "the same name reads the same";
+  EXPECT_EQ(names.shortened("\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1\u7bb1"),
+            "\u7bb1\u7bb1\u7bb1\u2026\u7bb1\u7bb1");
 }
 
 TEST(MapFrame, StandsAnEmptyRun) {
