@@ -84,6 +84,7 @@ class Run {
     const std::string_view lines(waiting.data(), waiting.size());
     const std::size_t taken = log_.take(lines, now);
     count_alerts(lines.substr(0, taken));
+    if (parts_.follower) parts_.follower(lines.substr(0, taken));
     loop_->journal_taken(taken);
     followed_ -= std::min(followed_, taken);
   }

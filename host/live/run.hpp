@@ -36,10 +36,11 @@ struct RunParts {
   Devices& devices;
   ConsolePort& console;
   WriteBehind* log = nullptr;
-  std::function<void(std::string_view)> say;      ///< messages for people, a line each
-  const volatile std::sig_atomic_t& interrupted;  ///< not 0: stop
-  int interrupted_descriptor = -1;                ///< readable then; -1: an interrupt is seen a little later
-  std::vector<AlertOutput*> outputs = {};         ///< what follows the alert in force, beside console and log
+  std::function<void(std::string_view)> say;            ///< messages for people, a line each
+  const volatile std::sig_atomic_t& interrupted;        ///< not 0: stop
+  int interrupted_descriptor = -1;                      ///< readable then; -1: an interrupt is seen a little later
+  std::vector<AlertOutput*> outputs = {};               ///< what follows the alert in force, beside console and log
+  std::function<void(std::string_view)> follower = {};  ///< gets the log's lines, whole; must not wait
 };
 
 struct RunSummary {

@@ -79,6 +79,7 @@ ROOMS = {
     "host/export": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",
     "host/recorder": "host/live",
+    "host/view": "host/live",
     "host/monitor": "firmware/console host/geometry host/text",
     "host/emulate/models": "firmware/record hal/bus",
     "host/emulate/transport": "hal/linux host/emulate/models",
@@ -90,7 +91,7 @@ ROOMS = {
     "host/doctor/ports": "host/devices host/doctor",
     "host/calibrate": "host/live host/report",
     "host/smooth": "host/calibrate",
-    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/merge host/monitor host/paper host/recorder host/segment host/smooth host/web",
+    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/merge host/monitor host/paper host/recorder host/segment host/smooth host/view host/web",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}
