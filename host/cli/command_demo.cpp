@@ -4,10 +4,10 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/page_file.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/share.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/report/report.hpp"
 #include "host/result/text.hpp"
 
 namespace fencepost::host::cli {
@@ -30,15 +30,14 @@ Exit run(const std::string& output) {
   const std::string scene_path = find_recording(std::string(kRecording) + ".json");
   say(fmt::format("Replaying {}: a robot drives towards an obstacle.", log));
   const ReplayOutcome outcome = replay_file(log, {});
-  const Scene truth = read_scene(scene_path);
-  const std::string html =
-      write_report(outcome.result, truth, {"Fencepost demo: approach and stop", "fencepost " FENCEPOST_VERSION});
-  write_output(output, html);
+  const GivenLog given{std::string(kRecording) + ".log", read_input(log), read_input(scene_path)};
+  write_output(output, page_of_logs({given}));
   if (!is_standard_output(output)) {  // else the page itself is the data
     const TextOptions text{colour_on_stdout(), true};
     write_output("-", alert_list(outcome.result, text) + "\n" + object_table(outcome.result, text) + "\n" +
                           summary_line(outcome.result));
-    say_lines(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
+    say_lines(
+        fmt::format("\nWrote {}: open it in a browser to see the map and the alerts, at any time of the run.", output));
   }
   say_what_was_left_out(outcome);
   say_lines(next_steps(log, scene_path));
@@ -47,7 +46,7 @@ Exit run(const std::string& output) {
 
 Action configure_demo(CLI::App& app) {
   const auto output = std::make_shared<std::string>("fencepost-demo.html");
-  app.add_option("-o,--output", *output, "where to write the report; default: fencepost-demo.html")
+  app.add_option("-o,--output", *output, "where to write the page; default: fencepost-demo.html")
       ->type_name("FILE.html");
   return [output] { return run(*output); };
 }
@@ -56,7 +55,7 @@ Action configure_demo(CLI::App& app) {
 
 Command demo_command() {
   return {"demo",
-          "the bundled recording: alerts, objects and a report, no robot needed",
+          "the bundled recording: alerts, objects and a page, no robot needed",
           "  fencepost demo\n"
           "  fencepost demo -o /tmp/demo.html\n",
           configure_demo,

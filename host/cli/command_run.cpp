@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <memory>
 
 #include "hal/linux/gpio_line.hpp"
@@ -8,6 +9,7 @@
 #include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
 #include "host/cli/open_run_log.hpp"
+#include "host/cli/page_file.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
@@ -18,6 +20,8 @@
 #include "host/live/run.hpp"
 #include "host/live/stop_line.hpp"
 #include "host/recorder/typing_console.hpp"
+#include "host/view/request.hpp"
+#include "host/view/view_server.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -33,6 +37,7 @@ struct RunRequest {
   std::string on_alert;
   std::string stop_gpio;
   std::string alert_can;
+  std::optional<std::string> view;  ///< its port; empty: any
   PartOptions parts;
   std::optional<double> seconds;
   std::optional<std::uint64_t> frames;
@@ -150,6 +155,20 @@ void add_can(Outputs& outputs, const CanAlertSpec& spec, bool wait) {
   }
 }
 
+std::unique_ptr<ViewServer> view_of(const RunRequest& request) {
+  if (!request.view) return nullptr;
+  std::uint16_t port = 0;
+  const char* const end = request.view->data() + request.view->size();
+  const auto [stopped, error] = std::from_chars(request.view->data(), end, port);
+  if (!request.view->empty() && (error != std::errc() || stopped != end || port == 0)) {
+    throw Failure(Exit::kUsage,
+                  "--view takes a port, 1 to 65535, or nothing for any that is free; not " + *request.view);
+  }
+  ViewServer::Opened view = ViewServer::open(page_of_run("Run, live", kStreamPath), port);
+  if (!view) throw Failure(Exit::kDevice, view.problem());
+  return std::move(*view);
+}
+
 std::vector<AlertOutput*> borrowed(const Outputs& outputs) {
   std::vector<AlertOutput*> all;
   for (const auto& output : outputs) all.push_back(output.get());
@@ -162,6 +181,9 @@ Exit exit_of(const RunSummary& summary) {
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
+/// For what browsers have not got yet when the run ends.
+constexpr std::chrono::milliseconds kLastLook{2'000};
+
 Exit run(const RunRequest& request) {
   const ConsoleSpec console_spec = console_of(request);
   const DevicePair named = {device_of(request.camera, devices::Use::kCamera),
@@ -169,6 +191,7 @@ Exit run(const RunRequest& request) {
   const RunPlan plan = plan_of(request, console_spec);
   const RunLogSettings log_settings = log_of(request);
   const OutputSpecs wanted = output_specs_of(request);
+  const std::unique_ptr<ViewServer> view = view_of(request);
   StopSignals signals;
   signals.on_second(Keyboard::give_back_terminal);
   const linux::MonotonicClock clock;
@@ -184,12 +207,17 @@ Exit run(const RunRequest& request) {
   if (wanted.can) add_can(outputs, *wanted.can, request.wait);
   if (!request.on_alert.empty()) outputs.push_back(std::make_unique<AlertCommand>(request.on_alert));
   say_what_is_assumed(plan, devices);
+  if (view != nullptr) say("the run is shown at " + view->address() + ": open it in a browser of this machine");
   if (typed_at(plan)) say("type help for the commands; Ctrl-C ends the run");
+  const auto follower = [&view](std::string_view lines) {
+    if (view != nullptr) view->add(lines);
+  };
   const RunSummary summary = run_live(plan, {clock, devices, *console, log.get(), say_there, StopSignals::caught(),
-                                             signals.descriptor(), borrowed(outputs)});
+                                             signals.descriptor(), borrowed(outputs), follower});
   console.reset();  // the terminal as it was
   if (StopSignals::caught() == SIGINT) leave_interrupted_line();
   say_lines(summary.sentence());
+  if (view != nullptr) view->finish(kLastLook);
   return exit_of(summary);
 }
 
@@ -223,6 +251,11 @@ Action configure_run(CLI::App& app) {
                  "send the alert in force as a CAN frame, at each change and at least every 100 ms: INTERFACE[:ID], "
                  "ID 120 by default (share/can/fencepost_alert.dbc)")
       ->type_name("IF");
+  app.add_option(
+         "--view", request->view,
+         "show the run in browsers of this machine, at http://127.0.0.1:PORT/; without a PORT at any that is free")
+      ->type_name("[PORT]")
+      ->expected(0, 1);
   app.add_option("--profile", request->profile, "capacities; default: full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_option("--frames", request->frames, "stop after the N-th frame record")->type_name("N")->check(positive());
@@ -243,6 +276,7 @@ Command run_command() {
       "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --on-alert './motors \"$1\"'\n"
       "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry can:can0 --robot robot.json --stop-gpio gpiochip0:17 "
       "--alert-can can0\n"
+      "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --view\n"
       "  fencepost run --camera console --odometry console < run.log\n\n"
       "Cameras (KIND, then where it is, then options):\n" +
           devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),

@@ -1,20 +1,29 @@
-// The page of host/web with a log in it.
+// The page of host/web with logs in it, or for a run that goes on.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fencepost::host {
 
-/// What the page opens first.
 struct GivenLog {
   std::string name;                  ///< shown as the title, any bytes
   std::string log;                   ///< the record stream, any bytes
   std::optional<std::string> scene;  ///< a scene file's JSON: its objects are drawn as the truth
 };
 
-/// `page` is host/web/dist/fencepost.html. Nothing if it has no place for a log, or the scene is no JSON.
-std::optional<std::string> page_with(std::string_view page, const GivenLog& given);
+/// `page` is host/web/dist/fencepost.html. Opens the first log, the others beside it; `profile` micro, small or full;
+/// empty: each log's own. Nothing if the page has no place for a log, or a scene is no JSON.
+std::optional<std::string> page_with(std::string_view page, const std::vector<GivenLog>& logs,
+                                     std::string_view profile = {});
+
+/// The page as a server of this machine gives it: it shows the log that `stream`, a path there, is sending. It may ask
+/// that server, and nobody else. Nothing if the page has no place for it.
+std::optional<std::string> page_of_stream(std::string_view page, std::string_view name, std::string_view stream);
+
+/// What a log is short of that begins without a calibration: `line`, an FPCAM record with its line end, in every run.
+std::string with_calibration(std::string_view log, std::string_view line);
 
 }  // namespace fencepost::host

@@ -1,6 +1,7 @@
 // The image plane: the boxes that the camera sent, and where the map says they should be.
-import { label, prepare } from "./canvas.js";
+import { prepare } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
+import { fitted, Labels } from "./labels.js";
 import { boxOf, ringInImage } from "./lens.js";
 import { nameOf, outlineOf, poseAt } from "./scene.js";
 
@@ -20,8 +21,24 @@ function drawSolid(g, camera, pose, object, scale, colour) {
 // An end at the image's border, or where another box is, may be that of a part only.
 const seenWhole = (camera, u, others) => u > 1 && u < camera.width - 2 && !others.some(({ box }) => u >= box[0] - 2 && u <= box[2] + 2);
 
+// Above its box, in it or below it; else wherever there is room.
+function nameBoxes(g, { width, height, ink, memory }, named) {
+  const font = "600 12px system-ui, sans-serif";
+  g.font = font;
+  const labels = new Labels(g, width, height, memory);
+  const names = fitted(named.map(({ object }) => object ? nameOf(object) : "no object"), (text) => g.measureText(text).width < 0.6 * width);
+  named.forEach(({ object, box, colour }, i) => {
+    const w = g.measureText(names[i]).width + 4;
+    const left = Math.max(0, Math.min(box[0], width - w));
+    labels.add({ key: object?.id ?? -1 - i, texts: object ? [names[i], String(object.id)] : [names[i], "–"], box, colour, font, ink: ink.ink,
+      at: [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], first: [[left, box[1] - 8], [left, box[1] + 9], [left, box[3] + 8]] });
+  });
+  labels.draw(ink.paper);
+  return labels.placed;
+}
+
 /** Returns what there is to say about the picture. */
-export function drawCamera(canvas, { view, ink, theme, selected }) {
+export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   const { camera, objects, signatures } = view.result;
   const { frame } = view.page;
   const ratio = camera ? camera.height / camera.width : 0.65;
@@ -52,8 +69,7 @@ export function drawCamera(canvas, { view, ink, theme, selected }) {
     }
   }
   const errors = [];
-  g.textAlign = "left";
-  g.textBaseline = "bottom";
+  const named = [];
   for (const { id, signature, box } of frame?.boxes ?? []) {
     const [u1, v1, u2, v2] = [box[0] - 0.5, box[1] - 0.5, box[2] + 0.5, box[3] + 0.5];
     const colour = colourOf(signatures.find((s) => s.id === signature)?.rgb, signature, theme);
@@ -64,14 +80,13 @@ export function drawCamera(canvas, { view, ink, theme, selected }) {
     g.lineWidth = 2;
     g.strokeRect(u1 * scale, v1 * scale, (u2 - u1) * scale, (v2 - v1) * scale);
     drawMark(g, markOf(signature), (u1 + u2) / 2 * scale, (v1 + v2) / 2 * scale, 4);
-    const object = objects.find((o) => o.id === id);
-    g.font = "600 12px system-ui, sans-serif";
-    label(g, object ? nameOf(object) : "no object", Math.max(3, u1 * scale), Math.max(15, v1 * scale - 2), ink.ink, ink.paper);
+    named.push({ object: objects.find((o) => o.id === id), box: [u1, v1, u2, v2].map((value) => value * scale), colour });
     const ours = rendered.get(id);
     const others = frame.boxes.filter((other) => other.box !== box);
     if (ours && seenWhole(camera, box[0], others)) errors.push(Math.abs(ours[0] - u1));
     if (ours && seenWhole(camera, box[2], others)) errors.push(Math.abs(ours[2] - u2));
   }
+  canvas.placed = nameBoxes(g, { width, height, ink, memory }, named);
   if (!frame) return "No frame yet. Full: boxes sent by the camera; dashed: rendered from the map.";
   const mean = errors.length ? `; ends seen whole differ by ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px on average` : "";
   return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}. Full: sent by the camera; dashed: rendered from the map${mean}.`;

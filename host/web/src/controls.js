@@ -5,7 +5,7 @@ import { describe } from "./map2d.js";
 import { listen } from "./pointer.js";
 import { levelsAt } from "./scene.js";
 import { timeAt } from "./timeline.js";
-import { objectAt } from "./window.js";
+import { objectAt, truthAt } from "./window.js";
 
 /** The map, its buttons and the pointer. */
 export function bindMap(page) {
@@ -35,7 +35,9 @@ export function bindMap(page) {
       const object = objectAt(flat, state.look.result.objects, at);
       const alerts = state.live ? state.look.result.alerts : page.last()?.result.alerts ?? [];
       const [x, y] = flat.toMap(at);
-      tip.textContent = object ? plain(describe(object, view.pose, levelsAt(alerts, state.t).get(object.id))).replaceAll("\u25a1", "\n") : `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`;
+      const thing = view.layers.has("truth") ? truthAt(flat, view.truth, at) : undefined;
+      tip.textContent = object ? describe(object, view.pose, levelsAt(alerts, state.t).get(object.id)) : `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`;
+      if (thing) tip.textContent += `\ntruth: ${plain(thing.name)}`;
       tip.style.left = `${Math.max(0, Math.min(at[0] + 14, map.clientWidth - tip.offsetWidth))}px`;
       tip.style.top = `${at[1] + 18 + tip.offsetHeight > map.clientHeight ? Math.max(0, at[1] - tip.offsetHeight - 10) : at[1] + 18}px`;
     },

@@ -1,4 +1,4 @@
-// What is in the page: the loop, recordings, and the log that `fencepost report --page` puts there; and files.
+// What is in the page: the loop, recordings, and the logs that `fencepost report` puts there; and files.
 import { byId } from "./dom.js";
 import { truthOf } from "./scene.js";
 
@@ -22,7 +22,7 @@ export async function entryOf({ name, log, scene }) {
   return { name, bytes: await unpacked(fromBase64(log)), truth: truthOf(scene) };
 }
 
-/** The log that this copy of the page was written for, or null. */
+/** What this copy of the page was written for, or null: { logs, profile }, or { stream: { name, path } } of a run that goes on. */
 export const given = () => read("given");
 
 const stem = (name) => name.replace(/(\.(log|txt|json|gz))+$/i, "");

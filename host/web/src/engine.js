@@ -5,7 +5,7 @@ const RESULT = 0;
 const STATE = 1;
 const STATE_WITH_ALERTS = 2;
 const PAGE = 3;
-export const PROFILES = ["log's", "full", "small", "micro"];
+export const PROFILES = ["the log's", "full", "small", "micro"];
 
 // The library asks for a system that is not there; nothing of the loop does.
 function absentSystem() {

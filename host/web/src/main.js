@@ -1,20 +1,21 @@
-import { inks, theme } from "./colours.js";
+import { inks, LEVELS, theme } from "./colours.js";
 import { drawCamera } from "./cameraview.js";
 import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
 import { bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, make, plain } from "./dom.js";
-import { Engine } from "./engine.js";
+import { Engine, PROFILES } from "./engine.js";
 import { addCard } from "./gallery.js";
+import { LAYERS, offerLayers } from "./layers.js";
 import { drawMap } from "./map2d.js";
 import { Orbit, drawSolid } from "./map3d.js";
 import { Player } from "./player.js";
 import { bindPort } from "./port.js";
+import { follow } from "./stream.js";
 import { levelsAt, poseAt } from "./scene.js";
-import { alertsUntil, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
+import { alertsUntil, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
 
-const LAYERS = { truth: "truth", path: "path", zones: "alert zones", wedge: "camera", guard: "guard's points", labels: "names" };
 const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [], signatures: [], camera: null, log: { rejected: {}, refused: {} } },
   page: { settings: {}, frame: null, bad_lines: [], complaints: [], check: {} }, path: new Float64Array(), time: 0 };
 
@@ -22,6 +23,7 @@ const state = {
   entry: { name: "", bytes: new Uint8Array(), truth: [] }, look: NOTHING, whole: NOTHING.path, t: 0, begin: 0, end: 0, rows: [],
   models: ["hybrid"], layers: new Set(Object.keys(LAYERS)), selected: null, playing: false, solid: false, live: false, loaded: false,
 };
+const memory = { flat: new Map(), solid: new Map(), camera: new Map() };  // of where names were
 const flat = new Window();
 const orbit = new Orbit();
 const cards = [];
@@ -50,8 +52,8 @@ function draw() {
   if (byId("follow").checked && view.pose) {
     for (const eye of [flat, orbit]) [eye.x, eye.y] = [view.pose.x, view.pose.y];
   }
-  if (state.solid) drawSolid(byId("map"), orbit, all); else drawMap(byId("map"), flat, all);
-  byId("camera-note").textContent = drawCamera(byId("camera"), all);
+  if (state.solid) drawSolid(byId("map"), orbit, { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
+  byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
   drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
   byId("clock").textContent = `${state.t.toFixed(2)} s`;
   if (!state.live) {
@@ -86,51 +88,21 @@ function fillTables(force) {
   }
   markAlerts(byId("alerts"), shownTables.rows, count);
   const worst = [...levels.values()].filter((alert) => alert.level !== "clear");
+  worst.sort((a, b) => LEVELS.indexOf(b.level) - LEVELS.indexOf(a.level));
   byId("now").replaceChildren(...worst.slice(0, 4).flatMap((alert) => [make("span", { className: `level ${alert.level}` }, alert.level),
-    ` ${alert.id === 0 ? "something" : `${alert.id} ${plain(result.objects.find((o) => o.id === alert.id)?.name ?? "")}`} `]));
-  fillFactsNow(result, page);
-}
-
-function fillFactsNow(result, page) {
+    ` ${alert.id === 0 ? "something" : `${alert.id} ${plain(result.objects.find((o) => o.id === alert.id)?.name ?? "")}`} `]),
+    worst.length > 4 ? `and ${worst.length - 4} more` : "");
   const last = state.live ? null : player.last;
-  const { log } = result;
-  const total = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
-  const facts = [["log", state.entry.name], ["digest now", make("code", { id: "digest-now" }, result.digest ?? "")]];
-  if (last) facts.push(["digest at the end", make("code", { id: "digest" }, last.result.digest)]);
-  facts.push(["profile", result.profile ?? ""], ["records used", `${log.records ?? 0}: ${log.frames ?? 0} frames, ${log.odometry ?? 0} of odometry`],
-    ["not used", `${total(log.rejected)} bad lines, ${total(log.refused)} frames, ${log.foreign ?? 0} lines that are no records`]);
-  if (last?.page.check.compared) {
-    const { compared, differing } = last.page.check;
-    facts.push(["the robot's own log", differing ? `differs in ${differing} of ${compared} records` : `agrees in all ${compared} records compared`]);
-  }
-  if (page.runs > 1) facts.push(["runs in it", `${page.runs}; the last is shown, as by fencepost replay`]);
-  if (last && player.took) facts.push(["replayed here in", `${Math.round(player.took.busy)} ms, ${(player.duration * 1000 / Math.max(1, player.took.busy)).toFixed(0)} times as fast as it was driven`]);
-  fillFacts(byId("facts"), facts);
+  fillFacts(byId("facts"), factsOf({ name: state.entry.name, result, page, last, took: player.took, duration: player.duration }));
 }
 
 function show(look, t, force = false) {
   document.documentElement.dataset.shown = t.toFixed(2);
   state.look = look;
   state.t = t;
-  offerModels(look.result);
+  offerLayers(byId("layer-list"), { state, result: look.result, redraw });
   fillTables(force || !state.playing);
   redraw();
-}
-
-function offerModels(result) {
-  const names = new Set(["hybrid", ...result.objects.flatMap((object) => Object.keys(object.models))]);
-  const list = byId("layer-list");
-  const offered = [...names].join();
-  if (list.dataset.offered === offered) return;
-  list.dataset.offered = offered;
-  const box = (text, checked, change) => make("label", {}, make("input", { type: "checkbox", checked, onchange: (e) => { change(e.target.checked); redraw(); } }), ` ${text}`);
-  const pick = (set, name) => (on) => { if (on) set.add(name); else set.delete(name); };
-  list.replaceChildren(
-    ...Object.entries(LAYERS).map(([name, text]) => box(text, state.layers.has(name), pick(state.layers, name))),
-    make("b", {}, "models"),
-    ...[...names].map((name) => box(name, state.models.includes(name), (on) => {
-      state.models = on ? [...state.models, name] : state.models.filter((m) => m !== name);
-    })));
 }
 
 const going = { wanted: null, busy: false, cost: 20 };
@@ -210,7 +182,7 @@ function lineOf(bytes, number) {
 // What is still coming has no end to go back from.
 function setLive(live) {
   state.live = live;
-  for (const id of ["slider", "play", "save-result"]) byId(id).disabled = live;
+  for (const id of ["slider", "play", "save-result", "profile"]) byId(id).disabled = live;
 }
 
 async function openEntry(entry) {
@@ -224,7 +196,7 @@ async function openEntry(entry) {
   let shown = performance.now();
   let last = null;
   try {
-    last = await player.load(entry.bytes, 0, (share, look) => {
+    last = await player.load(entry.bytes, Number(byId("profile").value), (share, look) => {
       byId("progress").value = share;
       if (performance.now() - shown < 400) return;
       const now = look();
@@ -257,7 +229,11 @@ async function openFiles(files) {
     state.entry.truth = scenes[0].truth;
     return fit();
   }
-  if (!logs.length) return null;
+  return logs.length ? openAll(logs) : null;
+}
+
+/** The first in full, and each as a card where there are several. */
+async function openAll(logs) {
   const others = [];
   for (const entry of logs) {
     const look = await openEntry(entry);
@@ -283,6 +259,20 @@ function bindSaving() {
   byId("save-picture").onclick = () => byId("map").toBlob((blob) => download(`${name()}.png`, [blob], "image/png"));
 }
 
+async function openFirst(recordings, comingLog) {
+  const mine = given();
+  if (mine?.stream) {
+    byId("reach").textContent = "Nothing leaves this machine: the page asks the run for its log, and nobody else.";
+    follow(mine.stream, comingLog).catch((error) => summary(`The run cannot be followed: ${error.message}`));
+  } else if (mine) {
+    byId("profile").value = String(Math.max(0, PROFILES.indexOf(mine.profile)));
+    await openAll(await Promise.all(mine.logs.map(entryOf)));
+  } else {
+    await openEntry(await entryOf(recordings[0]));
+    byId("recordings").value = "0";
+  }
+}
+
 async function begin() {
   setTheme(window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   byId("theme").onclick = () => setTheme(theme() === "dark" ? "light" : "dark");
@@ -295,8 +285,9 @@ async function begin() {
   bindTransport(page);
   bindFiles(recordings, page);
   bindSaving();
-  bindPort({
-    engine: () => new Engine(engine.module), open: openEntry,
+  byId("profile").onchange = () => { if (!state.live && player.last) openEntry(state.entry); };
+  const comingLog = {
+    engine: () => new Engine(engine.module), open: (entry) => state.live ? openEntry(entry) : null,
     begin: (name) => {
       stop();
       player.stop();
@@ -305,20 +296,22 @@ async function begin() {
       summary("Live: the map is made here, of what the robot sends.");
       Object.assign(state, { entry: { name, bytes: new Uint8Array(), truth: [] }, look: NOTHING, rows: [], selected: null });
       byId("title").textContent = name;
+      document.title = `${name} · Fencepost`;
       byId("problems").hidden = true;
+      byId("progress").hidden = true;
     },
     show: (look) => {
+      if (!state.live) return;  // another log was opened meanwhile
       const first = state.look.path.length === 0 && look.path.length > 0;
       Object.assign(state, { begin: look.path[0] ?? 0, end: look.time, rows: rowsOf(look.result, look.time) });
       show(look, look.time);
       if (first || look.result.objects.length !== state.fitted) fit();
       state.fitted = look.result.objects.length;
     },
-  });
+  };
+  bindPort(comingLog);
   new ResizeObserver(redraw).observe(byId("map"));
-  const log = given();
-  await openEntry(await entryOf(log ?? recordings[0]));
-  if (!log) byId("recordings").value = "0";
+  await openFirst(recordings, comingLog);
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
 }
 

@@ -1,7 +1,8 @@
 // The top view: x forward is up on the page where the run began, as the robot's driver would look at it.
 import { figure, label, niceStep, prepare } from "./canvas.js";
-import { colourOf, drawMark, markOf } from "./colours.js";
+import { colourOf } from "./colours.js";
 import { halfAngle } from "./lens.js";
+import { drawLabels } from "./maplabels.js";
 import { bodyOf, centreOf, curvatureAt, nameOf, openSidesOf, outlineOf, placed, polygonsOf, poseIndex, sweptRing } from "./scene.js";
 
 const DASHES = {
@@ -15,6 +16,7 @@ function trace(g, window, ring, close = true) {
   if (close) g.closePath();
 }
 
+// Returns where its numbers are.
 function drawGrid({ g, window, ink, bare }) {
   const { width, height } = window;
   const step = niceStep(70 / window.scale);
@@ -29,22 +31,28 @@ function drawGrid({ g, window, ink, bare }) {
   for (const x of lines(x1, x2)) { const [u] = window.toPage([x, 0]); g.moveTo(u, 0); g.lineTo(u, height); }
   for (const y of lines(y1, y2)) { const [, v] = window.toPage([0, y]); g.moveTo(0, v); g.lineTo(width, v); }
   g.stroke();
-  if (bare) return;
+  if (bare) return [];
+  const numbers = [];
+  const write = (text, u, v, align) => {
+    g.textAlign = align;
+    const w = g.measureText(text).width;
+    const left = align === "center" ? u - w / 2 : align === "right" ? u - w : u;
+    numbers.push([left - 2, v - 12, left + w + 2, v + 4]);
+    label(g, text, u, v, ink.soft, ink.paper);
+  };
   g.font = "12px system-ui, sans-serif";
   g.textBaseline = "alphabetic";
-  g.textAlign = "center";
   for (const x of lines(x1, x2)) {
     const u = window.toPage([x, 0])[0];
-    if (u > 36 && u < width - 34) label(g, `${x.toFixed(decimals)}`, u, height - 6, ink.soft, ink.paper);
+    if (u > 36 && u < width - 46) write(`${x.toFixed(decimals)}`, u, height - 6, "center");
   }
-  g.textAlign = "left";
   for (const y of lines(y1, y2)) {
     const v = window.toPage([0, y])[1];
-    if (v > 16 && v < height - 26) label(g, `${y.toFixed(decimals)}`, 5, v + 4, ink.soft, ink.paper);
+    if (v > 16 && v < height - 26) write(`${y.toFixed(decimals)}`, 5, v + 4, "left");
   }
-  label(g, "y, m", 5, 14, ink.soft, ink.paper);
-  g.textAlign = "right";
-  label(g, "x, m", width - 5, height - 6, ink.soft, ink.paper);
+  write("y, m", 5, 14, "left");
+  write("x, m", width - 5, height - 6, "right");
+  return numbers;
 }
 
 function drawTruth({ g, window, ink, view }) {
@@ -180,53 +188,6 @@ function drawOpenSides({ g, window, ink }, object) {
   g.setLineDash([]);
 }
 
-// Each beside its object, at the nearest of a few places where it covers no other.
-function drawLabels({ g, window, ink, view, theme, selected, bare }) {
-  const taken = [];
-  const hits = (box) => box[2] > window.width || box[0] < 0 || taken.some((b) => box[0] < b[2] && box[2] > b[0] && box[1] < b[3] && box[3] > b[1]);
-  g.textAlign = "left";
-  g.textBaseline = "middle";
-  const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => b.views - a.views);
-  for (const object of objects) {
-    const [u, v] = window.toPage(centreOf(object));
-    // Of a large outline the name stands beside the mark in its middle.
-    const ring = outlineOf(object).map((p) => window.toPage(p));
-    const near = (axis, middle) => {
-      const values = ring.map((p) => p[axis]);
-      const [low, high] = [Math.min(...values), Math.max(...values)];
-      return high - low > 110 ? [middle - 9, middle + 9] : [low, high];
-    };
-    const [u1, u2] = near(0, u);
-    const [v1, v2] = near(1, v);
-    const mark = Math.min(7, Math.max(2.5, (u2 - u1) / 4));
-    g.fillStyle = colourOf(object.rgb, object.signature, theme);
-    drawMark(g, markOf(object.signature), u, v, mark);
-    if (!view.layers.has("labels") || u2 < 0 || u1 > window.width || v2 < 0 || v1 > window.height) continue;
-    g.font = `${object.state === "confirmed" ? "600" : "italic"} 13px system-ui, sans-serif`;
-    const text = nameOf(object);
-    const w = g.measureText(text).width + 4;
-    const places = [[u2 + 5, v], [u1 - w - 3, v], [u - w / 2, v1 - 11], [u - w / 2, v2 + 11], [u2 + 3, v1 - 9], [u2 + 3, v2 + 9],
-      [u1 - w, v1 - 9], [u1 - w, v2 + 9]];
-    const boxAt = ([x, y]) => [x, y - 8, x + w, y + 8];
-    const place = places.find((p) => !hits(boxAt(p))) ?? (object.state === "tentative" ? null : places[0]);
-    if (!place) continue;
-    taken.push(boxAt(place));
-    label(g, text, place[0], place[1], object.id === selected ? ink.accent : ink.ink, ink.paper);
-  }
-  if (!view.layers.has("truth") || bare) return;
-  g.font = "italic 12px system-ui, sans-serif";
-  for (const { name, ring } of view.truth) {
-    const points = ring.map((p) => window.toPage(p));
-    const u = points.reduce((s, p) => s + p[0], 0) / points.length;
-    const v = Math.max(...points.map((p) => p[1])) + 12;
-    const w = g.measureText(name).width;
-    const box = [u - w / 2, v - 7, u + w / 2, v + 7];
-    if (hits(box)) continue;
-    taken.push(box);
-    label(g, name, u - w / 2, v, ink.soft, ink.paper);
-  }
-}
-
 function drawGuard({ g, window, ink, view }) {
   for (const point of view.result.guard) {
     const [u, v] = window.toPage([point.x, point.y]);
@@ -251,14 +212,15 @@ function drawHighlight({ g, window, ink, view, selected }) {
   g.stroke();
 }
 
-/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers. */
-export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false }) {
+/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers; `memory`: of
+ * where names were. What is named where is `placed` of the canvas, for tests. */
+export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false, memory }) {
   const { g, width, height } = prepare(canvas);
   window.size(width, height);
   g.fillStyle = ink.paper;
   g.fillRect(0, 0, width, height);
-  const all = { g, window, ink, theme, view, whole, selected, bare, pose: view.pose };
-  drawGrid(all);
+  const all = { canvas, g, window, ink, theme, view, whole, selected, bare, memory, pose: view.pose };
+  all.axes = drawGrid(all);
   if (view.layers.has("truth")) drawTruth(all);
   if (view.pose && view.layers.has("zones")) drawZones(all);
   if (view.pose && view.layers.has("wedge")) drawWedge(all);

@@ -1,6 +1,7 @@
 // The same from the side: outlines as solids, drawn from far to near.
-import { label, niceStep, prepare } from "./canvas.js";
+import { niceStep, prepare } from "./canvas.js";
 import { colourOf } from "./colours.js";
+import { fitted, Labels } from "./labels.js";
 import { bodyOf, centreOf, curvatureAt, nameOf, outlineOf, placed, sweptRing } from "./scene.js";
 
 const ROBOT_HEIGHT = 0.09;  // m, drawn: nobody tells it
@@ -140,7 +141,7 @@ function drawFrustum(g, orbit, { view, ink }) {
   }
 }
 
-export function drawSolid(canvas, orbit, { view, ink, theme, selected }) {
+export function drawSolid(canvas, orbit, { view, ink, theme, selected, memory }) {
   const { g, width, height } = prepare(canvas);
   orbit.size(width, height);
   g.fillStyle = ink.paper;
@@ -182,23 +183,22 @@ export function drawSolid(canvas, orbit, { view, ink, theme, selected }) {
     g.globalAlpha = 1;
   }
   if (view.layers.has("wedge")) drawFrustum(g, orbit, { view, ink });
+  canvas.placed = [];
   if (!view.layers.has("labels")) return;
-  g.textAlign = "center";
-  g.textBaseline = "alphabetic";
-  const taken = [];
-  for (const object of view.result.objects) {
-    const centre = object.state !== "tentative" && centreOf(object);
-    if (!centre) continue;
-    const at = orbit.axes(centre, object.z_max);
-    if (at[0] < NEAR) continue;
-    const [u, v] = orbit.project(at);
-    g.font = `${object.id === selected ? "700" : "600"} 13px system-ui, sans-serif`;
-    const text = nameOf(object);
-    const w = g.measureText(text).width / 2;
-    let y = v - 8;
-    while (taken.some((b) => u - w < b[2] && u + w > b[0] && y - 13 < b[3] && y > b[1]) && y > v - 80) y -= 14;
-    taken.push([u - w, y - 13, u + w, y]);
-    label(g, text, u, y, ink.ink, ink.paper);
-  }
+  const labels = new Labels(g, width, height, memory);
+  labels.block([0, height - 24, 140, height]);
+  const shown = view.result.objects.filter((o) => o.state !== "tentative" && centreOf(o)).sort((a, b) => b.views - a.views)
+    .map((object) => ({ object, top: orbit.axes(centreOf(object), object.z_max) })).filter(({ top }) => top[0] >= NEAR);
+  g.font = "700 13px system-ui, sans-serif";
+  const names = fitted(shown.map(({ object }) => nameOf(object)), (text) => g.measureText(text).width < 0.6 * width);
+  shown.forEach(({ object, top }, i) => {
+    const [u, v] = orbit.project(top);
+    if (u < 0 || u > width || v < 0 || v > height) return;
+    labels.mark([u - 3, v - 3, u + 3, v + 3]);
+    const w = g.measureText(names[i]).width + 4;
+    labels.add({ key: object.id, texts: [names[i], String(object.id)], at: [u, v], box: [u - 3, v - 3, u + 3, v + 3], first: [[u - w / 2, v - 15]],
+      font: `${object.id === selected ? "700" : "600"} 13px system-ui, sans-serif`, ink: ink.ink, colour: colourOf(object.rgb, object.signature, theme) });
+  });
+  labels.draw(ink.paper);
+  canvas.placed = labels.placed;
 }
-

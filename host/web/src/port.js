@@ -67,7 +67,9 @@ export function bindPort(page) {
   }
 
   byId("connect").onclick = () => {
-    byId("port").hidden = !byId("port").hidden;
+    const shown = !byId("port").hidden && !byId("port-row").hidden;
+    byId("port").hidden = shown;
+    byId("port-row").hidden = false;
     if (!byId("port").hidden) complain(navigator.serial ? null : ABSENT);
   };
   byId("port-open").onclick = connect;

@@ -1,4 +1,5 @@
 // What a look means in metres: outlines, the robot's body and zones, poses in between. Map frame.
+import { plain } from "./dom.js";
 
 const ringsOf = (geometry) => !geometry ? [] : geometry.type === "Polygon" ? [geometry.coordinates] : geometry.coordinates;
 
@@ -20,7 +21,7 @@ export function centreOf(object) {
   return [mean(0), mean(1)];
 }
 
-export const nameOf = (object) => `${object.id} ${object.name ?? `signature ${object.signature}`}`;
+export const nameOf = (object) => `${object.id} ${plain(object.name ?? `signature ${object.signature}`)}`;
 
 /** The truth of a scene file: rings with names. */
 export function truthOf(scene) {

@@ -2,7 +2,7 @@ import { figure } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
 import { headed, make, plain } from "./dom.js";
 
-const degrees = (radians) => radians === null || radians === undefined ? "–" : (radians * 180 / Math.PI).toFixed(0);
+const degrees = (radians) => radians === null || radians === undefined ? "–" : (radians * 180 / Math.PI).toFixed(0).replace(/^-0$/, "0");
 
 function key(object, theme) {
   const canvas = make("canvas", { className: "key", width: 30, height: 30, "aria-hidden": "true" });
@@ -74,6 +74,23 @@ export function markAlerts(table, [first, end], count) {
 
 export function fillFacts(list, facts) {
   list.replaceChildren(...facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value instanceof Node ? value : plain(value))]));
+}
+
+/** What there is to say of a run; `last`: of all of it, null while it goes on. */
+export function factsOf({ name, result, page, last, took, duration }) {
+  const { log } = result;
+  const total = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
+  const facts = [["log", name], ["digest now", make("code", { id: "digest-now" }, result.digest ?? "")]];
+  if (last) facts.push(["digest at the end", make("code", { id: "digest" }, last.result.digest)]);
+  facts.push(["profile", result.profile ?? ""], ["records used", `${log.records ?? 0}: ${log.frames ?? 0} frames, ${log.odometry ?? 0} of odometry`],
+    ["not used", `${total(log.rejected)} bad lines, ${total(log.refused)} frames, ${log.foreign ?? 0} lines that are no records`]);
+  if (last?.page.check.compared) {
+    const { compared, differing } = last.page.check;
+    facts.push(["the robot's own log", differing ? `differs in ${differing} of ${compared} records` : `agrees in all ${compared} records compared`]);
+  }
+  if (page.runs > 1) facts.push(["runs in it", `${page.runs}; the last is shown, as by fencepost replay`]);
+  if (last && took) facts.push(["replayed here in", `${Math.round(took.busy)} ms, ${(duration * 1000 / Math.max(1, took.busy)).toFixed(0)} times as fast as it was driven`]);
+  return facts;
 }
 
 const REASONS = {

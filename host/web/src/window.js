@@ -40,6 +40,9 @@ const inside = (ring, [x, y]) => ring.reduce((is, [xi, yi], i) => {
   return (yi > y) !== (yj > y) && x < (xj - xi) * (y - yi) / (yj - yi) + xi ? !is : is;
 }, false);
 
+/** The true thing at a place of the page, or undefined. */
+export const truthAt = (window, truth, at) => truth.findLast(({ ring }) => inside(ring, window.toMap(at)));
+
 /** The object at a place of the page, or null. */
 export function objectAt(window, objects, at) {
   const p = window.toMap(at);

@@ -72,6 +72,31 @@ TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
+// tests/host/web/view_test.mjs looks at it in a browser, tests/host/view asks it strange things.
+TEST_F(CommandRun, IsShownInBrowsersOfThisMachine) {
+  FakePixy camera(file("camera"));
+  FakeCreate wheels(file("wheels"));
+  Process run(folder, on_devices({"--view", "--log", "run.log", "--mode", "text", "--frames", "120"}));
+  ASSERT_TRUE(run.says("the run is shown at http://127.0.0.1:")) << run.err();
+  std::smatch port;
+  const std::string said = run.err();
+  ASSERT_TRUE(std::regex_search(said, port, std::regex("http://127.0.0.1:([0-9]+)/"))) << said;
+  const Outcome second = shell(folder, "fencepost run --camera console --odometry console --view " + port[1].str());
+  EXPECT_EQ(second.exit_code, 4) << second.err;
+  EXPECT_NE(second.err.find("127.0.0.1:" + port[1].str() + ": Address already in use"), std::string::npos)
+      << second.err;
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  expect_replays("run.log", digest_in(run.err()));
+}
+
+TEST_F(CommandRun, ViewTakesAPortOrNone) {
+  for (const char* port : {"0", "65536", "-1", "80x", "localhost"}) {
+    const Outcome run = shell(folder, "fencepost run --camera console --odometry console --view=" + std::string(port));
+    EXPECT_EQ(run.exit_code, 2) << port << run.err;
+    EXPECT_NE(run.err.find("--view takes a port"), std::string::npos) << run.err;
+  }
+}
+
 // With a log of its own, the stream would only be there twice.
 TEST_F(CommandRun, WithALogTheConsoleIsForPeople) {
   const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");

@@ -128,33 +128,78 @@ TEST(Simulate, GivesTheBundledRecordingAndFeedsReplay) {
   EXPECT_EQ(piped.out, shell(folder, "fencepost replay " + kLog + " --json").out);
 }
 
-TEST(Report, WritesBesideUnlessToldWhere) {
+TEST(Report, WritesThePageBesideUnlessToldWhere) {
   const Folder folder;
   const Outcome run = shell(folder, "cp " + kLog + " run.log; mkdir sub; cd sub; fencepost report ../run.log");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_TRUE(holds(slurp(folder.path() / "sub" / "run.html"), "<h1>run.log</h1>"));
-  const Outcome piped = shell(folder, "fencepost report run.log --scene " + kScene + " -o -");
-  EXPECT_TRUE(holds(piped.out, "Against the truth"));
+  EXPECT_TRUE(holds(run.err, "wrote run.html"));
+  const std::string page = slurp(folder.path() / "sub" / "run.html");
+  EXPECT_TRUE(holds(page, R"(id="given">{"logs":[{"name":"run.log","log":"JEZQSERS)"));  // "$FPHDR" in base 64
+  EXPECT_TRUE(holds(page, "default-src 'none'; script-src 'sha256-"));
+  EXPECT_TRUE(holds(page, "connect-src 'none'"));
+  const Outcome piped = shell(folder, "fencepost report run.log --page --profile small -o - --scene - <" + kScene);
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_TRUE(holds(piped.out, R"("scene":{"format":1)"));
+  EXPECT_TRUE(holds(piped.out, R"("profile":"small"})"));
 }
 
-TEST(Report, WritesThePageWithTheLogInIt) {
+TEST(Report, PutsSeveralLogsSideBySide) {
   const Folder folder;
-  const Outcome run = shell(folder, "cp " + kLog + " run.log; fencepost report --page run.log --scene " + kScene);
+  const Outcome run = shell(folder, "cp " + kLog +
+                                        " a.log; sed '5s/,/;/2' a.log >b.log; echo foreign >c.log; "
+                                        "fencepost report a.log b.log c.log");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(holds(run.err, "wrote run.html"));
+  EXPECT_TRUE(holds(run.err, "wrote fencepost-report.html"));
+  EXPECT_TRUE(holds(run.err, "b.log: 1 line rejected: crc"));
+  EXPECT_TRUE(holds(run.err, "c.log: no record"));
+  const std::string page = slurp(folder.path() / "fencepost-report.html");
+  for (const char* name : {"a.log", "b.log", "c.log"}) EXPECT_TRUE(holds(page, R"({"name":")" + std::string(name)));
+  const Outcome scenes = shell(folder, "fencepost report a.log b.log --scene " + kScene);
+  EXPECT_EQ(scenes.exit_code, 2);
+  EXPECT_TRUE(holds(scenes.err, "2 logs and 1 scenes; give one --scene for each log"));
+  EXPECT_EQ(shell(folder, "fencepost report a.log b.log --scene " + kScene + " --scene " + kScene).exit_code, 0);
+  EXPECT_EQ(shell(folder, "fencepost report - b.log --scene - </dev/null").exit_code, 2);
+}
+
+TEST(Report, StaticHasNoScriptAndMeasuresTheModels) {
+  const Folder folder;
+  const Outcome run = shell(folder, "cp " + kLog + " run.log; fencepost report run.log --static --scene " + kScene);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string page = slurp(folder.path() / "run.html");
-  EXPECT_TRUE(holds(page, R"(id="given">{"name":"run.log","log":"JEZQSERS)"));  // "$FPHDR" in base 64
-  EXPECT_TRUE(holds(page, R"("scene":{"format":1)"));
-  EXPECT_EQ(shell(folder, "fencepost report --page run.log --profile small").exit_code, 2);
-  EXPECT_EQ(shell(folder, "fencepost report --page run.log --scene - </dev/null").exit_code, 2);
-  EXPECT_EQ(shell(folder, "fencepost report --page run.log --scene run.log").exit_code, 3);
-  const Outcome missing = shell(folder, "FENCEPOST_SHARE=/nowhere fencepost report --page run.log");
+  EXPECT_TRUE(holds(page, "<h1>run.log</h1>"));
+  EXPECT_TRUE(holds(page, "Against the truth"));
+  EXPECT_FALSE(holds(page, "<script"));
+  EXPECT_EQ(shell(folder, "fencepost report run.log run.log --static").exit_code, 2);
+}
+
+// What the command line is told of the camera is in the page's log.
+TEST(Report, ALogWithoutCalibrationTakesACamera) {
+  const Folder folder;
+  const std::string make = "grep -v FPCAM " + kLog + " >nocam.log; grep FPCAM " + kLog + " | head -1 >cam; ";
+  EXPECT_EQ(shell(folder, make + "fencepost report nocam.log").exit_code, 3);
+  EXPECT_EQ(shell(folder, "fencepost report nocam.log --camera cam").exit_code, 0);
+  const json given = [&] {
+    const std::string page = slurp(folder.path() / "nocam.html");
+    const std::string open = R"(id="given">)";
+    const std::size_t begin = page.find(open) + open.size();
+    return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  }();
+  spill(folder.path() / "base64", given["logs"][0]["log"].get<std::string>());
+  const std::string whole = shell(folder, "fencepost replay nocam.log --camera cam --json").out;
+  EXPECT_EQ(json::parse(shell(folder, "base64 -d base64 | fencepost replay - --json").out)["digest"],
+            json::parse(whole)["digest"]);
+}
+
+TEST(Report, SaysWhatIsMissing) {
+  const Folder folder;
+  const Outcome missing = shell(folder, "FENCEPOST_SHARE=/nowhere fencepost report " + kLog + " -o run.html");
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_TRUE(holds(missing.err, "the page is missing; looked in /nowhere/page"));
+  EXPECT_EQ(shell(folder, "fencepost report " + kLog + " --scene " + kLog).exit_code, 3);
 }
 
-TEST(Demo, ShowsAlertsObjectsAndAReport) {
+TEST(Demo, ShowsAlertsObjectsAndThePage) {
   const Folder folder;
   const Outcome run = shell(folder, "fencepost demo");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -162,7 +207,7 @@ TEST(Demo, ShowsAlertsObjectsAndAReport) {
   EXPECT_TRUE(holds(run.out, " id name "));
   EXPECT_TRUE(holds(run.err, "Wrote fencepost-demo.html"));
   EXPECT_TRUE(holds(run.err, "Next:\n  fencepost "));
-  EXPECT_TRUE(holds(slurp(folder.path() / "fencepost-demo.html"), "Against the truth"));
+  EXPECT_TRUE(holds(slurp(folder.path() / "fencepost-demo.html"), R"({"logs":[{"name":"approach_stop.log")"));
 }
 
 // README.md shows the output, indented by four.

@@ -238,20 +238,43 @@ await run({
     await planted.context().close();
   },
 
-  async "fencepost report --page writes the page with the log in it"() {
+  async "fencepost report writes the page with logs in it, strange names and corrupt ones too"() {
     const folder = mkdtempSync(join(tmpdir(), "fencepost-page-"));
     try {
       const log = join(folder, "<!--<script>.log");
+      const corrupt = join(folder, "corrupt.log");
+      const foreign = join(folder, "foreign.log");
       writeFileSync(log, readFileSync(tools.log("stop_nxtcam")));
+      writeFileSync(corrupt, readFileSync(tools.log("stop_pixy2"), "latin1").replace(/FPODO,0/, "FPODO,x"));
+      writeFileSync(foreign, "hello\n");
       const file = join(folder, "run.html");
-      execFileSync(tools.cli, ["report", "--page", log, "--scene", tools.scene("stop_nxtcam"), "-o", file], { stdio: "ignore" });
+      execFileSync(tools.cli, ["report", log, "--scene", tools.scene("stop_nxtcam"), "-o", file], { stdio: "ignore" });
       const report = await browser.open({ file });
       assert.equal(await text(report, "#title"), "<!--<script>.log");
       assert.equal(await text(report, "#digest"), tools.digest(log));
       await report.context().close();
+      execFileSync(tools.cli, ["report", log, corrupt, foreign, "--profile", "small", "-o", file], { stdio: "ignore" });
+      const several = await browser.open({ file });
+      assert.deepEqual(await several.locator(".card b").allTextContents(), ["<!--<script>.log", "corrupt.log", "foreign.log"]);
+      assert.equal(await text(several, "#digest"), tools.digest(log, "--profile", "small"));
+      assert.match(await text(several, ".card:nth-child(3)"), /no record in 1 line/);
+      await several.getByRole("button", { name: "Open corrupt.log" }).click();
+      await several.waitForFunction(() => /1 line not used, crc/.test(document.getElementById("problems").textContent));
+      assert.equal(await several.locator("script").count(), 3, "the bundle, what is given, and the page's own");
+      await several.context().close();
     } finally {
       rmSync(folder, { recursive: true });
     }
+  },
+
+  async "a log is replayed with the profile that is chosen"() {
+    await drop(page, tools.log("wro_lap"));
+    for (const profile of ["micro", "small", "full", "the log's own"]) {
+      await page.selectOption("#profile", { label: profile });
+      const digest = tools.digest(tools.log("wro_lap"), ...(profile.startsWith("the") ? [] : ["--profile", profile]));
+      await page.waitForFunction((wanted) => document.getElementById("digest")?.textContent === wanted && document.getElementById("progress").hidden, digest);
+    }
+    assert.match(await text(page, "#summary"), /profile full/);
   },
 
   async "nothing was asked of a network, and nothing failed"() {
