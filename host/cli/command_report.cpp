@@ -128,9 +128,6 @@ Action configure_report(CLI::App& app) {
   app.add_flag("--static", request->still,
                "a picture without any script instead, for paper, mail and browsers without WebAssembly: "
                "one log, and with --scene every model measured against the truth");
-  app.add_flag_callback(
-         "--page", [] {}, "the default")
-      ->group("");  // as it was asked for once
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_option("--camera", request->camera,

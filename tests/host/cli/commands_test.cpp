@@ -138,7 +138,7 @@ TEST(Report, WritesThePageBesideUnlessToldWhere) {
   EXPECT_TRUE(holds(page, R"(id="given">{"logs":[{"name":"run.log","log":"JEZQSERS)"));  // "$FPHDR" in base 64
   EXPECT_TRUE(holds(page, "default-src 'none'; script-src 'sha256-"));
   EXPECT_TRUE(holds(page, "connect-src 'none'"));
-  const Outcome piped = shell(folder, "fencepost report run.log --page --profile small -o - --scene - <" + kScene);
+  const Outcome piped = shell(folder, "fencepost report run.log --profile small -o - --scene - <" + kScene);
   EXPECT_EQ(piped.exit_code, 0) << piped.err;
   EXPECT_TRUE(holds(piped.out, R"("scene":{"format":1)"));
   EXPECT_TRUE(holds(piped.out, R"("profile":"small"})"));
