@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "host/report/label_space.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/palette.hpp"
 #include "host/result/lookup.hpp"
@@ -155,8 +154,8 @@ std::string truth_labels(const MapFrame& f, const Scene& truth, LabelSpace& spac
 
 }  // namespace
 
-std::string draw_labels(const MapFrame& f, const ResultDocument& document, const std::optional<Scene>& truth) {
-  LabelSpace space({f.left, f.top, f.left + f.width, f.top + f.height});
+std::string draw_labels(const MapFrame& f, const ResultDocument& document, const std::optional<Scene>& truth,
+                        LabelSpace& space) {
   std::string svg = R"(<g class="labels">)" + object_labels(f, document, space);
   if (truth) svg += truth_labels(f, *truth, space);
   return svg + "</g>\n";

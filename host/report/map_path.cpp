@@ -65,22 +65,27 @@ double direction_of_travel(const MapFrame& f, const std::vector<PoseResult>& pat
   return std::atan2(path[after].y - path[before].y, path[after].x - path[before].x);
 }
 
+constexpr double kTextReach = 40;  ///< px: a time further from its place says nothing
+
 enum class Reach { kOutwards, kBackwards };
 
 /// A text on the right of the path. At the ends it reaches backwards: ahead of the robot are the obstacles.
-std::string beside(const MapFrame& f, const std::vector<PoseResult>& path, std::size_t at, double distance, Reach reach,
-                   const std::string& text) {
+std::string beside(const MapFrame& f, LabelSpace& space, const std::vector<PoseResult>& path, std::size_t at,
+                   double distance, Reach reach, const std::string& text) {
   const double travel = direction_of_travel(f, path, at);
   const double across = travel - std::numbers::pi / 2;
   const double x = f.x(path[at].x) + std::cos(across) * distance;
   const double y = f.y(path[at].y) - std::sin(across) * distance;
   const double away = std::cos(across);
-  const char* anchor = away > 0.4 ? "start" : away < -0.4 ? "end" : "middle";
-  if (reach == Reach::kBackwards && std::abs(std::cos(travel)) > 0.4) anchor = std::cos(travel) > 0 ? "end" : "start";
-  return fmt::format(R"(<text x="{}" y="{}" text-anchor="{}">{}</text>)", px(x), px(y + 4.5), anchor, text);
+  double side = away > 0.4 ? 1 : away < -0.4 ? -1 : 0;
+  if (reach == Reach::kBackwards && std::abs(std::cos(travel)) > 0.4) side = std::cos(travel) > 0 ? -1 : 1;
+  const Point best{x + side * text_width(text) / 2, y + 4.5};
+  const auto placed = space.place(best, {f.x(path[at].x), f.y(path[at].y)}, text, 1, kTextReach);
+  if (!placed) return {};
+  return fmt::format(R"(<text x="{}" y="{}" text-anchor="middle">{}</text>)", px(placed->at.x), px(placed->at.y), text);
 }
 
-std::string draw_times(const MapFrame& f, const std::vector<PoseResult>& path) {
+std::string draw_times(const MapFrame& f, LabelSpace& space, const std::vector<PoseResult>& path) {
   const double duration = path.back().t - path.front().t;
   if (duration <= 0) return {};
   const double step = nice_step(duration / kTimeMarks);
@@ -94,7 +99,7 @@ std::string draw_times(const MapFrame& f, const std::vector<PoseResult>& path) {
     const bool room = pixel_distance(f, path[labelled], path[i]) > kLabelSpacing &&
                       pixel_distance(f, path.back(), path[i]) > kEndSpacing;
     if (!room) continue;
-    svg += beside(f, path, i, kLabelDistance, Reach::kOutwards, figure(path[i].t, step_decimals(step)) + " s");
+    svg += beside(f, space, path, i, kLabelDistance, Reach::kOutwards, figure(path[i].t, step_decimals(step)) + " s");
     labelled = i;
   }
   return svg;
@@ -102,20 +107,20 @@ std::string draw_times(const MapFrame& f, const std::vector<PoseResult>& path) {
 
 }  // namespace
 
-std::string draw_path(const MapFrame& f, const std::vector<PoseResult>& path) {
+std::string draw_path(const MapFrame& f, const std::vector<PoseResult>& path, LabelSpace& space) {
   if (path.empty()) return {};
   const PoseResult& start = path.front();
   const PoseResult& end = path.back();
-  std::string svg =
-      R"(<g class="layer-path">)" + draw_line(f, path) + draw_heading_ticks(f, path) + draw_times(f, path);
-  svg += fmt::format(R"(<circle class="start" cx="{}" cy="{}" r="5.5"/>)", px(f.x(start.x)), px(f.y(start.y)));
-  svg += beside(f, path, 0, 20, Reach::kBackwards, "start");
+  std::string ends =
+      fmt::format(R"(<circle class="start" cx="{}" cy="{}" r="5.5"/>)", px(f.x(start.x)), px(f.y(start.y)));
+  ends += beside(f, space, path, 0, 20, Reach::kBackwards, "start");
   const double degrees = -end.heading * kDegreesPerRadian;
-  svg +=
+  ends +=
       fmt::format(R"svg(<path class="robot" transform="translate({} {}) rotate({})" d="M13 0L-8 -8L-4 0L-8 8z"/>)svg",
                   px(f.x(end.x)), px(f.y(end.y)), px(degrees));
-  svg += beside(f, path, path.size() - 1, 22, Reach::kBackwards, fmt::format("end, {} s", figure(end.t, 1)));
-  return svg + "</g>\n";
+  ends += beside(f, space, path, path.size() - 1, 22, Reach::kBackwards, fmt::format("end, {} s", figure(end.t, 1)));
+  return R"(<g class="layer-path">)" + draw_line(f, path) + draw_heading_ticks(f, path) + draw_times(f, space, path) +
+         ends + "</g>\n";
 }
 
 double path_length(const std::vector<PoseResult>& path) {

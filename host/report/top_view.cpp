@@ -89,7 +89,9 @@ std::string top_view(const ResultDocument& document, const std::optional<Scene>&
     return model_style(a).layer < model_style(b).layer;
   });
   for (const std::string& name : models) html += draw_model(f, document, name);
-  html += draw_path(f, document.path) + draw_labels(f, document, truth) + "</g>\n" + draw_scale_bar(f);
+  LabelSpace space({f.left, f.top, f.left + f.width, f.top + f.height});
+  const std::string names = draw_labels(f, document, truth, space);  // before the times, which may be left out
+  html += draw_path(f, document.path, space) + names + "</g>\n" + draw_scale_bar(f);
   html +=
       "</svg></div></div><p class=\"note\">Arrow heads on the path show where the robot faced. "
       "Tick models above the map to show or hide them.</p>";

@@ -167,7 +167,7 @@ await run({
       assert.deepEqual(await tooWide(page), [], `at ${width}`);
       const { labels, size } = await page.evaluate(() => {
         const map = document.getElementById("map").getBoundingClientRect();
-        const texts = [...document.querySelectorAll(".labels text")];
+        const texts = [...document.querySelectorAll(".labels text, .layer-path text")];
         return { size: [map.width, map.height], labels: texts.map((text, key) => {
           const { left, top, right, bottom } = text.getBoundingClientRect();
           const inset = (bottom - top) * 0.15;  // of a line's box, above and below its letters
