@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <random>
+
 namespace fencepost::host {
 namespace {
 
@@ -82,6 +86,37 @@ TEST(Judge, RefusesWhatIsNoRequest) {
                                  head("GET / HTTP/1.1", "\r\nTransfer-Encoding: chunked")};
   for (const std::string& request : strange) EXPECT_NE(judge(request).status, 200) << request;
   EXPECT_EQ(judge(head("GET / HTTP/1.1", "\r\nContent-Length: 0")).status, 200);
+}
+
+// Requests that are good but for a few bytes, and noise.
+TEST(Judge, NeverCrashesAndLetsNothingElseThrough) {
+  std::mt19937 random(20'261'123);
+  const std::string good[] = {head("GET / HTTP/1.1"), head("GET /log HTTP/1.1", "\r\nOrigin: http://127.0.0.1:4321"),
+                              "GET /log HTTP/1.1\r\nHost: localhost:80\r\nSec-Fetch-Site: same-origin"};
+  const std::string spice = std::string("\r\n \t:\0/.@%,[]", 14) + "GETHOSTlog10\x80\xff";
+  std::size_t through = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    std::string request = good[random() % 3];
+    for (std::size_t k = random() % 4; k > 0; --k) {
+      const std::size_t at = random() % request.size();
+      const char byte = spice[random() % spice.size()];
+      if (random() % 2 == 0) {
+        request[at] = byte;
+      } else {
+        request.insert(at, 1, byte);
+      }
+    }
+    if (judge(request).status != 200) continue;
+    ++through;
+    const std::string first = request.substr(0, request.find("\r\n"));
+    EXPECT_TRUE(first == "GET / HTTP/1.1" || first == "GET /log HTTP/1.1") << request;
+    std::string lower = request;
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto names = {"127.0.0.1", "localhost", "[::1]"};
+    EXPECT_TRUE(std::ranges::any_of(names, [&](const char* name) { return lower.find(name) != std::string::npos; }))
+        << request;
+  }
+  EXPECT_GT(through, 1000U);
 }
 
 TEST(AnswerHead, EndsWithAnEmptyLineAndForbidsOthers) {
