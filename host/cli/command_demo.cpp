@@ -36,8 +36,7 @@ Exit run(const std::string& output) {
     const TextOptions text{colour_on_stdout(), true};
     write_output("-", alert_list(outcome.result, text) + "\n" + object_table(outcome.result, text) + "\n" +
                           summary_line(outcome.result));
-    say_lines(
-        fmt::format("\nWrote {}: open it in a browser to see the map and the alerts, at any time of the run.", output));
+    say_lines(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
   }
   say_what_was_left_out(outcome);
   say_lines(next_steps(log, scene_path));
