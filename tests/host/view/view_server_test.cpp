@@ -176,7 +176,7 @@ TEST(ViewServer, StreamsTheLogFromItsFirstLineToSeveral) {
 
 // The loop's side: what it costs to add lines while nobody, somebody slow, or somebody who stopped reads.
 TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
-  const auto server = server_of("", 256 << 10);
+  const auto server = server_of("", 2 << 20);
   Browser slow(*server, 32 << 10);
   slow.ask("/log");
   server->add("$FPHDR,1\n");
@@ -185,9 +185,9 @@ TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
   quick.ask("/log");
   const std::string line = std::string(99, 'x') + "\n";
   auto longest = steady_clock::duration::zero();
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const auto before = steady_clock::now();
-    for (int k = 0; k < 1000; ++k) server->add(line);
+    for (int k = 0; k < 8000; ++k) server->add(line);
     longest = std::max(longest, steady_clock::now() - before);
     const std::string mark = "mark " + std::to_string(i) + "\n";
     server->add(mark);
@@ -196,11 +196,11 @@ TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
   EXPECT_LT(longest, milliseconds(1000));
   const std::string left_behind = unchunked(slow.read());
   EXPECT_TRUE(left_behind.ends_with("<unfinished>"));
-  EXPECT_EQ(left_behind.find("mark 199\n"), std::string::npos);
+  EXPECT_EQ(left_behind.find("mark 29\n"), std::string::npos);
   server->finish(kDeadline);
   const std::string whole = unchunked(quick.read());
   EXPECT_EQ(whole.find("<unfinished>"), std::string::npos);
-  EXPECT_EQ(std::ranges::count(whole, '\n'), 1 + 200 * 1001);
+  EXPECT_EQ(std::ranges::count(whole, '\n'), 1 + 30 * 8001);
 }
 
 TEST(ViewServer, EndsWhileSomebodyDoesNotRead) {
