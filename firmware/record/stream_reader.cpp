@@ -23,12 +23,18 @@ void StreamReader::store(char byte) {
   if (size_ <= buffer_.size()) ++size_;
 }
 
+void StreamReader::store(std::string_view bytes) {
+  const std::size_t room = buffer_.size() - std::min(size_, buffer_.size());
+  std::copy_n(bytes.begin(), std::min(bytes.size(), room),
+              buffer_.begin() + static_cast<std::ptrdiff_t>(buffer_.size() - room));
+  size_ = std::min(size_ + bytes.size(), buffer_.size() + 1);
+}
+
 std::optional<std::string_view> StreamReader::cut_line() {
   if (size_ > buffer_.size()) return std::nullopt;
-  std::string_view line(buffer_.data(), size_);
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  const std::string_view line(buffer_.data(), size_);
   size_ = 0;
-  return line;
+  return without_return(line);
 }
 
 LineOutcome StreamReader::end_long_line() {

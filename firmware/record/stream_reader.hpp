@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "firmware/record/line_reader.hpp"
+#include "firmware/record/text.hpp"
 
 namespace fencepost::record {
 
@@ -30,6 +31,20 @@ class StreamReader {
     return line ? lines_.take_line(*line, sink, options) : end_long_line();
   }
 
+  /// Many bytes: takes those of one line, its end included, off the front of `bytes`, or all of them if no line ends
+  /// there. The outcome of the line that ended, if one did. A line that is whole in there is not copied.
+  template <RecordSink Sink>
+  std::optional<LineOutcome> take(std::string_view& bytes, Sink& sink, const DecodeOptions& options = {}) {
+    const std::string_view part = before(bytes, '\n');
+    const bool ended = part.size() < bytes.size();
+    bytes = after(bytes, part.size() + 1);
+    if (ended && size_ == 0 && part.size() <= buffer_.size()) {
+      return lines_.take_line(without_return(part), sink, options);
+    }
+    store(part);
+    return ended ? push('\n', sink, options) : std::nullopt;
+  }
+
   template <RecordSink Sink>
   void push(std::string_view bytes, Sink& sink, const DecodeOptions& options = {}) {
     for (const char byte : bytes) push(byte, sink, options);
@@ -44,6 +59,11 @@ class StreamReader {
 
  private:
   void store(char byte);
+  void store(std::string_view bytes);
+  static std::string_view without_return(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
   /// The finished line without a '\r' at its end, or nothing if it was too long. Starts the next one.
   std::optional<std::string_view> cut_line();
   LineOutcome end_long_line();

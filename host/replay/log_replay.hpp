@@ -26,6 +26,8 @@ class LogReplay {
 
   /// At a line's end what became of it, within a line nothing.
   std::optional<record::LineOutcome> push(char byte) { return reader_.push(byte, *this); }
+  /// Takes one line off the front of `bytes`, or all of them if none ends there.
+  std::optional<record::LineOutcome> take(std::string_view& bytes) { return reader_.take(bytes, *this); }
   /// What follows is not used: there are frames enough, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.

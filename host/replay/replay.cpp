@@ -6,10 +6,7 @@ namespace fencepost::host {
 
 ReplayOutcome replay(std::string_view bytes, const std::string& name, const ReplayOptions& options) {
   LogReplay log(options);
-  for (const char byte : bytes) {
-    log.push(byte);
-    if (log.ended()) break;
-  }
+  while (!bytes.empty() && !log.ended()) log.take(bytes);
   log.finish();
   return {log.now(), log.check(), log.complaints(), log.why_unreadable(name)};
 }

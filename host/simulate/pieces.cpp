@@ -33,9 +33,9 @@ void join(std::vector<Run>& runs, std::size_t a, std::size_t b) {
 void append_runs(const LabelImage& image, int v, std::vector<Run>& runs) {
   const PixelBox& area = image.touched();
   for (int u = area.x1; u <= area.x2;) {
-    const std::int16_t object = image.at(u, v);
+    const std::int16_t object = image.drawn(u, v);
     int end = u;
-    while (end < area.x2 && image.at(end + 1, v) == object) ++end;
+    while (end < area.x2 && image.drawn(end + 1, v) == object) ++end;
     if (object != LabelImage::kNothing) runs.push_back({u, end, object, runs.size()});
     u = end + 1;
   }
@@ -70,6 +70,24 @@ void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   for (int u = run.begin; u <= run.end; ++u) piece.nearest = std::min(piece.nearest, image.depth(u, v));
 }
 
+// Of an object that stands apart.
+Piece whole_piece(const LabelImage& image, std::size_t object) {
+  const Silhouette& silhouette = image.silhouette(object);
+  Piece piece;
+  piece.object = piece.left = piece.right = object;
+  piece.box = silhouette.box();
+  piece.nearest = silhouette.columns().front().nearest;
+  int u = piece.box.x1;
+  for (const ColumnRun& run : silhouette.columns()) {
+    const std::int64_t count = run.last - run.first + 1;
+    piece.pixels += count;
+    piece.sum_u += count * u++;
+    piece.sum_v += count * (run.first + run.last) / 2;  // exact, as above
+    piece.nearest = std::min(piece.nearest, run.nearest);
+  }
+  return piece;
+}
+
 // Pixels of each object in one piece: names the owner and the others.
 void name_objects(Piece& piece, const std::map<std::size_t, std::int64_t>& pixels) {
   const auto most =
@@ -80,12 +98,10 @@ void name_objects(Piece& piece, const std::map<std::size_t, std::int64_t>& pixel
   }
 }
 
-}  // namespace
-
-std::vector<Piece> find_pieces(const LabelImage& image, std::span<const std::uint8_t> signatures) {
-  std::vector<Piece> pieces;
+// Of the objects that are drawn; their others and owners are named.
+void find_drawn_pieces(const LabelImage& image, std::span<const std::uint8_t> signatures, std::vector<Piece>& pieces) {
   const PixelBox& area = image.touched();
-  if (area.empty()) return pieces;
+  if (area.empty()) return;
   std::vector<Run> runs;
   std::vector<int> row_of;
   std::size_t above = 0;
@@ -109,6 +125,14 @@ std::vector<Piece> find_pieces(const LabelImage& image, std::span<const std::uin
     pixels_of[piece_of[root]][static_cast<std::size_t>(runs[i].object)] += runs[i].end - runs[i].begin + 1;
   }
   for (std::size_t i = 0; i < pieces.size(); ++i) name_objects(pieces[i], pixels_of[i]);
+}
+
+}  // namespace
+
+std::vector<Piece> find_pieces(const LabelImage& image, std::span<const std::uint8_t> signatures) {
+  std::vector<Piece> pieces;
+  find_drawn_pieces(image, signatures, pieces);
+  for (const std::size_t object : image.apart()) pieces.push_back(whole_piece(image, object));
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.object < b.object; });
   return pieces;
 }

@@ -50,9 +50,7 @@ Prism::Prism(const SceneObject& object, const CameraPose& camera)
       across_max_(-std::numeric_limits<double>::infinity()) {
   add_ring(ahead_of_camera(ring_in_camera(object.footprint.outer, camera)));
   for (const LinearRing& hole : object.footprint.holes) add_ring(ahead_of_camera(ring_in_camera(hole, camera)));
-  if (edges_.empty()) return;
-  sort_into_slabs();
-  bound_rise();
+  if (!edges_.empty()) bound_rise();
 }
 
 void Prism::add_ring(const std::vector<Point>& ring) {
@@ -74,7 +72,7 @@ void Prism::add_ring(const std::vector<Point>& ring) {
   }
 }
 
-void Prism::sort_into_slabs() {
+void Prism::sort_into_slabs() const {
   for (const Edge& edge : edges_) {
     breaks_.push_back(edge.low);
     breaks_.push_back(edge.high);
@@ -106,15 +104,13 @@ void Prism::bound_rise() {
 
 void Prism::stretches(double across, std::vector<Stretch>& out) const {
   out.clear();
+  if (breaks_.empty()) sort_into_slabs();
   const auto above = std::upper_bound(breaks_.begin(), breaks_.end(), across);
   if (above == breaks_.begin() || above == breaks_.end()) return;
   const auto slab = static_cast<std::size_t>(above - breaks_.begin()) - 1;
   const std::size_t begin = slab_begin_[slab];
   const std::size_t count = slab_begin_[slab + 1] - begin;
-  const auto crossing = [&](std::size_t i) {
-    const Edge& edge = edges_[active_[begin + i]];
-    return 1 / (edge.at_low + edge.slope * (across - edge.low));
-  };
+  const auto crossing = [&](std::size_t i) { return edges_[active_[begin + i]].crossing(across); };
   if (count == 2) {
     const double a = crossing(0);
     const double b = crossing(1);

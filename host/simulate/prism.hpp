@@ -31,25 +31,34 @@ class Prism {
   [[nodiscard]] bool behind() const { return edges_.empty(); }
   [[nodiscard]] double across_min() const { return across_min_; }
   [[nodiscard]] double across_max() const { return across_max_; }
+  /// Heights of its two faces above the camera, m.
+  [[nodiscard]] double bottom() const { return bottom_; }
+  [[nodiscard]] double top() const { return top_; }
   /// Slopes of rays (rise per metre ahead) that can meet it at all.
   [[nodiscard]] double rise_min() const { return rise_min_; }
   [[nodiscard]] double rise_max() const { return rise_max_; }
 
-  /// Stretches of the ray `across`, nearest first. Even-odd, so footprints with holes work too.
+  /// An edge of the footprint as the rays `low` <= across < `high` cross it.
+  struct Edge {
+    double low = 0;
+    double high = 0;
+    double at_low = 0;  ///< 1/s there
+    double slope = 0;
+    /// Distance ahead.
+    [[nodiscard]] double crossing(double across) const { return 1 / (at_low + slope * (across - low)); }
+  };
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+
+  /// Stretches of the ray `across`, nearest first. Even-odd, so footprints with holes work too. The first call sorts
+  /// the edges; for rays in order, Silhouette needs none of that.
   void stretches(double across, std::vector<Stretch>& out) const;
 
   /// Distance ahead at which a ray of that rise first meets the solid within `stretch`; negative: it misses.
   [[nodiscard]] double first_hit(const Stretch& stretch, double rise) const;
 
  private:
-  struct Edge {
-    double low = 0;  ///< crossed by rays low <= across < high
-    double high = 0;
-    double at_low = 0;  ///< 1/s there
-    double slope = 0;
-  };
   void add_ring(const std::vector<Point>& ring);
-  void sort_into_slabs();
+  void sort_into_slabs() const;
   void bound_rise();
 
   double bottom_;  ///< relative to the camera
@@ -61,9 +70,10 @@ class Prism {
   double rise_min_ = 0;
   double rise_max_ = 0;
   std::vector<Edge> edges_;
-  std::vector<double> breaks_;           ///< ascending; slab i is [breaks_[i], breaks_[i+1])
-  std::vector<std::size_t> slab_begin_;  ///< into active_, one more than slabs
-  std::vector<std::size_t> active_;      ///< indices into edges_
+  // Made by the first call of stretches().
+  mutable std::vector<double> breaks_;           ///< ascending; slab i is [breaks_[i], breaks_[i+1])
+  mutable std::vector<std::size_t> slab_begin_;  ///< into active_, one more than slabs
+  mutable std::vector<std::size_t> active_;      ///< indices into edges_
 };
 
 }  // namespace fencepost::host

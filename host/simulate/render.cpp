@@ -5,17 +5,6 @@
 
 namespace fencepost::host {
 
-void PixelBox::include(int u, int v) {
-  if (empty()) {
-    *this = {u, v, u, v};
-    return;
-  }
-  x1 = std::min(x1, u);
-  y1 = std::min(y1, v);
-  x2 = std::max(x2, u);
-  y2 = std::max(y2, v);
-}
-
 LabelImage::LabelImage(int width, int height) : width_(width), height_(height) {
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   labels_.assign(pixels, kNothing);
@@ -31,51 +20,96 @@ void LabelImage::clear(std::size_t objects) {
   }
   touched_ = {};
   alone_.assign(objects, PixelBox{});
+  apart_.clear();
+  silhouettes_.resize(std::max(silhouettes_.size(), objects));
+}
+
+std::int16_t LabelImage::at(int u, int v) const {
+  for (const std::size_t object : apart_) {
+    if (silhouettes_[object].covers(u, v)) return static_cast<std::int16_t>(object);
+  }
+  return drawn(u, v);
 }
 
 void LabelImage::render(const std::vector<SceneObject>& objects, const PixelRays& rays, const CameraPose& camera) {
   clear(objects.size());
+  std::vector<Prism> prisms;
+  prisms.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Prism prism(objects[i], camera);
-    if (prism.behind()) continue;
+    prisms.emplace_back(objects[i], camera);
+    if (rays.separable()) silhouettes_[i].find(prisms[i], rays);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (prisms[i].behind()) continue;
     label_ = objects[i].trained ? static_cast<std::int16_t>(i) : kNothing;
-    if (rays.separable()) {
-      draw_by_columns(i, prism, rays);
+    if (!rays.separable() || !stands_apart(i)) {
+      draw(i, prisms[i], rays);
     } else {
-      draw_by_pixels(i, prism, rays);
+      alone_[i] = silhouettes_[i].box();
+      if (objects[i].trained && !alone_[i].empty()) apart_.push_back(i);
     }
-    if (alone_[i].empty()) continue;
-    touched_.include(alone_[i].x1, alone_[i].y1);
-    touched_.include(alone_[i].x2, alone_[i].y2);
   }
 }
 
-void LabelImage::draw_pixel(std::size_t object, const Prism& prism, int u, int v, double rise) {
-  for (const Stretch& stretch : stretches_) {
+bool LabelImage::stands_apart(std::size_t object) const {
+  if (!silhouettes_[object].whole()) return false;
+  for (std::size_t other = 0; other < alone_.size(); ++other) {
+    if (other != object && silhouettes_[other].bounds().touches(silhouettes_[object].box())) return false;
+  }
+  return true;
+}
+
+void LabelImage::draw(std::size_t object, const Prism& prism, const PixelRays& rays) {
+  if (rays.separable()) {
+    draw_by_columns(object, prism, rays);
+  } else {
+    draw_by_pixels(object, prism, rays);
+  }
+  if (alone_[object].empty()) return;
+  touched_.include(alone_[object].x1, alone_[object].y1);
+  touched_.include(alone_[object].x2, alone_[object].y2);
+}
+
+void LabelImage::show(std::size_t pixel, double hit) {
+  if (!(hit < depths_[pixel])) return;
+  depths_[pixel] = hit;
+  labels_[pixel] = label_;
+}
+
+void LabelImage::draw_pixel(std::size_t object, const Prism& prism, std::span<const Stretch> stretches, int u, int v,
+                            double rise) {
+  for (const Stretch& stretch : stretches) {
     const double hit = prism.first_hit(stretch, rise);
     if (hit < 0) continue;
     alone_[object].include(u, v);
-    const std::size_t pixel = index(u, v);
-    if (hit < depths_[pixel]) {
-      depths_[pixel] = hit;
-      labels_[pixel] = label_;
-    }
+    show(index(u, v), hit);
     return;
   }
 }
 
 void LabelImage::draw_by_columns(std::size_t object, const Prism& prism, const PixelRays& rays) {
-  // Rows run downwards: rise falls.
-  int top = 0;
-  while (top < height_ && rays.rise(0, top) > prism.rise_max()) ++top;
-  int bottom = height_ - 1;
-  while (bottom >= top && rays.rise(0, bottom) < prism.rise_min()) --bottom;
-  for (int u = 0; u < width_; ++u) {
-    const double across = rays.across(u, 0);
-    if (across < prism.across_min() || across > prism.across_max()) continue;
-    prism.stretches(across, stretches_);
-    if (stretches_.empty()) continue;
-    for (int v = top; v <= bottom; ++v) draw_pixel(object, prism, u, v, rays.rise(0, v));
+  const Silhouette& silhouette = silhouettes_[object];
+  if (silhouette.whole()) return draw_runs(object, prism, rays);
+  const PixelBox& bounds = silhouette.bounds();
+  for (int u = bounds.x1; u <= bounds.x2; ++u) {
+    const std::span<const Stretch> stretches = silhouette.stretches(u);
+    for (int v = bounds.y1; v <= bounds.y2 && !stretches.empty(); ++v) {
+      draw_pixel(object, prism, stretches, u, v, rays.rise(0, v));
+    }
+  }
+}
+
+void LabelImage::draw_runs(std::size_t object, const Prism& prism, const PixelRays& rays) {
+  const Silhouette& silhouette = silhouettes_[object];
+  alone_[object] = silhouette.box();
+  int u = silhouette.box().x1;
+  for (const ColumnRun& run : silhouette.columns()) {
+    const Stretch& stretch = silhouette.stretches(u).front();
+    for (int v = run.first; v <= run.last; ++v) {
+      const bool wall = v >= run.wall_begin && v < run.wall_end;
+      show(index(u, v), wall ? stretch.enter : prism.first_hit(stretch, rays.rise(0, v)));
+    }
+    ++u;
   }
 }
 
@@ -98,7 +132,7 @@ void LabelImage::draw_by_pixels(std::size_t object, const Prism& prism, const Pi
       if (across < prism.across_min() || across > prism.across_max()) continue;
       if (rise < prism.rise_min() || rise > prism.rise_max()) continue;
       prism.stretches(across, stretches_);
-      draw_pixel(object, prism, u, v, rise);
+      draw_pixel(object, prism, stretches_, u, v, rise);
     }
   }
 }

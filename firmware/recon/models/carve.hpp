@@ -1,5 +1,8 @@
 // Alg. 3 as the paper has it (sec. II.D): the world is solid, cells outside the fenceposts are cut away. One grid of
-// bits per object. A cell goes only if it lies wholly outside a wedge's side, and never comes back.
+// cells per object. A cell goes only if it lies wholly outside a wedge's side, and never comes back.
+//
+// A half plane takes cells off one end of each row, so what is left of a row is one run, and a row is kept as where
+// that begins and ends: a quarter of a bit a cell, and a cut need not touch the cells.
 //
 // Placement: a square, first as large as the arena around the first estimated centre. Whenever the clip of the same
 // wedges has become smaller than kRefineShare of the square, the grid is placed anew around the clip, with finer cells,
@@ -31,19 +34,29 @@ struct GridPlacement {
   float cell = 0;
 };
 
-/// Clears bits of row-major `words` (columns 0..columns, `columns` a multiple of 32, column 0 = bit 0) in rows
-/// [row_begin, row_end): all cells wholly outside `half_plane`.
-void carve_half_plane(std::span<std::uint32_t> words, std::size_t columns, std::size_t row_begin, std::size_t row_end,
+/// The solid columns of each row: [begin, end); none where they are not in order.
+struct SolidRows {
+  std::span<std::int16_t> begin;
+  std::span<std::int16_t> end;
+};
+
+/// Takes all cells that lie wholly outside `half_plane` out of rows [row_begin, row_end) of `columns` cells.
+void carve_half_plane(SolidRows rows, std::size_t columns, std::size_t row_begin, std::size_t row_end,
                       const GridPlacement& placement, const HalfPlane& half_plane);
+
+/// Of cells [begin, end) of a row, those in its word `word`: cell 0 is bit 0 of word 0.
+std::uint32_t solid_bits(std::int16_t begin, std::int16_t end, std::size_t word);
 
 /// N x N cells, N a multiple of 32.
 template <std::size_t N>
 class CarveGrid {
-  static_assert(N % 32 == 0 && N > 0);
+  static_assert(N % 32 == 0 && N > 0 && N < 0x4000);
 
  public:
   static constexpr std::size_t kCells = N;
   static constexpr std::size_t kWordsPerRow = N / 32;
+  /// A bit a cell, row by row.
+  using Words = std::array<std::uint32_t, N * kWordsPerRow>;
 
   /// Solid square of side 2 * kArenaHalfSide around the local origin.
   void start() {
@@ -52,7 +65,7 @@ class CarveGrid {
   }
 
   void carve(const HalfPlane& half_plane) {
-    carve_half_plane(words_, N, row_begin_, row_end_, placement_, half_plane);
+    carve_half_plane({begin_, end_}, N, row_begin_, row_end_, placement_, half_plane);
     shrink_rows();
   }
 
@@ -77,16 +90,25 @@ class CarveGrid {
   }
 
   [[nodiscard]] bool solid(std::size_t column, std::size_t row) const {
-    return ((words_[row * kWordsPerRow + column / 32] >> (column % 32)) & 1U) != 0;
+    const auto at = static_cast<std::int16_t>(column);
+    return begin_[row] <= at && at < end_[row];
   }
   [[nodiscard]] const GridPlacement& placement() const { return placement_; }
   [[nodiscard]] std::uint8_t placements() const { return placements_; }
-  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+  [[nodiscard]] Words words() const {
+    Words words;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::size_t row = i / kWordsPerRow;
+      words[i] = solid_bits(begin_[row], end_[row], i % kWordsPerRow);
+    }
+    return words;
+  }
 
  private:
   void place(const GridPlacement& placement) {
     placement_ = placement;
-    words_.fill(0xFFFFFFFFU);
+    begin_.fill(0);
+    end_.fill(N);
     row_begin_ = 0;
     row_end_ = N;
   }
@@ -95,13 +117,10 @@ class CarveGrid {
     while (row_begin_ < row_end_ && row_empty(row_begin_)) ++row_begin_;
     while (row_begin_ < row_end_ && row_empty(row_end_ - 1U)) --row_end_;
   }
-  [[nodiscard]] bool row_empty(std::size_t row) const {
-    std::uint32_t any = 0;
-    for (std::size_t w = 0; w < kWordsPerRow; ++w) any |= words_[row * kWordsPerRow + w];
-    return any == 0;
-  }
+  [[nodiscard]] bool row_empty(std::size_t row) const { return begin_[row] >= end_[row]; }
 
-  std::array<std::uint32_t, N * kWordsPerRow> words_{};
+  std::array<std::int16_t, N> begin_{};
+  std::array<std::int16_t, N> end_{};
   GridPlacement placement_;
   std::uint16_t row_begin_ = 0;
   std::uint16_t row_end_ = 0;

@@ -1,4 +1,4 @@
-// Alg. 3 as one model (paper sec. II.D): the grid of bits, and the exact polygon of the same wedges, by which the grid
+// Alg. 3 as one model (paper sec. II.D): the grid of cells, and the exact polygon of the same wedges, by which the grid
 // is placed anew with finer cells.
 #pragma once
 

@@ -1,6 +1,9 @@
 #include "firmware/recon/models/clip.hpp"
 
 #include <algorithm>
+#include <cstring>
+
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 namespace {
@@ -98,7 +101,7 @@ class Flags {
   std::array<std::uint32_t, kMostVertices / 32> words_{};
 };
 
-Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+Cut careful_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
   Flags is_outside;
   Cut cut;
   std::size_t innermost = 0;
@@ -121,6 +124,51 @@ Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_pl
   for (; !is_outside[next(cut.last_in, size)]; ++cut.kept) cut.last_in = next(cut.last_in, size);
   for (; !is_outside[previous(cut.first_in, size)]; ++cut.kept) cut.first_in = previous(cut.first_in, size);
   return cut;
+}
+
+// Where there are vectors and room for all distances. The same for the usual case: the vertices outside are one run,
+// and the others are the run around the innermost one.
+Cut quick_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+  std::array<float, kMostVertices> d;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  unsigned outside = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    d[i] = outside_by(half_plane, v[i]);
+    outside += d[i] > kShallowestCut ? 1U : 0U;
+  }
+  Cut cut;
+  cut.any_outside = outside != 0;
+  cut.any_inside = outside != size;
+  if (!cut.any_outside || !cut.any_inside) return cut;
+  const auto is_outside = [&](std::size_t i) { return d[i] > kShallowestCut; };
+  std::size_t first_out = 0;
+  while (!is_outside(first_out)) ++first_out;
+  std::size_t past_out = first_out + 1;
+  while (past_out < size && is_outside(past_out)) ++past_out;
+  std::size_t found = past_out - first_out;
+  if (first_out == 0) {  // it may begin before the first vertex
+    for (; is_outside(previous(first_out, size)); ++found) first_out = previous(first_out, size);
+  }
+  if (found != outside) return careful_cut(v, size, half_plane);
+  cut.first_in = past_out == size ? 0 : past_out;
+  cut.last_in = previous(first_out, size);
+  cut.kept = size - found;
+  return cut;
+}
+
+Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+  if constexpr (base::kVectors) return quick_cut(v, size, half_plane);
+  return careful_cut(v, size, half_plane);
+}
+
+// Moves `count` vertices, which may overlap.
+void move_vertices(std::span<Vec2> v, std::size_t to, std::size_t from, std::size_t count) {
+  if constexpr (base::kVectors) {
+    std::memmove(static_cast<void*>(&v[to]), &v[from], count * sizeof(Vec2));
+  } else if (to <= from) {
+    for (std::size_t i = 0; i < count; ++i) v[to + i] = v[from + i];
+  } else {
+    for (std::size_t i = count; i-- > 0;) v[to + i] = v[from + i];
+  }
 }
 
 }  // namespace
@@ -149,16 +197,12 @@ std::size_t clip_convex(std::span<Vec2> v, std::size_t size, const HalfPlane& ha
     // the kept run goes over the end: inside 0..last_in, outside first_out..last_out, inside first_in..
     const std::size_t tail = size - first_in;
     const std::size_t to = first_out + 2;
-    if (to <= first_in) {
-      for (std::size_t i = 0; i < tail; ++i) v[to + i] = v[first_in + i];
-    } else {
-      for (std::size_t i = tail; i-- > 0;) v[to + i] = v[first_in + i];
-    }
+    move_vertices(v, to, first_in, tail);
     v[first_out] = leaving;
     v[first_out + 1] = entering;
     return merge_new(v, to + tail, first_out);
   }
-  for (std::size_t i = 0; i < cut.kept; ++i) v[i] = v[first_in + i];
+  move_vertices(v, 0, first_in, cut.kept);
   v[cut.kept] = leaving;
   v[cut.kept + 1] = entering;
   return merge_new(v, cut.kept + 2, cut.kept);

@@ -231,6 +231,48 @@ TEST(RunRules, AHeaderOfAnotherFormatIsReportedAndStartsNothing) {
   EXPECT_EQ(reading.counts().rejected(Reject::kTime), (RejectCount{1, 3}));
 }
 
+// In portions of any size: what comes of each line, the records and the counts are those of its bytes one by one.
+TEST(StreamReader, TakesPortionsAsItTakesBytes) {
+  const std::string too_long = "$FP" + std::string(StreamReader::kBuffer, 'x');
+  std::string stream;
+  for (int i = 1; i <= 40; ++i) {
+    stream += sealed("FPODO," + std::to_string(i % 9 == 0 ? 1 : i) + ",0,0,0") + (i % 3 == 0 ? "\r\n" : "\n");
+    if (i % 4 == 0) stream += "foreign\n\n\r\n";
+    if (i % 5 == 0) stream += too_long.substr(0, StreamReader::kBuffer - 2 + static_cast<unsigned>(i / 5)) + "\n";
+    if (i % 7 == 0) stream += sealed("FPODO,1,0,0") + "\r\n";
+  }
+  stream += "$FPODO,1";
+  for (const std::size_t buffer : {std::size_t{64}, std::size_t{StreamReader::kBuffer}}) {
+    std::vector<char> memory(buffer);
+    StreamReader by_bytes(memory);
+    Recorder sink;
+    std::vector<LineOutcome> outcomes;
+    for (const char byte : stream) {
+      if (const auto outcome = by_bytes.push(byte, sink)) outcomes.push_back(*outcome);
+    }
+    if (const auto outcome = by_bytes.finish()) outcomes.push_back(*outcome);
+    ASSERT_GT(outcomes.size(), 80U);
+    for (const std::size_t portion :
+         {std::size_t{1}, std::size_t{7}, std::size_t{100}, std::size_t{1500}, stream.size()}) {
+      SCOPED_TRACE("portions of " + std::to_string(portion) + " into " + std::to_string(buffer));
+      std::vector<char> room(buffer + 1, '#');
+      StreamReader by_portions{std::span<char>(room).first(buffer)};
+      Recorder heard;
+      std::vector<LineOutcome> came;
+      for (std::size_t at = 0; at < stream.size(); at += portion) {
+        std::string_view left = std::string_view(stream).substr(at, portion);
+        while (!left.empty()) {
+          if (const auto outcome = by_portions.take(left, heard)) came.push_back(*outcome);
+        }
+      }
+      if (const auto outcome = by_portions.finish()) came.push_back(*outcome);
+      EXPECT_EQ(came, outcomes);
+      EXPECT_EQ(heard.records, sink.records);
+      EXPECT_EQ(room.back(), '#');
+    }
+  }
+}
+
 TEST(LineReader, TakesLinesThatSomeoneElseHasCut) {
   LineReader lines;
   Recorder sink;

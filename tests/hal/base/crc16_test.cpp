@@ -23,6 +23,25 @@ TEST(Crc16, StepsAgreeWithTheWhole) {
   EXPECT_EQ(crc, crc16("FPODO,1.0000,0.0000,0.0000,0.0000"));
 }
 
+// Eight bytes at a time where there are tables: every length, and every byte at every place of the eight.
+TEST(Crc16, IsThatOfItsBytesOneByOne) {
+  std::string bytes;
+  unsigned next = 1;
+  for (int length = 0; length < 600; ++length) {
+    std::uint16_t crc = 0xFFFF;
+    for (const char c : bytes) crc = crc16_step(crc, static_cast<std::uint8_t>(c));
+    ASSERT_EQ(crc16(bytes), crc) << "length " << length;
+    next = next * 1'103'515'245U + 12'345U;
+    bytes.push_back(static_cast<char>(next >> 16U));
+  }
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    std::string same(24, static_cast<char>(byte));
+    std::uint16_t crc = 0xFFFF;
+    for (const char c : same) crc = crc16_step(crc, static_cast<std::uint8_t>(c));
+    ASSERT_EQ(crc16(same), crc) << "byte " << byte;
+  }
+}
+
 TEST(Crc16, SeesEverySingleBitFlip) {
   const std::string line = "FPODO,1.0000,0.2500,-0.1000,3.1416";
   const std::uint16_t good = crc16(line);

@@ -213,7 +213,7 @@ TEST(SheafViews, BlindViewsAreNotKeptAndHalfOnesDoNotPushWholeOnesOut) {
 
   store.start({}, {});
   for (int i = 0; i < 24; ++i) store.add(sighting_at(15 * i, i == 7 ? recon::End::kLowerBound : recon::End::kSeen), {});
-  std::array<recon::RoughBearing, 128> scratch{};
+  std::array<float, recon::thinning_scratch(127)> scratch{};
   const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7), scratch);
   EXPECT_EQ(goes, 7U);
 }

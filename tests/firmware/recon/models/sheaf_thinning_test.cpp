@@ -47,7 +47,7 @@ SheafView view_along(double angle, int ends) {
 }
 
 void expect_same(const std::vector<SheafView>& views) {
-  std::vector<recon::RoughBearing> scratch(views.size());
+  std::vector<float> scratch(recon::thinning_scratch(views.size() - 1));
   const std::span<const SheafView> store(views.data(), views.size() - 1);
   ASSERT_EQ(recon::view_to_give_up(store, views.back(), scratch), plain_rule(views));
 }

@@ -1,0 +1,26 @@
+// What was measured, as host/share/doc/speed.md shows it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/bench/contender.hpp"
+
+namespace fencepost::bench {
+
+struct Measured {
+  Contender contender;
+  std::size_t objects = 0;
+  double ns = 0;  ///< an object and view, median of the repetitions
+};
+
+/// Both tables in Markdown; ratios are to the clip, and to the limit of the same grid.
+std::string tables(const std::vector<Measured>& all);
+
+/// Processor, compiler and day.
+std::string machine();
+
+/// Replaces what stands between the marks in the file. False: it cannot be read or written, or has no marks.
+bool write_between_marks(const std::string& path, const std::string& text);
+
+}  // namespace fencepost::bench
