@@ -23,6 +23,8 @@ namespace {
 /// study (tests/studies/calibrate) that it does not use.
 constexpr double kCaution = 1.15;
 
+constexpr int kFitRounds = 5;
+
 /// Why the solver failed, as a sentence for whoever drives.
 std::string no_fit(const std::string& reason) {
   return fmt::format("no calibration fits this log ({}); are camera and wheels of one robot, and its $FPCAM near? {}",
@@ -65,8 +67,9 @@ SolverOptions only_objects() {
 }
 
 /// Solves with noise that is measured in between, and objects that turn out to be one joined.
-std::optional<std::string> fit(StartedProblem& started, const SolverOptions& options) {
-  constexpr int kRounds = 5;
+std::optional<std::string> fit(StartedProblem& started, const SolverOptions& options,
+                               const std::function<void()>& round_done) {
+  constexpr int kRounds = kFitRounds;
   constexpr int kRound = 2;  // of these, with round objects: else a wrong distance hides in a shape
   SolverOptions now = options;
   for (int round = 0; round < kRounds; ++round) {
@@ -78,6 +81,7 @@ std::optional<std::string> fit(StartedProblem& started, const SolverOptions& opt
     started.problem.noise = noise_of(residuals_at(started.problem, started.estimate));
     started.problem.drift = std::max(started.problem.drift, drift_of(started.problem, started.estimate));
     started.problem.walk = started.problem.drift;
+    round_done();
   }
   return std::nullopt;
 }
@@ -192,6 +196,12 @@ bool Calibration::complete() const {
 }
 
 CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, const CalibrateOptions& options) {
+  // Of about equal length: reading, the start, each round, what can be told, the solution with it.
+  constexpr double kSteps = 2 + kFitRounds + 2;
+  double steps = 0;
+  const auto step_done = [&] {
+    if (options.progress) options.progress(++steps / kSteps);
+  };
   CalibrateOutcome outcome;
   ReplayOptions replay_options;
   replay_options.profile = "full";
@@ -200,6 +210,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   replay_options.to = options.to;
   const DriveLog log = read_drive(bytes, name, replay_options, outcome.replay);
   if (outcome.replay.unreadable) return outcome;
+  step_done();
   const auto refuse = [&](const std::string& why) {
     outcome.refusal = name + ": " + why;
     return std::move(outcome);
@@ -214,14 +225,16 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
     return outcome;
   }
   if (const auto failed = solve(started.problem, only_objects(), started.estimate)) return refuse(no_fit(*failed));
+  step_done();
   const Estimate told = started.estimate;
   SolverOptions all = possible(started.problem);
   all.hold_camera[kK1] = true;
-  if (const auto failed = fit(started, all)) return refuse(no_fit(*failed));
+  if (const auto failed = fit(started, all, step_done)) return refuse(no_fit(*failed));
   if (const auto why = too_few(started.estimate.objects.size())) return refuse(*why);
   std::optional<CalibratedMatrix> matrix = covariance_at(started.problem, all, started.estimate);
   free_lens(started, all, matrix);
   if (!matrix) return refuse(fmt::format("what it shows leaves the calibration open; {}", kGuide));
+  step_done();
   widen(*matrix);
   SolverOptions observed = all;
   const auto held = hold(to_be_held(started.problem, all, *matrix), observed, started);

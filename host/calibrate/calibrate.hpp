@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct CalibrateOptions {
   std::optional<double> to;
   std::vector<NamedSize> sizes;
   std::vector<NamedDistance> distances;
+  std::function<void(double share)> progress{};  ///< hears now and then how much of the work is done, 0 to 1
 };
 
 /// One number: told, found, and whether the log could tell it.

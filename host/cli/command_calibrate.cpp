@@ -12,6 +12,7 @@
 #include "host/calibrate/calibration_text.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/text/printable.hpp"
@@ -111,7 +112,10 @@ Exit run(CalibrateRequest request) {
   check_usage(request);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   const std::string base = request.robot.empty() ? "" : read_input(request.robot);
+  std::optional<Progress> progress("calibrating");
+  request.options.progress = [&](double share) { progress->at(share, 1); };
   const CalibrateOutcome outcome = calibrate(read_input(request.log), input_name(request.log), request.options);
+  progress.reset();
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   if (!outcome.calibration) throw Failure(outcome.usage ? Exit::kUsage : Exit::kUnreadable, outcome.refusal);
   say_what_was_left_out(outcome.replay);

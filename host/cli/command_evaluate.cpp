@@ -1,53 +1,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/judge_logs.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/evaluate/evaluate.hpp"
 #include "host/evaluate/evaluation_json.hpp"
+#include "host/evaluate/evaluation_part.hpp"
 #include "host/evaluate/evaluation_text.hpp"
-#include "host/smooth/truth_par.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
-struct EvaluateRequest {
-  std::vector<std::string> logs;
-  std::vector<std::string> scenes;
-  std::string camera;
-  std::vector<std::string> models;
+struct EvaluateRequest : JudgeRequest {
+  std::vector<std::string> merge;
   std::optional<double> max_recklessness;
   std::optional<double> max_paranoia;
   bool json = false;
-  bool smooth = false;
+  bool part = false;
   std::string output = "-";
-  EvaluateOptions options;
 };
 
-/// "logs/run.log" has its scene in "logs/run.json".
-std::string scene_beside(const std::string& log) {
-  if (log == "-") throw Failure(Exit::kUsage, "a log from standard input needs --scene SCENE");
-  const std::string scene = std::filesystem::path(log).replace_extension(".json").string();
-  std::error_code error;
-  if (std::filesystem::exists(scene, error)) return scene;
-  if (error)
-    throw Failure(Exit::kUnreadable,
-                  "cannot look for the scene " + scene + ": " + error.message() + "; name it with --scene SCENE");
-  throw Failure(Exit::kUnreadable, log + ": no scene " + scene + " beside it; name it with --scene SCENE");
-}
-
-void pair_up(EvaluateRequest& request) {
-  if (request.scenes.empty()) {
-    for (const std::string& log : request.logs) request.scenes.push_back(scene_beside(log));
-  }
-  if (request.scenes.size() != request.logs.size()) {
+void check_usage(const EvaluateRequest& request) {
+  if (request.logs.empty()) throw Failure(Exit::kUsage, "LOG is required; see fencepost evaluate --help");
+  if (!request.scenes.empty() && request.scenes.size() != request.logs.size()) {
     throw Failure(Exit::kUsage, fmt::format("{} logs and {} scenes; give one --scene for each log, in the same order, "
                                             "or none at all if each X.log has its X.json beside it",
                                             request.logs.size(), request.scenes.size()));
@@ -55,61 +36,15 @@ void pair_up(EvaluateRequest& request) {
   const auto inputs = std::count(request.logs.begin(), request.logs.end(), "-") +
                       std::count(request.scenes.begin(), request.scenes.end(), "-") + (request.camera == "-" ? 1 : 0);
   if (inputs > 1) throw Failure(Exit::kUsage, "only one of the logs, scenes and --camera can be standard input");
-}
-
-template <class Entry, class Name>
-void keep_named(std::vector<Entry>& entries, const std::vector<std::string>& names, Name name) {
-  entries.erase(std::remove_if(entries.begin(), entries.end(),
-                               [&](const Entry& entry) {
-                                 return std::find(names.begin(), names.end(), name(entry)) == names.end();
-                               }),
-                entries.end());
-}
-
-/// Leaves the other models out.
-void keep_models(Evaluation& evaluation, const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    const auto& known = evaluation.models;
-    if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw Failure(Exit::kUsage, fmt::format("no model {} in profile {}; there are {}", name, evaluation.profile,
-                                            fmt::join(known, ", ")));
+  if (request.scenes.empty() && inputs > (request.camera == "-" ? 1 : 0)) {
+    throw Failure(Exit::kUsage, "a log from standard input needs --scene SCENE");
   }
-  keep_named(evaluation.models, names, [](const std::string& model) { return model; });
-  for (ObjectEvaluation& object : evaluation.objects) {
-    for (Cut& cut : object.cuts) keep_named(cut.models, names, [](const ModelScore& entry) { return entry.model; });
+  if (request.part && request.smooth) {
+    throw Failure(Exit::kUsage, "--part has no room for --smooth; leave one out");
   }
-}
-
-Evaluation evaluate_pair(const EvaluateRequest& request, std::size_t pair) {
-  const Scene scene = read_scene(request.scenes[pair]);
-  const std::string name = input_name(request.logs[pair]);
-  EvaluateOutcome outcome = evaluate(read_input(request.logs[pair]), name, scene, request.options);
-  if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
-  say_what_was_left_out(outcome.replay, request.logs.size() > 1 ? name : "");
-  outcome.evaluation.log = name;
-  outcome.evaluation.scene = input_name(request.scenes[pair]);
-  if (!request.models.empty()) keep_models(outcome.evaluation, request.models);
-  return std::move(outcome.evaluation);
-}
-
-SmoothEvaluation smooth_pair(const EvaluateRequest& request, std::size_t pair) {
-  if (request.logs[pair] == "-" || request.scenes[pair] == "-") {
+  if (request.smooth && inputs > (request.camera == "-" ? 1 : 0)) {
     throw Failure(Exit::kUsage, "--smooth reads logs and scenes twice; put standard input into a file");
   }
-  SmoothOptions options;
-  options.profile = request.options.profile;
-  options.camera = request.options.camera;
-  const std::string name = input_name(request.logs[pair]);
-  const SmoothOutcome outcome = smooth(read_input(request.logs[pair]), name, options);
-  if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
-  if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);
-  return evaluate_smoothed(*outcome.smoothed, read_scene(request.scenes[pair]), name);
-}
-
-std::vector<SmoothEvaluation> smooth_all(const EvaluateRequest& request) {
-  std::vector<SmoothEvaluation> evaluations;
-  for (std::size_t i = 0; i < request.logs.size(); ++i) evaluations.push_back(smooth_pair(request, i));
-  return evaluations;
 }
 
 bool exceeds(const SummaryRow& row, const char* what, const Mean& mean, std::optional<double> bound) {
@@ -132,28 +67,79 @@ Exit judge(const EvaluateRequest& request, const Summary& summary) {
   return exceeded || !measured ? Exit::kCheckFailed : Exit::kDone;
 }
 
+/// Of several logs one that cannot be read does not end the work; one alone does, and so does wrong usage.
+EvaluationPart collect(std::vector<Judged>& all, const std::vector<std::string>& logs,
+                       std::vector<std::uint32_t> views) {
+  EvaluationPart part{std::move(views), {}, {}};
+  const bool none = std::none_of(all.begin(), all.end(), [](const Judged& one) { return one.evaluation.has_value(); });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::string& line : all[i].said) say(line);
+    if (all[i].evaluation) part.evaluations.push_back(std::move(*all[i].evaluation));
+    if (!all[i].failure) continue;
+    const Failure& failure = *all[i].failure;
+    if (failure.code() != Exit::kUnreadable || (none && i + 1 == all.size())) throw Failure(failure);
+    say(failure.what());
+    part.unjudged.push_back({input_name(logs[i]), failure.what()});
+  }
+  return part;
+}
+
+Exit conclude(const EvaluateRequest& request, const EvaluationPart& part, const std::vector<Judged>& judged) {
+  const Summary summary = summarise(part.evaluations, part.views);
+  std::string text = request.json ? to_json(part.evaluations, summary, part.views, part.unjudged)
+                                  : evaluation_text(part.evaluations, summary, part.views, part.unjudged);
+  if (request.smooth) {
+    std::vector<SmoothEvaluation> smoothed;
+    for (const Judged& one : judged) {
+      if (one.evaluation && one.smoothed) smoothed.push_back(*one.smoothed);
+    }
+    text = request.json ? with_smooth_json(text, smoothed) : text + smooth_evaluation_text(smoothed);
+  }
+  write_output(request.output, request.part ? part_json(part) : text);
+  const Exit bounds = judge(request, summary);
+  if (part.unjudged.empty()) return bounds;
+  say(fmt::format("{} of {} logs could not be judged, see above", part.unjudged.size(),
+                  part.unjudged.size() + part.evaluations.size()));
+  return Exit::kUnreadable;
+}
+
+/// Parts that were measured elsewhere.
+Exit merge_parts(const EvaluateRequest& request) {
+  if (!request.logs.empty() || !request.scenes.empty() || request.smooth || !request.camera.empty()) {
+    throw Failure(Exit::kUsage, "--merge reads what 'evaluate --part' wrote, and neither logs nor scenes");
+  }
+  if (std::count(request.merge.begin(), request.merge.end(), "-") > 1) {
+    throw Failure(Exit::kUsage, "only one of the parts can be standard input");
+  }
+  try {
+    std::vector<EvaluationPart> parts;
+    for (const std::string& file : request.merge) parts.push_back(read_part(read_input(file), input_name(file)));
+    EvaluationPart whole = join_parts(std::move(parts));
+    if (!request.models.empty()) {
+      for (Evaluation& evaluation : whole.evaluations) keep_models(evaluation, request.models);
+    }
+    for (const UnjudgedLog& log : whole.unjudged) say(log.why);
+    return conclude(request, whole, {});
+  } catch (const NotAPart& problem) {
+    throw Failure(Exit::kUnreadable, problem.what());
+  }
+}
+
 Exit run(EvaluateRequest request) {
-  pair_up(request);
+  if (!request.merge.empty()) return merge_parts(request);
+  check_usage(request);
   std::vector<std::uint32_t>& views = request.options.views;
   std::sort(views.begin(), views.end());
   views.erase(std::unique(views.begin(), views.end()), views.end());
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
-
-  std::vector<Evaluation> evaluations;
-  for (std::size_t i = 0; i < request.logs.size(); ++i) evaluations.push_back(evaluate_pair(request, i));
-  const Summary summary = summarise(evaluations, views);
-  std::string text = request.json ? to_json(evaluations, summary, views) : evaluation_text(evaluations, summary, views);
-  if (request.smooth) {
-    const std::vector<SmoothEvaluation> smoothed = smooth_all(request);
-    text = request.json ? with_smooth_json(text, smoothed) : text + smooth_evaluation_text(smoothed);
-  }
-  write_output(request.output, text);
-  return judge(request, summary);
+  std::vector<Judged> judged = judge_logs(request);
+  const EvaluationPart part = collect(judged, request.logs, views);
+  return conclude(request, part, judged);
 }
 
 Action configure_evaluate(CLI::App& app) {
   const auto request = std::make_shared<EvaluateRequest>();
-  app.add_option("LOG", request->logs, "recorded streams; - is standard input")->required();
+  app.add_option("LOG", request->logs, "recorded streams; - is standard input");
   app.add_option("--scene", request->scenes, "the truth, one for each LOG; default: X.json beside X.log")
       ->type_name("SCENE")
       ->expected(1)
@@ -181,6 +167,14 @@ Action configure_evaluate(CLI::App& app) {
       ->type_name("FILE");
   app.add_flag("--smooth", request->smooth, "also the least-squares optimum of each log, beside the online map");
   app.add_flag("--json", request->json, "write the measures as JSON instead of text");
+  app.add_option("--jobs", request->jobs, "so many logs at once; default: all cores. It changes no result")
+      ->type_name("N")
+      ->check(positive());
+  app.add_flag("--part", request->part, "write what --merge reads: these logs are a part of all");
+  app.add_option("--merge", request->merge,
+                 "instead of logs: the measures of several parts, as of all their logs at once")
+      ->type_name("PART")
+      ->expected(1, -1);
   app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
   return [request] { return run(*request); };
 }
@@ -192,7 +186,8 @@ Command evaluate_command() {
           "how far the models are from the truth of a scene",
           "  fencepost evaluate run.log --scene scene.json\n"
           "  fencepost evaluate runs/*.log --views 2,8,75 --json\n"
-          "  fencepost evaluate run.log --model clip --max-recklessness 0.05\n",
+          "  fencepost evaluate run.log --model clip --max-recklessness 0.05\n"
+          "  fencepost evaluate a/*.log --part -o a.part; fencepost evaluate --merge *.part\n",
           configure_evaluate,
           {}};
 }

@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/merge/merge.hpp"
@@ -65,9 +69,18 @@ Exit run(MergeRequest request) {
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   std::vector<RunMap> runs;
   std::vector<std::string> bytes;  // the runs point into them
-  for (const std::string& log : request.logs) bytes.push_back(read_input(log));
-  for (std::size_t i = 0; i < bytes.size(); ++i) add_runs(request.logs[i], bytes[i], request, runs);
+  std::uint64_t all = 0;
+  for (const std::string& log : request.logs) all += bytes.emplace_back(read_input(log)).size();
+  std::optional<Progress> progress("merging");
+  std::uint64_t done = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    add_runs(request.logs[i], bytes[i], request, runs);
+    done += bytes[i].size();
+    progress->at(static_cast<double>(done), static_cast<double>(all),
+                 fmt::format("{} of {} logs", i + 1, bytes.size()));
+  }
   const MergedMap merged = merge(runs);
+  progress.reset();
   const bool colour = is_standard_output(request.output) && colour_on_stdout();
   write_output(request.output, request.json ? merge_json(merged) : merge_text(merged, colour));
   for (const std::string& note : merged.notes) say(note);

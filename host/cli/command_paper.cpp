@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <system_error>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/paper/log_tour.hpp"
@@ -102,10 +104,11 @@ Exit run(const PaperRequest& request) {
   options.run = recorded_run(request);
   prepare(request.output);
   options.mean_scenes = std::min(options.mean_scenes, options.scenes);
-  if (is_terminal(STDERR_FILENO)) {
-    options.progress = [](std::string_view what) { say(fmt::format("computing: {}", what)); };
-  }
-  for (const PaperFile& file : make_page(options, request.log)) {
+  std::optional<Progress> progress("computing");
+  options.progress = [&](std::string_view what, double done, double all) { progress->at(done, all, what); };
+  const std::vector<PaperFile> files = make_page(options, request.log);
+  progress.reset();
+  for (const PaperFile& file : files) {
     write_output((fs::path(request.output) / file.name).string(), file.bytes);
   }
   say("wrote " + (fs::path(request.output) / "index.html").string() + "; open it in a browser");

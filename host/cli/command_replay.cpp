@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
+#include "host/cli/alert_spool.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/positive.hpp"
@@ -63,13 +65,28 @@ Exit judge_sides(const ResultDocument& result, const std::vector<SideRule>& side
 }
 
 /// Colours only where the text goes to a terminal, not into a file.
-std::string text_result(const ResultDocument& result, const std::string& output) {
+void write_text(const ResultDocument& result, const AlertSpool& alerts, bool to_standard_output, OutputFile& out) {
   TextOptions text;
-  text.colour = is_standard_output(output) && colour_on_stdout();
-  const std::string alerts = alert_list(result, text);
+  text.colour = to_standard_output && colour_on_stdout();
+  alerts.each([&](const record::AlertReport& alert) { out.write(alert_sentence(result, alert, text) + "\n"); });
+  if (alerts.count() > 0) out.write("\n");
+  out.write(object_table(result, text) + "\n");
   const std::string doubts = calibration_list(result);
-  return alerts + (alerts.empty() ? "" : "\n") + object_table(result, text) + "\n" + doubts +
-         (doubts.empty() ? "" : "\n") + summary_line(result);
+  out.write(doubts + (doubts.empty() ? "" : "\n") + summary_line(result, alerts.count()));
+}
+
+void write_result(const ReplayRequest& request, const ResultDocument& result, const AlertSpool& alerts,
+                  const std::vector<SideRule>& sides) {
+  OutputFile out(request.output);
+  if (request.json) {
+    write_json(
+        result, [&](const auto& visit) { alerts.each(visit); }, [&](std::string_view part) { out.write(part); });
+  } else if (request.passes || !sides.empty()) {
+    out.write(pass_table(result, sides));
+  } else {
+    write_text(result, alerts, is_standard_output(request.output), out);
+  }
+  out.finish();
 }
 
 Exit judge(const CheckOutcome& check) {
@@ -111,14 +128,18 @@ Exit run(ReplayRequest request) {
   if (!request.pose_noise.empty()) {
     request.options.pose_noise = PoseNoise{1e-3 * request.pose_noise[0], 1e-3 * request.pose_noise[1]};
   }
-  std::string own_log;
-  if (!request.write_log.empty()) request.options.log = [&](std::string_view line) { own_log += line; };
-
-  const ReplayOutcome outcome = replay_file(request.log, request.options);
-  if (!request.write_log.empty()) write_output(request.write_log, own_log);
-  const std::string text = request.passes || !sides.empty() ? pass_table(outcome.result, sides)
-                                                            : text_result(outcome.result, request.output);
-  write_output(request.output, request.json ? to_json(outcome.result) : text);
+  LogInput input(request.log);
+  std::optional<OutputFile> own_log;
+  if (!request.write_log.empty()) {
+    own_log.emplace(request.write_log);
+    request.options.log = [&](std::string_view line) { own_log->write(line); };
+  }
+  AlertSpool alerts;
+  request.options.alerts = &alerts;
+  const ReplayOutcome outcome = replay_input(input, request.log, request.options);
+  if (own_log) own_log->finish();
+  own_log.reset();
+  write_result(request, outcome.result, alerts, sides);
   say_what_was_left_out(outcome);
   if (!sides.empty() && !request.options.check) return judge_sides(outcome.result, sides);
   return request.options.check ? judge(outcome.check) : Exit::kDone;
@@ -143,6 +164,9 @@ Action configure_replay(CLI::App& app) {
   app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
   app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
   app.add_option("--frames", request->options.frames, "stop after the N-th frame record")
+      ->type_name("N")
+      ->check(positive());
+  app.add_option("--run", request->options.run, "of a log of several runs the N-th; default: its last")
       ->type_name("N")
       ->check(positive());
   app.add_option("--camera", request->camera,

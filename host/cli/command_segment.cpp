@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/positive.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/segment/read_poses.hpp"
 #include "host/segment/segment.hpp"
@@ -88,15 +90,11 @@ std::vector<std::string> names_of(const std::vector<std::string>& sources) {
   return names;
 }
 
-void show_progress(std::size_t done, std::size_t all) {
-  if (!is_terminal(STDERR_FILENO) || !can_redraw()) return;
-  const std::string text = done < all ? fmt::format("\rsegmenting, {} %", 100 * done / all) : "\r\x1b[K";
-  std::fwrite(text.data(), 1, text.size(), stderr);
-}
-
-SegmentHooks hooks_for(const SegmentRequest& request, const std::vector<View>& views) {
+SegmentHooks hooks_for(const SegmentRequest& request, const std::vector<View>& views, Progress& progress) {
   SegmentHooks hooks;
-  hooks.progress = show_progress;
+  hooks.progress = [&](std::size_t done, std::size_t all) {
+    progress.at(static_cast<double>(done), static_cast<double>(all));
+  };
   if (request.labelled.empty()) return hooks;
   std::error_code error;
   fs::create_directories(request.labelled, error);
@@ -164,7 +162,10 @@ Exit run(SegmentRequest request) {
     const PosesTable table =
         read_poses(read_input(poses), input_name(poses), names_of(request.images), camera.mount, request.floor);
     const ImageList list = list_images(request.images, table);
-    const SegmentResult result = segment(list.views, camera, request.options, hooks_for(request, list.views));
+    std::optional<Progress> progress("segmenting");
+    const SegmentResult result =
+        segment(list.views, camera, request.options, hooks_for(request, list.views, *progress));
+    progress.reset();
     if (!result.ok()) throw result.error();
     write_output(request.output, result->log);
     say_counts(result->summary);

@@ -1,8 +1,10 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/report/report.hpp"
@@ -36,7 +38,10 @@ void check_usage(const SmoothRequest& request) {
 Exit run(SmoothRequest request) {
   check_usage(request);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
+  std::optional<Progress> progress("smoothing");
+  request.options.progress = [&](double share) { progress->at(share, 1); };
   const SmoothOutcome outcome = smooth(read_input(request.log), input_name(request.log), request.options);
+  progress.reset();
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);
   const Smoothed& smoothed = *outcome.smoothed;

@@ -4,10 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -15,8 +15,8 @@
 
 #include "host/cli/exit_code.hpp"
 #include "host/cli/interrupt.hpp"
-#include "host/cli/terminal.hpp"
-#include "host/text/gunzip.hpp"
+#include "host/cli/log_input.hpp"
+#include "host/cli/spool.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -27,14 +27,14 @@ constexpr mode_t kNewFileMode = 0666;  ///< narrowed by the umask
 
 std::string reason(int error) { return std::system_category().message(error); }
 
-class Descriptor {
+class OpenFile {
  public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
+  explicit OpenFile(int fd) : fd_(fd) {}
+  ~OpenFile() {
     if (fd_ > STDERR_FILENO) ::close(fd_);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
   [[nodiscard]] int get() const { return fd_; }
   /// The error of closing, which is where some file systems first report a full disk; 0 when all is well.
   int close() {
@@ -46,13 +46,6 @@ class Descriptor {
  private:
   int fd_;
 };
-
-[[noreturn]] void fail_reading(const std::string& path, int error) {
-  std::string remedy = "; check the path";
-  if (error == EISDIR) remedy = "; name a file inside it";
-  if (error == EACCES) remedy = "; you may need chmod u+r";
-  throw Failure(Exit::kUnreadable, "cannot read " + input_name(path) + ": " + reason(error) + remedy);
-}
 
 [[noreturn]] void fail_writing(const std::string& path, int error) {
   std::string remedy = "; choose another place with -o";
@@ -76,19 +69,19 @@ int write_all(int fd, std::string_view bytes) {
   return 0;
 }
 
-/// The files that were read so far: a result must not replace them.
-std::vector<struct stat>& inputs() {
-  static std::vector<struct stat> files;
-  return files;
-}
-
-void remember_input(int fd) {
-  struct stat about {};
-  if (::fstat(fd, &about) == 0 && S_ISREG(about.st_mode)) inputs().push_back(about);
+/// The files that were read so far: a result must not replace them. Several threads read.
+struct Inputs {
+  std::mutex mutex;
+  std::vector<struct stat> files;
+};
+Inputs& inputs() {
+  static Inputs all;
+  return all;
 }
 
 void refuse_input(const std::string& path, const struct stat& output) {
-  for (const struct stat& input : inputs()) {
+  const std::lock_guard lock(inputs().mutex);
+  for (const struct stat& input : inputs().files) {
     if (input.st_dev != output.st_dev || input.st_ino != output.st_ino) continue;
     throw Failure(Exit::kUsage, path + " is also the input, and would be replaced; choose another name with -o");
   }
@@ -106,13 +99,6 @@ std::optional<int> named_descriptor(const std::string& path) {
     if (error == std::errc() && stopped == end && number >= 0) return number;
   }
   return std::nullopt;
-}
-
-void write_directly(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0) fail_writing(path, errno);
-  if (const int error = write_all(file.get(), bytes)) fail_writing(path, error);
-  if (const int error = file.close()) fail_writing(path, error);
 }
 
 /// What a link, or a link to a link, leads to, whether or not that is there yet.
@@ -138,77 +124,151 @@ int sync_all(int fd) {
   return errno;
 }
 
-void write_and_rename(const std::string& path, std::string_view bytes) {
-  const fs::path target = followed(path);
-  const std::string temporary = temporary_beside(target).string();
-  struct stat old {};
-  const bool replaces = ::stat(target.c_str(), &old) == 0;
-  if (replaces) refuse_input(path, old);
-  if (replaces && ::access(target.c_str(), W_OK) != 0) fail_writing(path, errno);
-
-  const RemoveOnInterrupt guard(temporary);
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode));
-  if (file.get() < 0) fail_writing(path, errno);
-  int error = write_all(file.get(), bytes);
-  if (error == 0 && replaces && ::fchmod(file.get(), old.st_mode & 07777) != 0) error = errno;
-  if (error == 0) error = sync_all(file.get());
-  if (const int closing = file.close(); error == 0) error = closing;
-  if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    fail_writing(path, error);
-  }
-}
-
 }  // namespace
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-namespace {
-
-std::string unpacked(std::string bytes, const std::string& path) {
-  if (!is_gzip(bytes)) return bytes;
-  if (std::optional<std::string> whole = gunzip(bytes)) return std::move(*whole);
-  throw Failure(Exit::kUnreadable,
-                "cannot read " + input_name(path) +
-                    ": what gzip packed is damaged or cut off; try 'gzip -t' on it, and copy it again");
+void remember_input(int descriptor) {
+  struct stat about {};
+  if (::fstat(descriptor, &about) != 0 || !S_ISREG(about.st_mode)) return;
+  const std::lock_guard lock(inputs().mutex);
+  inputs().files.push_back(about);
 }
 
-}  // namespace
-
 std::string read_input(const std::string& path) {
-  const bool standard = path == "-";
-  if (standard && is_terminal(STDIN_FILENO)) say("reading from the terminal; end with Ctrl-D");
-  const Descriptor file(standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) fail_reading(path, errno);
-  remember_input(file.get());
+  LogInput input(path);
   std::string bytes;
-  std::array<char, 1 << 16> chunk;
-  while (true) {
-    const ssize_t size = ::read(file.get(), chunk.data(), chunk.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) fail_reading(path, errno);
-    if (size == 0) return unpacked(std::move(bytes), path);
-    bytes.append(chunk.data(), static_cast<std::size_t>(size));
-  }
+  for (std::string_view part = input.next(); !part.empty(); part = input.next()) bytes += part;
+  return bytes;
 }
 
 bool is_standard_output(const std::string& path) { return named_descriptor(path) == STDOUT_FILENO; }
 
-void write_output(const std::string& path, std::string_view bytes) {
-  if (const std::optional<int> fd = named_descriptor(path)) {
-    const int error = write_all(*fd, bytes);
-    if (error != 0 && error != EPIPE) fail_writing(path, error);
+class OutputFile::Kind {
+ public:
+  virtual ~Kind() = default;
+  virtual void write(std::string_view bytes) = 0;
+  virtual void finish() = 0;
+};
+
+/// Standard output, or another that is open.
+class OutputFile::Descriptor final : public Kind {
+ public:
+  Descriptor(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  void write(std::string_view bytes) override { spool_.append(bytes); }
+  void finish() override {
+    spool_.read([this](std::string_view bytes) {
+      const int error = stopped_ ? 0 : write_all(descriptor_, bytes);
+      if (error != 0 && error != EPIPE) fail_writing(path_, error);
+      stopped_ = stopped_ || error == EPIPE;
+    });
+  }
+
+ private:
+  std::string path_;
+  int descriptor_;
+  bool stopped_ = false;  ///< nobody reads it any more
+  Spool spool_;
+};
+
+/// A pipe, /dev/null.
+class OutputFile::Device final : public Kind {
+ public:
+  explicit Device(std::string path) : path_(std::move(path)) {}
+  void write(std::string_view bytes) override { spool_.append(bytes); }
+  void finish() override {
+    OpenFile file(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) fail_writing(path_, errno);
+    spool_.read([&](std::string_view bytes) {
+      if (const int error = write_all(file.get(), bytes)) fail_writing(path_, error);
+    });
+    if (const int error = file.close()) fail_writing(path_, error);
+  }
+
+ private:
+  std::string path_;
+  Spool spool_;
+};
+
+/// A file, written beside the old one.
+class OutputFile::Replaced final : public Kind {
+ public:
+  explicit Replaced(std::string path)
+      : path_(std::move(path)), target_(followed(path_)), temporary_(temporary_beside(target_).string()) {
+    replaces_ = ::stat(target_.c_str(), &old_) == 0;
+    if (replaces_) refuse_input(path_, old_);
+    if (replaces_ && ::access(target_.c_str(), W_OK) != 0) fail_writing(path_, errno);
+    guard_.emplace(temporary_);
+    file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode));
+    if (file_->get() < 0) fail_writing(path_, errno);
+    unfinished_ = true;
+  }
+  ~Replaced() override {
+    if (unfinished_) ::unlink(temporary_.c_str());
+  }
+  Replaced(const Replaced&) = delete;
+  Replaced& operator=(const Replaced&) = delete;
+
+  void write(std::string_view bytes) override {
+    constexpr std::size_t kPortion = 1U << 16U;
+    buffer_ += bytes;
+    if (buffer_.size() >= kPortion) flush();
+  }
+  void finish() override {
+    flush();
+    int error = replaces_ && ::fchmod(file_->get(), old_.st_mode & 07777) != 0 ? errno : 0;
+    if (error == 0) error = sync_all(file_->get());
+    if (const int closing = file_->close(); error == 0) error = closing;
+    if (error == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) error = errno;
+    if (error != 0) fail_writing(path_, error);
+    unfinished_ = false;
+  }
+
+ private:
+  void flush() {
+    if (const int error = write_all(file_->get(), buffer_)) fail_writing(path_, error);
+    buffer_.clear();
+  }
+
+  std::string path_;
+  fs::path target_;
+  std::string temporary_;
+  struct stat old_ {};
+  bool replaces_ = false;
+  bool unfinished_ = false;
+  std::optional<RemoveOnInterrupt> guard_;
+  std::optional<OpenFile> file_;
+  std::string buffer_;
+};
+
+OutputFile::OutputFile(std::string path) {
+  if (const std::optional<int> descriptor = named_descriptor(path)) {
+    kind_ = std::make_unique<Descriptor>(std::move(path), *descriptor);
     return;
   }
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail_writing(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    write_directly(path, bytes);
+    kind_ = std::make_unique<Device>(std::move(path));
   } else {
-    write_and_rename(path, bytes);
+    kind_ = std::make_unique<Replaced>(std::move(path));
   }
+}
+
+OutputFile::~OutputFile() = default;
+void OutputFile::write(std::string_view bytes) { kind_->write(bytes); }
+void OutputFile::finish() { kind_->finish(); }
+
+void write_output(const std::string& path, std::string_view bytes) {
+  if (const std::optional<int> descriptor = named_descriptor(path)) {
+    const int error = write_all(*descriptor, bytes);
+    if (error != 0 && error != EPIPE) fail_writing(path, error);
+    return;
+  }
+  OutputFile file(path);
+  file.write(bytes);
+  file.finish();
 }
 
 }  // namespace fencepost::host::cli

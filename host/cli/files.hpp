@@ -1,6 +1,7 @@
 // Reads and writes whole files and reports every failure. "-" is standard input or output.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,31 @@ std::string read_input(const std::string& path);
 
 /// "-", or what names standard output otherwise: /dev/stdout, /dev/fd/1, /proc/self/fd/1.
 bool is_standard_output(const std::string& path);
+
+/// From now on that file is an input, which no result may replace.
+void remember_input(int descriptor);
+
+/// A result that is written piece by piece and is there as a whole, or not at all. One at a time.
+class OutputFile {
+ public:
+  /// Makes sure that it can be written. errors: as write_output
+  explicit OutputFile(std::string path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Without `finish` nothing was written.
+  ~OutputFile();
+
+  void write(std::string_view bytes);
+  /// Puts it into its place.
+  void finish();
+
+ private:
+  class Kind;
+  class Descriptor;
+  class Device;
+  class Replaced;
+  std::unique_ptr<Kind> kind_;
+};
 
 /// Writes a file under a temporary name beside it and renames it when it is complete and on the disk: a full disk never
 /// leaves half a file and never destroys an old one. A link stays a link. Devices, pipes and open descriptors

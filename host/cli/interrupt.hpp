@@ -9,6 +9,9 @@ namespace fencepost::host::cli {
 /// of write().
 void handle_interrupts();
 
+/// A line of progress is on the terminal, or no longer: an interrupt takes it away.
+void note_progress_line(bool shown);
+
 /// During its lifetime an interrupt removes that file. One at a time.
 class RemoveOnInterrupt {
  public:

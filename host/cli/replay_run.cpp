@@ -4,6 +4,7 @@
 
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/progress.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
@@ -27,17 +28,27 @@ const char* reject_remedy(record::Reject reason) {
   return "";
 }
 
-void say_refused(const std::string& where, std::uint64_t count, const char* reason, const char* remedy) {
-  if (count == 0) return;
-  say(fmt::format("{}{} frame{} refused: {} ({})", where, count, count == 1 ? "" : "s", reason, remedy));
-}
+std::string megabytes(std::uint64_t bytes) { return fmt::format("{} MB", bytes / 1'000'000); }
 
 }  // namespace
 
-ReplayOutcome replay_file(const std::string& path, const ReplayOptions& options) {
-  ReplayOutcome outcome = replay(read_input(path), input_name(path), options);
+ReplayOutcome replay_input(LogInput& input, const std::string& path, ReplayOptions options) {
+  if (!options.most_poses) options.most_poses = kPosesToShow;
+  Progress progress("replaying");
+  const LogSource source = [&] {
+    const auto done = static_cast<double>(input.position());
+    if (input.size()) progress.at(done, static_cast<double>(*input.size()));
+    if (!input.size()) progress.at(megabytes(input.position()));
+    return input.next();
+  };
+  ReplayOutcome outcome = replay(source, input_name(path), options);
   if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
   return outcome;
+}
+
+ReplayOutcome replay_file(const std::string& path, const ReplayOptions& options) {
+  LogInput input(path);
+  return replay_input(input, path, options);
 }
 
 Scene read_scene(const std::string& path) {
@@ -54,21 +65,36 @@ sensor::CameraIntrinsics read_camera(const std::string& path) {
   }
 }
 
-void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name) {
+std::vector<std::string> what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name) {
   const std::string where = log_name.empty() ? "" : log_name + ": ";
   const LogCounts& log = outcome.result.log;
+  std::vector<std::string> lines;
   for (std::size_t i = 0; i < log.rejected.size(); ++i) {
     const auto reason = static_cast<record::Reject>(i);
-    const RejectedLines& lines = log.rejected[i];
-    if (lines.count == 0) continue;
-    say(fmt::format("{}{} line{} rejected: {}, first in line {} ({})", where, lines.count, lines.count == 1 ? "" : "s",
-                    record::name(reason), lines.first_line, reject_remedy(reason)));
+    const RejectedLines& rejected = log.rejected[i];
+    if (rejected.count == 0) continue;
+    lines.push_back(fmt::format("{}{} line{} rejected: {}, first in line {} ({})", where, rejected.count,
+                                rejected.count == 1 ? "" : "s", record::name(reason), rejected.first_line,
+                                reject_remedy(reason)));
   }
-  say_refused(where, log.refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clock");
-  say_refused(where, log.refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
-  say_refused(where, log.refused.no_camera, "no_camera", "no $FPCAM before them: give one with --camera");
-  say_refused(where, log.refused.queue, "queue", "the log could not keep up: use a faster port");
-  for (const std::string& complaint : outcome.complaints) say(where + complaint);
+  const auto refused = [&](std::uint64_t count, const char* reason, const char* remedy) {
+    if (count == 0) return;
+    lines.push_back(fmt::format("{}{} frame{} refused: {} ({})", where, count, count == 1 ? "" : "s", reason, remedy));
+  };
+  refused(log.refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clock");
+  refused(log.refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
+  refused(log.refused.no_camera, "no_camera", "no $FPCAM before them: give one with --camera");
+  refused(log.refused.queue, "queue", "the log could not keep up: use a faster port");
+  if (outcome.runs > 1) {
+    lines.push_back(
+        fmt::format("{}this is run {} of the log; replay --run N shows an earlier one", where, outcome.runs));
+  }
+  for (const std::string& complaint : outcome.complaints) lines.push_back(where + complaint);
+  return lines;
+}
+
+void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name) {
+  for (const std::string& line : what_was_left_out(outcome, log_name)) say(line);
 }
 
 }  // namespace fencepost::host::cli

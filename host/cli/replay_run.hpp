@@ -2,13 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "host/cli/log_input.hpp"
 #include "host/replay/replay.hpp"
 #include "host/scene/scene.hpp"
 
 namespace fencepost::host::cli {
 
-/// errors: Failure (kUnreadable)
+/// In memory that does not grow with the log: of a long path as much as can be seen. errors: Failure (kUnreadable)
+ReplayOutcome replay_input(LogInput& input, const std::string& path, ReplayOptions options);
 ReplayOutcome replay_file(const std::string& path, const ReplayOptions& options);
 
 /// errors: Failure (kUnreadable)
@@ -18,8 +21,10 @@ Scene read_scene(const std::string& path);
 /// Failure (kUnreadable)
 sensor::CameraIntrinsics read_camera(const std::string& path);
 
-/// To standard error: rejected lines and refused frames by reason, each with what to do about it; of which log, where
-/// there are several.
+/// Rejected lines and refused frames by reason, each with what to do about it, and what else is to be said of a log;
+/// of which log, where there are several.
+std::vector<std::string> what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name = "");
+/// The same to standard error.
 void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name = "");
 
 }  // namespace fencepost::host::cli

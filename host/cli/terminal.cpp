@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "host/cli/progress.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host::cli {
@@ -28,6 +29,7 @@ void leave_interrupted_line() {
 }
 
 void say(std::string_view message) {
+  hide_progress();
   const std::string line = printable(message) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
+#include <utility>
 
 #include "host/evaluate/cut.hpp"
 #include "host/evaluate/following.hpp"
 #include "host/evaluate/matching.hpp"
+#include "host/evaluate/simulated_truths.hpp"
 #include "host/result/lookup.hpp"
 
 namespace fencepost::host {
@@ -15,9 +18,14 @@ namespace {
 /// Observes the run: keeps a snapshot of each object at each number of views, and which true object it follows.
 class Watch final : public RunObserver {
  public:
-  Watch(const FrameTruths& truths, const std::vector<std::uint32_t>& views) : truths_(truths), views_(views) {}
+  using Owners = std::function<std::optional<BlobOwners>(const recon::WaitingFrame&)>;
+
+  /// `again`: the next frame is the first one of the scene.
+  Watch(Owners owners, std::function<void()> again, const std::vector<std::uint32_t>& views)
+      : owners_(std::move(owners)), again_(std::move(again)), views_(views) {}
 
   void run_begins() override {
+    again_();
     following_.clear();
     snapshots_.clear();
     signature_frames_.fill(0);
@@ -26,13 +34,17 @@ class Watch final : public RunObserver {
   }
 
   void frame_placed(const PlacedFrame& placed) override {
-    ++frames_;
+    const bool same_so_far = labelled_ == frames_++;
     std::array<bool, 256> seen{};
     for (const recon::WaitingBlob& blob : placed.frame.blobs) seen[blob.signature] = true;
     for (std::size_t s = 0; s < seen.size(); ++s) signature_frames_[s] += seen[s] ? 1U : 0U;
-    if (const auto owners = truths_.owners(placed.frame)) {
+    if (const auto owners = same_so_far ? owners_(placed.frame) : std::nullopt) {
       ++labelled_;
       following_.add(*owners, placed.sightings);
+      following_.forget_deleted(placed.in_map);
+    }
+    if (snapshots_.size() >= kManyObjects) {
+      std::erase_if(snapshots_, [&](const auto& one) { return !placed.in_map(one.first); });
     }
     for (const PlacedSighting& sighting : placed.sightings) {
       if (!std::binary_search(views_.begin(), views_.end(), sighting.views)) continue;
@@ -53,7 +65,8 @@ class Watch final : public RunObserver {
   }
 
  private:
-  const FrameTruths& truths_;
+  Owners owners_;
+  std::function<void()> again_;
   const std::vector<std::uint32_t>& views_;
   Following following_;
   std::map<std::uint32_t, std::vector<ObjectResult>> snapshots_;
@@ -106,21 +119,14 @@ std::vector<ObjectEvaluation> measure_objects(const std::vector<ObjectResult>& o
   return results;
 }
 
-}  // namespace
+using Replay = std::function<ReplayOutcome(const ReplayOptions&)>;
 
-EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
-                         const EvaluateOptions& options) {
-  return evaluate(log, name, truth, FrameTruths(truth), options);
-}
-
-EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
-                         const FrameTruths& frame_truths, const EvaluateOptions& options) {
-  Watch watch(frame_truths, options.views);
+EvaluateOutcome evaluate_by(const Replay& replay, Watch& watch, const Scene& truth, const EvaluateOptions& options) {
   ReplayOptions replay_options;
   replay_options.profile = options.profile;
   replay_options.camera = options.camera;
   replay_options.observer = &watch;
-  EvaluateOutcome outcome{{}, replay(log, name, replay_options)};
+  EvaluateOutcome outcome{{}, replay(replay_options)};
   if (outcome.replay.unreadable) return outcome;
 
   const ResultDocument& result = outcome.replay.result;
@@ -140,6 +146,46 @@ EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Sc
   }
   if (watch.frame_truth()) evaluation.swaps = watch.following().swaps();
   return outcome;
+}
+
+/// Where nobody reads the alerts.
+class NoAlerts final : public AlertSink {
+ public:
+  void run_begins() override {}
+  void hear(const record::AlertReport& /*alert*/) override {}
+};
+
+EvaluateOutcome evaluate_simulated(const Replay& replay, const Scene& truth, const EvaluateOptions& options) {
+  SimulatedTruths truths(truth);
+  Watch watch([&](const recon::WaitingFrame& frame) { return truths.owners(frame); }, [&] { truths.restart(); },
+              options.views);
+  return evaluate_by(replay, watch, truth, options);
+}
+
+}  // namespace
+
+EvaluateOutcome evaluate(const LogSource& log, const std::string& name, const Scene& truth,
+                         const EvaluateOptions& options) {
+  NoAlerts nobody;
+  const Replay by_source = [&](ReplayOptions replay_options) {
+    replay_options.alerts = &nobody;
+    replay_options.most_poses = 2;
+    return replay(log, name, replay_options);
+  };
+  return evaluate_simulated(by_source, truth, options);
+}
+
+EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
+                         const EvaluateOptions& options) {
+  return evaluate_simulated([&](const ReplayOptions& replay_options) { return replay(log, name, replay_options); },
+                            truth, options);
+}
+
+EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
+                         const FrameTruths& frame_truths, const EvaluateOptions& options) {
+  Watch watch([&](const recon::WaitingFrame& frame) { return frame_truths.owners(frame); }, [] {}, options.views);
+  return evaluate_by([&](const ReplayOptions& replay_options) { return replay(log, name, replay_options); }, watch,
+                     truth, options);
 }
 
 }  // namespace fencepost::host

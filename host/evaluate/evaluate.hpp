@@ -31,6 +31,10 @@ struct EvaluateOutcome {
 /// `log` holds the bytes; `name` is used in messages only.
 EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
                          const EvaluateOptions& options);
+/// The same, read in portions and in memory that does not grow with it: the replay's result has neither alerts nor
+/// path.
+EvaluateOutcome evaluate(const LogSource& log, const std::string& name, const Scene& truth,
+                         const EvaluateOptions& options);
 /// The same for a log whose frames the scene alone does not give; `frame_truths` knows them.
 EvaluateOutcome evaluate(std::string_view log, const std::string& name, const Scene& truth,
                          const FrameTruths& frame_truths, const EvaluateOptions& options);

@@ -64,6 +64,12 @@ struct Evaluation {
   std::optional<std::uint64_t> swaps;  ///< of all objects; nothing without frame truth
 };
 
+/// A log of several that could not be measured, and why.
+struct UnjudgedLog {
+  std::string log;
+  std::string why;
+};
+
 /// Of `n` objects; no standard error for one.
 struct Mean {
   double mean = 0;

@@ -10,7 +10,8 @@
 namespace fencepost::host {
 
 /// One line with a line end. The same measures give the same bytes: fixed key order, shares and lengths to 1e-6.
+/// `unjudged` is there if there are any.
 std::string to_json(std::span<const Evaluation> evaluations, const Summary& summary,
-                    const std::vector<std::uint32_t>& views);
+                    const std::vector<std::uint32_t>& views, std::span<const UnjudgedLog> unjudged = {});
 
 }  // namespace fencepost::host

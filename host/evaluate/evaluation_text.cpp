@@ -148,11 +148,13 @@ std::string several_logs(std::span<const Evaluation> evaluations, const Summary&
 }  // namespace
 
 std::string evaluation_text(std::span<const Evaluation> evaluations, const Summary& summary,
-                            const std::vector<std::uint32_t>& views) {
-  std::string text = evaluations.size() == 1 ? one_log(evaluations.front(), views) : several_logs(evaluations, summary);
-  return text + fmt::format("\n{}: {} found, {} missed; {}; {}\n", plural(summary.objects, "true object"),
-                            summary.found, summary.missed, plural(summary.phantoms, "phantom"),
-                            swaps_text(summary.swaps));
+                            const std::vector<std::uint32_t>& views, std::span<const UnjudgedLog> unjudged) {
+  const bool one = evaluations.size() == 1 && unjudged.empty();
+  std::string text = one ? one_log(evaluations.front(), views) : several_logs(evaluations, summary);
+  text += fmt::format("\n{}: {} found, {} missed; {}; {}\n", plural(summary.objects, "true object"), summary.found,
+                      summary.missed, plural(summary.phantoms, "phantom"), swaps_text(summary.swaps));
+  for (const UnjudgedLog& log : unjudged) text += fmt::format("not judged: {}\n", printable(log.log));
+  return text;
 }
 
 }  // namespace fencepost::host

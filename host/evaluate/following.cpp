@@ -20,6 +20,15 @@ void Following::add(const BlobOwners& owners, std::span<const PlacedSighting> si
   }
 }
 
+void Following::forget_deleted(const std::function<bool(std::uint32_t)>& in_map) {
+  if (tracks_.size() < kManyObjects) return;
+  std::erase_if(tracks_, [&](const auto& track) {
+    if (in_map(track.first)) return false;
+    swaps_of_deleted_ += track.second.swaps;
+    return true;
+  });
+}
+
 std::uint64_t Following::visible(std::size_t truth) const {
   const auto found = visible_.find(truth);
   return found == visible_.end() ? 0 : found->second;
@@ -31,7 +40,7 @@ std::uint64_t Following::swaps(std::uint32_t id) const {
 }
 
 std::uint64_t Following::swaps() const {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = swaps_of_deleted_;
   for (const auto& [id, track] : tracks_) sum += track.swaps;
   return sum;
 }

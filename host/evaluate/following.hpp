@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -12,12 +13,18 @@
 
 namespace fencepost::host {
 
+/// What is kept for each object that ever was is looked through for deleted ones at so many; a map has fewer.
+inline constexpr std::size_t kManyObjects = 256;
+
 class Following {
  public:
   void clear() { *this = {}; }
 
   /// One frame: who owns its blobs, and which objects took them.
   void add(const BlobOwners& owners, std::span<const PlacedSighting> sightings);
+
+  /// Forgets objects that the map has deleted, but for their swaps, when there are many.
+  void forget_deleted(const std::function<bool(std::uint32_t)>& in_map);
 
   /// Frames in which a blob of that true object was seen.
   [[nodiscard]] std::uint64_t visible(std::size_t truth) const;
@@ -38,6 +45,7 @@ class Following {
 
   std::map<std::uint32_t, Track> tracks_;
   std::map<std::size_t, std::uint64_t> visible_;
+  std::uint64_t swaps_of_deleted_ = 0;
 };
 
 }  // namespace fencepost::host

@@ -50,6 +50,13 @@ std::optional<std::size_t> owner(const FrameTruth& truth, const recon::WaitingBl
 
 }  // namespace
 
+std::optional<BlobOwners> owners_in(const FrameTruth& truth, const recon::WaitingFrame& frame) {
+  if (!same_frame(truth.frame, frame)) return std::nullopt;
+  BlobOwners owners;
+  for (const recon::WaitingBlob& blob : frame.blobs) owners.push_back(owner(truth, blob));
+  return owners;
+}
+
 FrameTruths::FrameTruths(const Scene& scene) {
   const auto summary = simulate_with_truth(
       scene, [](std::string_view) {}, [&](const FrameTruth& truth) { frames_.emplace(truth.frame.frame, truth); });
@@ -62,10 +69,8 @@ FrameTruths::FrameTruths(std::span<const FrameTruth> frames) {
 
 std::optional<BlobOwners> FrameTruths::owners(const recon::WaitingFrame& frame) const {
   const auto truth = frames_.find(frame.frame);
-  if (truth == frames_.end() || !same_frame(truth->second.frame, frame)) return std::nullopt;
-  BlobOwners owners;
-  for (const recon::WaitingBlob& blob : frame.blobs) owners.push_back(owner(truth->second, blob));
-  return owners;
+  if (truth == frames_.end()) return std::nullopt;
+  return owners_in(truth->second, frame);
 }
 
 }  // namespace fencepost::host

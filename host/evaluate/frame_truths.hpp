@@ -17,6 +17,10 @@ namespace fencepost::host {
 /// For each blob of a frame the index of its true object; empty: a false blob, or one of several objects.
 using BlobOwners = std::vector<std::optional<std::size_t>>;
 
+/// Owners of the blobs in their order; nothing if it is not that frame. Of two blobs that the robot joined, the wider
+/// one counts.
+std::optional<BlobOwners> owners_in(const FrameTruth& truth, const recon::WaitingFrame& frame);
+
 class FrameTruths {
  public:
   /// Simulates the scene; empty if it has no path or cannot be simulated.
@@ -24,8 +28,7 @@ class FrameTruths {
   /// From given frames.
   explicit FrameTruths(std::span<const FrameTruth> frames);
 
-  /// Owners of the frame's blobs in its order; nothing for a frame that this scene does not give. Of two blobs that the
-  /// robot joined, the wider one counts.
+  /// As owners_in; nothing for a frame that this scene does not give.
   [[nodiscard]] std::optional<BlobOwners> owners(const recon::WaitingFrame& frame) const;
 
  private:

@@ -77,7 +77,7 @@ void sample_novelty(const SequenceData& data, std::vector<std::vector<NoveltySam
 }
 
 std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t seed, std::size_t scenes,
-                                             Examples& examples) {
+                                             Examples& examples, const std::function<void()>& scene_done) {
   std::vector<ReacquisitionScore> table(algorithms().size());
   for (std::uint64_t i = 0; i < scenes; ++i) {
     const Tour tour = drive(blocks_world(world, seed + i));
@@ -88,6 +88,7 @@ std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t se
       table[a].add(sequence);
       examples.add(sequence, {world, seed + i, a, 0, 0, 0});
     }
+    scene_done();
   }
   return table;
 }
@@ -145,20 +146,20 @@ PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_
   data.seed = seed;
   data.table_scenes = table_scenes;
   data.mean_images = kMeanImages;
-  progress("the sequence that is drawn");
   data.shown = figures_sequence(seed, true, first_numbers(kPaperViews));
   data.sequence = reacquire_by_all(data.shown);
-  progress("more scenes, for means");
+  progress("the sequence that is drawn", kWorkOfShown);
   data.novelty.resize(algorithms().size());
   for (std::uint64_t i = 1; i <= mean_scenes; ++i) {
     data.noisy.push_back(figures_sequence(seed + i, true, kMeanImages));
     data.ideal.push_back(figures_sequence(seed + i, false, kMeanImages));
     sample_novelty(data.noisy.back(), data.novelty);
+    progress("scenes for means", kWorkOfMeanScene);
   }
-  progress("landmarks found again, for the table");
-  data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.examples);
+  data.table = score_scenes(BlocksWorld::kPaperLike, seed, table_scenes, data.examples,
+                            [&] { progress("landmarks found again, for the table", 1); });
   for (std::uint64_t i = 0; i < kHardScenes && !data.examples.complete(); ++i) {
-    score_scenes(BlocksWorld::kHard, seed + i, 1, data.examples);
+    score_scenes(BlocksWorld::kHard, seed + i, 1, data.examples, [] {});
   }
   return data;
 }
@@ -174,7 +175,7 @@ PaperData evaluate_scene(std::uint64_t seed) {
   data.ideal.push_back(figures_sequence(seed, false, kMeanImages));
   data.novelty.resize(algorithms().size());
   sample_novelty(data.shown, data.novelty);
-  data.table = score_scenes(BlocksWorld::kPaperLike, seed, 1, data.examples);
+  data.table = score_scenes(BlocksWorld::kPaperLike, seed, 1, data.examples, [] {});
   return data;
 }
 
@@ -191,9 +192,10 @@ PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progr
     if (images < frames) data.mean_images.push_back(images);
   }
   data.mean_images.push_back(frames);
-  progress("the run");
   data.shown = follow_sequence(std::move(tour), blocks, first_numbers(frames));
+  progress("the run", kWorkOfShown / 2);
   data.sequence = reacquire_by_all(data.shown);
+  progress("the run", kWorkOfShown / 2);
   data.noisy.push_back(data.shown);
   data.novelty.resize(algorithms().size());
   sample_novelty(data.shown, data.novelty);

@@ -83,8 +83,13 @@ struct PaperData {
 /// Images after which the means over scenes are taken, as far as there are so many.
 inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
 
-/// Receives progress messages.
-using Progress = std::function<void(std::string_view what)>;
+/// Hears what has been done, and how much work that was since it heard last, in scenes of the table.
+using Progress = std::function<void(std::string_view what, double work)>;
+/// Of one scene of the curves, and of one that is evaluated alone.
+inline constexpr double kWorkOfMeanScene = 4;
+inline constexpr double kWorkOfSingleScene = 6;
+/// Of the sequence that is drawn.
+inline constexpr double kWorkOfShown = 3;
 
 /// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,

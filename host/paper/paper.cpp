@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <future>
 #include <map>
 #include <mutex>
-#include <thread>
 
+#include "host/jobs/jobs.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page_parts.hpp"
 
@@ -158,22 +156,12 @@ Claims claims_of(const std::vector<PaperFigure>& figures) {
 }
 
 // Each claim once more in each of the scenes alone, on as many cores as there are. The result does not depend on them.
-void count_in_single_scenes(std::vector<PaperFigure>& figures, const PaperOptions& options) {
+void count_in_single_scenes(std::vector<PaperFigure>& figures, const PaperOptions& options, const Progress& progress) {
   std::vector<Claims> found(options.single_scenes);
-  std::atomic<std::size_t> next = 0;
-  std::mutex talking;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < found.size(); i = next++) {
-      found[i] = claims_of(draw_figures(evaluate_scene(options.seed + 1 + i)));
-      const std::lock_guard lock(talking);
-      options.progress(fmt::format("single scenes, {} of {}", i + 1, found.size()));
-    }
-  };
-  std::vector<std::future<void>> workers;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
-    workers.push_back(std::async(std::launch::async, work));
-  }
-  for (std::future<void>& worker : workers) worker.get();
+  run_jobs(found.size(), all_cores(), [&](std::size_t i) {
+    found[i] = claims_of(draw_figures(evaluate_scene(options.seed + 1 + i)));
+    progress("scenes taken alone", kWorkOfSingleScene / static_cast<double>(all_cores()));
+  });
   for (PaperFigure& figure : figures) {
     for (Claim& claim : figure.claims) {
       if (!claim.of_scenes) continue;
@@ -190,12 +178,22 @@ void count_in_single_scenes(std::vector<PaperFigure>& figures, const PaperOption
 }  // namespace
 
 std::vector<PaperFile> write_paper(const PaperOptions& options) {
-  const PaperData data = options.run
-                             ? evaluate_run(options.run->name, options.run->tour, options.progress)
-                             : evaluate_paper(options.seed, options.mean_scenes, options.scenes, options.progress);
-  options.progress("figures");
+  double work = kWorkOfShown;
+  if (!options.run) {
+    work += kWorkOfMeanScene * static_cast<double>(options.mean_scenes) + static_cast<double>(options.scenes) +
+            kWorkOfSingleScene * static_cast<double>(options.single_scenes) / static_cast<double>(all_cores());
+  }
+  double done = 0;
+  std::mutex telling;
+  const Progress progress = [&](std::string_view what, double more) {
+    const std::lock_guard lock(telling);
+    done += more;
+    if (options.progress) options.progress(what, done, work);
+  };
+  const PaperData data = options.run ? evaluate_run(options.run->name, options.run->tour, progress)
+                                     : evaluate_paper(options.seed, options.mean_scenes, options.scenes, progress);
   std::vector<PaperFigure> figures = draw_figures(data);
-  if (!options.run) count_in_single_scenes(figures, options);
+  if (!options.run) count_in_single_scenes(figures, options, progress);
   std::vector<PaperFile> files{{"index.html", page(figures, data, options)}};
   for (PaperFigure& figure : figures) {
     files.insert(files.end(), std::make_move_iterator(figure.files.begin()),

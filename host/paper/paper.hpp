@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct PaperOptions {
   std::size_t single_scenes = 20;  ///< in each of which, alone, every claim is looked at again
   std::optional<PaperRun> run;     ///< then the seed and the numbers of scenes play no part
   std::string generator = "fencepost";
-  Progress progress = [](std::string_view) {};
+  /// Hears what has been done, and how much of all work; from several threads, one after the other.
+  std::function<void(std::string_view what, double done, double all)> progress;
 };
 
 /// index.html first. The same options give the same bytes. Drawings and CSV files lie beside the page. errors:

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,27 +14,37 @@
 namespace fencepost::host {
 
 /// Records are compared as lines, by kind, time (or frame) and object. Records that a busy robot dropped may be
-/// missing; those it wrote must equal ours.
+/// missing; those it wrote must equal ours. Either may come first, but no more than kWindow others of ours between
+/// them: a log is compared as it is read.
 class Check {
  public:
+  static constexpr std::size_t kWindow = 1U << 14U;  ///< some minutes of everything that a robot says; 4 MB
+
   template <class Record>
   void logged(const Record& record, std::uint64_t line_number) {
-    logged_.push_back({key_of(record), line_of(record), line_number});
+    take_logged({key_of(record), line_of(record), line_number, told_});
   }
   template <class Record>
   void own(const Record& record) {
-    own_.emplace(key_of(record), line_of(record));
+    take_own(key_of(record), line_of(record));
   }
 
-  /// Compares the records of this run, adds to `outcome`, and clears them.
-  void settle(CheckOutcome& outcome);
+  /// Compares what waits yet of this run, and forgets the run.
+  void settle();
+  [[nodiscard]] const CheckOutcome& outcome() const { return outcome_; }
 
  private:
   struct Logged {
     std::string key;
     std::string line;
     std::uint64_t line_number;
+    std::uint64_t told;  ///< our own records up to then
   };
+
+  void take_logged(Logged logged);
+  void take_own(std::string key, std::string line);
+  [[nodiscard]] bool agrees(const Logged& logged) const;
+  void settle_first();
 
   static std::string key_of(const record::AlertReport& r) {
     return "alert " + std::to_string(r.t.raw) + " " + std::to_string(r.id);
@@ -52,8 +63,13 @@ class Check {
     return {buffer.data(), size < 2 ? 0 : size - 2};
   }
 
-  std::vector<Logged> logged_;
-  std::multimap<std::string, std::string> own_;
+  using Own = std::multimap<std::string, std::string>;
+
+  std::deque<Logged> waiting_;  ///< for one of ours
+  Own own_;
+  std::deque<Own::iterator> own_in_order_;
+  std::uint64_t told_ = 0;
+  CheckOutcome outcome_;
 };
 
 }  // namespace fencepost::host

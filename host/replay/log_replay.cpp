@@ -8,6 +8,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kDefaultProfile = "full";
+constexpr std::size_t kMostDoubts = 1U << 16U;
 
 // Adds what this run has refused.
 void add_refused(const console::Counters& counters, RefusedFrames& refused) {
@@ -24,7 +25,8 @@ LogReplay::LogReplay(const ReplayOptions& options)
     : options_(options),
       own_log_({options.log, [this](const auto& alert) { hear_alert(alert); },
                 [this](const auto& object) { hear(object); }, [this](const auto& digest) { hear(digest); },
-                [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}) {}
+                [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}),
+      path_(options.most_poses) {}
 
 std::optional<record::LineOutcome> LogReplay::finish() {
   std::optional<record::LineOutcome> line;
@@ -35,6 +37,10 @@ std::optional<record::LineOutcome> LogReplay::finish() {
 }
 
 void LogReplay::accept(const record::Header& header) {
+  if (runs_ == options_.run) {
+    complete_ = true;
+    return;
+  }
   if (runner_) end_run();
   begin_run(header);
 }
@@ -89,7 +95,7 @@ void LogReplay::accept(const record::Heartbeat& beat) {
 }
 
 void LogReplay::drove_to(const sensor::OdometrySample& sample) {
-  path_.push_back(runner().pose_of(sample));
+  path_.add(runner().pose_of(sample));
   last_ = sample;
 }
 
@@ -111,8 +117,8 @@ void LogReplay::begin_run(const record::Header& logged) {
   if (profile.empty()) profile = kDefaultProfile;
   runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
   if (!runner_) {
-    complaints_.push_back("profile " + profile + " of the log is not known here, " + std::string(kDefaultProfile) +
-                          " is used; others: " + std::string(kProfileNames));
+    complaints_.add("profile " + profile + " of the log is not known here, " + std::string(kDefaultProfile) +
+                    " is used; others: " + std::string(kProfileNames));
     profile = kDefaultProfile;
     runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
   }
@@ -123,6 +129,7 @@ void LogReplay::begin_run(const record::Header& logged) {
   signatures_.clear();
   camera_ = options_.camera;
   alerts_.clear();
+  if (options_.alerts != nullptr) options_.alerts->run_begins();
   calibration_.clear();
   runner_->observe(options_.observer);
   if (options_.pose_noise) runner_->assume(*options_.pose_noise);
@@ -136,9 +143,8 @@ void LogReplay::begin_run(const record::Header& logged) {
 // Another run may follow.
 void LogReplay::end_run() {
   runner_->finish();
-  if (options_.check) check_.settle(check_outcome_);
-  const std::vector<std::string>& complaints = runner_->complaints();
-  complaints_.insert(complaints_.end(), complaints.begin(), complaints.end());
+  if (options_.check) check_.settle();
+  complaints_.add(runner_->complaints());
   add_refused(runner_->counters(), before_.refused);
   used_ += runner_->counters().frames;
 }
@@ -155,7 +161,7 @@ ResultDocument LogReplay::now(bool with_path) const {
   result.guard = runner_->guard();
   result.sectors = runner_->sectors();
   result.passes = runner_->passes();
-  if (with_path) result.path = path_;
+  if (with_path) result.path = path_.to_the_end();
   result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));
   result.signatures = signatures_;
   result.camera = camera_;
@@ -163,7 +169,11 @@ ResultDocument LogReplay::now(bool with_path) const {
 }
 
 void LogReplay::hear_alert(const record::AlertReport& alert) {
-  alerts_.push_back(alert);
+  if (options_.alerts != nullptr) {
+    options_.alerts->hear(alert);
+  } else {
+    alerts_.push_back(alert);
+  }
   hear(alert);
   if (!options_.text) return;
   std::string_view name;
@@ -179,6 +189,10 @@ void LogReplay::hear_alert(const record::AlertReport& alert) {
 void LogReplay::hear_doubt(const record::CalibrationDoubt& doubt) {
   hear(doubt);
   if (!calibration_.empty() && calibration_.back() == doubt) return;
+  if (calibration_.size() == kMostDoubts) {
+    complaints_.add("only the first " + std::to_string(kMostDoubts) + " doubts about the calibration are listed");
+    return;
+  }
   calibration_.push_back(doubt);
   if (!options_.text) return;
   std::array<char, console::kMaxSentence> sentence{};
@@ -206,6 +220,10 @@ std::optional<Unreadable> LogReplay::why_unreadable(const std::string& name) con
     return Unreadable{name + ":" + std::to_string(reader_.line_number()) + ": stream format " +
                       std::to_string(*reader_.other_format()) + ", this program reads format " +
                       std::to_string(record::kStreamFormat) + "; use the release that wrote the log, or a newer one"};
+  }
+  if (options_.run && runs_ < *options_.run && runs_ > 0) {
+    return Unreadable{name + ": there is no run " + std::to_string(*options_.run) + " in it, the last is " +
+                      std::to_string(runs_) + "; leave out --run for that one"};
   }
   if (used_ > 0) return std::nullopt;
   if (reader_.line_number() == 0) return Unreadable{name + ": empty; record a run in console mode log and try again"};

@@ -10,6 +10,8 @@
 
 #include "firmware/record/stream_reader.hpp"
 #include "host/replay/check.hpp"
+#include "host/replay/complaints.hpp"
+#include "host/replay/kept_path.hpp"
 #include "host/replay/own_log.hpp"
 #include "host/replay/replay.hpp"
 #include "host/replay/runner.hpp"
@@ -28,7 +30,7 @@ class LogReplay {
   std::optional<record::LineOutcome> push(char byte) { return reader_.push(byte, *this); }
   /// Takes one line off the front of `bytes`, or all of them if none ends there.
   std::optional<record::LineOutcome> take(std::string_view& bytes) { return reader_.take(bytes, *this); }
-  /// What follows is not used: there are frames enough, or the stream has another format.
+  /// What follows is not used: there are frames enough, the run asked for is over, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
   /// What became of that line, if there is one.
@@ -36,13 +38,13 @@ class LogReplay {
 
   /// What was found up to now; `path` only if asked for, it is long.
   [[nodiscard]] ResultDocument now(bool with_path = true) const;
-  [[nodiscard]] const CheckOutcome& check() const { return check_outcome_; }
-  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+  [[nodiscard]] const CheckOutcome& check() const { return check_.outcome(); }
+  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_.all(); }
   /// Why none of it could be used, if so; `name` of the log in the message. After `finish`.
   [[nodiscard]] std::optional<Unreadable> why_unreadable(const std::string& name) const;
 
-  /// Of this run, every sample.
-  [[nodiscard]] const std::vector<PoseResult>& path() const { return path_; }
+  /// Of this run, every sample, or with `options.most_poses` the first and every n-th.
+  [[nodiscard]] const std::vector<PoseResult>& path() const { return path_.poses(); }
   /// The time of the latest input of this run, s.
   [[nodiscard]] double time() const { return time_; }
   /// How many have begun.
@@ -89,13 +91,12 @@ class LogReplay {
   const ReplayOptions& options_;
   OwnLog own_log_;
   Check check_;
-  CheckOutcome check_outcome_;
-  std::vector<std::string> complaints_;
+  Complaints complaints_;
   std::unique_ptr<Runner> runner_;
   std::string profile_;
   std::array<char, record::StreamReader::kBuffer> buffer_{};
   record::StreamReader reader_{buffer_};
-  std::vector<PoseResult> path_;
+  KeptPath path_;
   sensor::OdometrySample last_;  ///< of the path
   std::vector<record::AlertReport> alerts_;
   std::vector<record::CalibrationDoubt> calibration_;

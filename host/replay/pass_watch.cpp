@@ -23,7 +23,7 @@ void PassWatch::look(double t, std::uint32_t id, std::uint8_t signature, Point r
     pass.t = t;
     pass.on_the_right = relative.y > 0;
     pass.distance = std::max(0.0, std::abs(relative.y) - radius);
-    if (pass.distance <= kWidest) passes_.push_back(pass);
+    if (pass.distance <= kWidest && !full()) passes_.push_back(pass);
   }
 }
 

@@ -17,6 +17,16 @@ class PassWatch {
   void look(double t, std::uint32_t id, std::uint8_t signature, Point relative, double radius);
 
   [[nodiscard]] const std::vector<PassResult>& passes() const { return passes_; }
+  /// So many that what follows was not noted.
+  [[nodiscard]] bool full() const { return passes_.size() == kMost; }
+
+  /// Forgets what was ahead and is in the map no more, once there is more of it than the map holds.
+  template <class InMap>
+  void forget_lost(std::size_t map_size, InMap in_map) {
+    if (ahead_.size() > map_size) std::erase_if(ahead_, [&](const auto& known) { return !in_map(known.first); });
+  }
+
+  static constexpr std::size_t kMost = 1U << 16U;  ///< 5 MB
 
   static constexpr double kWidest = 0.8;  ///< m, to its nearest point: the lane of an arena is 1 m wide
   static constexpr double kAhead = 0.05;  ///< m, it counts as ahead from there on, and as passed from as far behind

@@ -16,6 +16,18 @@
 
 namespace fencepost::host {
 
+/// Gets the alerts of a replay instead of its result document: of a long run there may be many.
+class AlertSink {
+ public:
+  virtual ~AlertSink() = default;
+  /// What came before was of an earlier run.
+  virtual void run_begins() = 0;
+  virtual void hear(const record::AlertReport& alert) = 0;
+};
+
+/// Poses of a path that nobody reads one by one: the drawn line, `path` of the result document. 4 MB.
+inline constexpr std::size_t kPosesToShow = 1U << 17U;
+
 struct ReplayOptions {
   std::string profile;                             ///< micro, small, full; empty: the log's FPHDR, else full
   std::optional<sensor::CameraIntrinsics> camera;  ///< in force from the start, for logs without FPCAM
@@ -28,6 +40,9 @@ struct ReplayOptions {
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
   RunObserver* observer = nullptr;             ///< called for each frame that the map accepts
+  AlertSink* alerts = nullptr;
+  std::optional<std::size_t> most_poses{};  ///< of the result's path: a longer one is thinned evenly; default: all
+  std::optional<std::uint32_t> run{};       ///< the N-th of the log; default: its last
 };
 
 struct CheckOutcome {
@@ -45,11 +60,18 @@ struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
   std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful camera: one sentence each
-  std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame
+  std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame, no such run
+  std::uint32_t runs = 0;                ///< that have begun; with `options.run` none after it is looked for
 };
 
-/// Replays the bytes of one log. A log of several runs (FPHDR) reports the last run's map; counts are of the whole.
-/// `name` is used in messages only.
+/// The next bytes of a log, in any portions; none at its end. They hold until the next call.
+using LogSource = std::function<std::string_view()>;
+
+/// Replays one log. Of several runs in it (FPHDR) the last, or `options.run`, is reported; counts are of all that was
+/// read. `name` is used in messages only. In memory that does not grow with the log: a few tens of MB, and what
+/// `options` has kept of path and alerts.
+ReplayOutcome replay(const LogSource& source, const std::string& name, const ReplayOptions& options);
+/// The same for bytes that are in memory.
 ReplayOutcome replay(std::string_view bytes, const std::string& name, const ReplayOptions& options);
 
 }  // namespace fencepost::host

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/loop/loop.hpp"
+#include "host/replay/complaints.hpp"
 #include "host/replay/log_sensors.hpp"
 #include "host/replay/models.hpp"
 #include "host/replay/pass_watch.hpp"
@@ -37,17 +38,17 @@ class ProfileRunner final : public Runner {
   }
   void take(const sensor::CameraIntrinsics& camera) override {
     loop_.pipeline().set_camera(camera);
-    if (const std::optional<std::string> note = pitch_note(camera.mount)) complain(*note);
+    if (const std::optional<std::string> note = pitch_note(camera.mount)) complaints_.add(*note);
   }
   void take(const record::Signature& signature) override {
     if (loop_.pipeline().set_signature(signature)) return;
-    complaints_.push_back("signature " + std::to_string(signature.signature) + ": profile " +
-                          std::string(Profile::kName) + " names only " + std::to_string(Profile::kSignatures));
+    complaints_.add("signature " + std::to_string(signature.signature) + ": profile " + std::string(Profile::kName) +
+                    " names only " + std::to_string(Profile::kSignatures));
   }
   void take(const record::Setting& setting) override {
     if (!loop_.pipeline().set(setting.key.view(), setting.value.view())) return;
-    complaints_.push_back("setting " + std::string(setting.key.view()) + " = " + std::string(setting.value.view()) +
-                          " is not known here");
+    complaints_.add("setting " + std::string(setting.key.view()) + " = " + std::string(setting.value.view()) +
+                    " is not known here");
   }
   void take(const sensor::OdometrySample& sample) override {
     if (observer_ != nullptr) return take_observed(sample);
@@ -56,7 +57,8 @@ class ProfileRunner final : public Runner {
   }
   std::optional<sensor::OdometrySample> take(const sensor::CarSample& sample) override {
     const odometry::CarProblem problem = loop_.pipeline().problem_of(sample);
-    if (problem != odometry::CarProblem::kNone) complain("$FPCAR is not used: " + std::string(config::reason(problem)));
+    if (problem != odometry::CarProblem::kNone)
+      complaints_.add("$FPCAR is not used: " + std::string(config::reason(problem)));
     const base::Result<sensor::OdometrySample, record::Reject> pose = loop_.pipeline().integrate(sample);
     if (!pose) return std::nullopt;
     take(*pose);
@@ -75,13 +77,17 @@ class ProfileRunner final : public Runner {
     memory_->noise.position = static_cast<float>(noise.position);
     memory_->noise.heading = static_cast<float>(noise.heading);
   }
-  void finish() override { loop_.pipeline().finish(); }
+  void finish() override {
+    loop_.pipeline().finish();
+    loop_.pipeline().reporter().calibration();  // what no further input waits for
+    hand_on_log();
+  }
   void observe(RunObserver* observer) override { observer_ = observer; }
 
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }
   [[nodiscard]] const config::Settings& settings() const override { return memory_->settings; }
-  [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_; }
+  [[nodiscard]] const std::vector<std::string>& complaints() const override { return complaints_.all(); }
 
   [[nodiscard]] const std::vector<PassResult>& passes() const override { return passes_.passes(); }
 
@@ -130,6 +136,10 @@ class ProfileRunner final : public Runner {
     loop_.step(now);
     note_doubt(memory_->camera_doubt.said().doubt);
     watch_passes();
+    hand_on_log();
+  }
+
+  void hand_on_log() {
     const std::span<const char> lines = memory_->journal.waiting();
     log_({lines.data(), lines.size()});
     memory_->journal.taken(lines.size());
@@ -150,6 +160,16 @@ class ProfileRunner final : public Runner {
       passes_.look(t, object.id, object.signature, {c * x + s * y, c * y - s * x},
                    static_cast<double>(cylinder.radius));
     }
+    passes_.forget_lost(memory_->map.slots().size(), [this](std::uint32_t id) { return in_map(id); });
+    if (passes_.full()) {
+      complaints_.add("only the first " + std::to_string(PassWatch::kMost) + " things that were passed are listed");
+    }
+  }
+
+  [[nodiscard]] bool in_map(std::uint32_t id) const {
+    const auto slots = memory_->map.slots();
+    return std::any_of(slots.begin(), slots.end(),
+                       [&](const recon::ObjectCore& object) { return object.used() && object.id == id; });
   }
 
   // Once for each time that it begins; by how much is in the log.
@@ -157,12 +177,7 @@ class ProfileRunner final : public Runner {
     if (doubt == noted_) return;
     noted_ = doubt;
     if (doubt == record::Doubt::kNone) return;
-    complain(calibration_sentence(memory_->camera_doubt.said()));
-  }
-
-  // Each once.
-  void complain(const std::string& note) {
-    if (std::find(complaints_.begin(), complaints_.end(), note) == complaints_.end()) complaints_.push_back(note);
+    complaints_.add(calibration_sentence(memory_->camera_doubt.said()));
   }
 
   // As the loop handles one input, but with a pause after each frame. A step without input only empties the journal.
@@ -192,7 +207,8 @@ class ProfileRunner final : public Runner {
       return *std::find_if(slots.begin(), slots.end(), [&](const auto& object) { return object.id == id; });
     };
     observer_->frame_placed({frame, sightings, [&](std::uint32_t id) { return describe_object(find(id)); },
-                             [&](std::uint32_t id) { return outline_object(find(id)); }, [this] { return sectors(); }});
+                             [&](std::uint32_t id) { return outline_object(find(id)); },
+                             [this](std::uint32_t id) { return in_map(id); }, [this] { return sectors(); }});
   }
 
   [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {
@@ -250,7 +266,7 @@ class ProfileRunner final : public Runner {
   NoConsole console_;
   std::function<void(std::string_view)> log_;
   loop::Loop<Profile, LogCamera, LogOdometry, NoConsole> loop_;
-  std::vector<std::string> complaints_;
+  Complaints complaints_;
   PassWatch passes_;
   record::Doubt noted_ = record::Doubt::kNone;
   RunObserver* observer_ = nullptr;

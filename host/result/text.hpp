@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,5 +47,7 @@ std::size_t wrong_sides(const ResultDocument& document, const std::vector<SideRu
 
 /// One line: objects, alerts, frames, profile and digest.
 std::string summary_line(const ResultDocument& document);
+/// With so many alerts, which the document need not hold.
+std::string summary_line(const ResultDocument& document, std::uint64_t alerts);
 
 }  // namespace fencepost::host

@@ -177,33 +177,55 @@ Json doubt_json(const record::CalibrationDoubt& doubt) {
           {"says", calibration_sentence(doubt)}};
 }
 
+// A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string without_last(std::string text) {
+  text.pop_back();
+  return text;
+}
+
 }  // namespace
 
-std::string to_json(const ResultDocument& document) {
+void write_json(const ResultDocument& document, const EachAlert& alerts,
+                const std::function<void(std::string_view)>& write) {
   Json objects = Json::array();
   for (const ObjectResult& object : document.objects) objects.push_back(object_json(document, object));
-  Json alerts = Json::array();
-  for (const record::AlertReport& alert : document.alerts) alerts.push_back(alert_json(alert));
   Json calibration = Json::array();
   for (const record::CalibrationDoubt& doubt : document.calibration) calibration.push_back(doubt_json(doubt));
   Json passes = Json::array();
   for (const PassResult& pass : document.passes) passes.push_back(pass_json(pass));
-  const Json json = {{"format", kFormat},
-                     {"log", log_json(document.log)},
-                     {"digest", digest_text(document.digest)},
-                     {"profile", document.profile},
-                     {"camera", camera_json(document.camera)},
-                     {"signatures", signatures_json(document.signatures)},
-                     {"pose", pose_json(document.pose)},
-                     {"path", path_json(document.path)},
-                     {"objects", std::move(objects)},
-                     {"alerts", std::move(alerts)},
-                     {"guard", guard_json(document.guard)},
-                     {"sectors", sectors_json(document.sectors)},
-                     {"calibration", std::move(calibration)},
-                     {"passes", std::move(passes)}};
-  // A profile name comes from the log and may hold any byte: replace what is not UTF-8 rather than throw.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Json before = {{"format", kFormat},
+                       {"log", log_json(document.log)},
+                       {"digest", digest_text(document.digest)},
+                       {"profile", document.profile},
+                       {"camera", camera_json(document.camera)},
+                       {"signatures", signatures_json(document.signatures)},
+                       {"pose", pose_json(document.pose)},
+                       {"path", path_json(document.path)},
+                       {"objects", std::move(objects)}};
+  const Json after = {{"guard", guard_json(document.guard)},
+                      {"sectors", sectors_json(document.sectors)},
+                      {"calibration", std::move(calibration)},
+                      {"passes", std::move(passes)}};
+  // One object, with the alerts between its halves: there may be very many.
+  write(without_last(text_of(before)));
+  write(",\"alerts\":[");
+  bool first = true;
+  alerts([&](const record::AlertReport& alert) {
+    write((first ? "" : ",") + text_of(alert_json(alert)));
+    first = false;
+  });
+  write("]," + text_of(after).substr(1) + "\n");
+}
+
+std::string to_json(const ResultDocument& document) {
+  std::string text;
+  const EachAlert alerts = [&](const std::function<void(const record::AlertReport&)>& visit) {
+    for (const record::AlertReport& alert : document.alerts) visit(alert);
+  };
+  write_json(document, alerts, [&](std::string_view part) { text += part; });
+  return text;
 }
 
 }  // namespace fencepost::host

@@ -48,12 +48,32 @@ bool meet_in_time(const SceneObject& a, const SceneObject& b) {
   return !ends_first(a, b) && !ends_first(b, a);
 }
 
+struct Box {
+  double left = 0;
+  double right = 0;
+  double low = 0;
+  double high = 0;
+};
+
+Box box_of(const LinearRing& ring) {
+  const auto [left, right] = std::ranges::minmax_element(ring, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax_element(ring, {}, &Point::y);
+  return {left->x, right->x, low->y, high->y};
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+}
+
 /// Solids must not overlap: parts of them would be invisible to every camera. Where one moves, nobody looks.
 void check_overlaps(const JsonNode& root, const Scene& scene) {
   constexpr double kSliver = 1e-8;  // m^2; touching faces are fine
   constexpr double kTouch = 1e-9;   // m
+  std::vector<Box> boxes;
+  for (const SceneObject& object : scene.objects) boxes.push_back(box_of(object.footprint.outer));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
+      if (!meet(boxes[k], boxes[i])) continue;
       const SceneObject& a = scene.objects[k];
       const SceneObject& b = scene.objects[i];
       if (!a.path.empty() || !b.path.empty() || !meet_in_time(a, b)) continue;

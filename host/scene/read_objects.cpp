@@ -9,9 +9,16 @@ namespace fencepost::host {
 
 namespace {
 
+/// Of one footprint: where two outlines cross, every edge may cross every other one.
+constexpr std::size_t kMostCorners = 500;
+
 LinearRing read_ring(const JsonNode& node) {
   LinearRing ring;
   const std::size_t count = node.size(3, "corners");
+  if (count > kMostCorners + 1) {
+    node.fail("has " + std::to_string(count) + " corners, at most " + std::to_string(kMostCorners) + " are taken",
+              "leave out corners that make no difference of a millimetre, or divide the object");
+  }
   for (std::size_t i = 0; i < count; ++i) ring.push_back(node.at(i).point());
   ring = opened(std::move(ring));
   if (ring.size() < 3) node.fail("has fewer than three different corners", "give at least three");
@@ -61,7 +68,14 @@ Polygon read_footprint(const JsonNode& node) {
   const std::size_t count = rings.size(1, "rings");
   Polygon polygon;
   polygon.outer = read_ring(rings.at(std::size_t{0}));
-  for (std::size_t i = 1; i < count; ++i) polygon.holes.push_back(read_ring(rings.at(i)));
+  std::size_t corners = polygon.outer.size();
+  for (std::size_t i = 1; i < count; ++i) {
+    polygon.holes.push_back(read_ring(rings.at(i)));
+    corners += polygon.holes.back().size();
+    if (corners <= kMostCorners) continue;
+    rings.fail("have more than " + std::to_string(kMostCorners) + " corners together",
+               "leave out corners that make no difference of a millimetre, or divide the object");
+  }
   check_validity(node, polygon);
   return oriented(std::move(polygon));
 }

@@ -56,7 +56,7 @@ void add(const Reassigned& more, Reassigned& sum) {
 }
 
 /// Solves, and in between measures noise and drift and asks again which box is of which object.
-void fit(Attempt& attempt, const SolverOptions& options, int rounds = kRounds) {
+void fit(Attempt& attempt, const SolverOptions& options, int rounds, const std::function<void()>& round_done) {
   constexpr int kRound = 4;     // of these, with round objects: else a wrong place hides in a shape
   constexpr int kQuickly = 20;  // iterations of a round that is not the last
   constexpr double kFirstDrift = 8;
@@ -81,6 +81,7 @@ void fit(Attempt& attempt, const SolverOptions& options, int rounds = kRounds) {
     const Strays strays = strays_of(started.problem, started.estimate);
     started.problem.drift = strays.drift;
     started.problem.walk = strays.walk;
+    round_done();
     if (round == 0 || round + 1 == kRounds) continue;
     attempt.joined += join_by_test(started, now);
     if (round > 1) attempt.left_out += drop_lost(started, kLeastViews);
@@ -99,7 +100,7 @@ Attempt attempt_from(const DriveLog& log, const ReplayOutcome& replayed) {
 bool strays_too_far(Attempt attempt, const SolverOptions& options) {
   constexpr double kTooFar = 3;
   if (attempt.started.estimate.objects.empty()) return true;
-  fit(attempt, options, 1);
+  fit(attempt, options, 1, [] {});
   return !attempt.failure.empty() || attempt.started.problem.drift > kTooFar;
 }
 
@@ -161,6 +162,12 @@ bool by_odometry_alone(const DriveLog& log, const std::vector<PoseResult>& path)
 }  // namespace
 
 SmoothOutcome smooth(std::string_view bytes, const std::string& name, const SmoothOptions& options) {
+  // Of about equal length: reading, whether to read again, each round, the objects in the end.
+  constexpr double kSteps = 2 + kRounds + 1;
+  double steps = 0;
+  const auto step_done = [&] {
+    if (options.progress) options.progress(++steps / kSteps);
+  };
   SmoothOutcome outcome;
   ReplayOptions replay_options;
   replay_options.profile = options.profile.empty() ? "full" : options.profile;
@@ -169,6 +176,7 @@ SmoothOutcome smooth(std::string_view bytes, const std::string& name, const Smoo
   replay_options.to = options.to;
   const DriveLog log = read_drive(bytes, name, replay_options, outcome.replay);
   if (outcome.replay.unreadable) return outcome;
+  step_done();
   if (log.odometry.size() < 2) {
     outcome.refusal = name + ": there is no odometry to speak of, so there is no path to smooth; record $FPODO, too";
     return outcome;
@@ -183,7 +191,8 @@ SmoothOutcome smooth(std::string_view bytes, const std::string& name, const Smoo
       if (!other.started.estimate.objects.empty()) best = std::move(other);
     }
   }
-  if (!best.started.estimate.objects.empty()) fit(best, how);
+  step_done();
+  if (!best.started.estimate.objects.empty()) fit(best, how, kRounds, step_done);
   if (best.started.estimate.objects.empty()) {
     outcome.refusal = fmt::format(
         "{}: no object was seen in {} frames or more with an end inside the image; drive where some are in view for "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,8 @@ struct SmoothOptions {
   std::optional<sensor::CameraIntrinsics> camera;  ///< for logs without FPCAM
   std::optional<double> from;                      ///< s, stream time
   std::optional<double> to;
-  bool calibrate = false;  ///< focal length, yaw, pitch, latency, mount are estimated, too
+  bool calibrate = false;                        ///< focal length, yaw, pitch, latency, mount are estimated, too
+  std::function<void(double share)> progress{};  ///< hears now and then how much of the work is done, 0 to 1
 };
 
 /// One object of the optimum.

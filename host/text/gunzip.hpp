@@ -1,15 +1,43 @@
-// Files that gzip packed.
+// What gzip packed.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+struct z_stream_s;
+
 namespace fencepost::host {
 
+/// By the first two bytes.
 bool is_gzip(std::string_view bytes);
 
-/// What was packed, of all members behind each other. Nothing: damaged, or cut off.
+/// All of its members one behind the other; nothing where it is damaged or cut off.
 std::optional<std::string> gunzip(std::string_view bytes);
+
+/// The same in portions, in memory that does not grow with it.
+class Gunzip {
+ public:
+  Gunzip();
+  Gunzip(const Gunzip&) = delete;
+  Gunzip& operator=(const Gunzip&) = delete;
+  ~Gunzip();
+
+  /// The packed bytes that follow, at most 4 GB, when `next` has none left. They have to hold as long as they are used.
+  void feed(std::string_view packed);
+  /// Unpacked bytes, which hold until the next call; none: it wants more, or is damaged.
+  std::string_view next();
+  [[nodiscard]] bool damaged() const { return damaged_; }
+  /// Nothing more is due: the stream may end here.
+  [[nodiscard]] bool complete() const { return between_members_; }
+
+ private:
+  std::unique_ptr<z_stream_s> stream_;
+  std::array<char, 1U << 16U> chunk_{};
+  bool damaged_ = false;
+  bool between_members_ = true;
+};
 
 }  // namespace fencepost::host

@@ -60,6 +60,7 @@ ROOMS = {
     "firmware/image": "drivers/* firmware/loop firmware/view hal/mcu",
     "host/share/examples": "",
     "host/text": "",
+    "host/jobs": "",
     "host/geometry": "",
     "host/scene": "hal/sensor host/geometry host/text",
     "host/simulate": "firmware/record host/scene",
@@ -75,7 +76,7 @@ ROOMS = {
     "host/merge": "host/result",
     "host/report": "host/evaluate",
     "host/web": "host/replay",
-    "host/paper": "host/render host/report",
+    "host/paper": "host/jobs host/render host/report",
     "host/export": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",
     "host/recorder": "host/live",
@@ -91,7 +92,7 @@ ROOMS = {
     "host/doctor/ports": "host/devices host/doctor",
     "host/calibrate": "host/live host/report",
     "host/smooth": "host/calibrate",
-    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/merge host/monitor host/paper host/recorder host/segment host/smooth host/view host/web",
+    "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/jobs host/merge host/monitor host/paper host/recorder host/segment host/smooth host/view host/web",
 }
 # Files that lie in one room and still include as if they lay in another.
 COUNTED_AS = {}

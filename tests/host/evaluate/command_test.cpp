@@ -106,12 +106,93 @@ TEST(EvaluateCommand, ABoundOnNothingFails) {
   EXPECT_TRUE(holds(run.out, "far: not found, visible in 0 frames")) << run.out;
 }
 
+/// All bundled recordings that have a scene.
+std::vector<std::string> corpus() {
+  return {"approach_stop", "blocks_arc",  "corridor",   "noisy_arc",
+          "stop_cmucam2",  "stop_nxtcam", "stop_pixy2", "wro_lap"};
+}
+
+std::string logs_of(const std::vector<std::string>& names) {
+  std::string words;
+  for (const std::string& name : names) words += " " + recording(name + ".log");
+  return words;
+}
+
+TEST(EvaluateCommand, TheNumberOfJobsChangesNothing) {
+  const Folder folder;
+  const std::string all = "fencepost evaluate --json" + logs_of(corpus());
+  const Outcome one = shell(folder, all + " --jobs 1");
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  for (const char* jobs : {"2", "7", "100"}) {
+    const Outcome several = shell(folder, all + " --jobs " + jobs);
+    EXPECT_EQ(several.out, one.out) << jobs;
+    EXPECT_EQ(several.err, one.err) << jobs;
+  }
+  EXPECT_EQ(shell(folder, all).out, one.out);
+}
+
+TEST(EvaluateCommand, MergedPartsAreTheWholeToTheLastByte) {
+  const Folder folder;
+  const std::vector<std::string> names = corpus();
+  const std::string views = " --views 2,18";
+  for (const std::size_t cut : {std::size_t{1}, names.size() / 2, names.size() - 1}) {
+    const auto middle = names.begin() + static_cast<std::ptrdiff_t>(cut);
+    const Outcome parts =
+        shell(folder, "fencepost evaluate --part -o a.part" + views + logs_of({names.begin(), middle}) +
+                          " && fencepost evaluate --part" + views + logs_of({middle, names.end()}) + " >b.part");
+    ASSERT_EQ(parts.exit_code, 0) << parts.err;
+    for (const char* form : {" --json", "", " --json --model clip"}) {
+      const Outcome whole = shell(folder, "fencepost evaluate" + views + form + logs_of(names));
+      const Outcome merged = shell(folder, std::string("fencepost evaluate") + form + " --merge a.part b.part");
+      EXPECT_EQ(merged.exit_code, 0) << merged.err;
+      EXPECT_EQ(merged.out, whole.out) << cut << form;
+    }
+  }
+  EXPECT_EQ(shell(folder, "fencepost evaluate --merge a.part b.part --model clip --max-paranoia 0").exit_code, 1);
+  EXPECT_EQ(shell(folder, "fencepost evaluate --merge a.part missing.part").exit_code, 3);
+  EXPECT_EQ(shell(folder, "fencepost evaluate --merge a.part --smooth").exit_code, 2);
+  const Outcome rounded =
+      shell(folder, "fencepost evaluate --json " + kLog + " >a.json; fencepost evaluate --merge a.json");
+  EXPECT_EQ(rounded.exit_code, 3);
+  EXPECT_TRUE(holds(rounded.err, "a.json: no part of an evaluation; write it by 'fencepost evaluate --part'"))
+      << rounded.err;
+}
+
+TEST(EvaluateCommand, OneBadLogIsNamedAndTheRestIsJudged) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "echo text >bad.log; cp " + kScene + " bad.json; cp " + kLog + " alone.log").exit_code, 0);
+  const std::string good = kLog + " " + recording("corridor.log");
+  const Outcome rest = shell(folder, "fencepost evaluate --json " + good);
+  const Outcome all = shell(folder, "fencepost evaluate --json bad.log " + good + " alone.log");
+  EXPECT_EQ(all.exit_code, 3);
+  EXPECT_TRUE(holds(all.err, "bad.log: no record in 1 lines")) << all.err;
+  EXPECT_TRUE(holds(all.err, "alone.log: no scene alone.json beside it")) << all.err;
+  EXPECT_TRUE(all.err.ends_with("2 of 4 logs could not be judged, see above\n")) << all.err;
+  json document = json::parse(all.out);
+  EXPECT_EQ(document["unjudged"].size(), 2U);
+  EXPECT_EQ(document["unjudged"][0]["log"], "bad.log");
+  document.erase("unjudged");
+  EXPECT_EQ(document, json::parse(rest.out));
+
+  const Outcome parts =
+      shell(folder, "fencepost evaluate --part bad.log " + good + " >a.part; fencepost evaluate --merge a.part --json");
+  EXPECT_EQ(parts.exit_code, 3);
+  EXPECT_EQ(json::parse(parts.out)["unjudged"].size(), 1U);
+  EXPECT_TRUE(holds(parts.err, "1 of 3 logs could not be judged")) << parts.err;
+
+  const Outcome none = shell(folder, "fencepost evaluate bad.log alone.log");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_EQ(none.out, "") << "nothing was measured";
+  EXPECT_TRUE(holds(none.err, "bad.log: no record") && holds(none.err, "alone.log: no scene")) << none.err;
+}
+
 TEST(EvaluateCommand, UsageErrorsEndWithTwo) {
   const Folder folder;
   for (const std::string& arguments : std::vector<std::string>{
            "", kLog + " --views 0", kLog + " --views 2,x", kLog + " --views", kLog + " --max-recklessness 2",
            kLog + " --max-paranoia -0.1", kLog + " --model no_such", kLog + " --scene " + kScene + " --scene " + kScene,
-           "-", "- --scene -", kLog + " --profile huge"}) {
+           "-", "- --scene -", kLog + " --profile huge", kLog + " --jobs 0", kLog + " --part --smooth",
+           kLog + " --merge x.part"}) {
     const Outcome run = shell(folder, "fencepost evaluate " + arguments);
     EXPECT_EQ(run.exit_code, 2) << arguments << "\n" << run.err;
     EXPECT_EQ(run.out, "") << arguments;

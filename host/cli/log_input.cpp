@@ -1,0 +1,81 @@
+#include "host/cli/log_input.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "host/cli/exit_code.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/terminal.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+constexpr std::size_t kChunk = 1U << 16U;
+
+[[noreturn]] void fail_reading(const std::string& path, int error) {
+  std::string remedy = "; check the path";
+  if (error == EISDIR) remedy = "; name a file inside it";
+  if (error == EACCES) remedy = "; you may need chmod u+r";
+  throw Failure(Exit::kUnreadable,
+                "cannot read " + input_name(path) + ": " + std::system_category().message(error) + remedy);
+}
+
+}  // namespace
+
+LogInput::LogInput(std::string path) : path_(std::move(path)), chunk_(kChunk, '\0') {
+  const bool standard = path_ == "-";
+  if (standard && is_terminal(STDIN_FILENO)) say("reading from the terminal; end with Ctrl-D");
+  file_ = standard ? STDIN_FILENO : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) fail_reading(path_, errno);
+  remember_input(file_);
+  struct stat about {};
+  if (::fstat(file_, &about) == 0 && S_ISREG(about.st_mode)) size_ = static_cast<std::uint64_t>(about.st_size);
+}
+
+LogInput::~LogInput() {
+  if (file_ > STDERR_FILENO) ::close(file_);
+}
+
+std::string_view LogInput::read() {
+  std::size_t size = 0;
+  // At the beginning two bytes at least: they tell what it is.
+  while (size == 0 || (!begun_ && size < 2)) {
+    const ssize_t got = ::read(file_, chunk_.data() + size, chunk_.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_reading(path_, errno);
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  position_ += size;
+  return {chunk_.data(), size};
+}
+
+std::string_view LogInput::next() {
+  if (!begun_) {
+    const std::string_view first = read();
+    begun_ = true;
+    if (!is_gzip(first)) return first;
+    gunzip_ = std::make_unique<Gunzip>();
+    gunzip_->feed(first);
+  }
+  if (!gunzip_) return read();
+  while (true) {
+    const std::string_view unpacked = gunzip_->next();
+    if (!unpacked.empty()) return unpacked;
+    const std::string_view more = gunzip_->damaged() ? std::string_view() : read();
+    if (more.empty() && !gunzip_->damaged() && gunzip_->complete()) return {};
+    if (more.empty()) {
+      throw Failure(Exit::kUnreadable,
+                    "cannot read " + input_name(path_) +
+                        ": what gzip packed is damaged or cut off; try 'gzip -t' on it, and copy it again");
+    }
+    gunzip_->feed(more);
+  }
+}
+
+}  // namespace fencepost::host::cli

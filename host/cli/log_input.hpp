@@ -1,0 +1,43 @@
+// A log in portions, as `replay` reads it: of a file, a pipe or standard input, unpacked if gzip packed it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/text/gunzip.hpp"
+
+namespace fencepost::host::cli {
+
+class LogInput {
+ public:
+  /// "-" is standard input. errors: Failure (kUnreadable): missing, not allowed
+  explicit LogInput(std::string path);
+  LogInput(const LogInput&) = delete;
+  LogInput& operator=(const LogInput&) = delete;
+  ~LogInput();
+
+  /// The bytes that follow, which hold until the next call; none at the end. errors: Failure (kUnreadable): a folder,
+  /// read error, damaged packing
+  std::string_view next();
+
+  /// Of the file as it lies there; nothing of a pipe or a terminal.
+  [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
+  /// So much of it was read.
+  [[nodiscard]] std::uint64_t position() const { return position_; }
+
+ private:
+  std::string_view read();
+
+  std::string path_;
+  int file_ = -1;
+  std::optional<std::uint64_t> size_;
+  std::uint64_t position_ = 0;
+  bool begun_ = false;
+  std::string chunk_;
+  std::unique_ptr<Gunzip> gunzip_;
+};
+
+}  // namespace fencepost::host::cli
