@@ -165,6 +165,11 @@ class PathWatch {
     if (was_blind && !level) level = record::AlertLevel::kClear;
     if (level && front.nearest.known && *level != record::AlertLevel::kClear) {
       emit(state, console::report_alert(front, *level, now));
+    } else if (level && *level != record::AlertLevel::kClear) {
+      // It eases, and is in force until it has: what is repeated is where that was last.
+      record::AlertReport last = console::report_clear(record::kNoObject, state, now);
+      last.level = *level;
+      reporter_.alert(last, state);
     } else if (level) {
       state.said = record::AlertLevel::kClear;
       reporter_.alert(console::report_clear(record::kNoObject, state, now));

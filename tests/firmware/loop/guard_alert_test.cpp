@@ -185,6 +185,24 @@ TEST(GuardAlert, EndsWithinASecondWhenTheObstacleIsTakenAway) {
   }
 }
 
+// An alert that eases is in force for a while yet: until then nobody is told that it is over.
+TEST(GuardAlert, IsNotTakenBackWhileItIsInForce) {
+  Drive robot(50);
+  robot.go(3, 0.2, {kWall});
+  std::size_t told = robot.alerts.all.size();
+  unsigned clears = 0;
+  for (int i = 0; i < 150; ++i) {
+    robot.go(0.01, 0, {});
+    for (; told < robot.alerts.all.size(); ++told) {
+      const record::AlertReport& alert = robot.alerts.all[told];
+      if (alert.id != record::kNoObject || alert.level != AlertLevel::kClear) continue;
+      ++clears;
+      EXPECT_EQ(robot.pipeline.in_force().level, AlertLevel::kClear) << alert.t.raw;
+    }
+  }
+  EXPECT_EQ(clears, 1U);
+}
+
 // A post is an object's to tell: the guard has nothing to add.
 TEST(GuardAlert, DoesNotRepeatWhatAnObjectSays) {
   Drive robot;
