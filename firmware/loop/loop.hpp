@@ -74,7 +74,7 @@ class Loop {
     for (int i = 0; i < kLinesPerTurn && !pipeline_.testing(); ++i) {
       const auto handled = console_.handle_line(now);
       if (handled == Console<Profile>::Handled::kNothing) return;
-      if (handled == Console<Profile>::Handled::kInput) process();
+      if (handled == Console<Profile>::Handled::kInput && pipeline_.used_input()) process();
     }
   }
 
@@ -100,8 +100,10 @@ class Loop {
     pipeline_.pass_time(now);
   }
 
+  // What was refused has no effects: a replay does not know of it.
   template <class Source>
   void process(base::Time now, const Source& source) {
+    if (!pipeline_.used_input()) return;
     process();
     if (sensor::stamped_here(source)) pipeline_.set_clock(now);
   }

@@ -64,6 +64,8 @@ struct Run {
   bool header_due = false;        ///< the header is still to be sent
   bool whole = true;              ///< every input of this run was used in mode log
   bool testing = false;           ///< the inputs are those of the self-test
+  bool used = false;              ///< the latest input was
+  bool newest = false;            ///< and none before it had a later t
 };
 
 /// Of the map that the console draws: micro has few bytes left.

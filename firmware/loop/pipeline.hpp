@@ -2,6 +2,7 @@
 // All times in here are stream times, so a replay decides as the robot did.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,6 +15,10 @@
 #include "firmware/record/run_rules.hpp"
 
 namespace fencepost::loop {
+
+/// By so much at most may one input say that the clock that stamps it has fallen behind the robot's: another
+/// controller's may be slower.
+inline constexpr base::Duration kMostSlip = base::milliseconds(10);
 
 template <class Profile>
 class Pipeline {
@@ -150,6 +155,7 @@ class Pipeline {
   /// Applies an input, refuses it (and counts that), or rejects it: then a reader would reject its record.
   /// errors: range (position or heading, see record::inside_range), time
   std::optional<record::Reject> accept(const sensor::OdometrySample& sample) {
+    m_.run.used = false;
     if (!record::inside_range(sample)) return reject(record::Reject::kRange);
     const bool late = !m_.poses.empty() && sample.t <= m_.poses.latest_time();
     if (late && !m_.run.testing) return reject(record::Reject::kTime);
@@ -158,6 +164,7 @@ class Pipeline {
       ++m_.counters.records_dropped;
       return std::nullopt;
     }
+    m_.run.used = true;
     apply(sample);
     ++m_.counters.odometry;
     return std::nullopt;
@@ -178,6 +185,7 @@ class Pipeline {
 
   /// errors: range (a box leaves the image), time
   std::optional<record::Reject> accept(const sensor::BlobFrame& frame) {
+    m_.run.used = false;
     const sensor::CameraIntrinsics& camera = m_.calibration.intrinsics;
     const bool outside = m_.calibration.known && !record::inside_image(frame, camera.width, camera.height);
     if (outside) return reject(record::Reject::kRange);
@@ -188,6 +196,7 @@ class Pipeline {
       refuse(console::Refusal::kQueue);
       return std::nullopt;
     }
+    m_.run.used = true;
     if (m_.calibration.known) {
       apply(frame, m_.calibration.current);
     } else {
@@ -241,9 +250,20 @@ class Pipeline {
     if (m_.run.time && !m_.run.testing && beat_due(*m_.run.time)) beat(*m_.run.time);
   }
 
-  /// This robot's clock stamps (some of) its inputs: it is `now` by it, and one has just come, or may. From now on time
-  /// passes without inputs, too.
-  void set_clock(base::Time now) { m_.run.behind = now - m_.run.time.value_or(now); }
+  /// Of the latest one that was accepted, refused or rejected: is it in the logs, where there are any, and has effects?
+  [[nodiscard]] bool used_input() const { return m_.run.used; }
+
+  /// This robot's clock stamps (some of) its inputs: it is `now` by it, and one was just used, or may be. From now on
+  /// time passes without inputs, too. One that is late, since it took long to arrive or lay in a buffer while the loop
+  /// was kept, does not hold stream time back: what is long over would be taken for the present.
+  void set_clock(base::Time now) {
+    base::Duration behind = now - m_.run.time.value_or(now);
+    if (m_.run.behind && behind > *m_.run.behind) {
+      if (!m_.run.newest) return;
+      behind = std::min(behind, *m_.run.behind + kMostSlip);
+    }
+    m_.run.behind = behind;
+  }
   /// No input has come for a while. A log has each of these moments as a heartbeat, by which a replay has them, too.
   void pass_time(base::Time now) {
     if (!m_.run.behind || m_.run.testing) return;
@@ -326,7 +346,8 @@ class Pipeline {
       m_.run.watched_at = m_.run.status_at = m_.run.calibration_at = m_.run.beat_at = base::Stamp(t);
       m_.run.time = t;
     }
-    if (t > *m_.run.time) m_.run.time = t;
+    m_.run.newest = t >= *m_.run.time;
+    if (m_.run.newest) m_.run.time = t;
   }
   void advance_frame(base::Time t) {
     advance(t);

@@ -36,8 +36,10 @@ struct Sensor {
 /// Takes all that is said.
 struct Listener {
   std::string text;
+  bool open = true;
   static base::Result<std::size_t> read(std::span<std::uint8_t> /*buffer*/) { return base::Error::kNotReady; }
   base::Result<std::size_t> write(std::span<const std::uint8_t> bytes) {
+    if (!open) return base::Error::kFull;
     text.append(bytes.begin(), bytes.end());
     return bytes.size();
   }
@@ -146,6 +148,72 @@ TEST(Blind, IsSaidOfARobotThatHasNeverSeenAnything) {
   robot.camera_on = robot.odometry_on = false;
   robot.run(2);
   EXPECT_NE(robot.link.text.find("BLIND   the camera has sent no frame yet\r\n"), std::string::npos) << robot.link.text;
+}
+
+// The loop was kept for two seconds, by a disk or a busy machine; the first thing that it finds came before that.
+TEST(Blind, IsSaidAtOnceOfAnInputThatLayInABuffer) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(2);
+  robot.camera.items.push_back(flat_view({{3, -0.2, 0.2, 1}}, robot.x, 0, robot.t + 0.01, 999));
+  robot.t += 2;
+  robot.loop.step(base::Time::nearest(robot.t));
+  EXPECT_EQ(robot.loop.pipeline().in_force().level, AlertLevel::kBlind);
+  EXPECT_GE(robot.loop.pipeline().stream_time()->to_double(), robot.t - 0.02);
+}
+
+// Inputs that are rejected do not keep stream time from passing.
+TEST(Blind, IsSaidWhileAllThatComesIsRejected) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(2);
+  robot.odometry_on = false;
+  for (int i = 0; i < 50; ++i) {
+    robot.odometry.items.push_back({base::Time::nearest(1), {}, {}, {}});  // long over
+    robot.run(0.02);
+  }
+  const Records records = robot.records();
+  ASSERT_FALSE(records.alerts.empty());
+  EXPECT_EQ(records.alerts.front().level, AlertLevel::kBlind);
+  EXPECT_LE(records.alerts.front().t.to_double(), 2.3);
+  EXPECT_GE(records.beats.back().t.to_double(), 2.85);
+}
+
+// A replay knows nothing of what was refused: no frame is given up because it came.
+TEST(Blind, WhatIsRefusedHasNoEffects) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.run(2);
+  robot.camera_on = robot.odometry_on = false;
+  robot.run(0.1);
+  robot.camera.items.push_back(flat_view({{3, -0.2, 0.2, 1}}, robot.x, 0, robot.t + 0.01, 999));
+  robot.run(0.25);  // its pose is still to come, and heartbeats pass the time for which it may wait
+  ASSERT_EQ(robot.memory->waiting.size(), 1U);
+  robot.link.open = false;
+  while (robot.memory->output.put(record::Signature{1, {}, "a long name to fill the queue"})) continue;
+  const std::uint32_t before = robot.memory->counters.records_dropped;
+  robot.odometry.items.push_back({base::Time::nearest(robot.t), base::Metres::nearest(robot.x), {}, {}});
+  robot.run(0.02);
+  ASSERT_GT(robot.memory->counters.records_dropped, before) << "it was refused";
+  EXPECT_EQ(robot.memory->waiting.size(), 1U);
+  robot.link.open = true;
+  robot.run(0.02);
+  const std::uint32_t frames = robot.memory->counters.frames;
+  robot.odometry.items.push_back({base::Time::nearest(robot.t), base::Metres::nearest(robot.x), {}, {}});
+  robot.run(0.02);
+  EXPECT_EQ(robot.memory->counters.frames, frames + 1);
+}
+
+// A controller whose clock loses a tenth of a second each second: its time is followed.
+TEST(Blind, IsNotSaidOfAStampThatFallsBehind) {
+  BlindRobot robot(console::Mode::kLog);
+  robot.camera_on = robot.odometry_on = false;
+  std::uint32_t number = 0;
+  for (int i = 1; i <= 500; ++i) {
+    const double stamp = 0.9 * 0.02 * i;
+    robot.odometry.items.push_back({base::Time::nearest(stamp), base::Metres::nearest(robot.x), {}, {}});
+    if (i % 5 == 0) robot.camera.items.push_back(flat_view({{3, -0.2, 0.2, 1}}, robot.x, 0, stamp, number++));
+    robot.run(0.02);
+  }
+  for (const record::AlertReport& alert : robot.records().alerts)
+    EXPECT_NE(alert.level, AlertLevel::kBlind) << alert.t.raw;
 }
 
 TEST(Blind, AStreamOfAnotherClockStandsStillWithItsSender) {
