@@ -1,6 +1,6 @@
 # A unity build compiles the sources of a target together, in half the time. These sources stay apart, since they give a
 # name that another source of their target gives, too. A new one for which that is so says it by errors about
-# redefinitions, and belongs here.
+# redefinitions, and belongs here. One is apart so that tests/studies/storm can link another in its place.
 function(fencepost_apart target)
   if(NOT TARGET ${target})
     return()
@@ -23,6 +23,7 @@ fencepost_apart(fencepost_emulate_models models/cognachrome.cpp models/create_co
 fencepost_apart(fencepost_export mcap/mcap_writer.cpp mcap/ros2_cdr.cpp)
 fencepost_apart(fencepost_hal_linux can.cpp can_sender.cpp can_socket.cpp i2c_adapter.cpp spi.cpp tcp.cpp usb_device.cpp)
 fencepost_apart(fencepost_hazards ../alerts/approach.cpp ../common/random_footprint.cpp families/cameras.cpp families/movers.cpp families/removal.cpp)
+fencepost_apart(fencepost_live open_port.cpp)
 fencepost_apart(fencepost_recon observe/floor_camera.cpp)
 fencepost_apart(fencepost_scene write.cpp)
 fencepost_apart(fencepost_segment poses_table.cpp)

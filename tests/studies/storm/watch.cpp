@@ -1,0 +1,156 @@
+#include "tests/studies/storm/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace fencepost::test {
+namespace {
+
+using record::AlertLevel;
+
+/// Beyond what firmware/alert/tuning.hpp and loop/motion_permit.hpp promise together: a turn, and the time between two
+/// looks.
+constexpr base::Duration kBlindAtLast = base::milliseconds(1'500 + 300 + 50);
+constexpr base::Duration kNeverBlindBefore = base::milliseconds(200);
+constexpr base::Duration kSettled = base::milliseconds(4'000);
+constexpr base::Duration kReaction = base::milliseconds(350);
+constexpr base::Duration kCableComesBack = base::milliseconds(30'000);
+constexpr base::Duration kLinkReported = base::milliseconds(3'000);
+
+bool same_boxes(const sensor::BlobFrame& a, const sensor::BlobFrame& b) {
+  if (a.blobs.size() != b.blobs.size() || a.blobs.empty()) return false;
+  for (std::size_t i = 0; i < a.blobs.size(); ++i) {
+    if (a.blobs[i].x1 != b.blobs[i].x1 || a.blobs[i].x2 != b.blobs[i].x2 || a.blobs[i].y1 != b.blobs[i].y1 ||
+        a.blobs[i].y2 != b.blobs[i].y2)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Watch::Input::note(base::Time now) {
+  if (last && now - *last > kNeverBlindBefore) gap = now;
+  last = now;
+  ++used;
+}
+
+bool Watch::Input::regular(base::Time now) const {
+  return used > 20 && now - *last < kNeverBlindBefore && (!gap || now - *gap > kSettled);
+}
+
+void Watch::fault(const char* check, base::Time now, const std::string& sentence) {
+  if (faults_.size() < kMost) faults_.push_back({check, fmt::format("{:.3f} s: {}", now.to_double(), sentence)});
+}
+
+void Watch::look(const StormRobot& robot, const Outside& outside, base::Time now) {
+  const std::optional<base::Time> stream = robot.stream_time();
+  const bool back = seen_.stream && (!stream || *stream < *seen_.stream);
+  if (robot.testing() || back || robot.frames_of_run() < seen_.frames) {
+    const console::Counters counters = robot.counters();
+    seen_ = Seen(now);
+    seen_.counters = counters;
+  }
+  seen_.stream = stream;
+  seen_.frames = robot.frames_of_run();
+  note_inputs(robot, now);
+  check_output(robot, outside, now);
+  if (robot.testing()) return;
+  check_blind(robot, outside, now);
+  check_stop(robot, now);
+  check_links(robot, outside, now);
+}
+
+void Watch::note_inputs(const StormRobot& robot, base::Time now) {
+  const Given& given = robot.given();
+  const console::Counters before = std::exchange(seen_.counters, robot.counters());
+  const console::Counters& after = seen_.counters;
+  const auto queue = static_cast<std::size_t>(console::Refusal::kQueue);
+  const bool rejected = after.rejected != before.rejected;
+  if (rejected || after.refused_in_all() != before.refused_in_all()) seen_.strange = now;
+  if (given.odometry && after.odometry != before.odometry) note_sample(*given.odometry, now);
+  if (given.frame && after.refused[queue] == before.refused[queue] && !rejected) {
+    note_frame(*given.frame, robot.camera(), now);
+  }
+}
+
+void Watch::note_sample(const sensor::OdometrySample& sample, base::Time now) {
+  seen_.odometry.note(now);
+  if (const auto& last = seen_.last_sample) {
+    const double step = std::hypot((sample.x - last->x).to_double(), (sample.y - last->y).to_double());
+    if (step > 0.05 || std::fabs((sample.heading - last->heading).to_double()) > 0.3) seen_.strange = now;
+  }
+  seen_.last_sample = sample;
+  seen_.oracle.take(sample);
+}
+
+void Watch::note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now) {
+  seen_.camera.note(now);
+  seen_.same_boxes = seen_.last_frame && same_boxes(*seen_.last_frame, frame) ? seen_.same_boxes + 1 : 0;
+  if (seen_.same_boxes > 1) seen_.strange = now;  // as those of a frozen camera
+  seen_.last_frame = frame;
+  seen_.oracle.take(frame, camera);
+}
+
+// While an input is missing, blind or standing still; while all come, neither.
+void Watch::check_blind(const StormRobot& robot, const Outside& outside, base::Time now) {
+  const bool no_frames = now - seen_.camera.last.value_or(seen_.begun) > kBlindAtLast;
+  const bool no_odometry = now - seen_.odometry.last.value_or(seen_.begun) > kBlindAtLast;
+  const char* missing = no_frames ? "frames" : "odometry";
+  if ((no_frames || no_odometry) && outside.may_drive) {
+    fault("blind-pin", now, fmt::format("may drive without {}", missing));
+  }
+  const bool log_flows = now - outside.choked > kSettled;
+  const AlertLevel level = robot.in_force().level;
+  if ((no_frames || no_odometry) && level < AlertLevel::kStop && log_flows) {
+    fault("not-blind", now, fmt::format("not blind without {}", missing));
+  }
+  const bool calm = seen_.camera.regular(now) && seen_.odometry.regular(now) && now - seen_.begun > kSettled &&
+                    (!seen_.strange || now - *seen_.strange > kSettled);
+  if (calm && level == AlertLevel::kBlind) {
+    fault("blind-without-reason", now, "blind while frames and odometry come and are used");
+  }
+}
+
+void Watch::check_stop(const StormRobot& robot, base::Time now) {
+  if (seen_.oracle.overdue(robot.settings(), now) < kReaction) return;
+  if (robot.in_force().level < AlertLevel::kStop) fault("missed-stop", now, "no stop for " + seen_.oracle.what());
+}
+
+void Watch::check_output(const StormRobot& robot, const Outside& outside, base::Time now) {
+  if (robot.in_force().level < AlertLevel::kStop) {
+    seen_.urgent.reset();
+  } else if (!seen_.urgent) {
+    seen_.urgent = now;
+  } else if (now - *seen_.urgent > base::milliseconds(10) && outside.may_drive) {
+    fault("pin", now, "may drive at stop or blind");
+  }
+}
+
+void Watch::check_links(const StormRobot& robot, const Outside& outside, base::Time now) {
+  using sensor::LinkState;
+  const console::Links links = robot.links();
+  const auto check = [&](const Outside::Line& line, LinkState state, std::optional<LinkState> reported,
+                         const char* name) {
+    const base::Duration lasted = now - line.since;
+    if (!line.plugged && lasted > base::milliseconds(100) && state != LinkState::kAbsent) {
+      fault("link", now, fmt::format("{} is unplugged, and {}", name, sensor::name(state)));
+    }
+    const bool quiet = line.plugged && now - line.disturbed > kCableComesBack && now - seen_.begun > kCableComesBack;
+    if (quiet && !sensor::works(state)) {
+      fault("link-back", now, fmt::format("{} is {} long after its last fault", name, sensor::name(state)));
+    }
+    const bool steady = (!line.plugged && lasted > kLinkReported) || quiet;
+    if (steady && now - outside.choked > kSettled && now - seen_.begun > kSettled && robot.idle() && reported &&
+        (*reported == LinkState::kAbsent) != (state == LinkState::kAbsent)) {
+      fault("link-said", now,
+            fmt::format("{} is {}, and {} was said", name, sensor::name(state), sensor::name(*reported)));
+    }
+  };
+  check(outside.camera, links.camera, robot.reported_camera(), "the camera");
+  check(outside.wheels, links.odometry, robot.reported_odometry(), "the odometry");
+}
+
+}  // namespace fencepost::test

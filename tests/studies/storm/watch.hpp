@@ -1,0 +1,82 @@
+// Looks over the robot's shoulder: after each turn, does what it says agree with what it was given?
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/studies/storm/robot.hpp"
+#include "tests/studies/storm/stop_oracle.hpp"
+
+namespace fencepost::test {
+
+/// `check`: by which a shrunk run is known to fail as the whole one did.
+struct Fault {
+  std::string check;
+  std::string sentence;
+};
+
+/// What the run knows and the robot does not. Times by the robot's clock; of cables: since when they are as they are.
+struct Outside {
+  struct Line {
+    bool plugged = true;
+    base::Time since;
+    base::Time disturbed;  ///< the end of the last fault on it
+  };
+  Line camera;
+  Line wheels;
+  base::Time choked;       ///< when the log, or the console, last was slower than it is meant to be
+  bool may_drive = false;  ///< the STOP output, as motors see it
+};
+
+class Watch {
+ public:
+  explicit Watch(std::vector<Fault>& faults) : faults_(faults) {}
+
+  /// A robot was switched on.
+  void begin(base::Time now) { seen_ = Seen(now); }
+  void look(const StormRobot& robot, const Outside& outside, base::Time now);
+
+ private:
+  struct Input {
+    std::optional<base::Time> last;  ///< that was used, by the robot's clock
+    std::optional<base::Time> gap;   ///< when there last was none for long
+    std::uint64_t used = 0;
+
+    void note(base::Time now);
+    /// It came all the time lately.
+    [[nodiscard]] bool regular(base::Time now) const;
+  };
+  /// Of one run of the robot.
+  struct Seen {
+    explicit Seen(base::Time now) : begun(now) {}
+
+    base::Time begun;
+    StopOracle oracle;
+    std::uint32_t frames = 0;
+    std::optional<base::Time> stream;
+    Input camera;
+    Input odometry;
+    std::optional<sensor::OdometrySample> last_sample;
+    std::optional<sensor::BlobFrame> last_frame;
+    std::size_t same_boxes = 0;
+    std::optional<base::Time> strange;  ///< the last input that may be disbelieved, or was refused
+    std::optional<base::Time> urgent;   ///< since when stop or blind is in force
+    console::Counters counters;
+  };
+  void note_inputs(const StormRobot& robot, base::Time now);
+  void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
+  void note_sample(const sensor::OdometrySample& sample, base::Time now);
+  void check_blind(const StormRobot& robot, const Outside& outside, base::Time now);
+  void check_stop(const StormRobot& robot, base::Time now);
+  void check_output(const StormRobot& robot, const Outside& outside, base::Time now);
+  void check_links(const StormRobot& robot, const Outside& outside, base::Time now);
+  void fault(const char* check, base::Time now, const std::string& sentence);
+
+  static constexpr std::size_t kMost = 20;
+
+  std::vector<Fault>& faults_;
+  Seen seen_{base::Time{}};
+};
+
+}  // namespace fencepost::test
