@@ -13,7 +13,7 @@ using record::AlertLevel;
 /// Beyond what firmware/alert/tuning.hpp and loop/motion_permit.hpp promise together: a turn, and the time between two
 /// looks.
 constexpr base::Duration kBlindAtLast = base::milliseconds(1'500 + 300 + 50);
-constexpr base::Duration kNeverBlindBefore = base::milliseconds(200);
+constexpr base::Duration kNeverBlindBefore = base::milliseconds(100);  // frames wait for odometry, too
 constexpr base::Duration kSettled = base::milliseconds(4'000);
 constexpr base::Duration kReaction = base::milliseconds(350);
 constexpr base::Duration kCableComesBack = base::milliseconds(30'000);
