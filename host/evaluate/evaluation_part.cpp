@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kPartFormat = 1;
 
 template <class Number>
 std::optional<Number> read_known(const Json& json) {
@@ -76,7 +76,7 @@ Evaluation read_log(const Json& json) {
 std::string part_json(const EvaluationPart& part) {
   Json logs = Json::array();
   for (const Evaluation& evaluation : part.evaluations) logs.push_back(log_json(evaluation, Digits::kAll));
-  const Json json = {{"format", kFormat},
+  const Json json = {{"format", kPartFormat},
                      {"part", true},
                      {"views", part.views},
                      {"logs", std::move(logs)},
@@ -91,7 +91,8 @@ EvaluationPart read_part(std::string_view text, const std::string& name) {
       throw NotAPart(name +
                      ": no part of an evaluation; write it by 'fencepost evaluate --part', which has all digits");
     }
-    if (json.at("format") != kFormat) throw NotAPart(name + ": of another format; evaluate and merge by one version");
+    if (json.at("format") != kPartFormat)
+      throw NotAPart(name + ": of another format; evaluate and merge by one version");
     EvaluationPart part;
     part.views = json.at("views").get<std::vector<std::uint32_t>>();
     for (const Json& log : json.at("logs")) part.evaluations.push_back(read_log(log));
