@@ -128,7 +128,7 @@ Cut careful_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half
 
 // Where there are vectors and room for all distances. The same for the usual case: the vertices outside are one run,
 // and the others are the run around the innermost one.
-Cut quick_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
+[[maybe_unused]] Cut quick_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
   std::array<float, kMostVertices> d;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   unsigned outside = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -23,7 +23,7 @@ using host::ReplayOptions;
 using host::ReplayOutcome;
 using host::to_json;
 
-std::string recorded(const std::string& name) {
+std::string streamed_log(const std::string& name) {
   std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
   EXPECT_TRUE(file) << name;
   std::stringstream bytes;
@@ -42,7 +42,7 @@ LogSource growing_portions(const std::string& log) {
 
 TEST(Streaming, PortionsChangeNothing) {
   for (const char* name : {"approach_stop", "noisy_arc"}) {
-    const std::string log = recorded(name);
+    const std::string log = streamed_log(name);
     ReplayOptions options;
     options.check = true;
     const ReplayOutcome whole = replay(log, name, options);
@@ -53,7 +53,7 @@ TEST(Streaming, PortionsChangeNothing) {
 }
 
 TEST(Streaming, ReadsNoFurtherThanItHasTo) {
-  const std::string log = recorded("corridor");
+  const std::string log = streamed_log("corridor");
   std::size_t asked = 0;
   const LogSource by_line = [&, at = std::size_t{0}]() mutable {
     ++asked;
@@ -105,7 +105,7 @@ TEST(KeptPath, OfALongOneItKeepsEveryNth) {
 }
 
 TEST(KeptPath, BoundsTheResultsPath) {
-  const std::string log = recorded("corridor");
+  const std::string log = streamed_log("corridor");
   ReplayOptions options;
   const auto whole = replay(log, "corridor", options).result;
   options.most_poses = 100;
@@ -181,7 +181,7 @@ TEST(PassWatch, ForgetsWhatIsInTheMapNoMore) {
 
 // A dip of the power at the end: the robot begins anew, and then nothing.
 TEST(Runs, WhatFollowsTheLastStepIsInTheOwnLogToo) {
-  const std::string log = recorded("approach_stop");
+  const std::string log = streamed_log("approach_stop");
   const std::size_t begin = log.find('\n', log.find("$FPCAM")) + 1;
   const std::string dip = log + log.substr(0, begin);
   std::string own;
@@ -196,8 +196,8 @@ TEST(Runs, WhatFollowsTheLastStepIsInTheOwnLogToo) {
 }
 
 TEST(Runs, EachCanBeAskedFor) {
-  const std::string a = recorded("approach_stop");
-  const std::string b = recorded("corridor");
+  const std::string a = streamed_log("approach_stop");
+  const std::string b = streamed_log("corridor");
   ReplayOptions options;
   const auto of = [&](std::uint32_t run) {
     options.run = run;

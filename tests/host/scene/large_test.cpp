@@ -8,7 +8,7 @@
 namespace fencepost::host {
 namespace {
 
-std::string scene_with(const std::string& objects) {
+std::string large_scene(const std::string& objects) {
   return R"({"format": 1, "seed": 1, "camera": {"width": 316, "height": 208, "fx": 273.6, "fy": 273.6, "cx": 157.5, "cy": 103.5},
 "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}], "objects": [)" +
          objects + "]}";
@@ -55,24 +55,24 @@ std::string comb(int teeth, bool turned) {
 
 // One by one with every other they would take a quarter of an hour.
 TEST(LargeScenes, TenThousandObjectsAreReadAtOnce) {
-  const LoadedScene apart = parse_scene(scene_with(circles(10'000, 0.045)), "grid.json");
+  const LoadedScene apart = parse_scene(large_scene(circles(10'000, 0.045)), "grid.json");
   ASSERT_TRUE(apart.ok()) << apart.error().message();
   EXPECT_EQ(apart->objects.size(), 10'000U);
-  const LoadedScene together = parse_scene(scene_with(circles(1'000, 0.055)), "grid.json");
+  const LoadedScene together = parse_scene(large_scene(circles(1'000, 0.055)), "grid.json");
   ASSERT_FALSE(together.ok());
   EXPECT_EQ(together.error().where, "/objects/1/footprint");
-  EXPECT_FALSE(parse_scene(scene_with(circles(10'001, 0.045)), "grid.json").ok());
+  EXPECT_FALSE(parse_scene(large_scene(circles(10'001, 0.045)), "grid.json").ok());
 }
 
 TEST(LargeScenes, AnOutlineHasFiveHundredCornersAtMost) {
-  const LoadedScene most = parse_scene(scene_with(comb(124, false)), "comb.json");
+  const LoadedScene most = parse_scene(large_scene(comb(124, false)), "comb.json");
   ASSERT_TRUE(most.ok()) << most.error().message();
   EXPECT_EQ(most->objects[0].footprint.outer.size(), 497U);
-  const LoadedScene crossed = parse_scene(scene_with(comb(124, false) + "," + comb(124, true)), "combs.json");
+  const LoadedScene crossed = parse_scene(large_scene(comb(124, false) + "," + comb(124, true)), "combs.json");
   ASSERT_FALSE(crossed.ok());
   EXPECT_NE(crossed.error().what.find("overlaps"), std::string::npos) << crossed.error().message();
 
-  const LoadedScene more = parse_scene(scene_with(comb(126, false)), "comb.json");
+  const LoadedScene more = parse_scene(large_scene(comb(126, false)), "comb.json");
   ASSERT_FALSE(more.ok());
   EXPECT_EQ(more.error().where, "/objects/0/footprint/coordinates/0");
   EXPECT_EQ(more.error().what, "has 505 corners, at most 500 are taken");
@@ -81,7 +81,7 @@ TEST(LargeScenes, AnOutlineHasFiveHundredCornersAtMost) {
   const std::string hole = "[0.1,-0.01],[0.11,-0.01],[0.11,-0.015]";
   std::string holed = comb(124, false);
   holed.insert(holed.rfind("]]}"), "],[" + hole + "],[" + hole);
-  const LoadedScene holes = parse_scene(scene_with(holed), "comb.json");
+  const LoadedScene holes = parse_scene(large_scene(holed), "comb.json");
   ASSERT_FALSE(holes.ok());
   EXPECT_EQ(holes.error().where, "/objects/0/footprint/coordinates");
 }
