@@ -145,7 +145,14 @@ class Terminal:
             return None
 
     def send(self, text):
-        os.write(self.port, text.encode())
+        rest = text.encode()
+        while rest:  # Linux may have no buffer left for a moment
+            if not select.select([], [self.port], [], PATIENCE)[1]:
+                raise AssertionError(f"the port takes nothing of {rest!r}")
+            try:
+                rest = rest[os.write(self.port, rest):]
+            except BlockingIOError:
+                time.sleep(0.01)
 
     def read_until(self, text):
         said = ""

@@ -163,6 +163,7 @@ Cut find_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_pl
 // Moves `count` vertices, which may overlap.
 void move_vertices(std::span<Vec2> v, std::size_t to, std::size_t from, std::size_t count) {
   if constexpr (base::kVectors) {
+    // NOLINTNEXTLINE(bugprone-undefined-memory-manipulation): two floats, whatever their class says
     std::memmove(static_cast<void*>(&v[to]), &v[from], count * sizeof(Vec2));
   } else if (to <= from) {
     for (std::size_t i = 0; i < count; ++i) v[to + i] = v[from + i];

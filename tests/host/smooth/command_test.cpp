@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(All, SmoothRefuses,
                                            Refused{"fencepost smooth still.log", 3, "no odometry ($FPODO)"},
                                            Refused{"fencepost smooth run.log --from 3 --to 1", 2, "swap them"},
                                            Refused{"fencepost smooth run.log --report -", 2, "standard output"},
-                                           Refused{"fencepost evaluate - --scene run.log --smooth <run.log", 3,
-                                                   "run.log"}));
+                                           Refused{"fencepost evaluate - --scene run.log --smooth <run.log", 2,
+                                                   "put standard input into a file"}));
 
 }  // namespace
 }  // namespace fencepost::host

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/host/cli/long_log.hpp"
 #include "tests/host/cli/run.hpp"
+#include "tests/studies/memory/long_log.hpp"
 
 namespace fencepost::host {
 namespace {
