@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""usage: mutate_test.py SOURCES COMPILER FOLDER
+
+Mutates a small program by every operator and runs it with each mutant: it has to print what that mutant means, and what
+it prints without one is unchanged.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+SAMPLE = """#include <cstdio>
+constexpr int kFixed = 2 + 3;
+template <class T>
+bool less(T a, T b) { return a < b; }
+int three(int a, bool on) {
+  int sum = 0;
+  sum += a;
+  if (!on && a >= 3) return -a;
+  return sum - 7;
+}
+int main() {
+  std::printf("%d %d %d %d\\n", kFixed, less(2, 2) ? 1 : 0, three(3, false), three(5, true));
+}
+"""
+USUAL = "5 0 -3 -2"
+# What each mutant prints, by its line and what it is.
+MEANS = {(4, "< is <="): "5 1 -3 -2", (7, "statement left out"): "5 0 -3 -7", (8, "right side of && ignored"): USUAL,
+         (8, "! left out"): "5 0 -4 -5", (8, ">= is >"): "5 0 -4 -2", (8, "3 is more"): "5 0 -4 -2", (8, "- left out"): "5 0 3 -2",
+         (9, "- is +"): "5 0 -3 12", (9, "7 is more"): "5 0 -3 -3", (12, "statement left out"): "",
+         (12, "2 is more"): None, (12, "1 is more"): USUAL, (12, "3 is more"): "5 0 -4 -2", (12, "5 is more"): "5 0 -3 -1"}
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    sources, compiler, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+    if subprocess.run(["/usr/bin/python3", "-c", "import clang.cindex"], check=False, capture_output=True).returncode:
+        print("NOT TESTED: clang's Python bindings are not here; try 'toolchain/setup mutation'")
+        return 77
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "sample.cpp").write_text(SAMPLE)
+    subprocess.run(["/usr/bin/python3", "-B", sources / "tests/mutation/mutate.py", folder, folder / "mutants.json", "sample.cpp"],
+                   check=True)
+    subprocess.run([compiler, "-std=c++20", f"-I{sources}", folder / "sample.cpp", sources / "tests/mutation/mutation.cpp", "-o",
+                    folder / "sample"], check=True)
+
+    def prints(mutant):
+        return subprocess.run([folder / "sample"], env={**os.environ, "FENCEPOST_MUTANT": str(mutant)}, check=True,
+                              capture_output=True, text=True).stdout.strip()
+
+    faults = [] if prints(-1) == USUAL else [f"without a mutant it prints {prints(-1)}"]
+    mutants = json.loads((folder / "mutants.json").read_text())
+    if {(mutant["line"], mutant["what"]) for mutant in mutants} != set(MEANS):
+        faults.append(f"other mutants: {[(mutant['line'], mutant['what']) for mutant in mutants]}")
+    for mutant in mutants:
+        means, printed = MEANS.get((mutant["line"], mutant["what"])), prints(mutant["id"])
+        if means is not None and printed != means:
+            faults.append(f"line {mutant['line']}, {mutant['what']}: prints {printed}, not {means}")
+    print("\n".join(faults) or f"{len(mutants)} mutants do what they say")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
