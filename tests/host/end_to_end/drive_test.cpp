@@ -102,7 +102,7 @@ class EndToEnd : public ::testing::TestWithParam<Drive> {
 TEST_P(EndToEnd, ADriveIsSeenWarnedOfLoggedAndReplayed) {
   ASSERT_NO_FATAL_FAILURE(drive(GetParam()));
   expect_replays(folder, err);
-  expect_things(folder, camera_of(GetParam().camera), GetParam().odometry_error);
+  expect_things(folder, camera_of(GetParam().camera), GetParam().odometry_error, GetParam().boxes);
   EXPECT_NE(out.find("WARN    red"), std::string::npos) << out;
   EXPECT_NE(out.find("STOP    red"), std::string::npos) << out;
   EXPECT_TRUE(!GetParam().boxes || out.find("STOP    yellow") == std::string::npos) << out;
