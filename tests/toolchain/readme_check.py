@@ -2,7 +2,8 @@
 """usage: readme_check.py [ROOT]
 
 Holds what README.md says of the code: each path in its backticks and links exists, each name of a namespace is declared,
-each test of the paper's table is one, and the ten minutes of reading open no more other files than they say.
+each test of the paper's table is one, and the ten minutes of reading open no more other files than they say. So it does
+for the tests in robustness.md's tables.
 Prints one line per fault; exit status 1 if there is any.
 """
 
@@ -14,6 +15,7 @@ import command
 
 LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
 MOST_BEYOND = 8  # files that ten minutes of reading may make one open beside those it names
+ROBUSTNESS = "host/share/doc/robustness.md"
 NAMESPACES = {"recon": "firmware/recon"}
 GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
 CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
@@ -53,12 +55,12 @@ def tests_of(root):
     return names
 
 
-def table_tests(text):
-    """(line number, pattern) of the last column of the paper's table"""
+def table_tests(text, header):
+    """(line number, pattern) of the last column of the tables that begin with `header`"""
     inside = False
     for number, line in enumerate(text.split("\n"), 1):
-        inside = line.startswith("| paper |") or (inside and line.startswith("|"))
-        if not inside or line.startswith(("| paper |", "|---")):
+        inside = line.startswith(header) or (inside and line.startswith("|"))
+        if not inside or line.startswith((header, "|---")):
             continue
         for word in re.findall(r"`([^`]+)`", line.rstrip().rstrip("|").rsplit("|", 1)[-1]):
             yield number, word
@@ -119,11 +121,12 @@ def check(root):
     if path_fault:
         faults.append(path_fault)
     tests = tests_of(root)
-    for number, word in table_tests(text):
-        compared += 1
-        fault = fault_of_test(root, word, tests)
-        if fault:
-            faults.append(f"README.md:{number}: {fault}")
+    for name, header in (("README.md", "| paper |"), (ROBUSTNESS, "| what was done |")):
+        for number, word in table_tests((root / name).read_text(encoding="utf-8"), header):
+            compared += 1
+            fault = fault_of_test(root, word, tests)
+            if fault:
+                faults.append(f"{name}:{number}: {fault}")
     return faults, compared
 
 

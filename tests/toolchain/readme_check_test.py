@@ -18,8 +18,13 @@ See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md), `live.md`. Not a 
 |---|---|---|---|
 | II | words | `recon::carve` | `Carve.*`, `table.reaches`, `toolchain/long drift` |
 """
+ROBUSTNESS = """| what was done | test |
+|---|---|
+| zeros | `Carve.Cuts` |
+"""
 TREE = {
     "README.md": README,
+    "host/share/doc/robustness.md": ROBUSTNESS,
     "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
     "host/share/doc/live.md": "",
@@ -52,7 +57,7 @@ class ReadmeCheck(unittest.TestCase):
             path.write_text(text)
 
     def test_a_true_one_has_no_faults_and_was_compared(self):
-        self.assertEqual(check(self.root), ([], 10))
+        self.assertEqual(check(self.root), ([], 11))
 
     def test_each_planted_fault_is_found_where_it_is(self):
         for there, instead, expected in FAULTS:

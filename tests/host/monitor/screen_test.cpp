@@ -149,6 +149,18 @@ TEST(Believed, WhatARobotSaysCannotMoveTheCursor) {
   EXPECT_EQ(believed.said().back().text, "?[2Jgone");
 }
 
+TEST(Believed, DevicesWithoutEndAreNotAllKept) {
+  Believed believed;
+  for (int i = 0; i < 10'000; ++i) {
+    record::LinkReport link{};
+    link.device = sensor::Text("d" + std::to_string(i));
+    believed.accept(link);
+  }
+  EXPECT_EQ(believed.links().size(), 16U);
+  EXPECT_TRUE(believed.links().contains("d0"));
+  EXPECT_LT(believed.said().size(), 1'000U);
+}
+
 TEST(LogPlayer, LinesComeAtTheirTimesOverAllRuns) {
   LogPlayer player("$FPHDR,a\n$FPODO,0.5000,x\n$FPCFG,k,v\n$FPODO,2.0000,x\n$FPHDR,b\n$FPODO,1.0000,y\n");
   const auto until = [&](double t) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/host/recorder/stream.hpp"
 
 namespace fencepost::host {
@@ -41,6 +43,15 @@ TEST(StatusText, TroubleIsTold) {
                                           "missing by their numbers: 2 frames",
                                           "losses reported by the robot: records_dropped 7, blobs_dropped 3",
                                           "links at the end: camera silent (no answer), odometry ok"}));
+}
+
+// A damaged or hostile stream makes up devices without end.
+TEST(StatusText, NamesWithoutEndAreNotAllKept) {
+  Tally tally(at(0));
+  for (int i = 0; i < 10'000; ++i) tally.take(line_of("FPLNK,1.0000,d" + std::to_string(i) + ",silent,"), at(1));
+  const std::string links = summary(tally, at(2)).back();
+  EXPECT_NE(links.find("d0 silent"), std::string::npos) << links;
+  EXPECT_EQ(std::count(links.begin(), links.end(), ','), 63) << links;
 }
 
 TEST(StatusText, SilenceAndUnpluggingAreTold) {
