@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/odometry/car_drive.hpp"
+#include "firmware/config/car.hpp"
 #include "firmware/record/stream_reader.hpp"
 
 namespace fencepost::host {
@@ -15,9 +17,13 @@ struct DriveSink {
   bool told = false;
   double now = -1;           ///< s, of the last frame
   double camera_since = -1;  ///< frames up to then were of another calibration
+  config::Settings settings{};
+  odometry::CarDrive car{};
+  std::optional<base::Time> car_read{};
 
   void accept(const record::Header&) {
     log = DriveLog{};
+    begin_odometry();
     told = false;
     now = camera_since = -1;
     if (options.camera) accept(*options.camera);
@@ -43,9 +49,30 @@ struct DriveSink {
     if ((options.from && t < *options.from) || (options.to && t > *options.to)) return;
     log.odometry.push_back({t, sample.x.to_double(), sample.y.to_double(), sample.heading.to_double()});
   }
+  void accept(const record::Setting& setting) {
+    if (!is_forced(setting.key.view())) (void)settings.set(setting.key.view(), setting.value.view());
+  }
+  /// As the robot turns a car's readings into poses.
+  void accept(const sensor::CarSample& sample) {
+    const odometry::CarGeometry geometry = config::car_of(settings);
+    if (odometry::problem_of(sample, geometry) != odometry::CarProblem::kNone) return;
+    if (car_read && sample.t <= *car_read) return;
+    car_read = sample.t;
+    accept(car.take(sample, geometry));
+  }
   void accept(const sensor::BlobFrame& frame) { now = frame.t.to_double(); }
   template <class Record>
   void accept(const Record&) {}
+
+  void begin_odometry() {
+    settings = {};
+    for (const auto& [key, value] : options.settings) (void)settings.set(key, value);
+    car = {};
+    car_read.reset();
+  }
+  [[nodiscard]] bool is_forced(std::string_view key) const {
+    return std::ranges::any_of(options.settings, [key](const auto& setting) { return setting.first == key; });
+  }
 };
 
 /// Edges of two boxes that come so near may be one edge that hides the other, px.
@@ -134,6 +161,7 @@ class Watcher final : public RunObserver {
 
 DriveLog read_drive(std::string_view bytes, const std::string& name, ReplayOptions options, ReplayOutcome& outcome) {
   DriveSink sink{options};
+  sink.begin_odometry();
   if (options.camera) sink.accept(*options.camera);
   std::array<char, record::StreamReader::kBuffer> buffer{};
   record::StreamReader reader(buffer);

@@ -249,7 +249,8 @@ StartedProblem start_with(const DriveLog& log, const StartOptions& options, cons
 }
 
 std::variant<StartedProblem, std::string> start_problem(const DriveLog& log) {
-  if (log.odometry.size() < 2) return fmt::format("there is no odometry to speak of; {}", kGuide);
+  if (log.odometry.size() < 2)
+    return fmt::format("there is no odometry to speak of ($FPODO, or $FPCAR with car.counts set); {}", kGuide);
   const OdometryTrack odometry(log.odometry);
   if (const auto why = why_hopeless(log, odometry)) return *why;
   StartedProblem started = start_with(log, {}, {});

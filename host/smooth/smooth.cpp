@@ -178,7 +178,9 @@ SmoothOutcome smooth(std::string_view bytes, const std::string& name, const Smoo
   if (outcome.replay.unreadable) return outcome;
   step_done();
   if (log.odometry.size() < 2) {
-    outcome.refusal = name + ": there is no odometry to speak of, so there is no path to smooth; record $FPODO, too";
+    outcome.refusal = name +
+                      ": there is no odometry to speak of, so there is no path to smooth; record $FPODO, too, or "
+                      "$FPCAR with car.counts set";
     return outcome;
   }
   Attempt best = attempt_from(log, outcome.replay);

@@ -55,6 +55,17 @@ TEST(CalibrateCommand, WhatALogCannotTellIsNamedAndIsStatusOne) {
   EXPECT_NE(run.out.find("not told"), std::string::npos) << run.out;
 }
 
+// A car's readings become poses as they do on the robot.
+TEST(CalibrateCommand, TakesACarsLog) {
+  const Folder folder;
+  const std::string log = FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.log";
+  const Outcome run = shell(folder, "fencepost calibrate " + log + " --json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json found = nlohmann::json::parse(run.out);
+  EXPECT_NEAR(found.at("parameters").at("yaw").at("found").get<double>(), 0, 0.3);
+  EXPECT_NEAR(found.at("parameters").at("focal_length").at("found").get<double>(), 188, 3);
+}
+
 struct Refused {
   const char* line;
   int status;

@@ -55,6 +55,16 @@ TEST(SmoothCommand, EvaluatePrintsOnlineAgainstOptimum) {
   EXPECT_FALSE(nlohmann::json::parse(without.out).contains("smooth"));
 }
 
+TEST(SmoothCommand, TakesACarsLog) {
+  const Folder folder;
+  const Outcome run =
+      shell(folder, "fencepost smooth " FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.log --json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json result = nlohmann::json::parse(run.out);
+  EXPECT_EQ(result.at("objects").size(), 7U);
+  EXPECT_LT(result.at("par").at("map_rms"), 0.02);
+}
+
 struct Refused {
   const char* line;
   int status;
