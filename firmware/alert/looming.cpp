@@ -426,7 +426,10 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
   if (has_odometry_) odometry_ = *odometry;
   for (LoomingTrack& track : tracks) {
     if (!track.used()) continue;
-    if (other_scale) track.speed_variance = bounded(track.speed_variance + kFirstSpeedVariance / 4);
+    if (other_scale) {
+      track.speed_variance = bounded(track.speed_variance + kFirstSpeedVariance / 4);
+      track.moved = 0;  // without odometry it was not known who moved
+    }
     predict(track, step);
     if (is_over(track)) track = {};
   }

@@ -64,6 +64,7 @@ class Looks : public testing::Test {
                      static_cast<std::int32_t>(std::lround(robot_y_ * 1e5))};
     pose.heading = static_cast<std::int32_t>(std::lround(std::remainder(heading_, 2 * M_PI) * 1e6));
     looming_.look(frame, camera_, odometry_ ? &pose : nullptr);
+    marked_ = std::any_of(frame.blobs.begin(), frame.blobs.end(), [](const auto& blob) { return blob.moves; });
     path_.motion = {static_cast<float>(odometry_ ? speed_ : 0), static_cast<float>(turn_)};
     return looming_.ahead(camera_, path_, rules_, base::Time::nearest(t_));
   }
@@ -98,7 +99,8 @@ class Looks : public testing::Test {
   double robot_x_ = 0;
   double robot_y_ = 0;
   bool odometry_ = true;
-  double noise_ = 1;  // px, of each edge
+  bool marked_ = false;  ///< a blob of the last frame, as of something that moves
+  double noise_ = 1;     // px, of each edge
   alert::RobotPath path_;
   recon::CameraModel camera_;
   alert::AlertRules rules_{config::Settings{}};
@@ -249,6 +251,21 @@ TEST_F(Looks, OdometrySilentAPostCounts) {
   speed_ = 0.4;
   things_ = {{2.0, 0, 0, 0}};
   EXPECT_GE(announced(), 0.75);
+}
+
+// While odometry was silent it was not known who moved: what stands must not lose its place on the floor for it, or
+// nothing at all speaks of it.
+TEST_F(Looks, OdometryBackAPostStandsAgain) {
+  things_ = {{.x = 1.6}};
+  speed_ = 0.3;
+  odometry_ = false;
+  for (int i = 0; i < 3 * kRate; ++i) static_cast<void>(look());
+  EXPECT_FALSE(marked_) << "without odometry nothing is known to move";
+  odometry_ = true;
+  for (int i = 0; i < kRate; ++i) {
+    static_cast<void>(look());
+    EXPECT_FALSE(marked_) << i;
+  }
 }
 
 TEST_F(Looks, GrowthAloneTellsHowSoon) {
