@@ -71,12 +71,25 @@ std::vector<const devices::Row*> wheels_first() {
   return rows;
 }
 
-Probe ask(Asked& asked, linux::MonotonicClock clock, const ProbeTimes& times, const Interrupted& interrupted) {
+/// Its white balance and gain: no frame comes before.
+base::Duration settling_of(const DeviceSpec& spec) {
+  const bool settles = std::ranges::any_of(devices::options_of(*spec.row, spec.use),
+                                           [](const devices::Option& option) { return *option.name == "settle"; });
+  return base::milliseconds(settles ? 1'000 * static_cast<std::int64_t>(spec.number("settle")) : 0);
+}
+
+Probe ask(Asked& asked, linux::MonotonicClock clock, const ProbeTimes& times, base::Duration settling,
+          const Interrupted& interrupted) {
   Probe probe;
   linux::WaitSet set;
   base::Time end = clock.now() + times.answer;
   std::optional<base::Time> since;
-  for (base::Time now = clock.now(); now < end && !interrupted(); now = clock.now()) {
+  for (base::Time now = clock.now(); !interrupted(); now = clock.now()) {
+    if (now >= end) {
+      if (since || asked.device().link() != LinkState::kUnready || settling.raw == 0) break;
+      end = now + settling;
+      settling = {};
+    }
     asked.device().tend(now);
     const std::optional<std::size_t> told = asked.poll(now);
     if (told && !since) {
@@ -104,7 +117,7 @@ Probe probe(const DeviceSpec& spec, const RobotFile& robot, const ProbeTimes& ti
   const linux::MonotonicClock clock;
   try {
     Asked asked(spec, robot, clock);
-    return ask(asked, clock, times, interrupted);
+    return ask(asked, clock, times, times.settling ? settling_of(spec) : base::Duration{}, interrupted);
   } catch (const DeviceFailure& failure) {
     if (failure.usage) throw;
     Probe none;
@@ -118,6 +131,7 @@ std::optional<std::uint32_t> find_baud(const DeviceSpec& spec, const RobotFile& 
   if (!has_baud(spec)) return std::nullopt;
   ProbeTimes shorter = times;
   shorter.answer = times.other_baud;
+  shorter.settling = false;
   shorter.measure = base::milliseconds(100);
   for (const std::uint32_t baud : kBauds) {
     if (baud == spec.number("baud")) continue;
@@ -131,6 +145,7 @@ std::optional<std::uint32_t> find_baud(const DeviceSpec& spec, const RobotFile& 
 std::vector<DeviceSpec> who_answers(const std::string& path, const ProbeTimes& times, const Interrupted& interrupted) {
   ProbeTimes shorter = times;
   shorter.answer = times.other_baud;
+  shorter.settling = false;
   shorter.measure = base::milliseconds(200);
   std::vector<DeviceSpec> working;
   std::vector<DeviceSpec> unready;

@@ -19,6 +19,7 @@ struct ProbeTimes {
   base::Duration answer = base::milliseconds(2'500);   ///< until a device that works has said something
   base::Duration measure = base::milliseconds(1'000);  ///< of its rate, after that
   base::Duration other_baud = base::milliseconds(1'200);
+  bool settling = true;  ///< a camera that answers gets the time, too, in which it settles white balance and gain
 };
 
 /// True: stop and answer with what is known.

@@ -101,5 +101,17 @@ TEST(ReplayDiffCommand, ShowsBothLogs) {
   EXPECT_EQ(shell(folder, "fencepost replay --diff " + log + " missing.log").exit_code, 3);
 }
 
+// No frame comes before white balance and gain have settled: that is no fault.
+TEST(DoctorCommand, WaitsForACameraThatSettles) {
+  const Folder folder;
+  const std::string scene = recording("stop_cmucam2.json");
+  const Outcome run = shell(folder, "fencepost emulate cmucam2 " + scene + " --link cam > emulated 2>&1 & " +
+                                        "until [ -e cam ]; do sleep 0.05; done; " +
+                                        "fencepost doctor --camera cmucam2:./cam,settle=4 --robot " + scene +
+                                        "; code=$?; kill $!; wait; exit $code");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("cmucam2 at ./cam works"), std::string::npos) << run.out;
+}
+
 }  // namespace
 }  // namespace fencepost::host
