@@ -13,10 +13,12 @@
 
 namespace fencepost::config {
 
-/// A page: its head, two words: a sequence number and its complement. Then entries: a word of length and complement,
-/// the line, padded with 0xFF to whole words, and a word with the line's CRC-16 and its complement. Words are written
-/// in this order, but a page's head last of all: a page that was not finished is none.
-/// A cut of the power therefore loses the entry that was being written, and nothing that was there before.
+/// A page: its head, a word: a sequence number and its complement. Then entries: a word of length and complement,
+/// the line, padded with 0xFF to whole words, and a word with the line's CRC-16 and its complement; in an entry that
+/// the next one belongs to, these two change places. Words are written in this order, but a page's head last of all: a
+/// page that was not finished is none.
+/// A cut of the power therefore loses the entries that were being written together, all of them, and nothing that was
+/// there before.
 template <bus::FlashPages Flash>
 class SettingsStore {
  public:
@@ -24,23 +26,37 @@ class SettingsStore {
 
   explicit SettingsStore(Flash& flash) : flash_(flash) {}
 
-  /// Calls `take(line)` for each whole entry, oldest first.
+  /// Calls `take(line)` for each whole entry, oldest first; for those that belong together, only if all are there.
   template <class Take>
   void load(Take&& take) {
     active_ = flash_.size() > kHead ? newest() : std::nullopt;
     end_ = kHead;
     if (!active_) return;
+    std::size_t begin = end_;  // of those that belong together
     while (const std::optional<Entry> entry = entry_at(end_)) {
-      if (entry->whole) take(entry->line);
       end_ += entry->size;
+      if (entry->state == State::kMoreFollow) continue;
+      for (std::size_t at = begin; entry->state == State::kLast && at < end_;) {
+        const Entry one = *entry_at(at);
+        take(one.line);
+        at += one.size;
+      }
+      begin = end_;
     }
-    if (!blank(*active_, end_)) end_ = flash_.size();  // a cut-off length: nothing can be put behind it
+    // A cut-off length, or a beginning that would be completed by a stranger: nothing can be put behind these.
+    if (begin != end_ || !blank(*active_, end_)) end_ = flash_.size();
   }
 
-  /// After load(). Adds an entry. False: there is no room, or the part refused; rewrite() then may help.
-  [[nodiscard]] bool append(std::string_view line) {
-    if (!active_ || line.size() > kMaxLine || end_ + space_for(line) > flash_.size()) return false;
-    return put(*active_, end_, line);
+  /// After load(). Adds entries that count together or not at all: `tell(put)` calls `put(line)` for each. False: there
+  /// is no room, or the part refused, and none of them counts; rewrite() then may help.
+  template <class Tell>
+  [[nodiscard]] bool append(Tell&& tell) {
+    if (!active_) return false;
+    Put put(*this, *active_, end_, State::kMoreFollow);
+    tell(put);
+    const bool whole = put.finish();
+    end_ = whole ? put.end() : flash_.size();  // whatever is left of them, nothing can be put behind it
+    return whole;
   }
 
   /// Makes the other page the newest: `tell(put)` calls `put(line)` for each line of the state as it is now. Erases
@@ -50,15 +66,12 @@ class SettingsStore {
     if (flash_.size() <= kHead) return false;
     const std::size_t other = active_ ? 1 - *active_ : 0;
     if (!blank(other, 0) && !flash_.erase(other)) return false;
-    std::size_t end = kHead;
-    bool fits = true;
-    tell([&](std::string_view line) {
-      fits = fits && line.size() <= kMaxLine && end + space_for(line) <= flash_.size() && put(other, end, line);
-    });
+    Put put(*this, other, kHead, State::kLast);  // they count by the page's head
+    tell(put);
     const auto next = static_cast<std::uint16_t>(active_ ? *sequence(*active_) + 1 : 1);
-    if (!fits || !flash_.program(other, 0, pair(next))) return false;
+    if (!put.finish() || !flash_.program(other, 0, pair(next))) return false;
     active_ = other;
-    end_ = end;
+    end_ = put.end();
     return true;
   }
 
@@ -70,10 +83,52 @@ class SettingsStore {
   static constexpr std::size_t kHead = kWord;
   using Word = std::array<std::uint8_t, kWord>;
 
+  enum class State : std::uint8_t { kCutOff, kMoreFollow, kLast };
+
   struct Entry {
     std::string_view line;
-    bool whole = false;
+    State state = State::kCutOff;
     std::size_t size = 0;
+  };
+
+  /// Lines on their way into a page. Whether more follow is known when the next one comes, or none does: the last word
+  /// of the latest is still to be written. After the first that does not fit, or that the part refuses, none is.
+  class Put {
+   public:
+    Put(SettingsStore& store, std::size_t page, std::size_t end, State between)
+        : store_(store), page_(page), end_(end), between_(between) {}
+
+    void operator()(std::string_view line) {
+      right_ = right_ && line.size() <= kMaxLine && end_ + space_for(line) <= store_.flash_.size() && close(between_);
+      if (!right_) return;
+      std::size_t at = end_;
+      right_ = program(at, pair(static_cast<std::uint16_t>(line.size())));
+      for (std::size_t i = 0; right_ && i < line.size(); i += kWord) {
+        Word word{0xFF, 0xFF, 0xFF, 0xFF};
+        for (std::size_t k = 0; k < kWord && i + k < line.size(); ++k) word[k] = static_cast<std::uint8_t>(line[i + k]);
+        right_ = program(at += kWord, word);
+      }
+      check_ = base::crc16(line);
+      any_ = true;
+      end_ += space_for(line);
+    }
+    /// There are no more. False: not all of them are in the page.
+    [[nodiscard]] bool finish() { return right_ && close(State::kLast); }
+    [[nodiscard]] std::size_t end() const { return end_; }
+
+   private:
+    bool program(std::size_t at, const Word& word) { return store_.flash_.program(page_, at, word); }
+    bool close(State state) {
+      return !any_ || program(end_ - kWord, pair(state == State::kLast ? check_ : inverse(check_)));
+    }
+
+    SettingsStore& store_;
+    std::size_t page_;
+    std::size_t end_;
+    State between_;
+    bool right_ = true;
+    bool any_ = false;
+    std::uint16_t check_ = 0;  ///< of the latest
   };
 
   // A number of 16 bits and its complement: flash that is cut off in writing or erasing has no such thing.
@@ -82,6 +137,7 @@ class SettingsStore {
     const auto high = static_cast<std::uint8_t>(value >> 8);
     return {low, high, static_cast<std::uint8_t>(~low), static_cast<std::uint8_t>(~high)};
   }
+  static std::uint16_t inverse(std::uint16_t value) { return static_cast<std::uint16_t>(~value); }
   [[nodiscard]] std::optional<std::uint16_t> pair_at(std::size_t page, std::size_t offset) const {
     const auto bytes = flash_.page(page).subspan(offset, kWord);
     if ((bytes[0] ^ bytes[2]) != 0xFF || (bytes[1] ^ bytes[3]) != 0xFF) return std::nullopt;
@@ -118,20 +174,9 @@ class SettingsStore {
     const auto bytes = page.subspan(offset + kWord, *length);
     const std::string_view line(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
     const auto check = pair_at(*active_, offset + size - kWord);
-    return Entry{line, check && *check == base::crc16(line), size};
-  }
-
-  // Advances `end` whether or not the part does as it is told: what was begun is used up.
-  bool put(std::size_t page, std::size_t& end, std::string_view line) {
-    const std::size_t begin = end;
-    end += space_for(line);
-    if (!flash_.program(page, begin, pair(static_cast<std::uint16_t>(line.size())))) return false;
-    for (std::size_t i = 0; i < line.size(); i += kWord) {
-      Word word{0xFF, 0xFF, 0xFF, 0xFF};
-      for (std::size_t k = 0; k < kWord && i + k < line.size(); ++k) word[k] = static_cast<std::uint8_t>(line[i + k]);
-      if (!flash_.program(page, begin + kWord + i, word)) return false;
-    }
-    return flash_.program(page, end - kWord, pair(base::crc16(line)));
+    const std::uint16_t right = base::crc16(line);
+    const State whole = check == right ? State::kLast : check == inverse(right) ? State::kMoreFollow : State::kCutOff;
+    return Entry{line, whole, size};
   }
 
   Flash& flash_;

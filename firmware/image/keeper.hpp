@@ -70,55 +70,40 @@ class Keeper {
     return {config::info(key).name, pipeline_.memory().devices.text(key)};
   }
 
-  // Behind what is there; in a full page, all of it anew in the other.
+  // What has changed since the last time, together or not at all, behind what is there; in a full page, all of it anew
+  // in the other.
   [[gnu::noinline]] bool write_changes() {
     Line line{};
-    const auto append = [this](std::string_view text) { return store_.append(text); };
-    return append_changes(line, append) || store_.rewrite([&](auto&& put) { write_all(line, put); });
+    const auto tell = [&](bool all) { return [this, &line, all](auto& put) { write(line, put, all); }; };
+    return store_.append(tell(false)) || store_.rewrite(tell(true));
   }
 
-  template <class Append>
-  bool append_changes(Line& line, Append append) const {
+  // `all`: that is not as in a fresh image.
+  template <class Put>
+  void write(Line& line, Put& put, bool all) const {
     const loop::Memory<Profile>& memory = pipeline_.memory();
+    const config::Devices& devices = all && memory.offer != nullptr ? memory.offer->limits.initial : devices_;
     for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {  // before the calibration, which they change
       const auto key = static_cast<config::DeviceKey>(i);
-      const bool changed = memory.devices.raw(key) != devices_.raw(key);
-      if (changed && !append(text_of(setting(key), line))) return false;
+      if (memory.devices.raw(key) != devices.raw(key)) put(text_of(setting(key), line));
     }
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
-      const bool changed = memory.settings.raw(key) != settings_.raw(key);
-      if (changed && !append(text_of(setting(key), line))) return false;
+      const std::int32_t before = all ? config::info(key).initial : settings_.raw(key);
+      if (memory.settings.raw(key) != before) put(text_of(setting(key), line));
     }
-    const bool moved = memory.calibration.known && memory.calibration.intrinsics != camera_;
-    if (moved && !append(text_of(memory.calibration.intrinsics, line))) return false;
+    const bool moved = all || memory.calibration.intrinsics != camera_;
+    if (memory.calibration.known && moved) put(text_of(memory.calibration.intrinsics, line));
     for (std::size_t i = 0; i < memory.signatures.size(); ++i) {
-      const bool same = i < signatures_.size() && memory.signatures[i] == signatures_[i];
-      if (!same && !append(text_of(memory.signatures[i], line))) return false;
+      const bool same = !all && i < signatures_.size() && memory.signatures[i] == signatures_[i];
+      if (!same) put(text_of(memory.signatures[i], line));
     }
-    return true;
   }
 
   template <class Record>
   static std::string_view text_of(const Record& record, Line& line) {
     const std::size_t size = record::encode(record, line);
     return {line.data(), size > 2 ? size - 2 : 0};  // its line end is not kept
-  }
-
-  template <class Put>
-  void write_all(Line& line, Put& put) const {
-    const loop::Memory<Profile>& memory = pipeline_.memory();
-    for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {
-      const auto key = static_cast<config::DeviceKey>(i);
-      const bool told = memory.offer != nullptr && memory.devices.raw(key) != memory.offer->limits.initial.raw(key);
-      if (told) put(text_of(setting(key), line));
-    }
-    for (std::size_t i = 0; i < config::kKeys; ++i) {
-      const auto key = static_cast<config::Key>(i);
-      if (memory.settings.raw(key) != config::info(key).initial) put(text_of(setting(key), line));
-    }
-    if (memory.calibration.known) put(text_of(memory.calibration.intrinsics, line));
-    for (const record::Signature& signature : memory.signatures) put(text_of(signature, line));
   }
 
   void remember() {

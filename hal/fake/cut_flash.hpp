@@ -11,7 +11,8 @@
 namespace fencepost::fake {
 
 /// Flash as parts have it: erased bytes are 0xFF, writing clears bits. After `cut_after(n)`, n words are still written
-/// (an erasure counts as one); of the next one some bits are, and from then on nothing, until power_on().
+/// (an erasure counts as one); of the next one some bits are, or none if it is not torn, and from then on nothing,
+/// until power_on().
 template <std::size_t N>
 class CutFlash {
  public:
@@ -44,7 +45,7 @@ class CutFlash {
     return step == Step::kWhole;
   }
 
-  void cut_after(std::size_t words) { left_ = words, limited_ = true, dead_ = false; }
+  void cut_after(std::size_t words, bool torn = true) { left_ = words, torn_ = torn, limited_ = true, dead_ = false; }
   void power_on() { limited_ = dead_ = false; }
   /// Whether the cut has come.
   [[nodiscard]] bool dead() const { return dead_; }
@@ -57,7 +58,7 @@ class CutFlash {
     if (dead_) return Step::kNone;
     if (!limited_ || left_-- > 0) return Step::kWhole;
     dead_ = true;
-    return Step::kHalf;
+    return torn_ ? Step::kHalf : Step::kNone;
   }
   // Numerical Recipes' generator chooses which bits were written.
   std::uint8_t noise() {
@@ -68,6 +69,7 @@ class CutFlash {
   std::array<std::array<std::uint8_t, N>, 2> pages_{};
   std::size_t left_ = 0;
   bool limited_ = false;
+  bool torn_ = true;
   bool dead_ = false;
   std::size_t erasures_ = 0;
   std::uint32_t random_ = 1;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "hal/fake/cut_flash.hpp"
 #include "tests/firmware/loop/desk.hpp"
 
@@ -115,6 +117,52 @@ TEST(Keeper, DevicesThatCannotBeHadAreThoseOfAFreshImage) {
   OfferedDesk again(flash, kOffer);
   EXPECT_EQ(again.memory().devices, kOffer.limits.initial);
   EXPECT_EQ(again.memory().calibration.intrinsics.model.view(), "pixy2");
+}
+
+// A camera, its lens and where it is mounted, settings and a colour, all between two looks: a robot with some of them
+// is one that nobody has told.
+TEST(Keeper, PowerCutAtAnyWordLeavesAllThatWasToldOrNothing) {
+  const auto all = [](OfferedDesk& desk) {
+    std::string text = all_of(desk.memory());
+    for (std::size_t i = 0; i < config::kDeviceKeys; ++i)
+      text += desk.memory().devices.text(static_cast<config::DeviceKey>(i)).view(), text += ' ';
+    return text;
+  };
+  std::size_t cuts = 0;
+  std::size_t kept = 0;
+  // In an empty page, behind others, and where the page is full; the word that was being written torn, and not begun.
+  for (const auto& [earlier, torn] : {std::pair(0, true), {0, false}, {1, true}, {1, false}, {14, true}, {14, false}}) {
+    bool cut = true;
+    for (std::size_t words = 0; cut; ++words) {
+      Flash flash;
+      OfferedDesk desk(flash, kOffer);
+      for (int i = 0; i < earlier; ++i) {
+        ASSERT_FALSE(desk.pipeline().set("alert.warn", i % 2 == 0 ? "0.60" : "0.70"));
+        ASSERT_TRUE(desk.keeper.keep());
+      }
+      const std::string before = all(desk);
+      ASSERT_TRUE(desk.pipeline().set_device("camera", "pixy2.1_i2c").done());
+      sensor::CameraIntrinsics camera = desk.memory().calibration.intrinsics;
+      camera.mount.x = base::Metres::nearest(0.0712);
+      camera.fx.raw = 18'000;
+      desk.pipeline().set_camera(camera);
+      ASSERT_TRUE(desk.pipeline().set_signature({2, {1, 2, 3}, "dark, almost"}));
+      ASSERT_FALSE(desk.pipeline().set("robot.width", "0.31"));
+      ASSERT_FALSE(desk.pipeline().set("robot.front", "0.22"));
+      const std::string after = all(desk);
+      flash.cut_after(words, torn);
+      static_cast<void>(desk.keeper.keep());
+      cut = flash.dead();
+      flash.power_on();
+      OfferedDesk again(flash, kOffer);
+      const std::string restored = all(again);
+      ASSERT_TRUE(restored == before || restored == after) << "cut after " << words << " words\n" << restored;
+      cuts += cut ? 1U : 0U;
+      kept += restored == after ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(cuts, 400U);
+  EXPECT_EQ(kept, 6U);  // where the power was not cut
 }
 
 TEST(Keeper, SaysOnceThatThePartRefuses) {

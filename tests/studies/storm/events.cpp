@@ -124,7 +124,10 @@ class Maker {
         event.length = chance_.whole(10, 2'000);
         event.amount = static_cast<double>(chance_.whole(0, 40));
         if (chance_.one_in(5)) break;  // nothing is being written
-        for (std::int64_t n = chance_.whole(1, 3); n > 0; --n) event.text += setting(chance_);
+        for (std::int64_t n = chance_.whole(1, 4); n > 0; --n) event.text += setting(chance_);
+        for (const std::string& line : choice_.told) {
+          if (chance_.one_in(4)) event.text += line;
+        }
         break;
     }
   }

@@ -6,48 +6,64 @@
 #include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
+namespace {
 
-void FlashCheck::remember(const Kept& kept) {
-  constexpr std::size_t kMost = 2;
-  if (remembered_.size() == kMost) remembered_.erase(remembered_.begin());
-  remembered_.push_back(kept);
+std::string line_of_setting(const config::Settings& settings, config::Key key) {
+  return record::sealed("FPCFG," + std::string(config::info(key).name) + "," + std::string(settings.text(key).view()));
 }
 
-void FlashCheck::note(const Kept& kept) {
-  if (noted_.empty() || !(noted_.back() == kept)) noted_.push_back(kept);
-}
-
-std::optional<std::string> FlashCheck::compare(const Kept& restored) const {
-  std::vector<Kept> all = remembered_;
-  all.insert(all.end(), noted_.begin(), noted_.end());
-  if (remembered_.size() < 2) return std::nullopt;  // it may not have kept anything yet
-  const auto any = [&all](auto&& is) { return std::any_of(all.begin(), all.end(), is); };
+// The settings of one that differ from the other's, and whether anything else does.
+std::vector<config::Key> changed(const Kept& one, const Kept& other) {
+  std::vector<config::Key> keys;
   for (std::size_t i = 0; i < config::kKeys; ++i) {
     const auto key = static_cast<config::Key>(i);
-    if (any([&](const Kept& kept) { return kept.settings.raw(key) == restored.settings.raw(key); })) continue;
-    return std::string(config::info(key).name) + " is " + std::string(restored.settings.text(key).view()) +
-           ", which it never was before the power cut";
+    if (one.settings.raw(key) != other.settings.raw(key)) keys.push_back(key);
   }
-  if (!any([&](const Kept& kept) { return kept.camera == restored.camera; })) {
-    return "the camera's calibration is none that it had before the power cut";
-  }
-  if (!any([&](const Kept& kept) { return kept.signatures.size() <= restored.signatures.size(); })) {
-    return "signatures are missing after the power cut";
-  }
-  for (const record::Signature& signature : restored.signatures) {
-    const auto has = [&](const Kept& kept) {
-      return std::find(kept.signatures.begin(), kept.signatures.end(), signature) != kept.signatures.end();
-    };
-    if (!any(has))
-      return "signature " + std::to_string(signature.signature) + " is none that it had before the power cut";
-  }
-  return std::nullopt;
+  return keys;
 }
 
-void plant_mixture(StormFlash& flash) {
+std::string differences(const Kept& restored, const Kept& told) {
+  std::string text;
+  for (const config::Key key : changed(restored, told)) {
+    text += " " + std::string(config::info(key).name) + " " + std::string(restored.settings.text(key).view()) +
+            " for " + std::string(told.settings.text(key).view()) + ",";
+  }
+  if (!(restored.camera == told.camera)) text += " another calibration,";
+  if (restored.signatures != told.signatures) text += " other signatures,";
+  text.pop_back();
+  return text;
+}
+
+void append(StormFlash& flash, const std::string& line) {
   config::SettingsStore<StormFlash> store(flash);
   store.load([](std::string_view) {});
-  static_cast<void>(store.append(record::sealed("FPCFG,alert.stop,7.77")));
+  static_cast<void>(store.append([&](auto& put) { put(line); }));
 }
+
+}  // namespace
+
+void FlashCheck::note(const Kept& kept) {
+  if (states_.back() == kept) return;
+  constexpr std::size_t kMost = 2;
+  if (states_.size() == kMost) states_.erase(states_.begin());
+  states_.push_back(kept);
+}
+
+std::optional<std::string> FlashCheck::compare(const Kept& restored, bool in_write) const {
+  if (restored == states_.back() || (in_write && restored == states_.front())) return std::nullopt;
+  if (!in_write) return "what was in flash is not there after the power cut:" + differences(restored, states_.back());
+  return "neither as before nor as after the write that the power cut ended:" + differences(restored, states_.front()) +
+         "; and" + differences(restored, states_.back());
+}
+
+std::optional<std::string> FlashCheck::one_of_several() const {
+  const Kept& after = states_.back();
+  const std::vector<config::Key> keys = changed(states_.front(), after);
+  if (keys.size() < 2) return std::nullopt;
+  return line_of_setting(after.settings, keys.front());
+}
+
+void plant_mixture(StormFlash& flash) { append(flash, record::sealed("FPCFG,alert.stop,7.77")); }
+void plant_half(StormFlash& flash, const std::string& line) { append(flash, line); }
 
 }  // namespace fencepost::test

@@ -6,6 +6,7 @@
 
 #include "host/devices/catalogue.hpp"
 #include "host/devices/open_devices.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -65,6 +66,15 @@ sensor::CameraMount random_mount(Chance& chance) {
   return mount;
 }
 
+/// The camera mounted a little elsewhere, and another name.
+std::vector<std::string> told_anew(const Kept& told) {
+  sensor::CameraIntrinsics camera = told.camera;
+  camera.mount.x = base::Metres::nearest(camera.mount.x.to_double() + 0.003);
+  record::Signature signature = told.signatures.front();
+  signature.name = "told anew";
+  return {line_of(camera), line_of(signature)};
+}
+
 /// Near where 32 bits of milliseconds, microseconds or ticks, and their signs, are full; or at zero.
 base::Time random_clock(Chance& chance) {
   constexpr std::int64_t kWraps[] = {0,
@@ -109,7 +119,8 @@ Plan plan_of(std::uint64_t seed, double minutes) {
   for (std::int64_t i = chance.whole(1, 3); i > 0; --i) {
     plan.laps.push_back(random_lap(chance, {plan.told.camera, rate, plan.told.signatures}));
   }
-  plan.events = random_events(chance, {plan.milliseconds, plan.console_is_log(), plan.disk(), plan.console_is_log()});
+  plan.events = random_events(
+      chance, {plan.milliseconds, plan.console_is_log(), plan.disk(), plan.console_is_log(), told_anew(plan.told)});
   return plan;
 }
 

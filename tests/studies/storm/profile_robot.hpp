@@ -80,6 +80,7 @@ class ProfileRobot final : public StormRobot {
     follow_alert(now);
     if (++turns_ % kKeepEvery == 0) static_cast<void>(keeper_.keep());
   }
+  [[nodiscard]] bool looked() const override { return turns_ % kKeepEvery == 0; }
 
   [[nodiscard]] const Given& given() const override { return given_; }
   [[nodiscard]] record::Heartbeat in_force() const override { return loop_.pipeline().in_force(); }

@@ -52,6 +52,8 @@ class StormRobot {
   /// What somebody tells it once; it goes to flash with the next turns.
   virtual void tell(const Kept& told) = 0;
   virtual void turn(base::Time now) = 0;
+  /// In this turn it looked whether it was told anything, and wrote that to flash.
+  [[nodiscard]] virtual bool looked() const = 0;
 
   [[nodiscard]] virtual const Given& given() const = 0;
   [[nodiscard]] virtual record::Heartbeat in_force() const = 0;

@@ -27,7 +27,7 @@ struct Request {
   bool tell = false;
 };
 
-constexpr std::string_view kPlants[] = {"none", "alert", "frame", "guard", "pin", "flash"};
+constexpr std::string_view kPlants[] = {"none", "alert", "frame", "guard", "pin", "flash", "half"};
 
 Plant plant_of(const std::string& name) {
   return static_cast<Plant>(std::find(std::begin(kPlants), std::end(kPlants), name) - std::begin(kPlants));
@@ -163,7 +163,8 @@ void options(CLI::App& app, Request& request) {
   app.add_option("--minutes", request.minutes, "of the robot's clock, of each run")->capture_default_str();
   app.add_option("--jobs", request.jobs, "processes")->capture_default_str();
   app.add_option("--events", request.events, "numbers of those that happen, with commas; none: none");
-  app.add_option("--plant", request.plant, "a fault of ours: alert, frame, guard, pin, flash")->capture_default_str();
+  app.add_option("--plant", request.plant, "a fault of ours: alert, frame, guard, pin, flash, half")
+      ->capture_default_str();
   app.add_option("--log", request.log, "file for the log of the last run");
   app.add_flag("!--no-shrink", request.shrink, "say what failed, not the fewest events with which it does");
   app.add_flag("--tell", request.tell, "each run and its events");

@@ -33,6 +33,7 @@ class Storm {
     console_.set_speed(plan.console_speed);
     if (plan.disk()) disk_.emplace();
     switch_on(plan.clock);
+    flash_check_.begin(robot_->kept());
     robot_->tell(plan.told);
   }
 
@@ -70,7 +71,7 @@ class Storm {
   void switch_off() {
     counted_.frames += robot_->counters().frames;
     counted_.dropped += robot_->counters().records_dropped + kLostInTheQueue;
-    flash_check_.note(robot_->kept());
+    cut_in_write_ = flash_.dead();
     ++outcome_.figures.power_cuts;
     robot_.reset();
     devices_ = {};
@@ -81,9 +82,11 @@ class Storm {
   void switch_on_again() {
     flash_.power_on();
     if (plant_ == Plant::kMixedFlash) plant_mixture(flash_);
+    const auto one = plant_ == Plant::kHalfKept && cut_in_write_ ? flash_check_.one_of_several() : std::nullopt;
+    if (one) plant_half(flash_, *one);
     switch_on(base::Time{});
-    if (const auto wrong = flash_check_.compare(robot_->kept())) fault("flash", *wrong);
-    flash_check_.forget();
+    if (const auto wrong = flash_check_.compare(robot_->kept(), cut_in_write_)) fault("flash", *wrong);
+    flash_check_.begin(robot_->kept());
   }
   [[nodiscard]] base::Time robot_now() const { return clock_ + (world_ - booted_); }
   [[nodiscard]] base::Time by_robot(base::Time of_world) const { return clock_ + (of_world - booted_); }
@@ -128,7 +131,6 @@ class Storm {
         break;
       case EventKind::kPowerCut:
         if (!robot_ || cut_at_) break;
-        flash_check_.note(robot_->kept());
         console_.type(event.text);
         if (!event.text.empty()) flash_.cut_after(static_cast<std::size_t>(event.amount));
         cut_at_ = world_ + base::milliseconds(event.text.empty() ? 0 : 400);
@@ -173,14 +175,13 @@ class Storm {
     robot_->turn(now);
     ++outcome_.figures.turns;
     if (plant_ == Plant::kBrokenGuard && outcome_.figures.turns == 1'000) robot_->break_guard();
-    if (cut_at_) flash_check_.note(robot_->kept());
+    if (plan_.console_is_log() && robot_->looked()) flash_check_.note(robot_->kept());
     if (outcome_.figures.turns % 64 == 0) look_around();
     take_journal(now);
     watch(now);
   }
   // What need not be looked at each turn.
   void look_around() {
-    if (plan_.console_is_log() && !cut_at_) flash_check_.remember(robot_->kept());
     if (!robot_->guarded() && !std::exchange(said_guard_, true)) fault("guard", "the words around the memory changed");
     alerts_off_ = alerts_off_ || !robot_->alerts_are_said();
   }
@@ -299,6 +300,7 @@ class Storm {
   bool ever_choked_ = false;
   bool alerts_off_ = false;
   bool said_guard_ = false;
+  bool cut_in_write_ = false;
   std::uint64_t lost_ = 0;
   struct {
     std::uint64_t frames = 0;

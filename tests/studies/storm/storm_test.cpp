@@ -62,7 +62,8 @@ TEST_P(PlantedStorm, IsFoundAndShrunk) {
 INSTANTIATE_TEST_SUITE_P(Faults, PlantedStorm,
                          testing::Values(Planted{Plant::kLostAlert, "silent-loss"},
                                          Planted{Plant::kLostFrame, "digest"}, Planted{Plant::kBrokenGuard, "guard"},
-                                         Planted{Plant::kDeafPin, "pin"}, Planted{Plant::kMixedFlash, "flash"}));
+                                         Planted{Plant::kDeafPin, "pin"}, Planted{Plant::kMixedFlash, "flash"},
+                                         Planted{Plant::kHalfKept, "flash"}));
 
 // The same number, the same run: whatever the machine does meanwhile.
 TEST(StormTwice, IsTheSame) {
