@@ -7,6 +7,7 @@
 #include "firmware/config/colours.hpp"
 #include "host/devices/emulated.hpp"
 #include "host/devices/open_devices.hpp"
+#include "tests/studies/storm/other_links.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -26,6 +27,33 @@ std::vector<Lap> laps_of(const Plan& plan) {
   std::vector<Lap> laps;
   for (const host::Scene& scene : plan.laps) laps.emplace_back(scene);
   return laps;
+}
+
+/// Where the camera is, as the catalogue tells links from each other.
+std::string place_of(host::PlaceKind link) {
+  switch (link) {
+    case host::PlaceKind::kI2c: return "/dev/i2c-9";
+    case host::PlaceKind::kSpi: return "/dev/spidev9.0";
+    case host::PlaceKind::kUsb: return "usb";
+    default: return "/storm/camera";
+  }
+}
+
+std::string baud_of(const Plan& plan) { return plan.baud > 0 ? ",baud=" + std::to_string(plan.baud) : ""; }
+
+// host/emulate has serial lines and CAN.
+void put_on_link(emulate::EmulatedDevice& device, const Plan& plan) {
+  if (plan.link == host::PlaceKind::kTty) return;
+  device.baud = 0;  // as fast as it goes; a two-wire bus has a clock of its own
+  const std::string row = plan.camera;
+  if (plan.link == host::PlaceKind::kI2c) {
+    device.make = [row](const emulate::Colours&) { return on_two_wires(row); };
+    device.asked = true;
+  } else if (plan.link == host::PlaceKind::kUsb) {
+    device.make = [row](const emulate::Colours&) { return on_usb(row); };
+    device.unit = kUsbTransfer;
+    device.asked = true;
+  }
 }
 
 /// Those of the emulated wheels.
@@ -48,11 +76,15 @@ StormBench::StormBench(const Plan& plan) : plan_(plan), world_(laps_of(plan), pl
     return std::nullopt;
   };
   const std::string wheels = plan.wheels == kCan ? "can:can0" : plan.wheels;
-  const std::array<std::string, 2> names = {plan.camera, wheels};
-  const std::array<const char*, 2> places = {"/storm/camera", "/storm/wheels"};
+  const std::string baud = baud_of(plan);
+  const std::array<std::string, 2> names = {plan.camera + baud, wheels};
+  const std::array<std::string, 2> places = {place_of(plan.link), "/storm/wheels"};
   for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const emulate::EmulatedDevice device = devices::emulated(spec_of(names.at(i), Use::kEmulated));
+    emulate::EmulatedDevice device = devices::emulated(spec_of(names.at(i), Use::kEmulated));
+    if (i == index(Cable::kCamera)) put_on_link(device, plan);
     ends_.at(i).device.emplace(device, colours, plan.told.camera, plan.seed + i, base::Time{});
+    if (i == index(Cable::kCamera) && plan.link == host::PlaceKind::kUsb) ends_.at(i).device->live_on_cable();
+    ends_.at(i).device->wires = plan.wires;
     sockets_.plug_in(places.at(i), *ends_.at(i).device);
     world_.add(*ends_.at(i).device);
   }
@@ -66,7 +98,7 @@ host::Devices StormBench::open_devices() {
     robot.windows.push_back(config::window_around(signature));
   }
   const bool can = plan_.wheels == kCan;
-  const devices::DeviceSpec camera = spec_of(plan_.camera + ":/storm/camera", Use::kCamera);
+  const devices::DeviceSpec camera = spec_of(plan_.camera + ":" + place_of(plan_.link) + baud_of(plan_), Use::kCamera);
   const devices::DeviceSpec wheels = spec_of(can ? "console" : plan_.wheels + ":/storm/wheels", Use::kOdometry);
   auto opened = devices::open_devices(camera, wheels, robot, linux::MonotonicClock(), true);
   if (const auto* failure = std::get_if<host::DeviceFailure>(&opened)) throw std::runtime_error(failure->message);

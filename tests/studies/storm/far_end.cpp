@@ -13,6 +13,7 @@ FarEnd::FarEnd(const emulate::EmulatedDevice& device, const emulate::Colours& co
     fit_.emplace(of_boxes, *device_.image);
     frame_period_ = base::Duration::nearest(1 / device_.image->max_rate);
   }
+  on_wires_ = dynamic_cast<emulate::I2cDevice*>(model_.get());
   (void)model_->power_up(now);
 }
 
@@ -44,6 +45,7 @@ void FarEnd::step(const emulate::Travel& travel, base::Time now) {
 }
 
 void FarEnd::set_plugged(bool plugged) {
+  if (plugged && !plugged_ && lives_on_cable_) static_cast<void>(model_->power_up(now_));
   plugged_ = plugged;
   to_robot_.clear();
   to_device_.clear();
@@ -72,12 +74,37 @@ std::size_t FarEnd::read(std::span<std::uint8_t> in) {
   return count;
 }
 
+// Where several bytes are one, any that is damaged loses all.
 void FarEnd::write(std::span<const std::uint8_t> out) {
+  if (device_.unit > 1 && noise_ > 0 && chance_.share(noise_ * static_cast<double>(out.size()))) return;
   std::int64_t at = to_device_.empty() ? now_ns() : std::max(now_ns(), to_device_.back().arrives);
   for (std::uint8_t byte : out) {
     at += byte_ns_;
-    if (!damages(byte)) to_device_.push_back({at, byte});
+    if (device_.unit > 1 || !damages(byte)) to_device_.push_back({at, byte});
   }
+}
+
+Transferred FarEnd::transfer(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
+  Transferred result;
+  if (on_wires_ == nullptr || !powered_) return result;
+  constexpr std::int64_t kLongestStretch = 150;  // ms
+  if (noise_ > 0 && chance_.share(noise_)) result.stretched = base::milliseconds(chance_.whole(1, kLongestStretch));
+  emulate::Bytes heard;
+  for (std::uint8_t byte : out) {
+    if (damages(byte)) return result;
+    heard.push_back(byte);
+  }
+  result.in = on_wires_->transfer(address, heard, expected, now_);
+  if (!result.in) return result;
+  for (std::size_t i = 0; i < result.in->size(); ++i) {
+    std::uint8_t& byte = (*result.in)[i];
+    if (!to_robot_.empty()) {
+      byte = to_robot_.front().byte;  // hostile
+      to_robot_.pop_front();
+    }
+    if (damages(byte)) result.in->resize(i);
+  }
+  return result;
 }
 
 void FarEnd::say(const emulate::Bytes& bytes, base::Time now) {

@@ -7,10 +7,23 @@
 #include <optional>
 #include <span>
 
+#include "host/emulate/models/i2c_device.hpp"
 #include "host/emulate/scene/endpoint.hpp"
 #include "tests/studies/storm/chance.hpp"
 
 namespace fencepost::test {
+
+/// A two-wire bus's clock, and what its adapter does when the bus hangs: gives up, or waits.
+struct Wires {
+  std::uint32_t hertz = 400'000;
+  bool gives_up = true;
+};
+
+/// What became of a transfer on it.
+struct Transferred {
+  std::optional<emulate::Bytes> in;  ///< nothing: not acknowledged
+  base::Duration stretched;          ///< how long the device held the clock
+};
 
 /// All times are the world's, which no power cut of the robot sets back.
 class FarEnd {
@@ -23,6 +36,9 @@ class FarEnd {
   void pose(const sensor::OdometrySample& sample, base::Time now);
   /// Up to `now`.
   void step(const emulate::Travel& travel, base::Time now);
+
+  /// Without its cable it has no power: on USB.
+  void live_on_cable() { lives_on_cable_ = true; }
 
   // Faults.
   void set_noise(double probability) { noise_ = probability; }
@@ -38,6 +54,12 @@ class FarEnd {
   [[nodiscard]] bool stalled() const { return stalled_; }
   std::size_t read(std::span<std::uint8_t> in);
   void write(std::span<const std::uint8_t> out);
+  /// On a two-wire bus; noise is a byte that is not acknowledged, a short read, a held clock.
+  Transferred transfer(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected);
+  [[nodiscard]] bool powered() const { return powered_; }
+  [[nodiscard]] base::Time now() const { return now_; }
+
+  Wires wires;
 
  private:
   struct Item {
@@ -53,6 +75,7 @@ class FarEnd {
 
   emulate::EmulatedDevice device_;
   std::unique_ptr<emulate::DeviceModel> model_;
+  emulate::I2cDevice* on_wires_ = nullptr;  ///< the same, where it is on a bus
   std::optional<emulate::ImageFit> fit_;
   base::Duration frame_period_;
   std::optional<base::Time> next_frame_;
@@ -64,6 +87,7 @@ class FarEnd {
   bool stalled_ = false;
   bool plugged_ = true;
   bool powered_ = true;
+  bool lives_on_cable_ = false;
   std::deque<Item> to_robot_;
   std::deque<Item> to_device_;
 };

@@ -26,6 +26,39 @@ std::vector<const Row*> candidates(Use use) {
   return rows;
 }
 
+/// Of those that there are models for.
+host::PlaceKind random_link(Chance& chance, const Row& camera) {
+  using enum host::PlaceKind;
+  std::vector<host::PlaceKind> buses;
+  for (const host::PlaceKind kind : (*camera.live)->places) {
+    if (kind == kI2c || kind == kSpi || kind == kUsb) buses.push_back(kind);
+  }
+  return buses.empty() || chance.one_in(4) ? kTty : chance.of(buses);
+}
+
+/// As delivered, or faster.
+std::uint32_t random_baud(Chance& chance, const Row& camera) {
+  constexpr std::uint32_t kFast = 115'200;
+  const std::vector<devices::Option>& options = devices::options_of(camera, Use::kCamera);
+  const auto baud = std::find_if(options.begin(), options.end(), [](const auto& one) { return *one.name == "baud"; });
+  if (baud == options.end() || !chance.one_in(3)) return 0;
+  return std::stoul(*baud->fallback) < kFast ? kFast : 0;
+}
+
+Wires random_wires(Chance& chance) {
+  constexpr std::uint32_t kHertz[] = {100'000, 400'000};
+  return {chance.of(kHertz), chance.one_in(2)};
+}
+
+std::string_view name_of(host::PlaceKind link) {
+  switch (link) {
+    case host::PlaceKind::kI2c: return "I2C";
+    case host::PlaceKind::kSpi: return "SPI";
+    case host::PlaceKind::kUsb: return "USB";
+    default: return "a serial line";
+  }
+}
+
 sensor::Text random_name(Chance& chance) {
   constexpr std::string_view kCharacters[] = {"a", "\xc3\xa4", ",", "*", "$", " "};
   const std::string_view character = chance.of(kCharacters);
@@ -101,6 +134,9 @@ Plan plan_of(std::uint64_t seed, double minutes) {
   const Row& camera = *chance.of(candidates(Use::kCamera));
   const Row& wheels = *chance.of(candidates(Use::kOdometry));
   plan.camera = *camera.name;
+  plan.link = random_link(chance, camera);
+  plan.wires = random_wires(chance);
+  if (plan.link == host::PlaceKind::kTty) plan.baud = random_baud(chance, camera);
   plan.wheels = *wheels.name;
   constexpr console::Mode kModes[] = {console::Mode::kText, console::Mode::kLog, console::Mode::kPlot,
                                       console::Mode::kQuiet};
@@ -127,10 +163,10 @@ Plan plan_of(std::uint64_t seed, double minutes) {
 std::string describe(const Plan& plan) {
   const Variant& variant = kVariants[plan.variant];
   return fmt::format(
-      "{} (output {}, journal {}), {}, {}, {} images/s, {} laps, console {} bytes/ms, turns to {} ms, {} "
+      "{} (output {}, journal {}), {} on {}, {}, {} images/s, {} laps, console {} bytes/ms, turns to {} ms, {} "
       "events",
-      variant.profile, variant.output, variant.journal, plan.camera, plan.wheels, plan.laps[0].rate, plan.laps.size(),
-      plan.console_speed, plan.turn_ms, plan.events.size());
+      variant.profile, variant.output, variant.journal, plan.camera, name_of(plan.link), plan.wheels, plan.laps[0].rate,
+      plan.laps.size(), plan.console_speed, plan.turn_ms, plan.events.size());
 }
 
 }  // namespace fencepost::test

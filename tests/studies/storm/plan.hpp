@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "firmware/console/console_state.hpp"
+#include "host/live/place.hpp"
 #include "tests/studies/storm/events.hpp"
+#include "tests/studies/storm/far_end.hpp"
 #include "tests/studies/storm/laps.hpp"
 #include "tests/studies/storm/robot.hpp"
 
@@ -15,8 +17,11 @@ namespace fencepost::test {
 struct Plan {
   std::uint64_t seed = 1;
   std::int64_t milliseconds = 600'000;
-  std::size_t variant = 0;  ///< of kVariants
-  std::string camera;       ///< as the catalogue names it
+  std::size_t variant = 0;                       ///< of kVariants
+  std::string camera;                            ///< as the catalogue names it
+  host::PlaceKind link = host::PlaceKind::kTty;  ///< of the camera
+  Wires wires;                                   ///< where that is a two-wire bus
+  std::uint32_t baud = 0;                        ///< of its serial line; 0: as delivered
   std::string wheels;
   console::Mode mode = console::Mode::kLog;
   Kept told;

@@ -2,7 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "tests/studies/storm/other_links.hpp"
 #include "tests/studies/storm/shrink.hpp"
 
 namespace fencepost::test {
@@ -64,6 +69,55 @@ INSTANTIATE_TEST_SUITE_P(Faults, PlantedStorm,
                                          Planted{Plant::kLostFrame, "digest"}, Planted{Plant::kBrokenGuard, "guard"},
                                          Planted{Plant::kDeafPin, "pin"}, Planted{Plant::kMixedFlash, "flash"},
                                          Planted{Plant::kHalfKept, "flash"}));
+
+// Each link gives frames while nothing is wrong: a fault that is not found could be a camera that is not there.
+TEST(StormLinks, AllAreDrawnAndAllBringFrames) {
+  using enum host::PlaceKind;
+  std::map<std::pair<host::PlaceKind, std::string>, Plan> plans;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Plan plan = plan_of(kFirst + i, 0.2);
+    plans.try_emplace({plan.link, plan.link == kTty ? "any" : plan.camera}, std::move(plan));
+  }
+  std::map<host::PlaceKind, int> links;
+  for (auto& [link, plan] : plans) {
+    ++links[link.first];
+    plan.console_speed = 1'000;
+    const RunOutcome outcome = run_storm(with_events(plan, {}));
+    EXPECT_GT(outcome.figures.frames, 10U) << describe(plan);
+    for (const Fault& fault : outcome.faults) ADD_FAILURE() << describe(plan) << ": " << fault.sentence;
+  }
+  EXPECT_EQ(links[kI2c], 6) << "HuskyLens 1 and 2, NXTCam, Pixy, Pixy2 and 2.1";
+  EXPECT_EQ(links[kSpi], 2);
+  EXPECT_EQ(links[kUsb], 3);
+  EXPECT_EQ(links[kTty], 1);
+}
+
+TEST(StormLinks, ATwoWireBusHasItsFaults) {
+  emulate::EmulatedDevice device;
+  device.make = [](const emulate::Colours&) { return on_two_wires("pixy2"); };
+  FarEnd end(device, {}, std::nullopt, 7, base::Time{});
+  constexpr std::size_t kExpected = 16;
+  constexpr std::uint8_t kAddress = 0x54;
+  const auto read = [&] { return end.transfer(kAddress, std::vector<std::uint8_t>{0xAE}, kExpected); };
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(read().in->size(), kExpected);
+  EXPECT_FALSE(end.transfer(kAddress + 1, {}, kExpected).in) << "nobody is there";
+  end.set_noise(0.05);
+  int refused = 0;
+  int short_reads = 0;
+  int held = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Transferred transfer = read();
+    refused += transfer.in ? 0 : 1;
+    short_reads += transfer.in && transfer.in->size() < kExpected ? 1 : 0;
+    held += transfer.stretched > base::milliseconds(100) ? 1 : 0;  // longer than an adapter waits
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(short_reads, 0);
+  EXPECT_GT(held, 0);
+  end.set_noise(0);
+  end.set_power(false, base::Time{});
+  EXPECT_FALSE(read().in);
+}
 
 // The same number, the same run: whatever the machine does meanwhile.
 TEST(StormTwice, IsTheSame) {
