@@ -9,6 +9,8 @@ namespace fencepost::alert {
 namespace {
 
 constexpr std::int64_t kTicksPerMs = base::Duration::kPerUnit / 1000;
+constexpr std::uint32_t kSlowImageTicks = base::milliseconds(2).raw;
+static_assert(kSlowestImage.raw / kSlowImageTicks <= 255 && kSlowImageTicks % 4 == 0);
 
 std::uint32_t hash_of(const recon::WaitingFrame& frame) {
   std::uint32_t hash = 0;
@@ -93,14 +95,30 @@ void Sight::frame_used(const recon::WaitingFrame& frame, const recon::CameraMode
   const std::uint32_t boxes = hash_of(frame);
   if (boxes != 0) blobs_at_ = base::Stamp(frame.t);
   if (boxes != boxes_ || boxes == 0) {
+    if (boxes_ != 0) image_changed(frame.t);
     boxes_ = boxes;
     same_since_ = base::Stamp(frame.t);
     same_from_ = odometry;
-    frozen_ = false;
+    image_ = Image::kChanges;
     return;
   }
-  if (frozen_ || same_since_.since(frame.t) < kFrozenFor) return;
-  frozen_ = expected_shift(frame, camera, displacement_between(same_from_, odometry)) >= kFrozenShift;
+  const base::Duration same = same_since_.since(frame.t);
+  if (image_ == Image::kFrozen || same < kFrozenFor) return;
+  if (expected_shift(frame, camera, displacement_between(same_from_, odometry)) < kFrozenShift) return;
+  image_ = same < image_patience() ? Image::kLate : Image::kFrozen;
+}
+
+// One that comes soon shows that the camera is not slow; one that is late, though nothing moved, shows nothing.
+void Sight::image_changed(base::Time t) {
+  const base::Duration took = same_since_.since(t);
+  if (took < kFrozenFor) slow_image_ = 0;
+  if (image_ == Image::kChanges || took > kSlowestImage) return;
+  slow_image_ = static_cast<std::uint8_t>(static_cast<std::uint32_t>(took.raw) / kSlowImageTicks);
+}
+
+base::Duration Sight::image_patience() const {
+  const base::Duration slow{slow_image_ * (kSlowImageTicks * 5 / 4)};
+  return std::max(kFrozenFor, slow);
 }
 
 bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < kJumpDoubt; }
@@ -114,13 +132,15 @@ Blindness Sight::blindness(base::Time now, bool standing) const {
   if (odometry_.overdue(now, standing)) return Blindness::kOdometryLate;
   if (jumped_lately(now)) return Blindness::kJump;
   if (used_.overdue(now, standing) || (!begins && !used_.begun())) return Blindness::kFramesUnused;
-  return frozen_ ? Blindness::kFrozen : Blindness::kNone;
+  return image_ == Image::kFrozen ? Blindness::kFrozen : Blindness::kNone;
 }
 
 sensor::LinkState Sight::camera_state(base::Time now, bool standing) const {
   if (!frames_.begun()) return sensor::LinkState::kAbsent;
   if (frames_.overdue(now, standing)) return sensor::LinkState::kSilent;
-  if (!used_.begun() || used_.overdue(now, standing) || frozen_) return sensor::LinkState::kUnready;
+  if (!used_.begun() || used_.overdue(now, standing) || image_ == Image::kFrozen) {
+    return sensor::LinkState::kUnready;
+  }
   return boxes_ == 0 && blobs_at_.since(now) >= kEmptyAfter ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
 }
 

@@ -63,11 +63,16 @@ class Sight {
   [[nodiscard]] sensor::LinkState odometry_state(base::Time now, bool standing) const;
 
  private:
+  enum class Image : std::uint8_t { kChanges, kLate, kFrozen };
+
   [[nodiscard]] bool jumped_lately(base::Time now) const;
+  void image_changed(base::Time t);
+  [[nodiscard]] base::Duration image_patience() const;
 
   bool started_ = false;
   bool jumped_ = false;
-  bool frozen_ = false;
+  Image image_ = Image::kChanges;
+  std::uint8_t slow_image_ = 0;  ///< 2 ms, that the last one took; 0: no longer than kFrozenFor
   Rhythm frames_;
   Rhythm used_;
   Rhythm odometry_;

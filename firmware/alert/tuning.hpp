@@ -132,6 +132,9 @@ inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
 /// moved them by so many px. By design.
 inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
 inline constexpr float kFrozenShift = 4;
+/// A camera that is asked more often than it sees repeats its images. Where one came so late and no sooner since, boxes
+/// may stay for a quarter more than that; what takes longer than this is no camera to drive by. By design.
+inline constexpr base::Duration kSlowestImage = base::milliseconds(300);
 /// No robot that this is for moves faster: m and rad beyond which a step between two samples is a jump, and what is
 /// added for each second between them. The pose is then not believed for a while. By design.
 inline constexpr float kStepJump = 0.1F;

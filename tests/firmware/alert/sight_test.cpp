@@ -49,6 +49,8 @@ class Inputs {
   bool odometry_on = true;
   bool used = true;
   bool frozen = false;
+  double aside_per_turn = 0;  ///< m a rad: a turn moves boxes as a step aside does; 0: turns do not show
+  double image_every = 0;     ///< s; in between the last one is repeated
   std::vector<FlatFront> world = std::vector<FlatFront>(1, FlatFront{0.9, -0.2, 0.2, 1});
   double speed = 0.3;
   double turn = 0;
@@ -61,13 +63,18 @@ class Inputs {
     return {now(), base::Metres::nearest(x), {}, base::Radians::nearest(heading)};
   }
   recon::WaitingFrame view() {
-    if (!frozen) seen_ = flat_view(world, x, 0, t, 1);
+    const bool repeats = t - last_image_ < image_every - 1e-6;
+    if (!frozen && !repeats) {
+      seen_ = flat_view(world, x, aside_per_turn * heading, t, 1);
+      last_image_ = t;
+    }
     seen_.t = now();
     return recon::make_waiting(seen_, 0);
   }
 
   double rate_;
   double last_frame_ = -1;
+  double last_image_ = -1;
   sensor::BlobFrame seen_;
 };
 
@@ -162,6 +169,66 @@ TEST(Sight, AFrozenCameraIsFoundByTheMotionThatItDoesNotShow) {
   turning.run(0.2);
   turning.frozen = true;
   EXPECT_LE(turning.seconds_until(Blindness::kFrozen), 0.3);
+}
+
+/// A camera that is asked 50 times a second and sees every so often; the motion moves boxes by far more than it takes.
+Inputs repeating(double image_every) {
+  Inputs inputs(50);
+  inputs.speed = 0;
+  inputs.turn = 0.1;
+  inputs.world = {{2.5, -0.2, 0.2, 1}};
+  inputs.aside_per_turn = 2.5;
+  inputs.image_every = image_every;
+  return inputs;
+}
+
+/// How long it was called frozen.
+double frozen_within(Inputs& inputs, double seconds) {
+  double frozen = 0;
+  for (const double end = inputs.t + seconds - 1e-9; inputs.t < end;) {
+    inputs.run(0.02);
+    frozen += inputs.blindness() == Blindness::kFrozen ? 0.02 : 0;
+  }
+  return frozen;
+}
+
+TEST(Sight, ACameraThatIsAskedMoreOftenThanItSeesIsNotFrozen) {
+  for (const double every : {0.1, 0.18, 0.22, 0.26}) {
+    Inputs inputs = repeating(every);
+    EXPECT_LE(frozen_within(inputs, 0.7), 0.1) << every << " s: it is found out by the first image that is late";
+    EXPECT_EQ(frozen_within(inputs, 3), 0) << every;
+    inputs.frozen = true;
+    EXPECT_LE(inputs.seconds_until(Blindness::kFrozen), 0.38) << every;
+  }
+}
+
+TEST(Sight, AQuickCameraThatWasLateOnceIsHeldToTheShortTime) {
+  Inputs inputs = repeating(0.25);
+  inputs.run(2);
+  inputs.image_every = 0;
+  inputs.run(0.1);
+  inputs.frozen = true;
+  EXPECT_LE(inputs.seconds_until(Blindness::kFrozen), 0.24);
+}
+
+TEST(Sight, ImagesThatAreSlowerThanOneMayDriveByAreSaidEachTime) {
+  Inputs inputs = repeating(0.4);
+  inputs.run(1);
+  EXPECT_GT(frozen_within(inputs, 4), 1.5);
+}
+
+// A thing that stays as it is before a robot that stands shows nothing about the camera.
+TEST(Sight, AStandstillMakesNoCameraSlow) {
+  Inputs inputs = repeating(0);
+  inputs.turn = 0;
+  for (int i = 0; i < 5; ++i) {
+    inputs.run(0.26);
+    inputs.heading += 0.01;  // noise of pixels
+  }
+  inputs.run(0.02);
+  inputs.turn = 0.1;
+  inputs.frozen = true;
+  EXPECT_LE(inputs.seconds_until(Blindness::kFrozen), 0.24);
 }
 
 TEST(Sight, WhatCannotChangeIsNotFrozen) {

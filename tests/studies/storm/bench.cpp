@@ -134,6 +134,10 @@ void StormBench::begin(const Event& event, base::Time now) {
       end.device->set_power(false, now);
       last(end.reboot_ends);
       break;
+    case EventKind::kFreeze:
+      end.device->set_frozen(true);
+      last(end.freeze_ends);
+      break;
     default: break;
   }
 }
@@ -147,6 +151,7 @@ void StormBench::end_events(base::Time now) {
   for (End& end : ends_) {
     if (over(end.noise_ends)) end.device->set_noise(0);
     if (over(end.stall_ends)) end.device->set_stalled(false);
+    if (over(end.freeze_ends)) end.device->set_frozen(false);
     if (over(end.reboot_ends)) end.device->set_power(true, now);
     if (!over(end.unplug_ends)) continue;
     end.line.plugged = true;

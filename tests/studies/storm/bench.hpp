@@ -36,6 +36,7 @@ class StormBench {
     std::optional<base::Time> stall_ends;
     std::optional<base::Time> unplug_ends;
     std::optional<base::Time> reboot_ends;
+    std::optional<base::Time> freeze_ends;
   };
   static std::size_t index(Cable cable) { return static_cast<std::size_t>(cable); }
 

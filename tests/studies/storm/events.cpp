@@ -10,8 +10,8 @@
 namespace fencepost::test {
 namespace {
 
-constexpr std::string_view kKinds[] = {"type",     "noise",     "hostile bytes", "stall", "unplug",   "reboot",
-                                       "throttle", "slow disk", "full disk",     "busy",  "power cut"};
+constexpr std::string_view kKinds[] = {"type",   "noise",    "hostile bytes", "stall",     "unplug", "reboot",
+                                       "freeze", "throttle", "slow disk",     "full disk", "busy",   "power cut"};
 constexpr std::string_view kCables[] = {"camera", "wheels", "console"};
 
 constexpr std::string_view kCommands[] = {"help",
@@ -90,10 +90,10 @@ class Maker {
  private:
   EventKind kind() {
     for (;;) {
-      const auto kind = static_cast<EventKind>(chance_.whole(0, 10));
+      const auto kind = static_cast<EventKind>(chance_.whole(0, std::size(kKinds) - 1));
       if (kind == EventKind::kSlowDisk && !choice_.disk) continue;
       if (kind == EventKind::kFullDisk && (!choice_.disk || !chance_.one_in(10))) continue;
-      if (kind == EventKind::kPowerCut && (!choice_.flash || !chance_.one_in(2))) continue;
+      if (kind == EventKind::kPowerCut && !choice_.flash) continue;
       return kind;
     }
   }
@@ -112,6 +112,10 @@ class Maker {
         event.length = chance_.whole(50, 15'000);
         break;
       case EventKind::kReboot: event.length = chance_.whole(1, 3'000); break;
+      case EventKind::kFreeze:
+        event.cable = Cable::kCamera;
+        event.length = chance_.whole(200, 5'000);
+        break;
       case EventKind::kThrottle:
         event.cable = Cable::kConsole;
         event.length = chance_.whole(100, 12'000);
@@ -122,12 +126,13 @@ class Maker {
       case EventKind::kBusy: event.length = chance_.whole(20, chance_.one_in(4) ? 3'000 : 200); break;
       case EventKind::kPowerCut:
         event.length = chance_.whole(10, 2'000);
-        event.amount = static_cast<double>(chance_.whole(0, 40));
         if (chance_.one_in(5)) break;  // nothing is being written
         for (std::int64_t n = chance_.whole(1, 4); n > 0; --n) event.text += setting(chance_);
         for (const std::string& line : choice_.told) {
           if (chance_.one_in(4)) event.text += line;
         }
+        // A line is kept as some more characters than were typed, of which a word is four.
+        event.amount = static_cast<double>(chance_.whole(0, 8 + static_cast<std::int64_t>(event.text.size()) / 2));
         break;
     }
   }

@@ -16,6 +16,7 @@ enum class EventKind : std::uint8_t {
   kStall,     ///< the cable carries nothing
   kUnplug,    ///< camera, wheels or console
   kReboot,    ///< the device loses its power for a moment
+  kFreeze,    ///< the camera goes on telling its last image
   kThrottle,  ///< the console takes `amount` bytes a millisecond; 0: none
   kSlowDisk,  ///< the disk takes nothing
   kFullDisk,  ///< and nothing any more

@@ -20,9 +20,10 @@ FarEnd::FarEnd(const emulate::EmulatedDevice& device, const emulate::Colours& co
 // As host/emulate/scene has it: one that is asked has the newest image, the others take one when their line is free.
 void FarEnd::see(const sensor::BlobFrame& frame, base::Time now) {
   if (!fit_ || !powered_) return;
+  if (!frozen_) latest_ = fit_->fit(frame);
   if ((next_frame_ && now < *next_frame_) || (!device_.asked && !to_robot_.empty())) return;
   next_frame_ = now + frame_period_;
-  say(model_->see(fit_->fit(frame), now), now);
+  say(model_->see(latest_, now), now);
 }
 
 void FarEnd::pose(const sensor::OdometrySample& sample, base::Time now) {

@@ -43,6 +43,8 @@ class FarEnd {
   // Faults.
   void set_noise(double probability) { noise_ = probability; }
   void set_stalled(bool stalled) { stalled_ = stalled; }
+  /// It sees nothing new.
+  void set_frozen(bool frozen) { frozen_ = frozen; }
   void set_plugged(bool plugged);
   /// Switched off, it says nothing and forgets what was on its way.
   void set_power(bool on, base::Time now);
@@ -77,6 +79,7 @@ class FarEnd {
   std::unique_ptr<emulate::DeviceModel> model_;
   emulate::I2cDevice* on_wires_ = nullptr;  ///< the same, where it is on a bus
   std::optional<emulate::ImageFit> fit_;
+  sensor::BlobFrame latest_;  ///< image
   base::Duration frame_period_;
   std::optional<base::Time> next_frame_;
   Chance chance_;
@@ -85,6 +88,7 @@ class FarEnd {
   std::int64_t free_ns_ = 0;  ///< when the last byte to the robot is out
   double noise_ = 0;
   bool stalled_ = false;
+  bool frozen_ = false;
   bool plugged_ = true;
   bool powered_ = true;
   bool lives_on_cable_ = false;

@@ -114,7 +114,7 @@ LogFigures check_log(std::string_view log, const Ended& ended, std::vector<Fault
   options.log = [&](std::string_view line) { own.add(line); };
   const host::ReplayOutcome outcome = host::replay(log, "storm.log", options);
   if (outcome.unreadable) {
-    if (ended.whole) faults.push_back({"unreadable", outcome.unreadable->message});
+    if (ended.whole && ended.in_the_map > 0) faults.push_back({"unreadable", outcome.unreadable->message});
     return reader.figures;
   }
   reader.figures.compared = outcome.check.compared;

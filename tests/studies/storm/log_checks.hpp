@@ -12,12 +12,13 @@ namespace fencepost::test {
 /// How the run ended.
 struct Ended {
   std::uint64_t digest = 0;
-  std::uint32_t frames = 0;     ///< that all robots used
-  std::uint64_t dropped = 0;    ///< records that they said they dropped
-  bool whole = true;            ///< the log has all of it: no disk was full
-  bool alerts_off = false;      ///< somebody silenced the alerts for a while
-  base::Duration longest_turn;  ///< of the loop, whatever kept it
-  bool choked = false;          ///< the log was slower than meant at any time
+  std::uint32_t frames = 0;      ///< that all robots used
+  std::uint32_t in_the_map = 0;  ///< of them, those of the last run that found their odometry: a log without is refused
+  std::uint64_t dropped = 0;     ///< records that they said they dropped
+  bool whole = true;             ///< the log has all of it: no disk was full
+  bool alerts_off = false;       ///< somebody silenced the alerts for a while
+  base::Duration longest_turn;   ///< of the loop, whatever kept it
+  bool choked = false;           ///< the log was slower than meant at any time
   config::Settings settings;
 };
 

@@ -113,6 +113,7 @@ class Storm {
       case EventKind::kNoise:
       case EventKind::kHostile:
       case EventKind::kStall:
+      case EventKind::kFreeze:
       case EventKind::kReboot: bench_.begin(event, world_); break;
       case EventKind::kThrottle:
         console_.set_speed(event.amount);
@@ -247,6 +248,7 @@ class Storm {
     Ended ended;
     ended.digest = robot_->digest();
     ended.frames = static_cast<std::uint32_t>(counted_.frames + robot_->counters().frames);
+    ended.in_the_map = robot_->frames_of_run();
     ended.dropped = counted_.dropped + robot_->counters().records_dropped;
     ended.whole = !disk_ || !disk_->failed();
     ended.alerts_off = alerts_off_;

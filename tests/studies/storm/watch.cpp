@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,13 @@ using record::AlertLevel;
 /// looks.
 constexpr base::Duration kBlindAtLast = base::milliseconds(1'500 + 300 + 50);
 constexpr base::Duration kNeverBlindBefore = base::milliseconds(100);  // frames wait for odometry, too
+constexpr base::Duration kFrozenFor = base::milliseconds(190);
+constexpr base::Duration kSlowestImage = base::milliseconds(285);
+constexpr int kKnownSlow = 2;
+constexpr base::Duration kFrozenAtLast = base::milliseconds(400);  // a quarter more than the slowest image
+constexpr double kMovedByFar = 8;                                  // px: twice what the guard asks for
+constexpr int kBorder = 8;                                         // px
+constexpr double kTurn = 6.283185307179586;
 constexpr base::Duration kSettled = base::milliseconds(4'000);
 constexpr base::Duration kReaction = base::milliseconds(350);
 constexpr base::Duration kCableComesBack = base::milliseconds(30'000);
@@ -59,6 +67,7 @@ void Watch::look(const StormRobot& robot, const Outside& outside, base::Time now
   check_output(robot, outside, now);
   if (robot.testing()) return;
   check_blind(robot, outside, now);
+  check_frozen(robot, now);
   check_stop(robot, now);
   check_links(robot, outside, now);
 }
@@ -76,6 +85,19 @@ void Watch::note_inputs(const StormRobot& robot, base::Time now) {
   }
 }
 
+// A box with an end inside the image, and a turn that should have moved that by far more than noise.
+void Watch::note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now) {
+  if (seen_.frozen) return;
+  if (!seen_.odometry.regular(now)) return seen_.same_from.reset();
+  if (!seen_.same_from) seen_.same_from = seen_.last_sample;
+  const double turned = std::remainder((seen_.last_sample->heading - seen_.same_from->heading).to_double(), kTurn);
+  const bool end_inside = std::any_of(frame.blobs.begin(), frame.blobs.end(), [&](const sensor::Blob& blob) {
+    return blob.x1 > kBorder || blob.x2 + 1 < camera.width - kBorder;
+  });
+  const bool should_move = end_inside && std::fabs(turned) * camera.fx.to_double() > kMovedByFar;
+  if (should_move && seen_.last_sample->t - seen_.same_from->t > kFrozenAtLast) seen_.frozen = now;
+}
+
 void Watch::note_sample(const sensor::OdometrySample& sample, base::Time now) {
   seen_.odometry.note(now);
   if (const auto& last = seen_.last_sample) {
@@ -88,8 +110,16 @@ void Watch::note_sample(const sensor::OdometrySample& sample, base::Time now) {
 
 void Watch::note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now) {
   seen_.camera.note(now);
-  seen_.same_boxes = seen_.last_frame && same_boxes(*seen_.last_frame, frame) ? seen_.same_boxes + 1 : 0;
-  if (seen_.same_boxes > 1) seen_.strange = now;  // as those of a frozen camera
+  if (!seen_.last_frame || !same_boxes(*seen_.last_frame, frame)) {
+    seen_.slow_images = frame.t - seen_.same_since > kFrozenFor ? seen_.slow_images + 1 : 0;
+    seen_.same_since = frame.t;
+    seen_.same_from.reset();
+    seen_.frozen.reset();
+  }
+  note_motion(frame, camera, now);
+  // As those of a frozen camera; one that repeats its images is known by the first that is late.
+  const base::Duration same = frame.t - seen_.same_since;
+  if (same > kSlowestImage || (same > kFrozenFor && seen_.slow_images < kKnownSlow)) seen_.strange = now;
   seen_.last_frame = frame;
   seen_.oracle.take(frame, camera);
 }
@@ -112,6 +142,11 @@ void Watch::check_blind(const StormRobot& robot, const Outside& outside, base::T
   if (calm && level == AlertLevel::kBlind) {
     fault("blind-without-reason", now, "blind while frames and odometry come and are used");
   }
+}
+
+void Watch::check_frozen(const StormRobot& robot, base::Time now) {
+  if (!seen_.frozen || now - *seen_.frozen < kReaction || robot.in_force().level >= AlertLevel::kStop) return;
+  fault("not-frozen", now, "no word of an image that stands still while the robot turns");
 }
 
 void Watch::check_stop(const StormRobot& robot, base::Time now) {

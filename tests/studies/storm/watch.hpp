@@ -59,15 +59,20 @@ class Watch {
     Input odometry;
     std::optional<sensor::OdometrySample> last_sample;
     std::optional<sensor::BlobFrame> last_frame;
-    std::size_t same_boxes = 0;
-    std::optional<base::Time> strange;  ///< the last input that may be disbelieved, or was refused
-    std::optional<base::Time> urgent;   ///< since when stop or blind is in force
+    base::Time same_since;                            ///< boxes are as they are
+    int slow_images = 0;                              ///< one after the other
+    std::optional<sensor::OdometrySample> same_from;  ///< where the robot was then, or when odometry was well again
+    std::optional<base::Time> frozen;                 ///< since when they should have moved by far
+    std::optional<base::Time> strange;                ///< the last input that may be disbelieved, or was refused
+    std::optional<base::Time> urgent;                 ///< since when stop or blind is in force
     console::Counters counters;
   };
   void note_inputs(const StormRobot& robot, base::Time now);
   void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
+  void note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
   void note_sample(const sensor::OdometrySample& sample, base::Time now);
   void check_blind(const StormRobot& robot, const Outside& outside, base::Time now);
+  void check_frozen(const StormRobot& robot, base::Time now);
   void check_stop(const StormRobot& robot, base::Time now);
   void check_output(const StormRobot& robot, const Outside& outside, base::Time now);
   void check_links(const StormRobot& robot, const Outside& outside, base::Time now);
