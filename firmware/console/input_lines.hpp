@@ -15,7 +15,7 @@ class InputLines {
  public:
   /// A line ends with CR or LF, the two together are one end. One of at most kMaxLine - 1 characters fits.
   struct Line {
-    std::span<char> text;  ///< without its end; of a line that was too long, its first characters
+    std::span<char> text;  ///< without its end; of one that was too long, the first 16 characters and some of the last
     bool too_long = false;
   };
 

@@ -20,15 +20,21 @@ function(fencepost_test name)
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
-# fencepost_fuzzer(<name> SOURCE a.cpp LIBRARIES x ...): a program for endless fuzzing by hand, with -DFENCEPOST_FUZZ=ON
-# and clang: <name> [corpus]. The same source belongs to an ordinary test, so that it cannot rot.
+# fencepost_fuzzer(<name> SOURCE a.cpp LIBRARIES x ... [SEAL seal_x]): a program for endless fuzzing by hand, with
+# -DFENCEPOST_FUZZ=ON and clang: <name> [corpus]. The same source belongs to an ordinary test, so that it cannot rot.
+# SEAL: what puts the checksums right after each mutation, of tests/drivers/seal/seal.hpp.
 function(fencepost_fuzzer name)
   if(NOT FENCEPOST_FUZZ OR NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     return()
   endif()
-  cmake_parse_arguments(ARG "" "SOURCE" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "SOURCE;SEAL" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCE})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_flags)
+  if(ARG_SEAL)
+    target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/drivers/seal/mutator.cpp")
+    target_compile_definitions(${name} PRIVATE FENCEPOST_SEAL=${ARG_SEAL})
+    target_link_libraries(${name} PRIVATE fencepost_seal)
+  endif()
   target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
 endfunction()

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""usage: coverage.py BUILD_DIR [--least PERCENT]
+
+Runs the unit tests of hal, drivers and firmware in BUILD_DIR, a build by g++ -O0 --coverage -fprofile-abs-path, and
+prints which share of each folder's lines they run, and the branches of the decoders in drivers/ that never go one way.
+Exit status 1 if a test fails, a folder has less than PERCENT (95) of its lines, a source is in no test, or a decoder
+has such a branch that DECIDED does not explain.
+
+Start-up code, registers and images count as far as a test at the desk compiles them. A template counts as run where one
+of its instances was; branches that are exceptions' are none.
+"""
+
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+FOLDERS = ("hal", "drivers", "firmware")
+# Only a cross compiler builds these.
+FOR_BOARDS = re.compile(r"^(hal/(mcu|boards)/|firmware/image/)")
+# Bytes to messages: what the walks of tests/drivers/states go through.
+DECODERS = re.compile(
+    r"^drivers/(\w+/(decoder|stream_decoder|protocol|frames|registers|serial|telegram|signal|wheels|chirp|measure)\.[ch]pp"
+    r"|pixy1/(pixy1|usb)\.[ch]pp|wire/\w+\.hpp|nxt/framed_link\.hpp)$")
+
+# Source text of branches that one way suffices for, with the reason.
+DECIDED = {
+    "FENCEPOST_CHECK": "the other way is a trap: a bug, not an input",
+}
+
+
+class Coverage:
+    """Lines and branches of one file, over all programs and all instances of its templates."""
+
+    def __init__(self):
+        self.lines = collections.defaultdict(int)
+        self.branches = collections.defaultdict(dict)  # of a line: how often each was taken, by its place in the line
+
+    def add(self, lines):
+        for line in lines:
+            number = line["line_number"]
+            self.lines[number] += line["count"]
+            ways = [branch["count"] for branch in line.get("branches", []) if not branch["throw"]]
+            for place, count in enumerate(ways):
+                self.branches[number][place] = self.branches[number].get(place, 0) + count
+
+    def ran(self):
+        return sum(1 for count in self.lines.values() if count)
+
+    def never(self):
+        """Lines with ways never taken: [(line, how many, of how many)]."""
+        counted = [(n, sum(1 for c in ways.values() if not c), len(ways)) for n, ways in sorted(self.branches.items())]
+        return [row for row in counted if row[1]]
+
+
+def sources(root):
+    """Of the folders, as far as a desk compiles them."""
+    found = [path.relative_to(root) for folder in FOLDERS for path in sorted((root / folder).rglob("*.cpp"))]
+    return [str(path) for path in found if not FOR_BOARDS.match(str(path))]
+
+
+def programs(build):
+    """The unit tests' programs: hal, drivers and firmware."""
+    found = []
+    for folder in FOLDERS:
+        for path in sorted((build / "tests" / folder).rglob("*_test")):
+            if path.is_file() and os.access(path, os.X_OK):
+                found.append(path)
+    return found
+
+
+def run(program):
+    done = subprocess.run([program, "--gtest_brief=1"], capture_output=True, text=True)
+    if done.returncode:
+        print(done.stdout[-4000:], done.stderr[-2000:], file=sys.stderr)
+    return done.returncode == 0
+
+
+def collect(documents, root):
+    """`documents`: what gcov says of each object, as JSON."""
+    files = collections.defaultdict(Coverage)
+    for document in documents:
+        for entry in document["files"]:
+            name = pathlib.Path(os.path.normpath(os.path.join(document["current_working_directory"], entry["file"])))
+            if name.is_relative_to(root) and str(name.relative_to(root)).split("/")[0] in FOLDERS:
+                files[str(name.relative_to(root))].add(entry["lines"])
+    return files
+
+
+def counted(build):
+    """What gcov says of each object that ran."""
+    for counts in sorted(build.rglob("*.gcda")):
+        done = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", counts], cwd=build,
+                              check=True, capture_output=True, text=True)
+        for line in done.stdout.splitlines():
+            yield json.loads(line)
+
+
+def shares(files):
+    """Of each folder: lines that ran, lines that can."""
+    total = {folder: [0, 0] for folder in FOLDERS}
+    for name, coverage in files.items():
+        counts = total[name.split("/")[0]]
+        counts[0] += coverage.ran()
+        counts[1] += len(coverage.lines)
+    return total
+
+
+def undecided(files, root):
+    """Branches of decoders that are never taken: [(place, how many, of how many, source)]."""
+    found = []
+    for name in sorted(filter(DECODERS.match, files)):
+        text = (root / name).read_text().splitlines()
+        for line, never, ways in files[name].never():
+            if not any(words in text[line - 1] for words in DECIDED):
+                found.append((f"{name}:{line}", never, ways, text[line - 1].strip()))
+    return found
+
+
+def report(files, root, least, known):
+    """Prints all; true: enough. `known`: the sources that there are."""
+    enough = True
+    print("| folder | lines | run | % |\n|---|---|---|---|")
+    for folder, (ran, lines) in shares(files).items():
+        percent = 100 * ran / lines if lines else 0
+        enough = enough and percent >= least
+        print(f"| {folder} | {lines} | {ran} | {percent:.1f} |")
+    missing = {name: len(coverage.lines) - coverage.ran() for name, coverage in files.items()}
+    for name in sorted(filter(missing.get, missing), key=missing.get, reverse=True)[:12]:
+        print(f"{name}: {missing[name]} lines not run")
+    unknown = [name for name in known if name not in files]
+    for name in unknown:
+        print(f"{name}: in no unit test")
+    left = undecided(files, root)
+    for place, never, ways, source in left:
+        print(f"{place}: {never} of {ways} branches never taken: {source}")
+    decoders = [name for name in files if DECODERS.match(name)]
+    branches = sum(len(ways) for name in decoders for ways in files[name].branches.values())
+    print(f"{branches} branches in {len(decoders)} files of decoders, never taken {sum(row[1] for row in left)}")
+    return enough and not left and not unknown
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--least", type=float, default=95)
+    arguments = parser.parse_args()
+    root = pathlib.Path(__file__).resolve().parents[2]
+    build = arguments.build.resolve()
+    all_programs = programs(build)
+    if not all_programs:
+        sys.exit(f"no test programs in {build}/tests: build tests/hal/all, tests/drivers/all, tests/firmware/all")
+    for counts in build.rglob("*.gcda"):  # of earlier runs
+        counts.unlink()
+    passed = True
+    for program in all_programs:
+        if not run(program):
+            print(f"{program.name}: FAILED", file=sys.stderr)
+            passed = False
+    enough = report(collect(counted(build), root), root, arguments.least, sources(root))
+    sys.exit(0 if passed and enough else 1)
+
+
+if __name__ == "__main__":
+    main()
