@@ -16,6 +16,7 @@ from clang.cindex import CursorKind, TokenKind
 
 COMPARISONS = {"<": "lt", "<=": "le", ">": "gt", ">=": "ge", "==": "eq", "!=": "ne"}
 BECOMES = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
+OPERATORS = {"<": "bound", "<=": "bound", ">": "bound", ">=": "bound", "==": "equality", "!=": "equality", "+": "sum", "-": "sum"}
 FUNCTIONS = {**COMPARISONS, "+": "plus", "-": "minus"}
 STATEMENTS = (CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR, CursorKind.UNARY_OPERATOR,
               CursorKind.CALL_EXPR)
@@ -23,6 +24,7 @@ LITERALS = (CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL)
 # What is computed while compiling, and what is never executed as it stands.
 STATIC = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_DECL, CursorKind.TEMPLATE_NON_TYPE_PARAMETER, CursorKind.CASE_STMT,
           CursorKind.TYPE_ALIAS_DECL, CursorKind.CONCEPT_DECL if hasattr(CursorKind, "CONCEPT_DECL") else None)
+MOST = 1 << 15  # kMost of mutation.hpp
 NAMESPACE = "::fencepost::mutation::"
 
 
@@ -38,8 +40,8 @@ class Source:
                      "-DEIGEN_NO_MALLOC", "-DEIGEN_MPL2_ONLY", f"-DFENCEPOST_VERSION=\"0\""]
         self.unit = cindex.Index.create().parse(str(tree / path), arguments,
                                                 options=cindex.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
-        self.macros = [(c.extent.start.offset, c.extent.end.offset) for c in self.unit.cursor.get_children()
-                       if c.kind == CursorKind.MACRO_INSTANTIATION and self.here(c)]
+        self.children = [c for c in self.unit.cursor.get_children() if c.kind != CursorKind.MACRO_DEFINITION and self.here(c)]
+        self.macros = [self.span(c) for c in self.children if c.kind == CursorKind.MACRO_INSTANTIATION]
 
     def here(self, cursor):
         return cursor.location.file is not None and cursor.location.file.name == self.unit.spelling
@@ -50,9 +52,9 @@ class Source:
     def in_macro(self, begin, end):
         return any(begin < macro_end and macro_begin < end for macro_begin, macro_end in self.macros)
 
-    def mutant(self, cursor, what):
+    def mutant(self, cursor, operator, what):
         self.mutants.append({"id": self.first + len(self.mutants), "file": str(self.path),
-                             "line": cursor.location.line, "what": what})
+                             "line": cursor.location.line, "operator": operator, "what": what})
         return self.mutants[-1]["id"]
 
     # Of what begins at one offset the longer comes first, of what ends there the shorter.
@@ -63,14 +65,12 @@ class Source:
     def replace(self, begin, end, text):
         self.edits.append((begin, 2, 0, len(self.edits), (end, text)))
 
-    def walk(self, cursor, parent):
-        for child in cursor.get_children():
-            if not self.here(child) and child.kind != CursorKind.NAMESPACE:
-                continue
-            if child.kind in STATIC or self.is_constant(child):
+    def walk(self, children, cursor):
+        for child in children:
+            if not self.here(child) or child.kind in STATIC or self.is_constant(child):
                 continue
             self.offer(child, cursor)
-            self.walk(child, cursor)
+            self.walk(child.get_children(), child)
 
     def is_constant(self, cursor):
         if cursor.kind not in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
@@ -98,7 +98,7 @@ class Source:
         first = next(cursor.get_tokens(), None)
         if first is None or first.spelling in ("delete", "throw"):
             return
-        number = self.mutant(cursor, "statement left out")
+        number = self.mutant(cursor, "statement", "statement left out")
         self.edits.append((begin, 1, -(1 << 30), len(self.edits), f"if (!{NAMESPACE}on({number})) "))
 
     def operator_between(self, left, right):
@@ -118,12 +118,12 @@ class Source:
             return
         name, at, past = operator
         if name in ("&&", "||"):
-            number = self.mutant(cursor, f"right side of {name} ignored")
+            number = self.mutant(cursor, "condition", f"right side of {name} ignored")
             sense = "" if name == "&&" else "!"
             joined = "||" if name == "&&" else "&&"
             self.around(right_begin, right_end, f"({sense}{NAMESPACE}on({number}) {joined} (", "))")
             return
-        number = self.mutant(cursor, f"{name} is {BECOMES[name]}")
+        number = self.mutant(cursor, OPERATORS[name], f"{name} is {BECOMES[name]}")
         self.around(begin, end, f"{NAMESPACE}{FUNCTIONS[name]}({number}, ", ")")
         self.replace(at, past, ",")
 
@@ -133,7 +133,7 @@ class Source:
         if sign not in (b"-", b"!") or self.text[begin:begin + 2] in (b"--", b"!="):
             return
         name = "negative" if sign == b"-" else "negated"
-        number = self.mutant(cursor, f"{sign.decode()} left out")
+        number = self.mutant(cursor, "sign" if sign == b"-" else "negation", f"{sign.decode()} left out")
         self.around(begin, end, f"{NAMESPACE}{name}({number}, ", ")")
         self.replace(begin, begin + 1, "")
 
@@ -142,7 +142,7 @@ class Source:
         # 0 may be a null pointer, and is what most things are made with.
         if not re.fullmatch(r"[0-9][0-9a-fA-FxX'.eE+-]*[uUlLfF]*", text) or text.rstrip("uUlLfF") in ("0", "0.0", "0."):
             return
-        number = self.mutant(cursor, f"{text} is more")
+        number = self.mutant(cursor, "constant", f"{text} is more")
         self.around(begin, end, f"{NAMESPACE}constant({number}, ", ")")
 
     def rewritten(self):
@@ -167,9 +167,11 @@ def main():
         errors = [d for d in source.unit.diagnostics if d.severity >= cindex.Diagnostic.Error]
         if errors:
             print(f"{path}: {errors[0].spelling} ({errors[0].location.line})", file=sys.stderr)
-        source.walk(source.unit.cursor, source.unit.cursor)
+        source.walk(source.children, source.unit.cursor)
         sources.append((path, source.rewritten()))
         mutants += source.mutants
+    if len(mutants) > MOST:
+        sys.exit(f"{len(mutants)} mutants are more than kMost of mutation.hpp")
     for path, text in sources:
         (tree / path).write_text(text)
     pathlib.Path(sys.argv[2]).write_text(json.dumps(mutants))

@@ -4,40 +4,30 @@
 #include <cstdlib>
 
 namespace fencepost::mutation {
+
+int chosen = -1;
+unsigned char reached[kMost] = {};
+
 namespace {
 
-constexpr int kMost = 1 << 17;
-
+// Of a shared library: constructed before, and destroyed after, whatever is static in the program.
 struct Switch {
-  int chosen = -1;
-  const char* file = nullptr;
-  unsigned char reached[kMost] = {};
+  const char* file = std::getenv("FENCEPOST_MUTANTS_REACHED");
 
   Switch() {
     if (const char* mutant = std::getenv("FENCEPOST_MUTANT")) chosen = std::atoi(mutant);
-    file = std::getenv("FENCEPOST_MUTANTS_REACHED");
   }
   ~Switch() {
     std::FILE* out = file != nullptr ? std::fopen(file, "a") : nullptr;
     if (out == nullptr) return;
     for (int id = 0; id < kMost; ++id) {
-      if (reached[id] != 0) std::fprintf(out, "%d\n", id);
+      if (reached[id] != 0) std::fprintf(out, "%d %d\n", id, reached[id]);
     }
     std::fclose(out);
   }
 };
 
-Switch& the_switch() {
-  static Switch one;
-  return one;
-}
+const Switch the_switch;
 
 }  // namespace
-
-bool reached_and_chosen(int id) noexcept {
-  Switch& mutants = the_switch();
-  if (id < kMost) mutants.reached[id] = 1;
-  return id == mutants.chosen;
-}
-
 }  // namespace fencepost::mutation

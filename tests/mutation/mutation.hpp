@@ -5,54 +5,68 @@
 
 namespace fencepost::mutation {
 
-/// Notes that mutant `id` was reached, and answers whether it is the chosen one.
-bool reached_and_chosen(int id) noexcept;
+inline constexpr int kMost = 1 << 15;  // mutate.py refuses more
+extern int chosen;
+extern unsigned char reached[kMost];
 
-/// What is computed while compiling stays as it is.
+/// Notes that mutant `id` was reached, and answers whether it is the chosen one. What is computed while compiling stays
+/// as it is.
 constexpr bool on(int id) noexcept {
   if (__builtin_is_constant_evaluated()) return false;
-  return reached_and_chosen(id);
+  reached[id] |= 1;
+  return id == chosen;
 }
 
+/// A sum whose difference is of another type (Eigen's expressions, two pointers) stays as it is, and is no mutant.
 template <class A, class B>
-inline constexpr bool kScalars = std::is_arithmetic_v<A>&& std::is_arithmetic_v<B>;
+concept Interchangeable = requires(const A& a, const B& b) {
+  requires std::is_same_v<decltype(a + b), decltype(a - b)>;
+};
 
+constexpr void none_here(int id) noexcept {
+  if (!__builtin_is_constant_evaluated()) reached[id] |= 2;
+}
+
+// A comparison of vectors of the compiler's is a vector.
 template <class A, class B>
-constexpr bool lt(int id, const A& a, const B& b) noexcept {
+constexpr auto lt(int id, const A& a, const B& b) noexcept -> decltype(a < b) {
   return on(id) ? a <= b : a < b;
 }
 template <class A, class B>
-constexpr bool le(int id, const A& a, const B& b) noexcept {
+constexpr auto le(int id, const A& a, const B& b) noexcept -> decltype(a <= b) {
   return on(id) ? a < b : a <= b;
 }
 template <class A, class B>
-constexpr bool gt(int id, const A& a, const B& b) noexcept {
+constexpr auto gt(int id, const A& a, const B& b) noexcept -> decltype(a > b) {
   return on(id) ? a >= b : a > b;
 }
 template <class A, class B>
-constexpr bool ge(int id, const A& a, const B& b) noexcept {
+constexpr auto ge(int id, const A& a, const B& b) noexcept -> decltype(a >= b) {
   return on(id) ? a > b : a >= b;
 }
 template <class A, class B>
-constexpr bool eq(int id, const A& a, const B& b) noexcept {
+constexpr auto eq(int id, const A& a, const B& b) noexcept -> decltype(a == b) {
   return on(id) ? a != b : a == b;
 }
 template <class A, class B>
-constexpr bool ne(int id, const A& a, const B& b) noexcept {
+constexpr auto ne(int id, const A& a, const B& b) noexcept -> decltype(a != b) {
   return on(id) ? a == b : a != b;
 }
-// Vectors stay as they are: their sums are expressions that differ in type.
 template <class A, class B>
 constexpr auto plus(int id, const A& a, const B& b) noexcept -> decltype(a + b) {
-  if constexpr (kScalars<A, B>) {
-    if (on(id)) return static_cast<decltype(a + b)>(a - b);
+  if constexpr (Interchangeable<A, B>) {
+    if (on(id)) return a - b;
+  } else {
+    none_here(id);
   }
   return a + b;
 }
 template <class A, class B>
 constexpr auto minus(int id, const A& a, const B& b) noexcept -> decltype(a - b) {
-  if constexpr (kScalars<A, B>) {
-    if (on(id)) return static_cast<decltype(a - b)>(a + b);
+  if constexpr (Interchangeable<A, B>) {
+    if (on(id)) return a + b;
+  } else {
+    none_here(id);
   }
   return a - b;
 }
@@ -60,6 +74,8 @@ template <class A>
 constexpr auto negative(int id, const A& a) noexcept -> decltype(-a) {
   if constexpr (std::is_arithmetic_v<A>) {
     if (on(id)) return static_cast<decltype(-a)>(a);
+  } else {
+    none_here(id);
   }
   return -a;
 }

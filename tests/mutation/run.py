@@ -1,29 +1,35 @@
 #!/usr/bin/env python3
-"""usage: run.py SOURCES FOLDER [--mutants N] [--seed S] [--jobs J]
+"""usage: run.py SOURCES FOLDER [--mutants N] [--seed S] [--jobs J] [--minutes M] [--only ID[,ID...]]
 
 Mutation testing of the robot's code: SOURCES (a checkout) is copied to FOLDER, every mutant written into the copy
 (mutate.py), its unit tests built once, and N mutants drawn from S (default 1000 and 1) judged by those tests that reach
-them. A mutant is killed if a test fails, crashes or takes five times as long. Ends with the share killed and the
-survivors, by file; FOLDER/survivors.txt has them, FOLDER/results.json all. Exit status 1 below 90 %.
+them (judge.py). A mutant is killed if a test fails, crashes or takes five times as long; one that no test reaches has
+survived. After M minutes of judging the rest is left: figures are of what was judged. FOLDER is used again: only what has
+changed is mutated, built and measured anew. Ends with the share killed and the survivors, by file; FOLDER/survivors.txt
+has them, FOLDER/results.json all. Exit status 1 below 90 %.
 """
 
 import argparse
 import collections
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
 import random
-import shutil
 import subprocess
 import sys
 import time
 
-ROOMS = ("firmware/recon", "firmware/alert", "firmware/record", "firmware/loop", "drivers")
-TESTS = ("hal_base_test", "hal_sensor_test", "alert_test", "record_test", "loop_test", "console_test", "library_test",
+sys.dont_write_bytecode = True  # a checkout stays as it is
+import judge  # noqa: E402
+
+ROOMS = ("firmware/recon", "firmware/alert", "firmware/record", "firmware/loop", "firmware/console", "firmware/config", "drivers")
+TESTS = ("hal_base_test", "hal_sensor_test", "alert_test", "record_test", "loop_test", "loop_golden_test", "console_test", "library_test",
+         "settings_store_test", "config_devices_test", "image_encoders_test",
          "recon_test", "recon_guard_test", "recon_hybrid_test", "recon_pose_test", "recon_sheaf_test", "recon_exactness_test",
          "can_wheels_test", "cmucam_test", "cognachrome_test", "create_test", "huskylens_test", "jevois_test", "nxt_test",
-         "nxtcam_test", "odometry_test", "pixy1_test", "pixy2_test", "xbc_test", "serial_test", "wire_test")
+         "nxtcam_test", "odometry_test", "pixy1_test", "pixy2_test", "xbc_test", "serial_test", "wire_test", "hostile_test")
 ENOUGH = 0.90
 
 
@@ -31,87 +37,81 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], check=True, **options)
 
 
-def copy(sources, tree):
-    if tree.exists():
-        shutil.rmtree(tree)
-    listed = subprocess.run(["git", "-C", sources, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], check=True,
-                            capture_output=True).stdout.decode().split("\0")
-    for name in filter(None, listed):
-        if (sources / name).is_file():
-            (tree / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(sources / name, tree / name)
+def write_if_other(path, content):
+    if not path.is_file() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
 
 
-def mutate(tree, mutants):
-    paths = sorted(str(path.relative_to(tree)) for room in ROOMS for path in (tree / room).rglob("*.?pp"))
-    run("/usr/bin/python3", "-B", tree / "tests/mutation/mutate.py", tree, mutants, *paths)
-    flags = tree / "toolchain/cmake/FencepostFlags.cmake"
+def with_switch(flags):
     # A shared library, so that no order of linking matters.
-    flags.write_text(flags.read_text() + "\nset(FENCEPOST_MUTATED ON)\n"
-                     "add_subdirectory(${PROJECT_SOURCE_DIR}/tests/mutation ${PROJECT_BINARY_DIR}/mutation)\n"
-                     "target_link_libraries(fencepost_flags INTERFACE fencepost_mutation)\n"
-                     "target_compile_options(fencepost_flags INTERFACE -w -Wno-error -g0 -O1)\n")
+    return flags + (b"\nset(FENCEPOST_MUTATED ON)\n"
+                    b"add_subdirectory(${PROJECT_SOURCE_DIR}/tests/mutation ${PROJECT_BINARY_DIR}/mutation)\n"
+                    b"target_link_libraries(fencepost_flags INTERFACE fencepost_mutation)\n"
+                    b"target_compile_options(fencepost_flags INTERFACE -w -Wno-error -g0 -O1)\n")
 
 
-def build(tree, folder, jobs):
-    run("cmake", "--preset", "host", "-S", tree, "-B", folder / "build", "-DCMAKE_UNITY_BUILD=ON", cwd=tree,
-        stdout=subprocess.DEVNULL)
-    run("cmake", "--build", folder / "build", "--parallel", jobs, "--target", *TESTS, stdout=subprocess.DEVNULL)
-    found = {path.name: path for path in (folder / "build").rglob("*_test") if path.is_file()}
+def copy_mutated(sources, folder):
+    """Brings FOLDER/tree up to date; mutates anew only if a mutated source, or mutate.py, is another than last time."""
+    tree, stamp = folder / "tree", folder / "mutated.sha256"
+    listed = run("git", "-C", sources, "ls-files", "-z", "--cached", "--others", "--exclude-standard",
+                 capture_output=True).stdout.decode().split("\0")
+    names = sorted(name for name in listed if name and (sources / name).is_file())
+    mutated = [name for name in names if name.startswith(tuple(room + "/" for room in ROOMS)) and name[-4:] in (".cpp", ".hpp")]
+    digest = hashlib.sha256()
+    for name in ["tests/mutation/mutate.py", *mutated]:
+        digest.update(name.encode() + b"\0" + (sources / name).read_bytes())
+    again = not stamp.is_file() or stamp.read_text() != digest.hexdigest()
+    stamp.unlink(missing_ok=True)
+    for name in names:
+        content = (sources / name).read_bytes()
+        if name == "toolchain/cmake/FencepostFlags.cmake":
+            content = with_switch(content)
+        if again or name not in set(mutated):
+            write_if_other(tree / name, content)
+    if again:
+        run("/usr/bin/python3", "-B", tree / "tests/mutation/mutate.py", tree, folder / "mutants.json", *mutated)
+    stamp.write_text(digest.hexdigest())
+
+
+def build(folder, jobs):
+    tree, made = folder / "tree", folder / "build"
+    run("cmake", "--preset", "host", "-S", tree, "-B", made, "-DCMAKE_UNITY_BUILD=ON", cwd=tree, stdout=subprocess.DEVNULL)
+    run("cmake", "--build", made, "--parallel", jobs, "--target", *TESTS, stdout=subprocess.DEVNULL)
+    found = {path.name: path for path in made.rglob("*_test") if path.is_file()}
     return [found[name] for name in TESTS]
 
 
-def test(program, limit, **environment):
-    begun = time.monotonic()
-    try:
-        done = subprocess.run([program, "--gtest_brief=1", "--gtest_fail_fast"], env={**os.environ, **environment},
-                              capture_output=True, timeout=limit, cwd=program.parent, check=False)
-        return done.returncode == 0, time.monotonic() - begun
-    except subprocess.TimeoutExpired:
-        return False, limit
+def table(results, of):
+    judged, killed = collections.Counter(map(of, results)), collections.Counter()
+    for result in results:
+        killed[of(result)] += result["killed_by"] is not None
+    return [f"{name:18} {killed[name]:5} of {judged[name]:5} killed, {100 * killed[name] / judged[name]:5.1f} %" for name in sorted(judged)]
 
 
-def baseline(programs, folder):
-    """By program: how long it takes, and which mutants it reaches."""
-    known = {}
-    for program in programs:
-        file = folder / (program.name + ".reached")
-        file.unlink(missing_ok=True)
-        passed, seconds = test(program, 600, FENCEPOST_MUTANTS_REACHED=str(file))
-        if not passed:
-            sys.exit(f"{program.name} fails without a mutant: run {program}")
-        known[program] = (seconds, {int(line) for line in file.read_text().split()})
-    return known
-
-
-def judge(mutant, known):
-    """The test program that kills it, or None; and what was tried."""
-    reaching = sorted((seconds, program) for program, (seconds, reached) in known.items() if mutant["id"] in reached)
-    for seconds, program in reaching:
-        if not test(program, 5 * seconds + 5, FENCEPOST_MUTANT=str(mutant["id"]))[0]:
-            return program.name, len(reaching)
-    return None, len(reaching)
-
-
-def report(results, folder, seconds):
-    survivors = [result for result in results if result["killed_by"] is None]
-    lines = [f"{mutant['file']}:{mutant['line']}: {mutant['what']}" + ("" if mutant["programs"] else " (no test reaches it)")
-             for mutant in sorted(survivors, key=lambda mutant: (mutant["file"], mutant["line"]))]
+def report(results, sources, folder):
+    survivors = sorted((result for result in results if result["killed_by"] is None), key=lambda mutant: (mutant["file"], mutant["line"]))
+    lines = []
+    for mutant in survivors:
+        text = (sources / mutant["file"]).read_text().splitlines()[mutant["line"] - 1].strip()
+        reached = f"{mutant['tests']} tests" if mutant["tests"] else "no test reaches it"
+        lines.append(f"{mutant['id']} {mutant['file']}:{mutant['line']}: {mutant['what']} ({reached}): {text}")
     (folder / "survivors.txt").write_text("".join(line + "\n" for line in lines))
     (folder / "results.json").write_text(json.dumps(results))
-    by_room = collections.Counter(), collections.Counter()
-    for result in results:
-        room = next(room for room in ROOMS if result["file"].startswith(room))
-        by_room[0][room] += 1
-        by_room[1][room] += result["killed_by"] is not None
     print("\n".join(lines))
-    for room in ROOMS:
-        print(f"{room:16} {by_room[1][room]:4} of {by_room[0][room]:4} killed")
+    print("\n".join(table(results, lambda result: next(room for room in ROOMS if result["file"].startswith(room)))))
+    print("\n".join(table(results, lambda result: result["operator"])))
     killed = len(results) - len(survivors)
-    unreached = sum(not mutant["programs"] for mutant in survivors)
-    print(f"{killed} of {len(results)} mutants killed, {100 * killed / len(results):.1f} %; {unreached} of the survivors are "
-          f"reached by no test; {seconds:.0f} s")
+    unreached = sum(not mutant["tests"] for mutant in survivors)
+    slow = sum(mutant["killed_by"] == judge.TOO_SLOW for mutant in results)
+    print(f"{killed} of {len(results)} mutants killed, {100 * killed / len(results):.1f} %; {slow} of them by taking too long; "
+          f"{unreached} of the survivors are reached by no test")
     return killed >= ENOUGH * len(results)
+
+
+def cpu_seconds():
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
 
 
 def main():
@@ -121,21 +121,41 @@ def main():
     parser.add_argument("--mutants", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--minutes", type=float, default=float("inf"))
+    parser.add_argument("--only", help="these mutants of FOLDER/mutants.json, not a sample")
     asked = parser.parse_args()
-    folder, tree = asked.folder.resolve(), asked.folder.resolve() / "tree"
-    copy(asked.sources.resolve(), tree)
-    mutate(tree, folder / "mutants.json")
-    programs = build(tree, folder, asked.jobs)
-    known = baseline(programs, folder)
-    mutants = json.loads((folder / "mutants.json").read_text())
-    chosen = random.Random(asked.seed).sample(mutants, min(asked.mutants, len(mutants)))
-    begun, results = time.monotonic(), []
+    sources, folder = asked.sources.resolve(), asked.folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    took = [(time.monotonic(), cpu_seconds(), "")]
+
+    def stage(name):
+        took.append((time.monotonic(), cpu_seconds(), name))
+        print(f"{name}: {took[-1][0] - took[-2][0]:.0f} s, {took[-1][1] - took[-2][1]:.0f} s of CPU", flush=True)
+
+    copy_mutated(sources, folder)
+    stage("mutating")
+    programs = build(folder, asked.jobs)
+    stage("building")
+    known, none = judge.baseline(programs, folder, asked.jobs)
+    stage(f"{len(known)} tests without a mutant")
+    mutants = [mutant for mutant in json.loads((folder / "mutants.json").read_text()) if mutant["id"] not in none]
+    if asked.only:
+        only = set(map(int, asked.only.split(",")))
+        chosen = [mutant for mutant in mutants if mutant["id"] in only]
+    else:
+        chosen = random.Random(asked.seed).sample(mutants, min(asked.mutants, len(mutants)))
+    jury, results = judge.Jury(known), []
+    until = time.monotonic() + 60 * asked.minutes
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        for mutant, (killer, tried) in zip(chosen, pool.map(lambda mutant: judge(mutant, known), chosen)):
-            results.append({**mutant, "killed_by": killer, "programs": tried})
+        verdicts = pool.map(lambda mutant: jury.verdict(mutant) if time.monotonic() < until else None, chosen)
+        for mutant, verdict in zip(chosen, verdicts):
+            if verdict is not None:
+                results.append({**mutant, **verdict})
             if len(results) % 50 == 0:
-                print(f"{len(results)} of {len(chosen)}, {time.monotonic() - begun:.0f} s", file=sys.stderr)
-    return 0 if report(results, folder, time.monotonic() - begun) else 1
+                print(f"{len(results)} of {len(chosen)} after {time.monotonic() - took[-1][0]:.0f} s", file=sys.stderr, flush=True)
+    good = report(results, sources, folder)
+    stage(f"judging {len(results)} of {len(chosen)} drawn from {len(mutants)} mutants by seed {asked.seed}")
+    return 0 if good else 1
 
 
 if __name__ == "__main__":

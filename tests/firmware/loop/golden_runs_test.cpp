@@ -1,0 +1,147 @@
+// Golden runs: the bundled recordings through the whole loop of each profile have to end in the same state and to have
+// said the same lines as when golden_runs.csv was written. The digest of a state may change only where the changelog
+// says so (digest.md), what is said only on purpose: FENCEPOST_GOLDEN=FOLDER writes golden_runs.csv anew there, and
+// beside it all that was said, to be compared.
+#include <gtest/gtest.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "hal/base/fnv1a.hpp"
+#include "tests/firmware/loop/desk.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct Run {
+  const char* name;
+  const char* recording;
+  console::Mode mode;
+  const char* first;             ///< typed before the recording
+  unsigned harmed = 0;           ///< one byte of each so many lines is another
+  unsigned lost = 0;             ///< each so many lines is not sent
+  const char* camera = nullptr;  ///< instead of the recording's
+};
+using console::Mode;
+constexpr const char* kPitched =
+    "FPCAM,pixy2.1,316,208,188.00,188.00,157.50,103.50,0.0000,0.1400,0.0000,0.1200,0.0000,0.3000,0.0500";
+constexpr Run kRuns[] = {
+    {"approach", "approach_stop", Mode::kLog, ""},
+    {"approach told", "approach_stop", Mode::kText, "alerts on\r"},
+    {"approach plotted", "approach_stop", Mode::kPlot, ""},
+    {"approach wide", "approach_stop", Mode::kText, "set robot.width 0.5\rset robot.front 0.3\rset robot.rear 0.1\r"},
+    {"approach quick", "stop_pixy2", Mode::kLog, "set alert.rate 20\rset alert.ttc_warn 9\rset alert.warn 0.9\r"},
+    {"cmucam2", "stop_cmucam2", Mode::kLog, ""},
+    {"nxtcam", "stop_nxtcam", Mode::kText, "set confirm.k 1\rset confirm.n 4\r"},
+    {"pixy2", "stop_pixy2", Mode::kText, ""},
+    {"arc", "blocks_arc", Mode::kLog, ""},
+    {"arc corrected", "blocks_arc", Mode::kText, "set correct.pose on\r"},
+    {"arc uncorrected", "noisy_arc", Mode::kLog, "set correct.pose off\r"},
+    {"noisy arc", "noisy_arc", Mode::kText, "calibrate\r"},
+    {"noisy arc corrected", "noisy_arc", Mode::kLog,
+     "set correct.pose on\rset correct.drift 10\rset camera.noise 1.5\r"},
+    {"noisy arc with losses", "noisy_arc", Mode::kLog, "set correct.pose on\r", 13, 5},
+    {"corridor", "corridor", Mode::kLog, "set correct.pose on\r"},
+    {"corridor told", "corridor", Mode::kText, "set robot.margin 0.3\r"},
+    {"corridor with losses", "corridor", Mode::kText, "", 11, 7},
+    {"corridor pitched", "corridor", Mode::kLog, "", 0, 0, kPitched},
+    {"car", "wro_lap", Mode::kLog, ""},
+    {"car told", "wro_lap", Mode::kText, "set gyro.bias 0.5\rcalibrate\r"},
+    {"car with losses", "wro_lap", Mode::kLog, "set correct.pose on\r", 17, 9},
+    {"car pitched", "wro_lap", Mode::kText, "", 0, 0, kPitched},
+};
+// What is asked at the end of each.
+constexpr const char* kQuestions[] = {"status", "objects", "map", "next", "next 1", "sectors", "calibrate"};
+constexpr const char* kTable = "/tests/firmware/loop/golden_runs.csv";
+
+std::uint64_t digest_of(const std::string& text) {
+  base::Fnv1a64 hash;
+  for (const char c : text) hash.u8(static_cast<std::uint8_t>(c));
+  return hash.value();
+}
+
+// A setting of a log as the console takes it.
+std::string typed(const std::string& setting) {
+  const std::size_t comma = setting.find(',', 7);
+  return "set " + setting.substr(7, comma - 7) + " " + setting.substr(comma + 1, setting.find('*') - comma - 1);
+}
+
+// The clock runs with the records.
+template <class Profile>
+std::string drive(const Run& run, std::string& state) {
+  Desk<Profile> desk(run.mode);
+  std::string said = desk.type(run.first);
+  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + std::string(run.recording) + ".log");
+  unsigned number = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("$FPHDR")) continue;  // the desk has begun its own run
+    if (run.camera != nullptr && line.starts_with("$FPCAM")) line = record::sealed(run.camera);
+    if (line.starts_with("$FPCFG,")) line = typed(line);
+    const bool timed = line.starts_with("$FPODO") || line.starts_with("$FPCAR") || line.starts_with("$FPFRM");
+    if (timed) desk.now = std::max(desk.now, base::Time::nearest(std::strtod(line.c_str() + 7, nullptr)));
+    number += timed ? 1U : 0U;
+    if (timed && run.lost != 0 && number % run.lost == 0) continue;
+    if (timed && run.harmed != 0 && number % run.harmed == 0) line[line.size() / 2] = '#';
+    desk.link.type(line + "\n");
+    desk.turn();
+    said += desk.link.take_said();
+  }
+  EXPECT_GT(number, 90U) << run.recording;
+  for (int i = 0; i < 3; ++i) {  // nothing comes any more
+    desk.now = desk.now + base::milliseconds(700);
+    desk.turn();
+    said += desk.link.take_said();
+  }
+  for (const char* question : kQuestions) said += desk.type_line(question);
+  char digest[20];
+  std::snprintf(digest, sizeof digest, "%016" PRIx64, desk.memory().map.digest());
+  state = digest;
+  return said;
+}
+
+std::map<std::string, std::string> table() {
+  std::ifstream file(FENCEPOST_SOURCE_DIR + std::string(kTable));
+  std::map<std::string, std::string> rows;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t key = line.find(',', line.find(',') + 1);
+    if (key != std::string::npos) rows[line.substr(0, key)] = line.substr(key + 1);
+  }
+  return rows;
+}
+
+std::string driven(std::string_view profile, const Run& run, std::string& state) {
+  if (profile == "micro") return drive<config::Micro>(run, state);
+  if (profile == "small") return drive<config::Small>(run, state);
+  return drive<config::Full>(run, state);
+}
+
+class GoldenRuns : public testing::TestWithParam<std::tuple<const char*, Run>> {};
+
+TEST_P(GoldenRuns, EndsInTheSameStateAndSaysTheSame) {
+  const auto& [profile, run] = GetParam();
+  std::string state;
+  const std::string said = driven(profile, run, state);
+  const std::string key = std::string(profile) + "," + run.name;
+  char row[40];
+  std::snprintf(row, sizeof row, "%s,%016" PRIx64, state.c_str(), digest_of(said));
+  if (const char* folder = std::getenv("FENCEPOST_GOLDEN")) {
+    std::ofstream(std::string(folder) + "/golden_runs.csv", std::ios::app) << key << "," << row << "\n";
+    std::ofstream(std::string(folder) + "/" + key + ".txt") << said;
+  }
+  EXPECT_EQ(row, table()[key]) << key << ": state, and what was said; see the head of this file";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenRuns,
+                         testing::Combine(testing::Values("micro", "small", "full"), testing::ValuesIn(kRuns)));
+
+TEST(GoldenRunsTable, HasARowForEachRunAndNoOther) { EXPECT_EQ(table().size(), 3 * std::size(kRuns)); }
+
+}  // namespace
+}  // namespace fencepost::test
