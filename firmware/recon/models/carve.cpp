@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hal/base/vectors.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -58,12 +60,7 @@ void cut_rows(const Boundary& b, std::int16_t* end, int row, int row_end) {
 
 }  // namespace
 
-// For both kinds of a desk's processor, of which the program takes the right one when it starts: eight rows at a time
-// instead of four. Sanitizers are not ready so early.
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(FENCEPOST_NO_CLONES)
-__attribute__((target_clones("avx2", "default")))
-#endif
+FENCEPOST_FOR_EACH_PROCESSOR
 void carve_half_plane(SolidRows rows, std::size_t columns, std::size_t row_begin, std::size_t row_end,
                       const GridPlacement& placement, const HalfPlane& half_plane) {
   const float nx = half_plane.normal.x();

@@ -14,18 +14,25 @@ namespace fencepost::recon {
 /// within kOutlierReach, or kOutlierSigmas: Lout = (1 - kInlierShare) [farther_out if residual > 0] / max(reach,
 /// sigmas). Returns Lin / (Lin + Lout). `residual`, `sigma` in m; `farther_out`: how likely an outlier farther out than
 /// the model is against one inside it.
-inline float inlier_share(float residual, float sigma, float farther_out = kFartherOutliers) {
+inline float inlier_share_by(float likely, float residual, float sigma, float farther_out) {
   constexpr float kSqrtTwoPi = 2.5066283F;
   constexpr float kInlier = kInlierShare / kSqrtTwoPi;
   constexpr float kOutlier = 0.1F;
   static_assert(kInlierShare + kOutlier == 1.0F);
   constexpr float kPerReach = 1.0F / kOutlierReach;
   constexpr float kPerSigmas = 1.0F / kOutlierSigmas;
-  const float z = residual / sigma;
-  const float good = kInlier * base::exp_minus(0.5F * z * z);
+  const float good = kInlier * likely;
   const float reach = sigma * kPerReach < kPerSigmas ? sigma * kPerReach : kPerSigmas;
   const float bad = kOutlier * (residual > 0 ? farther_out : 1.0F) * reach;
   return good / (good + bad);
+}
+/// `likely` is exp(-this).
+inline float inlier_exponent(float residual, float sigma) {
+  const float z = residual / sigma;
+  return 0.5F * z * z;
+}
+inline float inlier_share(float residual, float sigma, float farther_out = kFartherOutliers) {
+  return inlier_share_by(base::exp_minus(inlier_exponent(residual, sigma)), residual, sigma, farther_out);
 }
 
 /// m. A sigma, and by how much the model itself is off; 0: as it was, to the last bit.

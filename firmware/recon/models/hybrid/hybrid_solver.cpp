@@ -194,20 +194,13 @@ void HybridSolver<kSectors, kOrder>::publish(HybridType& hybrid) {
 
 template <std::size_t kSectors, std::size_t kOrder>
 void HybridSolver<kSectors, kOrder>::finish(HybridType& hybrid, const Vec2& center, float spread) {
-  hybrid.sigmas = sigmas_;
-  hybrid.spread = encode_sigma(std::sqrt(spread));
-  hybrid.refusal = HybridRefusal::kNone;
-  hybrid.fitting = false;
-  recentre(hybrid, hybrid.clusters, hybrid.offsets, center);
-  hybrid.known_well = hybrid.outline().known_well();
-  hybrid.large = hybrid.outline().radius() > kFitsAny;
+  take_fit(hybrid, sigmas_, center, spread);
   stage_ = Stage::kDone;
 }
 
 template <std::size_t kSectors, std::size_t kOrder>
 void HybridSolver<kSectors, kOrder>::refuse(HybridType& hybrid) {
-  if (hybrid.refusal != HybridRefusal::kNone) hybrid.refusal = HybridRefusal::kIllConditioned;
-  hybrid.fitting = false;
+  refuse_fit(hybrid);
   stage_ = Stage::kDone;
 }
 

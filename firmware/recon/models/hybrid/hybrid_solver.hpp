@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -86,6 +87,25 @@ class HybridSolver {
 
 /// Moves the local frame so that `center` becomes its origin, to the next kOffsetStep.
 void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offsets, const Vec2& center);
+
+/// The end of a fit whose offsets are in `hybrid` already, in the old local frame.
+template <std::size_t kSectors>
+void take_fit(Hybrid<kSectors>& hybrid, const std::array<std::uint8_t, kSectors>& sigmas, const Vec2& center,
+              float spread) {
+  hybrid.sigmas = sigmas;
+  hybrid.spread = encode_sigma(std::sqrt(spread));
+  hybrid.refusal = HybridRefusal::kNone;
+  hybrid.fitting = false;
+  recentre(hybrid, hybrid.clusters, hybrid.offsets, center);
+  hybrid.known_well = hybrid.outline().known_well();
+  hybrid.large = hybrid.outline().radius() > kFitsAny;
+}
+
+/// The end of one that is ill-conditioned: the outline stays.
+inline void refuse_fit(HybridCore& core) {
+  if (core.refusal != HybridRefusal::kNone) core.refusal = HybridRefusal::kIllConditioned;
+  core.fitting = false;
+}
 
 extern template class HybridSolver<64, 3>;
 extern template class HybridSolver<32, 5>;

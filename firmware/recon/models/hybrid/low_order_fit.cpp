@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/recon/models/hybrid/triangle.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
 #include "firmware/recon/models/tuning.hpp"
 
 namespace fencepost::recon {
-namespace {
-
-constexpr SpreadPrior kLowOrderSpread{.weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
-
-std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
-
-}  // namespace
-
 void series_basis(const Vec2& direction, std::span<float> basis) {
   basis[0] = 1;
   Vec2 multiple = direction;
@@ -25,33 +18,25 @@ void series_basis(const Vec2& direction, std::span<float> basis) {
   }
 }
 
-bool factorise_row(std::span<float> matrix, std::size_t i) {
-  float* row = &matrix[row_of(i)];
-  const float diagonal = row[i];
-  for (std::size_t j = 0; j < i; ++j) {
-    const float* other = &matrix[row_of(j)];
-    for (std::size_t k = 0; k < j; ++k) row[j] -= row[k] * other[k];
-    row[j] /= other[j];
-    row[i] -= row[j] * row[j];
-  }
-  if (!(row[i] > kLeastPivot * diagonal)) return false;
-  row[i] = std::sqrt(row[i]);
-  return true;
-}
+bool factorise_row(std::span<float> matrix, std::size_t i) { return factorise_triangle_row<float>(matrix, i); }
+void solve_lower(std::span<const float> factor, std::span<float> b) { solve_lower_triangle<float, float>(factor, b); }
+void solve_upper(std::span<const float> factor, std::span<float> b) { solve_upper_triangle<float, float>(factor, b); }
 
-void solve_lower(std::span<const float> factor, std::span<float> b) {
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const float* row = &factor[row_of(i)];
-    for (std::size_t k = 0; k < i; ++k) b[i] -= row[k] * b[k];
-    b[i] /= row[i];
-  }
-}
-
-void solve_upper(std::span<const float> factor, std::span<float> b) {
-  for (std::size_t i = b.size(); i-- > 0;) {
-    const float* row = &factor[row_of(i)];
-    b[i] /= row[i];
-    for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * b[i];
+void add_series_priors(const RadiusPrior& prior, std::size_t order, std::span<const float> x, std::span<float> matrix,
+                       std::span<float> rhs) {
+  const auto add_prior = [&](std::size_t i, float mean, float sigma) {
+    const float weight = 1.0F / (sigma * sigma);
+    matrix[row_of(i) + i] += weight;
+    rhs[i] += weight * (mean - x[i]);
+  };
+  add_prior(0, prior.mean, prior.sigma);
+  add_prior(1, 0, kCenterSigma);
+  add_prior(2, 0, kCenterSigma);
+  const float radius = std::clamp(x[0], kLeastRadius, kLargestPrior);
+  for (std::size_t m = 2; m <= order; ++m) {
+    const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
+    add_prior(2 * m - 1, 0, sigma);
+    add_prior(2 * m, 0, sigma);
   }
 }
 
@@ -101,24 +86,6 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
     rhs_[i] += weighted * residual;
     *entry++ += weighted;
     for (std::size_t j = 1; j <= i; ++j) *entry++ += weighted * used[j];
-  }
-}
-
-template <std::size_t kOrder>
-void LowOrderFit<kOrder>::add_priors() {
-  const auto add_prior = [&](std::size_t i, float mean, float sigma) {
-    const float weight = 1.0F / (sigma * sigma);
-    matrix_[row_of(i) + i] += weight;
-    rhs_[i] += weight * (mean - x_[i]);
-  };
-  add_prior(0, radius_.mean, radius_.sigma);
-  add_prior(1, 0, kCenterSigma);
-  add_prior(2, 0, kCenterSigma);
-  const float radius = std::clamp(x_[0], kLeastRadius, kLargestPrior);
-  for (std::size_t m = 2; m <= order_; ++m) {
-    const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
-    add_prior(2 * m - 1, 0, sigma);
-    add_prior(2 * m, 0, sigma);
   }
 }
 

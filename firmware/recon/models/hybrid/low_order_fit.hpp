@@ -28,6 +28,14 @@ void solve_lower(std::span<const float> factor, std::span<float> b);
 /// L' x = b, in place.
 void solve_upper(std::span<const float> factor, std::span<float> b);
 
+/// What is known of a series before anything is seen, as far as its coefficients `x` are from it: into the packed
+/// matrix and the right side.
+void add_series_priors(const RadiusPrior& prior, std::size_t order, std::span<const float> x, std::span<float> matrix,
+                       std::span<float> rhs);
+
+inline constexpr SpreadPrior kLowOrderSpread{
+    .weight = 4.0F, .expected = 3.0F, .freedoms = 4.0F, .least = 0.05F, .most = 9.0F};
+
 /// h at a direction, and its standard deviation as the last pass knows it.
 struct SeriesValue {
   float offset = 0;
@@ -49,7 +57,7 @@ class LowOrderFit {
   /// as long as nothing is doubted.
   void add(ConstClusters clusters, std::size_t index, bool trusted);
   /// All tangents are in: the priors.
-  void begin_solution() { add_priors(); }
+  void begin_solution() { add_series_priors(radius_, order_, x_, matrix_, rhs_); }
   /// Row i = 0 .. unknowns() - 1, in this order. False: ill-conditioned; nothing changes.
   [[nodiscard]] bool factorise(std::size_t i) { return factorise_row(matrix_, i); }
   /// Solves the pass, after the last row.
@@ -62,8 +70,6 @@ class LowOrderFit {
   [[nodiscard]] float spread() const { return spread_; }  ///< square of how much larger residuals are than sigmas say
 
  private:
-  void add_priors();
-
   std::array<float, packed_size(kUnknowns)> matrix_{};
   std::array<float, kUnknowns> rhs_{};
   std::array<float, kUnknowns> x_{};

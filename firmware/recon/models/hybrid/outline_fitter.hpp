@@ -6,6 +6,9 @@
 #include <span>
 
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
+#include "firmware/recon/models/hybrid/outline_batch.hpp"
+#include "hal/base/fixed.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 
@@ -24,11 +27,7 @@ class OutlineFitter {
   [[gnu::noinline]] void fit(Table& table, bool due) {
     auto& objects = table.objects();
     if constexpr (Profile::kHybridSteps == 0) {
-      for (auto& object : objects) {
-        if (!object.used() || !object.hybrid().news) continue;
-        solver_.solve(object.hybrid(), object.cylinder.known_radius());
-        object.note_outline();
-      }
+      fit_all(objects);
     } else {
       // The object in that slot is not the one that the fit was begun with, or its models began again.
       for (const auto& event : table.events()) {
@@ -43,6 +42,36 @@ class OutlineFitter {
   }
 
  private:
+  template <class Objects>
+  void fit_all(Objects& objects) {
+    for (auto& object : objects) {
+      if (!object.used() || !object.hybrid().news) continue;
+      if (base::kLaneVectors && OutlineBatch::takes(object.hybrid())) continue;
+      solver_.solve(object.hybrid(), object.cylinder.known_radius());
+      object.note_outline();
+    }
+    if constexpr (base::kLaneVectors) fit_together(objects);
+  }
+
+  // Those with news that are left, a few at a time.
+  template <class Objects>
+  static void fit_together(Objects& objects) {
+    OutlineBatch batch;
+    base::FixedVector<typename Objects::value_type*, kLanes> taken;
+    const auto solve = [&] {
+      batch.solve();
+      for (auto* object : taken) object->note_outline();
+      taken.clear();
+    };
+    for (auto& object : objects) {
+      if (!object.used() || !object.hybrid().news) continue;
+      batch.add(object.hybrid(), object.cylinder.known_radius());
+      static_cast<void>(taken.push_back(&object));
+      if (taken.full()) solve();
+    }
+    solve();
+  }
+
   // False: nobody has news.
   template <class Objects>
   bool go_on(Objects& objects) {

@@ -12,8 +12,6 @@ namespace {
 
 static_assert(kRing == kDirections);
 
-constexpr SpreadPrior kSupportSpread{.weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
-
 std::size_t next(std::size_t k) { return (k + 1) % kRing; }
 std::size_t previous(std::size_t k) { return (k + kRing - 1) % kRing; }
 

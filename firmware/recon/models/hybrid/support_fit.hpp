@@ -12,6 +12,9 @@
 
 namespace fencepost::recon {
 
+inline constexpr SpreadPrior kSupportSpread{
+    .weight = 8.0F, .expected = 0.6F, .freedoms = 12.0F, .least = 0.02F, .most = 9.0F};
+
 /// Between two neighbours h follows the vertex there: h = [sin(D - t) h_k + sin t h_k+1] / sin D, exactly. The side of
 /// direction k has the length (h_k-1 - 2 cos D h_k + h_k+1) / sin D. Solved for as a correction of what is there.
 class SupportFit {

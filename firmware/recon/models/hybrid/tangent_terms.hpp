@@ -1,0 +1,114 @@
+// All tangents of an outline side by side, for processors that handle several numbers at a time: what
+// LowOrderFit::add() and SupportFit::add() do to one after the other, to the same bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "firmware/recon/models/hybrid/cyclic_band.hpp"
+#include "firmware/recon/models/hybrid/low_order_fit.hpp"
+#include "firmware/recon/models/hybrid/sector_store.hpp"
+#include "firmware/recon/models/inlier.hpp"
+
+namespace fencepost::recon {
+
+inline constexpr std::size_t kMostTangents = kClustersPerSector * kRing;
+using TangentRow = std::array<float, kMostTangents>;
+
+/// What is the same in every pass, of each tangent in its place. Places without one have a weight of nothing.
+struct TangentColumns {
+  alignas(64) TangentRow offset;   ///< m
+  alignas(64) TangentRow sigma;    ///< m
+  alignas(64) TangentRow counted;  ///< its views times its standing
+  alignas(64) TangentRow is_edge;  ///< 1; 0: it says `at least`
+  alignas(64) TangentRow least;    ///< m: a residual that is no larger does not count
+  alignas(64) TangentRow firm;     ///< m: nor in a pass that doubts nothing
+  alignas(64) TangentRow certain;  ///< m: a residual that is larger is not doubted
+
+  void put(std::size_t place, const Cluster& cluster, float standing_of_it);
+  void leave_out(std::size_t place);
+};
+
+/// What a pass makes of them.
+struct TangentTerms {
+  alignas(64) TangentRow residual;
+  alignas(64) TangentRow weight;
+  alignas(64) TangentRow share;   ///< of Spread::weight
+  alignas(64) TangentRow square;  ///< of Spread::squares
+};
+
+/// How sigmas count in a pass.
+struct Widening {
+  float scale;   ///< times so much
+  float misfit;  ///< m
+};
+
+inline constexpr std::size_t kSeries = series_size(3);
+
+/// Support values of a ring, m, the first of which comes again at the end.
+using RingOffsets = std::array<float, kRing + 1>;
+
+/// The tangents of a series of order 3: those in use, in their order.
+struct SeriesTangents {
+  /// A tangent's functions, and its residual in the last place.
+  struct alignas(32) Functions {
+    std::array<float, kSeries + 1> at;
+  };
+
+  std::size_t count = 0;
+  std::size_t edges = 0;
+  TangentColumns columns;
+  alignas(64) std::array<TangentRow, kSeries> basis;
+  std::array<Functions, kMostTangents> functions;
+
+  void gather(ConstClusters clusters);
+};
+
+/// The sums that LowOrderFit::add() makes: packed lower triangle, right side, spread.
+struct SeriesSums {
+  std::array<float, packed_size(kSeries)> matrix;
+  std::array<float, kSeries> rhs;
+  Spread spread;
+};
+
+/// One pass over all tangents. `trusted`: none is doubted.
+void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, const Widening& widening, bool trusted,
+                SeriesSums& sums);
+
+/// LowOrderFit::at() at all nodes of a ring.
+void series_around(const std::array<float, kSeries>& x, const std::array<float, packed_size(kSeries)>& factor,
+                   RingOffsets& offsets, std::array<std::uint8_t, kRing>& sigmas);
+
+/// The tangents of a support polygon: place k is the first of sector k, place kRing + k its second.
+struct RingTangents {
+  TangentColumns columns;
+  alignas(64) TangentRow first;   ///< share of the support value at the beginning of the sector
+  alignas(64) TangentRow second;  ///< at its end
+
+  void gather(ConstClusters clusters);
+};
+
+/// The equations of a ring.
+struct RingEquations {
+  using Column = std::array<float, kRing>;
+  alignas(64) Column diagonal;
+  alignas(64) Column first;
+  alignas(64) Column second;
+  alignas(64) Column rhs;
+};
+
+/// One pass over all tangents, from nothing but SupportFit's hold on its diagonal. `terms` are left for the spread.
+void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Widening& widening,
+              RingEquations& equations, TangentTerms& terms);
+
+/// What is known of the sides: SupportFit::add_side() for all of them.
+struct RingSides {
+  float round_side;  ///< m, of a round outline
+  float weight;
+  bool polygonal;
+};
+void add_sides(const RingOffsets& offsets, const RingSides& sides, RingEquations& equations);
+
+}  // namespace fencepost::recon
