@@ -12,6 +12,7 @@
 #include "host/calibrate/calibration_text.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -114,7 +115,7 @@ Exit run(CalibrateRequest request) {
   const std::string base = request.robot.empty() ? "" : read_input(request.robot);
   std::optional<Progress> progress("calibrating");
   request.options.progress = [&](double share) { progress->at(share, 1); };
-  const CalibrateOutcome outcome = calibrate(read_input(request.log), input_name(request.log), request.options);
+  const CalibrateOutcome outcome = calibrate(read_log(request.log), input_name(request.log), request.options);
   progress.reset();
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   if (!outcome.calibration) throw Failure(outcome.usage ? Exit::kUsage : Exit::kUnreadable, outcome.refusal);

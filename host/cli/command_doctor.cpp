@@ -6,6 +6,7 @@
 #include "host/cli/command.hpp"
 #include "host/cli/doctor_ports.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/replay_run.hpp"
 #include "host/devices/catalogue.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/doctor/log/compare.hpp"
@@ -34,7 +35,11 @@ std::vector<sensor::CameraIntrinsics> makers() {
   return known;
 }
 
-LogSurvey survey(const std::string& path) { return doctor::survey_log(read_input(path), input_name(path)); }
+LogSurvey survey(const std::string& path) {
+  LogInput input(path);
+  ReplayProgress progress(input);
+  return doctor::survey_log([&] { return progress.next(); }, input_name(path));
+}
 
 std::string log_text(const LogSurvey& log, const doctor::Findings& findings) {
   const std::string list = doctor::findings_text(findings);

@@ -8,6 +8,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -70,7 +71,7 @@ Exit run(MergeRequest request) {
   std::vector<RunMap> runs;
   std::vector<std::string> bytes;  // the runs point into them
   std::uint64_t all = 0;
-  for (const std::string& log : request.logs) all += bytes.emplace_back(read_input(log)).size();
+  for (const std::string& log : request.logs) all += bytes.emplace_back(read_log(log)).size();
   std::optional<Progress> progress("merging");
   std::uint64_t done = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {

@@ -211,7 +211,16 @@ std::string own_log(const MonitorRequest& request) {
   if (!request.camera.empty()) options.camera = read_camera(request.camera);
   std::string log;
   options.log = [&](std::string_view line) { log += line; };
-  say_what_was_left_out(replay_file(request.what, options));
+  options.most_poses = 2;
+  LogInput input(request.what);
+  ReplayProgress progress(input);
+  const auto next = [&] {
+    if (log.size() > kMostWhole) refuse_long_log(request.what);
+    return progress.next();
+  };
+  const ReplayOutcome outcome = replay(next, input_name(request.what), options);
+  if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
+  say_what_was_left_out(outcome);
   return log;
 }
 

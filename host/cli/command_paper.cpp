@@ -10,6 +10,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -85,7 +86,7 @@ std::optional<PaperRun> recorded_run(const PaperRequest& request) {
     throw Failure(Exit::kUsage, "--log and --scene belong together: a run, and the truth about it");
   }
   const Scene scene = read_scene(request.scene);
-  PaperRun run{fs::path(request.log).filename().string(), tour_of_log(read_input(request.log), scene)};
+  PaperRun run{fs::path(request.log).filename().string(), tour_of_log(read_log(request.log), scene)};
   if (!request.images.empty()) run.tour.photograph = photographs(request.images, run.tour);
   return run;
 }

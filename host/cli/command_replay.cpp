@@ -96,6 +96,13 @@ Exit judge(const CheckOutcome& check) {
                     check.differing, check.compared));
     return Exit::kCheckFailed;
   }
+  if (check.damaged > 0) {
+    say(fmt::format(
+        "check failed: {} of the robot's own records cannot be read, first in line {}; what they said is not "
+        "compared. Check cable and card, and record again",
+        check.damaged, check.first_damaged));
+    return Exit::kCheckFailed;
+  }
   if (check.compared == 0) {
     say("check failed: nothing to compare; record in console mode log, which writes FPOBJ, FPALR and FPDIG");
     return Exit::kCheckFailed;
@@ -108,7 +115,8 @@ Exit judge(const CheckOutcome& check) {
 Exit run_difference(const ReplayRequest& request) {
   if (!request.log.empty()) throw Failure(Exit::kUsage, "--diff has its two logs behind it; leave out " + request.log);
   const auto survey = [](const std::string& path) {
-    doctor::LogSurvey log = doctor::survey_log(read_input(path), input_name(path));
+    LogInput input(path);
+    doctor::LogSurvey log = doctor::survey_log([&] { return input.next(); }, input_name(path));
     if (log.replayed.unreadable) throw Failure(Exit::kUnreadable, log.replayed.unreadable->message);
     return log;
   };
@@ -159,8 +167,9 @@ Action configure_replay(CLI::App& app) {
   app.add_option("--sides", request->sides, "the same, and where each has to be passed; exit 1 if one was not")
       ->type_name("NAME=left|right,...")
       ->delimiter(',');
-  app.add_flag("--check", request->options.check,
-               "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if not");
+  app.add_flag(
+      "--check", request->options.check,
+      "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if they differ or are damaged");
   app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
   app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
   app.add_option("--frames", request->options.frames, "stop after the N-th frame record")

@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 
-#include "firmware/record/encode.hpp"
+#include "host/cli/alert_spool.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/page_file.hpp"
 #include "host/cli/replay_run.hpp"
+#include "host/cli/report_logs.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/report/report.hpp"
+#include "host/result/thinned.hpp"
 #include "host/scene/load.hpp"
-#include "host/web/page.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -24,14 +24,14 @@ struct ReportRequest {
   std::string camera;
   std::string output;
   bool still = false;
+  bool whole = false;
   ReplayOptions options;
 };
 
-/// A log with its truth, and what its replay found.
-struct Reported {
-  GivenLog given;
-  std::optional<Scene> truth;
-  ReplayOutcome outcome;
+/// What is written, and what there is to say about it.
+struct Report {
+  std::string html;
+  std::vector<std::string> notes;
 };
 
 /// "logs/run.log" is "run": the report goes into the current folder.
@@ -40,51 +40,66 @@ std::string default_output(const std::vector<std::string>& logs) {
   return std::filesystem::path(logs.front()).stem().string() + ".html";
 }
 
-std::string title_of(const std::string& log) {
-  return log == "-" ? input_name("-") : std::filesystem::path(log).filename().string();
-}
-
-std::string line_of(const sensor::CameraIntrinsics& camera) {
-  std::array<char, record::kMaxLine> line{};
-  return {line.data(), record::encode(camera, line)};
-}
-
 Scene parsed_scene(const std::string& text, const std::string& path) {
   const LoadedScene scene = parse_scene(text, input_name(path));
   if (!scene.ok()) throw Failure(Exit::kUnreadable, scene.error().message());
   return *scene;
 }
 
-Reported report_of(const ReportRequest& request, std::size_t which) {
-  const std::string& path = request.logs[which];
-  Reported log{{title_of(path), {}, std::nullopt}, std::nullopt, {}};
-  if (!request.scenes.empty()) {
-    log.given.scene = read_input(request.scenes[which]);
-    log.truth = parsed_scene(*log.given.scene, request.scenes[which]);
+std::string thinned_to_fit(const std::string& said) {
+  return fmt::format("thinned to fit {} MB: {}", kMostReport / 1'000'000, said);
+}
+
+/// Without script, of one log.
+Report still_report(const ReportRequest& request) {
+  constexpr std::size_t kMostAlerts = 2'500;  // in a table and a drawing: half of what there is room for
+  std::optional<Scene> truth;
+  if (!request.scenes.empty()) truth = parsed_scene(read_input(request.scenes.front()), request.scenes.front());
+  AlertSpool alerts;
+  ReplayOptions options = request.options;
+  options.alerts = &alerts;
+  ReplayOutcome outcome = replay_file(request.logs.front(), options);
+  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMostAlerts);
+  outcome.result.alerts = std::move(kept.kept);
+  Report report;
+  ReportOptions shown{title_of(request.logs.front()), "fencepost " FENCEPOST_VERSION};
+  if (outcome.result.alerts.size() < kept.all) {
+    const std::string said = thinned_to_fit(
+        fmt::format("{} of {} alerts, of those that follow each other faster than can be drawn the worst",
+                    outcome.result.alerts.size(), kept.all));
+    shown.note = said + "; all of them: fencepost replay";
+    report.notes.push_back(said);
   }
-  log.given.log = read_input(path);
-  if (request.options.camera) log.given.log = with_calibration(log.given.log, line_of(*request.options.camera));
-  log.outcome = replay(log.given.log, input_name(path), request.options);
-  return log;
+  report.html = write_report(outcome.result, truth, shown);
+  for (const std::string& line : what_was_left_out(outcome)) report.notes.push_back(line);
+  return report;
 }
 
 // The page shows one that cannot be replayed with its reason, beside others that can.
-std::vector<Reported> reports_of(const ReportRequest& request) {
-  std::vector<Reported> all;
-  for (std::size_t i = 0; i < request.logs.size(); ++i) all.push_back(report_of(request, i));
-  const auto unreadable = [](const Reported& log) { return log.outcome.unreadable.has_value(); };
-  if (std::ranges::all_of(all, unreadable)) throw Failure(Exit::kUnreadable, all.front().outcome.unreadable->message);
-  return all;
-}
-
-std::string html_of(const ReportRequest& request, const std::vector<Reported>& logs) {
-  if (request.still) {
-    const Reported& log = logs.front();
-    return write_report(log.outcome.result, log.truth, {log.given.name, "fencepost " FENCEPOST_VERSION});
+Report page_report(const ReportRequest& request) {
+  ReportInputs inputs{request.logs, {}, request.options, request.whole};
+  inputs.scenes.resize(request.logs.size());
+  for (std::size_t i = 0; i < request.scenes.size(); ++i) {
+    inputs.scenes[i] = read_input(request.scenes[i]);
+    parsed_scene(*inputs.scenes[i], request.scenes[i]);
   }
+  std::vector<ReportedLog> logs = read_report_logs(inputs, empty_page_size());
+  const auto unreadable = [](const ReportedLog& log) { return log.outcome.unreadable.has_value(); };
+  if (std::ranges::all_of(logs, unreadable)) throw Failure(Exit::kUnreadable, logs.front().outcome.unreadable->message);
+  Report report;
   std::vector<GivenLog> given;
-  for (const Reported& log : logs) given.push_back(log.given);
-  return page_of_logs(given, request.options.profile);
+  for (ReportedLog& log : logs) {
+    const std::string name = logs.size() > 1 ? log.given.name : "";
+    if (log.outcome.unreadable) report.notes.push_back(log.outcome.unreadable->message);
+    if (!log.thinned.empty()) {
+      report.notes.push_back((name.empty() ? "" : name + ": ") + thinned_to_fit(log.thinned) +
+                             "; all of it: fencepost report --whole");
+    }
+    for (const std::string& line : what_was_left_out(log.outcome, name)) report.notes.push_back(line);
+    given.push_back(std::move(log.given));
+  }
+  report.html = page_of_logs(given, request.options.profile);
+  return report;
 }
 
 void check(const ReportRequest& request) {
@@ -98,6 +113,7 @@ void check(const ReportRequest& request) {
                                             request.logs.size(), request.scenes.size()));
   }
   if (!request.still) return;
+  if (request.whole) throw Failure(Exit::kUsage, "--whole is of the page, which replays the log; leave out --static");
   if (request.logs.size() > 1) {
     throw Failure(Exit::kUsage, "--static shows one log; without it the page shows several side by side");
   }
@@ -106,13 +122,14 @@ void check(const ReportRequest& request) {
 Exit run(ReportRequest request) {
   check(request);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
-  const std::vector<Reported> logs = reports_of(request);
+  const Report report = request.still ? still_report(request) : page_report(request);
   const std::string output = request.output.empty() ? default_output(request.logs) : request.output;
-  write_output(output, html_of(request, logs));
+  write_output(output, report.html);
   if (!is_standard_output(output)) say("wrote " + output + "; open it in a browser");
-  for (const Reported& log : logs) {
-    if (log.outcome.unreadable) say(log.outcome.unreadable->message);
-    say_what_was_left_out(log.outcome, logs.size() > 1 ? log.given.name : "");
+  for (const std::string& note : report.notes) say(note);
+  if (report.html.size() > kMostReport && !request.whole) {
+    say(fmt::format("it has {:.1f} MB, more than {}: give fewer logs, or a smaller scene",
+                    static_cast<double>(report.html.size()) / 1e6, kMostReport / 1'000'000));
   }
   return Exit::kDone;
 }
@@ -128,6 +145,10 @@ Action configure_report(CLI::App& app) {
   app.add_flag("--static", request->still,
                "a picture without any script instead, for paper, mail and browsers without WebAssembly: "
                "one log, and with --scene every model measured against the truth");
+  app.add_flag(
+      "--whole", request->whole,
+      "each log with every byte, however large the page becomes; default: at most 2 MB, of longer logs as much as "
+      "can be seen");
   app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
       ->check(CLI::IsMember({"micro", "small", "full"}));
   app.add_option("--camera", request->camera,

@@ -4,6 +4,7 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -40,7 +41,7 @@ Exit run(SmoothRequest request) {
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
   std::optional<Progress> progress("smoothing");
   request.options.progress = [&](double share) { progress->at(share, 1); };
-  const SmoothOutcome outcome = smooth(read_input(request.log), input_name(request.log), request.options);
+  const SmoothOutcome outcome = smooth(read_log(request.log), input_name(request.log), request.options);
   progress.reset();
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);

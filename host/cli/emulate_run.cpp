@@ -11,6 +11,7 @@
 #include "firmware/record/encode.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/devices/emulated.hpp"
@@ -109,7 +110,7 @@ void set_faults(std::vector<Device>& devices, const EmulateRequest& request) {
 Feed read_feed(const EmulateRequest& request) {
   const std::string& path = request.words.back();
   const std::string name = input_name(path);
-  const std::string bytes = read_input(path);
+  const std::string bytes = read_log_or_scene(path);
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   Feed feed;
   if (start != std::string::npos && bytes[start] == '{') {

@@ -77,7 +77,7 @@ SmoothEvaluation smooth_pair(const JudgeRequest& request, const std::string& log
   SmoothOptions options;
   options.profile = request.options.profile;
   options.camera = request.options.camera;
-  const SmoothOutcome outcome = smooth(read_input(log), log, options);
+  const SmoothOutcome outcome = smooth(read_log(log), log, options);
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);
   return evaluate_smoothed(*outcome.smoothed, scene, log);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -76,6 +77,45 @@ std::string_view LogInput::next() {
     }
     gunzip_->feed(more);
   }
+}
+
+void refuse_long_log(const std::string& path) {
+  throw Failure(Exit::kUnreadable,
+                input_name(path) + " has more than " + std::to_string(kMostWhole / 1'000'000) +
+                    " MB, too much to look at all of it at once; make a part of it: fencepost replay " +
+                    (path == "-" ? "LOG" : path) + " --from 0 --to 600 --write-log part.log");
+}
+
+std::string read_log(const std::string& path) {
+  constexpr std::size_t kLine = 2048;  // twice as long as a record may be
+  LogInput input(path);
+  std::string log;
+  std::size_t line = 0;  // its length in there
+  for (std::string_view part = input.next(); !part.empty(); part = input.next()) {
+    while (!part.empty()) {
+      const std::size_t end = std::min(part.find('\n'), part.size());
+      const std::string_view kept = part.substr(0, std::min(end, kLine - line));
+      log += kept;
+      line += kept.size();
+      if (end < part.size()) {
+        log += '\n';
+        line = 0;
+      }
+      part.remove_prefix(std::min(end + 1, part.size()));
+    }
+    if (log.size() > kMostWhole) refuse_long_log(path);
+  }
+  return log;
+}
+
+std::string read_log_or_scene(const std::string& path) {
+  LogInput input(path);
+  std::string all;
+  for (std::string_view part = input.next(); !part.empty(); part = input.next()) {
+    all += part;
+    if (all.size() > kMostWhole) refuse_long_log(path);
+  }
+  return all;
 }
 
 }  // namespace fencepost::host::cli

@@ -40,4 +40,13 @@ class LogInput {
   std::unique_ptr<Gunzip> gunzip_;
 };
 
+/// A log as commands have it that look at all of it at once: at most kMostWhole, and of a line that is longer than any
+/// record its beginning alone, which is counted as the whole would be. errors: Failure (kUnreadable): as LogInput, and
+/// one that is longer
+inline constexpr std::size_t kMostWhole = 64'000'000;
+std::string read_log(const std::string& path);
+/// The same for what may be a scene: no line is cut.
+std::string read_log_or_scene(const std::string& path);
+[[noreturn]] void refuse_long_log(const std::string& path);
+
 }  // namespace fencepost::host::cli

@@ -21,6 +21,8 @@ std::string page_of_logs(const std::vector<GivenLog>& logs, std::string_view pro
   return filled([&](const std::string& page) { return page_with(page, logs, profile); });
 }
 
+std::size_t empty_page_size() { return page_of_logs({}).size(); }
+
 std::string page_of_run(std::string_view name, std::string_view stream) {
   return filled([&](const std::string& page) { return page_of_stream(page, name, stream); });
 }

@@ -4,7 +4,6 @@
 
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
-#include "host/cli/progress.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
@@ -32,16 +31,17 @@ std::string megabytes(std::uint64_t bytes) { return fmt::format("{} MB", bytes /
 
 }  // namespace
 
+std::string_view ReplayProgress::next() {
+  const auto done = static_cast<double>(input_.position());
+  if (input_.size()) progress_.at(done, static_cast<double>(*input_.size()));
+  if (!input_.size()) progress_.at(megabytes(input_.position()));
+  return input_.next();
+}
+
 ReplayOutcome replay_input(LogInput& input, const std::string& path, ReplayOptions options) {
   if (!options.most_poses) options.most_poses = kPosesToShow;
-  Progress progress("replaying");
-  const LogSource source = [&] {
-    const auto done = static_cast<double>(input.position());
-    if (input.size()) progress.at(done, static_cast<double>(*input.size()));
-    if (!input.size()) progress.at(megabytes(input.position()));
-    return input.next();
-  };
-  ReplayOutcome outcome = replay(source, input_name(path), options);
+  ReplayProgress progress(input);
+  ReplayOutcome outcome = replay([&] { return progress.next(); }, input_name(path), options);
   if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
   return outcome;
 }

@@ -5,10 +5,22 @@
 #include <vector>
 
 #include "host/cli/log_input.hpp"
+#include "host/cli/progress.hpp"
 #include "host/replay/replay.hpp"
 #include "host/scene/scene.hpp"
 
 namespace fencepost::host::cli {
+
+/// The bytes of a log that is replayed, and how far it is, for whoever waits.
+class ReplayProgress {
+ public:
+  explicit ReplayProgress(LogInput& input) : input_(input) {}
+  std::string_view next();
+
+ private:
+  LogInput& input_;
+  Progress progress_{"replaying"};
+};
 
 /// In memory that does not grow with the log: of a long path as much as can be seen. errors: Failure (kUnreadable)
 ReplayOutcome replay_input(LogInput& input, const std::string& path, ReplayOptions options);

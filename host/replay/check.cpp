@@ -1,8 +1,46 @@
 #include "host/replay/check.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace fencepost::host {
+namespace {
+
+constexpr std::array kCompared = {record::Kind::kObject, record::Kind::kAlert, record::Kind::kHeartbeat,
+                                  record::Kind::kCalibrationDoubt, record::Kind::kDigest};
+
+/// "$FPALR,": the rest of it.
+std::optional<record::Kind> kind_after_prefix(std::string_view start) {
+  constexpr std::size_t kPrefix = record::kRecordStart.size();
+  for (std::size_t i = 0; i < record::kKinds; ++i) {
+    const auto kind = static_cast<record::Kind>(i);
+    const std::string_view rest = record::name(kind).substr(kPrefix - 1);
+    if (start.size() > kPrefix && start.substr(kPrefix).starts_with(rest) && start.ends_with(',')) return kind;
+  }
+  return std::nullopt;
+}
+
+/// One character of it may be damaged.
+bool nearly_begins(std::string_view start) {
+  if (start.size() < record::kRecordStart.size()) return false;
+  const auto wrong = std::ranges::mismatch(start, record::kRecordStart);
+  return wrong.in2 == record::kRecordStart.end() ||
+         std::equal(wrong.in2 + 1, record::kRecordStart.end(), wrong.in1 + 1);
+}
+
+}  // namespace
+
+void Check::unread(std::string_view start, const record::LineOutcome& line) {
+  if (line.use == record::LineUse::kRecord || !nearly_begins(start)) return;
+  const bool rejected = line.use == record::LineUse::kRejected;
+  if (rejected && (line.reject == record::Reject::kTruncated || line.reject == record::Reject::kFormat)) return;
+  const std::optional<record::Kind> kind = kind_after_prefix(start);
+  const bool compared = kind && std::ranges::find(kCompared, *kind) != kCompared.end();
+  // A damaged name may have been any; one that is whole and unknown is a newer version's.
+  const bool any = !kind && rejected && line.reject != record::Reject::kKind;
+  if (!compared && !any) return;
+  if (outcome_.damaged++ == 0) outcome_.first_damaged = line.line_number;
+}
 
 bool Check::agrees(const Logged& logged) const {
   const auto [first, last] = own_.equal_range(logged.key);

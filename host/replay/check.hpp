@@ -6,9 +6,11 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "firmware/record/encode.hpp"
+#include "firmware/record/line_reader.hpp"
 #include "host/replay/replay.hpp"
 
 namespace fencepost::host {
@@ -28,6 +30,11 @@ class Check {
   void own(const Record& record) {
     take_own(key_of(record), line_of(record));
   }
+
+  /// A line that is no record that can be read, by its first characters: counted if it was one of those that are
+  /// compared, as far as the damage lets one tell.
+  void unread(std::string_view start, const record::LineOutcome& line);
+  static constexpr std::size_t kStart = 7;  ///< characters of a line that it looks at: "$FPALR,"
 
   /// Compares what waits yet of this run, and forgets the run.
   void settle();

@@ -34,6 +34,8 @@ class KeptPath {
     if (count_ > 0 && (count_ - 1) % step_ != 0) path.push_back(last_);
     return path;
   }
+  /// Of those added.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
  private:

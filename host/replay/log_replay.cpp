@@ -28,6 +28,18 @@ LogReplay::LogReplay(const ReplayOptions& options)
                 [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}),
       path_(options.most_poses) {}
 
+std::optional<record::LineOutcome> LogReplay::take(std::string_view& bytes) {
+  if (!options_.check) return reader_.take(bytes, *this);
+  for (std::size_t i = 0; i < bytes.size() && started_ < start_.size() && bytes[i] != '\n'; ++i) {
+    start_[started_++] = bytes[i];
+  }
+  const std::optional<record::LineOutcome> line = reader_.take(bytes, *this);
+  if (!line) return line;
+  check_.unread({start_.data(), started_}, *line);
+  started_ = 0;
+  return line;
+}
+
 std::optional<record::LineOutcome> LogReplay::finish() {
   std::optional<record::LineOutcome> line;
   if (!complete_) line = reader_.finish();

@@ -27,9 +27,12 @@ class LogReplay {
   ~LogReplay() = default;
 
   /// At a line's end what became of it, within a line nothing.
-  std::optional<record::LineOutcome> push(char byte) { return reader_.push(byte, *this); }
+  std::optional<record::LineOutcome> push(char byte) {
+    std::string_view bytes(&byte, 1);
+    return take(bytes);
+  }
   /// Takes one line off the front of `bytes`, or all of them if none ends there.
-  std::optional<record::LineOutcome> take(std::string_view& bytes) { return reader_.take(bytes, *this); }
+  std::optional<record::LineOutcome> take(std::string_view& bytes);
   /// What follows is not used: there are frames enough, the run asked for is over, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
@@ -45,6 +48,8 @@ class LogReplay {
 
   /// Of this run, every sample, or with `options.most_poses` the first and every n-th.
   [[nodiscard]] const std::vector<PoseResult>& path() const { return path_.poses(); }
+  /// Of this run, all samples.
+  [[nodiscard]] std::uint64_t path_count() const { return path_.count(); }
   /// The time of the latest input of this run, s.
   [[nodiscard]] double time() const { return time_; }
   /// How many have begun.
@@ -91,6 +96,8 @@ class LogReplay {
   const ReplayOptions& options_;
   OwnLog own_log_;
   Check check_;
+  std::array<char, Check::kStart> start_{};  ///< of the line that is read, for the check
+  std::size_t started_ = 0;
   Complaints complaints_;
   std::unique_ptr<Runner> runner_;
   std::string profile_;

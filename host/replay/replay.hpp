@@ -49,6 +49,8 @@ struct CheckOutcome {
   std::uint64_t compared = 0;
   std::vector<std::string> mismatches;  ///< "line 12: logged ..., own ..." (at most 20), see `differing`
   std::uint64_t differing = 0;
+  std::uint64_t damaged = 0;        ///< lines that were, or may have been, one of those records, but cannot be read
+  std::uint64_t first_damaged = 0;  ///< line number, 1-based
 };
 
 /// Why a stream could not be replayed at all; `message` says what, where and what to try.

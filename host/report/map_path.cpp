@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "host/report/markup.hpp"
 #include "host/report/ticks.hpp"
+#include "host/result/thinned.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -14,8 +16,10 @@ namespace {
 using markup::figure;
 using markup::px;
 
-constexpr double kFinest = 0.7;      ///< px; shorter pieces of the line cannot be seen
+constexpr double kFinest = 0.7;  ///< px; shorter pieces of the line cannot be seen
+constexpr std::size_t kMostPoints = 20'000;
 constexpr double kTickSpacing = 34;  ///< px along the path
+constexpr double kMostTicks = 1'000;
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kTimeMarks = 8;       ///< at most about so many
 constexpr double kLabelSpacing = 40;   ///< px between time labels
@@ -26,7 +30,8 @@ double pixel_distance(const MapFrame& f, const PoseResult& a, const PoseResult& 
   return std::hypot(a.x - b.x, a.y - b.y) * f.scale;
 }
 
-std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& path) {
+std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& whole) {
+  const std::vector<PoseResult> path = whole.size() > kMostPoints ? thin_path_to(whole, kMostPoints) : whole;
   std::string points = fmt::format("{},{}", px(f.x(path.front().x)), px(f.y(path.front().y)));
   const PoseResult* last = &path.front();
   for (const PoseResult& pose : path) {
@@ -37,15 +42,17 @@ std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& path) {
   return fmt::format(R"(<polyline class="track" points="{}"/>)", points);
 }
 
-/// An arrow head every kTickSpacing: it shows where the robot faced, also where it turned on the spot or drove back.
+/// An arrow head every kTickSpacing, of a long path less often: it shows where the robot faced, also where it turned on
+/// the spot or drove back.
 std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>& path) {
   std::string svg;
-  double since = kTickSpacing / 2;
+  const double spacing = std::max(kTickSpacing, path_length(path) * f.scale / kMostTicks);
+  double since = spacing / 2;
   const PoseResult* last = &path.front();
   for (const PoseResult& pose : path) {
     since += pixel_distance(f, *last, pose);
     last = &pose;
-    if (since < kTickSpacing) continue;
+    if (since < spacing) continue;
     since = 0;
     svg += fmt::format(R"svg(<path class="tick" transform="translate({} {}) rotate({})" d="M-4 -4.5L3 0L-4 4.5"/>)svg",
                        px(f.x(pose.x)), px(f.y(pose.y)), px(-pose.heading * kDegreesPerRadian));

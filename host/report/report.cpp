@@ -30,7 +30,9 @@ std::string write_report(const ResultDocument& document, const std::optional<Sce
                          const ReportOptions& options) {
   const std::string title = markup::escaped(options.title);
   std::string html = head(document, truth, title);
-  html += "<header><h1>" + title + "</h1><p>What the robot's own loop made of this run.</p></header>\n";
+  html += "<header><h1>" + title + "</h1><p>What the robot's own loop made of this run.</p>";
+  if (!options.note.empty()) html += "<p>" + markup::escaped(options.note) + "</p>";
+  html += "</header>\n";
   html += headline_figures(document);
   html += top_view(document, truth);
   html += section("Objects", object_rows(document));

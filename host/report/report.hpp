@@ -12,6 +12,7 @@ namespace fencepost::host {
 struct ReportOptions {
   std::string title = "Fencepost report";  ///< usually the log's name; escaped
   std::string generator = "fencepost";     ///< program and version, in the footer
+  std::string note{};                      ///< under the title; escaped
 };
 
 /// Where `truth` is given, the map shows its footprints and a table says how far off each model is. The same input

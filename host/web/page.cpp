@@ -43,12 +43,22 @@ std::string without_markup(const std::string& json) {
   return text;
 }
 
-std::optional<std::string> with_given(std::string_view page, const Json& given) {
+std::string text_of(const Json& json) {
+  return without_markup(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// Without blanks; empty if it is no JSON.
+std::string compact(const std::string& json) {
+  const Json parsed = Json::parse(json, nullptr, false);
+  return parsed.is_discarded() ? std::string() : text_of(parsed);
+}
+
+std::optional<std::string> with_given(std::string_view page, std::string_view given) {
   const std::size_t place = page.find(kPlace);
   if (place == std::string_view::npos) return std::nullopt;
   std::string text(page.substr(0, place));
   text += "<script type=\"application/json\" id=\"given\">";
-  text += without_markup(given.dump(-1, ' ', false, Json::error_handler_t::replace));
+  text += given;
   text += "</script>";
   text += page.substr(place + kPlace.size());
   return text;
@@ -58,15 +68,23 @@ std::optional<std::string> with_given(std::string_view page, const Json& given) 
 
 std::optional<std::string> page_with(std::string_view page, const std::vector<GivenLog>& logs,
                                      std::string_view profile) {
-  Json given = {{"logs", Json::array()}};
+  // By hand where the logs are: they may be long, and hold nothing to escape.
+  std::string given = "{\"logs\":[";
   for (const GivenLog& log : logs) {
-    Json& one = given["logs"].emplace_back(Json{{"name", log.name}, {"log", base64(log.log)}});
-    if (!log.scene) continue;
-    one["scene"] = Json::parse(*log.scene, nullptr, false);
-    if (one["scene"].is_discarded()) return std::nullopt;
+    if (&log != &logs.front()) given += ',';
+    given += "{\"name\":" + text_of(log.name);
+    given += log.thinned ? ",\"thinned\":\"" : ",\"log\":\"";
+    given += base64(log.log) + "\"";
+    if (log.scene) {
+      const std::string scene = compact(*log.scene);
+      if (scene.empty()) return std::nullopt;
+      given += ",\"scene\":" + scene;
+    }
+    given += '}';
   }
-  if (!profile.empty()) given["profile"] = profile;
-  return with_given(page, given);
+  given += ']';
+  if (!profile.empty()) given += ",\"profile\":" + text_of(profile);
+  return with_given(page, given + "}");
 }
 
 std::optional<std::string> page_of_stream(std::string_view page, std::string_view name, std::string_view stream) {
@@ -74,21 +92,13 @@ std::optional<std::string> page_of_stream(std::string_view page, std::string_vie
   if (place == std::string_view::npos) return std::nullopt;
   std::string own(page);
   own.replace(place, kNoNetwork.size(), kOwnServer);
-  return with_given(own, {{"stream", {{"name", name}, {"path", stream}}}});
+  return with_given(own, text_of({{"stream", {{"name", name}, {"path", stream}}}}));
 }
 
-std::string with_calibration(std::string_view log, std::string_view line) {
-  constexpr std::string_view kHeader = "$FPHDR,";
-  std::string text;
-  std::size_t begun = 0;  // of the log, what is in the text
-  for (std::size_t at = log.find(kHeader); at != std::string_view::npos; at = log.find(kHeader, begun)) {
-    const std::size_t end = std::min(log.find('\n', at), log.size() - 1) + 1;
-    text += log.substr(begun, end - begun);
-    text += line;
-    begun = end;
-  }
-  if (begun == 0) text = line;
-  return text += log.substr(begun);
+std::size_t bytes_around(const GivenLog& log) {
+  constexpr std::size_t kMarks = 64;
+  constexpr std::size_t kEscaped = 6;  // times as long as it was, at most
+  return kMarks + kEscaped * log.name.size() + (log.scene ? compact(*log.scene).size() : 0);
 }
 
 }  // namespace fencepost::host

@@ -10,8 +10,9 @@ namespace fencepost::host {
 
 struct GivenLog {
   std::string name;                  ///< shown as the title, any bytes
-  std::string log;                   ///< the record stream, any bytes
+  std::string log;                   ///< the record stream, any bytes; gzip may have packed them
   std::optional<std::string> scene;  ///< a scene file's JSON: its objects are drawn as the truth
+  bool thinned = false;              ///< `log` is not the log, but what the page shows of it, see thinned_run.hpp
 };
 
 /// `page` is host/web/dist/fencepost.html. Opens the first log, the others beside it; `profile` micro, small or full;
@@ -23,7 +24,7 @@ std::optional<std::string> page_with(std::string_view page, const std::vector<Gi
 /// that server, and nobody else. Nothing if the page has no place for it.
 std::optional<std::string> page_of_stream(std::string_view page, std::string_view name, std::string_view stream);
 
-/// What a log is short of that begins without a calibration: `line`, an FPCAM record with its line end, in every run.
-std::string with_calibration(std::string_view log, std::string_view line);
+/// What page_with adds for such a log beside its bytes in base64, no more.
+std::size_t bytes_around(const GivenLog& log);
 
 }  // namespace fencepost::host

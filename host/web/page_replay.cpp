@@ -22,24 +22,25 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 }  // namespace
 
-PageReplay::PageReplay(std::string_view profile) : options_(options(profile, this)) {}
-
-ReplayOptions PageReplay::options(std::string_view profile, RunObserver* observer) {
+ReplayOptions PageReplay::of_profile(std::string_view profile) {
   ReplayOptions options;
   options.profile = std::string(profile);
+  return options;
+}
+
+ReplayOptions PageReplay::observed(ReplayOptions options) {
   options.check = true;
-  options.observer = observer;
+  options.observer = this;
   return options;
 }
 
 std::size_t PageReplay::feed(std::string_view bytes, double until) {
   const std::uint32_t run = log_.runs();
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    if (log_.ended()) return bytes.size();
-    const std::optional<record::LineOutcome> line = log_.push(bytes[i]);
+  for (std::string_view left = bytes; !left.empty() && !log_.ended();) {
+    const std::optional<record::LineOutcome> line = log_.take(left);
     if (!line) continue;
     note(line);
-    if (log_.time() >= until || log_.runs() != run) return i + 1;
+    if (log_.time() >= until || log_.runs() != run) return bytes.size() - left.size();
   }
   return bytes.size();
 }

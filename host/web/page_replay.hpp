@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/replay/log_replay.hpp"
@@ -14,7 +15,9 @@ namespace fencepost::host {
 class PageReplay final : private RunObserver {
  public:
   /// `profile`: micro, small, full; empty: the log's.
-  explicit PageReplay(std::string_view profile);
+  explicit PageReplay(std::string_view profile) : PageReplay(of_profile(profile)) {}
+  /// `options`: those of the map and of what is kept; the observer is this.
+  explicit PageReplay(ReplayOptions options) : options_(observed(std::move(options))) {}
   PageReplay(const PageReplay&) = delete;
   PageReplay& operator=(const PageReplay&) = delete;
 
@@ -47,7 +50,8 @@ class PageReplay final : private RunObserver {
   void note(const std::optional<record::LineOutcome>& line);
   void run_begins() override { boxes_.reset(); }
   void frame_placed(const PlacedFrame& placed) override;
-  static ReplayOptions options(std::string_view profile, RunObserver* observer);
+  static ReplayOptions of_profile(std::string_view profile);
+  ReplayOptions observed(ReplayOptions options);
 
   ReplayOptions options_;
   LogReplay log_{options_};

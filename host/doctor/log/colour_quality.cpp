@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "host/doctor/log/spacing.hpp"
-
 namespace fencepost::host::doctor {
 namespace {
 
@@ -38,11 +36,12 @@ void ColourMeter::see(Colour& colour, std::uint64_t blobs, std::optional<double>
   ++colour.frames;
   colour.blobs += blobs;
   if (!width) return colour.widths.clear();
-  colour.all_widths.push_back(*width);
+  colour.all_widths.add(*width);
   colour.widths.push_back(*width);
   if (colour.widths.size() < 3) return;
   // An approach changes the width steadily; what is left of the second difference is the camera's.
-  colour.second_steps.push_back(std::abs(colour.widths[0] - 2 * colour.widths[1] + colour.widths[2]));
+  colour.second_steps += std::abs(colour.widths[0] - 2 * colour.widths[1] + colour.widths[2]);
+  ++colour.steps;
   colour.widths.erase(colour.widths.begin());
 }
 
@@ -58,13 +57,11 @@ std::vector<ColourQuality> ColourMeter::qualities() const {
     quality.seen = frames / static_cast<double>(frames_);
     quality.blobs = static_cast<double>(colour.blobs) / frames;
     quality.flicker = 100 * static_cast<double>(colour.flickers) / frames;
-    if (colour.second_steps.size() >= kLeastWidths) {
+    if (colour.steps >= kLeastWidths) {
       // Mean magnitude, not a median: whole pixels are too coarse for one. sqrt(pi/2) sigma of it, sqrt(6) of the
       // steps.
-      double sum = 0;
-      for (const double step : colour.second_steps) sum += step;
-      quality.jitter_px = 1.2533 * sum / static_cast<double>(colour.second_steps.size()) / std::sqrt(6.0);
-      quality.jitter = quality.jitter_px / median_of(colour.all_widths);
+      quality.jitter_px = 1.2533 * colour.second_steps / static_cast<double>(colour.steps) / std::sqrt(6.0);
+      quality.jitter = quality.jitter_px / median_of(colour.all_widths.kept());
     }
     list.push_back(quality);
   }

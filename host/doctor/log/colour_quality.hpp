@@ -8,6 +8,7 @@
 
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
+#include "host/doctor/log/spacing.hpp"
 
 namespace fencepost::host::doctor {
 
@@ -36,10 +37,11 @@ class ColourMeter {
     std::uint64_t frames = 0;
     std::uint64_t blobs = 0;
     std::uint64_t flickers = 0;
-    std::uint64_t last_seen = 0;       ///< number of the frame
-    std::vector<double> widths;        ///< of the last frames in a row with exactly one whole blob, at most three
-    std::vector<double> all_widths;    ///< of whole single blobs
-    std::vector<double> second_steps;  ///< w0 - 2 w1 + w2, of three frames in a row
+    std::uint64_t last_seen = 0;  ///< number of the frame
+    std::vector<double> widths;   ///< of the last frames in a row with exactly one whole blob, at most three
+    Sample all_widths;            ///< of whole single blobs
+    double second_steps = 0;      ///< sum of |w0 - 2 w1 + w2|, of three frames in a row
+    std::uint64_t steps = 0;
   };
   void see(Colour& colour, std::uint64_t blobs, std::optional<double> width) const;
 

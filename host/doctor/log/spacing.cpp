@@ -13,24 +13,28 @@ double median_of(std::vector<double> values) {
 
 void SpacingMeter::add(base::Time t) {
   ++count_;
-  if (last_) intervals_.push_back({last_->to_double(), (t - *last_).to_double()});
+  if (last_) {
+    const double length = (t - *last_).to_double();
+    lengths_.add(length);
+    if (length > kLeastGap) long_.add(length);
+    if (length > longest_) {
+      longest_ = length;
+      longest_at_ = last_->to_double();
+    }
+  }
   last_ = t;
 }
 
 Spacing SpacingMeter::spacing() const {
   Spacing spacing;
   spacing.count = count_;
-  std::vector<double> lengths;
-  for (const Interval& interval : intervals_) lengths.push_back(interval.length);
-  const double median = median_of(std::move(lengths));
+  const double median = median_of(lengths_.kept());
   if (median > 0) spacing.rate = 1 / median;
   const double least = std::max(kLeastGap, kGapFactor * median);
-  for (const Interval& interval : intervals_) {
-    if (interval.length > least) ++spacing.gaps;
-    if (interval.length <= spacing.longest) continue;
-    spacing.longest = interval.length;
-    spacing.longest_at = interval.begin;
-  }
+  const auto gaps = std::ranges::count_if(long_.kept(), [&](double length) { return length > least; });
+  spacing.gaps = static_cast<std::uint64_t>(gaps) * long_.step();
+  spacing.longest = longest_;
+  spacing.longest_at = longest_at_;
   return spacing;
 }
 

@@ -17,6 +17,31 @@ struct Spacing {
   double longest_at = 0;   ///< s, where it begins
 };
 
+/// Numbers whose median or share is asked for: all up to kMost, of more evenly fewer, so that memory does not grow with
+/// a log.
+class Sample {
+ public:
+  static constexpr std::size_t kMost = 1U << 16U;
+
+  void add(double value) {
+    if (count_++ % step_ != 0) return;
+    kept_.push_back(value);
+    if (kept_.size() < kMost) return;
+    for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = kept_[2 * i];
+    kept_.resize((kept_.size() + 1) / 2);
+    step_ *= 2;
+  }
+  /// In the order of `add`.
+  [[nodiscard]] const std::vector<double>& kept() const { return kept_; }
+  /// Each stands for so many.
+  [[nodiscard]] std::uint64_t step() const { return step_; }
+
+ private:
+  std::vector<double> kept_;
+  std::uint64_t count_ = 0;
+  std::uint64_t step_ = 1;
+};
+
 class SpacingMeter {
  public:
   static constexpr double kGapFactor = 4;
@@ -28,13 +53,12 @@ class SpacingMeter {
   [[nodiscard]] Spacing spacing() const;
 
  private:
-  struct Interval {
-    double begin = 0;
-    double length = 0;
-  };
   std::optional<base::Time> last_;
   std::uint64_t count_ = 0;
-  std::vector<Interval> intervals_;
+  Sample lengths_;
+  Sample long_;  ///< of more than kLeastGap
+  double longest_ = 0;
+  double longest_at_ = 0;
 };
 
 /// 0 of nothing.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "firmware/record/stream_reader.hpp"
+#include "host/replay/log_replay.hpp"
 
 namespace fencepost::host::doctor {
 namespace {
@@ -13,6 +15,7 @@ constexpr double kFastest = 4;       // m/s
 constexpr double kFastestTurn = 15;  // rad/s
 constexpr double kLeastJump = 0.05;  // m, and rad: rounding and slow clocks are no jumps
 constexpr std::size_t kLeastFrames = 30;
+constexpr std::size_t kMost = 1024;  ///< of calibrations, settings and links: a robot has fewer
 
 double shortest_turn(double turn) { return std::remainder(turn, 2 * std::numbers::pi); }
 
@@ -35,13 +38,15 @@ class Surveyor {
   }
   void accept(const sensor::CameraIntrinsics& camera) {
     if (survey_.calibrations.empty() || !(survey_.calibrations.back() == camera)) {
+      if (survey_.calibrations.size() == kMost) survey_.calibrations.pop_back();
       survey_.calibrations.push_back(camera);
     }
     camera_ = camera;
   }
   void accept(const record::Signature& signature) { survey_.colour_names[signature.signature] = signature.name.view(); }
   void accept(const record::Setting& setting) {
-    survey_.settings[std::string(setting.key.view())] = setting.value.view();
+    const std::string key(setting.key.view());
+    if (survey_.settings.size() < kMost || survey_.settings.contains(key)) survey_.settings[key] = setting.value.view();
   }
   void accept(const sensor::OdometrySample& sample) {
     note_time(sample.t);
@@ -58,13 +63,14 @@ class Surveyor {
     losses_.accept(frame);
     frames_.add(frame.t);
     colours_.add(frame, camera_);
-    if (pose_) offsets_.push_back((frame.t - pose_->t).to_double());
+    if (pose_) offsets_.add((frame.t - pose_->t).to_double());
   }
   void accept(const record::StatusReport& status) { losses_.accept(status); }
   void accept(const record::LinkReport& link) {
     const std::string device(link.device.view());
     close(device, link.t);
     if (sensor::works(link.state)) return;
+    if (survey_.links.size() == kMost && !survey_.links.contains(device)) return;
     LinkTrouble& trouble = survey_.links[device];
     trouble.state = sensor::name(link.state);
     ++trouble.times;
@@ -85,11 +91,12 @@ class Surveyor {
     survey_.colours = colours_.qualities();
     survey_.frames_missing = losses_.frames_missing();
     survey_.reported = losses_.reported();
-    survey_.clock_offset = median_of(offsets_);
-    if (offsets_.size() < kLeastFrames) return;
-    const auto third = static_cast<std::ptrdiff_t>(offsets_.size() / 3);
+    const std::vector<double>& offsets = offsets_.kept();
+    survey_.clock_offset = median_of(offsets);
+    if (offsets.size() < kLeastFrames) return;
+    const auto third = static_cast<std::ptrdiff_t>(offsets.size() / 3);
     survey_.clock_drift =
-        median_of({offsets_.end() - third, offsets_.end()}) - median_of({offsets_.begin(), offsets_.begin() + third});
+        median_of({offsets.end() - third, offsets.end()}) - median_of({offsets.begin(), offsets.begin() + third});
   }
 
  private:
@@ -138,25 +145,62 @@ class Surveyor {
   std::optional<record::Heartbeat> beat_;
   std::optional<base::Time> first_;
   std::optional<base::Time> last_;
-  std::vector<double> offsets_;
+  Sample offsets_;
   std::map<std::string, base::Time> down_since_;
+};
+
+class FirstAlerts final : public AlertSink {
+ public:
+  void run_begins() override {
+    first_.clear();
+    count_ = 0;
+  }
+  void hear(const record::AlertReport& alert) override {
+    if (++count_ <= kMostAlerts) first_.push_back(alert);
+  }
+  void give(ReplayOutcome& outcome) {
+    outcome.result.alerts = std::move(first_);
+    if (count_ <= kMostAlerts) return;
+    outcome.complaints.push_back("only the first " + std::to_string(kMostAlerts) + " of " + std::to_string(count_) +
+                                 " alerts are looked at");
+  }
+
+ private:
+  static constexpr std::size_t kMostAlerts = 1U << 16U;
+  std::vector<record::AlertReport> first_;
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace
 
-LogSurvey survey_log(std::string_view bytes, const std::string& name) {
+LogSurvey survey_log(const LogSource& log, const std::string& name) {
   LogSurvey survey;
   survey.name = name;
   Surveyor surveyor(survey);
   std::array<char, record::StreamReader::kBuffer> buffer{};
   record::StreamReader reader(buffer);
-  reader.push(bytes, surveyor);
+  FirstAlerts alerts;
+  ReplayOptions options;
+  options.alerts = &alerts;
+  options.most_poses = kPosesToShow;
+  LogReplay replayed(options);
+  for (std::string_view bytes = log(); !bytes.empty(); bytes = log()) {
+    for (std::string_view left = bytes; !left.empty() && !replayed.ended();) replayed.take(left);
+    while (!bytes.empty()) reader.take(bytes, surveyor);
+  }
   reader.finish();
   surveyor.finish();
+  replayed.finish();
   survey.counts = reader.counts();
-  survey.replayed = replay(bytes, name, {});
+  survey.replayed = {replayed.now(), replayed.check(), replayed.complaints(), replayed.why_unreadable(name),
+                     replayed.runs()};
+  alerts.give(survey.replayed);
   if (survey.path == 0) survey.path = length_of(survey.replayed.result.path);
   return survey;
+}
+
+LogSurvey survey_log(std::string_view bytes, const std::string& name) {
+  return survey_log([&bytes] { return std::exchange(bytes, {}); }, name);
 }
 
 }  // namespace fencepost::host::doctor

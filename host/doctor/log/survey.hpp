@@ -56,6 +56,9 @@ struct LogSurvey {
   ReplayOutcome replayed;                    ///< by the robot's own loop at this desk
 };
 
+/// Read once, in memory that does not grow with the log: rates and medians of a long one are of a sample, alerts the
+/// first 65,536.
+LogSurvey survey_log(const LogSource& log, const std::string& name);
 LogSurvey survey_log(std::string_view bytes, const std::string& name);
 
 }  // namespace fencepost::host::doctor

@@ -17,9 +17,11 @@ export async function bundled() {
   return { wasm: await unpacked(fromBase64(wasm)), recordings };
 }
 
-/** { name, bytes, truth } of a recording as it is in the page. */
-export async function entryOf({ name, log, scene }) {
-  return { name, bytes: await unpacked(fromBase64(log)), truth: truthOf(scene) };
+/** { name, bytes, truth } of a recording as it is in the page; of one that was too long for it { kept } instead of bytes. */
+export async function entryOf({ name, log, thinned, scene }) {
+  const bytes = await unpacked(fromBase64(log ?? thinned));
+  if (log !== undefined) return { name, bytes, truth: truthOf(scene) };
+  return { name, bytes: new Uint8Array(), kept: JSON.parse(new TextDecoder().decode(bytes)), truth: truthOf(scene) };
 }
 
 /** What this copy of the page was written for, or null: { logs, profile }, or { stream: { name, path } } of a run that goes on. */

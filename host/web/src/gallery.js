@@ -3,15 +3,16 @@ import { drawMap } from "./map2d.js";
 import { Window, extentOf } from "./window.js";
 import { inks, theme } from "./colours.js";
 import { byId, make, plain } from "./dom.js";
+import { countsOf } from "./tables.js";
 
 /** One card; `open` shows the log in full. */
 export function addCard(entry, look, open) {
   const canvas = make("canvas", { role: "img", "aria-label": "Map at the end" });
   const { result, page } = look;
-  const stops = result.alerts.filter((alert) => alert.level === "stop").length;
+  const { alerts, stops } = countsOf(look);
   const rejected = Object.values(result.log.rejected).reduce((a, b) => a + b, 0);
   const words = page.unreadable ? plain(page.unreadable)
-    : `${result.objects.length} objects, ${result.alerts.length} alerts (${stops} stop), ${result.log.frames} frames, ${look.time.toFixed(1)} s` +
+    : `${result.objects.length} objects, ${alerts} alerts (${stops} stop), ${result.log.frames} frames, ${look.time.toFixed(1)} s` +
       (rejected ? `, ${rejected} bad lines` : "");
   byId("cards").append(make("div", { className: "card" }, canvas, make("b", {}, plain(entry.name)), make("p", {}, words),
     make("p", {}, make("code", {}, result.digest)), make("button", { type: "button", onclick: open, "aria-label": `Open ${plain(entry.name)}` }, "Open")));

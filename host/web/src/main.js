@@ -5,6 +5,7 @@ import { bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, make, plain } from "./dom.js";
 import { Engine, PROFILES } from "./engine.js";
 import { addCard } from "./gallery.js";
+import { Kept } from "./kept.js";
 import { LAYERS, offerLayers } from "./layers.js";
 import { drawMap } from "./map2d.js";
 import { Orbit, drawSolid } from "./map3d.js";
@@ -12,7 +13,7 @@ import { Player } from "./player.js";
 import { bindPort } from "./port.js";
 import { follow } from "./stream.js";
 import { levelsAt, poseAt } from "./scene.js";
-import { alertsUntil, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
+import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
 
@@ -28,7 +29,8 @@ const flat = new Window();
 const orbit = new Orbit();
 const cards = [];
 let engine;
-let player;
+let replayer;  // of logs, one at a time
+let player;    // it, or what was kept of a log
 let ink = inks();
 
 const drawnNow = { pending: false };
@@ -100,7 +102,7 @@ function show(look, t, force = false) {
   document.documentElement.dataset.shown = t.toFixed(2);
   state.look = look;
   state.t = t;
-  offerLayers(byId("layer-list"), { state, result: look.result, redraw });
+  offerLayers(byId("layer-list"), { state, result: state.entry.kept ? player.last.result : look.result, redraw });
   fillTables(force || !state.playing);
   redraw();
 }
@@ -193,6 +195,12 @@ async function openEntry(entry) {
   summary(`Replaying ${entry.name} …`);
   byId("progress").hidden = false;
   setLive(false);
+  player.stop();
+  player = entry.kept ? new Kept(entry.kept) : replayer;
+  for (const id of ["save-result", "profile"]) byId(id).disabled = Boolean(entry.kept);
+  byId("thinned").hidden = !entry.kept;
+  byId("thinned").textContent = entry.kept ? plain(`Thinned to fit: ${entry.kept.said}. Between those times the map stays as it was; counts and digest are ` +
+    "of the whole log. To replay all of it here, drop the log on this page, or write the page with fencepost report --whole.") : "";
   let shown = performance.now();
   let last = null;
   try {
@@ -215,9 +223,10 @@ async function openEntry(entry) {
   fillProblems(byId("problems"), { ...last, lines: (n) => lineOf(entry.bytes, n) });
   show(last, player.end, true);
   fit();
-  const { objects, alerts, log, profile, digest } = last.result;
+  const { objects, log, profile, digest } = last.result;
+  const { alerts } = countsOf(last);
   summary(last.page.unreadable ? `${entry.name} cannot be replayed` :
-    `${objects.length} objects (${objects.filter((o) => o.state !== "tentative").length} confirmed), ${alerts.length} alerts, ${log.frames} frames, ${player.duration.toFixed(1)} s, profile ${profile}, digest ${digest}`);
+    `${objects.length} objects (${objects.filter((o) => o.state !== "tentative").length} confirmed), ${alerts} alerts, ${log.frames} frames, ${player.duration.toFixed(1)} s, profile ${profile}, digest ${digest}`);
   return last;
 }
 
@@ -278,7 +287,8 @@ async function begin() {
   byId("theme").onclick = () => setTheme(theme() === "dark" ? "light" : "dark");
   const { wasm, recordings } = await bundled();
   engine = await Engine.create(wasm);
-  player = new Player(engine);
+  replayer = new Player(engine);
+  player = replayer;
   const page = { state, flat, orbit, redraw, play, stop, goTo, fit, select, openFiles, openEntry, view: viewNow, last: () => player.last };
   bindMap(page);
   bindKeys(page);
@@ -291,6 +301,8 @@ async function begin() {
     begin: (name) => {
       stop();
       player.stop();
+      player = replayer;
+      byId("thinned").hidden = true;
       setLive(true);
       byId("recordings").value = "";
       summary("Live: the map is made here, of what the robot sends.");

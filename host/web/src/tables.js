@@ -57,6 +57,10 @@ export function fillAlerts(table, { result, t, go }) {
   return [first, first + shown.length];
 }
 
+/** Of the whole run, also where its alerts were thinned. */
+export const countsOf = ({ result, counts }) =>
+  counts ?? { alerts: result.alerts.length, stops: result.alerts.filter((alert) => alert.level === "stop").length };
+
 /** How many there were up to t. */
 export function alertsUntil(alerts, t) {
   const next = alerts.findIndex((alert) => alert.t > t + 1e-9);

@@ -87,6 +87,25 @@ TEST(Replay, ACheckFailsOnALogThatDiffers) {
   EXPECT_NE(run.out, "");
 }
 
+// The other records agree, and what the damaged one said is not known.
+TEST(Replay, ACheckFailsWhereARecordOfTheRobotsIsDamaged) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "fencepost replay " + kLog + " --write-log own.log").exit_code, 0);
+  for (const char* damage : {"/^.FPALR/s/,/;/3", "/^.FPALR/s/FPALR/FPXLR/", "/^.FPALR/s/FPALR/XPALR/",
+                             "/^.FPDIG/s/.$/x/", "/^.FPALR/s/^.FPALR/%FPALR/"}) {
+    const Outcome run =
+        shell(folder, std::string("sed '") + damage +
+                          "' own.log >bad.log; ! cmp -s own.log bad.log && fencepost replay bad.log --check");
+    EXPECT_EQ(run.exit_code, 1) << damage << run.err;
+    EXPECT_TRUE(holds(run.err, "of the robot's own records cannot be read, first in line ")) << damage << run.err;
+  }
+  // A line of a program's own, a newer version's record, a cut end.
+  const Outcome fine = shell(
+      folder,
+      "sed 's/^.FPSIG/hello\\n&/' own.log >more.log; printf '$FPALR,1' >>more.log; fencepost replay more.log --check");
+  EXPECT_EQ(fine.exit_code, 0) << fine.err;
+}
+
 TEST(Replay, ACheckOfNothingFails) {
   const Outcome run = shell(Folder(), "fencepost replay " + kLog + " --check");
   EXPECT_EQ(run.exit_code, 1);
@@ -135,7 +154,7 @@ TEST(Report, WritesThePageBesideUnlessToldWhere) {
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(holds(run.err, "wrote run.html"));
   const std::string page = slurp(folder.path() / "sub" / "run.html");
-  EXPECT_TRUE(holds(page, R"(id="given">{"logs":[{"name":"run.log","log":"JEZQSERS)"));  // "$FPHDR" in base 64
+  EXPECT_TRUE(holds(page, R"(id="given">{"logs":[{"name":"run.log","log":"H4sI)"));  // as gzip packs, in base 64
   EXPECT_TRUE(holds(page, "default-src 'none'; script-src 'sha256-"));
   EXPECT_TRUE(holds(page, "connect-src 'none'"));
   const Outcome piped = shell(folder, "fencepost report run.log --profile small -o - --scene - <" + kScene);
@@ -189,6 +208,60 @@ TEST(Report, ALogWithoutCalibrationTakesACamera) {
   const std::string whole = shell(folder, "fencepost replay nocam.log --camera cam --json").out;
   EXPECT_EQ(json::parse(shell(folder, "base64 -d base64 | fencepost replay - --json").out)["digest"],
             json::parse(whole)["digest"]);
+}
+
+json given_in(const std::string& page) {
+  const std::string open = R"(id="given">)";
+  const std::size_t begin = page.find(open) + open.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+// Noise that gzip cannot pack, as lines that are no records.
+const std::string kNoise = "head -c 2000000 /dev/urandom | base64";
+
+TEST(Report, ALongLogIsThinnedToTwoMegabytesAndSaysSo) {
+  const Folder folder;
+  const Outcome run = shell(folder, "{ cat " + kLog + "; " + kNoise + "; } >long.log; fencepost report long.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "thinned to fit 2 MB: ")) << run.err;
+  EXPECT_TRUE(holds(run.err, "poses, all 12 alerts, map and camera at ")) << run.err;
+  EXPECT_TRUE(holds(run.err, "all of it: fencepost report --whole")) << run.err;
+  const std::string page = slurp(folder.path() / "long.html");
+  EXPECT_LT(page.size(), 2'000'000U);
+  const json given = given_in(page);
+  EXPECT_FALSE(given["logs"][0].contains("log"));
+  spill(folder.path() / "base64", given["logs"][0]["thinned"].get<std::string>());
+  const json kept = json::parse(shell(folder, "base64 -d base64 | gzip -d").out);
+  const json whole = json::parse(shell(folder, "fencepost replay long.log --json").out);
+  EXPECT_EQ(kept["result"]["digest"], whole["digest"]);
+  EXPECT_EQ(kept["result"]["alerts"], whole["alerts"]);
+  EXPECT_EQ(kept["result"]["objects"], whole["objects"]);
+  EXPECT_EQ(kept["alerts"], whole["alerts"].size());
+
+  const Outcome all = shell(folder, "fencepost report long.log --whole");
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_FALSE(holds(all.err, "thinned")) << all.err;
+  spill(folder.path() / "base64", given_in(slurp(folder.path() / "long.html"))["logs"][0]["log"].get<std::string>());
+  EXPECT_EQ(shell(folder, "base64 -d base64 | gzip -d | cmp - long.log").exit_code, 0);
+  EXPECT_EQ(shell(folder, "fencepost report long.log --whole --static").exit_code, 2);
+}
+
+TEST(Report, ShortLogsAreWholeBesideLongOnes) {
+  const Folder folder;
+  const Outcome run =
+      shell(folder, "cp " + kLog + " short.log; { cat " + kLog + "; " + kNoise +
+                        "; } >long.log; cat long.log | fencepost report long.log - short.log -o r.html");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "long.log: thinned to fit")) << run.err;
+  EXPECT_TRUE(holds(run.err, "standard input: thinned to fit")) << run.err;
+  EXPECT_FALSE(holds(run.err, "short.log: thinned")) << run.err;
+  const std::string page = slurp(folder.path() / "r.html");
+  EXPECT_LT(page.size(), 2'000'000U);
+  const json given = given_in(page);
+  EXPECT_TRUE(given["logs"][0].contains("thinned"));
+  EXPECT_TRUE(given["logs"][1].contains("thinned"));
+  spill(folder.path() / "base64", given["logs"][2]["log"].get<std::string>());
+  EXPECT_EQ(shell(folder, "base64 -d base64 | gzip -d | cmp - short.log").exit_code, 0);
 }
 
 TEST(Report, SaysWhatIsMissing) {

@@ -82,5 +82,36 @@ TEST(LogReplay, CountsRunsAndBeginsAnew) {
   EXPECT_EQ(twice.now().log.frames, 2 * replay(log, "log", options).result.log.frames);
 }
 
+// The robot's records that are compared are missed when they cannot be read; others say nothing.
+TEST(LogReplay, CountsDamagedRecordsOfThoseThatAreCompared) {
+  ReplayOptions options;
+  options.check = true;
+  const auto damaged = [&](const std::string& log) {
+    LogReplay replayed(options);
+    std::string_view left = log;
+    while (!left.empty()) replayed.take(left);
+    replayed.finish();
+    LogReplay by_bytes(options);
+    for (const char byte : log) by_bytes.push(byte);
+    by_bytes.finish();
+    EXPECT_EQ(by_bytes.check().damaged, replayed.check().damaged) << log;
+    EXPECT_EQ(by_bytes.check().first_damaged, replayed.check().first_damaged) << log;
+    return replayed.check().damaged;
+  };
+  for (const char* line : {"$FPALR,1*0000", "$FPALV,", "$FPOBJ,x*1234", "$FPCAL,1,2", "$FPDIG,3,00*AAAA",
+                           "$FPxLR,1*0000", "$FP", "%FPALR,1*0000", "$XPALR,1*0000", "$FPALR,"}) {
+    EXPECT_EQ(damaged(std::string("boot\n") + line + "\n"), 1U) << line;
+  }
+  for (const char* line : {"$FPODO,1*0000", "$FPFRM,1,2*0000", "hello", "", "$", "FPALR,1,2", ">>>ALR,1", "$GPALR"}) {
+    EXPECT_EQ(damaged(std::string(line) + "\n"), 0U) << line;
+  }
+  EXPECT_EQ(damaged("$FPALR,1"), 0U) << "the recording was cut off";
+  LogReplay replayed(options);
+  std::string_view log = "boot\n$FPODO,1*0000\n$FPALR,1*0000\n$FPDIG,1*0000\n";
+  while (!log.empty()) replayed.take(log);
+  EXPECT_EQ(replayed.check().damaged, 2U);
+  EXPECT_EQ(replayed.check().first_damaged, 3U);
+}
+
 }  // namespace
 }  // namespace fencepost::test

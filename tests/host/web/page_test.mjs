@@ -1,7 +1,8 @@
 // usage: node page_test.mjs PAGE CLI NPM SHARE [PART]: the page in headless Chromium, opened from disk.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { randomBytes } from "node:crypto";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Browser, Tools, drop, goTo, record, run, text } from "./harness.mjs";
@@ -262,6 +263,39 @@ await run({
       await several.waitForFunction(() => /1 line not used, crc/.test(document.getElementById("problems").textContent));
       assert.equal(await several.locator("script").count(), 3, "the bundle, what is given, and the page's own");
       await several.context().close();
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  },
+
+  async "of a log that is too long a report shows what was kept, says so, and goes to any time of it"() {
+    const folder = mkdtempSync(join(tmpdir(), "fencepost-page-"));
+    try {
+      const log = join(folder, "long.log");
+      const file = join(folder, "long.html");
+      const noise = randomBytes(2_000_000).toString("base64").replace(/.{76}/g, "$&\n");  // which nothing packs
+      writeFileSync(log, `${readFileSync(tools.log("wro_lap"), "latin1")}${noise}\n`);
+      execFileSync(tools.cli, ["report", log, tools.log("corridor"), "--scene", tools.scene("wro_lap"), "--scene", tools.scene("corridor"), "-o", file], { stdio: "ignore" });
+      assert.ok(statSync(file).size < 2_000_000);
+      const report = await browser.open({ file });
+      assert.match(await text(report, "#thinned"), /^Thinned to fit: \d+ of \d+ poses, all \d+ alerts, map and camera at \d+ times/);
+      assert.equal(await text(report, "#digest"), tools.digest(log));
+      assert.ok(await report.locator("#profile").isDisabled());
+      assert.match(await text(report, ".card:first-child"), /7 objects, \d+ alerts/);
+      const rows = () => report.locator("#objects tbody tr").count();
+      assert.equal(await rows(), 7);
+      await goTo(report, 2);
+      const [early, frame] = [await rows(), await text(report, "#camera-note")];
+      assert.ok(early > 0 && early < 7, `${early} objects at 2 s`);
+      assert.ok(Math.abs(Number(/at ([\d.]+) s/.exec(frame)[1]) - 2) < 0.6, frame);
+      await goTo(report, 15);
+      assert.notEqual(await text(report, "#camera-note"), frame);
+      assert.deepEqual(await complaints(report), []);
+      await report.getByRole("button", { name: "Open corridor.log" }).click();
+      await report.waitForFunction((wanted) => document.getElementById("digest").textContent === wanted, tools.digest(tools.log("corridor")));
+      assert.ok(await report.locator("#thinned").isHidden());
+      assert.ok(await report.locator("#profile").isEnabled());
+      await report.context().close();
     } finally {
       rmSync(folder, { recursive: true });
     }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/web/page.hpp"
+#include "host/web/with_calibration.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -72,12 +73,47 @@ TEST(PageOfStream, MayAskItsOwnServerAndNobodyElse) {
   EXPECT_EQ(given_in(*html).at("stream").at("name"), "run");
 }
 
+TEST(PageWith, HasWhatWasThinnedUnderAnotherName) {
+  const GivenLog log{"long.log", "abc", std::nullopt, true};
+  const auto html = page_with(kPage, {log});
+  ASSERT_TRUE(html);
+  EXPECT_EQ(given_in(*html)["logs"][0].at("thinned"), "YWJj");
+  EXPECT_FALSE(given_in(*html)["logs"][0].contains("log"));
+}
+
+TEST(PageWith, AddsNoMoreThanItSays) {
+  const GivenLog logs[] = {{"a", "", std::nullopt},
+                           {std::string(50, '<'), "", std::nullopt},
+                           {std::string(50, '\x01'), "", "{  \"objects\" : [ \"<<<<\" ] }"},
+                           {std::string(50, '\xff'), "", std::nullopt}};
+  const std::size_t empty = page_with(kPage, {})->size();
+  for (const GivenLog& log : logs) EXPECT_LE(page_with(kPage, {log})->size(), empty + bytes_around(log)) << log.name;
+}
+
+std::string with_calibration(std::string_view log, std::size_t portion) {
+  WithCalibration filter(
+      [&] {
+        const std::string_view part = log.substr(0, portion);
+        log.remove_prefix(part.size());
+        return part;
+      },
+      "$FPCAM\n");
+  std::string text;
+  for (std::string_view part = filter.next(); !part.empty(); part = filter.next()) text += part;
+  EXPECT_TRUE(filter.next().empty());
+  return text;
+}
+
 TEST(WithCalibration, StandsInEveryRun) {
-  EXPECT_EQ(with_calibration("$FPODO,1\n", "$FPCAM\n"), "$FPCAM\n$FPODO,1\n");
-  EXPECT_EQ(with_calibration("", "$FPCAM\n"), "$FPCAM\n");
-  EXPECT_EQ(with_calibration("boot\n$FPHDR,1\n$FPODO,1\n$FPHDR,1\nx", "$FPCAM\n"),
-            "boot\n$FPHDR,1\n$FPCAM\n$FPODO,1\n$FPHDR,1\n$FPCAM\nx");
-  EXPECT_EQ(with_calibration("$FPHDR,1", "$FPCAM\n"), "$FPHDR,1$FPCAM\n") << "an unfinished line";
+  for (const std::size_t portion : {1U, 3U, 8U, 1000U}) {
+    const auto made = [portion](std::string_view log) { return with_calibration(log, portion); };
+    EXPECT_EQ(made("$FPODO,1\n"), "$FPCAM\n$FPODO,1\n");
+    EXPECT_EQ(made(""), "$FPCAM\n");
+    EXPECT_EQ(made("boot\n$FPHDR,1\n$FPODO,1\n$FPHDR,1\nx"), "boot\n$FPHDR,1\n$FPCAM\n$FPODO,1\n$FPHDR,1\n$FPCAM\nx");
+    EXPECT_EQ(made("$FPHDR,1"), "$FPHDR,1$FPCAM\n") << "an unfinished line";
+    EXPECT_EQ(made("\n\r\nboot\n$FPODO,1\n$FPHDR,1\n"), "\n\r\nboot\n$FPCAM\n$FPODO,1\n$FPHDR,1\n$FPCAM\n");
+    EXPECT_EQ(made("$FP"), "$FPCAM\n$FP");
+  }
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+// The logs of a report, each as much of it as the page has room for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/replay/replay.hpp"
+#include "host/web/page.hpp"
+
+namespace fencepost::host::cli {
+
+/// What a report may have: mail takes it, and a browser has it at once.
+inline constexpr std::size_t kMostReport = 2'000'000;
+
+struct ReportInputs {
+  std::vector<std::string> logs;
+  std::vector<std::optional<std::string>> scenes;  ///< the text of one for each log, or nothing
+  ReplayOptions options;
+  bool whole = false;  ///< all of each log, however long
+};
+
+/// A log, and what its replay found.
+struct ReportedLog {
+  GivenLog given;
+  ReplayOutcome outcome;
+  std::string thinned;  ///< how much of it is in there; empty: all
+};
+
+/// In the order given. Short logs are whole; what they leave of the room is the others'. Memory does not grow with a
+/// log. errors: Failure (kUnreadable): cannot be read; with `whole`, longer than a browser can take
+std::vector<ReportedLog> read_report_logs(const ReportInputs& inputs, std::size_t page_size);
+
+/// "logs/run.log" is "run.log".
+std::string title_of(const std::string& log);
+
+}  // namespace fencepost::host::cli
