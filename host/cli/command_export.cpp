@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "host/cli/alert_spool.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/log_input.hpp"
 #include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
@@ -17,6 +19,7 @@
 #include "host/export/mcap/mcap.hpp"
 #include "host/export/nav2_map.hpp"
 #include "host/result/lookup.hpp"
+#include "host/result/thinned.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -144,6 +147,45 @@ void say_missing(const exports::Run& run, const std::string& model) {
   if (missing > 0) say(fmt::format("{} of its objects have no outline by model {}", missing, model));
 }
 
+/// What a map or a picture has of a long run, read in portions.
+ReplayOutcome replay_for_map(const LogSource& source, const ExportRequest& request, ReplayOptions options) {
+  constexpr std::size_t kMostAlerts = 20'000;
+  AlertSpool alerts;
+  options.alerts = &alerts;
+  options.most_poses = kPosesToShow;
+  ReplayOutcome outcome = replay(source, input_name(request.log), options);
+  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMostAlerts);
+  outcome.result.alerts = std::move(kept.kept);
+  if (kept.all > outcome.result.alerts.size()) {
+    outcome.complaints.push_back(
+        fmt::format("{} of {} alerts are in it: of those that follow each other fast the worst",
+                    outcome.result.alerts.size(), kept.all));
+  }
+  return outcome;
+}
+
+/// `bytes` gets the log where the format has it inside: a run with its history is in memory as a whole.
+exports::Run read_run(const ExportRequest& request, const Format& format, const std::string& name, std::string& bytes) {
+  ReplayOptions options = request.options;
+  exports::History history(request.interval, format.name != "csv");
+  if (format.history) options.observer = &history;
+  exports::RunInputs inputs(options, format.history);
+  LogInput input(request.log);
+  ReplayProgress progress(input);
+  const LogSource source = [&] {
+    const std::string_view part = progress.next();
+    inputs.take(part);
+    if (format.history) bytes += part;
+    if (bytes.size() > kMostWhole) refuse_long_log(request.log);
+    return part;
+  };
+  ReplayOutcome outcome =
+      format.history ? replay(source, input_name(request.log), options) : replay_for_map(source, request, options);
+  if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
+  say_what_was_left_out(outcome);
+  return exports::make_run(bytes, name, inputs, std::move(outcome), history);
+}
+
 Exit run(ExportRequest request) {
   if (request.log == "-" && request.camera == "-") {
     throw Failure(Exit::kUsage, "LOG and --camera cannot both be standard input; put one into a file");
@@ -156,14 +198,9 @@ Exit run(ExportRequest request) {
   if (request.output.empty()) request.output = stem + std::string(format.ending);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
 
-  const std::string bytes = read_input(request.log);
-  exports::History history(request.interval);
-  if (format.history) request.options.observer = &history;
-  ReplayOutcome outcome = replay(bytes, input_name(request.log), request.options);
-  if (outcome.unreadable) throw Failure(Exit::kUnreadable, outcome.unreadable->message);
-  say_what_was_left_out(outcome);
   const std::string name = request.log == "-" ? "run.log" : std::filesystem::path(request.log).filename().string();
-  const exports::Run made = exports::make_run(bytes, name, request.options, std::move(outcome), history);
+  std::string bytes;
+  const exports::Run made = read_run(request, format, name, bytes);
   say_missing(made, request.model);
   write_output(request.output, format.write(made, request));
   if (!is_standard_output(request.output)) say("wrote " + request.output);

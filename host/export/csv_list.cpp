@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "firmware/console/text.hpp"
@@ -12,11 +14,6 @@
 
 namespace fencepost::host::exports {
 namespace {
-
-struct Row {
-  double t;
-  std::string line;
-};
 
 /// RFC 4180.
 std::string cell(std::string_view text) {
@@ -30,20 +27,15 @@ std::string cell(std::string_view text) {
 class Table {
  public:
   void add(double t, std::string_view key, std::string_view value) {
-    rows_.push_back({t, fmt::format("{:.4f},{},{}\n", t, cell(key), cell(value))});
+    text_ += fmt::format("{:.4f},{},{}\n", t, cell(key), cell(value));
   }
   void add(double t, std::string_view key, double value) { add(t, key, fmt::format("{:.4f}", value + 0.0)); }
   void add(double t, std::string_view key, std::uint64_t value) { add(t, key, std::to_string(value)); }
 
-  std::string text() {
-    std::ranges::stable_sort(rows_, {}, &Row::t);
-    std::string all = "Timestamp,Key,Value\n";
-    for (const Row& row : rows_) all += row.line;
-    return all;
-  }
+  std::string take() { return std::move(text_); }
 
  private:
-  std::vector<Row> rows_;
+  std::string text_ = "Timestamp,Key,Value\n";
 };
 
 void add_object(Table& table, const ResultDocument& document, const ObjectAt& at) {
@@ -72,21 +64,42 @@ void add_alert(Table& table, const ResultDocument& document, const record::Alert
   table.add(t, "alerts/bearing", alert.bearing.to_double());
 }
 
+void add_pose(Table& table, const PoseResult& pose) {
+  table.add(pose.t, "robot/x", pose.x);
+  table.add(pose.t, "robot/y", pose.y);
+  table.add(pose.t, "robot/heading", pose.heading);
+}
+
+enum class What : std::uint8_t { kPose, kFrame, kObject, kAlert };
+
+/// What belongs to one time; its rows are made in order of it.
+struct Entry {
+  double t;
+  What what;
+  std::size_t index;
+};
+
 }  // namespace
 
 std::string csv_of(const Run& run) {
+  const std::vector<PoseResult>& path = run.document.path;
+  const std::vector<record::AlertReport>& alerts = run.document.alerts;
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < path.size(); ++i) entries.push_back({path[i].t, What::kPose, i});
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    entries.push_back({run.frames[i].t.to_double(), What::kFrame, i});
+  }
+  for (std::size_t i = 0; i < run.history.size(); ++i) entries.push_back({run.history[i].t, What::kObject, i});
+  for (std::size_t i = 0; i < alerts.size(); ++i) entries.push_back({alerts[i].t.to_double(), What::kAlert, i});
+  std::ranges::stable_sort(entries, {}, &Entry::t);
   Table table;
-  for (const PoseResult& pose : run.document.path) {
-    table.add(pose.t, "robot/x", pose.x);
-    table.add(pose.t, "robot/y", pose.y);
-    table.add(pose.t, "robot/heading", pose.heading);
+  for (const auto& [t, what, i] : entries) {
+    if (what == What::kPose) add_pose(table, path[i]);
+    if (what == What::kFrame) table.add(t, "camera/blobs", std::uint64_t{run.frames[i].blobs.size()});
+    if (what == What::kObject) add_object(table, run.document, run.history[i]);
+    if (what == What::kAlert) add_alert(table, run.document, alerts[i]);
   }
-  for (const sensor::BlobFrame& frame : run.frames) {
-    table.add(frame.t.to_double(), "camera/blobs", std::uint64_t{frame.blobs.size()});
-  }
-  for (const ObjectAt& at : run.history) add_object(table, run.document, at);
-  for (const record::AlertReport& alert : run.document.alerts) add_alert(table, run.document, alert);
-  return table.text();
+  return table.take();
 }
 
 }  // namespace fencepost::host::exports

@@ -1,42 +1,45 @@
 #include "host/export/run.hpp"
 
-#include <array>
 #include <utility>
 
-#include "firmware/record/stream_reader.hpp"
 #include "host/result/lookup.hpp"
 
 namespace fencepost::host::exports {
+
+void RunInputs::take(std::string_view bytes) {
+  while (!bytes.empty()) reader_.take(bytes, *this);
+}
+
+void RunInputs::accept(const record::Header& /*header*/) {
+  frames_.clear();
+  settings_ = {};
+}
+
+void RunInputs::accept(const sensor::BlobFrame& frame) {
+  const double t = frame.t.to_double();
+  if (options_.from && t < *options_.from) return;
+  if (options_.to && t > *options_.to) return;
+  if (options_.frames && taken_ >= *options_.frames) return;
+  ++taken_;
+  if (with_frames_) frames_.push_back(frame);
+}
+
+void RunInputs::accept(const record::Setting& setting) {
+  static_cast<void>(settings_.set(setting.key.view(), setting.value.view()));
+}
+
 namespace {
 
-/// The inputs of the last run; the reader's sink.
-class Inputs {
- public:
-  Inputs(Run& run, const ReplayOptions& options) : run_(run), options_(options) {}
-
-  void accept(const record::Header& /*header*/) {
-    run_.frames.clear();
-    run_.settings = {};
+/// Of a long run they are what fills memory.
+void leave_out_unused(ObjectResult& object, bool outlines) {
+  const ModelResult* shown = outlines ? outline_of(object, "") : nullptr;
+  for (ModelResult& model : object.models) {
+    if (&model == shown) continue;
+    model.geometry = {};
+    model.open = {};
   }
-  void accept(const sensor::BlobFrame& frame) {
-    const double t = frame.t.to_double();
-    if (options_.from && t < *options_.from) return;
-    if (options_.to && t > *options_.to) return;
-    if (options_.frames && taken_ >= *options_.frames) return;
-    ++taken_;
-    run_.frames.push_back(frame);
-  }
-  void accept(const record::Setting& setting) {
-    static_cast<void>(run_.settings.set(setting.key.view(), setting.value.view()));
-  }
-  template <class Record>
-  void accept(const Record& /*record*/) {}
-
- private:
-  Run& run_;
-  const ReplayOptions& options_;
-  std::uint64_t taken_ = 0;
-};
+  object.models.shrink_to_fit();
+}
 
 }  // namespace
 
@@ -52,20 +55,19 @@ void History::frame_placed(const PlacedFrame& placed) {
     if (!first_time && t - last->second < interval_) continue;
     last->second = t;
     objects_.push_back({t, placed.outline(sighting.id)});
+    leave_out_unused(objects_.back().object, outlines_);
   }
 }
 
-Run make_run(std::string_view log, const std::string& name, const ReplayOptions& options, ReplayOutcome replayed,
+Run make_run(std::string_view log, const std::string& name, RunInputs& inputs, ReplayOutcome replayed,
              History& history) {
   Run run;
   run.document = std::move(replayed.result);
   run.history = history.take();
+  run.frames = std::move(inputs.frames());
+  run.settings = inputs.settings();
   run.name = name;
   run.log = log;
-  Inputs inputs(run, options);
-  std::array<char, record::StreamReader::kBuffer> buffer{};
-  record::StreamReader reader(buffer);
-  reader.push(log, inputs);
   return run;
 }
 

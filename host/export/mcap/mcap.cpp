@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "firmware/console/text.hpp"
 #include "host/report/palette.hpp"
@@ -15,11 +17,13 @@ namespace {
 constexpr double kNanoseconds = 1e9;
 constexpr double kFollows = 0.5;  ///< s; poses farther apart tell no speed
 
+/// A message that is made when it is written: made, a long run's would fill memory.
 struct Waiting {
   double t;
   Topic topic;
-  std::string data;
+  std::size_t index;  ///< of a pose, a frame, a change or an alert
 };
+constexpr std::size_t kCamera = static_cast<std::size_t>(-1);  ///< of the transforms
 
 class Recording {
  public:
@@ -38,29 +42,20 @@ class Recording {
 
  private:
   [[nodiscard]] bool told(Topic topic) const { return encoding_.channel(topic).has_value(); }
-  void add(double t, Topic topic, std::string data) { waiting_.push_back({t, topic, std::move(data)}); }
+  void add(double t, Topic topic, std::size_t index) { waiting_.push_back({t, topic, index}); }
   [[nodiscard]] double stamp(double t) const { return start_ + t; }
 
   void add_camera() {
-    const auto& camera = run_.document.camera;
-    if (!camera || run_.document.path.empty()) return;
-    const sensor::CameraMount& mount = camera->mount;
-    const double t = run_.document.path.front().t;
-    const double pitch = mount.pitch ? mount.pitch->to_double() : 0;
-    const std::array placement = {Placement{kRobotFrame, kCameraFrame, mount.x.to_double(), mount.y.to_double(),
-                                            mount.z.to_double(), Turn::of(mount.yaw.to_double(), pitch)}};
-    add(t, Topic::kTransforms, encoding_.transforms(stamp(t), placement));
+    if (!run_.document.camera || run_.document.path.empty()) return;
+    add(run_.document.path.front().t, Topic::kTransforms, kCamera);
   }
 
   void add_poses() {
-    const PoseResult* before = nullptr;
-    for (const PoseResult& pose : run_.document.path) {
-      const double t = stamp(pose.t);
-      const std::array placement = {Placement{kMapFrame, kRobotFrame, pose.x, pose.y, 0, Turn::of(pose.heading)}};
-      add(pose.t, Topic::kTransforms, encoding_.transforms(t, placement));
-      if (told(Topic::kPose)) add(pose.t, Topic::kPose, encoding_.pose(t, pose));
-      add(pose.t, Topic::kOdometry, encoding_.odometry(t, moving(before, pose)));
-      before = &pose;
+    const std::vector<PoseResult>& path = run_.document.path;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      add(path[i].t, Topic::kTransforms, i);
+      if (told(Topic::kPose)) add(path[i].t, Topic::kPose, i);
+      add(path[i].t, Topic::kOdometry, i);
     }
   }
 
@@ -80,12 +75,7 @@ class Recording {
   }
 
   void add_detections() {
-    const auto& camera = run_.document.camera;
-    const double latency = camera ? camera->latency.to_double() : 0;
-    for (const sensor::BlobFrame& frame : run_.frames) {
-      const double t = frame.t.to_double();
-      add(t, Topic::kDetections, encoding_.detections(stamp(t - latency), run_, frame));
-    }
+    for (std::size_t i = 0; i < run_.frames.size(); ++i) add(run_.frames[i].t.to_double(), Topic::kDetections, i);
   }
 
   void show(SceneChange& change, const ObjectResult& object) {
@@ -95,11 +85,11 @@ class Recording {
     change.shown.push_back(
         {object, *outline, title_of(run_.document, object), signature_colour(run_.document, object.signature)});
   }
-  void add(const SceneChange& change) {
+  void add(SceneChange change) {
     if (change.shown.empty() && change.gone.empty()) return;
-    SceneChange stamped = change;
-    stamped.t = stamp(change.t);
-    add(change.t, Topic::kObjects, encoding_.objects(stamped));
+    add(change.t, Topic::kObjects, changes_.size());
+    change.t = stamp(change.t);
+    changes_.push_back(std::move(change));
   }
 
   /// Objects that were seen in the same frame are one change.
@@ -107,12 +97,12 @@ class Recording {
     SceneChange change;
     for (const ObjectAt& at : run_.history) {
       if (at.t != change.t) {
-        add(change);
+        add(std::move(change));
         change = {at.t, {}, {}};
       }
       show(change, at.object);
     }
-    add(change);
+    add(std::move(change));
   }
 
   /// What the map holds at the end, and what it does not hold any more.
@@ -127,18 +117,49 @@ class Recording {
       gone.erase(object.id);
     }
     change.gone.assign(gone.begin(), gone.end());
-    add(change);
+    add(std::move(change));
   }
 
   void add_alerts() {
-    for (const record::AlertReport& alert : run_.document.alerts) {
-      const record::Signature* known = find_signature(run_.document, alert.signature);
-      std::array<char, console::kMaxSentence> sentence{};
-      const std::size_t size =
-          console::describe(alert, known != nullptr ? known->name.view() : std::string_view(), sentence);
-      const double t = alert.t.to_double();
-      add(t, Topic::kAlerts, encoding_.alert(stamp(t), alert.level, {sentence.data(), size < 2 ? 0 : size - 2}));
+    const std::vector<record::AlertReport>& alerts = run_.document.alerts;
+    for (std::size_t i = 0; i < alerts.size(); ++i) add(alerts[i].t.to_double(), Topic::kAlerts, i);
+  }
+
+  [[nodiscard]] std::string camera_transform() const {
+    const sensor::CameraMount& mount = run_.document.camera->mount;
+    const double pitch = mount.pitch ? mount.pitch->to_double() : 0;
+    const std::array placement = {Placement{kRobotFrame, kCameraFrame, mount.x.to_double(), mount.y.to_double(),
+                                            mount.z.to_double(), Turn::of(mount.yaw.to_double(), pitch)}};
+    return encoding_.transforms(stamp(run_.document.path.front().t), placement);
+  }
+  [[nodiscard]] std::string robot_transform(const PoseResult& pose) const {
+    const std::array placement = {Placement{kMapFrame, kRobotFrame, pose.x, pose.y, 0, Turn::of(pose.heading)}};
+    return encoding_.transforms(stamp(pose.t), placement);
+  }
+  [[nodiscard]] std::string alert(const record::AlertReport& alert) const {
+    const record::Signature* known = find_signature(run_.document, alert.signature);
+    std::array<char, console::kMaxSentence> sentence{};
+    const std::size_t size =
+        console::describe(alert, known != nullptr ? known->name.view() : std::string_view(), sentence);
+    return encoding_.alert(stamp(alert.t.to_double()), alert.level, {sentence.data(), size < 2 ? 0 : size - 2});
+  }
+
+  [[nodiscard]] std::string message(const Waiting& one) const {
+    const std::vector<PoseResult>& path = run_.document.path;
+    const std::size_t i = one.index;
+    switch (one.topic) {
+      case Topic::kTransforms: return i == kCamera ? camera_transform() : robot_transform(path[i]);
+      case Topic::kPose: return encoding_.pose(stamp(path[i].t), path[i]);
+      case Topic::kOdometry:
+        return encoding_.odometry(stamp(path[i].t), moving(i > 0 ? &path[i - 1] : nullptr, path[i]));
+      case Topic::kDetections: {
+        const double latency = run_.document.camera ? run_.document.camera->latency.to_double() : 0;
+        return encoding_.detections(stamp(one.t - latency), run_, run_.frames[i]);
+      }
+      case Topic::kObjects: return encoding_.objects(changes_[i]);
+      case Topic::kAlerts: return alert(run_.document.alerts[i]);
     }
+    return {};
   }
 
   std::string written() const {
@@ -152,7 +173,7 @@ class Recording {
       return static_cast<std::uint64_t>(std::llround(std::max(0.0, stamp(t)) * kNanoseconds));
     };
     for (const Waiting& one : waiting_) {
-      writer.write(channels[static_cast<std::size_t>(one.topic)], nanoseconds(one.t), one.data);
+      writer.write(channels[static_cast<std::size_t>(one.topic)], nanoseconds(one.t), message(one));
     }
     const double end = waiting_.empty() ? 0 : waiting_.back().t;
     writer.attach(run_.name, "text/plain", nanoseconds(end), run_.log);
@@ -166,6 +187,7 @@ class Recording {
   const Encoding& encoding_;
   double start_;
   std::vector<Waiting> waiting_;
+  std::vector<SceneChange> changes_;
   std::set<std::uint32_t> shown_;
 };
 
