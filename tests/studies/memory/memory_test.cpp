@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
@@ -32,9 +34,10 @@ struct Ended {
   double peak = 0;  ///< MB
 };
 
-/// `fencepost words...` in `folder`, with its output in the file `out` there.
-Ended run(const Folder& folder, std::vector<std::string> words, int in = -1) {
-  words.insert(words.begin(), "fencepost");
+/// `fencepost words...` in `folder`, with its output in the file `out` there. It may have `limit` KB of addresses.
+Ended run(const Folder& folder, std::vector<std::string> words, int in = -1, std::uint64_t limit = 0) {
+  const std::string most = limit > 0 ? std::to_string(limit) : "unlimited";
+  words.insert(words.begin(), {"sh", "-c", "ulimit -v " + most + "; exec \"$0\" \"$@\"", FENCEPOST_EXE});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -44,7 +47,7 @@ Ended run(const Folder& folder, std::vector<std::string> words, int in = -1) {
   ::posix_spawn_file_actions_addopen(&first, STDOUT_FILENO, "out", O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (in >= 0) ::posix_spawn_file_actions_adddup2(&first, in, STDIN_FILENO);
   pid_t pid = -1;
-  EXPECT_EQ(::posix_spawn(&pid, FENCEPOST_EXE, &first, nullptr, arguments.data(), environ), 0);
+  EXPECT_EQ(::posix_spawn(&pid, "/bin/sh", &first, nullptr, arguments.data(), environ), 0);
   ::posix_spawn_file_actions_destroy(&first);
   int status = 0;
   rusage used{};
@@ -73,7 +76,11 @@ TEST(Memory, DoesNotGrowWithTheLog) {
   spill(folder.path() / "scene.json", kScene);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"replay", "--json", "--write-log", "own"},
                                                   {"replay", "--check"},
-                                                  {"evaluate", "--scene", "scene.json"}}) {
+                                                  {"evaluate", "--scene", "scene.json"},
+                                                  {"doctor", "--json"},
+                                                  {"report", "--static", "-o", "report.html"},
+                                                  {"report", "-o", "report.html"},
+                                                  {"export", "--format", "geojson"}}) {
     SCOPED_TRACE(command[0] + " " + command[1]);
     std::array<double, 2> peaks{};
     for (const std::size_t i : {0U, 1U}) {
@@ -85,7 +92,10 @@ TEST(Memory, DoesNotGrowWithTheLog) {
     }
     EXPECT_LT(peaks[1] - peaks[0], kSame) << peaks[0] << " and " << peaks[1] << " MB";
     EXPECT_LT(peaks[1], kMost);
-    if (command[1] == "--json") {
+    if (command[0] == "report") {
+      EXPECT_LT(std::filesystem::file_size(folder.path() / "report.html"), 2 * kMegabyte);
+    }
+    if (command[0] == "replay" && command[1] == "--json") {
       const auto document = nlohmann::json::parse(slurp(folder.path() / "out"));
       EXPECT_GT(document["alerts"].size(), 5'000U) << "the log has to be of the kind that fills memory";
       EXPECT_GT(document["path"].size(), 1'000U);
@@ -95,29 +105,71 @@ TEST(Memory, DoesNotGrowWithTheLog) {
   }
 }
 
-TEST(Memory, ALineWithoutEndIsReadInAFewKilobytes) {
-  if (!can_measure()) GTEST_SKIP() << "a sanitizer has its own memory";
-  const Folder folder;
+/// The command with so many bytes of one line, then 10 s of a drive, at its standard input.
+Ended run_behind_a_long_line(const Folder& folder, const std::vector<std::string>& words, std::uint64_t bytes,
+                             std::uint64_t limit = 0) {
   std::array<int, 2> pipe{};
-  ASSERT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
-  std::thread writer([to = pipe[1]] {
+  EXPECT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+  std::thread writer([to = pipe[1], bytes] {
     const auto write_all = [to](std::string_view text) {
       while (!text.empty()) {
         const ssize_t written = ::write(to, text.data(), text.size());
-        if (written <= 0) return;
+        if (written <= 0) return false;
         text.remove_prefix(static_cast<std::size_t>(written));
       }
+      return true;
     };
     const std::string part(1U << 16U, 'x');
-    for (std::uint64_t size = 0; size < 100 * kMegabyte; size += part.size()) write_all(part);
-    write_all("\n" + LongLog::begin());
+    bool reads = true;
+    for (std::uint64_t size = 0; reads && size < bytes; size += part.size()) reads = write_all(part);
+    if (reads) write_all("\n" + LongLog::begin());
     LongLog log;
-    for (int i = 0; i < 100; ++i) write_all(log.next());
+    for (int i = 0; reads && i < 100; ++i) write_all(log.next());
     ::close(to);
   });
-  const Ended ended = run(folder, {"replay", "-", "--json"}, pipe[0]);
+  const Ended ended = run(folder, words, pipe[0], limit);
   ::close(pipe[0]);
   writer.join();
+  return ended;
+}
+
+/// What reads logs, and how it ends with such a one.
+const std::vector<std::pair<std::vector<std::string>, int>> kReaders = {
+    {{"replay", "-", "--json"}, 0},
+    {{"replay", "-", "--check"}, 1},
+    {{"replay", "--diff", "-", "short.log"}, 1},
+    {{"evaluate", "-", "--scene", "scene.json"}, 0},
+    {{"report", "-", "-o", "r.html"}, 0},
+    {{"report", "-", "--static", "-o", "r.html"}, 0},
+    {{"doctor", "-"}, 1},
+    {{"export", "-", "-o", "map.geojson"}, 0},
+    {{"export", "-", "-o", "run.csv"}, 3},
+    {{"export", "-", "-o", "run.mcap"}, 3},
+    {{"calibrate", "-"}, 3},
+    {{"smooth", "-"}, 0},
+    {{"merge", "-", "short.log"}, 1},
+    {{"emulate", "records", "-", "--link", "./robot"}, 3}};
+
+TEST(Memory, ALineWithoutEndIsSkippedOrRefusedByAllThatReadLogs) {
+  if (!can_measure()) GTEST_SKIP() << "a sanitizer has its own memory";
+  ::signal(SIGPIPE, SIG_IGN);  // a log that is refused is not read to its end
+  const Folder folder;
+  write_long_log((folder.path() / "short.log").string(), kMegabyte / 2);
+  spill(folder.path() / "scene.json", kScene);
+  constexpr std::uint64_t kLine = 200 * kMegabyte;
+  constexpr std::uint64_t kAddresses = 1'000'000;  // KB, libraries included
+  for (const auto& [words, exit_code] : kReaders) {
+    SCOPED_TRACE(words[0] + " " + words[1] + " " + words.back());
+    const Ended ended = run_behind_a_long_line(folder, words, kLine, kAddresses);
+    EXPECT_EQ(ended.exit_code, exit_code) << slurp(folder.path() / "out");
+    EXPECT_LT(ended.peak, exit_code == 3 ? 200 : kMost);
+  }
+}
+
+TEST(Memory, ALineWithoutEndIsReadInAFewKilobytes) {
+  if (!can_measure()) GTEST_SKIP() << "a sanitizer has its own memory";
+  const Folder folder;
+  const Ended ended = run_behind_a_long_line(folder, {"replay", "-", "--json"}, 100 * kMegabyte);
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_LT(ended.peak, kMost);
   const auto document = nlohmann::json::parse(slurp(folder.path() / "out"));
