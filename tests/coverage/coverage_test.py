@@ -75,6 +75,10 @@ class Coverage(unittest.TestCase):
         self.assertFalse(enough)
         self.assertIn("hal/forgotten.cpp: in no unit test", said)
 
+    def test_a_call_that_may_throw_is_no_branch(self):
+        ways = [{"count": 0, "throw": False}, {"count": 0, "throw": True}, {"count": 3, "throw": False}]
+        self.assertEqual(coverage.decisions(ways), [3])
+
     def test_other_files_are_none_of_ours(self):
         files = coverage.collect([document(self.root, line(1, 1), name="tests/a.cpp"),
                                   document(self.root, line(1, 1), name="../usr/include/vector")], self.root)

@@ -152,5 +152,10 @@ TEST(CmuCamDecoder, TheFuzzersEntryRuns) {
   }
 }
 
+TEST(CmuCamDecoder, NumbersOfTooManyDigitsAreNone) {
+  EXPECT_EQ(said("T 45 71 40 60 50 80 20 1234\r"), (Said{"text(T 45 71 40 60 50 80 20 1234)"}));
+  EXPECT_EQ(said("T 45 71 40 60 50 80 20 12345\r"), (Said{"text(T 45 71 40 60 50 80 20 12345)"}));
+}
+
 }  // namespace
 }  // namespace fencepost::cmucam

@@ -422,5 +422,16 @@ TEST(HuskyLens, FuzzRunsShortly) {
   }
 }
 
+TEST(HuskyLens, BoxesAboveAndBelowTheImageAreNone) {
+  EXPECT_EQ(blob_of(hex("A0 00 2C 01 0A 00 0A 00 01 00")), std::nullopt) << "around (160, 300)";
+  EXPECT_EQ(blob_of(hex("A0 00 9C FF 0A 00 0A 00 01 00")), std::nullopt) << "around (160, -100)";
+}
+
+TEST(HuskyLens, AnUnknownAnswerMeansNothing) {
+  const Bytes unknown = hex("55 AA 11 00 99 A9");
+  EXPECT_EQ(message_of(unknown).kind, Kind::kOther);
+  EXPECT_TRUE(message_of(unknown).data.empty());
+}
+
 }  // namespace
 }  // namespace fencepost::huskylens

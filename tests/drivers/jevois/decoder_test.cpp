@@ -177,5 +177,16 @@ TEST(JevoisDecoder, TheFuzzersEntryRuns) {
   }
 }
 
+TEST(JevoisDecoder, BoxesThatCannotBeEndTheirFrame) {
+  for (const std::string_view line :
+       {"N2 a 0 0 400", "N2 a 0 0 400 300 5", "N2 a 0 0 400 300 more", "N2 a 0 0 0 300", "N2 a 0 0 400 0",
+        "N2 a 0 0 400 -1", "N2 a 1.x 0 400 300", "N2 a 1. 0 400 300", "N2 a -1200 0 400 300", "N2 a 1200 0 400 300",
+        "N2 a 0 -900 400 300", "N2 a 0 900 400 300"}) {
+    Reading reading;
+    EXPECT_TRUE(reading.frame(line).frames.empty()) << line;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << line;
+  }
+}
+
 }  // namespace
 }  // namespace fencepost::jevois

@@ -89,5 +89,43 @@ TEST(NxtFramedLink, SmallBuffersAndGoneLinks) {
   EXPECT_EQ(framed.send(keep_alive().view()).error(), Error::kGone);
 }
 
+TEST(NxtFramedLink, ALinkThatGoesWhileSomethingWaits) {
+  for (const bool sending : {true, false}) {
+    Link link({});
+    link.limit_writes(3);
+    FramedLink<Link> framed(link);
+    EXPECT_TRUE(framed.send(sensor_write(0, 0x01, hex("42"), 11).view()));
+    link.unplug();
+    std::array<std::uint8_t, 64> in{};
+    EXPECT_EQ(sending ? framed.send(keep_alive().view()).error() : framed.receive(in).error(), Error::kGone);
+    link.replug();
+    EXPECT_TRUE(framed.send(keep_alive().view())) << "what waited is forgotten";
+  }
+}
+
+// Two whole telegrams a call at most, whatever comes.
+TEST(NxtFramedLink, NoiseDoesNotHoldItUp) {
+  Bytes noise(2 * 66, 0xFF);
+  noise.insert(noise.end(), kAlive.begin(), kAlive.end());
+  const std::array<fake::LinkStep, 1> steps = {{{noise, {}}}};
+  Link link(steps);
+  FramedLink<Link> framed(link);
+  std::array<std::uint8_t, 64> in{};
+  EXPECT_EQ(framed.receive(in).error(), Error::kNotReady);
+  EXPECT_EQ(framed.receive(in).value(), 7U);
+}
+
+struct EmptyReads {
+  static base::Result<std::size_t> read(std::span<std::uint8_t> /*in*/) { return std::size_t{0}; }
+  static base::Result<std::size_t> write(std::span<const std::uint8_t> out) { return out.size(); }
+};
+
+TEST(NxtFramedLink, AReadOfNothingIsNotReady) {
+  EmptyReads link;
+  FramedLink<EmptyReads> framed(link);
+  std::array<std::uint8_t, 64> in{};
+  EXPECT_EQ(framed.receive(in).error(), Error::kNotReady);
+}
+
 }  // namespace
 }  // namespace fencepost::nxt

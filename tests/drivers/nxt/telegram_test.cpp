@@ -86,5 +86,17 @@ TEST(NxtTelegram, FuzzedShortly) {
   }
 }
 
+TEST(NxtTelegram, NothingAnswersAnEmptyRequest) {
+  EXPECT_FALSE(answers(*reply_in(hex("02 0D 00 C0 27 09 00")), Telegram{}));
+}
+
+TEST(NxtTelegram, VersionsDifferInEachNumber) {
+  constexpr Version kOne{1, 124, 1, 29};
+  EXPECT_NE(kOne, (Version{2, 124, 1, 29}));
+  EXPECT_NE(kOne, (Version{1, 125, 1, 29}));
+  EXPECT_NE(kOne, (Version{1, 124, 2, 29}));
+  EXPECT_NE(kOne, (Version{1, 124, 1, 30}));
+}
+
 }  // namespace
 }  // namespace fencepost::nxt

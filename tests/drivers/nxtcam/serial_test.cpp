@@ -132,5 +132,17 @@ TEST(NxtCamSerial, FuzzedShortly) {
   }
 }
 
+TEST(AvrCam, WhatIsNoMessageHasNoMeaning) {
+  EXPECT_FALSE(tracking_in({}));
+  EXPECT_FALSE(tracking_in(hex("0A 01 08 00 00 0A 0A FF"))) << "there is no colour 8";
+  EXPECT_EQ(line_in({}), "");
+  EXPECT_EQ(line_in(hex("0D")), "");
+}
+
+TEST(NxtCamV5, ABoxUpsideDownIsNone) {
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 5A 8C 3C 00")));
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C 64 5A 00"))) << "no columns";
+}
+
 }  // namespace
 }  // namespace fencepost::nxtcam

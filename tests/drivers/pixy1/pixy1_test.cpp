@@ -307,5 +307,18 @@ TEST(Pixy1, FuzzRunsShortly) {
   }
 }
 
+TEST(Pixy1, NoiseWithoutImagesIsSoonNotReady) {
+  Listener listener;
+  listener.hears(kMark + kOne + kIdle);
+  EXPECT_EQ(listener.session.link(), LinkState::kOk);
+  for (int i = 0; i < 9; ++i) {
+    listener.hears(hex("FF"));
+    listener.wait(60);
+  }
+  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
+}
+
+TEST(Pixy1, ABlockWithoutColumnsIsNone) { EXPECT_FALSE(blob_of(hex("55 AA 00 00 01 00 A0 00 64 00 00 00 1E 00"))); }
+
 }  // namespace
 }  // namespace fencepost::pixy1

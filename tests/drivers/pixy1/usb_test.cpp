@@ -154,5 +154,18 @@ TEST(Pixy1Usb, WhateverArrivesABlockLiesInTheImage) {
   }
 }
 
+TEST(Pixy1Usb, OfTwoImagesInOneHeapTheOlderIsGiven) {
+  UsbSession session{Options{}};
+  const base::Time now{1'000};
+  session.step(now);
+  std::size_t given = 0;
+  for (int twice = 0; twice < 2; ++twice) {
+    for (const std::uint8_t byte : hex(kPushed2)) given += session.take(byte, now);
+  }
+  EXPECT_EQ(given, 1U);
+  for (const std::uint8_t byte : hex(kPushed2)) given += session.take(byte, now + base::milliseconds(1));
+  EXPECT_EQ(given, 2U);
+}
+
 }  // namespace
 }  // namespace fencepost::pixy1

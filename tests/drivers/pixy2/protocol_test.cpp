@@ -228,5 +228,22 @@ TEST(Pixy2Scanner, FuzzedShortly) {
   }
 }
 
+TEST(Pixy2Protocol, AVersionsTypeMayFillItsRoom) {
+  const auto version = version_in(packet_of(hex("AF C1 0F 10 00 00 00 22 03 00 14 00 67 65 6E 65 72 61 6C 65 72 61")));
+  ASSERT_TRUE(version);
+  EXPECT_EQ(version->type.view(), "generalera");
+}
+
+TEST(Pixy2Protocol, VersionsAndResolutionsDifferInEachPart) {
+  const Version one{0x2200, 3, 0, 20, "general"};
+  EXPECT_NE(one, (Version{0x2201, 3, 0, 20, "general"}));
+  EXPECT_NE(one, (Version{0x2200, 4, 0, 20, "general"}));
+  EXPECT_NE(one, (Version{0x2200, 3, 1, 20, "general"}));
+  EXPECT_NE(one, (Version{0x2200, 3, 0, 21, "general"}));
+  EXPECT_NE(one, (Version{0x2200, 3, 0, 20, "special"}));
+  EXPECT_NE((Resolution{316, 208}), (Resolution{316, 207}));
+  EXPECT_NE((Resolution{316, 208}), (Resolution{315, 208}));
+}
+
 }  // namespace
 }  // namespace fencepost::pixy2

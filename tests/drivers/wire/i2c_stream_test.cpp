@@ -94,5 +94,33 @@ TEST(I2cStream, NobodyThereIsNotReadyNoBusIsGone) {
   EXPECT_EQ(stream.write(kBytes).value(), 3U);
 }
 
+TEST(I2cStream, ABusThatGoesWithinATransfer) {
+  for (const bool writing : {true, false}) {
+    const std::array<fake::I2cStep, 1> script = {{{kBytes, {}, 5}}};
+    Bus bus(script);
+    I2cStream<Bus> stream(bus, 0x54);
+    std::array<std::uint8_t, 16> in{};
+    EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+    bus.unplug();
+    EXPECT_EQ(writing ? stream.write(kBytes).error() : stream.read(in).error(), Error::kGone);
+  }
+}
+
+struct TakenBus {
+  static base::Result<std::size_t> begin(std::uint8_t /*address*/, std::span<const std::uint8_t> /*out*/,
+                                         std::size_t /*expected*/) {
+    return Error::kFull;
+  }
+  static base::Result<std::size_t> finish(std::span<std::uint8_t> /*in*/) { return Error::kNotReady; }
+};
+
+TEST(I2cStream, ABusThatAnotherHasIsNotReady) {
+  TakenBus bus;
+  I2cStream<TakenBus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+}
+
 }  // namespace
 }  // namespace fencepost::wire

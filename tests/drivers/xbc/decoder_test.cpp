@@ -203,5 +203,18 @@ TEST(XbcDecoder, TheFuzzersEntryRuns) {
   }
 }
 
+TEST(XbcDecoder, EachValueHasItsRange) {
+  for (const std::string_view body :
+       {"B 3 0 9 9 9 9 8 8 10 10 0", "B 0 32 9 9 9 9 8 8 10 10 0", "B 0 0 9 9 9 9 10 8 10 10 0",
+        "B 0 0 9 9 9 9 8 8 8 10 0", "B 0 0 9 9 9 9 8 10 10 10 0", "B 0 0 9 9 9 9 8 8 10 8 0",
+        "B 0 0 9 9 0 9 8 8 10 10 0", "B 0 0 9 9 9 101 8 8 10 10 0", "B 0 0 9 9 9 9 8 8 10 10 3143",
+        "B 0 0 9 9 9 9 8 8 10 10 ", "B -1 0 9 9 9 9 8 8 10 10 0", "B 0 0 9 9 9 9 -1 8 10 10 0"}) {
+    Reading reading;
+    reading.bytes(sealed("F 1 1")).bytes(sealed(body)).bytes(sealed("E 1"));
+    EXPECT_TRUE(reading.frames.empty()) << body;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << body;
+  }
+}
+
 }  // namespace
 }  // namespace fencepost::xbc
