@@ -1,6 +1,9 @@
 #include "firmware/recon/models/carve.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 
 #include "hal/base/vectors.hpp"
 
@@ -58,21 +61,134 @@ void cut_rows(const Boundary& b, std::int16_t* end, int row, int row_end) {
   }
 }
 
+// The same boundary in whole numbers, for a desk: x in units of 2^-20 columns, from row to row by one addition, where
+// the loops above divide. What the units and rounding leave open is less than `open`: as long as no x is as near to a
+// whole column as that, the cut is the same.
+struct WholeBoundary {
+  static constexpr int kBits = 20;
+  static constexpr std::int32_t kColumn = 1 << kBits;
+  static constexpr float kMost =
+      1000;  // columns, of x at the first row and of all steps: their sum has room in 32 bits
+
+  bool possible;
+  std::int32_t start;  // at row 0
+  std::int32_t step;
+  std::int32_t open;
+
+  WholeBoundary(const Boundary& b, int rows) {
+    const double nx = static_cast<double>(b.nx);
+    const double ny = static_cast<double>(b.ny);
+    const double per_nx = 1.0 / nx;
+    const double x = (static_cast<double>(b.bound) - ny * b.from) * per_nx;
+    const double slope = -ny * per_nx;
+    const double most = static_cast<double>(kMost);
+    possible = std::fabs(x) < most && std::fabs(slope) * rows < most;
+    start = possible ? static_cast<std::int32_t>(x * kColumn) : 0;
+    step = possible ? static_cast<std::int32_t>(slope * kColumn) : 0;
+    // A unit a row for the step and one for the start. The plain form rounds products of ny, what is left and x, each
+    // by 2^-24 of kMost, 2 kMost and 2 kMost at most, columns.
+    constexpr std::int32_t kRounding = 5 * static_cast<std::int32_t>(kMost) / 16 + 1;
+    open = kRounding + rows + 2;
+  }
+};
+
+// False: some x is too near to a whole column; then no more has been cut off than should be.
+bool cut_right_in_whole(const WholeBoundary& b, std::int16_t* end, int row, int row_end) {
+  std::int32_t x = b.start + b.open + row * b.step;
+  std::int32_t nearest = WholeBoundary::kColumn;
+  for (; row < row_end; ++row, x += b.step) {
+    const std::int32_t beyond = x & (WholeBoundary::kColumn - 1);
+    nearest = beyond < nearest ? beyond : nearest;
+    const auto first = static_cast<std::int16_t>((x >> WholeBoundary::kBits) + 1);
+    const std::int16_t before = end[row];
+    end[row] = first < before ? first : before;
+  }
+  return nearest > 2 * b.open;
+}
+
+bool cut_left_in_whole(const WholeBoundary& b, std::int16_t* begin, int row, int row_end) {
+  std::int32_t x = b.start - b.open + row * b.step;
+  std::int32_t farthest = 0;
+  for (; row < row_end; ++row, x += b.step) {
+    const std::int32_t beyond = x & (WholeBoundary::kColumn - 1);
+    farthest = beyond > farthest ? beyond : farthest;
+    const auto first = static_cast<std::int16_t>(x >> WholeBoundary::kBits);
+    const std::int16_t before = begin[row];
+    begin[row] = first > before ? first : before;
+  }
+  return farthest < WholeBoundary::kColumn - 2 * b.open;
+}
+
+Boundary boundary_of(const HalfPlane& half_plane, const GridPlacement& placement, std::size_t columns) {
+  return {half_plane.normal.x(), half_plane.normal.y(),
+          (half_plane.bound + kCarveGuard - half_plane.normal.dot(placement.low)) / placement.cell,
+          static_cast<float>(columns), half_plane.normal.y() < 0 ? 1 : 0};
+}
+
+[[gnu::always_inline]] inline void cut(SolidRows rows, const Boundary& boundary, int row, int row_end) {
+  if (boundary.nx > kParallelToRows) return cut_right(boundary, rows.end.data(), row, row_end);
+  if (boundary.nx < -kParallelToRows) return cut_left(boundary, rows.begin.data(), row, row_end);
+  cut_rows(boundary, rows.end.data(), row, row_end);
+}
+
+[[gnu::always_inline]] inline bool cut_in_whole(SolidRows rows, const Boundary& boundary, int row, int row_end) {
+  if (!(std::fabs(boundary.nx) > kParallelToRows)) return false;
+  const WholeBoundary whole(boundary, row_end);
+  if (!whole.possible) return false;
+  if (boundary.nx > 0) return cut_right_in_whole(whole, rows.end.data(), row, row_end);
+  return cut_left_in_whole(whole, rows.begin.data(), row, row_end);
+}
+
+// GCC's and clang's, on any processor.
+using RowBlock = std::int16_t __attribute__((vector_size(2 * kCarveBlock)));
+
+[[gnu::always_inline]] inline bool block_empty(SolidRows rows, std::size_t row) {
+  RowBlock begins;
+  RowBlock ends;
+  std::memcpy(&begins, &rows.begin[row], sizeof begins);
+  std::memcpy(&ends, &rows.end[row], sizeof ends);
+  const RowBlock solid = begins < ends;
+  std::array<std::uint64_t, sizeof solid / 8> any;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::memcpy(any.data(), &solid, sizeof any);
+  std::uint64_t all = 0;
+  for (const std::uint64_t part : any) all |= part;
+  return all == 0;
+}
+
+bool row_empty(SolidRows rows, std::size_t row) { return rows.begin[row] >= rows.end[row]; }
+
+// In long steps over whole blocks while there are any; mostly there is nothing to do.
+[[gnu::always_inline]] inline RowRange without_empty_rows(SolidRows rows, RowRange range) {
+  if (range.begin < range.end && row_empty(rows, range.begin)) {
+    while (range.begin + kCarveBlock <= range.end && block_empty(rows, range.begin)) range.begin += kCarveBlock;
+    while (range.begin < range.end && row_empty(rows, range.begin)) ++range.begin;
+  }
+  if (range.begin < range.end && row_empty(rows, range.end - 1)) {
+    while (range.begin + kCarveBlock <= range.end && block_empty(rows, range.end - kCarveBlock)) {
+      range.end -= kCarveBlock;
+    }
+    while (range.begin < range.end && row_empty(rows, range.end - 1)) --range.end;
+  }
+  return range;
+}
+
 }  // namespace
 
 FENCEPOST_FOR_EACH_PROCESSOR
-void carve_half_plane(SolidRows rows, std::size_t columns, std::size_t row_begin, std::size_t row_end,
-                      const GridPlacement& placement, const HalfPlane& half_plane) {
-  const float nx = half_plane.normal.x();
-  const float ny = half_plane.normal.y();
-  const Boundary boundary{nx, ny,
-                          (half_plane.bound + kCarveGuard - half_plane.normal.dot(placement.low)) / placement.cell,
-                          static_cast<float>(columns), ny < 0 ? 1 : 0};
-  const auto first = static_cast<int>(row_begin);
-  const auto last = static_cast<int>(row_end);
-  if (nx > kParallelToRows) return cut_right(boundary, rows.end.data(), first, last);
-  if (nx < -kParallelToRows) return cut_left(boundary, rows.begin.data(), first, last);
-  cut_rows(boundary, rows.end.data(), first, last);
+void carve_half_plane(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+                      const HalfPlane& half_plane) {
+  const Boundary boundary = boundary_of(half_plane, placement, columns);
+  cut(rows, boundary, static_cast<int>(range.begin), static_cast<int>(range.end));
+}
+
+FENCEPOST_FOR_EACH_PROCESSOR
+RowRange carve_blocks(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+                      const HalfPlane& half_plane) {
+  const Boundary boundary = boundary_of(half_plane, placement, columns);
+  const auto row = static_cast<int>(range.begin / kCarveBlock * kCarveBlock);
+  const auto row_end = static_cast<int>((range.end + kCarveBlock - 1) / kCarveBlock * kCarveBlock);
+  if (!cut_in_whole(rows, boundary, row, row_end)) cut(rows, boundary, row, row_end);
+  return without_empty_rows(rows, range);
 }
 
 std::uint32_t solid_bits(std::int16_t begin, std::int16_t end, std::size_t word) {

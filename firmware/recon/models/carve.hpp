@@ -18,6 +18,7 @@
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/models/clip.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 
@@ -27,6 +28,10 @@ inline constexpr float kSmallestSide = 0.04F;  ///< m
 
 /// A cell is kept unless it is outside by more than this (m): room for float rounding, on the safe side.
 inline constexpr float kCarveGuard = 2e-6F;
+
+/// Many rows are carved fastest in whole blocks of so many; kManyRows are not many yet.
+inline constexpr std::size_t kCarveBlock = 16;
+inline constexpr std::size_t kManyRows = 4 * kCarveBlock;
 
 /// Where a square grid lies: local frame, metres. `low` is the outer corner of cell (0, 0).
 struct GridPlacement {
@@ -40,9 +45,20 @@ struct SolidRows {
   std::span<std::int16_t> end;
 };
 
-/// Takes all cells that lie wholly outside `half_plane` out of rows [row_begin, row_end) of `columns` cells.
-void carve_half_plane(SolidRows rows, std::size_t columns, std::size_t row_begin, std::size_t row_end,
-                      const GridPlacement& placement, const HalfPlane& half_plane);
+/// Rows [begin, end).
+struct RowRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Takes all cells that lie wholly outside `half_plane` out of the rows of `range`, of `columns` cells each.
+void carve_half_plane(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+                      const HalfPlane& half_plane);
+
+/// The same bits where rows are many, in whole blocks of kCarveBlock: the other rows of a block in which the range ends
+/// have to be empty. Returns the range without the rows that are empty at either end.
+RowRange carve_blocks(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+                      const HalfPlane& half_plane);
 
 /// Of cells [begin, end) of a row, those in its word `word`: cell 0 is bit 0 of word 0.
 std::uint32_t solid_bits(std::int16_t begin, std::int16_t end, std::size_t word);
@@ -65,7 +81,11 @@ class CarveGrid {
   }
 
   void carve(const HalfPlane& half_plane) {
-    carve_half_plane({begin_, end_}, N, row_begin_, row_end_, placement_, half_plane);
+    if (base::kVectors && rows_.end - rows_.begin > kManyRows) {
+      rows_ = carve_blocks({begin_, end_}, N, rows_, placement_, half_plane);
+      return;
+    }
+    carve_half_plane({begin_, end_}, N, rows_, placement_, half_plane);
     shrink_rows();
   }
 
@@ -109,21 +129,20 @@ class CarveGrid {
     placement_ = placement;
     begin_.fill(0);
     end_.fill(N);
-    row_begin_ = 0;
-    row_end_ = N;
+    rows_ = {0, N};
   }
+
   // Carving is monotone: rows that are empty at either end need no more work.
   void shrink_rows() {
-    while (row_begin_ < row_end_ && row_empty(row_begin_)) ++row_begin_;
-    while (row_begin_ < row_end_ && row_empty(row_end_ - 1U)) --row_end_;
+    while (rows_.begin < rows_.end && row_empty(rows_.begin)) ++rows_.begin;
+    while (rows_.begin < rows_.end && row_empty(rows_.end - 1U)) --rows_.end;
   }
   [[nodiscard]] bool row_empty(std::size_t row) const { return begin_[row] >= end_[row]; }
 
   std::array<std::int16_t, N> begin_{};
   std::array<std::int16_t, N> end_{};
   GridPlacement placement_;
-  std::uint16_t row_begin_ = 0;
-  std::uint16_t row_end_ = 0;
+  RowRange rows_;  ///< that are not known to be empty
   std::uint8_t placements_ = 0;
 };
 

@@ -48,8 +48,11 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
-/// Floats that view_to_give_up works with: both coordinates of all bearings, in whole fours.
-constexpr std::size_t thinning_scratch(std::size_t views) { return 2 * ((views + 4) / 4 * 4); }
+/// Floats that view_to_give_up works with: both coordinates of all bearings and of the newcomer's, in whole eights.
+inline constexpr std::size_t kThinningLanes = 8;
+constexpr std::size_t thinning_scratch(std::size_t views) {
+  return 2 * ((views + kThinningLanes) / kThinningLanes * kThinningLanes);
+}
 
 /// Which of the full store's views goes when `newcomer` comes: the one whose loss leaves the smallest gap of bearings
 /// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2, about 1 ns

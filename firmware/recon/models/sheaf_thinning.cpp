@@ -1,39 +1,31 @@
-// Which view a full store gives up. Only the desk keeps sheaves: it looks at all pairs of views, four at a time.
+// Which view a full store gives up. Only the desk keeps sheaves: it looks at all pairs of views, eight at a time.
 #include <cmath>
 #include <cstring>
 #include <optional>
 
 #include "firmware/recon/models/sheaf.hpp"
 #include "hal/base/check.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 namespace {
 
-// GCC's and clang's, on any processor.
-using Floats = float __attribute__((vector_size(16)));
-using Whole = std::int32_t __attribute__((vector_size(16)));
-constexpr std::size_t kLanes = 4;
+// GCC's and clang's, on any processor; never an argument, for how vectors are passed depends on the processor.
+using Floats = float __attribute__((vector_size(kThinningLanes * sizeof(float))));
+using Whole = std::int32_t __attribute__((vector_size(kThinningLanes * sizeof(float))));
 
 constexpr float kNobody = 4.0F;  // the whole circle's diameter, squared
 
 // Squares are not negative, and then their bits rise as they do.
-Whole bits_of(Floats values) {
-  Whole bits;
-  std::memcpy(&bits, &values, sizeof bits);
+std::int32_t bits_of(float square) {
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &square, sizeof bits);
   return bits;
 }
-Whole chosen(Whole mask, Whole a, Whole b) { return (a & mask) | (b & ~mask); }
-Whole smaller(Whole a, Whole b) { return chosen(a < b, a, b); }
-
-float smallest_of(Whole bits) {
-  float least = kNobody;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    float value = 0;
-    const std::int32_t one = bits[lane];
-    std::memcpy(&value, &one, sizeof value);
-    least = value < least ? value : least;
-  }
-  return least;
+float square_of(std::int32_t bits) {
+  float square = 0;
+  std::memcpy(&square, &bits, sizeof square);
+  return square;
 }
 
 struct Bearings {
@@ -44,13 +36,14 @@ struct Bearings {
 
 // The chords from a bearing to its nearest neighbours on either side: how large a gap it would leave. Of two that are
 // the same, the later one is to the left.
-float gap_around(const Bearings& all, std::size_t i) {
-  const Floats nobody{kNobody, kNobody, kNobody, kNobody};
+[[gnu::always_inline]] inline float gap_around(const Bearings& all, std::size_t i) {
   const auto own = static_cast<std::int32_t>(i);
-  Whole left = bits_of(nobody);
-  Whole right = left;
-  Whole index{0, 1, 2, 3};
-  for (std::size_t j = 0; j < all.size; j += kLanes) {
+  const Whole nobody = Whole{} + bits_of(kNobody);
+  Whole left = nobody;
+  Whole right = nobody;
+  Whole index;
+  for (std::size_t lane = 0; lane < kThinningLanes; ++lane) index[lane] = static_cast<std::int32_t>(lane);
+  for (std::size_t j = 0; j < all.size; j += kThinningLanes) {
     Floats x;
     Floats y;
     std::memcpy(&x, all.x + j, sizeof x);
@@ -58,17 +51,29 @@ float gap_around(const Bearings& all, std::size_t i) {
     const Floats dx = x - all.x[i];
     const Floats dy = y - all.y[i];
     const Floats side = all.x[i] * y - all.y[i] * x;
-    const Whole away = chosen(index == own, bits_of(nobody), bits_of(dx * dx + dy * dy));
+    const Floats squares = dx * dx + dy * dy;
+    Whole away;
+    std::memcpy(&away, &squares, sizeof away);
+    away = index == own ? nobody : away;
     const Whole is_left = (side > 0.0F) | ((side == 0.0F) & (index > own));
-    left = smaller(chosen(is_left, away, left), left);
-    right = smaller(chosen(is_left, right, away), right);
-    index += static_cast<std::int32_t>(kLanes);
+    const Whole to_left = is_left ? away : nobody;
+    const Whole to_right = is_left ? nobody : away;
+    left = to_left < left ? to_left : left;
+    right = to_right < right ? to_right : right;
+    index += static_cast<std::int32_t>(kThinningLanes);
   }
-  return std::sqrt(smallest_of(left)) + std::sqrt(smallest_of(right));
+  std::int32_t nearest_left = bits_of(kNobody);
+  std::int32_t nearest_right = nearest_left;
+  for (std::size_t lane = 0; lane < kThinningLanes; ++lane) {
+    nearest_left = left[lane] < nearest_left ? left[lane] : nearest_left;
+    nearest_right = right[lane] < nearest_right ? right[lane] : nearest_right;
+  }
+  return std::sqrt(square_of(nearest_left)) + std::sqrt(square_of(nearest_right));
 }
 
 }  // namespace
 
+FENCEPOST_FOR_EACH_PROCESSOR
 std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer, std::span<float> scratch) {
   FENCEPOST_CHECK(scratch.size() >= thinning_scratch(views.size()));
   const std::size_t room = thinning_scratch(views.size()) / 2;

@@ -102,7 +102,7 @@ TEST(CarveGrid, CarvesExactlyTheCellsThatLieWhollyOutside) {
                                          static_cast<float>(uniform(0.002, 0.05))};
     const double angle = round % 4 == 0 ? M_PI / 2 * (round % 16 / 4) : uniform(0, 2 * M_PI);
     const HalfPlane plane = half_plane(angle, uniform(-1, 1));
-    recon::carve_half_plane({begin, end}, 64, 0, 64, placement, plane);
+    recon::carve_half_plane({begin, end}, 64, {0, 64}, placement, plane);
     for (std::size_t j = 0; j < 64; ++j) {
       for (std::size_t i = 0; i < 64; ++i) {
         double inside = 1e9;  // of the innermost corner: distance beyond the line
@@ -146,7 +146,7 @@ TEST(CarveGrid, EachRowIsThatOfPlainFloats) {
     const recon::GridPlacement placement{{round % 3 == 0 ? -0.5F : static_cast<float>(uniform(-1, 0)), -0.5F}, cell};
     const double angle = round % 4 == 0 ? M_PI / 2 * (round % 16 / 4) : uniform(0, 2 * M_PI);
     const HalfPlane plane = half_plane(angle, round % 3 == 0 ? std::floor(uniform(-8, 8)) / 8 : uniform(-1, 1));
-    recon::carve_half_plane({begin, end}, kSide, 0, kSide, placement, plane);
+    recon::carve_half_plane({begin, end}, kSide, {0, kSide}, placement, plane);
     const float nx = plane.normal.x();
     const float ny = plane.normal.y();
     const float bound = (plane.bound + recon::kCarveGuard - plane.normal.dot(placement.low)) / cell;
