@@ -25,6 +25,7 @@ LITERALS = (CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL)
 STATIC = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_DECL, CursorKind.TEMPLATE_NON_TYPE_PARAMETER, CursorKind.CASE_STMT,
           CursorKind.TYPE_ALIAS_DECL, CursorKind.CONCEPT_DECL if hasattr(CursorKind, "CONCEPT_DECL") else None)
 MOST = 1 << 15  # kMost of mutation.hpp
+CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
 NAMESPACE = "::fencepost::mutation::"
 
 
@@ -67,10 +68,15 @@ class Source:
 
     def walk(self, children, cursor):
         for child in children:
-            if not self.here(child) or child.kind in STATIC or self.is_constant(child):
+            if not self.here(child) or child.kind in STATIC or self.is_constant(child) or self.is_argument(child, cursor):
                 continue
             self.offer(child, cursor)
             self.walk(child.get_children(), child)
+
+    def is_argument(self, cursor, parent):
+        """Of a template: an expression of a declaration before its name, or of a class outside its members."""
+        before_name = cursor.extent.end.offset <= parent.location.offset
+        return cursor.kind.is_expression() and parent.kind.is_declaration() and (before_name or parent.kind in CLASSES)
 
     def is_constant(self, cursor):
         if cursor.kind not in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):

@@ -16,8 +16,12 @@ SAMPLE = """#include <cstdio>
 constexpr int kFixed = 2 + 3;
 template <class T>
 bool less(T a, T b) { return a < b; }
+template <int N>
+struct Room { int held[N + 1]; };
+template struct Room<3>;
 int three(int a, bool on) {
-  int sum = 0;
+  Room<2 + 1> sums = {};
+  int& sum = sums.held[0];
   sum += a;
   if (!on && a >= 3) return -a;
   return sum - 7;
@@ -28,10 +32,10 @@ int main() {
 """
 USUAL = "5 0 -3 -2"
 # What each mutant prints, by its line and what it is.
-MEANS = {(4, "< is <="): "5 1 -3 -2", (7, "statement left out"): "5 0 -3 -7", (8, "right side of && ignored"): USUAL,
-         (8, "! left out"): "5 0 -4 -5", (8, ">= is >"): "5 0 -4 -2", (8, "3 is more"): "5 0 -4 -2", (8, "- left out"): "5 0 3 -2",
-         (9, "- is +"): "5 0 -3 12", (9, "7 is more"): "5 0 -3 -3", (12, "statement left out"): "",
-         (12, "2 is more"): None, (12, "1 is more"): USUAL, (12, "3 is more"): "5 0 -4 -2", (12, "5 is more"): "5 0 -3 -1"}
+MEANS = {(4, "< is <="): "5 1 -3 -2", (11, "statement left out"): "5 0 -3 -7", (12, "right side of && ignored"): USUAL,
+         (12, "! left out"): "5 0 -4 -5", (12, ">= is >"): "5 0 -4 -2", (12, "3 is more"): "5 0 -4 -2", (12, "- left out"): "5 0 3 -2",
+         (13, "- is +"): "5 0 -3 12", (13, "7 is more"): "5 0 -3 -3", (16, "statement left out"): "",
+         (16, "2 is more"): None, (16, "1 is more"): USUAL, (16, "3 is more"): "5 0 -4 -2", (16, "5 is more"): "5 0 -3 -1"}
 
 
 def main():

@@ -24,7 +24,8 @@ struct HostileFigures {
   base::Duration longest_gap;           ///< between two samples in calm
   base::Duration longest_recovery;      ///< from a fault's end to the first right sample
   std::size_t longest_queue = 0;        ///< bytes or frames that waited for the driver
-  std::int64_t heap_growth = 0;         ///< bytes of the whole program, from a tenth of the time to the end
+  std::uint64_t said = 0;        ///< digest of all samples as records, of the link's states, of what the driver counted
+  std::int64_t heap_growth = 0;  ///< bytes of the whole program, from a tenth of the time to the end
 
   /// Good frames that the driver did not give.
   [[nodiscard]] std::uint64_t lost() const { return whole > right_in_calm ? whole - right_in_calm : 0; }

@@ -2,13 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <type_traits>
 
+#include "hal/base/fnv1a.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/faults.hpp"
 #include "tests/drivers/bench/hostile_figures.hpp"
 #include "tests/drivers/bench/plug.hpp"
+#include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::test {
 
@@ -36,6 +41,8 @@ class HostileHours {
     figures_.corrupted = bench_.link.corrupted();
     figures_.faults = faults_.count();
     figures_.disorder = bench_.disorder;
+    note_counts(bench_.driver);
+    figures_.said = said_.value();
     figures_.heap_growth = static_cast<std::int64_t>(heap_in_use()) - static_cast<std::int64_t>(heap_at_first_);
     return figures_;
   }
@@ -48,6 +55,7 @@ class HostileHours {
     const std::uint64_t whole = bench_.link.whole_frames();
     const std::uint64_t corrupted = bench_.link.corrupted();
     const auto sample = bench_.step(step_);
+    note_link();
     figures_.longest_queue = std::max(figures_.longest_queue, bench_.link.waiting());
     if (calm_) {
       figures_.whole += bench_.link.whole_frames() - whole;
@@ -59,8 +67,35 @@ class HostileHours {
     if (sample) take(*sample);
   }
 
+  void note_link() {
+    if (bench_.driver.link() == link_) return;
+    link_ = bench_.driver.link();
+    said_.u8(static_cast<std::uint8_t>(link_));
+    said_.i64(bench_.clock.now().raw);
+  }
+
+  // What the driver counted, under whatever name it has.
+  template <class Driver>
+  void note_counts(const Driver& driver) {
+    if constexpr (requires { driver.counts(); }) {
+      note_bytes(driver.counts());
+    } else if constexpr (requires { driver.counters(); }) {
+      note_bytes(driver.counters());
+    } else if constexpr (requires { driver.session(); }) {
+      note_counts(driver.session());
+    }
+  }
+  template <class Counts>
+  void note_bytes(const Counts& counts) {
+    static_assert(std::has_unique_object_representations_v<Counts>);
+    std::array<std::uint8_t, sizeof(Counts)> bytes;
+    std::memcpy(bytes.data(), &counts, sizeof counts);
+    for (const std::uint8_t byte : bytes) said_.u8(byte);
+  }
+
   void take(const typename Rig::Sample& sample) {
     ++figures_.samples;
+    for (const char c : record::encoded(sample)) said_.u8(static_cast<std::uint8_t>(c));
     last_ = bench_.clock.now();
     if (!bench_.right(sample)) {
       // Samples held back by a stalled line come late and do not count as damaged.
@@ -94,6 +129,8 @@ class HostileHours {
   Faults faults_;
   base::Duration step_;
   HostileFigures figures_;
+  base::Fnv1a64 said_;
+  sensor::LinkState link_ = sensor::LinkState::kAbsent;
   bool in_fault_ = false;
   bool calm_ = false;
   base::Time over_;

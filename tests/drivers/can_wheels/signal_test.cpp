@@ -53,6 +53,10 @@ TEST(CanSignal, OtherFramesHaveNoValue) {
   remote.remote = true;
   EXPECT_FALSE(value_in(remote, signal));
   EXPECT_FALSE(carries(remote, signal));
+  bus::CanFrame too_long = frame(0x185, false, "37 06 A0 86 01 00 00 00");
+  EXPECT_TRUE(value_in(too_long, signal));
+  too_long.length = 9;  // longer than a frame can be
+  EXPECT_FALSE(value_in(too_long, signal));
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ TEST(Cognachrome, ReadsWhatTeamBotsReads) {
 TEST(Cognachrome, BoxesEndAtTheImage) {
   EXPECT_EQ(blob_of(0, 0, 0, 600), (sensor::Blob{1, 0, 0, 11, 199, {0}, {0}, 600, {}}));
   EXPECT_EQ(blob_of(2, 249, 199, 1), (sensor::Blob{3, 249, 0, 249, 199, {2'490}, {1'990}, 1, {}}));
+  // As wide as a square of so many pixels that are 16/15 as wide as high: w w 16/15, so w = 1 up to four pixels, 2 up
+  // to nine.
+  for (const auto& [pixels, width] : {std::pair(1, 1), {4, 1}, {5, 2}, {9, 2}, {10, 3}, {50'000, 216}}) {
+    const std::optional<sensor::Blob> blob = blob_of(0, 120, 10, pixels);
+    EXPECT_EQ(blob->x2 - blob->x1 + 1, width) << pixels;
+  }
   for (const auto& [column, row, pixels] : {std::tuple(250, 0, 1), {0, 200, 1}, {0, 0, 0}, {0, 0, 50'001}}) {
     EXPECT_EQ(blob_of(0, column, row, pixels), std::nullopt);
   }

@@ -7,11 +7,32 @@
 
 #include "drivers/odometry/wheel_base.hpp"
 #include "drivers/pixy2/camera.hpp"
+#include "firmware/config/about_image.hpp"
 
 namespace fencepost::config {
 namespace {
 
 constexpr DeviceLimits everything() { return {(1U << kCameraIds) - 1, (1U << kOdometryIds) - 1, false, 0, true, {}}; }
+
+TEST(AboutImage, SaysWhatTheImageIsAndBeginsWith) {
+  DeviceLimits limits{0b1010, 0b101, true, 8, true, Devices(CameraId::kPixy2, OdometryId::kConsole)};
+  const AboutImage about = about_image("0.1.0", 7, limits);
+  EXPECT_EQ(std::string(about.mark.begin(), about.mark.end()), "fencepost image 2");
+  EXPECT_EQ(std::string(about.version.begin(), about.version.end()), std::string("0.1.0") + std::string(9, '\0'));
+  EXPECT_EQ(about.signatures, 7);
+  EXPECT_EQ(about.cameras, 0b1010U);
+  EXPECT_EQ(about.odometries, 0b101U);
+  EXPECT_EQ(about.one_line, 1U);
+  EXPECT_EQ(about.lowest_address, 8U);
+  EXPECT_EQ(about.motors, 1U);
+  for (std::size_t i = 0; i < kDeviceKeys; ++i)
+    EXPECT_EQ(about.initial[i], limits.initial.raw(static_cast<DeviceKey>(i)));
+  limits.one_line = limits.motors = false;
+  EXPECT_EQ(about_image("", 0, limits).one_line + about_image("", 0, limits).motors, 0U);
+  const AboutImage cut = about_image("1.2.3-and-much-more", 1, limits);  // what does not fit is left out
+  EXPECT_EQ(std::string(cut.version.begin(), cut.version.end()), "1.2.3-and-much");
+  EXPECT_EQ(cut.signatures, 1);
+}
 
 TEST(Devices, EachCameraButTheConsolesHasACalibration) {
   for (std::size_t i = 0; i < kCameraIds; ++i) {

@@ -1,7 +1,7 @@
-// Golden runs: the bundled recordings through the whole loop of each profile have to end in the same state and to have
-// said the same lines as when golden_runs.csv was written. The digest of a state may change only where the changelog
-// says so (digest.md), what is said only on purpose: FENCEPOST_GOLDEN=FOLDER writes golden_runs.csv anew there, and
-// beside it all that was said, to be compared.
+// Golden runs: the bundled recordings, and random drives, through the whole loop of each profile have to end in the
+// same state and to have said the same lines as when golden_runs.csv was written. The digest of a state may change only
+// where the changelog says so (digest.md), what is said only on purpose: FENCEPOST_GOLDEN=FOLDER writes golden_runs.csv
+// anew there, and beside it all that was said, to be compared.
 #include <gtest/gtest.h>
 
 #include <cinttypes>
@@ -16,6 +16,7 @@
 
 #include "hal/base/fnv1a.hpp"
 #include "tests/firmware/loop/desk.hpp"
+#include "tests/firmware/loop/random_drive.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -59,6 +60,7 @@ constexpr Run kRuns[] = {
 };
 // What is asked at the end of each.
 constexpr const char* kQuestions[] = {"status", "objects", "map", "next", "next 1", "sectors", "calibrate"};
+constexpr std::uint32_t kDrives = 100;
 constexpr const char* kTable = "/tests/firmware/loop/golden_runs.csv";
 
 std::uint64_t digest_of(const std::string& text) {
@@ -71,6 +73,20 @@ std::uint64_t digest_of(const std::string& text) {
 std::string typed(const std::string& setting) {
   const std::size_t comma = setting.find(',', 7);
   return "set " + setting.substr(7, comma - 7) + " " + setting.substr(comma + 1, setting.find('*') - comma - 1);
+}
+
+template <class Profile>
+std::string finish(Desk<Profile>& desk, std::string said, std::string& state) {
+  for (int i = 0; i < 3; ++i) {  // nothing comes any more
+    desk.now = desk.now + base::milliseconds(700);
+    desk.turn();
+    said += desk.link.take_said();
+  }
+  for (const char* question : kQuestions) said += desk.type_line(question);
+  char digest[20];
+  std::snprintf(digest, sizeof digest, "%016" PRIx64, desk.memory().map.digest());
+  state = digest;
+  return said;
 }
 
 // The clock runs with the records.
@@ -94,16 +110,23 @@ std::string drive(const Run& run, std::string& state) {
     said += desk.link.take_said();
   }
   EXPECT_GT(number, 90U) << run.recording;
-  for (int i = 0; i < 3; ++i) {  // nothing comes any more
-    desk.now = desk.now + base::milliseconds(700);
-    desk.turn();
+  return finish(desk, std::move(said), state);
+}
+
+// Twenty seconds.
+template <class Profile>
+std::string draw(std::uint32_t seed, std::string& state) {
+  RandomDrive drive(seed);
+  Desk<Profile> desk(seed % 3 == 0 ? Mode::kText : Mode::kLog);
+  std::string said = desk.type(drive.first());
+  for (int i = 0; i < 1000; ++i) {
+    double t = 0;
+    desk.link.type(drive.next(t));
+    desk.now = std::max(desk.now, base::Time::nearest(t));
+    desk.turn(3);
     said += desk.link.take_said();
   }
-  for (const char* question : kQuestions) said += desk.type_line(question);
-  char digest[20];
-  std::snprintf(digest, sizeof digest, "%016" PRIx64, desk.memory().map.digest());
-  state = digest;
-  return said;
+  return finish(desk, std::move(said), state);
 }
 
 std::map<std::string, std::string> table() {
@@ -116,19 +139,18 @@ std::map<std::string, std::string> table() {
   return rows;
 }
 
+std::string drawn(std::string_view profile, std::uint32_t seed, std::string& state) {
+  if (profile == "micro") return draw<config::Micro>(seed, state);
+  if (profile == "small") return draw<config::Small>(seed, state);
+  return draw<config::Full>(seed, state);
+}
 std::string driven(std::string_view profile, const Run& run, std::string& state) {
   if (profile == "micro") return drive<config::Micro>(run, state);
   if (profile == "small") return drive<config::Small>(run, state);
   return drive<config::Full>(run, state);
 }
 
-class GoldenRuns : public testing::TestWithParam<std::tuple<const char*, Run>> {};
-
-TEST_P(GoldenRuns, EndsInTheSameStateAndSaysTheSame) {
-  const auto& [profile, run] = GetParam();
-  std::string state;
-  const std::string said = driven(profile, run, state);
-  const std::string key = std::string(profile) + "," + run.name;
+void compare(const std::string& key, const std::string& state, const std::string& said) {
   char row[40];
   std::snprintf(row, sizeof row, "%s,%016" PRIx64, state.c_str(), digest_of(said));
   if (const char* folder = std::getenv("FENCEPOST_GOLDEN")) {
@@ -138,10 +160,27 @@ TEST_P(GoldenRuns, EndsInTheSameStateAndSaysTheSame) {
   EXPECT_EQ(row, table()[key]) << key << ": state, and what was said; see the head of this file";
 }
 
+class GoldenRuns : public testing::TestWithParam<std::tuple<const char*, Run>> {};
+TEST_P(GoldenRuns, EndInTheSameStateAndSayTheSame) {
+  const auto& [profile, run] = GetParam();
+  std::string state;
+  const std::string said = driven(profile, run, state);
+  compare(std::string(profile) + "," + run.name, state, said);
+}
 INSTANTIATE_TEST_SUITE_P(All, GoldenRuns,
                          testing::Combine(testing::Values("micro", "small", "full"), testing::ValuesIn(kRuns)));
 
-TEST(GoldenRunsTable, HasARowForEachRunAndNoOther) { EXPECT_EQ(table().size(), 3 * std::size(kRuns)); }
+class GoldenDrives : public testing::TestWithParam<std::tuple<const char*, std::uint32_t>> {};
+TEST_P(GoldenDrives, EndInTheSameStateAndSayTheSame) {
+  const auto& [profile, seed] = GetParam();
+  std::string state;
+  const std::string said = drawn(profile, seed, state);
+  compare(std::string(profile) + ",drive " + std::to_string(seed), state, said);
+}
+INSTANTIATE_TEST_SUITE_P(All, GoldenDrives,
+                         testing::Combine(testing::Values("micro", "small", "full"), testing::Range(1U, kDrives + 1)));
+
+TEST(GoldenRunsTable, HasARowForEachRunAndNoOther) { EXPECT_EQ(table().size(), 3 * (std::size(kRuns) + kDrives)); }
 
 }  // namespace
 }  // namespace fencepost::test

@@ -33,6 +33,17 @@ Room room(std::mt19937& random, int things, int colours) {
   return all;
 }
 
+TEST(Relocation, ARadiusIsKnownFromThingsOfThatColourThatHaveOne) {
+  const Room points = {{{0, 0}, 0, 0.04F, 1}, {{1, 0}, 0, 0.06F, 1}, {{2, 0}, 0, 0.5F, 2}, {{3, 0}, 0, 0, 3}};
+  const std::optional<KnownRadius> radius = radius_of(points, 1);
+  ASSERT_TRUE(radius.has_value());
+  EXPECT_FLOAT_EQ(radius->mean, 0.05F);
+  EXPECT_NEAR(radius->sigma, 0.01F, 1e-6F);        // 0.04 and 0.06
+  EXPECT_FALSE(radius_of(points, 3).has_value());  // it has none
+  EXPECT_FALSE(radius_of(points, 4).has_value());  // nothing has that colour
+  EXPECT_FALSE(radius_of({}, 1).has_value());
+}
+
 struct Answer {
   float after = 0;  ///< s
   float off = 0;    ///< m

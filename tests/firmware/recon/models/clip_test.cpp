@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -48,6 +49,39 @@ TEST(ConvexClip, KeepsEverythingOrNothing) {
   EXPECT_TRUE(clip.vertices().empty());
   clip.cut(half_plane(0.3, 10));
   EXPECT_TRUE(clip.vertices().empty());  // what is gone stays gone
+}
+
+// Rounding may leave an almost straight chain with a dent: only the run around the innermost vertex is kept then,
+// wherever the list begins.
+TEST(ConvexClip, ADentInWhatIsCutOffIsCutOffAsWell) {
+  const std::array<Vec2, 7> dented = {Vec2{-1, -1}, {1, -1},          {1, 0.9F}, {0.5F, 1.0005F},
+                                      {0, 0.999F},  {-0.5F, 1.0005F}, {-1, 0.8F}};
+  for (std::size_t begin = 0; begin < dented.size(); ++begin) {
+    std::array<Vec2, 12> v;
+    for (std::size_t i = 0; i < dented.size(); ++i) v[i] = dented[(begin + i) % dented.size()];
+    const std::size_t size = recon::clip_convex(v, dented.size(), {{0, 1}, 1});
+    host::Polygon polygon;
+    for (std::size_t i = 0; i < size; ++i) {
+      polygon.outer.push_back({static_cast<double>(v[i].x()), static_cast<double>(v[i].y())});
+      EXPECT_LE(v[i].y(), 1 + 1e-6F);
+      EXPECT_GT(std::fabs(v[i].x()), 0.4F) << "the dent is still there, from vertex " << begin;
+    }
+    // Four corners and two crossings at y = 1: x = 0.5025 on the right (0.1 of 0.1005 up), -0.5012 on the left (0.2 of
+    // 0.2005).
+    EXPECT_EQ(size, 6U) << begin;
+    const double right = 1 - 0.5 * 0.1 / 0.1005;
+    const double left = 1 - 0.5 * 0.2 / 0.2005;
+    // Trapezoids from y = -1: shoelace of (-1,-1) (1,-1) (1,0.9) (right,1) (-left,1) (-1,0.8).
+    const double x[] = {-1, 1, 1, right, -left, -1};
+    const double y[] = {-1, -1, 0.9, 1, 1, 0.8};
+    double twice = 0;
+    for (int i = 0; i < 6; ++i) twice += x[i] * y[(i + 1) % 6] - x[(i + 1) % 6] * y[i];
+    EXPECT_NEAR(host::area({polygon}), twice / 2, 1e-5) << begin;
+  }
+  std::array<Vec2, 12> v{};
+  std::copy(dented.begin(), dented.end(), v.begin());
+  EXPECT_EQ(recon::clip_convex(v, dented.size(), {{0, 1}, -1.5F}), 0U);
+  EXPECT_EQ(recon::clip_convex(v, dented.size(), {{0, 1}, 1.1F}), dented.size());
 }
 
 // Random cuts against the same cuts in double. Every polygon stays convex, and encloses the exact one.

@@ -44,6 +44,15 @@ TEST(PoseHistory, TurnsTheShortWayRound) {
   }
 }
 
+TEST(PoseHistory, AnythingBelowHalfATurnIsTheShortWay) {
+  for (const double turn : {2.5, -2.5, 3.1, -3.1}) {
+    History history;
+    history.push(sample(0.0, 0, 0, 0.4));
+    history.push(sample(0.1, 0, 0, 0.4 + turn));
+    EXPECT_NEAR(history.at(at(0.05))->heading, 1e6 * (0.4 + turn / 2), 100) << turn;
+  }
+}
+
 TEST(PoseHistory, SaysWhyThereIsNoPose) {
   History history;
   EXPECT_EQ(history.at(at(1)).error(), PoseMiss::kNotYet);
