@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kGzipToo = 16;  // added to the window's bits
 constexpr int kMemory = 9;
-constexpr std::size_t kPortion = std::size_t{1} << 30U;
+constexpr std::size_t kPacked = std::size_t{1} << 30U;
 
 }  // namespace
 
@@ -24,10 +24,10 @@ Gzip::Gzip() : stream_(std::make_unique<z_stream_s>()) {
 Gzip::~Gzip() { deflateEnd(stream_.get()); }
 
 void Gzip::feed(std::string_view bytes) {
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(kPortion, bytes.size()))) {
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(kPacked, bytes.size()))) {
     // zlib does not write to its input.
     stream_->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream_->avail_in = static_cast<uInt>(std::min(kPortion, bytes.size()));
+    stream_->avail_in = static_cast<uInt>(std::min(kPacked, bytes.size()));
     pack(Z_NO_FLUSH);
   }
 }
