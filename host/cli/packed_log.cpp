@@ -4,11 +4,11 @@
 
 namespace fencepost::host::cli {
 
-PackedLog::PackedLog(LogSource source, std::size_t most) : source_(std::move(source)) {
+PackedLog::PackedLog(LogSource source, const Room& room) : source_(std::move(source)) {
   Gzip gzip;
   std::size_t unpacked = 0;
   bool ended = false;
-  while (!ended && gzip.packed().size() <= most && unpacked <= kMostUnpacked) {
+  while (!ended && gzip.packed().size() <= room.packed && unpacked <= room.unpacked) {
     const std::string_view bytes = source_();
     ended = bytes.empty();
     unpacked += bytes.size();
@@ -16,7 +16,7 @@ PackedLog::PackedLog(LogSource source, std::size_t most) : source_(std::move(sou
   }
   gzip.finish();
   packed_ = gzip.take();
-  whole_ = ended && packed_.size() <= most && unpacked <= kMostUnpacked;
+  whole_ = ended && packed_.size() <= room.packed && unpacked <= room.unpacked;
   gunzip_.feed(packed_);
 }
 

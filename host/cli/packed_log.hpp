@@ -12,22 +12,23 @@ namespace fencepost::host::cli {
 
 class PackedLog {
  public:
-  /// Reads `source` to its end, or until what is packed of it has more than `most` bytes, or is of more than
-  /// kMostUnpacked.
-  PackedLog(LogSource source, std::size_t most);
+  struct Room {
+    std::size_t packed;
+    std::size_t unpacked;  ///< in the memory of who unpacks it
+  };
+
+  /// Reads `source` to its end, or until there is no room for more.
+  PackedLog(LogSource source, const Room& room);
   PackedLog(const PackedLog&) = delete;
   PackedLog& operator=(const PackedLog&) = delete;
   ~PackedLog() = default;
 
-  /// All of it is packed, in `most` bytes.
+  /// All of it is packed, within the room.
   [[nodiscard]] bool whole() const { return whole_; }
   /// As gzip packs it.
   [[nodiscard]] std::string take_packed() { return std::move(packed_); }
   /// All of the log from its beginning, once; the bytes hold until the next call, none at its end.
   std::string_view next();
-
-  /// A page unpacks it into its memory.
-  static constexpr std::size_t kMostUnpacked = 400'000'000;
 
  private:
   LogSource source_;

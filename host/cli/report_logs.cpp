@@ -22,7 +22,9 @@
 namespace fencepost::host::cli {
 namespace {
 
-constexpr std::size_t kMostWholePacked = 32'000'000;  ///< as text of a page 43 MB, as a log some 200
+// A page unpacks a log into its memory.
+constexpr std::size_t kMostUnpacked = 64'000'000;
+constexpr PackedLog::Room kWholeRoom = {32'000'000, 400'000'000};  ///< as text of a page 43 MB, as a log some 200
 constexpr std::size_t kLeastRoom = 30'000;
 
 /// As bytes of so much base64.
@@ -86,14 +88,16 @@ void read_report_log(const ReportInputs& inputs, const std::string& path, std::s
     source = [filter] { return filter->next(); };
   }
   const std::string name = input_name(path);
-  const std::size_t most = inputs.whole ? kMostWholePacked : unpacked_base64(room);
-  PackedLog packed(source, most);
+  const std::size_t most = unpacked_base64(room);
+  PackedLog packed(source, inputs.whole ? kWholeRoom : PackedLog::Room{most, kMostUnpacked});
   if (packed.whole()) return replay_whole(packed, name, inputs.options, log);
   if (!inputs.whole) return replay_thinned(packed, name, inputs.options, most, log);
-  throw Failure(Exit::kUnreadable,
-                fmt::format("{} has more than {} MB as gzip packs it, too much for a browser; leave out --whole, or "
-                            "make a part of it: fencepost replay {} --from 0 --to 600 --write-log part.log",
-                            name, kMostWholePacked / 1'000'000, name));
+  throw Failure(
+      Exit::kUnreadable,
+      fmt::format(
+          "{} has more than {} MB as gzip packs it, or {} as it is, too much for a browser; leave out --whole, or "
+          "make a part of it: fencepost replay {} --from 0 --to 600 --write-log part.log",
+          name, kWholeRoom.packed / 1'000'000, kWholeRoom.unpacked / 1'000'000, name));
 }
 
 }  // namespace

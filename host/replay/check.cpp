@@ -6,8 +6,9 @@
 namespace fencepost::host {
 namespace {
 
-constexpr std::array kCompared = {record::Kind::kObject, record::Kind::kAlert, record::Kind::kHeartbeat,
-                                  record::Kind::kCalibrationDoubt, record::Kind::kDigest};
+constexpr std::array<record::Kind, 5> kCompared = {record::Kind::kObject, record::Kind::kAlert,
+                                                   record::Kind::kHeartbeat, record::Kind::kCalibrationDoubt,
+                                                   record::Kind::kDigest};
 
 /// "$FPALR,": the rest of it.
 std::optional<record::Kind> kind_after_prefix(std::string_view start) {
@@ -20,12 +21,13 @@ std::optional<record::Kind> kind_after_prefix(std::string_view start) {
   return std::nullopt;
 }
 
-/// One character of it may be damaged.
+/// "$FP", of which one character may be damaged.
 bool nearly_begins(std::string_view start) {
-  if (start.size() < record::kRecordStart.size()) return false;
-  const auto wrong = std::ranges::mismatch(start, record::kRecordStart);
-  return wrong.in2 == record::kRecordStart.end() ||
-         std::equal(wrong.in2 + 1, record::kRecordStart.end(), wrong.in1 + 1);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < record::kRecordStart.size(); ++i) {
+    wrong += i < start.size() && start[i] == record::kRecordStart[i] ? 0U : 1U;
+  }
+  return wrong <= 1 && start.size() >= record::kRecordStart.size();
 }
 
 }  // namespace
@@ -35,7 +37,7 @@ void Check::unread(std::string_view start, const record::LineOutcome& line) {
   const bool rejected = line.use == record::LineUse::kRejected;
   if (rejected && (line.reject == record::Reject::kTruncated || line.reject == record::Reject::kFormat)) return;
   const std::optional<record::Kind> kind = kind_after_prefix(start);
-  const bool compared = kind && std::ranges::find(kCompared, *kind) != kCompared.end();
+  const bool compared = kind && std::find(kCompared.begin(), kCompared.end(), *kind) != kCompared.end();
   // A damaged name may have been any; one that is whole and unknown is a newer version's.
   const bool any = !kind && rejected && line.reject != record::Reject::kKind;
   if (!compared && !any) return;

@@ -98,15 +98,18 @@ std::string PageReplay::page() const {
     if (const std::optional<Unreadable> why = log_.why_unreadable("log")) unreadable = why->message;
   }
   const CheckOutcome& check = log_.check();
-  return text_of(
-      {{"time", log_.time()},
-       {"runs", log_.runs()},
-       {"frame", std::move(frame)},
-       {"settings", settings_json(log_.settings())},
-       {"bad_lines", std::move(bad)},
-       {"complaints", log_.complaints()},
-       {"unreadable", std::move(unreadable)},
-       {"check", {{"compared", check.compared}, {"differing", check.differing}, {"first", check.mismatches}}}});
+  return text_of({{"time", log_.time()},
+                  {"runs", log_.runs()},
+                  {"frame", std::move(frame)},
+                  {"settings", settings_json(log_.settings())},
+                  {"bad_lines", std::move(bad)},
+                  {"complaints", log_.complaints()},
+                  {"unreadable", std::move(unreadable)},
+                  {"check",
+                   {{"compared", check.compared},
+                    {"differing", check.differing},
+                    {"damaged", check.damaged},
+                    {"first", check.mismatches}}}});
 }
 
 }  // namespace fencepost::host

@@ -89,8 +89,9 @@ export function factsOf({ name, result, page, last, took, duration }) {
   facts.push(["profile", result.profile ?? ""], ["records used", `${log.records ?? 0}: ${log.frames ?? 0} frames, ${log.odometry ?? 0} of odometry`],
     ["not used", `${total(log.rejected)} bad lines, ${total(log.refused)} frames, ${log.foreign ?? 0} lines that are no records`]);
   if (last?.page.check.compared) {
-    const { compared, differing } = last.page.check;
-    facts.push(["the robot's own log", differing ? `differs in ${differing} of ${compared} records` : `agrees in all ${compared} records compared`]);
+    const { compared, differing, damaged } = last.page.check;
+    facts.push(["the robot's own log", (differing ? `differs in ${differing} of ${compared} records` : `agrees in all ${compared} records compared`) +
+      (damaged ? `; ${damaged} more cannot be read` : "")]);
   }
   if (page.runs > 1) facts.push(["runs in it", `${page.runs}; the last is shown, as by fencepost replay`]);
   if (last && took) facts.push(["replayed here in", `${Math.round(took.busy)} ms, ${(duration * 1000 / Math.max(1, took.busy)).toFixed(0)} times as fast as it was driven`]);
