@@ -18,7 +18,7 @@ Json settings_json(const config::Settings* settings) {
   return json;
 }
 
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string written(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
@@ -98,7 +98,7 @@ std::string PageReplay::page() const {
     if (const std::optional<Unreadable> why = log_.why_unreadable("log")) unreadable = why->message;
   }
   const CheckOutcome& check = log_.check();
-  return text_of({{"time", log_.time()},
+  return written({{"time", log_.time()},
                   {"runs", log_.runs()},
                   {"frame", std::move(frame)},
                   {"settings", settings_json(log_.settings())},
