@@ -49,7 +49,7 @@ DECIDED = {
 
 # Hours on bad cables: what they reach by chance is tested by nobody, and they take minutes.
 NO_UNIT_TESTS = ("hostile_test", "golden_hours_test")
-LONGEST = 300  # s, of one program
+LONGEST = 900  # s, of one program
 
 
 class Coverage:
