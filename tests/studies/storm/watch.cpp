@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace fencepost::test {
@@ -19,6 +20,7 @@ constexpr base::Duration kFrozenFor = base::milliseconds(190);
 constexpr base::Duration kSlowestImage = base::milliseconds(285);
 constexpr int kKnownSlow = 2;
 constexpr base::Duration kFrozenAtLast = base::milliseconds(400);  // a quarter more than the slowest image
+constexpr base::Duration kRemembered = base::milliseconds(2'000);  // more than any camera's latency
 constexpr double kMovedByFar = 8;                                  // px: twice what the guard asks for
 constexpr int kBorder = 8;                                         // px
 constexpr double kTurn = 6.283185307179586;
@@ -89,16 +91,27 @@ void Watch::note_inputs(const StormRobot& robot, base::Time now) {
 void Watch::note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now) {
   if (seen_.frozen) return;
   if (!seen_.odometry.regular(now)) return seen_.same_from.reset();
-  if (!seen_.same_from) seen_.same_from = seen_.last_sample;
-  const double turned = std::remainder((seen_.last_sample->heading - seen_.same_from->heading).to_double(), kTurn);
+  const std::optional<sensor::OdometrySample> exposed = sample_at(frame.t);
+  if (!exposed) return;
+  if (!seen_.same_from) seen_.same_from = exposed;
+  const double turned = std::remainder((exposed->heading - seen_.same_from->heading).to_double(), kTurn);
   const bool end_inside = std::any_of(frame.blobs.begin(), frame.blobs.end(), [&](const sensor::Blob& blob) {
     return blob.x1 > kBorder || blob.x2 + 1 < camera.width - kBorder;
   });
   const bool should_move = end_inside && std::fabs(turned) * camera.fx.to_double() > kMovedByFar;
-  if (should_move && seen_.last_sample->t - seen_.same_from->t > kFrozenAtLast) seen_.frozen = now;
+  if (should_move && exposed->t - seen_.same_from->t > kFrozenAtLast) seen_.frozen = now;
+}
+
+std::optional<sensor::OdometrySample> Watch::sample_at(base::Time t) const {
+  const auto after =
+      std::find_if(seen_.samples.begin(), seen_.samples.end(), [t](const auto& one) { return one.t > t; });
+  if (after == seen_.samples.begin()) return std::nullopt;
+  return *std::prev(after);
 }
 
 void Watch::note_sample(const sensor::OdometrySample& sample, base::Time now) {
+  seen_.samples.push_back(sample);
+  while (sample.t - seen_.samples.front().t > kRemembered) seen_.samples.pop_front();
   seen_.odometry.note(now);
   if (const auto& last = seen_.last_sample) {
     const double step = std::hypot((sample.x - last->x).to_double(), (sample.y - last->y).to_double());

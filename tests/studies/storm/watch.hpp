@@ -1,6 +1,7 @@
 // Looks over the robot's shoulder: after each turn, does what it says agree with what it was given?
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,7 @@ class Watch {
     base::Time same_since;                            ///< boxes are as they are
     int slow_images = 0;                              ///< one after the other
     std::optional<sensor::OdometrySample> same_from;  ///< where the robot was then, or when odometry was well again
+    std::deque<sensor::OdometrySample> samples;       ///< lately
     std::optional<base::Time> frozen;                 ///< since when they should have moved by far
     std::optional<base::Time> strange;                ///< the last input that may be disbelieved, or was refused
     std::optional<base::Time> urgent;                 ///< since when stop or blind is in force
@@ -70,6 +72,7 @@ class Watch {
   void note_inputs(const StormRobot& robot, base::Time now);
   void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
   void note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
+  [[nodiscard]] std::optional<sensor::OdometrySample> sample_at(base::Time t) const;
   void note_sample(const sensor::OdometrySample& sample, base::Time now);
   void check_blind(const StormRobot& robot, const Outside& outside, base::Time now);
   void check_frozen(const StormRobot& robot, base::Time now);
