@@ -94,6 +94,14 @@ TEST(CarDrive, WhatTheGyroSaysWhileItStandsIsItsBias) {
   EXPECT_EQ(pose.x.raw, 10'000);
 }
 
+TEST(CarDrive, AFewReadingsAreNoStandstillHoweverLongTheyLast) {
+  Bench bench;
+  for (int i = 0; i < 5; ++i) bench.car.take(reading(0.2 * i, 0, 0.05), car());  // 0.8 s, four of them after the first
+  EXPECT_FALSE(bench.car.learnt_bias());
+  bench.car.take(reading(1.0, 0, 0.05), car());
+  EXPECT_TRUE(bench.car.learnt_bias());
+}
+
 TEST(CarDrive, WithoutAStandstillTheSettingIsTheBias) {
   CarGeometry told = car();
   told.gyro_bias_urad_s = 50'000;

@@ -8,11 +8,34 @@
 #include "drivers/odometry/wheel_base.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "firmware/config/about_image.hpp"
+#include "firmware/config/car.hpp"
 
 namespace fencepost::config {
 namespace {
 
 constexpr DeviceLimits everything() { return {(1U << kCameraIds) - 1, (1U << kOdometryIds) - 1, false, 0, true, {}}; }
+
+TEST(CarSettings, AreTheCarsGeometry) {
+  Settings settings;
+  EXPECT_EQ(car_of(settings).gyro_scale, 10'000);
+  EXPECT_EQ(car_of(settings).steer_scale, 1'000);
+  EXPECT_EQ(car_of(settings).pm_per_count, 0) << "not told";
+  for (const auto& [key, value] : {std::pair("car.counts", "-2000"),
+                                   {"car.wheelbase", "0.17"},
+                                   {"steer.scale", "-1.5"},
+                                   {"steer.offset", "1.8"},
+                                   {"gyro.scale", "1.02"},
+                                   {"gyro.bias", "0.9"}}) {
+    ASSERT_EQ(settings.set(key, value), std::nullopt) << key;
+  }
+  const odometry::CarGeometry car = car_of(settings);
+  EXPECT_EQ(car.pm_per_count, -500'000'000);  // half a millimetre, backwards
+  EXPECT_EQ(car.wheelbase_um, 170'000);
+  EXPECT_EQ(car.steer_scale, -1'500);
+  EXPECT_EQ(car.steer_offset_urad, 31'416);  // 1.8 deg
+  EXPECT_EQ(car.gyro_scale, 10'200);
+  EXPECT_EQ(car.gyro_bias_urad_s, 15'708);  // 0.9 deg/s
+}
 
 TEST(AboutImage, SaysWhatTheImageIsAndBeginsWith) {
   DeviceLimits limits{0b1010, 0b101, true, 8, true, Devices(CameraId::kPixy2, OdometryId::kConsole)};
