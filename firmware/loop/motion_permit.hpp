@@ -17,18 +17,31 @@ class MotionPermit {
   /// `beat`: what is in force now. `links`: what the drivers know of their cables, which is sooner than the stream does
   /// where the robot stands. `now`: this robot's clock.
   [[nodiscard]] bool judge(const record::Heartbeat& beat, const console::Links& links, base::Time now) {
+    if (begun_ && beat.t != t_) await(beat.t, now);
     if (!begun_ || beat.t != t_) passed_ = base::Stamp(now);
     begun_ = true;
     t_ = beat.t;
-    const bool live = passed_.since(now) <= kLive;
+    if (beat.t + kLive >= awaited_ || awaited_since_.since(now) > kLive) awaited_ = {};
+    const bool live = passed_.since(now) <= kLive && awaited_.raw == 0;
     using sensor::works;
     const bool sees = works(beat.camera) && works(beat.odometry) && works(links.camera) && works(links.odometry);
     return live && sees && beat.level < record::AlertLevel::kStop;
   }
 
  private:
-  base::Time t_;        ///< of the stream, when it was last judged
-  base::Stamp passed_;  ///< when it last passed, by this robot's clock
+  // A loop that was kept away begins with what had waited: its words are of then. A sender that paused, too, is behind
+  // for good, and believed again once it has gone on for a while.
+  void await(base::Time t, base::Time now) {
+    const base::Duration own = passed_.since(now);
+    if (t < t_ || own - (t - t_) <= kLive) return;
+    awaited_ = t_ + own;
+    awaited_since_ = base::Stamp(now);
+  }
+
+  base::Time t_;               ///< of the stream, when it was last judged
+  base::Stamp passed_;         ///< when it last passed, by this robot's clock
+  base::Time awaited_;         ///< of the stream, which has fallen behind that clock; 0: it has not
+  base::Stamp awaited_since_;  ///< by that clock
   bool begun_ = false;
 };
 

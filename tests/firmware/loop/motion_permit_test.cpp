@@ -48,6 +48,43 @@ TEST(MotionPermit, EndsWhenStreamTimeStandsStill) {
   EXPECT_TRUE(permit.judge(now, links, at_ms(1'400)));
 }
 
+// What waited for a loop that was kept away is old, and so is what it says of the sensors.
+TEST(MotionPermit, ComesBackWhenTheStreamHasCaughtUp) {
+  MotionPermit permit;
+  const console::Links links{LinkState::kOk, LinkState::kOk};
+  record::Heartbeat now = beat(AlertLevel::kClear);
+  now.t = at_ms(7'000);
+  EXPECT_TRUE(permit.judge(now, links, at_ms(1'000)));
+  now.t = at_ms(7'020);
+  EXPECT_FALSE(permit.judge(now, links, at_ms(3'200)));
+  now.t = at_ms(8'800);
+  EXPECT_FALSE(permit.judge(now, links, at_ms(3'203)));
+  now.t = at_ms(9'000);
+  EXPECT_TRUE(permit.judge(now, links, at_ms(3'205))) << "0.2 s behind, as it may be";
+}
+
+TEST(MotionPermit, ComesBackAfterAPausedSenderWentOn) {
+  MotionPermit permit;
+  const console::Links links{LinkState::kOk, LinkState::kOk};
+  record::Heartbeat now = beat(AlertLevel::kClear);
+  now.t = at_ms(7'000);
+  EXPECT_TRUE(permit.judge(now, links, at_ms(1'000)));
+  for (int ms = 0; ms <= 500; ms += 50) {
+    now.t = at_ms(7'010 + ms);
+    EXPECT_EQ(permit.judge(now, links, at_ms(3'200 + ms)), ms > 300) << ms;
+  }
+}
+
+TEST(MotionPermit, MayBeAskedSeldom) {
+  MotionPermit permit;
+  const console::Links links{LinkState::kOk, LinkState::kOk};
+  record::Heartbeat now = beat(AlertLevel::kClear);
+  for (int s = 1; s < 10; ++s) {
+    now.t = at_ms(7'000 + 1'000 * s);
+    EXPECT_TRUE(permit.judge(now, links, at_ms(1'000 * s))) << s;
+  }
+}
+
 TEST(DrivePermit, WhoStoppedGoesOnWhenNothingWarns) {
   DrivePermit permit;
   EXPECT_FALSE(permit.judge(false, AlertLevel::kBlind));

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string bundled(const std::string& name) {
+std::string recording_of(const std::string& name) {
   std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
   EXPECT_TRUE(file) << name;
   std::stringstream bytes;
@@ -49,7 +49,7 @@ struct Thinned {
 json kept_in(const ThinnedText& text) { return json::parse(gunzip(text.packed).value_or("")); }
 
 TEST(ThinnedRun, EndsAsTheLogDoes) {
-  const std::string log = bundled("wro_lap");
+  const std::string log = recording_of("wro_lap");
   const Thinned thinned(log);
   const json kept = kept_in(thinned.text(10'000'000));
   const json whole = json::parse(to_json(replay(log, "log", {}).result));
@@ -60,7 +60,7 @@ TEST(ThinnedRun, EndsAsTheLogDoes) {
 }
 
 TEST(ThinnedRun, LooksAreWhatALogThatEndsThereHas) {
-  const std::string log = bundled("wro_lap");
+  const std::string log = recording_of("wro_lap");
   const json kept = kept_in(Thinned(log).text(10'000'000));
   const json& looks = kept["looks"];
   ASSERT_GT(looks.size(), 30U);
@@ -85,7 +85,7 @@ TEST(ThinnedRun, LooksAreWhatALogThatEndsThereHas) {
 
 // A stop is looked at when it begins.
 TEST(ThinnedRun, LooksWhereItStops) {
-  const Thinned thinned(bundled("approach_stop"));
+  const Thinned thinned(recording_of("approach_stop"));
   const json kept = kept_in(thinned.text(10'000'000));
   std::size_t stops = 0;
   for (const record::AlertReport& alert : thinned.alerts.all) {
@@ -100,7 +100,7 @@ TEST(ThinnedRun, LooksWhereItStops) {
 }
 
 TEST(ThinnedRun, IsAsSmallAsAskedAndSaysWhatItHas) {
-  const Thinned thinned(bundled("wro_lap"));
+  const Thinned thinned(recording_of("wro_lap"));
   std::size_t before = 0;
   for (const std::size_t most : {12'000U, 40'000U, 100'000U}) {
     const ThinnedText text = thinned.text(most);
@@ -116,8 +116,8 @@ TEST(ThinnedRun, IsAsSmallAsAskedAndSaysWhatItHas) {
 }
 
 TEST(ThinnedRun, OfSeveralRunsShowsTheLast) {
-  const std::string log = bundled("approach_stop");
-  const Thinned twice(bundled("corridor") + log);
+  const std::string log = recording_of("approach_stop");
+  const Thinned twice(recording_of("corridor") + log);
   const Thinned once(log);
   EXPECT_EQ(kept_in(twice.text(10'000'000))["looks"].size(), kept_in(once.text(10'000'000))["looks"].size());
   EXPECT_EQ(kept_in(twice.text(10'000'000))["alerts"], kept_in(once.text(10'000'000))["alerts"]);
