@@ -60,8 +60,11 @@ export async function drop(page, ...files) {
     for (const { name, base64 } of list) transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
     return transfer;
   }, given);
+  const log = given.find(({ name }) => !name.endsWith(".json"))?.name;
+  // The log that is there may have the same name.
+  if (log) await page.evaluate(() => { document.title = ""; });
   await page.dispatchEvent("body", "drop", { dataTransfer: data });
-  if (given.some(({ name }) => !name.endsWith(".json"))) await page.waitForFunction((name) => document.title.startsWith(name) && document.getElementById("progress").hidden, given.find(({ name }) => !name.endsWith(".json")).name);
+  if (log) await page.waitForFunction((name) => document.title.startsWith(name) && document.getElementById("progress").hidden, log);
 }
 
 export const text = (page, selector) => page.locator(selector).textContent();

@@ -15,6 +15,7 @@
 namespace fencepost::recon {
 
 /// 64 KB, and nothing in it outlives solve(): for a stack that has them.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): each pass writes what it reads; clearing all takes as long
 class OutlineBatch {
  public:
   /// Of those with fewer views a fit is another one, and soon done.
@@ -30,6 +31,7 @@ class OutlineBatch {
   using Coefficients = std::array<float, kSeries>;
 
   // What goes with an object through all passes.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): gathered before it is read
   struct Outline {
     Hybrid<kRing>* hybrid = nullptr;
     RadiusPrior radius_prior;
@@ -55,14 +57,14 @@ class OutlineBatch {
   void learn_spreads();
   void publish(Outline& outline);
 
-  std::size_t count_ = 0;
-  std::array<Outline, kLanes> outlines_;
-  // Of all lanes; those without an object have that of the first one.
-  std::array<Lanes, packed_size(kSeries)> matrix_;
-  std::array<Lanes, kSeries> rhs_;
   std::array<RingEquations, kLanes> equations_;
   std::array<TangentTerms, kLanes> terms_;
+  std::array<Outline, kLanes> outlines_;
+  // Of all lanes; those without an object have that of the first one.
+  std::array<Lanes, kSeries> rhs_;
+  std::array<Lanes, packed_size(kSeries)> matrix_;
   CyclicBandOf<Lanes> band_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace fencepost::recon

@@ -51,6 +51,7 @@ inline constexpr std::size_t kSeries = series_size(3);
 using RingOffsets = std::array<float, kRing + 1>;
 
 /// The tangents of a series of order 3: those in use, in their order.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): gather() writes what is read
 struct SeriesTangents {
   /// A tangent's functions, and its residual in the last place.
   struct alignas(32) Functions {
@@ -67,6 +68,7 @@ struct SeriesTangents {
 };
 
 /// The sums that LowOrderFit::add() makes: packed lower triangle, right side, spread.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): sum_series() writes all of it
 struct SeriesSums {
   std::array<float, packed_size(kSeries)> matrix;
   std::array<float, kSeries> rhs;
