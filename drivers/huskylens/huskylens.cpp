@@ -11,6 +11,7 @@ namespace {
 using sensor::LinkState;
 
 constexpr std::uint8_t kPatience = 5;
+constexpr std::uint8_t kRefusals = 20;  // a second of them
 // HuskyLens 2 does not count its images: no more of them are asked for than it takes.
 constexpr base::Duration kImage2 = base::milliseconds(30);
 // It loads another network before it says that it has.
@@ -49,7 +50,9 @@ void Session::take_message(const Message& message, base::Time first_byte, base::
     case Kind::kBusy:
       ++counts_.busy;
       work_ = LinkState::kUnready;
-      return answered(now, base::milliseconds(50));
+      answered(now, base::milliseconds(50));
+      if (++refused_ >= kRefusals) begin_again();
+      return;
     case Kind::kInfo: return take_info(info_in(message), first_byte, now);
     case Kind::kBlock:
       if (!building_) return;
@@ -65,6 +68,7 @@ void Session::take_message(const Message& message, base::Time first_byte, base::
 }
 
 void Session::take_done(base::Time now) {
+  refused_ = 0;
   if (step_ == Step::kBlocks) return;
   step_ = step_ == Step::kKnock && options_.select_colour ? Step::kAlgorithm : Step::kBlocks;
   new_image_ = now;
@@ -73,6 +77,7 @@ void Session::take_done(base::Time now) {
 
 void Session::take_info(const Info& info, base::Time first_byte, base::Time now) {
   if (step_ != Step::kBlocks) return;
+  refused_ = 0;
   frame_ = {};
   frame_.t = first_byte;
   left_ = info.objects;
@@ -122,12 +127,17 @@ void Session::expire(base::Time now) {
 }
 
 void Session::restart() {
-  ++counts_.restarts;
   if (step_ == Step::kKnock) choose_generation();
-  step_ = Step::kKnock;
+  begin_again();
   work_ = LinkState::kUnready;
   heard_ = false;
-  missed_ = 0;
+}
+
+// Also where it answers, and refuses: it was switched off and on unnoticed, and runs what it begins with.
+void Session::begin_again() {
+  ++counts_.restarts;
+  step_ = Step::kKnock;
+  missed_ = refused_ = 0;
   number_.reset();
 }
 

@@ -52,9 +52,9 @@ struct Counts {
   std::uint32_t restarts = 0;  ///< conversations begun anew
 };
 
-/// One question is outstanding at a time. Five lost answers in a row: all over again. After five lost knocks the other
-/// generation is tried, after thirty where one has answered before: a HuskyLens 2 takes the other's knocks for data,
-/// and then does not hear some of its own.
+/// One question is outstanding at a time. Five lost answers in a row, or twenty refusals: all over again. After five
+/// lost knocks the other generation is tried, after thirty where one has answered before: a HuskyLens 2 takes the
+/// other's knocks for data, and then does not hear some of its own.
 class Session {
  public:
   explicit Session(const Options& options) : options_(options), generation_(options.generation) {}
@@ -88,6 +88,7 @@ class Session {
   void put_question();
   void expire(base::Time now);
   void restart();
+  void begin_again();
   void choose_generation();
 
   Options options_;
@@ -102,6 +103,7 @@ class Session {
   bool heard_ = false;
   bool waiting_ = false;
   std::uint8_t missed_ = 0;
+  std::uint8_t refused_ = 0;  ///< questions, one after the other
   base::Time deadline_;
   base::Time next_;  ///< of the next question
   bool building_ = false;

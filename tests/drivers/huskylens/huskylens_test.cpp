@@ -87,6 +87,13 @@ TEST(HuskyLens, BringsItsBoxesToOurPixels) {
   EXPECT_EQ(data("0A 00 00 00 03 00 01 00 07 00"), (sensor::Blob{7, 9, 0, 11, 0, {100}, {0}, 0, {}}));
   // All of the image, 320 x 240 around (160, 120).
   EXPECT_EQ(data("A0 00 78 00 40 01 F0 00 FF 00"), (sensor::Blob{255, 0, 0, 319, 239, {1'595}, {1'195}, 0, {}}));
+  // 1 x 3, and 1 x 1 in the last corner.
+  EXPECT_EQ(data("0A 00 05 00 01 00 03 00 07 00"), (sensor::Blob{7, 10, 4, 10, 6, {100}, {50}, 0, {}}));
+  EXPECT_EQ(data("3F 01 EF 00 01 00 01 00 07 00"), (sensor::Blob{7, 319, 239, 319, 239, {3'190}, {2'390}, 0, {}}));
+  for (const char* beside : {"40 01 78 00 01 00 28 00 01 00", "A0 00 F0 00 3C 00 01 00 01 00",
+                             "FF FF 78 00 01 00 28 00 01 00", "A0 00 FF FF 3C 00 01 00 01 00"}) {
+    EXPECT_EQ(data(beside), std::nullopt) << beside;
+  }
   // 20 x 10 around (2, 238): columns -8 to 11 and rows 233 to 242 are cut off.
   EXPECT_EQ(data("02 00 EE 00 14 00 0A 00 02 00"), (sensor::Blob{2, 0, 233, 11, 239, {55}, {2'360}, 0, {}}));
 }
@@ -235,6 +242,84 @@ TEST(HuskyLens, TellsWhyItSeesNothing) {
 }
 
 // Five answers that do not come, 100 ms each: it knocks again.
+// What is damaged is not waited for; 20 ms later it asks again.
+TEST(HuskyLens, ADamagedAnswerIsAskedForAgain) {
+  Talk talk;
+  talk.start();
+  Bytes damaged = kInfo8;
+  damaged.back() ^= 1U;
+  EXPECT_TRUE(talk.hears(damaged).empty());
+  EXPECT_EQ(talk.session.counts().broken, 1U);
+  EXPECT_EQ(talk.asks(), Bytes{});
+  talk.wait(19);
+  EXPECT_EQ(talk.asks(), Bytes{});
+  talk.wait(1);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+}
+
+// Four lost answers, one that comes, four lost again: it has not gone.
+TEST(HuskyLens, LostAnswersInARowCount) {
+  Talk talk;
+  talk.start();
+  for (int rounds = 0; rounds < 3; ++rounds) {
+    for (int lost = 0; lost < 4; ++lost) {
+      talk.wait(100);
+      EXPECT_EQ(talk.asks(), kAskBlocks) << rounds << ' ' << lost;
+    }
+    talk.hears(kBusy);
+    talk.wait(50);
+    EXPECT_EQ(talk.asks(), kAskBlocks) << rounds;
+  }
+  EXPECT_EQ(talk.session.counts().restarts, 0U);
+}
+
+TEST(HuskyLens, CountsItsFrames) {
+  Talk talk;
+  talk.start();
+  const auto first = talk.hears(kInfo8 + kBlock);
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].frame, 0U);
+  EXPECT_EQ(talk.asks(), kAskBlocks);
+  const auto second = talk.hears(kInfo9 + kBlock);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(second[0].frame, 1U);
+  EXPECT_EQ(talk.session.counts().frames, 2U);
+}
+
+TEST(HuskyLens, ALostLinkLeavesNothingOfAnAnswer) {
+  Talk talk;
+  talk.start();
+  talk.hears(kInfo8);
+  talk.hears(Bytes(kBlock.begin(), kBlock.begin() + 8));
+  EXPECT_EQ(talk.session.counts().restarts, 0U);
+  talk.session.lose_link();
+  EXPECT_EQ(talk.session.counts().restarts, 1U);
+  EXPECT_EQ(talk.session.link(), LinkState::kAbsent);
+  talk.session.lose_link();
+  EXPECT_EQ(talk.session.counts().restarts, 1U) << "it was gone";
+  EXPECT_TRUE(talk.hears(Bytes(kBlock.begin() + 8, kBlock.end())).empty());
+  EXPECT_EQ(talk.session.counts().broken, 0U);
+}
+
+// A header of five bytes, whose command is none.
+TEST(HuskyLens, WhatItsFirstBytesAre) {
+  using wire::Front;
+  const auto front = [](const char* text) { return examine(hex(text)).front; };
+  EXPECT_EQ(front("55"), Front::kIncomplete);
+  EXPECT_EQ(front("54"), Front::kNoise);
+  EXPECT_EQ(front("55 AB"), Front::kNoise);
+  EXPECT_EQ(front("55 AA 11 00"), Front::kIncomplete);
+  EXPECT_EQ(front("55 AA 11 00 FF"), Front::kNoise) << "seen with the fifth byte";
+  EXPECT_EQ(front("55 AA 11 00 3D"), Front::kIncomplete);
+  EXPECT_EQ(front("55 AA 11 01 3D"), Front::kNoise) << "one without data";
+  EXPECT_EQ(front("55 AA 11 09 29"), Front::kNoise);
+  EXPECT_EQ(front("55 AA 11 0A 29"), Front::kIncomplete);
+  EXPECT_EQ(front("55 AA 11 0B 29"), Front::kNoise);
+  EXPECT_EQ(front("55 AA 42 05 09"), Front::kNoise);
+  EXPECT_EQ(front("55 AA 42 05 0A"), Front::kIncomplete);
+  EXPECT_EQ(examine(kOk).size, kOk.size());
+}
+
 TEST(HuskyLens, BeginsAnewAfterFiveLostAnswers) {
   Talk talk;
   talk.start();
@@ -258,6 +343,8 @@ const Bytes kOk2 = hex("55 AA 40 00 0A 00 00 00 00 00 00 00 00 00 00 49");
 const Bytes kInfo2 = hex("55 AA 42 05 0A 01 00 01 00 01 00 01 00 01 00 55");
 // 60 x 40 around (160, 120) of 640 x 480, id 1, confidence 90, "Color1", no content.
 const Bytes kBlock2 = hex("55 AA 43 05 12 01 5A A0 00 78 00 3C 00 28 00 06 43 6F 6C 6F 72 31 00 66");
+
+const Bytes kRefused2 = hex("55 AA 41 05 0A 00 00 00 00 00 00 00 00 00 00 4F");
 
 /// To the first question for blocks, which is answered.
 std::vector<sensor::BlobFrame> start_two(Talk& talk) {
@@ -333,8 +420,51 @@ TEST(HuskyLens2, AnotherAlgorithmIsUnready) {
   ASSERT_EQ(start_two(talk).size(), 1U);
   talk.wait(30);
   EXPECT_EQ(talk.asks(), kAskBlocks2);
-  talk.hears(hex("55 AA 41 05 0A 00 00 00 00 00 00 00 00 00 00 4F"));
+  talk.hears(kRefused2);
   EXPECT_EQ(talk.session.link(), LinkState::kUnready);
+}
+
+// While the loop was busy: of what it was told it remembers nothing.
+TEST(HuskyLens2, SwitchedOffAndOnUnnoticedItIsToldItsAlgorithmAnew) {
+  fake::SteppedClock clock;
+  emulate::HuskyLens2 device(clock.now());
+  test::Cable<emulate::HuskyLens2> cable(device, clock);
+  Camera<test::Cable<emulate::HuskyLens2>> driver(cable, {.generation = Generation::kTwo});
+  device.show({kBox});
+  const auto run = [&](int ms) {
+    for (int i = 0; i < ms; ++i) {
+      clock.advance(milliseconds(1));
+      static_cast<void>(driver.poll(clock.now()));
+    }
+  };
+  run(3'000);
+  ASSERT_EQ(driver.link(), LinkState::kOk);
+  static_cast<void>(device.power_up(clock.now()));
+  cable.forget();
+  clock.advance(milliseconds(1'500));
+  run(500);
+  EXPECT_EQ(driver.link(), LinkState::kUnready) << "it refuses";
+  run(1'500);
+  EXPECT_EQ(driver.link(), LinkState::kOk);
+  EXPECT_EQ(driver.session().counts().busy, 20U);
+}
+
+// One that is busy for less than that is not disturbed.
+TEST(HuskyLens2, NineteenRefusalsAreWaitedFor) {
+  Talk talk{Session{Options{.generation = Generation::kTwo}}};
+  ASSERT_EQ(start_two(talk).size(), 1U);
+  talk.wait(30);
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 19; ++i) {
+      ASSERT_EQ(talk.asks(), kAskBlocks2) << i;
+      talk.hears(kRefused2);
+      talk.wait(50);
+    }
+    ASSERT_EQ(talk.asks(), kAskBlocks2);
+    EXPECT_EQ(talk.hears(kInfo2 + kBlock2).size(), 1U);
+    talk.wait(30);
+  }
+  EXPECT_EQ(talk.session.counts().restarts, 0U);
 }
 
 // Its own second, then at worst five knocks of the other kind and three that those swallow.
