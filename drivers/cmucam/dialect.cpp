@@ -9,8 +9,8 @@ namespace {
 constexpr double kTanAcross = 0.405042;
 constexpr double kTanDown = 0.302881;
 
-constexpr base::Pixels2 focal(double pixels, double tangent) { return base::Pixels2::nearest(pixels / 2 / tangent); }
-constexpr base::Pixels2 middle(double pixels) { return base::Pixels2::nearest((pixels - 1) / 2); }
+consteval base::Pixels2 focal(double pixels, double tangent) { return base::Pixels2::nearest(pixels / 2 / tangent); }
+consteval base::Pixels2 middle(double pixels) { return base::Pixels2::nearest((pixels - 1) / 2); }
 
 // Registers of the OV6620: 18 = 44 white balance on, 40 off (RGB); 19 = 33 gain on, 32 off. A colour window is
 // meaningful only while both are frozen.
@@ -31,7 +31,7 @@ constexpr base::Duration kCommand4 = base::milliseconds(1'000);
 // with the next frame or two, of 30 /s.
 constexpr base::Duration kPacket4 = base::milliseconds(400);
 
-constexpr Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows,
+consteval Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows,
                           std::span<const std::string_view> warm_up, std::span<const std::string_view> set_up) {
   return {.model = "cmucam2",
           .banner = "CMUcam2 v",
@@ -50,7 +50,7 @@ constexpr Dialect cmucam2(std::uint16_t width, std::uint16_t height, double rows
           .set_up = set_up};
 }
 
-constexpr Dialect cmucam3(std::uint16_t width, std::uint16_t height, double rows,
+consteval Dialect cmucam3(std::uint16_t width, std::uint16_t height, double rows,
                           std::span<const std::string_view> set_up) {
   Dialect dialect = cmucam2(width, height, rows, kWarmUpOv6620, set_up);
   dialect.model = "cmucam3";

@@ -36,12 +36,12 @@ class TrackCommand {
 
  private:
   void put(std::uint8_t number) {
-    bool stored = text_.push_back(' ');
-    if (number >= 100) stored = text_.push_back(static_cast<char>('0' + number / 100)) && stored;
-    if (number >= 10) stored = text_.push_back(static_cast<char>('0' + number / 10 % 10)) && stored;
-    stored = text_.push_back(static_cast<char>('0' + number % 10)) && stored;
-    FENCEPOST_CHECK(stored);
+    append(' ');
+    if (number >= 100) append(static_cast<char>('0' + number / 100));
+    if (number >= 10) append(static_cast<char>('0' + number / 10 % 10));
+    append(static_cast<char>('0' + number % 10));
   }
+  void append(char c) { FENCEPOST_CHECK(text_.push_back(c)); }
 
   base::FixedString<26> text_{"TC"};
 };
@@ -51,12 +51,10 @@ class TrackCommand {
 Session::Session(const Config& config)
     : config_(config),
       usable_(!config.windows.empty() && std::all_of(config.windows.begin(), config.windows.end(), in_order)) {
-  bool stored = true;
-  for (const std::string_view command : config.dialect->warm_up) stored = script_.push_back(command) && stored;
-  stored = script_.push_back({}) && stored;
-  for (const std::string_view command : config.dialect->set_up) stored = script_.push_back(command) && stored;
-  if (config.raw && config.dialect->has_raw) stored = script_.push_back("RM 1") && stored;
-  FENCEPOST_CHECK(stored);
+  for (const std::string_view command : config.dialect->warm_up) FENCEPOST_CHECK(script_.push_back(command));
+  FENCEPOST_CHECK(script_.push_back({}));
+  for (const std::string_view command : config.dialect->set_up) FENCEPOST_CHECK(script_.push_back(command));
+  if (config.raw && config.dialect->has_raw) FENCEPOST_CHECK(script_.push_back("RM 1"));
 }
 
 sensor::LinkState Session::link() const {
@@ -227,11 +225,9 @@ void Session::forget_set_up(base::Time now) {
 
 void Session::send_reset(base::Time now) {
   outbox_.clear();
-  bool stored = true;
   // Every other time only: a camera in the right mode is spared the extra bytes.
-  if (tries_++ % 2 == 1) stored = outbox_.put(kRawReset);
-  stored = outbox_.put(kAsciiReset) && stored;
-  FENCEPOST_CHECK(stored);
+  if (tries_++ % 2 == 1) FENCEPOST_CHECK(outbox_.put(kRawReset));
+  FENCEPOST_CHECK(outbox_.put(kAsciiReset));
   acked_ = nacked_ = banner_ = packet_ = false;
   deadline_ = now + config_.dialect->reset_timeout;
 }
@@ -278,8 +274,8 @@ void Session::ask(base::Time now) {
 
 void Session::send(std::string_view command, base::Time now, base::Duration timeout) {
   outbox_.clear();
-  const bool stored = outbox_.put(command) && outbox_.put("\r");
-  FENCEPOST_CHECK(stored);
+  FENCEPOST_CHECK(outbox_.put(command));
+  FENCEPOST_CHECK(outbox_.put("\r"));
   acked_ = nacked_ = banner_ = packet_ = false;
   deadline_ = now + timeout;
 }

@@ -38,17 +38,16 @@ PacketIds packets(Model model, bool reading) {
   PacketIds ids;
   std::span<const std::uint8_t> wanted = kEncoders;
   if (model == Model::kCreate1) wanted = std::span(kReadRequested).subspan(reading ? 0 : 2);
-  bool stored = true;
-  for (const std::uint8_t id : wanted) stored = ids.push_back(id) && stored;
-  FENCEPOST_CHECK(stored);
+  for (const std::uint8_t id : wanted) FENCEPOST_CHECK(ids.push_back(id));
   return ids;
 }
 
 StreamLayout layout_of(Model model, bool reading) {
   StreamLayout layout;
-  bool stored = true;
-  for (const std::uint8_t id : packets(model, reading)) stored = layout.push_back({id, 2}) && stored;
-  FENCEPOST_CHECK(stored);
+  for (const std::uint8_t id : packets(model, reading)) {
+    const StreamField field{id, 2};
+    FENCEPOST_CHECK(layout.push_back(field));
+  }
   return layout;
 }
 
@@ -142,9 +141,9 @@ bool Session::take_requested(bool reading) {
 bool Session::request_packets(bool reading) {
   base::FixedVector<std::uint8_t, 2 + kMaxFields> bytes;
   const PacketIds ids = packets(config_.model, reading);
-  bool stored = bytes.push_back(kStream) && bytes.push_back(static_cast<std::uint8_t>(ids.size()));
-  for (const std::uint8_t id : ids) stored = bytes.push_back(id) && stored;
-  FENCEPOST_CHECK(stored);
+  FENCEPOST_CHECK(bytes.push_back(kStream));
+  FENCEPOST_CHECK(bytes.push_back(static_cast<std::uint8_t>(ids.size())));
+  for (const std::uint8_t id : ids) FENCEPOST_CHECK(bytes.push_back(id));
   return outbox_.put(bytes.view());
 }
 
@@ -180,13 +179,11 @@ void Session::ask_for_stream(base::Time now) {
   deadline_ = now + kPatience;
   ++counts_.starts;
   base::FixedVector<std::uint8_t, 2 + kPadding> bytes;
-  bool stored = true;
-  const auto put = [&](std::uint8_t byte) { stored = bytes.push_back(byte) && stored; };
+  const auto put = [&](std::uint8_t byte) { FENCEPOST_CHECK(bytes.push_back(byte)); };
   // A robot that took damaged bytes for the start of a long command waits for the remainder and swallows our request.
   for (std::size_t i = 0; whole && tries_ > kTriesToPadding && i < kPadding; ++i) put(kStart);
   if (whole) put(kStart);
   if (whole && config_.mode != Mode::kPassive) put(config_.mode == Mode::kSafe ? kSafe : kFull);
-  FENCEPOST_CHECK(stored);
   // No room: the line is blocked; the next step retries.
   if (outbox_.put(bytes.view()) && request_packets(true)) asked_at_ = now;
 }

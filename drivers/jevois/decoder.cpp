@@ -182,7 +182,7 @@ Event Decoder::add(std::string_view id, std::span<const std::int32_t, 4> edges) 
   blob.x2 = static_cast<std::int16_t>(edge_pixels(right, kHalfWidth, kWidth) - 1);
   blob.y2 = static_cast<std::int16_t>(edge_pixels(bottom, kHalfHeight, kHeight) - 1);
   const bool outside = left >= kHalfWidth || right <= -kHalfWidth || top >= kHalfHeight || bottom <= -kHalfHeight;
-  if (outside || left > right || top > bottom) return refuse(counts_.impossible);
+  if (outside) return refuse(counts_.impossible);
   blob.x1 = std::min<std::int16_t>(blob.x1, kWidth - 1);
   blob.y1 = std::min<std::int16_t>(blob.y1, kHeight - 1);
   blob.x2 = std::max(blob.x1, blob.x2);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "drivers/nxt/telegram.hpp"
+#include "drivers/wire/endian.hpp"
 #include "drivers/wire/flush.hpp"
 #include "drivers/wire/scanner.hpp"
 #include "hal/bus/byte_link.hpp"
@@ -21,7 +22,7 @@ inline constexpr std::size_t kLengthPrefix = 2;
 /// replies (02), and that no known command has a longer one.
 inline wire::Verdict examine_framed(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 2) return {};
-  const std::size_t length = bytes[0] + 256U * bytes[1];
+  const std::size_t length = wire::little_u16(bytes, 0);
   if (length < 3 || length > kLongestTelegram) return {wire::Front::kDamaged, 1};
   if (bytes.size() > kLengthPrefix && bytes[kLengthPrefix] != 0x02) return {wire::Front::kDamaged, 1};
   if (bytes.size() < kLengthPrefix + length) return {};

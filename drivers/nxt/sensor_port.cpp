@@ -17,7 +17,7 @@ base::Result<std::size_t> SensorPort::begin(std::uint8_t address, std::span<cons
   if (conversation_.link() == sensor::LinkState::kAbsent && step_ == Step::kIdle) return base::Error::kGone;
   const bool fits = out.size() < kMaxSensorBytes && expected <= kMaxSensorBytes;
   // An exchange left over by an unfinished transfer has to end first.
-  if (step_ != Step::kIdle || exchange_.under_way() || !fits) return base::Error::kFull;
+  if (step_ != Step::kIdle || !fits) return base::Error::kFull;
   write_ = sensor_write(port_, address, out, expected);
   expected_ = static_cast<std::uint8_t>(expected);
   polls_ = 0;
@@ -51,7 +51,6 @@ Telegram SensorPort::request() const {
 
 base::Result<std::size_t> SensorPort::take_reply(std::span<std::uint8_t> in) {
   const Reply reply = exchange_.reply();
-  exchange_.state = Exchange::State::kIdle;
   if (reply.status == status::kNotConfigured || reply.status == status::kOutOfRange) {
     // After set-up a port without data says so too: only a read may.
     if (step_ == Step::kClear) return advance(Step::kWrite, {});
@@ -97,7 +96,6 @@ base::Error SensorPort::advance(Step step, base::Duration pause) {
 base::Error SensorPort::fail(base::Error error) {
   stale_ = true;
   step_ = Step::kIdle;
-  exchange_.state = Exchange::State::kIdle;
   return error;
 }
 

@@ -39,7 +39,7 @@ wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes) {
   if (bytes[1] > kMaxObjects) return {wire::Front::kDamaged, 1};
   const std::size_t size = 3 + bytes[1] * kObjectSize;
   // An impossible object ends the wait for the rest.
-  for (std::size_t at = 2; at + kObjectSize <= bytes.size() && at + 1 < size; at += kObjectSize) {
+  for (std::size_t at = 2, i = 0; i < bytes[1] && at + kObjectSize <= bytes.size(); at += kObjectSize, ++i) {
     if (!object_in(bytes.subspan(at, kObjectSize))) return {wire::Front::kDamaged, 1};
   }
   if (bytes.size() < size) return {};

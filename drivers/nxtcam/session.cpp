@@ -95,7 +95,7 @@ void Session::fail(base::Error error, base::Time now) {
 void Session::take(std::span<const std::uint8_t> bytes, base::Time t) {
   if (bytes.size() < transfer().expected) return fail(base::Error::kBadInput, t);
   failures_ = 0;
-  if (link_ < LinkState::kUnready) link_ = LinkState::kUnready;
+  link_ = std::max(link_, LinkState::kUnready);
   switch (step_) {
     case Step::kVersion: take_version(bytes); return advance(Step::kProduct, {}, t);
     case Step::kProduct:

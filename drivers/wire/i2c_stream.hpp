@@ -70,15 +70,11 @@ class I2cStream {
     return base::Error::kNotReady;
   }
 
-  // Bytes not yet taken by the reader are never overwritten: a write may come between two of its reads.
+  // The reader has taken what was there before: a read is begun only then, and there is one at a time.
   void keep(std::span<const std::uint8_t> bytes) {
-    std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(next_), bytes_.begin() + static_cast<std::ptrdiff_t>(end_),
-              bytes_.begin());
-    end_ -= next_;
+    std::copy(bytes.begin(), bytes.end(), bytes_.begin());
     next_ = 0;
-    for (const std::uint8_t byte : bytes) {
-      if (end_ < bytes_.size()) bytes_[end_++] = byte;
-    }
+    end_ = bytes.size();
   }
 
   Bus& bus_;
@@ -86,7 +82,7 @@ class I2cStream {
   bool busy_ = false;
   bool reading_ = false;
   bool write_waits_ = false;
-  std::array<std::uint8_t, 2 * kChunk> bytes_{};
+  std::array<std::uint8_t, kChunk> bytes_{};
   std::size_t next_ = 0;
   std::size_t end_ = 0;
 };

@@ -34,22 +34,29 @@ std::string_view opened(std::string_view line) {
   return high < 16 && low < 16 && sum == 16 * high + low ? body : std::string_view{};
 }
 
+/// Takes `c` off the front of the text, if it is there.
+bool take(char c, std::string_view& text) {
+  const bool there = text.starts_with(c);
+  if (there) text.remove_prefix(1);
+  return there;
+}
+
 /// Exactly as many integers as `out` has, each after one space; at most nine digits.
 bool read_numbers(std::string_view text, std::span<std::int32_t> out) {
-  std::size_t at = 0;
+  constexpr int kMostDigits = 9;
   for (std::int32_t& number : out) {
-    if (at >= text.size() || text[at++] != ' ') return false;
-    const bool negative = at < text.size() && text[at] == '-';
-    if (negative) ++at;
-    const std::size_t first = at;
+    if (!take(' ', text)) return false;
+    const bool negative = take('-', text);
+    int digits = 0;
     number = 0;
-    while (at < text.size() && text[at] >= '0' && text[at] <= '9' && at - first < 9) {
-      number = 10 * number + (text[at++] - '0');
+    for (; digits < kMostDigits && !text.empty() && text[0] >= '0' && text[0] <= '9'; ++digits) {
+      number = 10 * number + (text[0] - '0');
+      text.remove_prefix(1);
     }
-    if (at == first) return false;
+    if (digits == 0) return false;
     if (negative) number = -number;
   }
-  return at == text.size();
+  return text.empty();
 }
 
 bool between(std::int32_t low, std::int32_t value, std::int32_t high) { return low <= value && value <= high; }

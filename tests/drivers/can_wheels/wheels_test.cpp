@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <utility>
+
 namespace fencepost::can_wheels {
 namespace {
 
@@ -92,6 +95,54 @@ TEST(CanWheels, ImpossibleVelocitiesAreMalformed) {
   EXPECT_FALSE(wheels.take(pair(2'001, 0), at(20)));
   EXPECT_FALSE(wheels.take(pair(0, -2'001), at(40)));
   EXPECT_EQ(wheels.counters().malformed, 2U);
+}
+
+TEST(CanWheels, AVelocityLastsHalfASecondAtMost) {
+  Mapping mapping = both_in_one();
+  mapping.quantity = Quantity::kVelocities;
+  for (const auto& [ms, x] : {std::pair(500, 500), {501, 0}}) {
+    Wheels wheels(mapping);
+    (void)wheels.take(pair(100, 100), at(0));
+    EXPECT_EQ(wheels.take(pair(100, 100), at(ms))->x.raw, x) << ms;
+  }
+  Wheels wheels(mapping);
+  (void)wheels.take(pair(-100, -100), at(0));
+  EXPECT_EQ(wheels.take(pair(-100, -100), at(100))->x.raw, -100);
+}
+
+// No controller restarts within 200 ms; and its counts are then nearer to zero than to what they were.
+TEST(CanWheels, WhatIsARestart) {
+  for (const auto& [ms, count, x] : {std::tuple(199, 4, -60), {200, 4, 0}, {200, 5, -50}, {200, 6, -40}}) {
+    Wheels wheels(both_in_one());
+    (void)wheels.take(pair(10, 10), at(0));
+    EXPECT_EQ(wheels.take(pair(count, count), at(ms))->x.raw, x) << ms << ' ' << count;
+  }
+  Wheels backwards(both_in_one());
+  (void)backwards.take(pair(-10, -10), at(0));
+  EXPECT_EQ(backwards.take(pair(-4, -4), at(200))->x.raw, 0);
+}
+
+TEST(CanWheels, IsHeardForAsLongAsItsMappingSays) {
+  Mapping mapping = both_in_one();
+  mapping.silence = base::milliseconds(300);
+  Wheels wheels(mapping);
+  (void)wheels.take(pair(0, 0), at(0));
+  EXPECT_EQ(wheels.link(at(300)), LinkState::kOk);
+  EXPECT_EQ(wheels.link(at(301)), LinkState::kSilent);
+  wheels.forget();
+  EXPECT_EQ(wheels.link(at(0)), LinkState::kSilent);
+}
+
+TEST(CanWheels, AFrameOfEitherKindOrOfNoneIsAnothers) {
+  Wheels wheels(both_in_one());
+  bus::CanFrame extended = pair(1, 1);
+  extended.extended = true;
+  bus::CanFrame remote = pair(1, 1);
+  remote.remote = true;
+  EXPECT_FALSE(wheels.take(extended, at(1)));
+  EXPECT_FALSE(wheels.take(remote, at(2)));
+  EXPECT_EQ(wheels.counters().unrelated, 2U);
+  EXPECT_TRUE(wheels.take(pair(1, 1), at(3)));
 }
 
 TEST(CanWheels, OneWheelAloneIsUnready) {

@@ -118,6 +118,16 @@ TEST(CmuCamDecoder, LinesThatAreAlmostPackets) {
   EXPECT_EQ(said("T  1 2 3 4 5 6 7 8 \r"), Said{"T 1 2 3 4 5 6 7 8@0"}) << "spaces more or less";
 }
 
+// What stood in the line before is none of this one.
+TEST(CmuCamDecoder, ALineEndsWhereItEnds) {
+  for (const char before : {'9', ' ', 'x'}) {
+    Decoder decoder;
+    EXPECT_EQ(said(std::string(40, before) + "\r", decoder).size(), 1U);
+    EXPECT_EQ(said("T 1 2 3 4 5 6 7 8\r", decoder), Said{"T 1 2 3 4 5 6 7 8@0"}) << before;
+    EXPECT_EQ(said("T 1 2 3 4 5 6 7 \r", decoder), Said{"text(T 1 2 3 4 5 6 7 )"}) << before;
+  }
+}
+
 TEST(CmuCamDecoder, SaysNackAndNothing) {
   EXPECT_EQ(said("NCK\r:"), (Said{"NCK", "prompt()"}));
   EXPECT_EQ(said("\r\r\r"), Said{});

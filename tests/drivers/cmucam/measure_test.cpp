@@ -86,6 +86,19 @@ TEST(CmuCamBlob, RefusesWhatCannotBeABox) {
   EXPECT_EQ(to_blob(packet('S', {90, 40, 41, 3, 4, 5}), kCmuCam1, 1).error(), Error::kBadInput);
 }
 
+TEST(CmuCamBlob, ACentroidAtTheEdgeOfItsBoxIsInside) {
+  const auto taken = [](std::uint8_t mx, std::uint8_t my) {
+    return to_blob(packet('M', {mx, my, 40, 60, 50, 80, 20, 128}), kCmuCam1, 1).ok();
+  };
+  EXPECT_TRUE(taken(40, 60));
+  EXPECT_TRUE(taken(50, 80));
+  EXPECT_FALSE(taken(39, 70));
+  EXPECT_FALSE(taken(51, 70));
+  EXPECT_FALSE(taken(45, 59));
+  EXPECT_FALSE(taken(45, 81));
+  EXPECT_TRUE(to_blob(packet('M', {40, 60, 40, 60, 40, 60, 1, 255}), kCmuCam1, 1).ok()) << "one pixel";
+}
+
 // 88 columns of 44.1 deg: 44 / tan 22.05 deg = 108.63; rows are taller in number by the pixels' shape.
 TEST(CmuCamDialect, NominalCalibration) {
   sensor::CameraMount mount;

@@ -133,6 +133,8 @@ TEST(CmuCamSession, BoundsAreThoseOfTheImager) {
   const ColourWindow red = {1, 215, 255, 0, 40, 0, 40};
   EXPECT_EQ(window_sent(kCmuCam4, red), "TC 215 255 0 40 0 40\r");
   EXPECT_EQ(window_sent(kCmuCam1, red), "TC 215 240 16 40 16 40\r");
+  EXPECT_EQ(window_sent(kCmuCam4, {1, 0, 9, 10, 99, 100, 255}), "TC 0 9 10 99 100 255\r");
+  EXPECT_EQ(window_sent(kCmuCam4, {1, 50, 50, 60, 60, 70, 70}), "TC 50 50 60 60 70 70\r") << "a single shade";
   EXPECT_EQ(window_sent(kCmuCam2, red), "TC 215 240 16 40 16 40\r");
   EXPECT_EQ(window_sent(kCmuCam3, red), "TC 215 240 16 40 16 40\r");
 }
@@ -165,6 +167,131 @@ TEST(CmuCamSession, SaysWhatItIsToldTo) {
   EXPECT_EQ(hear("ACK\r" + test::hex_text("FF 4D 00 00 00 00 00 00 00 00") + ":"), "TC 180 240 16 60 16 60\r");
   EXPECT_EQ(session.sample().blobs.size(), 1U);
   EXPECT_EQ(session.counts().frames, 1U);
+}
+
+TEST(CmuCamSession, ALostLinkLeavesNothingToBeSent) {
+  Session session(two_windows(kCmuCam1));
+  session.step({0});
+  EXPECT_FALSE(session.outbox().waiting().empty());
+  session.link_lost();
+  EXPECT_TRUE(session.outbox().waiting().empty());
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  session.step({1});
+  EXPECT_FALSE(session.outbox().waiting().empty()) << "at once when it is back";
+}
+
+// A second for its version text, half of one for an ACK, a fifth for a packet.
+TEST(CmuCamSession, WaitsAsLongAsItsDialectSays) {
+  Config config = two_windows(kCmuCam1);
+  config.settle = base::milliseconds(300);
+  Session session(config);
+  base::Time now{0};
+  const auto says = [&](std::int64_t ms, std::string_view heard = "") {
+    for (const char byte : heard) (void)session.take(test::octet(byte), now);
+    now = now + base::milliseconds(ms);
+    session.step(now);
+    const auto waiting = session.outbox().waiting();
+    std::string sent(waiting.begin(), waiting.end());
+    session.outbox().sent(waiting.size());
+    return sent;
+  };
+  EXPECT_EQ(says(0), "\rRS\r");
+  EXPECT_EQ(says(999), "");
+  EXPECT_EQ(says(1).size(), 18U + 4U) << "the way out of raw input too, every other time";
+  EXPECT_EQ(says(0, ":ACK\r\rCMUcam v1.12\r:"), "\rGV\r");
+  EXPECT_EQ(says(499), "");
+  EXPECT_EQ(says(1), "\rGV\r");
+  EXPECT_EQ(says(0, "ACK\rCMUcam v1.12\r:"), "CR 18 44 19 33\r");
+  EXPECT_EQ(says(0, "ACK\r:"), "") << "white balance settles";
+  EXPECT_EQ(says(299), "");
+  EXPECT_EQ(says(1), "CR 18 40 19 32\r");
+  EXPECT_EQ(says(499), "");
+  EXPECT_EQ(says(1), "\rGV\r") << "lost on its way";
+  EXPECT_EQ(says(0, "ACK\rCMUcam v1.12\r:"), "CR 18 40 19 32\r");
+  EXPECT_EQ(says(0, "ACK\r:"), "PM 1\r");
+  EXPECT_EQ(says(0, "ACK\r:"), "RM 1\r");
+  EXPECT_EQ(says(0, "ACK\r:"), "TC 180 240 16 60 16 60\r");
+  EXPECT_EQ(says(199), "");
+  EXPECT_EQ(says(1), "\rGV\r");
+  EXPECT_EQ(session.counts().unanswered, 1U);
+  EXPECT_EQ(says(0, "ACK\rCMUcam v1.12\r:"), "TC 180 240 16 60 16 60\r");
+  EXPECT_EQ(session.counts().resets, 1U);
+}
+
+/// A session that tracks two windows; what it says to what it hears.
+struct Tracking {
+  Tracking() {
+    session.step(now);
+    for (const char* answer :
+         {":ACK\r\rCMUcam v1.12\r:", ":ACK\rCMUcam v1.12\r:", "ACK\r:", "ACK\r:", "ACK\r:", "ACK\r:"})
+      hear(answer);
+    EXPECT_EQ(sent, kRed);
+  }
+  const std::string& hear(std::string_view bytes, std::int64_t ms = 1) {
+    session.outbox().sent(session.outbox().waiting().size());
+    now = now + base::milliseconds(ms);
+    for (const char byte : bytes) (void)session.take(test::octet(byte), now);
+    session.step(now);
+    const auto waiting = session.outbox().waiting();
+    sent.assign(waiting.begin(), waiting.end());
+    return sent;
+  }
+  static Config config() {
+    Config config = two_windows(kCmuCam1);
+    config.settle = {};
+    return config;
+  }
+  inline static const std::string kRed = "TC 180 240 16 60 16 60\r";
+  inline static const std::string kBlue = "TC 16 60 16 60 180 240\r";
+  inline static const std::string kPacket = "ACK\r" + test::hex_text("FF 4D 2D 47 28 3C 32 50 14 80") + ":";
+  Session session{config()};
+  base::Time now{0};
+  std::string sent;
+};
+
+TEST(CmuCamSession, AskedInVainItAsksAgain) {
+  Tracking refused;
+  EXPECT_EQ(refused.hear("NCK\r:"), Tracking::kRed);
+  EXPECT_EQ(refused.session.counts().refused, 1U);
+  EXPECT_EQ(refused.session.counts().unanswered, 0U);
+  EXPECT_EQ(refused.hear("ACK\r:"), Tracking::kRed);
+  EXPECT_EQ(refused.session.counts().refused, 1U);
+  EXPECT_EQ(refused.session.counts().unanswered, 1U);
+  EXPECT_EQ(refused.hear(":"), "") << "the prompt of something else";
+}
+
+TEST(CmuCamSession, AfterATimeOutItBeginsWithTheFirstWindow) {
+  Tracking lost;
+  EXPECT_EQ(lost.hear(Tracking::kPacket), Tracking::kBlue);
+  EXPECT_EQ(lost.hear("", 200), "\rGV\r");
+  EXPECT_EQ(lost.hear("ACK\rCMUcam v1.12\r:"), Tracking::kRed);
+  EXPECT_EQ(lost.session.counts().frames, 0U);
+}
+
+// It has just been switched on: it says its version unasked, and its set-up is gone.
+TEST(CmuCamSession, AVersionUnaskedIsACameraThatStarted) {
+  Tracking started;
+  EXPECT_EQ(started.hear("CMUcam v1.12\r:"), "\rGV\r");
+  EXPECT_EQ(started.session.counts().resets, 2U);
+  EXPECT_EQ(started.session.link(), LinkState::kUnready);
+  EXPECT_EQ(started.hear("ACK\rCMUcam v1.12\r:"), "CR 18 44 19 33\r") << "from the beginning";
+}
+
+// Two lost answers, one that comes, two lost again: it is heard of.
+TEST(CmuCamSession, ThreeLostAnswersInARowAreSilence) {
+  Tracking heard;
+  for (int i = 0; i < 2; ++i) {
+    heard.hear("", 200);
+    heard.hear("", 500);
+    EXPECT_NE(heard.session.link(), LinkState::kSilent) << i;
+    heard.hear("ACK\rCMUcam v1.12\r:");
+    EXPECT_EQ(heard.sent, Tracking::kRed) << i;
+  }
+  heard.hear("", 200);
+  heard.hear("", 500);
+  EXPECT_NE(heard.session.link(), LinkState::kSilent);
+  heard.hear("", 500);
+  EXPECT_EQ(heard.session.link(), LinkState::kSilent);
 }
 
 TEST(CmuCamSession, TriesTheWayOutOfRawInputToo) {

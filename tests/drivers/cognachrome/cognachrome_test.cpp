@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/drivers/cognachrome/rig.hpp"
 #include "tests/drivers/hex.hpp"
 
@@ -67,6 +69,46 @@ TEST(Cognachrome, ReadsWhatTeamBotsReads) {
                                                   {2, 31, 0, 35, 199, {330}, {1'100}, 36, {}}}));
   EXPECT_TRUE(frames[1].empty());
   EXPECT_EQ(listener.decoder.counts().broken, 1U) << "255 by 255 pixels are more than there are";
+}
+
+// In the frame's number, behind the mark.
+TEST(Cognachrome, OnlyHexDigitsAreDigits) {
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    const bool digit = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'F') || (byte >= 'a' && byte <= 'f');
+    if (byte == '$') continue;
+    Listener listener(kHex);
+    Bytes bytes = text("$1x$");
+    bytes[2] = static_cast<std::uint8_t>(byte);
+    EXPECT_EQ(listener.hears(bytes).size(), digit ? 1U : 0U) << byte;
+    EXPECT_EQ(listener.decoder.counts().broken, digit ? 0U : 1U) << byte;
+  }
+}
+
+TEST(Cognachrome, HexDigitsHaveTheirValues) {
+  Listener listener(kHex);
+  // Columns 9, 10, 15 by both cases, and roots of one pixel.
+  const Frames frames = listener.hears(text("$00#1:9:10:0#1:A:10:0#1:F:10:0#1:a:10:0#1:f:1a:0$"));
+  ASSERT_EQ(frames.size(), 1U);
+  std::vector<std::int32_t> columns;
+  for (const sensor::Blob& blob : frames[0]) columns.push_back(blob.cx.raw);
+  std::sort(columns.begin(), columns.end());
+  EXPECT_EQ(columns, (std::vector<std::int32_t>{90, 100, 100, 150, 150}));
+  EXPECT_EQ(frames[0].back().cy.raw, 260) << "row 1a";
+}
+
+// A field has one or two digits, four fields have three colons.
+TEST(Cognachrome, WhatIsNoRecordOfHexBreaksItsFrame) {
+  for (const char* damaged :
+       {"$1A#:78:50:20$", "$1A#18::50:20$", "$1A#18:78:50$", "$1A#18:78:50:$", "$1A#18:78:50:20:$", "$1A#118:78:50:20$",
+        "$1A#18:78:50:120$", "$1A#18:78#50:20$", "$1A#18:78:50:20x$"}) {
+    Listener listener(kHex);
+    EXPECT_EQ(listener.hears(text(damaged)).size(), 0U) << damaged;
+    EXPECT_EQ(listener.decoder.counts().broken, 1U) << damaged;
+  }
+  for (const char* whole : {"$1A#18:78:50:20$", "$1A#18:78:50:2$", "$1A#18:78:50:20 \r\n#6:21:6E:00$"}) {
+    Listener listener(kHex);
+    EXPECT_EQ(listener.hears(text(whole)).size(), 1U) << whole;
+  }
 }
 
 TEST(Cognachrome, BoxesEndAtTheImage) {
@@ -156,6 +198,43 @@ TEST(CognachromeSession, InstallsItsStrings) {
   EXPECT_EQ(frames, 2U);
   now = now + milliseconds(490);
   EXPECT_EQ(says(), Bytes{}) << "it tracks";
+  hears("New protocol header:");
+  EXPECT_EQ(says(), Bytes{}) << "nobody asked for that";
+}
+
+TEST(CognachromeSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
+  Session session{Config{}};
+  Time now{};
+  session.step(now);
+  session.step(now = now + milliseconds(500));
+  EXPECT_FALSE(session.outbox().waiting().empty());
+  for (const std::uint8_t byte : kFrame + kMark + kMark) static_cast<void>(session.take(byte, now));
+  EXPECT_EQ(session.link(), LinkState::kEmpty);
+  session.link_lost();
+  EXPECT_TRUE(session.outbox().waiting().empty());
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  session.step(now = now + milliseconds(1));
+  session.step(now = now + milliseconds(499));
+  EXPECT_TRUE(session.outbox().waiting().empty()) << "it listens first";
+  session.step(now = now + milliseconds(1));
+  EXPECT_FALSE(session.outbox().waiting().empty());
+}
+
+// Two frames no more than 100 ms apart; and half a second without one, or without a byte.
+TEST(CognachromeSession, HowLongAFrameCounts) {
+  for (const auto& [apart, taken] : {std::pair(100, true), {101, false}}) {
+    Session session{Config{}};
+    Time now{};
+    const auto hears_mark = [&] { return session.take(0xFF, now); };
+    static_cast<void>(hears_mark());
+    EXPECT_FALSE(hears_mark()) << "the first";
+    now = now + milliseconds(apart);
+    EXPECT_EQ(hears_mark(), taken) << apart;
+    session.step(now = now + milliseconds(500));
+    EXPECT_EQ(session.link(), taken ? LinkState::kEmpty : LinkState::kUnready) << apart;
+    session.step(now = now + milliseconds(1));
+    EXPECT_EQ(session.link(), LinkState::kSilent) << apart;
+  }
 }
 
 TEST(CognachromeSession, APromptThatDoesNotComeIsGivenUp) {

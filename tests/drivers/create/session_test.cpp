@@ -321,6 +321,146 @@ TEST_F(Driven, DrivesOnlyWhileItMay) {
   EXPECT_EQ(speeds(), (CreateDevice::Speeds{-200, 200}));
 }
 
+// Every 100 ms, and at once when it changes.
+TEST(CreateDrive, IsSentTenTimesASecond) {
+  Session session(config_of(Model::kCreate2, Mode::kSafe));
+  const auto frame = test::bytes_of(test::hex_text("13 06 2B 00 00 2C 00 00 A3"));
+  const auto commands = [&](std::int64_t from_ms, std::int64_t to_ms) {
+    std::size_t sent = 0;
+    for (std::int64_t ms = from_ms; ms < to_ms; ++ms) {
+      const base::Time now{10 * ms};
+      if (ms % 15 == 0) {
+        for (const std::uint8_t byte : frame) (void)session.take(byte, now);
+      }
+      session.step(now);
+      const auto waiting = session.outbox().waiting();
+      for (std::size_t i = 0; i + 5 <= waiting.size(); ++i) sent += waiting[i] == 0x89 ? 1U : 0U;
+      session.outbox().sent(waiting.size());
+    }
+    return sent;
+  };
+  EXPECT_EQ(commands(0, 300), 0U);
+  session.drive({200, Motion::kStraight});
+  session.allow_motion(true);
+  EXPECT_EQ(commands(300, 1'300), 10U);
+  session.drive({100, Motion::kStraight});
+  EXPECT_EQ(commands(1'300, 1'301), 1U);
+  EXPECT_EQ(commands(1'301, 1'400), 0U);
+  EXPECT_EQ(commands(1'400, 1'401), 1U);
+}
+
+TEST(CreateSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
+  Session session(config_of(Model::kCreate2));
+  session.step({10});
+  EXPECT_FALSE(session.outbox().waiting().empty());
+  for (const std::uint8_t byte : test::bytes_of(test::hex_text("13 06 2B 00 00 2C 00 00 A3")))
+    (void)session.take(byte, {20});
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  session.link_lost();
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_TRUE(session.outbox().waiting().empty());
+  session.step({30});
+  EXPECT_EQ(session.outbox().waiting().size(), 5U) << "asked anew at once: start, and a list of two";
+}
+
+TEST(CreateSession, AFrameFromBeforeTheLatestIsPassedOver) {
+  Session session(config_of(Model::kCreate2));
+  const auto hear = [&](const char* frame, std::int64_t t) {
+    bool complete = false;
+    for (const std::uint8_t byte : test::bytes_of(test::hex_text(frame)))
+      complete = session.take(byte, {t}) || complete;
+    return complete;
+  };
+  EXPECT_TRUE(hear("13 06 2B 00 00 2C 00 00 A3", 1'000));
+  EXPECT_FALSE(hear("13 06 2B 00 0A 2C 00 0A 8F", 900));
+  EXPECT_EQ(session.sample().t, base::Time{1'000});
+  EXPECT_TRUE(hear("13 06 2B 00 0A 2C 00 0A 8F", 1'150));
+  EXPECT_EQ(session.sample().x.raw, 44) << "10 counts";
+}
+
+// A second after the last reading, and then every 100 ms until one comes.
+TEST(CreateSession, ACreate1IsAskedForAReadingWhenItIsDue) {
+  Session session(create1());
+  const auto asked = [&](std::int64_t ms) {
+    session.step({10 * ms});
+    const auto waiting = session.outbox().waiting();
+    const bool asks = waiting.size() >= 6 && waiting[waiting.size() - 6] == 0x94 && waiting[waiting.size() - 5] == 4;
+    session.outbox().sent(waiting.size());
+    return asks;
+  };
+  EXPECT_TRUE(asked(0));
+  for (const std::uint8_t byte : test::hex("13 0C 13 00 00 14 00 00 2A 00 00 29 00 00 7A"))
+    (void)session.take(byte, {1'000});
+  const auto requested = test::hex("13 06 2A 00 00 29 00 00 A7");
+  std::vector<std::int64_t> times;
+  for (std::int64_t ms = 101; ms < 1'450; ++ms) {
+    if (ms % 15 == 0) {
+      for (const std::uint8_t byte : requested) (void)session.take(byte, {10 * ms});
+    }
+    if (asked(ms)) times.push_back(ms);
+  }
+  EXPECT_EQ(times, (std::vector<std::int64_t>{1'100, 1'200, 1'300, 1'400}));
+}
+
+// What was predicted until an impossible reading stands; the next one begins there.
+TEST(CreateSession, AnImpossibleReadingIsPassedOver) {
+  Session session(create1());
+  const auto hear = [&](int distance, std::int64_t t) {
+    std::vector<std::uint8_t> bytes = test::hex("13 0C 13 00 00 14 00 00 2A 00 64 29 00 64");
+    bytes[3] = static_cast<std::uint8_t>(distance >> 8);
+    bytes[4] = static_cast<std::uint8_t>(distance & 0xFF);
+    unsigned sum = 0;
+    for (const std::uint8_t byte : bytes) sum += byte;
+    bytes.push_back(static_cast<std::uint8_t>(0x100U - (sum & 0xFFU)));
+    for (const std::uint8_t byte : bytes) (void)session.take(byte, {t});
+  };
+  hear(0, 1'000);
+  hear(500, 2'000);
+  EXPECT_EQ(session.counts().impossible, 1U);
+  EXPECT_EQ(session.sample().x.raw, 100) << "0.1 s at 100 mm/s";
+  hear(10, 3'000);
+  EXPECT_EQ(session.sample().x.raw, 200);
+  EXPECT_EQ(session.requested().surprises(), 0U);
+}
+
+TEST(CreateSession, IsHeardForHalfASecond) {
+  Session session(config_of(Model::kCreate2));
+  session.step({0});
+  for (const std::uint8_t byte : test::bytes_of(test::hex_text("13 06 2B 00 00 2C 00 00 A3")))
+    (void)session.take(byte, {0});
+  session.step({4'999});
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  session.step({5'000});
+  EXPECT_EQ(session.link(), LinkState::kUnready) << "no frame";
+  session.step({5'001});
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(session.counts().starts, 2U);
+}
+
+// A reading after 0.9 s of a Create 1, whose wheels do 600 mm/s: 600 mm with the lateness of 0.1 s, and one for
+// rounding.
+TEST(CreateSession, ACreate1sReadingIsNoFurtherThanItsWheelsCanTurn) {
+  for (const int sign : {1, -1}) {
+    for (const auto& [mm, impossible] : {std::pair(601, 0U), {602, 1U}}) {
+      Session session(create1());
+      const auto hear = [&](int distance, std::int64_t t) {
+        std::vector<std::uint8_t> bytes = test::hex("13 0C 13 00 00 14 00 00 2A 00 00 29 00 00");
+        bytes[3] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) >> 8U & 0xFFU);
+        bytes[4] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) & 0xFFU);
+        unsigned sum = 0;
+        for (const std::uint8_t byte : bytes) sum += byte;
+        bytes.push_back(static_cast<std::uint8_t>(0x100U - (sum & 0xFFU)));
+        for (const std::uint8_t byte : bytes) (void)session.take(byte, {t});
+      };
+      hear(5'000, 1'000);
+      EXPECT_EQ(session.sample().x.raw, 0) << "the first one covers an unknown time";
+      hear(sign * mm, 10'000);
+      EXPECT_EQ(session.counts().impossible, impossible) << sign * mm;
+      EXPECT_EQ(session.sample().x.raw, impossible == 0 ? sign * (10 * mm + 5) : 0) << sign * mm;
+    }
+  }
+}
+
 TEST_F(Driven, ACommandThatWasLostIsSentAgain) {
   session().drive({200, Motion::kStraight});
   session().allow_motion(true);

@@ -177,11 +177,86 @@ TEST(JevoisDecoder, TheFuzzersEntryRuns) {
   }
 }
 
+// In hundredths, of 320 x 240 pixels: what touches the picture from outside by its edge alone is outside.
+TEST(JevoisDecoder, BoxesAtTheEdgesOfThePicture) {
+  for (const std::string_view line :
+       {"N2 a 1050 0 100 100", "N2 a -1050 0 100 100", "N2 a 0 800 100 100", "N2 a 0 -800 100 100"}) {
+    Reading reading;
+    EXPECT_TRUE(reading.frame(line).frames.empty()) << line;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << line;
+  }
+  // A hundredth inside: a pixel of the edge, whose middle is there.
+  EXPECT_EQ(only("N2 a 1049.99 0 100 6.25"), (sensor::Blob{1, 319, 120, 319, 120, {3'190}, {1'195}, 0, {}}));
+  EXPECT_EQ(only("N2 a -1049.99 0 100 6.25"), (sensor::Blob{1, 0, 120, 0, 120, {0}, {1'195}, 0, {}}));
+  EXPECT_EQ(only("N2 a 0 799.99 6.25 100"), (sensor::Blob{1, 160, 239, 160, 239, {1'595}, {2'390}, 0, {}}));
+  EXPECT_EQ(only("N2 a 0 -799.99 6.25 100"), (sensor::Blob{1, 160, 0, 160, 0, {1'595}, {0}, 0, {}}));
+}
+
+TEST(JevoisDecoder, NumbersAndNamesToTheirLastDigit) {
+  EXPECT_EQ(only("N2 blob255 0 0 400 300").signature, 255);
+  EXPECT_EQ(only("N2 blob1 0 0 400 300").signature, 1);
+  EXPECT_EQ(only("N2 a9z2 0 0 400 300").signature, 2) << "the digits at its end";
+  const auto frame_number = [](const std::string& stamp) {
+    Reading reading;
+    reading.bytes(stamp + " MARK START\n" + stamp + " MARK STOP\n");
+    return reading.frames.size() == 1 ? reading.frames[0].frame : 0U;
+  };
+  EXPECT_EQ(frame_number("999999999"), 999'999'999U);
+  EXPECT_EQ(frame_number("1000000000"), 1U) << "of ten digits is none: counted by itself";
+  EXPECT_EQ(frame_number("31:02"), 1U) << "a time";
+  // Decimals behind the second are dropped: 6.259 is 6.25.
+  EXPECT_EQ(only("N2 a 0 0 6.259 6.251").x1, only("N2 a 0 0 6.25 6.25").x1);
+  EXPECT_EQ(only("N2 a 112.55 0 6.25 6.25").cx.raw, 1'775) << "112.55 of 2000 by 320 pixels, less half a one";
+  EXPECT_EQ(only("N2 a -112.45 0 6.25 6.25").cx.raw, 1'415);
+}
+
+TEST(JevoisDecoder, WhatBeginsWithADigitIsNoStampForAll) {
+  Reading reading;
+  EXPECT_TRUE(reading.bytes("5x MARK START\n5x MARK STOP\n").frames.empty());
+  EXPECT_EQ(reading.decoder.counts().damaged, 2U);
+  EXPECT_EQ(Reading().bytes("5-6 MARK START\n5-6 MARK STOP\n").frames.size(), 1U);
+}
+
+TEST(JevoisDecoder, PolygonsHaveThreePointsAtLeast) {
+  const auto frames = [](std::string_view line) { return Reading().frame(line).frames.size(); };
+  EXPECT_EQ(frames("D2 a 0 0 100 0 100 100"), 1U);
+  EXPECT_EQ(frames("D2 a 3 0 0 100 0 100 100"), 1U);
+  EXPECT_EQ(frames("D2 a 0 0 100 0"), 0U);
+  EXPECT_EQ(frames("D2 a 2 0 0 100 0"), 0U);
+  EXPECT_EQ(frames("D2 a 4 0 0 100 0 100 100"), 0U) << "another count";
+  EXPECT_EQ(frames("D2 a"), 0U);
+  // The extremes are at any of its points.
+  for (const std::string_view line :
+       {"D2 a 100 0 -100 50 0 -50", "D2 a -100 50 100 0 0 -50", "D2 a 0 -50 -100 0 100 50"}) {
+    const sensor::Blob blob = only(line);
+    EXPECT_EQ(blob.x1, 144) << line;
+    EXPECT_EQ(blob.x2, 175) << line;
+    EXPECT_EQ(blob.y1, 112) << line;
+    EXPECT_EQ(blob.y2, 127) << line;
+  }
+}
+
+TEST(JevoisDecoder, CountsWhatItGivesUp) {
+  Reading reading;
+  reading.bytes("MARK START\n").bytes("MARK START\n").bytes("MARK STOP\n");
+  EXPECT_EQ(reading.frames.size(), 1U);
+  EXPECT_EQ(reading.decoder.counts().incomplete, 1U) << "begun anew";
+  reading.bytes("1 MARK START\n2 MARK STOP\n");
+  EXPECT_EQ(reading.decoder.counts().incomplete, 2U) << "another stamp";
+  reading.bytes("MARK START\nrubbish\nMARK STOP\n");
+  EXPECT_EQ(reading.decoder.counts().incomplete, 3U);
+  EXPECT_EQ(reading.decoder.counts().damaged, 1U);
+  reading.bytes("rubbish\n");
+  EXPECT_EQ(reading.decoder.counts().incomplete, 3U) << "there was none";
+  EXPECT_EQ(reading.decoder.counts().damaged, 2U);
+  EXPECT_EQ(reading.frames.size(), 1U);
+}
+
 TEST(JevoisDecoder, BoxesThatCannotBeEndTheirFrame) {
   for (const std::string_view line :
        {"N2 a 0 0 400", "N2 a 0 0 400 300 5", "N2 a 0 0 400 300 more", "N2 a 0 0 0 300", "N2 a 0 0 400 0",
         "N2 a 0 0 400 -1", "N2 a 1.x 0 400 300", "N2 a 1. 0 400 300", "N2 a -1200 0 400 300", "N2 a 1200 0 400 300",
-        "N2 a 0 -900 400 300", "N2 a 0 900 400 300"}) {
+        "N2 a 0 -900 400 300", "N2 a 0 900 400 300", "N2 a 00000 0 400 300"}) {
     Reading reading;
     EXPECT_TRUE(reading.frame(line).frames.empty()) << line;
     EXPECT_EQ(reading.decoder.counts().impossible, 1U) << line;

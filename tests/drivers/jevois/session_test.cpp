@@ -61,6 +61,64 @@ TEST(JevoisSession, AnotherModuleIsToldAnew) {
   EXPECT_EQ(rig.driver.link(), LinkState::kOk);
 }
 
+TEST(JevoisSession, NominalCalibration) {
+  sensor::CameraMount mount;
+  mount.z = {1'200};
+  const sensor::CameraIntrinsics camera = nominal_intrinsics(mount);
+  EXPECT_EQ(camera.model.view(), "jevois");
+  EXPECT_EQ(camera.width, 320);
+  EXPECT_EQ(camera.height, 240);
+  EXPECT_EQ(camera.fx.raw, 27'713);
+  EXPECT_EQ(camera.fy.raw, 27'713);
+  EXPECT_EQ(camera.cx.raw, 15'950);
+  EXPECT_EQ(camera.cy.raw, 11'950);
+  EXPECT_EQ(camera.mount, mount);
+  EXPECT_EQ(camera.latency, base::milliseconds(67));
+}
+
+TEST(JevoisSession, WaitsHalfASecondEachTime) {
+  Session session{Config{}};
+  const auto hear = [&](std::string_view text, std::int64_t t) {
+    for (const char c : text) (void)session.take(static_cast<std::uint8_t>(c), {t});
+  };
+  const auto said = [&](std::int64_t t) {
+    session.step({t});
+    const std::size_t size = session.outbox().waiting().size();
+    session.outbox().sent(size);
+    return size > 0;
+  };
+  EXPECT_TRUE(said(0));
+  EXPECT_FALSE(said(4'999));
+  hear("MARK START\nMARK STOP\n", 4'999);
+  EXPECT_TRUE(said(5'000)) << "its frames are not as told";
+  EXPECT_EQ(session.link(), LinkState::kEmpty);
+  hear("1 MARK START\n1 N2 a 0.0 0.0 10.0 10.0\n1 MARK STOP\n", 6'000);
+  EXPECT_FALSE(said(10'000)) << "they are";
+  EXPECT_FALSE(said(11'000));
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  hear("OK\n", 11'000);
+  EXPECT_TRUE(said(11'001)) << "no frame for more than half a second";
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  EXPECT_FALSE(said(16'000));
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  EXPECT_TRUE(said(16'001));
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+}
+
+TEST(JevoisSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
+  Session session{Config{}};
+  session.step({0});
+  for (const char c : std::string("1 MARK START\n1 MARK STOP\n"))
+    (void)session.take(static_cast<std::uint8_t>(c), {10});
+  EXPECT_EQ(session.link(), LinkState::kEmpty);
+  EXPECT_FALSE(session.outbox().waiting().empty());
+  session.link_lost();
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_TRUE(session.outbox().waiting().empty());
+  session.step({20});
+  EXPECT_FALSE(session.outbox().waiting().empty()) << "told at once when it is back";
+}
+
 TEST(JevoisSession, TalkWithoutFramesIsUnready) {
   Session session{Config{}};
   session.step({0});

@@ -28,6 +28,22 @@ TEST(NxtBrick, ExchangesTelegrams) {
   EXPECT_EQ(bytes_of(link.sent()[2]), hex("00 0B"));
 }
 
+struct BarredLink {
+  base::Error error = base::Error::kFull;
+  [[nodiscard]] base::Result<std::size_t> send(std::span<const std::uint8_t> /*out*/) const { return error; }
+  static base::Result<std::size_t> receive(std::span<std::uint8_t> /*in*/) { return base::Error::kNotReady; }
+};
+
+TEST(NxtBrick, AFullLinkIsNoLostOne) {
+  BarredLink link;
+  Brick<BarredLink> brick(link);
+  brick.poll({0});
+  EXPECT_EQ(brick.link(), LinkState::kSilent);
+  link.error = base::Error::kGone;
+  for (std::int64_t ms = 1; ms < 1'000; ++ms) brick.poll({10 * ms});
+  EXPECT_EQ(brick.link(), LinkState::kAbsent);
+}
+
 using Bench = test::Bench<test::NxtBrickRig<test::UsbBrick>>;
 
 TEST(NxtBrick, LinkStates) {

@@ -169,5 +169,20 @@ TEST(NxtConversation, TooManyAskersAreRefused) {
   EXPECT_EQ(taken, Conversation::kAskers + 2);
 }
 
+// Before it was asked: it answers somebody else.
+TEST(NxtConversation, AReplyToWhatWasNotAskedYetIsUnmatched) {
+  Bench bench;
+  bench.greet();
+  bench.exchange.request = keep_alive();
+  ASSERT_TRUE(bench.conversation.submit(bench.exchange));
+  const std::uint32_t before = bench.conversation.counters().unmatched;
+  bench.reply(kAliveReply);
+  EXPECT_EQ(bench.exchange.state, State::kWaiting);
+  EXPECT_EQ(bench.conversation.counters().unmatched, before + 1);
+  EXPECT_EQ(bench.next(), hex("00 0D"));
+  bench.reply(kAliveReply);
+  EXPECT_EQ(bench.exchange.state, State::kDone);
+}
+
 }  // namespace
 }  // namespace fencepost::nxt

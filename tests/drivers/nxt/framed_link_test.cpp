@@ -55,6 +55,25 @@ TEST(NxtFramedLink, SkipsGarbage) {
   EXPECT_EQ(received({hex("07 00 03 0D"), kAlive}), (std::vector<Bytes>{kAliveTelegram}));
 }
 
+TEST(NxtFramedLink, WhatItsFirstBytesAre) {
+  const auto front = [](const char* text) { return examine_framed(hex(text)).front; };
+  EXPECT_EQ(front("07"), wire::Front::kIncomplete);
+  EXPECT_EQ(front("02 00"), wire::Front::kDamaged) << "a reply has three bytes at least";
+  EXPECT_EQ(front("03 00"), wire::Front::kIncomplete);
+  EXPECT_EQ(front("40 00"), wire::Front::kIncomplete);
+  EXPECT_EQ(front("41 00"), wire::Front::kDamaged) << "and 64 at most";
+  EXPECT_EQ(front("03 01"), wire::Front::kDamaged) << "259";
+  EXPECT_EQ(examine_framed(hex("41 00 02")).size, 1U);
+  EXPECT_EQ(front("07 00 03"), wire::Front::kDamaged) << "no reply";
+  EXPECT_EQ(examine_framed(hex("07 00 03")).size, 1U);
+  EXPECT_EQ(front("07 00 02"), wire::Front::kIncomplete);
+  const Bytes prefix = hex("07 00 03");
+  EXPECT_EQ(examine_framed(std::span(prefix).first(2)).front, wire::Front::kIncomplete) << "the third is yet to come";
+  EXPECT_EQ(front("03 00 02 0F"), wire::Front::kIncomplete);
+  EXPECT_EQ(front("03 00 02 0F 00"), wire::Front::kMessage);
+  EXPECT_EQ(examine_framed(hex("03 00 02 0F 00 07")).size, 5U);
+}
+
 TEST(NxtFramedLink, SendingGivesUpWhatHadBegun) {
   const Bytes part = hex("40 00 02");
   const std::array<fake::LinkStep, 3> steps = {{{part, {}}, {{}, Error::kNotReady}, {kAlive, {}}}};

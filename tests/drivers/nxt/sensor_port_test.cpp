@@ -64,6 +64,9 @@ TEST(NxtSensorPort, LimitsAndOverlap) {
   const std::array<std::uint8_t, 16> sixteen{};
   EXPECT_EQ(bench.port.begin(1, sixteen, 0).error(), Error::kFull);
   EXPECT_EQ(bench.port.begin(1, {}, 17).error(), Error::kFull);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(bench.transfer(1, hex("08"), 16, in).value(), 16U) << "the most it takes";
+  EXPECT_EQ(bench.transfer(1, std::vector<std::uint8_t>(15, 0x41), 0, in).value(), 0U);
   EXPECT_TRUE(bench.port.begin(1, hex("08"), 8));
   EXPECT_EQ(bench.port.begin(1, hex("08"), 8).error(), Error::kFull);
 }

@@ -45,6 +45,8 @@ TEST(NxtTelegram, DocumentedReplies) {
 TEST(NxtTelegram, WhatIsNoReplyIsNone) {
   EXPECT_FALSE(reply_in({}));
   EXPECT_FALSE(reply_in(hex("02 0D")));
+  EXPECT_FALSE(reply_in(hex("01 0D 00 C0 27 09 00"))) << "a command";
+  EXPECT_FALSE(reply_in(hex("03 0D 00 C0 27 09 00")));
   EXPECT_FALSE(reply_in(hex("00 06 00")));
   EXPECT_FALSE(reply_in(hex("02 0D 00 C0 27 09")));        // short
   EXPECT_FALSE(reply_in(hex("02 0D 00 C0 27 09 00 00")));  // long

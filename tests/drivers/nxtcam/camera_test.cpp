@@ -55,6 +55,79 @@ TEST(NxtCamera, StartsWithTheDocumentedTransfers) {
   EXPECT_EQ(bus.transfers()[10].expected, 16U);
 }
 
+struct TakenBus {
+  static base::Result<std::size_t> begin(std::uint8_t /*address*/, std::span<const std::uint8_t> /*out*/,
+                                         std::size_t /*expected*/) {
+    return base::Error::kFull;
+  }
+  static base::Result<std::size_t> finish(std::span<std::uint8_t> /*in*/) { return base::Error::kNotReady; }
+};
+
+TEST(NxtCamera, ABusThatAnotherHasIsWaitedForASecond) {
+  TakenBus bus;
+  Camera<TakenBus> camera(bus);
+  for (std::int64_t ms = 1; ms <= 1'001; ++ms) (void)camera.poll({10 * ms});
+  EXPECT_EQ(camera.session().counters().refused, 0U);
+  (void)camera.poll({10'020});
+  EXPECT_EQ(camera.session().counters().refused, 1U);
+}
+
+// To the first count of objects, which is answered.
+Session tracking(base::Time& now) {
+  Session session{Options{}};
+  const auto product = hex("6D 6E 64 73 6E 73 72 73 4E 58 54 43 61 6D 00 00");
+  const auto map = hex("01 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
+  const auto one = hex("01 02 3C 28 50 46 00 00 00 00 00 00 00 00 00 00");
+  for (const auto& answer : {hex("56 31 2E 32 30 00 00 00"), product, {}, {}, map, map, map, {}, {}, {}, one}) {
+    now = now + base::milliseconds(1'000);
+    EXPECT_TRUE(session.due(now));
+    session.take(answer, now);
+  }
+  return session;
+}
+
+TEST(NxtCamera, ThreeFailuresInARowAreSilence) {
+  base::Time now{0};
+  Session session = tracking(now);
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  const auto fail = [&](base::Error error) {
+    now = now + base::milliseconds(1'000);
+    EXPECT_TRUE(session.due(now));
+    session.fail(error, now);
+  };
+  for (int round = 0; round < 2; ++round) {
+    fail(base::Error::kRefused);
+    fail(base::Error::kRefused);
+    EXPECT_EQ(session.link(), round == 0 ? LinkState::kOk : LinkState::kEmpty) << round;
+    now = now + base::milliseconds(1'000);
+    const auto asked = session.due(now);
+    ASSERT_TRUE(asked);
+    session.take(std::vector<std::uint8_t>(asked->expected, 0), now);
+  }
+  EXPECT_EQ(session.counters().restarts, 0U);
+  fail(base::Error::kRefused);
+  fail(base::Error::kRefused);
+  EXPECT_NE(session.link(), LinkState::kSilent);
+  fail(base::Error::kRefused);
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(session.counters().restarts, 1U);
+  EXPECT_EQ(session.counters().refused, 7U);
+  fail(base::Error::kRefused);
+  EXPECT_EQ(session.counters().restarts, 1U) << "it has not begun";
+  fail(base::Error::kGone);
+  EXPECT_EQ(session.link(), LinkState::kAbsent);
+}
+
+TEST(NxtCamera, AMissingBusIsAbsentAtOnce) {
+  base::Time now{0};
+  Session session = tracking(now);
+  now = now + base::milliseconds(1'000);
+  EXPECT_TRUE(session.due(now));
+  session.fail(base::Error::kGone, now);
+  EXPECT_EQ(session.link(), LinkState::kAbsent);
+  EXPECT_EQ(session.counters().restarts, 1U);
+}
+
 TEST(NxtCamera, EightObjectsInThreeReads) {
   Bench bench;
   std::vector<sensor::Blob> eight;

@@ -87,6 +87,41 @@ TEST(AvrCam, GarbageIsSkipped) {
   EXPECT_EQ(avrcam(joined({std::vector<std::uint8_t>(500, 'x'), hex(kTwo)})).size(), 1U);
 }
 
+TEST(AvrCam, WhatItsFirstBytesAre) {
+  const auto front = [](const std::vector<std::uint8_t>& bytes) { return examine_avrcam(bytes); };
+  EXPECT_EQ(front(hex("0A")).front, wire::Front::kIncomplete);
+  EXPECT_EQ(front(hex("0A 08")).front, wire::Front::kIncomplete);
+  EXPECT_EQ(front(hex("0A 09")).front, wire::Front::kDamaged) << "eight objects at most";
+  EXPECT_EQ(front(hex("0A 09")).size, 1U);
+  EXPECT_EQ(front(hex("0A 00")).front, wire::Front::kIncomplete);
+  EXPECT_EQ(front(hex("0A 00 FF")).size, 3U);
+  EXPECT_EQ(front(hex("0A 00 FE")).front, wire::Front::kDamaged);
+  // An impossible object (colour 8) is seen with its last byte, before the others come.
+  EXPECT_EQ(front(hex("0A 02 08 3C 28 50")).front, wire::Front::kIncomplete);
+  EXPECT_EQ(front(hex("0A 02 08 3C 28 50 46")).front, wire::Front::kDamaged);
+  EXPECT_EQ(front(hex("0A 02 02 3C 28 50 46 08 64 64 78 82")).front, wire::Front::kDamaged) << "the second";
+  EXPECT_EQ(front(hex("0A 02 02 3C 28 50 46 05 64 64 78 82")).front, wire::Front::kIncomplete);
+  // What follows a message is none of its objects.
+  const auto followed = front(joined({hex(kTwo), hex("FF FF FF FF FF FF FF FF")}));
+  EXPECT_EQ(followed.front, wire::Front::kMessage);
+  EXPECT_EQ(followed.size, hex(kTwo).size());
+}
+
+TEST(AvrCam, LinesHave32CharactersAtMost) {
+  for (const std::size_t length : {1U, 32U, 33U}) {
+    const std::string line(length, '~');
+    const auto verdict = examine_avrcam(text(line + "\r"));
+    EXPECT_EQ(verdict.front, length <= 32 ? wire::Front::kMessage : wire::Front::kNoise) << length;
+    EXPECT_EQ(verdict.size, length <= 32 ? length + 1 : 1U) << length;
+  }
+  EXPECT_EQ(examine_avrcam(text(std::string(32, ' '))).front, wire::Front::kIncomplete);
+  EXPECT_EQ(examine_avrcam(text("ab\n")).size, 2U) << "up to what may begin a packet";
+  EXPECT_EQ(examine_avrcam(hex("41 42 7F 0A")).size, 3U) << "with the byte that is no character";
+  EXPECT_EQ(examine_avrcam(hex("1F 41")).size, 1U);
+  EXPECT_EQ(examine_avrcam(hex("0D 41")).front, wire::Front::kNoise) << "an empty line";
+  EXPECT_EQ(examine_avrcam(hex("0D 41")).size, 1U);
+}
+
 TEST(AvrCam, AWrongEndLosesThatPacketOnly) {
   auto bad = hex(kTwo);
   bad.back() = 0xFE;
@@ -120,6 +155,36 @@ TEST(NxtCamV5, OtherTypesPassAndImpossibleBoxesDoNot) {
   EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F1 5A 00")));
   EXPECT_TRUE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F0 A0 00")));
   EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 64 3C F0 A1 00")));
+}
+
+TEST(NxtCamV5, WhatItsFirstBytesAre) {
+  const auto front = [](const char* bytes) { return examine_v5(hex(bytes)); };
+  EXPECT_EQ(front("55").front, wire::Front::kIncomplete);
+  EXPECT_EQ(front("55 AA").front, wire::Front::kIncomplete);
+  EXPECT_EQ(front("55 AB").front, wire::Front::kNoise);
+  EXPECT_EQ(front("54 AA 55").size, 2U) << "to what may begin a message";
+  EXPECT_EQ(front("55 AB 01 55").size, 3U);
+  EXPECT_EQ(front("55 AA 07").front, wire::Front::kIncomplete);
+  EXPECT_EQ(front("55 AA 07 04").front, wire::Front::kIncomplete);
+  EXPECT_EQ(front("55 AA 06 04").front, wire::Front::kDamaged) << "a blob has seven bytes";
+  EXPECT_EQ(front("55 AA 08 04").front, wire::Front::kDamaged);
+  const auto other = [&](std::size_t length) {
+    return examine_v5(std::vector<std::uint8_t>{0x55, 0xAA, static_cast<std::uint8_t>(length), 0x01}).front;
+  };
+  EXPECT_EQ(other(kLongestV5 - 5), wire::Front::kIncomplete);
+  EXPECT_EQ(other(kLongestV5 - 4), wire::Front::kDamaged) << "it would not fit";
+  EXPECT_EQ(front("55 AA 00 01 00").size, 5U);
+  EXPECT_EQ(front("55 AA 00 01 01").front, wire::Front::kDamaged) << "its sum";
+}
+
+TEST(NxtCamV5, BoxesAtTheEdges) {
+  EXPECT_TRUE(v5_blob_in(hex("55 AA 07 04 11 00 02 00 00 01 01 00"))) << "a pixel";
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 04 11 00 02 00 00 01 00 00"))) << "no rows";
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 07 03 11 00 02 64 3C 8C 5A 00"))) << "another type";
+  EXPECT_FALSE(v5_blob_in(hex("55 AA 08 04 11 00 02 64 3C 8C 5A 00 00")));
+  const auto whole = v5_blob_in(hex("55 AA 07 04 11 00 02 00 00 F0 A0 00"));
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->blob, (sensor::Blob{2, 0, 0, 239, 159, {1'195}, {795}, 0, {}}));
 }
 
 TEST(NxtCamSerial, FuzzedShortly) {

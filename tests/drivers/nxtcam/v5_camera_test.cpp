@@ -58,6 +58,17 @@ TEST(V5Camera, TheWorkedExampleIsAFrameAfterThePause) {
   EXPECT_EQ(reading.frames[0].t, base::Time{10'010}) << "its first byte";
 }
 
+TEST(V5Camera, ALostLinkLeavesNothingToBeSentOrBelieved) {
+  Reading reading;
+  reading.bytes(kExample).pass(8);
+  EXPECT_EQ(reading.session.link(), LinkState::kOk);
+  EXPECT_FALSE(reading.session.outbox().waiting().empty());
+  reading.bytes(hex("55 AA 07 04"));
+  reading.session.lose_link();
+  EXPECT_EQ(reading.session.link(), LinkState::kAbsent);
+  EXPECT_TRUE(reading.session.outbox().waiting().empty());
+}
+
 TEST(V5Camera, BlobsOfOneCountAreOneFrameTheLargestFirst) {
   Reading reading;
   reading.bytes(test::NxtCam5::framed(4, {9, 0, 5, 10, 20, 20, 30}));

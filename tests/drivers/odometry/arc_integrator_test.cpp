@@ -60,6 +60,37 @@ TEST(ArcIntegrator, AgreesWithTheClosedForm) {
   }
 }
 
+// 100 km in one step of two radians: sin 1 cos 1 and sin 1 sin 1 of it, to 2e-7. At one radian the series is used,
+// beyond the sine itself.
+TEST(ArcIntegrator, ChordsOfOneRadianToEitherSideOfTheSeriesEnd) {
+  const struct {
+    std::int64_t half;
+    std::int32_t x, y;
+  } cases[] = {{1'000'000, 454'648'702, 708'073'416},
+               {1'000'001, 454'647'839, 708'073'666},
+               {-1'000'000, 454'648'702, -708'073'416},
+               {-1'000'001, 454'647'839, -708'073'666}};
+  for (const auto& [half, x, y] : cases) {
+    ArcIntegrator pose;
+    pose.advance(100'000 * kMetre, 2 * half);
+    EXPECT_EQ(pose.sample({}).x.raw, x) << half;
+    EXPECT_EQ(pose.sample({}).y.raw, y) << half;
+    EXPECT_NEAR(pose.sample({}).x.to_double(), 1e5 * std::sin(1.0) * std::cos(1e-6 * static_cast<double>(half)), 0.02);
+  }
+}
+
+// 50251105 pm along 0.100012 rad are 49999999.47 along x: less than half of a tenth of a millimetre, by a picometre.
+TEST(ArcIntegrator, RoundsToTheNearestPicometre) {
+  for (const std::int64_t sign : {1, -1}) {
+    ArcIntegrator pose;
+    pose.advance(0, 100'012);
+    pose.advance(sign * 50'251'105, 100'012);
+    EXPECT_EQ(pose.sample({}).x.raw, 0);
+    pose.advance(sign * 1, 100'012);
+    EXPECT_EQ(pose.sample({}).x.raw, sign);
+  }
+}
+
 // 50 Hz for eight hours on a circle of 0.5 m radius, a turn in 20 s: back where it was, 1440 times.
 TEST(ArcIntegrator, DoesNotDriftOverADay) {
   ArcIntegrator pose;

@@ -86,6 +86,37 @@ TEST(DifferentialDrive, ASilenceIsBridgedByOneArc) {
   EXPECT_EQ(once.heading, last.heading);
 }
 
+// 2000 mm/s are 2000 counts, and one for rounding: 0.9 s and 0.1 s of lateness allow 2002, a count of rounding
+// included.
+TEST(DifferentialDrive, CountsFasterThanTheWheelAreARestart) {
+  for (const std::int64_t pm : {kPicometresPerMillimetre, -kPicometresPerMillimetre}) {
+    WheelBase wheels = kPlain;
+    wheels.left_pm_per_count = wheels.right_pm_per_count = pm;
+    const std::int32_t sign = pm > 0 ? 1 : -1;
+    DifferentialDrive most(wheels);
+    (void)most.take(0, 0, at_ms(0));
+    EXPECT_EQ(most.take(2'002, 2'002, at_ms(900)).x.raw, sign * 20'020);
+    DifferentialDrive more(wheels);
+    (void)more.take(0, 0, at_ms(0));
+    EXPECT_EQ(more.take(2'003, 2'002, at_ms(900)).x.raw, 0);
+    EXPECT_EQ(more.resets(), 1U);
+    EXPECT_EQ(more.take(2'003, 4'005, at_ms(1'800)).x.raw, 0);
+    EXPECT_EQ(more.resets(), 2U);
+  }
+}
+
+// Whole radians and the rest: 2.1 m more on the right by 0.2 m are 10.5 rad.
+TEST(DifferentialDrive, HeadingsOfManyRadians) {
+  for (const std::int32_t sign : {1, -1}) {
+    DifferentialDrive drive(kPlain);
+    (void)drive.take(0, 0, at_ms(0));
+    sensor::OdometrySample end;
+    for (std::int32_t i = 1; i <= 21; ++i)
+      end = drive.take(0, static_cast<std::uint32_t>(sign * 100 * i), at_ms(100 * i));
+    EXPECT_NEAR(end.heading.raw, sign * std::lround(std::remainder(10.5, 2 * std::numbers::pi) * 1e4), 1);
+  }
+}
+
 // A million little turns left and right: the heading is a function of the counts, so it is exactly as it was.
 TEST(DifferentialDrive, TheHeadingDoesNotDrift) {
   DifferentialDrive drive(kCreate2Wheels);

@@ -50,6 +50,31 @@ TEST(TickCounter, TakesAnImpossibleStepAsAReset) {
   EXPECT_EQ(counter.step(3, at_ms(100)), 3);
 }
 
+TEST(TickCounter, TakesAnImpossibleStepBackAsAResetToo) {
+  TickCounter counter(32, 1'000);
+  EXPECT_FALSE(counter.step(100'000, at_ms(0)));
+  EXPECT_EQ(counter.step(99'879, at_ms(20)), -121);
+  EXPECT_EQ(counter.step(99'757, at_ms(40)), std::nullopt);
+}
+
+// Of two bits, the half range is 2, and a count is always possible.
+TEST(TickCounter, HasTwoBitsAtLeast) {
+  TickCounter counter(2, 1);
+  EXPECT_FALSE(counter.step(3, at_ms(0)));
+  EXPECT_EQ(counter.step(0, at_ms(20)), 1);
+  EXPECT_EQ(counter.step(3, at_ms(40)), -1);
+  EXPECT_EQ(counter.step(0, at_ms(939)), 1);
+  EXPECT_EQ(counter.step(1, at_ms(1'839)), std::nullopt)
+      << "two counts in 0.9 s and its lateness: they may have wrapped";
+}
+
+TEST(TickCounter, AnHourOfSilenceAtMost) {
+  TickCounter counter(32, 1'000);
+  EXPECT_FALSE(counter.step(0, at_ms(0)));
+  EXPECT_EQ(counter.step(5, base::Time{36'000'000}), 5);
+  EXPECT_EQ(counter.step(10, base::Time{72'000'001}), std::nullopt);
+}
+
 TEST(TickCounter, ALongerWaitAllowsMoreUntilTheWrapIsAmbiguous) {
   TickCounter counter(16, 1'000);  // half the range is reached after 32.8 s
   EXPECT_FALSE(counter.step(0, at_ms(0)));

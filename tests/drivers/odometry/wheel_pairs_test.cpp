@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace fencepost::odometry {
 namespace {
 
@@ -43,6 +45,41 @@ TEST(WheelPairs, SilenceMakesNoPair) {
   pairs.take_right(5, at(512));
   pairs.forget();
   EXPECT_FALSE(pairs.take_left(5, at(520)));
+}
+
+TEST(WheelPairs, ReadingsHalfASecondApartAtMost) {
+  for (const auto& [apart, pair] : {std::pair(500, true), {501, false}}) {
+    WheelPairs pairs(kWheels);
+    (void)pairs.take_left(0, at(0));
+    pairs.take_right(5, at(apart / 2));
+    EXPECT_EQ(pairs.take_left(5, at(apart)).has_value(), pair) << apart;
+  }
+}
+
+TEST(WheelPairs, ARightOneFromBeforeTheLeftMakesNoPair) {
+  WheelPairs pairs(kWheels);
+  (void)pairs.take_left(0, at(10));
+  pairs.take_right(5, at(9));
+  EXPECT_FALSE(pairs.take_left(5, at(20)));
+  pairs.take_right(5, at(20));
+  EXPECT_TRUE(pairs.take_left(10, at(30))) << "at the same time is one";
+}
+
+// Both left ones at one time: the later count stands. Before 0, halves are rounded away from it.
+TEST(WheelPairs, LeftIsInterpolatedToTheNearestCount) {
+  WheelPairs pairs(kWheels);
+  (void)pairs.take_left(0, at(0));
+  pairs.take_right(0, at(0));
+  EXPECT_TRUE(pairs.take_left(20, at(0)));
+  pairs.take_right(20, at(20));
+  auto sample = pairs.take_left(40, at(20));  // left 40: 20 more than before, right 20 more
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->x.raw, 200);
+  EXPECT_EQ(sample->heading.raw, 0);
+  pairs.take_right(20, at(30));
+  sample = pairs.take_left(35, at(40));  // 2.5 counts back, which are 3
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->x.raw, 200 - 15);
 }
 
 TEST(WheelPairs, BothAtOnce) {

@@ -90,6 +90,16 @@ TEST(Pixy1, AColourCodesSignatureIsItsOctalNumber) {
   EXPECT_EQ(listener.session.dropped(), 1U);
 }
 
+TEST(Pixy1, ASignatureIsAByteAndNotZero) {
+  const auto seen = [](const char* signature) {
+    return blob_of(hex(std::string("55 AA 00 00 ") + signature + " A0 00 64 00 28 00 1E 00"));
+  };
+  EXPECT_FALSE(seen("00 00"));
+  ASSERT_TRUE(seen("FF 00"));
+  EXPECT_EQ(seen("FF 00")->signature, 255);
+  EXPECT_FALSE(seen("00 01")) << "256, and no 0";
+}
+
 TEST(Pixy1, BoxesAtTheEdges) {
   const auto box = [](const char* text) { return blob_of(hex(text)); };
   // 320 x 199 around (160, 99): the whole image.
@@ -101,6 +111,91 @@ TEST(Pixy1, BoxesAtTheEdges) {
                             "55 AA 00 00 01 00 A0 00 05 00 28 00 1E 00", "55 AA 00 00 01 00 A0 00 C7 00 28 00 1E 00"}) {
     EXPECT_EQ(box(wrong), std::nullopt) << wrong;
   }
+}
+
+// 40 columns, 30 rows and the last one: 0 to 39 and 280 to 319, 0 to 30 and 169 to 199.
+TEST(Pixy1, BoxesThatTouchTheEdgesAreInside) {
+  const auto box = [](unsigned signature, unsigned x, unsigned y) {
+    Bytes block = hex("55 AA 00 00 01 00 00 00 00 00 28 00 1E 00");
+    for (const auto& [at, word] : {std::pair(std::size_t{4}, signature), {std::size_t{6}, x}, {std::size_t{8}, y}}) {
+      block[at] = static_cast<std::uint8_t>(word & 0xFFU);
+      block[at + 1] = static_cast<std::uint8_t>(word >> 8U);
+    }
+    return blob_of(block);
+  };
+  EXPECT_EQ(box(1, 20, 100)->x1, 0);
+  EXPECT_FALSE(box(1, 19, 100));
+  EXPECT_EQ(box(1, 300, 100)->x2, 319);
+  EXPECT_FALSE(box(1, 301, 100));
+  EXPECT_EQ(box(1, 100, 15)->y1, 0);
+  EXPECT_FALSE(box(1, 100, 14));
+  EXPECT_EQ(box(1, 100, 184)->y2, 199);
+  EXPECT_FALSE(box(1, 100, 185));
+  EXPECT_EQ(box(255, 100, 100)->signature, 255);
+  EXPECT_FALSE(box(256, 100, 100));
+  EXPECT_FALSE(box(0, 100, 100));
+}
+
+// A block with another signature, its sum right.
+Bytes block_of(const Bytes& block, unsigned signature) {
+  Bytes bytes = block;
+  const unsigned before = bytes[4] | static_cast<unsigned>(bytes[5]) << 8U;
+  const unsigned sum = (bytes[2] | static_cast<unsigned>(bytes[3]) << 8U) - before + signature;
+  bytes[2] = static_cast<std::uint8_t>(sum & 0xFFU);
+  bytes[3] = static_cast<std::uint8_t>(sum >> 8U & 0xFFU);
+  bytes[4] = static_cast<std::uint8_t>(signature & 0xFFU);
+  bytes[5] = static_cast<std::uint8_t>(signature >> 8U);
+  return bytes;
+}
+
+// Signatures 1 to 7 rise within an image; colour codes, 8 and more, come in any order.
+TEST(Pixy1, OnlySignaturesRise) {
+  const auto images = [](const Bytes& blocks) { return Listener().hears(kMark + blocks + kIdle).size(); };
+  EXPECT_EQ(images(block_of(kOne, 7) + block_of(kTwo, 7)), 1U);
+  EXPECT_EQ(images(block_of(kOne, 7) + block_of(kTwo, 6)), 0U);
+  EXPECT_EQ(images(kCode + block_of(kTwo, 7)), 0U) << "a mark was lost between them";
+  EXPECT_EQ(images(kCode + block_of(kCode, 9)), 1U);
+  EXPECT_EQ(images(kCode + block_of(kCode, 8)), 1U);
+}
+
+TEST(Pixy1, AColourCodeAbove255IsCounted) {
+  for (const auto& [signature, given] : {std::pair(255U, 1U), {256U, 0U}, {257U, 0U}}) {
+    Listener listener;
+    const auto frames = listener.hears(kMark + block_of(kCode, signature) + kIdle);
+    ASSERT_EQ(frames.size(), 1U) << signature;
+    EXPECT_EQ(frames[0].blobs.size(), given) << signature;
+    EXPECT_EQ(listener.session.dropped(), 1U - given) << signature;
+  }
+  EXPECT_EQ(Listener().hears(kMark + block_of(kOne, 256) + kIdle).size(), 0U) << "no block has it";
+}
+
+TEST(Pixy1, AnImageThatEndsInSilenceIsNone) {
+  Listener listener;
+  EXPECT_TRUE(listener.hears(kMark + kOne).empty());
+  listener.wait(501);
+  EXPECT_TRUE(listener.hears(kIdle).empty());
+  EXPECT_EQ(listener.session.counts().broken, 0U);
+  EXPECT_EQ(listener.hears(kMark + kTwo + kIdle).size(), 1U);
+}
+
+// Half a second, to the tenth of a millisecond.
+TEST(Pixy1, WaitsHalfASecond) {
+  Session session{Options{}};
+  Time now{};
+  const auto hear = [&](const Bytes& bytes) {
+    for (const std::uint8_t byte : bytes) (void)session.take(byte, now);
+  };
+  hear(kMark + kOne + kIdle);
+  session.step(now + milliseconds(500));
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  now = now + milliseconds(500);
+  hear(hex("00"));
+  session.step(now + base::Duration{1});
+  EXPECT_EQ(session.link(), LinkState::kUnready) << "bytes, but no image";
+  session.step(now + milliseconds(500));
+  EXPECT_EQ(session.link(), LinkState::kUnready);
+  session.step(now + milliseconds(500) + base::Duration{1});
+  EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
 TEST(Pixy1, AnImageMayComeInAnyTwoParts) {

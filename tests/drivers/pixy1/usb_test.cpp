@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <optional>
+
 #include "tests/drivers/hex.hpp"
 #include "tests/drivers/pixy1/rig.hpp"
 
@@ -53,6 +56,121 @@ TEST(Pixy1Usb, RefusesWhatCannotBe) {
     wrong[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
     EXPECT_FALSE(blocks_in(wrong)) << at;
   }
+}
+
+// Words of a block: signature, left, behind right, top, bottom.
+std::optional<sensor::Blob> block_at(std::initializer_list<unsigned> words) {
+  Bytes message = hex(kPushed2);
+  std::size_t at = 36;
+  for (const unsigned word : words) {
+    message[at++] = static_cast<std::uint8_t>(word & 0xFFU);
+    message[at++] = static_cast<std::uint8_t>(word >> 8U);
+  }
+  const auto pushed = blocks_in(message);
+  return pushed && !pushed->frame.blobs.empty() ? std::optional(pushed->frame.blobs[0]) : std::nullopt;
+}
+
+TEST(Pixy1Usb, BlocksThatTouchTheEdgesAreInside) {
+  EXPECT_EQ(block_at({255, 0, 320, 0, 199}), (sensor::Blob{255, 0, 0, 319, 199, {1'595}, {995}, 0, {}}));
+  EXPECT_EQ(block_at({1, 7, 8, 9, 9}), (sensor::Blob{1, 7, 9, 7, 9, {70}, {90}, 0, {}})) << "one pixel";
+  EXPECT_FALSE(block_at({1, 0, 321, 0, 199}));
+  EXPECT_FALSE(block_at({1, 0, 320, 0, 200}));
+  EXPECT_FALSE(block_at({1, 8, 8, 9, 9}));
+  EXPECT_FALSE(block_at({1, 7, 8, 10, 9}));
+  EXPECT_FALSE(block_at({0, 7, 8, 9, 9}));
+  EXPECT_FALSE(block_at({256, 7, 8, 9, 9}));
+}
+
+TEST(Pixy1Usb, AColourCodeAbove255IsCounted) {
+  for (const unsigned signature : {255U, 256U}) {
+    Bytes message = hex(
+        "55 55 AA AA 18 00 00 00 28 00 00 00 64 64 64 64 43 43 42 32 41 01 42 42 40 01 42 42 C8 00 82 82 00 00 00 00 "
+        "82 82 82 82 06 00 00 00 0A 00 AA 00 E6 00 46 00 5A 00 D3 FF");
+    message[44] = static_cast<std::uint8_t>(signature & 0xFFU);
+    message[45] = static_cast<std::uint8_t>(signature >> 8U);
+    const auto pushed = blocks_in(message);
+    ASSERT_TRUE(pushed) << signature;
+    EXPECT_EQ(pushed->frame.blobs.size(), signature == 255 ? 1U : 0U);
+    EXPECT_EQ(pushed->dropped, signature == 255 ? 0U : 1U);
+  }
+}
+
+TEST(Pixy1Usb, WhatTheFirstBytesOfAMessageAre) {
+  const auto message = [](std::size_t length) {
+    Bytes bytes = hex("55 55 AA AA 18 00 00 00 00 00 00 00");
+    bytes[8] = static_cast<std::uint8_t>(length & 0xFFU);
+    bytes[9] = static_cast<std::uint8_t>(length >> 8U);
+    bytes.resize(bytes.size() + length, 0x11);
+    return bytes;
+  };
+  const Bytes longest = message(kLongestMessage - chirp::kHeader);
+  EXPECT_EQ(examine_message(longest).front, wire::Front::kMessage);
+  EXPECT_EQ(examine_message(longest).size, kLongestMessage);
+  EXPECT_EQ(examine_message(message(kLongestMessage - chirp::kHeader + 1)).front, wire::Front::kNoise);
+  const Bytes short_one = message(3);
+  for (std::size_t size = 1; size < short_one.size(); ++size) {
+    EXPECT_EQ(examine_message(std::span(short_one).first(size)).front, wire::Front::kIncomplete) << size;
+  }
+  EXPECT_EQ(examine_message(short_one).size, 15U);
+  for (std::size_t at = 0; at < 4; ++at) {
+    Bytes damaged = short_one;
+    damaged[at] ^= 1U;
+    EXPECT_EQ(examine_message(std::span(damaged).first(4)).front, wire::Front::kNoise) << at;
+  }
+}
+
+TEST(Pixy1Usb, ALostLinkLeavesNothingToBeSentOrBelieved) {
+  UsbSession session{Options{}};
+  session.step({});
+  for (const std::uint8_t byte : hex(kPushed2)) (void)session.take(byte, {});
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  EXPECT_FALSE(session.outbox().waiting().empty());
+  session.link_lost();
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_TRUE(session.outbox().waiting().empty());
+  session.step({1});
+  EXPECT_FALSE(session.outbox().waiting().empty()) << "opened anew at once";
+}
+
+TEST(Pixy1Usb, WaitsForAnAnswerAndForAnImage) {
+  UsbSession session{Options{}};
+  const auto asks = [&](std::int64_t t) {
+    session.step({t});
+    const std::size_t size = session.outbox().waiting().size();
+    session.outbox().sent(size);
+    return size > 0;
+  };
+  EXPECT_TRUE(asks(0));
+  EXPECT_FALSE(asks(2'999));
+  EXPECT_TRUE(asks(3'000)) << "0.3 s";
+  for (const std::uint8_t byte : hex(kPushed2)) (void)session.take(byte, {4'000});
+  EXPECT_FALSE(asks(8'999));
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  EXPECT_TRUE(asks(9'000)) << "half a second without an image";
+  EXPECT_EQ(session.link(), LinkState::kOk);
+  EXPECT_FALSE(asks(9'001));
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+}
+
+// 2^31 words would be no bytes at all.
+TEST(Pixy1Usb, ACountThatOverflowsIsNone) {
+  Bytes message = hex(kPushed2);
+  for (const std::size_t at : {32U, 33U, 34U, 35U}) message[at] = at == 35 ? 0x80 : 0;
+  EXPECT_FALSE(blocks_in(message));
+}
+
+// A message of 200 bytes of which the header came alone: the next answer is none of its rest.
+TEST(Pixy1Usb, AMessageThatIsNeverWholeIsGivenUp) {
+  UsbSession session{Options{}};
+  session.step({0});
+  for (const std::uint8_t byte : hex("55 55 AA AA 18 00 00 00 C8 00 00 00")) (void)session.take(byte, {10});
+  session.step({3'000});
+  for (const std::uint8_t byte : hex("55 55 AA AA 61 00 00 00 06 00 00 00 00 00 00 00 01 01")) {
+    (void)session.take(byte, {3'010});
+  }
+  const auto waiting = session.outbox().waiting();
+  ASSERT_EQ(waiting.size(), 64U);
+  EXPECT_EQ(waiting[4], 0xA0) << "it asks for the next thing";
 }
 
 TEST(Pixy1Usb, IntroducesItselfAndHasItRun) {

@@ -48,6 +48,74 @@ TEST(Pixy2Camera, GreetsAndAsksInOrder) {
   EXPECT_EQ(bytes_of(link.written()), expected);
 }
 
+// What each error of the camera's means to a session that asks for blocks.
+TEST(Pixy2Camera, ErrorsThatPassRestartNothing) {
+  const auto restarts = [](int error, std::uint8_t signatures) {
+    Session session({.signatures = signatures});
+    base::Time now{0};
+    const auto answer = [&](const char* bytes) {
+      now = now + base::milliseconds(200);
+      EXPECT_TRUE(session.due(now));
+      session.take(packet_of(hex(bytes)), now, now);
+    };
+    answer("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00");
+    answer("AF C1 01 04 01 00 01 00 00 00");
+    answer("AF C1 0D 04 0D 01 3C 01 D0 00");
+    EXPECT_EQ(session.link(), LinkState::kUnready);
+    now = now + base::milliseconds(200);
+    EXPECT_TRUE(session.due(now));
+    const std::uint8_t code = static_cast<std::uint8_t>(error);
+    session.take({Type::kError, std::span(&code, 1)}, now, now);
+    return session.counters().restarts;
+  };
+  for (int error = -8; error < 0; ++error) {
+    const auto meant = static_cast<DeviceError>(error);
+    const bool passes =
+        meant == DeviceError::kBusy || meant == DeviceError::kButton || meant == DeviceError::kProgramChanging;
+    EXPECT_EQ(restarts(error, 0xFF), passes ? 0U : 1U) << error;
+    EXPECT_EQ(restarts(error, 0), 0U) << error << ": nothing is asked for that a restart would mend";
+  }
+}
+
+// Firmware that cannot change programs has only one: it goes on with the resolution.
+TEST(Pixy2Camera, FirmwareWithOneProgramIsTakenAsItIs) {
+  Session session({});
+  base::Time now{0};
+  const auto answer = [&](const char* bytes) {
+    now = now + base::milliseconds(200);
+    const auto asked = session.due(now);
+    EXPECT_TRUE(asked);
+    session.take(packet_of(hex(bytes)), now, now);
+    return asked ? bytes_of(*asked) : std::vector<std::uint8_t>{};
+  };
+  EXPECT_EQ(answer("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00"), bytes_of(request_version()));
+  EXPECT_EQ(answer("AF C1 03 01 FC 00 FC"), bytes_of(request_program()));
+  EXPECT_EQ(answer("AF C1 0D 04 0D 01 3C 01 D0 00"), bytes_of(request_resolution()));
+  EXPECT_EQ(session.counters().restarts, 0U);
+  EXPECT_EQ(session.counters().malformed, 0U);
+  answer("AF C1 0D 04 0D 01 3C 01 D0 00");
+  EXPECT_EQ(session.counters().malformed, 1U) << "no blocks";
+}
+
+// Half an answer, the plug out and in, and then the other half.
+TEST(Pixy2Camera, ALostLinkLeavesNothingOfAnAnswer) {
+  const auto version = hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00");
+  const std::vector<std::uint8_t> first(version.begin(), version.begin() + 10);
+  const std::vector<std::uint8_t> second(version.begin() + 10, version.end());
+  const base::Error none = base::Error::kNotReady;
+  const std::array<fake::LinkStep, 5> script = {
+      {{{}, none}, {first, {}}, {{}, base::Error::kGone}, {second, {}}, {{}, none}}};
+  fake::ScriptedLink<128> link(script);
+  Camera<fake::ScriptedLink<128>> camera(link, {});
+  for (std::int64_t t = 10; t <= 20; t += 10) (void)camera.poll({t});
+  EXPECT_EQ(camera.link(), LinkState::kAbsent);
+  link.limit_writes(0);
+  (void)camera.poll({30});
+  EXPECT_EQ(camera.link(), LinkState::kSilent) << "its bytes show that the plug is in";
+  EXPECT_EQ(camera.session().counters().malformed, 0U);
+  EXPECT_EQ(camera.damaged(), 0U);
+}
+
 TEST(Pixy2Camera, StartsUpWithTheCamera) {
   Bench bench;
   bench.run(400, {kRed});

@@ -45,6 +45,55 @@ TEST(Chirp, RepliesAreRead) {
   EXPECT_EQ(bytes_of(packet->data), hex("FE"));
 }
 
+// Of 320 bytes the header is 12.
+TEST(Chirp, TheLongestThatIsReadAndTheFirstThatIsNot) {
+  const auto message = [](unsigned length) {
+    std::vector<std::uint8_t> bytes = hex("55 55 AA AA 40 00 FF FF 00 00 00 00");
+    bytes[8] = static_cast<std::uint8_t>(length & 0xFFU);
+    bytes[9] = static_cast<std::uint8_t>(length >> 8U);
+    bytes.resize(bytes.size() + length, 0x11);
+    return bytes;
+  };
+  EXPECT_EQ(chirp::examine(message(308)).front, wire::Front::kMessage);
+  EXPECT_EQ(chirp::examine(message(308)).size, 320U);
+  EXPECT_EQ(chirp::examine(message(309)).front, wire::Front::kNoise);
+  EXPECT_EQ(chirp::examine(message(309)).size, 1U) << "the second 55 may begin one";
+  EXPECT_EQ(chirp::examine(message(0)).size, 12U) << "a header alone";
+  const std::vector<std::uint8_t> whole = message(4);
+  for (std::size_t size = 1; size < whole.size(); ++size) {
+    EXPECT_EQ(chirp::examine(std::span(whole).first(size)).front, wire::Front::kIncomplete) << size;
+  }
+  EXPECT_EQ(chirp::examine(whole).size, 16U);
+  for (std::size_t at = 0; at < 4; ++at) {
+    std::vector<std::uint8_t> damaged = whole;
+    damaged[at] ^= 1U;
+    EXPECT_EQ(chirp::examine(std::span(damaged).first(4)).front, wire::Front::kNoise) << at;
+  }
+}
+
+TEST(Chirp, PacketsOfOtherTypesOrLengthsAreNone) {
+  const auto packet = [](const char* rest) {
+    const auto bytes = hex(rest);
+    return chirp::packet_in({chirp::Type::kResponse, 0, bytes}).has_value();
+  };
+  EXPECT_TRUE(packet("01 03 81 81 01 00 00 00 FE"));
+  EXPECT_TRUE(packet("01 03 81 81 00 00 00 00")) << "without data";
+  EXPECT_FALSE(packet("01 03 81 81 00 00 00"));
+  EXPECT_FALSE(packet("02 03 81 81 01 00 00 00 FE"));
+  EXPECT_FALSE(packet("01 03 82 81 01 00 00 00 FE"));
+  EXPECT_FALSE(packet("01 03 81 81 02 00 00 00 FE"));
+  EXPECT_FALSE(packet("01 03 81 81 00 00 00 00 FE"));
+  for (const std::size_t count : {255U, 256U}) {
+    std::vector<std::uint8_t> rest = hex("01 03 81 81 00 00 00 00");
+    rest[4] = static_cast<std::uint8_t>(count & 0xFFU);
+    rest[5] = static_cast<std::uint8_t>(count >> 8U);
+    rest.resize(rest.size() + count, 0x22);
+    EXPECT_EQ(chirp::packet_in({chirp::Type::kResponse, 0, rest}).has_value(), count == 255) << count;
+  }
+  EXPECT_FALSE(chirp::message_in(hex("55 55 AA AA 60 00 00 00 03 00 00 00 05 00 00"))) << "no whole result";
+  EXPECT_TRUE(chirp::message_in(hex("55 55 AA AA 60 00 00 00 04 00 00 00 05 00 00 00")));
+}
+
 TEST(Chirp, OtherMessagesAreNone) {
   EXPECT_FALSE(chirp::message_in(hex("55 55 AA AA 18 00 00 00 04 00 00 00 05 00 00 00")));
   EXPECT_FALSE(chirp::message_in(hex("55 55 AA AA 40 00 FF FF 00 00 00 00")));

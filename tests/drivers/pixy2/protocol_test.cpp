@@ -148,6 +148,69 @@ TEST(Pixy2Packets, EighteenBlocksAreSixteenLargestAndTwoDropped) {
   EXPECT_EQ(blocks->frame.blobs[15].x2 - blocks->frame.blobs[15].x1 + 1, 6);
 }
 
+TEST(Pixy2Packets, WhatTheirFirstBytesAre) {
+  using wire::Front;
+  const auto front = [](const char* text) { return examine(hex(text)).front; };
+  EXPECT_EQ(front("AF"), Front::kIncomplete);
+  EXPECT_EQ(front("AE"), Front::kNoise);
+  EXPECT_EQ(front("AF C1"), Front::kIncomplete);
+  EXPECT_EQ(front("AF C2"), Front::kNoise);
+  EXPECT_EQ(front("AF C1 22"), Front::kIncomplete);
+  EXPECT_EQ(front("AF C1 22 00"), Front::kDamaged) << "no reply is of that type";
+  for (const char* possible :
+       {"AF C1 01 04", "AF C1 0D 04", "AF C1 03 01", "AF C1 0F 10", "AF C1 21 00", "AF C1 21 0E", "AF C1 21 FC"}) {
+    EXPECT_EQ(front(possible), Front::kIncomplete) << possible;
+  }
+  for (const char* impossible :
+       {"AF C1 01 05", "AF C1 0D 03", "AF C1 03 02", "AF C1 0F 11", "AF C1 21 0F", "AF C1 21 0D"}) {
+    EXPECT_EQ(front(impossible), Front::kDamaged) << impossible;
+  }
+  EXPECT_EQ(front("AF C1 21 00 00"), Front::kIncomplete);
+  EXPECT_EQ(examine(hex("AF C1 21 00 00 00 AF")).size, 6U);
+  EXPECT_EQ(front("AF C1 03 01 FE 00"), Front::kIncomplete);
+  EXPECT_EQ(front("AF C1 03 01 FE 00 FE"), Front::kMessage);
+  EXPECT_EQ(front("AF C1 03 01 FE 00 FD"), Front::kDamaged);
+}
+
+TEST(Pixy2Requests, WhatTheirFirstBytesAre) {
+  using wire::Front;
+  const auto front = [](const char* text) { return examine_request(hex(text)).front; };
+  EXPECT_EQ(front("AF"), Front::kIncomplete);
+  EXPECT_EQ(front("AF C1"), Front::kIncomplete);
+  EXPECT_EQ(front("AF C2"), Front::kNoise) << "seen with the second byte";
+  EXPECT_EQ(front("C1 AF"), Front::kNoise);
+  EXPECT_EQ(front("AF C1 02 21"), Front::kIncomplete) << "the longest, with a name of 33";
+  EXPECT_EQ(front("AF C1 02 22"), Front::kNoise);
+  EXPECT_EQ(front("AF C1 0E 00 00"), Front::kIncomplete);
+  EXPECT_EQ(examine_request(hex("AF C1 0E 00 00 00 AF")).size, 6U);
+  EXPECT_EQ(front("AF C1 0C 01 00 00"), Front::kIncomplete);
+  EXPECT_EQ(examine_request(hex("AF C1 0C 01 00 00 00")).size, 7U);
+}
+
+// Rows: centre 2, height 4 begins at 0; centre 205 ends at 207. Columns: centre 2, width 4; centre 314, ends at 315.
+TEST(Pixy2Packets, BoxesThatTouchTheEdgesAreInside) {
+  const auto inside = [](int x, int y, int width, int height, int signature = 1) {
+    std::vector<std::uint8_t> packet = hex("AF C1 21 0E 00 00");
+    for (const int word : {signature, x, y, width, height, 0, 0}) {
+      packet.push_back(static_cast<std::uint8_t>(word & 0xFF));
+      packet.push_back(static_cast<std::uint8_t>(word >> 8));
+    }
+    return blocks_in(packet_of(packet)).has_value();
+  };
+  EXPECT_TRUE(inside(2, 100, 4, 4));
+  EXPECT_FALSE(inside(1, 100, 4, 4));
+  EXPECT_TRUE(inside(314, 100, 4, 4));
+  EXPECT_FALSE(inside(315, 100, 4, 4));
+  EXPECT_TRUE(inside(100, 2, 4, 4));
+  EXPECT_FALSE(inside(100, 1, 4, 4));
+  EXPECT_TRUE(inside(100, 205, 4, 4));
+  EXPECT_FALSE(inside(100, 206, 4, 4));
+  EXPECT_TRUE(inside(100, 100, 1, 0)) << "one column, one row";
+  EXPECT_FALSE(inside(100, 100, 0, 4));
+  EXPECT_TRUE(inside(100, 100, 4, 4, 256)) << "counted, not rejected";
+  EXPECT_FALSE(inside(100, 100, 4, 4, 0));
+}
+
 TEST(Pixy2Scanner, GivesEachPacketAndWhenItBegan) {
   const auto one = hex(kOneBlock);
   const Heard heard = hear(joined({hex(kVersionReply), one, hex(kNoBlocks)}));

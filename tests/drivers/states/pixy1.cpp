@@ -26,18 +26,22 @@ namespace {
 const Bytes kPixy1Block = hex("55 AA 4B 01 01 00 A0 00 64 00 28 00 1E 00");
 constexpr std::int16_t kPixy1Left = 140;
 
-struct Pixy1Stream : Seen {
+struct Pixy1Seen : Seen {
+  void judge(const sensor::BlobFrame& frame) {
+    ++outputs;
+    if (!inside(frame, pixy1::kWidth, pixy1::kHeight)) trouble = "a box outside of the image";
+    right = frame.blobs.size() == 1 && frame.blobs[0].x1 == kPixy1Left;
+  }
+};
+
+struct Pixy1Stream : Pixy1Seen {
   // Two bytes of zeros are long enough for an image without blocks.
   static constexpr base::Duration kByte = base::milliseconds(30);
 
   void feed(std::uint8_t byte) {
     now = now + kByte;
     right = session.take(byte, now);
-    if (!right) return;
-    ++outputs;
-    const sensor::BlobFrame& frame = session.sample();
-    if (!inside(frame, pixy1::kWidth, pixy1::kHeight)) trouble = "a box outside of the image";
-    right = frame.blobs.size() == 1 && frame.blobs[0].x1 == kPixy1Left;
+    if (right) judge(session.sample());
   }
   void rest() { session.step(now + base::milliseconds(501)); }
   [[nodiscard]] bool idle() const {
@@ -97,18 +101,14 @@ Walked walk_pixy1() {
   return walk(Pixy1Stream{}, plan);
 }
 
-struct Pixy1Pushes : Seen {
+struct Pixy1Pushes : Pixy1Seen {
   static constexpr std::size_t kMost = pixy1::kLongestMessage - chirp::kHeader;
 
   Pixy1Pushes() { session.step(now); }
   void feed(std::uint8_t byte) {
     now = now + base::milliseconds(1);
     right = session.take(byte, now);
-    if (!right) return;
-    ++outputs;
-    const sensor::BlobFrame& frame = session.sample();
-    if (!inside(frame, pixy1::kWidth, pixy1::kHeight)) trouble = "a box outside of the image";
-    right = frame.blobs.size() == 1 && frame.blobs[0].x1 == kPixy1Left;
+    if (right) judge(session.sample());
   }
   void rest() { session.link_lost(); }
   [[nodiscard]] bool idle() const {

@@ -61,6 +61,55 @@ TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
   EXPECT_EQ(bus.transfers().back().out.size(), 3U);
 }
 
+// What a bus says of a write is nothing that was read.
+TEST(I2cStream, AWriteBringsNoBytes) {
+  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 0}, {kBytes, {}, 0}, {kBytes, {}, 0}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  EXPECT_TRUE(stream.write(kBytes));
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady) << "the write ends";
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.read(in).value(), 3U);
+}
+
+// A writer that got its turn has no more to wait for: the next read begins as soon as the write is over.
+TEST(I2cStream, AWriterThatHadItsTurnCostsTheReaderNone) {
+  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 1}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 16> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  ASSERT_TRUE(stream.write(kBytes));
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the write ends
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // a read begins
+  EXPECT_EQ(stream.read(in).value(), 3U);
+}
+
+TEST(I2cStream, AWholeChunkIsGivenInParts) {
+  std::array<std::uint8_t, 16> sixteen{};
+  for (std::size_t i = 0; i < sixteen.size(); ++i) sixteen[i] = static_cast<std::uint8_t>(i + 1);
+  const std::array<fake::I2cStep, 3> script = {{{sixteen, {}, 0}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  Bus bus(script);
+  I2cStream<Bus> stream(bus, 0x54);
+  std::array<std::uint8_t, 10> in{};
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
+  EXPECT_EQ(stream.read(in).value(), 10U);
+  EXPECT_EQ(in[9], 10);
+  EXPECT_EQ(stream.write(kBytes).value(), 3U) << "between two parts";
+  EXPECT_EQ(stream.read(in).value(), 6U);
+  EXPECT_EQ(in[0], 11);
+  EXPECT_EQ(in[5], 16);
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the write ends
+  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // a read begins
+  EXPECT_EQ(stream.read(in).value(), 3U);
+  EXPECT_EQ(in[0], 1);
+}
+
 // A writer that does not come back holds nobody up.
 TEST(I2cStream, AWriterHasTheBusForOneTurnOnly) {
   const std::array<fake::I2cStep, 2> script = {{{kBytes, {}, 1}, {kBytes, {}, 0}}};

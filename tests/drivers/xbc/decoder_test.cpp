@@ -70,6 +70,33 @@ TEST(XbcDecoder, TheVersion) {
   }
 }
 
+TEST(XbcDecoder, NumbersHaveNineDigitsAtMost) {
+  EXPECT_EQ(Reading().bytes(sealed("V XBCL 000000001")).versions, std::vector<std::int32_t>{1});
+  EXPECT_EQ(Reading().bytes(sealed("V XBCL 999999999")).versions, std::vector<std::int32_t>{999'999'999});
+  EXPECT_EQ(Reading().bytes(sealed("V XBCL -7")).versions, std::vector<std::int32_t>{-7});
+  for (const std::string_view body :
+       {"V XBCL 0000000001", "V XBCL -", "V XBCL --1", "V XBCL  1", "V XBCL 1 ", "V XBCL /", "V XBCL :", "V XBCL 1-"}) {
+    Reading reading;
+    EXPECT_TRUE(reading.bytes(sealed(body)).versions.empty()) << body;
+    EXPECT_EQ(reading.decoder.counts().impossible, 1U) << body;
+  }
+}
+
+TEST(XbcDecoder, CountsTheFramesThatItGivesUp) {
+  Reading reading;
+  reading.bytes(sealed("F 1 0")).bytes("$F 2");
+  EXPECT_EQ(reading.decoder.counts().incomplete, 0U);
+  reading.bytes("$");
+  EXPECT_EQ(reading.decoder.counts().damaged, 1U);
+  EXPECT_EQ(reading.decoder.counts().incomplete, 1U) << "once";
+  reading.bytes("x\n").bytes(sealed("E 1"));
+  EXPECT_EQ(reading.decoder.counts().damaged, 2U);
+  EXPECT_EQ(reading.decoder.counts().incomplete, 1U);
+  EXPECT_TRUE(reading.frames.empty());
+  reading.bytes(sealed("F 3 0")).bytes(sealed("E 3")).bytes(sealed("E 3"));
+  EXPECT_EQ(reading.frames.size(), 1U) << "it has one end";
+}
+
 TEST(XbcDecoder, EitherLineEnd) {
   std::string with_cr;
   for (const char c : kExample) with_cr += c == '\n' ? "\r\n" : std::string(1, c);

@@ -5,6 +5,7 @@
 
 #include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/bench/xbc_rig.hpp"
+#include "tests/drivers/hex.hpp"
 
 namespace fencepost::xbc {
 namespace {
@@ -40,6 +41,51 @@ TEST(XbcSession, FramesAndVersion) {
   rig.scene.clear();
   rig.run(200);
   EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
+}
+
+TEST(XbcSession, AsksOnceHoweverLongTheLineIsBlocked) {
+  Session session{Config{}};
+  const auto waiting = [&] {
+    return std::string(session.outbox().waiting().begin(), session.outbox().waiting().end());
+  };
+  for (std::int64_t ms = 0; ms <= 10'000; ms += 500) session.step({10 * ms});
+  EXPECT_EQ(waiting(), "?\n");
+  session.link_lost();
+  EXPECT_EQ(waiting(), "");
+  session.step({100'001});
+  EXPECT_EQ(waiting(), "?\n") << "at once";
+}
+
+TEST(XbcSession, WaitsASecondEachTime) {
+  Session session{Config{}};
+  const auto asks = [&](std::int64_t t) {
+    session.step({t});
+    const std::size_t size = session.outbox().waiting().size();
+    session.outbox().sent(size);
+    return size > 0;
+  };
+  EXPECT_TRUE(asks(0));
+  EXPECT_FALSE(asks(9'999));
+  EXPECT_TRUE(asks(10'000));
+  for (const char c : std::string("$V XBCL 1*72\n$F 1 0*47\n$E 1*54\n")) (void)session.take(test::octet(c), {10'000});
+  EXPECT_EQ(session.version(), 1);
+  EXPECT_EQ(session.link(), LinkState::kEmpty);
+  EXPECT_FALSE(asks(20'000)) << "it has answered";
+  EXPECT_EQ(session.link(), LinkState::kEmpty);
+  EXPECT_TRUE(asks(20'001)) << "and is not heard any more";
+  EXPECT_EQ(session.link(), LinkState::kSilent);
+  EXPECT_EQ(session.version(), 0);
+}
+
+TEST(XbcSession, NominalCalibration) {
+  const sensor::CameraIntrinsics camera = nominal_intrinsics({});
+  EXPECT_EQ(camera.width, 356);
+  EXPECT_EQ(camera.height, 291);
+  EXPECT_EQ(camera.fx.raw, 42'973);
+  EXPECT_EQ(camera.fy.raw, 42'973);
+  EXPECT_EQ(camera.cx.raw, 17'750);
+  EXPECT_EQ(camera.cy.raw, 14'500);
+  EXPECT_EQ(camera.latency, base::milliseconds(133));
 }
 
 TEST(XbcSession, LinkStates) {
