@@ -67,8 +67,8 @@ void cut_rows(const Boundary& b, std::int16_t* end, int row, int row_end) {
 struct WholeBoundary {
   static constexpr int kBits = 20;
   static constexpr std::int32_t kColumn = 1 << kBits;
-  static constexpr float kMost =
-      1000;  // columns, of x at the first row and of all steps: their sum has room in 32 bits
+  // columns, of x at the first row and of all steps: their sum has room in 32 bits
+  static constexpr double kMost = 1000;
 
   bool possible;
   std::int32_t start;  // at row 0
@@ -81,42 +81,96 @@ struct WholeBoundary {
     const double per_nx = 1.0 / nx;
     const double x = (static_cast<double>(b.bound) - ny * b.from) * per_nx;
     const double slope = -ny * per_nx;
-    const double most = static_cast<double>(kMost);
-    possible = std::fabs(x) < most && std::fabs(slope) * rows < most;
-    start = possible ? static_cast<std::int32_t>(x * kColumn) : 0;
-    step = possible ? static_cast<std::int32_t>(slope * kColumn) : 0;
-    // A unit a row for the step and one for the start. The plain form rounds products of ny, what is left and x, each
-    // by 2^-24 of kMost, 2 kMost and 2 kMost at most, columns.
-    constexpr std::int32_t kRounding = 5 * static_cast<std::int32_t>(kMost) / 16 + 1;
-    open = kRounding + rows + 2;
+    const double all_steps = std::fabs(slope) * rows;
+    possible = std::fabs(x) < kMost && all_steps < kMost;
+    start = possible ? nearest(x * kColumn) : 0;
+    step = possible ? nearest(slope * kColumn) : 0;
+    // Half a unit a row for the step and a whole one for the start. The plain form rounds products of ny, what is left
+    // and x, each by 2^-24 of all steps, x and x at most, columns, and no x is larger than that of row 0 and all steps.
+    const double rounding = (2 * std::fabs(x) + 3 * all_steps) / 16;
+    open = (possible ? static_cast<std::int32_t>(rounding) : 0) + 1 + rows / 2 + 2;
   }
+
+  static std::int32_t nearest(double units) { return static_cast<std::int32_t>(units + (units < 0 ? -0.5 : 0.5)); }
 };
 
-// False: some x is too near to a whole column; then no more has been cut off than should be.
-bool cut_right_in_whole(const WholeBoundary& b, std::int16_t* end, int row, int row_end) {
-  std::int32_t x = b.start + b.open + row * b.step;
-  std::int32_t nearest = WholeBoundary::kColumn;
-  for (; row < row_end; ++row, x += b.step) {
-    const std::int32_t beyond = x & (WholeBoundary::kColumn - 1);
-    nearest = beyond < nearest ? beyond : nearest;
-    const auto first = static_cast<std::int16_t>((x >> WholeBoundary::kBits) + 1);
-    const std::int16_t before = end[row];
-    end[row] = first < before ? first : before;
-  }
-  return nearest > 2 * b.open;
+// GCC's and clang's, on any processor; never an argument, for how vectors are passed depends on the processor.
+using RowBlock = std::int16_t __attribute__((vector_size(2 * kCarveBlock)));
+using HalfBlock = std::uint32_t __attribute__((vector_size(2 * kCarveBlock)));
+using Whole = std::int32_t __attribute__((vector_size(2 * kCarveBlock)));
+
+template <class Lanes>
+[[gnu::always_inline]] inline bool any(const Lanes& yes) {
+  std::array<std::uint64_t, sizeof yes / 8> parts;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::memcpy(parts.data(), &yes, sizeof yes);
+  std::uint64_t all = 0;
+  for (const std::uint64_t part : parts) all |= part;
+  return all != 0;
 }
 
-bool cut_left_in_whole(const WholeBoundary& b, std::int16_t* begin, int row, int row_end) {
-  std::int32_t x = b.start - b.open + row * b.step;
-  std::int32_t farthest = 0;
-  for (; row < row_end; ++row, x += b.step) {
-    const std::int32_t beyond = x & (WholeBoundary::kColumn - 1);
-    farthest = beyond > farthest ? beyond : farthest;
-    const auto first = static_cast<std::int16_t>(x >> WholeBoundary::kBits);
-    const std::int16_t before = begin[row];
-    begin[row] = first > before ? first : before;
+// x of a block of rows, those with even numbers and those with odd ones: so their upper halves, side by side, are in
+// the order of the rows.
+struct BlockOfRows {
+  HalfBlock even;
+  HalfBlock odd;
+};
+[[gnu::always_inline]] inline void begin_rows(const WholeBoundary& b, std::int32_t start, int row, BlockOfRows& x) {
+  const auto step = static_cast<std::uint32_t>(b.step);
+  HalfBlock twice;
+  for (std::size_t lane = 0; lane < kCarveBlock / 2; ++lane) twice[lane] = static_cast<std::uint32_t>(2 * lane);
+  x.even = static_cast<std::uint32_t>(start + row * b.step) + twice * step;
+  x.odd = x.even + step;
+}
+[[gnu::always_inline]] inline void columns_of(const BlockOfRows& x, RowBlock& columns) {
+  const HalfBlock upper = (x.even >> 16U) | (x.odd & 0xFFFF0000U);
+  std::memcpy(&columns, &upper, sizeof columns);
+  columns >>= WholeBoundary::kBits - 16;
+}
+
+// False: some x is too near to a whole column; then no more has been cut off than should be.
+[[gnu::always_inline]] inline bool cut_right_in_whole(const WholeBoundary& b, std::int16_t* end, int row, int row_end) {
+  BlockOfRows x;  // NOLINT(cppcoreguidelines-pro-type-member-init): two columns, begun at once
+  begin_rows(b, b.start + b.open + WholeBoundary::kColumn, row, x);
+  const auto stride = static_cast<std::uint32_t>(b.step) * std::uint32_t{kCarveBlock};
+  Whole nearest = Whole{} + WholeBoundary::kColumn;
+  for (; row < row_end; row += static_cast<int>(kCarveBlock)) {
+    const Whole even = Whole(x.even & (WholeBoundary::kColumn - 1U));
+    const Whole odd = Whole(x.odd & (WholeBoundary::kColumn - 1U));
+    const Whole of_both = even < odd ? even : odd;
+    nearest = of_both < nearest ? of_both : nearest;
+    RowBlock first;
+    columns_of(x, first);
+    RowBlock before;
+    std::memcpy(&before, &end[row], sizeof before);
+    before = first < before ? first : before;
+    std::memcpy(&end[row], &before, sizeof before);
+    x.even += stride;
+    x.odd += stride;
   }
-  return farthest < WholeBoundary::kColumn - 2 * b.open;
+  return !any(nearest <= 2 * b.open);
+}
+
+[[gnu::always_inline]] inline bool cut_left_in_whole(const WholeBoundary& b, std::int16_t* begin, int row,
+                                                     int row_end) {
+  BlockOfRows x;  // NOLINT(cppcoreguidelines-pro-type-member-init): two columns, begun at once
+  begin_rows(b, b.start - b.open, row, x);
+  const auto stride = static_cast<std::uint32_t>(b.step) * std::uint32_t{kCarveBlock};
+  Whole farthest{};
+  for (; row < row_end; row += static_cast<int>(kCarveBlock)) {
+    const Whole even = Whole(x.even & (WholeBoundary::kColumn - 1U));
+    const Whole odd = Whole(x.odd & (WholeBoundary::kColumn - 1U));
+    const Whole of_both = even > odd ? even : odd;
+    farthest = of_both > farthest ? of_both : farthest;
+    RowBlock first;
+    columns_of(x, first);
+    RowBlock before;
+    std::memcpy(&before, &begin[row], sizeof before);
+    before = first > before ? first : before;
+    std::memcpy(&begin[row], &before, sizeof before);
+    x.even += stride;
+    x.odd += stride;
+  }
+  return !any(farthest >= WholeBoundary::kColumn - 2 * b.open);
 }
 
 Boundary boundary_of(const HalfPlane& half_plane, const GridPlacement& placement, std::size_t columns) {
@@ -125,13 +179,13 @@ Boundary boundary_of(const HalfPlane& half_plane, const GridPlacement& placement
           static_cast<float>(columns), half_plane.normal.y() < 0 ? 1 : 0};
 }
 
-[[gnu::always_inline]] inline void cut(SolidRows rows, const Boundary& boundary, int row, int row_end) {
+[[gnu::always_inline]] inline void cut(const SolidRows& rows, const Boundary& boundary, int row, int row_end) {
   if (boundary.nx > kParallelToRows) return cut_right(boundary, rows.end.data(), row, row_end);
   if (boundary.nx < -kParallelToRows) return cut_left(boundary, rows.begin.data(), row, row_end);
   cut_rows(boundary, rows.end.data(), row, row_end);
 }
 
-[[gnu::always_inline]] inline bool cut_in_whole(SolidRows rows, const Boundary& boundary, int row, int row_end) {
+[[gnu::always_inline]] inline bool cut_in_whole(const SolidRows& rows, const Boundary& boundary, int row, int row_end) {
   if (!(std::fabs(boundary.nx) > kParallelToRows)) return false;
   const WholeBoundary whole(boundary, row_end);
   if (!whole.possible) return false;
@@ -139,26 +193,18 @@ Boundary boundary_of(const HalfPlane& half_plane, const GridPlacement& placement
   return cut_left_in_whole(whole, rows.begin.data(), row, row_end);
 }
 
-// GCC's and clang's, on any processor.
-using RowBlock = std::int16_t __attribute__((vector_size(2 * kCarveBlock)));
-
-[[gnu::always_inline]] inline bool block_empty(SolidRows rows, std::size_t row) {
+[[gnu::always_inline]] inline bool block_empty(const SolidRows& rows, std::size_t row) {
   RowBlock begins;
   RowBlock ends;
   std::memcpy(&begins, &rows.begin[row], sizeof begins);
   std::memcpy(&ends, &rows.end[row], sizeof ends);
-  const RowBlock solid = begins < ends;
-  std::array<std::uint64_t, sizeof solid / 8> any;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  std::memcpy(any.data(), &solid, sizeof any);
-  std::uint64_t all = 0;
-  for (const std::uint64_t part : any) all |= part;
-  return all == 0;
+  return !any(begins < ends);
 }
 
-bool row_empty(SolidRows rows, std::size_t row) { return rows.begin[row] >= rows.end[row]; }
+bool row_empty(const SolidRows& rows, std::size_t row) { return rows.begin[row] >= rows.end[row]; }
 
 // In long steps over whole blocks while there are any; mostly there is nothing to do.
-[[gnu::always_inline]] inline RowRange without_empty_rows(SolidRows rows, RowRange range) {
+[[gnu::always_inline]] inline RowRange without_empty_rows(const SolidRows& rows, RowRange range) {
   if (range.begin < range.end && row_empty(rows, range.begin)) {
     while (range.begin + kCarveBlock <= range.end && block_empty(rows, range.begin)) range.begin += kCarveBlock;
     while (range.begin < range.end && row_empty(rows, range.begin)) ++range.begin;
@@ -175,14 +221,14 @@ bool row_empty(SolidRows rows, std::size_t row) { return rows.begin[row] >= rows
 }  // namespace
 
 FENCEPOST_FOR_EACH_PROCESSOR
-void carve_half_plane(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+void carve_half_plane(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane) {
   const Boundary boundary = boundary_of(half_plane, placement, columns);
   cut(rows, boundary, static_cast<int>(range.begin), static_cast<int>(range.end));
 }
 
 FENCEPOST_FOR_EACH_PROCESSOR
-RowRange carve_blocks(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+RowRange carve_blocks(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane) {
   const Boundary boundary = boundary_of(half_plane, placement, columns);
   const auto row = static_cast<int>(range.begin / kCarveBlock * kCarveBlock);

@@ -39,7 +39,8 @@ struct GridPlacement {
   float cell = 0;
 };
 
-/// The solid columns of each row: [begin, end); none where they are not in order.
+/// The solid columns of each row: [begin, end); none where they are not in order. Passed by address: copied to the
+/// stack in halves and read as a whole, it would cost as much as a cut.
 struct SolidRows {
   std::span<std::int16_t> begin;
   std::span<std::int16_t> end;
@@ -52,12 +53,12 @@ struct RowRange {
 };
 
 /// Takes all cells that lie wholly outside `half_plane` out of the rows of `range`, of `columns` cells each.
-void carve_half_plane(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+void carve_half_plane(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane);
 
 /// The same bits where rows are many, in whole blocks of kCarveBlock: the other rows of a block in which the range ends
 /// have to be empty. Returns the range without the rows that are empty at either end.
-RowRange carve_blocks(SolidRows rows, std::size_t columns, RowRange range, const GridPlacement& placement,
+RowRange carve_blocks(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane);
 
 /// Of cells [begin, end) of a row, those in its word `word`: cell 0 is bit 0 of word 0.
@@ -83,10 +84,10 @@ class CarveGrid {
   void carve(const HalfPlane& half_plane) {
     if (base::kVectors && rows_.end - rows_.begin > kManyRows) {
       rows_ = carve_blocks({begin_, end_}, N, rows_, placement_, half_plane);
-      return;
+    } else {
+      carve_half_plane({begin_, end_}, N, rows_, placement_, half_plane);
+      shrink_rows();
     }
-    carve_half_plane({begin_, end_}, N, rows_, placement_, half_plane);
-    shrink_rows();
   }
 
   /// Places the grid anew if the clip has become small enough to deserve finer cells.
@@ -127,7 +128,11 @@ class CarveGrid {
  private:
   void place(const GridPlacement& placement) {
     placement_ = placement;
-    begin_.fill(0);
+    // A zero that compilers do not know of: of a known one they make the processor's string instruction, which takes
+    // longer to begin than all rows of it.
+    std::int32_t zero = 0;
+    __asm__("" : "+r"(zero));
+    begin_.fill(static_cast<std::int16_t>(zero));
     end_.fill(N);
     rows_ = {0, N};
   }

@@ -212,10 +212,42 @@ std::size_t clip_convex(std::span<Vec2> v, std::size_t size, const HalfPlane& ha
 Bounds bounds_of(std::span<const Vec2> vertices) {
   if (vertices.empty()) return {};
   Bounds bounds{vertices[0], vertices[0]};
-  for (const Vec2& v : vertices) {
+  const auto take = [&](const Vec2& v) {
     bounds.low = bounds.low.cwiseMin(v);
     bounds.high = bounds.high.cwiseMax(v);
+  };
+  if constexpr (base::kVectors) {
+    // Two vertices at a time, and twice that; the order is nothing to minima.
+    using Two = float __attribute__((vector_size(2 * sizeof(Vec2))));
+    constexpr std::size_t kMany = 4;
+    const std::size_t whole = vertices.size() / kMany * kMany;
+    if (whole > 0) {
+      const float* at = vertices[0].data();
+      Two low;
+      std::memcpy(&low, at, sizeof low);
+      Two high = low;
+      Two other_low = low;
+      Two other_high = low;
+      for (std::size_t i = 0; i < whole; i += kMany) {
+        Two one;
+        Two other;
+        std::memcpy(&one, at + 2 * i, sizeof one);
+        std::memcpy(&other, at + 2 * i + 4, sizeof other);
+        low = one < low ? one : low;
+        high = one > high ? one : high;
+        other_low = other < other_low ? other : other_low;
+        other_high = other > other_high ? other : other_high;
+      }
+      low = other_low < low ? other_low : low;
+      high = other_high > high ? other_high : high;
+      take({low[0], low[1]});
+      take({low[2], low[3]});
+      take({high[0], high[1]});
+      take({high[2], high[3]});
+      vertices = vertices.subspan(whole);
+    }
   }
+  for (const Vec2& v : vertices) take(v);
   return bounds;
 }
 

@@ -48,16 +48,23 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
-/// Floats that view_to_give_up works with: both coordinates of all bearings and of the newcomer's, in whole eights.
+/// What a full store keeps of its views from one newcomer to the next, so that a newcomer costs one look at each view
+/// and not one at each pair: bearings, true ends, and squared chords to the nearest bearings on either side, a column
+/// each of whole eights. The newest view is not among them, for it may be replaced. 20 bytes a view, desk only.
 inline constexpr std::size_t kThinningLanes = 8;
-constexpr std::size_t thinning_scratch(std::size_t views) {
-  return 2 * ((views + kThinningLanes) / kThinningLanes * kThinningLanes);
+inline constexpr std::size_t kThinningColumns = 5;
+constexpr std::size_t thinning_room(std::size_t views) {
+  return (views + kThinningLanes) / kThinningLanes * kThinningLanes;
 }
+struct ThinningColumns {
+  std::span<float> values;  ///< kThinningColumns * thinning_room() floats; they need no first value
+  std::size_t& known;       ///< of so many views, the oldest ones; 0: of none yet
+};
 
 /// Which of the full store's views goes when `newcomer` comes: the one whose loss leaves the smallest gap of bearings
-/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. Cost: n^2, about 1 ns
-/// each on a desk. `scratch`: thinning_scratch() floats.
-std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer, std::span<float> scratch);
+/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. `columns` forgets that
+/// view, so the store has to, too. Cost: n, about 5 ns each on a desk, and n^2 for the first newcomer.
+std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer, ThinningColumns columns);
 
 void hash_views(base::Fnv1a64& hash, std::span<const SheafView> views);
 
@@ -74,7 +81,10 @@ class SheafViews {
   static constexpr std::size_t kHashParts = 1;
   static constexpr std::size_t kViews = N;
 
-  void start(const Sighting& /*first*/, MapPoint /*origin*/) { views_.clear(); }
+  void start(const Sighting& /*first*/, MapPoint /*origin*/) {
+    views_.clear();
+    known_ = 0;
+  }
   void add(const ModelView& view) { add(view.sighting, view.origin); }
   void shift(const Vec2& /*step*/) {}
   void hash(base::Fnv1a64& hash, std::size_t /*part*/) const { hash_views(hash, views_.view()); }
@@ -98,11 +108,12 @@ class SheafViews {
 
  private:
   [[gnu::noinline]] void make_room_for(const SheafView& view) {
-    std::array<float, thinning_scratch(N)> scratch;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-    views_.erase_at(view_to_give_up(views_.view(), view, scratch));
+    views_.erase_at(view_to_give_up(views_.view(), view, {columns_, known_}));
   }
 
   base::FixedVector<SheafView, N> views_;
+  std::array<float, kThinningColumns * thinning_room(N)> columns_{};
+  std::size_t known_ = 0;
 };
 
 /// What two views make: a post where the left edges meet, one where the right edges meet, a vertical plane between

@@ -212,7 +212,7 @@ class Matcher {
       const Prediction& own = predictions_[object_of_[b]];
       Observation& seen = observations_[b];
       for (std::size_t o = 0; o < kObjects; ++o) {
-        if (o == object_of_[b]) continue;
+        if (!predictions_[o].confirmed || o == object_of_[b]) continue;  // most of them: nobody is there
         if (hides_end(predictions_[o], own, seen.left_column, -1)) seen.left = End::kLowerBound;
         if (hides_end(predictions_[o], own, seen.right_column, 1)) seen.right = End::kLowerBound;
       }

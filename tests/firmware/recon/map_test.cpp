@@ -8,9 +8,12 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "firmware/config/profile.hpp"
 #include "host/replay/compared.hpp"
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -500,6 +503,118 @@ TEST(Map, TheDigestTellsRunsApart) {
   EXPECT_NE(plain, digest_with(5, 0, 1, 0));
   EXPECT_NE(plain, digest_with(5, 0, 0, 1));
   EXPECT_NE(plain, digest_with(19, 1, 0, 0));
+}
+
+// Nothing of the run before is left: neither whose turn it is, nor when models took a frame, nor where the robot stood.
+template <class Profile>
+void expect_clear_is_new() {
+  const std::vector<Post> posts = {{1, 1.5, 0.35, 0.04}, {1, 1.4, -0.3, 0.05}, {2, 1.8, 0.0, 0.06}};
+  for (const int before : {1, 7, 23}) {
+    Drive<Profile> used;
+    for (int i = 0; i < before; ++i) used.step(posts, 0.02 * i, 0.01 * i, 0.01 * i);
+    used.map->clear();
+    Drive<Profile> fresh;
+    for (int i = 0; i < 25; ++i) {
+      sensor::BlobFrame seen = fresh.look(posts, 0.015 * i, 0, 0.005 * i);
+      seen.t = {1'000 * (before - 1) + 100 + 500 * i};  // 10 ms after the run before
+      used.take(seen, 0.015 * i, 0, 0.005 * i);
+      fresh.take(seen, 0.015 * i, 0, 0.005 * i);
+      ASSERT_EQ(used.map->digest(), fresh.map->digest()) << before << " " << i;
+    }
+    EXPECT_EQ(used.map->frames(), 25U);
+  }
+}
+TEST(Map, AClearedMapIsANewOne) {
+  expect_clear_is_new<config::Micro>();
+  expect_clear_is_new<config::Small>();
+  expect_clear_is_new<config::Full>();
+}
+
+// --- many maps on a lattice ---
+
+/// Posts and a robot on a lattice of places, headings and times, with libm nowhere: places in the image are quotients
+/// of lattice points. Blobs are lost, doubled, split, widened and recoloured; what the whole algorithm makes of it is
+/// the chain of its digests.
+template <class Profile>
+void tell_map(Draw& draw, Sweep& sweep, int frames) {
+  const auto map = std::make_unique<recon::Map<Profile>>();
+  struct Thing {
+    std::uint8_t signature;
+    int x, y;  // in 1/16 m
+    bool moves;
+  };
+  std::vector<Thing> things;
+  for (int i = draw.between(2, 12); i > 0; --i) {
+    things.push_back({draw.between<std::uint8_t>(1, 2), draw.between(12, 36), draw.between(-14, 14), draw.one_in(8)});
+  }
+  const bool corrects = draw.coin();
+  const recon::CorrectionOrder order{corrects ? 0.0625F : 0.0F, draw.coin()};
+  base::Time t{10'000};
+  int x = 0, y = 0;  // in 1/16 m
+  recon::MapPose odometry;
+  recon::CameraModel seen_by = camera(!draw.one_in(6));
+  for (int frame = 0; frame < frames; ++frame) {
+    t = t + base::Duration{draw.of({200, 500, 600, 1'000, 1'000, 2'000, 5'000, 10'000})};
+    if (draw.one_in(40)) t = t + base::Duration{draw.of({15'000, 50'000, 50'001})};
+    if (draw.one_in(3)) x += draw.of({0, 1, 1, -1});
+    if (draw.one_in(3)) y += draw.of({0, 1, -1});
+    odometry.position = {x * 6'250, y * 6'250 + (corrects ? 40 * frame : 0)};
+    WaitingFrame seen{t, static_cast<std::uint32_t>(frame), 0, {}};
+    for (Thing& thing : things) {
+      if (thing.moves && draw.coin()) thing.y += draw.of({1, -1});
+      const double ahead = (thing.x - x) / 16.0, left = (thing.y - y) / 16.0;
+      if (ahead < 0.25 || draw.one_in(8)) continue;
+      const auto at = [&](double aside) { return static_cast<int>(157.5 - 273.6 * aside / ahead + 0.5); };
+      int x1 = at(left + 0.0625), x2 = at(left - 0.0625) - 1;
+      if (draw.one_in(10)) x2 += draw.of({-6, 6, 25});
+      const int y2 = static_cast<int>(103.5 + 273.6 * 0.12 / ahead) + draw.of({0, 0, 0, 1, 8});
+      x1 = std::clamp(x1, 0, 315);
+      x2 = std::clamp(x2, 0, 315);
+      const auto add = [&](int from, int to) {
+        const auto px = [](int value) { return static_cast<std::int16_t>(value); };
+        const std::uint8_t signature = draw.one_in(60) ? std::uint8_t{2} : thing.signature;
+        if (to > from) {
+          static_cast<void>(
+              seen.blobs.push_back({{px(from), 80, px(to), px(std::min(y2, 207))}, signature, thing.moves}));
+        }
+      };
+      if (draw.one_in(10)) {
+        add(x1, (x1 + x2) / 2 - 2);
+        add((x1 + x2) / 2 + 2, x2);
+      } else {
+        add(x1, x2);
+      }
+    }
+    const recon::FrameOutcome outcome = map->add_frame(seen, seen_by, odometry, {}, {2, 4}, order);
+    sweep.tell("digest", static_cast<std::uint32_t>(map->digest()));
+    sweep.tell("matched", outcome.matched);
+    sweep.tell("born", outcome.born);
+    sweep.tell("pieces", outcome.pieces);
+    sweep.tell("refused", outcome.refused);
+    for (const recon::ObjectEvent& event : map->events())
+      sweep.tell("event", 16 * static_cast<int>(event.kind) + event.slot);
+    if (draw.one_in(50)) {
+      map->recalibrated();
+      sweep.tell("guard", map->guard().fronts().size());
+    }
+    if (!draw.one_in(100)) continue;
+    map->clear();
+    sweep.tell("size", map->size());
+  }
+  sweep.tell("evicted", map->evicted());
+}
+
+TEST(Map, OfThingsOnALattice) {
+  Draw draw(171);
+  Sweep sweep;
+  for (int run = 0; run < 6; ++run) {
+    tell_map<config::Micro>(draw, sweep, 60);
+    tell_map<config::Small>(draw, sweep, 60);
+    tell_map<config::Full>(draw, sweep, 40);
+  }
+  expect_said(sweep, {"digest 960 734f62e7", "matched 925 cadc2664", "born 174 bc477688", "pieces 210 b1417ce2",
+                      "refused 203 8e5c7f3c", "event 990 def2adac", "guard 0 654737f8", "evicted 6 4f9fae7e",
+                      "size 0 69488d24"});
 }
 
 }  // namespace

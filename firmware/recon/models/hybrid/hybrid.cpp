@@ -1,6 +1,7 @@
 #include "firmware/recon/models/hybrid/hybrid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,7 @@
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
 #include "firmware/recon/models/tuning.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 namespace {
@@ -43,6 +45,34 @@ unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const Vi
   return which;
 }
 
+// The side of a ring that `at`, in kOffsetStep, is farthest outside of: as OutlineView::distance_from() finds it by
+// looking at one after the other, all side by side.
+FENCEPOST_FOR_EACH_PROCESSOR
+std::size_t side_before(std::span<const std::int16_t, kDirections> offsets, const WholeVector& at) {
+  constexpr std::size_t kQuarter = kDirections / 4;
+  std::array<std::array<std::int32_t, kQuarter>, 4> outside;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  for (std::size_t k = 0; k < kQuarter; ++k) {
+    const std::int32_t x = kWholeCosines[k];
+    const std::int32_t y = kWholeCosines[kQuarter - k];
+    const std::int32_t along = x * at.x + y * at.y;
+    const std::int32_t left = x * at.y - y * at.x;
+    outside[0][k] = along - offsets[k] * kWholeUnit;
+    outside[1][k] = left - offsets[k + kQuarter] * kWholeUnit;
+    outside[2][k] = -along - offsets[k + 2 * kQuarter] * kWholeUnit;
+    outside[3][k] = -left - offsets[k + 3 * kQuarter] * kWholeUnit;
+  }
+  std::int32_t most = outside[0][0];
+  for (const auto& quarter : outside) {
+    for (const std::int32_t one : quarter) most = one > most ? one : most;
+  }
+  for (std::size_t k = 0; k < kQuarter; ++k) {
+    for (std::size_t quarter = 0; quarter < outside.size(); ++quarter) {
+      if (outside[quarter][k] == most) return k + quarter * kQuarter;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 float OutlineView::radius() const {
@@ -73,6 +103,10 @@ float OutlineView::distance_from(const Vec2& point, std::size_t& nearest) const 
   const float size = std::max(std::fabs(point.x()), std::fabs(point.y()));
   const float steps = (size > kReach ? kReach / size : 1.0F) / kOffsetStep;
   const WholeVector at{static_cast<std::int32_t>(point.x() * steps), static_cast<std::int32_t>(point.y() * steps)};
+  if (base::kVectors && offsets.size() == kDirections) {
+    nearest = side_before(offsets.first<kDirections>(), at);
+    return node_direction(nearest, kDirections).dot(point) - offset(nearest);
+  }
   std::int32_t most = std::numeric_limits<std::int32_t>::min();
   const auto consider = [&](std::size_t k, std::int32_t along) {
     const std::int32_t outside = along - offsets[k] * kWholeUnit;

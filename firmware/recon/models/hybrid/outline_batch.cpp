@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
-#include "firmware/recon/models/hybrid/cyclic_band_steps.hpp"
+#include "firmware/recon/models/hybrid/cyclic_band_whole.hpp"
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/recon/models/hybrid/support_fit.hpp"
 #include "firmware/recon/models/hybrid/triangle.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 namespace {
@@ -20,6 +22,52 @@ std::int16_t whole_offset(float offset) {
   return static_cast<std::int16_t>(exact < 0 ? exact - 0.5F : exact + 0.5F);
 }
 
+// `work` with so many objects as a constant: mostly it is one.
+template <class Work>
+void with_count(std::size_t count, const Work& work) {
+  switch (count) {
+    case 1: return work(std::integral_constant<std::size_t, 1>{});
+    case 2: return work(std::integral_constant<std::size_t, 2>{});
+    case 3: return work(std::integral_constant<std::size_t, 3>{});
+    default: return work(std::integral_constant<std::size_t, 4>{});
+  }
+}
+static_assert(kLanes == 4);
+
+FENCEPOST_FOR_EACH_PROCESSOR
+void solve_one(RingEquations& equations, bool& kept) {
+  BandFactors<float> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  kept = solve_band(equations, factors);
+}
+
+struct LaneEquations {
+  using Column = std::array<Lanes, kRing>;
+  Column diagonal;
+  Column first;
+  Column second;
+  Column rhs;
+};
+
+// Those without an object have the equations of the first one.
+FENCEPOST_FOR_EACH_PROCESSOR
+void solve_together(std::array<RingEquations, kLanes>& all, std::size_t count, LaneMask& kept) {
+  LaneEquations equations;     // NOLINT(cppcoreguidelines-pro-type-member-init)
+  BandFactors<Lanes> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  const auto lanes_of = [&](RingEquations::Column RingEquations::*column, LaneEquations::Column& lanes) {
+    std::array<const float*, kLanes> of{};
+    for (std::size_t lane = 0; lane < kLanes; ++lane) of[lane] = (all[lane < count ? lane : 0].*column).data();
+    for (std::size_t k = 0; k < kRing; ++k) lanes[k] = Lanes{of[0][k], of[1][k], of[2][k], of[3][k]};
+  };
+  lanes_of(&RingEquations::diagonal, equations.diagonal);
+  lanes_of(&RingEquations::first, equations.first);
+  lanes_of(&RingEquations::second, equations.second);
+  lanes_of(&RingEquations::rhs, equations.rhs);
+  kept = solve_band(equations, factors);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    for (std::size_t k = 0; k < kRing; ++k) all[lane].rhs[k] = equations.rhs[k][lane];
+  }
+}
+
 }  // namespace
 
 void OutlineBatch::add(Hybrid<kRing>& hybrid, float known_radius) {
@@ -29,8 +77,7 @@ void OutlineBatch::add(Hybrid<kRing>& hybrid, float known_radius) {
   outline.refused = outline.stopped = false;
   hybrid.news = false;
   hybrid.fitting = true;
-  outline.series.gather(hybrid.clusters);
-  outline.ring.gather(hybrid.clusters);
+  gather(hybrid.clusters, outline.series, outline.ring);
 }
 
 void OutlineBatch::solve() {
@@ -120,57 +167,55 @@ void OutlineBatch::weigh_ring(std::size_t lane, std::size_t pass) {
 }
 
 void OutlineBatch::solve_rings() {
-  const auto lanes_of = [this](RingEquations::Column RingEquations::*column, CyclicBandOf<Lanes>::Column& lanes) {
-    std::array<const RingEquations::Column*, kLanes> of{};
-    for (std::size_t lane = 0; lane < kLanes; ++lane) of[lane] = &(equations_[lane < count_ ? lane : 0].*column);
-    for (std::size_t k = 0; k < kRing; ++k) lanes[k] = Lanes{(*of[0])[k], (*of[1])[k], (*of[2])[k], (*of[3])[k]};
-  };
-  lanes_of(&RingEquations::diagonal, band_.diagonal);
-  lanes_of(&RingEquations::first, band_.first);
-  lanes_of(&RingEquations::second, band_.second);
-  lanes_of(&RingEquations::rhs, band_.rhs);
-  band_.begin_elimination();
-  LaneMask kept = exceeds(Lanes{1, 1, 1, 1}, Lanes{});
-  for (std::size_t k = 0; k < kRing; ++k) kept &= band_.eliminate(k);
-  for (std::size_t k = kRing; k-- > 0;) band_.substitute(k);
+  LaneMask kept{};
+  if (count_ == 1) {
+    bool one_kept = false;
+    solve_one(equations_[0], one_kept);
+    kept[0] = one_kept ? -1 : 0;
+  } else {
+    solve_together(equations_, count_, kept);
+  }
   for (std::size_t lane = 0; lane < count_; ++lane) {
     Outline& outline = outlines_[lane];
     outline.stopped = outline.stopped || kept[lane] == 0;
     if (outline.stopped) continue;
-    for (std::size_t k = 0; k < kRing; ++k) outline.offsets[k] += band_.rhs[k][lane];
-  }
-}
-
-void OutlineBatch::measure() {
-  Lanes sum{};
-  for (std::size_t k = 0; k < kRing; ++k) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += outlines_[lane < count_ ? lane : 0].offsets[k];
-  }
-  for (std::size_t lane = 0; lane < count_; ++lane) {
-    Outline& outline = outlines_[lane];
-    outline.offsets[kRing] = outline.offsets[0];
-    outline.size = sum[lane] / static_cast<float>(kRing);
-    outline.radius = std::clamp(outline.size, kLeastRadius, kLargestSideRadius);
+    for (std::size_t k = 0; k < kRing; ++k) outline.offsets[k] += equations_[lane].rhs[k];
   }
 }
 
 // A sum in order takes its time; those of several objects take no more.
+void OutlineBatch::measure() {
+  with_count(count_, [&](auto count) {
+    std::array<float, count()> sums{};
+    for (std::size_t k = 0; k < kRing; ++k) {
+      for (std::size_t lane = 0; lane < count(); ++lane) sums[lane] += outlines_[lane].offsets[k];
+    }
+    for (std::size_t lane = 0; lane < count(); ++lane) {
+      Outline& outline = outlines_[lane];
+      outline.offsets[kRing] = outline.offsets[0];
+      outline.size = sums[lane] / static_cast<float>(kRing);
+      outline.radius = std::clamp(outline.size, kLeastRadius, kLargestSideRadius);
+    }
+  });
+}
+
 void OutlineBatch::learn_spreads() {
-  std::array<Spread, kLanes> sums;
-  for (std::size_t k = 0; k < kRing; ++k) {
-    for (std::size_t place = k; place < kMostTangents; place += kRing) {
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const TangentTerms& terms = terms_[lane < count_ ? lane : 0];
-        sums[lane].squares += terms.square[place];
-        sums[lane].weight += terms.share[place];
+  with_count(count_, [&](auto count) {
+    std::array<Spread, count()> sums;
+    for (std::size_t k = 0; k < kRing; ++k) {
+      for (std::size_t place = k; place < kMostTangents; place += kRing) {
+        for (std::size_t lane = 0; lane < count(); ++lane) {
+          sums[lane].squares += terms_[lane].square[place];
+          sums[lane].weight += terms_[lane].share[place];
+        }
       }
     }
-  }
-  for (std::size_t lane = 0; lane < count_; ++lane) {
-    Outline& outline = outlines_[lane];
-    if (outline.stopped || outline.series.edges < kTangentsForSpread) continue;
-    outline.spread = sums[lane].learnt(kSupportSpread);
-  }
+    for (std::size_t lane = 0; lane < count(); ++lane) {
+      Outline& outline = outlines_[lane];
+      if (outline.stopped || outline.series.edges < kTangentsForSpread) continue;
+      outline.spread = sums[lane].learnt(kSupportSpread);
+    }
+  });
 }
 
 void OutlineBatch::publish(Outline& outline) {

@@ -63,7 +63,6 @@ class OutlineBatch {
   // Of all lanes; those without an object have that of the first one.
   std::array<Lanes, kSeries> rhs_;
   std::array<Lanes, packed_size(kSeries)> matrix_;
-  CyclicBandOf<Lanes> band_;
   std::size_t count_ = 0;
 };
 

@@ -122,50 +122,122 @@ constexpr auto kRingBasis = [] {
   return basis;
 }();
 
+constexpr auto kSigmas = [] {
+  std::array<float, 256> sigmas{};
+  for (std::size_t code = 0; code < sigmas.size(); ++code) {
+    sigmas[code] = static_cast<float>(whole_sigma(static_cast<std::uint8_t>(code))) * kSigmaUnit;
+  }
+  return sigmas;
+}();
+
+// unpack() and standing() of all tangents of a fit, which are called for every one of them: the bits of those, and the
+// test of a batch compares what comes of them. The phase is left out.
+[[gnu::always_inline]] inline Cluster unpacked(const PackedCluster& packed) {
+  const auto steps =
+      static_cast<std::int16_t>(static_cast<std::uint16_t>(packed.offset_low | (packed.offset_high << 8U)));
+  return {static_cast<float>(steps) * kOffsetStep, 0, kSigmas[packed.sigma],
+          static_cast<float>(packed.views) * kViewsStep, (packed.phase & 1U) != 0};
+}
+[[gnu::always_inline]] inline float standing(const Cluster& own, const PackedCluster& packed_other) {
+  static_assert(kClustersPerSector == 2);
+  if (own.lower_bound || packed_other.views == 0) return 1.0F;
+  const Cluster other = unpacked(packed_other);
+  const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
+  return other.views >= enough && other.offset > own.offset + 2 * own.sigma ? kOverruled : 1.0F;
+}
+
+// encode_sigma() of all of them, without branches; the test of a batch compares these, too.
+[[gnu::always_inline]] inline void encode_sigmas(const std::array<float, kRing>& sigmas,
+                                                 std::array<std::uint8_t, kRing>& codes) {
+  constexpr float kLargestSigma = 6.0F;
+  constexpr std::int32_t kMantissa = 23;
+  constexpr std::int32_t kExponentOf16 = 127 + 4;
+  std::array<float, kRing> mantissas;         // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<std::int32_t, kRing> exponents;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  for (std::size_t k = 0; k < kRing; ++k) {
+    const float least = sigmas[k] > kSmallestSigma ? sigmas[k] : kSmallestSigma;
+    mantissas[k] = (least < kLargestSigma ? least : kLargestSigma) / kSigmaUnit;
+  }
+  std::memcpy(exponents.data(), mantissas.data(), sizeof exponents);
+  for (std::size_t k = 0; k < kRing; ++k) {
+    const std::int32_t bits = exponents[k];
+    exponents[k] = (bits >> kMantissa) - kExponentOf16;  // not below: the smallest sigma is 16 units
+    const std::int32_t rest = bits - exponents[k] * (1 << kMantissa);
+    std::memcpy(&mantissas[k], &rest, sizeof rest);
+  }
+  for (std::size_t k = 0; k < kRing; ++k) {
+    // 31.5 and more are rounded to 32, which is 16 with the next exponent.
+    const auto whole = static_cast<std::int32_t>(mantissas[k] + 0.5F);
+    codes[k] = static_cast<std::uint8_t>(exponents[k] * 16 + whole - 16);
+  }
+}
+
 }  // namespace
 
-void TangentColumns::put(std::size_t place, const Cluster& cluster, float standing_of_it) {
+void TangentColumns::put(std::size_t place, const Cluster& cluster, float counts_for) {
   offset[place] = cluster.offset;
   sigma[place] = cluster.sigma;
-  counted[place] = cluster.views * standing_of_it;
+  counted[place] = counts_for;
   is_edge[place] = cluster.lower_bound ? 0.0F : 1.0F;
   least[place] = cluster.lower_bound ? 0.0F : -kEverything;
   firm[place] = cluster.lower_bound ? kFarBeyond : -kEverything;
   certain[place] = cluster.lower_bound ? kFarBeyond : kEverything;
 }
 
-void TangentColumns::leave_out(std::size_t place) {
-  offset[place] = 0;
-  sigma[place] = 1;
-  counted[place] = 0;
-  is_edge[place] = 0;
-  least[place] = firm[place] = certain[place] = kEverything;
+void TangentColumns::leave_out(std::size_t begin, std::size_t end) {
+  const auto fill = [&](TangentRow& row, float value) {
+    for (std::size_t place = begin; place < end; ++place) row[place] = value;
+  };
+  fill(offset, 0);
+  fill(sigma, 1);
+  fill(counted, 0);
+  fill(is_edge, 0);
+  fill(least, kEverything);
+  fill(firm, kEverything);
+  fill(certain, kEverything);
 }
 
-void SeriesTangents::gather(ConstClusters clusters) {
-  count = edges = 0;
+FENCEPOST_FOR_EACH_PROCESSOR
+void gather(ConstClusters clusters, SeriesTangents& series, RingTangents& ring) {
+  ring.columns.leave_out(0, kMostTangents);
+  ring.first.fill(0);
+  ring.second.fill(0);
+  auto& basis = series.basis;
+  std::size_t count = 0;
+  std::size_t edges = 0;
   for (std::size_t index = 0; index < clusters.size(); ++index) {
-    if (clusters[index].views == 0) continue;
-    const Cluster cluster = unpack(clusters[index]);
-    columns.put(count, cluster, standing(clusters, index));
-    const Vec2 direction = direction_of(clusters, index);
+    const PackedCluster& packed = clusters[index];
+    if (packed.views == 0) continue;
+    const Cluster cluster = unpacked(packed);
+    const float counts_for = cluster.views * standing(cluster, clusters[index ^ 1U]);
+    const std::size_t sector = index / kClustersPerSector;
+    const std::size_t place = index % kClustersPerSector * kRing + sector;
+    ring.columns.put(place, cluster, counts_for);
+    const EndShares shares = kEndShares[place_in_sector(packed)];
+    ring.first[place] = shares.first;
+    ring.second[place] = shares.second;
+    series.columns.put(count, cluster, counts_for);
+    const Turn turn = kTurns<kDirections>[place_in_sector(packed)];
+    const Vec2 direction = rotated({turn.cosine, turn.sine}, {kRingBasis[1][sector], kRingBasis[2][sector]});
     basis[1][count] = direction.x();
     basis[2][count] = direction.y();
     edges += cluster.lower_bound ? 0U : 1U;
     ++count;
   }
-  std::size_t places = count;
-  for (; places % kBlock != 0; ++places) {
-    columns.leave_out(places);
-    basis[1][places] = basis[2][places] = 0;
-  }
-  for (std::size_t i = 0; i < places; ++i) {
-    basis[0][i] = 1;
-    for (std::size_t m = 1; m + 2 < kSeries; m += 2) {
+  series.count = count;
+  series.edges = edges;
+  const std::size_t places = (count + kBlock - 1) / kBlock * kBlock;
+  series.columns.leave_out(count, places);
+  for (std::size_t i = count; i < places; ++i) basis[1][i] = basis[2][i] = 0;
+  for (std::size_t i = 0; i < places; ++i) basis[0][i] = 1;
+  for (std::size_t m = 1; m + 2 < kSeries; m += 2) {
+    for (std::size_t i = 0; i < places; ++i) {
       basis[m + 2][i] = basis[m][i] * basis[1][i] - basis[m + 1][i] * basis[2][i];
       basis[m + 3][i] = basis[m + 1][i] * basis[1][i] + basis[m][i] * basis[2][i];
     }
-    for (std::size_t f = 0; f < kSeries; ++f) functions[i].at[f] = basis[f][i];
+  }
+  for (std::size_t i = 0; i < places; ++i) {
+    for (std::size_t f = 0; f < kSeries; ++f) series.functions[i].at[f] = basis[f][i];
   }
 }
 
@@ -222,22 +294,8 @@ void series_around(const std::array<float, kSeries>& x, const std::array<float, 
     for (std::size_t k = 0; k < kRing; ++k) own[k] /= row[i];
     for (std::size_t k = 0; k < kRing; ++k) variances[k] += own[k] * own[k];
   }
-  for (std::size_t k = 0; k < kRing; ++k) sigmas[k] = encode_sigma(std::sqrt(variances[k]));
-}
-
-void RingTangents::gather(ConstClusters clusters) {
-  for (std::size_t index = 0; index < clusters.size(); ++index) {
-    const std::size_t place = index % kClustersPerSector * kRing + index / kClustersPerSector;
-    first[place] = second[place] = 0;
-    if (clusters[index].views == 0) {
-      columns.leave_out(place);
-      continue;
-    }
-    columns.put(place, unpack(clusters[index]), standing(clusters, index));
-    const EndShares shares = kEndShares[place_in_sector(clusters[index])];
-    first[place] = shares.first;
-    second[place] = shares.second;
-  }
+  for (std::size_t k = 0; k < kRing; ++k) variances[k] = std::sqrt(variances[k]);
+  encode_sigmas(variances, sigmas);
 }
 
 FENCEPOST_FOR_EACH_PROCESSOR

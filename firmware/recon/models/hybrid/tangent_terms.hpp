@@ -27,8 +27,8 @@ struct TangentColumns {
   alignas(64) TangentRow firm;     ///< m: nor in a pass that doubts nothing
   alignas(64) TangentRow certain;  ///< m: a residual that is larger is not doubted
 
-  void put(std::size_t place, const Cluster& cluster, float standing_of_it);
-  void leave_out(std::size_t place);
+  void put(std::size_t place, const Cluster& cluster, float counts_for);
+  void leave_out(std::size_t begin, std::size_t end);
 };
 
 /// What a pass makes of them.
@@ -63,8 +63,6 @@ struct SeriesTangents {
   TangentColumns columns;
   alignas(64) std::array<TangentRow, kSeries> basis;
   std::array<Functions, kMostTangents> functions;
-
-  void gather(ConstClusters clusters);
 };
 
 /// The sums that LowOrderFit::add() makes: packed lower triangle, right side, spread.
@@ -88,9 +86,10 @@ struct RingTangents {
   TangentColumns columns;
   alignas(64) TangentRow first;   ///< share of the support value at the beginning of the sector
   alignas(64) TangentRow second;  ///< at its end
-
-  void gather(ConstClusters clusters);
 };
+
+/// The tangents of 64 sectors, for both fits.
+void gather(ConstClusters clusters, SeriesTangents& series, RingTangents& ring);
 
 /// The equations of a ring.
 struct RingEquations {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "firmware/recon/observe/standing.hpp"
 
 #include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/recon/guard/flat_world.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -334,6 +337,96 @@ TEST(Guard, TheDigestCoversEveryPointInTurn) {
 }
 
 TEST(Guard, IsSmall) { EXPECT_LE(sizeof(recon::guard::Guard<64>), 540U); }
+
+/// A blob of the level camera between these columns, whose foot is in one of the rows below the horizon, or cut.
+recon::WaitingBlob any_foot(Draw& draw, int left, int right) {
+  const int x1 = std::clamp(draw.between(left - 4, left + 4), 0, 315);
+  const int x2 = std::clamp(draw.between(right - 4, right + 4), x1, 315);
+  const auto y2 = draw.of<std::int16_t>({207, 206, 205, 204, 180, 174, 168, 160, 150, 140, 130, 125});
+  const auto height = draw.of<std::int16_t>({11, 10, 60});
+  return {{static_cast<std::int16_t>(x1), static_cast<std::int16_t>(y2 - height), static_cast<std::int16_t>(x2), y2},
+          draw.between<std::uint8_t>(1, 2),
+          draw.one_in(10)};
+}
+
+void tell_fronts(Sweep& sweep, std::span<const Front> fronts) {
+  sweep.tell("points", fronts.size());
+  for (const Front& front : fronts) {
+    sweep.tell("x", front.x);
+    sweep.tell("y", front.y);
+    sweep.tell("frames", front.frames);
+    sweep.tell("doubt", front.doubt);
+    sweep.tell("seen", front.seen);
+    sweep.tell("signature", front.signature);
+  }
+}
+
+// Blobs that are almost where others were, from places that are a few millimetres apart, at times that are whole counts
+// of its clocks: what every frame leaves of the points.
+TEST(Guard, OfBlobsThatAreAlmostWhereOthersWere) {
+  Draw draw(41);
+  Sweep sweep;
+  for (int run = 0; run < 400; ++run) {
+    recon::CameraModel camera = recon::make_camera_model(level_pixy2(0));
+    if (run % 5 == 4) camera.position = {0.125F, -0.0625F};
+    recon::guard::Guard<12> guard;
+    base::Time t{2048 * 100};
+    base::Time stands_since = t;
+    recon::MapPose pose{{draw.between(-3, 3) * 100'000, draw.between(-3, 3) * 100'000}, draw.of({0, 0, 1'570'796})};
+    const int left = draw.between(0, 250);
+    for (int frame = 0; frame < 24; ++frame) {
+      recon::WaitingFrame seen{t, static_cast<std::uint32_t>(frame), 0, {}};
+      for (int i = draw.of({0, 1, 1, 1, 2, 3}); i > 0; --i) {
+        const int aside = draw.of({0, 0, 0, 40, -40});
+        ASSERT_TRUE(seen.blobs.push_back(any_foot(draw, left + aside, left + aside + draw.of({8, 30, 64}))));
+      }
+      while (run % 10 == 9 && frame % 4 == 3 && !seen.blobs.full()) {
+        ASSERT_TRUE(seen.blobs.push_back({{250, 100, 254, 120}, 3}));
+      }
+      guard.look(seen, camera, recon::lens_pose(pose, camera), stands_since);
+      tell_fronts(sweep, guard.fronts());
+      t = t + base::Duration{draw.of({32, 320, 992, 1'024, 2'048, 2'048, 4'096, 20'480})};
+      if (draw.one_in(30)) t = t + base::Duration{2'048 * draw.of({199, 200, 201, 256})};
+      if (draw.coin()) continue;
+      pose.position.x += draw.of({0, 400, 1'000, -1'000, 30'000});
+      pose.position.y += draw.of({0, 0, 400, 20'000});
+      if (draw.one_in(25)) pose.position.x += draw.of({800'000, 800'100, -800'000, -800'100});
+      if (draw.one_in(20)) pose.heading = draw.of({0, 1'570'796, 3'141'592});
+      stands_since = t;
+    }
+  }
+  expect_said(sweep, {"points 9083 ed50a361", "x 70410 bce00ed4", "y 70415 55d3012a", "frames 70419 a7b9db58",
+                      "doubt 29728 3904ae64", "seen 70342 348e8287", "signature 70419 12526541"});
+}
+
+// Its frame of reference stays while the robot is within 8 m of it, that included, in each direction.
+TEST(Guard, ItsOriginFollowsBeyondEightMetres) {
+  for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    for (const int over : {0, 1}) {
+      Bench bench;
+      const std::int32_t units = 100 * (8'000 + over);  // of 10 um
+      const recon::MapPose pose{{x * units, y * units}, 0};
+      bench.guard.look(recon::make_waiting(flat_view({}, 0, 0, 1, 0), 0), bench.camera,
+                       recon::lens_pose(pose, bench.camera), base::Time::nearest(1));
+      EXPECT_EQ(bench.guard.origin(), over == 0 ? recon::MapPoint{} : pose.position) << x << " " << y;
+    }
+  }
+}
+
+// A lens that is told to be farther from the robot's origin than any robot is long counts as 4 m away.
+TEST(Guard, ALensIsWithinFourMetresOfTheRobot) {
+  for (const auto& [x, y] : {std::pair{0.0F, 5.0F}, {0.0F, -5.0F}, {5.0F, 0.0F}, {-5.0F, 0.0F}}) {
+    Bench bench;
+    bench.look({kPost});
+    const Front here = bench.guard.fronts()[0];
+    Bench far;
+    far.camera.position = {x, y};
+    far.look({kPost});
+    ASSERT_FALSE(far.guard.fronts().empty());
+    EXPECT_EQ(far.guard.fronts()[0].x - here.x, static_cast<int>(0.8F * 1'000 * x));
+    EXPECT_EQ(far.guard.fronts()[0].y - here.y, static_cast<int>(0.8F * 1'000 * y));
+  }
+}
 
 }  // namespace
 }  // namespace fencepost::test

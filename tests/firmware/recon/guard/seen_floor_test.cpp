@@ -6,6 +6,7 @@
 
 #include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/recon/guard/flat_world.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -129,6 +130,75 @@ TEST(SeenFloor, ClearForgets) {
   bench.look({}, 0, 0, 3.1416);
   EXPECT_FALSE(bench.seen(0.8, 0));
   EXPECT_TRUE(bench.seen(-0.8, 0));
+}
+
+// Each cell of the floor, and rays across it, after blobs and poses on a coarse grid.
+TEST(SeenFloor, OfEachCellAndRay) {
+  Draw draw(51);
+  Sweep sweep;
+  for (int run = 0; run < 80; ++run) {
+    FloorBench bench;
+    if (run % 4 == 3) {
+      sensor::CameraIntrinsics camera = level_pixy2();
+      camera.mount.x = base::Metres::nearest(draw.of({0.128, 1.0, -1.0}));
+      camera.mount.y = base::Metres::nearest(-0.064);
+      camera.mount.z = base::Metres::nearest(draw.of({0.05, 0.06, 0.061, 0.3}));
+      bench.camera = recon::make_camera_model(camera);
+    }
+    base::Time t{10'000};
+    const std::int32_t unit = 6'400;  // a cell
+    recon::MapPose pose{{draw.between(-900, 900) * unit, draw.between(-900, 900) * unit}, 0};
+    for (int frame = 0; frame < 6; ++frame) {
+      recon::WaitingFrame seen{t, static_cast<std::uint32_t>(frame), 0, {}};
+      for (int i = draw.between(0, 2); i > 0; --i) {
+        const auto x1 = draw.between<std::int16_t>(0, 300);
+        ASSERT_TRUE(seen.blobs.push_back({{x1, 60, static_cast<std::int16_t>(std::min(315, x1 + draw.of({1, 20, 90}))),
+                                           draw.of<std::int16_t>({207, 200, 160, 130, 122, 90})},
+                                          1}));
+      }
+      bench.floor.look(seen, bench.camera, pose);
+      const std::int32_t x = pose.position.x / 100, y = pose.position.y / 100;  // mm
+      for (std::int32_t dx = -2'208; dx <= 2'208; dx += 64) {
+        for (std::int32_t dy = -2'208; dy <= 2'208; dy += 64) sweep.tell("seen", bench.floor.seen(x + dx, y + dy));
+      }
+      for (int ray = 0; ray < 12; ++ray) {
+        recon::FloorFrame from{x + draw.of({0, 0, 64, -192, 1'900, -2'000}), y + draw.of({0, 0, 64, 1'900, -2'000})};
+        const auto [axis_x, axis_y] = draw.of<std::pair<int, int>>({{16'384, 0},
+                                                                    {16'384, 0},
+                                                                    {15'892, 3'988},
+                                                                    {0, 16'384},
+                                                                    {-16'384, 0},
+                                                                    {0, -16'384},
+                                                                    {11'585, 11'585},
+                                                                    {9'830, -13'107}});
+        from.axis_x = axis_x;
+        from.axis_y = axis_y;
+        const int first = draw.of({0, 64, 320, 320, 384, 448, 640, 640, 1'499, 1'500, 1'501});
+        sweep.tell("along", bench.floor.seen_along(from, first, draw.of({32, 64})));
+      }
+      t = t + base::Duration{draw.of({1'999, 2'000, 2'001, 49'999, 50'000, 50'000, 99'999, 100'000, 2'000, 2'000})};
+      pose.position.x += draw.of({0, 0, 1, -1, 20, -20, 31, 32, 33, 63, 64, 65, -64, -65}) * unit;
+      pose.position.y += draw.of({0, 0, 1, -1, 20, -20, 31, 32, 33, 63, 64, 65, -64, -65}) * unit;
+      if (draw.coin()) pose.heading = draw.of({0, 1'570'796, -1'570'796, 3'141'592, 400'000});
+    }
+  }
+  expect_said(sweep, {"seen 107365 d56898e0", "along 416 f92dc7e7"});
+}
+
+TEST(FloorFrame, NearestWholeIsHalfAwayFromZeroAndKeptWithinItsLimit) {
+  constexpr std::int32_t kUsual = 1 << 24;
+  for (const auto& [value, whole] : {std::pair{0.0F, 0},
+                                     {0.5F, 1},
+                                     {-0.5F, -1},
+                                     {0.49F, 0},
+                                     {-1.5F, -2},
+                                     {1.5F, 2},
+                                     {3e7F, kUsual},
+                                     {-3e7F, -kUsual}}) {
+    EXPECT_EQ(recon::nearest_whole(value), whole) << value;
+  }
+  EXPECT_EQ(recon::nearest_whole(12.5F, 12), 12);
+  EXPECT_EQ(recon::nearest_whole(-99, 12), -12);
 }
 
 }  // namespace

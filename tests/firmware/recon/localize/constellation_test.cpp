@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/firmware/recon/sweep.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -204,6 +206,131 @@ TEST(Constellation, KnowsThatItIsElsewhere) {
   }
   RecordProperty("wrong", wrong);
   EXPECT_LE(wrong, 4) << "of 1600";
+}
+
+void tell_join(test::Sweep& sweep, const JoinResult& result) {
+  sweep.tell("verdict", static_cast<int>(result.verdict));
+  sweep.tell("shift", result.motion.shift.x() + 16 * result.motion.shift.y());
+  sweep.tell("rotation", result.motion.rotation.x() + 16 * result.motion.rotation.y());
+  sweep.tell("matched", result.quality.matched);
+  sweep.tell("expected", result.quality.expected);
+  sweep.tell("chance", result.quality.chance);
+  sweep.tell("misfit", result.quality.misfit);
+  sweep.tell("false alarms", result.false_alarms);
+  sweep.tell("lead", result.lead);
+}
+
+// Few things on a lattice of a quarter of a metre, some of them displaced, of two colours and two sizes: many pairs are
+// alike, many gates are met, and what is found is told to the last bit.
+TEST(Constellation, OfThingsOnALattice) {
+  test::Draw draw(101);
+  test::Sweep sweep;
+  for (int run = 0; run < 400; ++run) {
+    const auto sigma = [&] { return draw.of({0.0F, 0.0F, 0.02F, 0.25F}); };
+    Points known;
+    for (int i = draw.between(0, 7); i > 0; --i) {
+      known.push_back({{draw.steps(-6, 6, 0.25F), draw.steps(-6, 6, 0.25F)},
+                       sigma(),
+                       draw.of({0.0F, 0.05F, 0.05F, 0.0625F, 0.25F}),
+                       draw.of<std::uint8_t>({1, 1, 1, 2})});
+    }
+    Points seen;
+    for (const ConstellationPoint& one : known) {
+      if (draw.one_in(6)) continue;
+      seen.push_back(one);
+      if (draw.one_in(4)) seen.back().place += Vec2{draw.steps(-3, 3, 0.25F), draw.steps(-3, 3, 0.0625F)};
+      if (draw.one_in(8)) seen.back().radius = 0.15F;
+    }
+    while (draw.one_in(3)) seen.push_back({{draw.steps(-6, 6, 0.25F), draw.steps(-6, 6, 0.25F)}, 0.02F, 0.05F, 1});
+    const int quarters = draw.between(0, 3);
+    const Vec2 rotation = quarters == 0   ? Vec2(1, 0)
+                          : quarters == 1 ? Vec2(0, 1)
+                          : quarters == 2 ? Vec2(-1, 0)
+                                          : Vec2(0.6F, 0.8F);
+    seen = seen_from({rotation, {draw.steps(-4, 4, 0.5F), 0}}, seen);
+    ConstellationSearch<8> search(known, seen);
+    int steps = 0;
+    while (search.step()) ++steps;
+    sweep.tell("steps", steps);
+    tell_join(sweep, search.result());
+    for (const std::uint8_t partner : search.partners()) sweep.tell("partner", partner);
+  }
+  expect_said(sweep, {"steps 317 0b1041d8", "verdict 364 54eb77a8", "shift 281 e06785a8", "rotation 400 25d9bdb3",
+                      "matched 294 eb8d6f3b", "expected 294 8152b117", "chance 400 86ca5166", "misfit 211 fb252f25",
+                      "false alarms 400 ae366276", "lead 211 1ddde47d", "partner 1073 eb54546e"});
+}
+
+// A place counts where it is as far off as it may be, that included: 3 sigmas of the two and of what all views have.
+TEST(Constellation, MatchesUpToItsGate) {
+  const ConstellationPoint wide = point(0, 0, 1, 0.5F);  // 3 sigmas are more than the widest gate of 0.75 m
+  for (const float off : {0.75F, 0.7499F}) {
+    Points known = {wide, wide, point(0.375F, 4, 1, 0.5F)};
+    known[1].place = {4, 0};
+    Points seen = known;
+    seen[2].place.y() += off;
+    FrameMotion motion;
+    std::vector<std::uint8_t> partners(3);
+    constellation::judge(constellation::make_known(known), {0, 1}, seen, {0, 1}, motion, partners);
+    EXPECT_EQ(partners[2] != constellation::kNone, off < 0.75F) << off;
+  }
+}
+
+// One match makes no motion: its chance is 1, whatever its gate is.
+TEST(Constellation, OneMatchMayBeChance) {
+  const Points known = {point(0, 0), point(2, 0), point(7, 7, 2)};
+  const Points seen = {point(0, 0), point(2, 1.5F), point(3, 3, 3)};  // as far apart as no pair of the map
+  FrameMotion motion;
+  std::vector<std::uint8_t> partners(3);
+  const JoinQuality quality =
+      constellation::judge(constellation::make_known(known), {0, 1}, seen, {0, 2}, motion, partners);
+  EXPECT_LT(quality.matched, 2);
+  EXPECT_EQ(quality.chance, 1);
+  EXPECT_EQ(quality.misfit, 0);
+}
+
+TEST(Constellation, OfQualitiesThatAreAlmostEqual) {
+  test::Draw draw(102);
+  test::Sweep sweep;
+  for (int i = 0; i < 40'000; ++i) {
+    const auto quality = [&] {
+      return JoinQuality{draw.of({1.0F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 1e-7F, 1e-30F, 0.0F}), draw.of({0.0F, 0.5F, 1.0F}),
+                         draw.between<std::uint8_t>(1, 5), draw.between<std::uint8_t>(4, 9)};
+    };
+    const JoinQuality best = quality();
+    const JoinQuality rival = quality();
+    sweep.tell("sharper", constellation::sharper(best, rival));
+    sweep.tell("better", constellation::better(best, rival));
+    const std::size_t in_common = draw.between<std::size_t>(2, 4);
+    tell_join(sweep, verdict_of(in_common, best, rival, draw.of<std::uint32_t>({1, 10, 100}), {}));
+    const std::vector<std::uint8_t> one = {draw.of<std::uint8_t>({1, 2, 255}), draw.of<std::uint8_t>({1, 255}), 3, 255};
+    const std::vector<std::uint8_t> other = {draw.of<std::uint8_t>({1, 2, 255}), draw.of<std::uint8_t>({1, 255}),
+                                             draw.of<std::uint8_t>({3, 4}), draw.of<std::uint8_t>({5, 255})};
+    sweep.tell("same", constellation::same(one, other));
+    const Points a = {point(0, 0, draw.between<std::uint8_t>(1, 3)), point(0, 0, draw.between<std::uint8_t>(1, 3))};
+    const Points b = {point(0, 0, draw.between<std::uint8_t>(1, 3)), point(0, 0, 4), point(0, 0, 5)};
+    sweep.tell("in common", constellation::in_common(a, b));
+  }
+  expect_said(sweep, {"sharper 18782 5f9e910b", "better 19216 6569d80f", "verdict 33562 b75d7ccb", "shift 0 2d666a75",
+                      "rotation 40000 478bda94", "matched 40000 57c5b02f", "expected 40000 ef5661d1",
+                      "chance 35219 75c568c7", "misfit 26840 1ab3634c", "false alarms 38057 4aa9a662",
+                      "lead 14927 1bc74bd9", "same 6359 a17a6bd4", "in common 22349 8c0104b3"});
+}
+
+// Pairs are alike down to a quarter of a metre, and as long as each other but for their sigmas.
+TEST(Constellation, PairsAreAlikeDownToTheNearest) {
+  for (const float apart : {0.25F, std::nextafter(0.25F, 0.0F)}) {
+    const Points pair = {point(0, 0), point(apart, 0)};
+    EXPECT_EQ(constellation::alike(constellation::make_known(pair), {0, 1}, pair, {0, 1}), apart == 0.25F);
+  }
+  const Points known = {point(0, 0, 1, 0), point(2, 0, 2, 0)};
+  for (const int first : {1, 2}) {
+    for (const int second : {1, 2}) {
+      const Points seen = {point(0, 0, static_cast<std::uint8_t>(first), 0),
+                           point(0, 2, static_cast<std::uint8_t>(second), 0)};
+      EXPECT_EQ(constellation::alike(constellation::make_known(known), {0, 1}, seen, {0, 1}),
+                first == 1 && second == 2);
+    }
+  }
 }
 
 }  // namespace

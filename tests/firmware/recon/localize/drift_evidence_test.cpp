@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "tests/firmware/recon/sweep.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -54,6 +56,29 @@ TEST(DriftEvidence, FollowingNoiseIsNoDrift) {
     evidence.weigh(bearing(aside), kBearingVariance, at(2, 0), at(2, 0.01F * aside));
     ASSERT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
   }
+}
+
+// Sums that are exact: it is enough when it is more than what is asked for, not when it is that.
+TEST(DriftEvidence, OfBearingsOnALattice) {
+  Draw draw(201);
+  Sweep sweep;
+  for (int run = 0; run < 200; ++run) {
+    DriftEvidence evidence;
+    for (int i = 0; i < 20; ++i) {
+      const CircleEquation seen{draw.of<Vec2>({{0, 1}, {1, 0}, {0.6F, 0.8F}}), draw.steps(-4, 4, 0.125F), 0, {0, 1}};
+      const auto place = [&] { return Vec2{draw.steps(-4, 4, 0.125F), draw.steps(-4, 4, 0.125F)}; };
+      const Vec2 by_odometry = place();
+      const Vec2 by_filter = place();
+      evidence.weigh(seen, draw.of({0.015625F, 0.0625F}), by_odometry, by_filter);
+      sweep.tell("sum", evidence.sum());
+      sweep.tell("enough", evidence.enough(evidence.sum()));
+      sweep.tell("more than enough", evidence.enough(draw.of({0.0F, 1.0F, 6.0F})));
+    }
+    evidence.clear();
+    sweep.tell("cleared", evidence.sum());
+  }
+  expect_said(sweep,
+              {"sum 2770 0724262f", "enough 0 a6894d9b", "more than enough 2045 16295751", "cleared 0 f3600d4f"});
 }
 
 }  // namespace

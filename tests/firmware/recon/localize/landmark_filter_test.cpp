@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <random>
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -554,6 +557,71 @@ TEST(LandmarkFilter, CarriesTheCorrectionOn) {
   EXPECT_NEAR(now.position.x, 100'000, 2);
   EXPECT_NEAR(now.position.y, 200'000, 2);
   EXPECT_NEAR(now.heading * 1e-6, std::numbers::pi / 2 + 0.25, 2e-6);
+}
+
+// Equations whose numbers are powers of two or nearly, some of them absurd: what becomes of each, and of all that the
+// filter keeps. Turns are quarters, so that no cosine is rounded much.
+TEST(LandmarkFilter, OfEquationsOnALattice) {
+  Draw draw(191);
+  Sweep sweep;
+  for (int run = 0; run < 250; ++run) {
+    const auto filter = std::make_unique<LandmarkFilter<3>>();
+    const recon::FilterView view = filter->view();
+    recon::start(view);
+    MapPose odometry;
+    std::array<float, LandmarkFilter<3>::kStates> step{};
+    for (int i = 0; i < 30; ++i) {
+      odometry.position.x += draw.of({0, 0, 6'250, 12'500, -6'250});
+      odometry.position.y += draw.of({0, 0, 0, 6'250});
+      odometry.heading += draw.of({0, 0, 0, 1'570'796, -1'570'796, 10'000});
+      recon::drive_to(view, odometry, draw.coin() ? kDrift : recon::DriftNoise{});
+      const std::size_t slot = draw.between<std::size_t>(0, 2);
+      if (!filter->landmark(slot).used() || draw.one_in(12)) {
+        if (draw.one_in(4)) recon::forget_landmark(view, slot);
+        recon::LandmarkGuess guess;
+        guess.away = draw.of<Vec2>({{1, 0}, {0.5F, 0.5F}, {0, -1}, {2, 0.25F}});
+        guess.radius = draw.of({0.0625F, 0.125F});
+        const float variance = draw.of({0.0078125F, 0.0625F, 1.0F});
+        guess.covariance = {variance, 0, variance, variance / 4, 0, variance / 2};
+        recon::add_landmark(view, slot, guess);
+      }
+      recon::CircleEquation seen;
+      seen.normal = draw.of<Vec2>({{0, 1}, {0, -1}, {-1, 0}, {0.6F, -0.8F}});
+      seen.slope = draw.one_in(4) ? Vec2{0.8F, 0.6F} : seen.normal;
+      seen.radii = draw.of({1.0F, 1.0F, 0.0F});
+      const recon::CylinderEstimate expected = recon::seen_from_robot(view, slot);
+      const Vec2 away = recon::turned(expected.center, -filter->at().pose.heading);
+      seen.bound = seen.normal.dot(away) + seen.radii * expected.radius +
+                   draw.of({0.0F, 0.0F, 0.03125F, -0.03125F, 0.25F, -0.5F, 1.0F, 2.0F, -8.0F});
+      const float variance = draw.of({0.0009765625F, 0.0009765625F, 0.015625F, 1.0F, 4.0F, 0.0F});
+      const TangentFate fate = recon::correct_by(view, slot, seen, variance, step, draw.of({0.0F, 0.0F, 0.25F}));
+      sweep.tell("fate", static_cast<int>(fate));
+      base::Fnv1a64 hash;
+      for (const float value : view.covariance) hash.f32(value);
+      for (const recon::Landmark& landmark : view.landmarks) {
+        hash.i32(landmark.center.x);
+        hash.i32(landmark.center.y);
+        hash.f32(landmark.radius);
+      }
+      sweep.tell("state", static_cast<std::uint32_t>(hash.value()));
+      const MapPose& pose = filter->at().pose;
+      sweep.tell("x", pose.position.x);
+      sweep.tell("y", pose.position.y);
+      sweep.tell("heading", pose.heading);
+      const recon::DriftGauge& gauge = filter->gauge();
+      for (const float value : {gauge.factor, gauge.position, gauge.heading, gauge.surprise, gauge.usual}) {
+        sweep.tell("gauge", value);
+      }
+      sweep.tell("sigma", recon::pose_sigma(filter->pose_covariances()).position);
+      const MapPose other{{pose.position.x + draw.of({0, 1'000, -2'000}), pose.position.y},
+                          pose.heading + draw.of({0, 5'000})};
+      sweep.tell("distance", recon::distance_to(view, other));
+      sweep.tell("expected", expected.covariance.xx + expected.covariance.yr);
+    }
+  }
+  expect_said(sweep, {"fate 2664 45430b33", "state 7500 96fac079", "x 7200 fa90816f", "y 6926 efa1f3f9",
+                      "heading 7208 37952e88", "gauge 35272 289e0c80", "sigma 7500 83f94704", "distance 6294 5ae16bba",
+                      "expected 7500 20246328"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "firmware/config/profile.hpp"
 #include "firmware/recon/map.hpp"
 #include "tests/firmware/recon/post_world.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -159,6 +161,167 @@ TEST(LensCheck, AnotherCalibrationIsANewOne) {
   ASSERT_TRUE(robot.check().wrong());
   robot.map->recalibrated();
   EXPECT_FALSE(robot.check().wrong());
+}
+
+// What the check asks of a table and of a matcher: two objects where the test says.
+struct CheckedTable {
+  static constexpr std::size_t kObjects = 2;
+  std::array<recon::ObjectCore, kObjects> things;
+  base::Time t;
+
+  [[nodiscard]] base::Time exposure() const { return t; }
+  [[nodiscard]] const std::array<recon::ObjectCore, kObjects>& objects() const { return things; }
+};
+struct CheckedMatcher {
+  std::array<bool, 2> shown{};
+  std::array<recon::Observation, 2> seen_as;
+
+  [[nodiscard]] bool seen(std::size_t slot) const { return shown[slot]; }
+  [[nodiscard]] const recon::Observation& observation_of(std::size_t slot) const { return seen_as[slot]; }
+};
+
+/// A circle of 0.28 m a metre ahead of the origin, seen from three places: tangents along (0.96, 0.28), no rounding.
+recon::Cylinder cylinder_ahead() {
+  recon::Cylinder cylinder;
+  for (int i = 0; i < 3; ++i) {
+    for (const recon::Vec2& side : {recon::Vec2{1, 0}, {0.6F, 0.8F}, {0.6F, -0.8F}}) {
+      recon::Sighting sighting;
+      sighting.axis = sighting.center = side;
+      sighting.lens = recon::Vec2{1, 0} - side;
+      sighting.left = {recon::rotated(side, {0.96F, 0.28F}), recon::End::kSeen};
+      sighting.right = {recon::rotated(side, {0.96F, -0.28F}), recon::End::kSeen};
+      sighting.focal = 256;
+      cylinder.add(sighting, {}, 1, {});
+      cylinder.solve(sighting.lens, side, {});
+    }
+  }
+  return cylinder;
+}
+
+// All that it keeps, after each frame of a robot that turns by whole steps, at rates that are its bounds, past two
+// objects that move across the image as they should, too little, too much, or not at all.
+TEST(LensCheck, OfTurnsThatAreItsBounds) {
+  Draw draw(121);
+  Sweep sweep;
+  sensor::CameraIntrinsics told;
+  told.width = 316;
+  told.height = 208;
+  told.fx = told.fy = base::Pixels2::nearest(256);
+  told.cx = base::Pixels2::nearest(157.5);
+  told.cy = base::Pixels2::nearest(103.5);
+  told.mount.x = base::Metres::nearest(0.0625);
+  const recon::CameraModel camera = recon::make_camera_model(told);
+  const recon::Cylinder cylinder = cylinder_ahead();
+  ASSERT_TRUE(cylinder.estimate().ok());
+  for (int run = 0; run < 60; ++run) {
+    CheckedTable table;
+    CheckedMatcher matcher;
+    recon::LensCheck check;
+    for (std::size_t o = 0; o < 2; ++o) {
+      table.things[o].id = static_cast<std::uint32_t>(o + 1);
+      table.things[o].cylinder = cylinder;
+      table.things[o].origin = {draw.of({0, 0, -70'000, -60'000, 50'000}), 0};
+    }
+    const float scale = draw.of({1.0F, 1.0F, 1.25F, 0.8F, 0.4F, 2.5F, 0.25F, 4.0F});
+    const int ticks = draw.of({500, 1'000, 5'000});
+    recon::MapPose odometry;
+    table.t = {100'000};
+    float column = 157;
+    for (int frame = 0; frame < 160; ++frame) {
+      const int rate = draw.one_in(8) ? draw.of({14, 15, 16, -15, 0}) : draw.of({75, 75, 75, 150, 150, 300, -150});
+      const int turned = draw.one_in(6) ? draw.of({150'000, 149'999, 150'001}) : rate * ticks;
+      odometry.heading += turned;
+      if (draw.one_in(10)) odometry.heading -= 6'283'185;
+      if (draw.one_in(6)) odometry.position.x += draw.of({1'000, 10'000, 20'000, -20'000, 50'000, -50'000});
+      table.t = table.t + base::Duration{draw.one_in(20) ? draw.of({0, 4'999, 5'000, 5'001, -1}) : ticks};
+      column += scale * 256 * 1e-6F * static_cast<float>(turned) + (draw.one_in(6) ? draw.steps(-20, 20, 1) : 0.0F);
+      if (column < 20 || column > 290) column = draw.steps(20, 290, 1);
+      for (std::size_t o = 0; o < 2; ++o) {
+        recon::ObjectCore& thing = table.things[o];
+        thing.confirmed = !draw.one_in(20);
+        thing.left = draw.one_in(20) ? recon::End::kLowerBound : recon::End::kSeen;
+        thing.right = draw.one_in(20) ? recon::End::kLowerBound : recon::End::kAmbiguous;
+        thing.relocations = draw.one_in(20) ? 0 : 1;
+        if (draw.one_in(30)) thing.id += 2;
+        matcher.shown[o] = !draw.one_in(20);
+        const auto u = static_cast<std::int16_t>(column);
+        matcher.seen_as[o].box = {static_cast<std::int16_t>(u - 10), 90, static_cast<std::int16_t>(u + 10),
+                                  draw.of<std::int16_t>({120, 121})};
+      }
+      check.look(table, matcher, camera, recon::lens_pose(odometry, camera), odometry);
+      base::Fnv1a64 hash;
+      for (std::uint32_t part = 0; part < 4; ++part) check.hash(hash, part);
+      sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
+      sweep.tell("wrong", check.wrong());
+      sweep.tell("error", check.error().value_or(0));
+      sweep.tell("told over true", check.told_over_true());
+    }
+    check.clear();
+    sweep.tell("cleared", check.wrong());
+  }
+  expect_said(sweep, {"digest 9600 11f80d8a", "wrong 703 28043e5e", "error 703 580feb4a",
+                      "told over true 9600 27728179", "cleared 0 818c1c65"});
+}
+
+/// Looks at one object a metre ahead while the robot turns on, 0.075 rad a frame of 0.1 s.
+struct OneThing {
+  OneThing() {
+    sensor::CameraIntrinsics told;
+    told.width = 316;
+    told.height = 208;
+    told.fx = told.fy = base::Pixels2::nearest(256);
+    told.cx = base::Pixels2::nearest(157.5);
+    told.cy = base::Pixels2::nearest(103.5);
+    camera = recon::make_camera_model(told);
+    recon::ObjectCore& thing = table.things[0];
+    thing.id = 1;
+    thing.cylinder = cylinder_ahead();
+    thing.confirmed = true;
+    thing.left = thing.right = recon::End::kSeen;
+    thing.relocations = 1;
+    table.t = {100'000};
+  }
+  void look(int column, bool shown = true) {
+    table.t = table.t + base::milliseconds(100);
+    odometry.heading += 75'000;
+    matcher.shown[0] = shown;
+    matcher.seen_as[0].box = {static_cast<std::int16_t>(column - 10), 90, static_cast<std::int16_t>(column + 10), 120};
+    check.look(table, matcher, camera, recon::lens_pose(odometry, camera), odometry);
+  }
+
+  CheckedTable table;
+  CheckedMatcher matcher;
+  recon::CameraModel camera;
+  recon::MapPose odometry;
+  recon::LensCheck check;
+};
+
+TEST(LensCheck, WhatTheRobotHasPassedTellsNothing) {
+  for (const bool passed : {false, true}) {
+    OneThing robot;
+    robot.look(157);
+    robot.look(157);  // it turns: the thing is followed from here
+    const double heading = 1e-6 * robot.odometry.heading;
+    robot.look(176);
+    if (passed) {  // 2.5 m straight on, as it looked then
+      robot.odometry.position = {static_cast<std::int32_t>(250'000 * (1 - heading * heading / 2)),
+                                 static_cast<std::int32_t>(250'000 * (heading - heading * heading * heading / 6))};
+    }
+    robot.look(195);
+    EXPECT_EQ(robot.check.told_over_true() == 1, passed);
+  }
+}
+
+// Half is forgotten at 64 samples: what is known stays known.
+TEST(LensCheck, StaysSureAfterHundredsOfSamples) {
+  OneThing robot;
+  for (int i = 0; i < 900; ++i) {
+    robot.look(157 + 16 * (i % 6), i % 6 != 5);  // 16 columns where 19 would be right
+    if (i > 60) {
+      ASSERT_TRUE(robot.check.wrong()) << i;
+      ASSERT_NEAR(robot.check.told_over_true(), 1.21F, 0.02F);
+    }
+  }
 }
 
 }  // namespace

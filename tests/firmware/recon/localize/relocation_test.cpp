@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <random>
 #include <vector>
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::recon {
 namespace {
@@ -102,7 +105,7 @@ struct Sum {
   int wrong = 0;
 };
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr int kRooms = 20;  // tests/studies/relocation has all
 #else
 constexpr int kRooms = 200;
@@ -181,6 +184,82 @@ TEST(Relocation, ARangeFollowsFromTheWidthOfAKnownThing) {
   EXPECT_FALSE(recon::ranged(sighting, {0.04F, 0.03F}, {})) << "of a radius that is not known";
   sighting.left.end = End::kLowerBound;
   EXPECT_FALSE(recon::ranged(sighting, {0.04F, 0.002F}, {})) << "cut off";
+}
+
+// A row of the foot says less or more than the width; both together say more than either.
+TEST(Relocation, ARangeFollowsFromWidthAndFootTogether) {
+  test::Draw draw(111);
+  test::Sweep sweep;
+  for (int i = 0; i < 4'000; ++i) {
+    Sighting sighting;
+    sighting.focal = 256;
+    sighting.lens = {0.125F, draw.of({0.0F, 0.0625F})};
+    sighting.lens_height = 0.125F;
+    sighting.rows_known = !draw.one_in(6);
+    sighting.center = draw.of<Vec2>({{1, 0}, {0.8F, 0.6F}, {0.6F, -0.8F}, {0, 1}});
+    sighting.axis = draw.of<Vec2>({{1, 0}, {0, 1}, {-1, 0}});
+    const float half = draw.of({0.0F, 0.03125F, 0.0625F, -0.03125F});
+    const auto edge = [&](float aside) -> Ray {
+      return {sighting.center + aside * left_of(sighting.center), draw.one_in(8) ? End::kLowerBound : End::kSeen};
+    };
+    sighting.left = edge(half);
+    sighting.right = edge(-half);
+    sighting.bottom = {draw.of({0.0F, 0.0625F, 0.125F, 0.25F}), draw.one_in(6) ? End::kLowerBound : End::kSeen};
+    const KnownRadius radius{0.0625F, draw.of({0.0F, 0.015625F, 0.02125F, 0.03125F})};
+    const auto range = ranged(sighting, radius, {});
+    sweep.tell("known", range.has_value());
+    if (!range) continue;
+    sweep.tell("range", range->range);
+    sweep.tell("along", range->along);
+    sweep.tell("across", range->across);
+    sweep.tell("x", range->from_robot.x());
+    sweep.tell("y", range->from_robot.y());
+  }
+  expect_said(sweep, {"known 956 1ad05119", "range 956 102c8bdd", "along 956 15a1b725", "across 956 00d0d63f",
+                      "x 956 49dfd13d", "y 842 fde70266"});
+}
+
+// A robot on a lattice in rooms of things on a lattice, of few colours, some of which are not where they should be: how
+// sure it is of what, after each sighting.
+TEST(Relocation, OfThingsOnALattice) {
+  test::Draw draw(112);
+  test::Sweep sweep;
+  for (int run = 0; run < 60; ++run) {
+    Room known;
+    const int things = draw.between(3, 9);
+    for (int i = 0; i < things; ++i) {
+      known.push_back({{draw.steps(-4, 4, 0.5F), draw.steps(-4, 4, 0.5F)},
+                       draw.of({0.0F, 0.03125F}),
+                       0.0625F,
+                       static_cast<std::uint8_t>(1 + i % draw.of({2, 9}))});
+    }
+    const auto filter = std::make_unique<RelocationFilter>(known);
+    Vec2 place{draw.steps(-2, 2, 0.5F), draw.steps(-2, 2, 0.5F)};
+    for (int look = 0; look < 14; ++look) {
+      const Vec2 step{draw.steps(-1, 1, 0.125F), draw.steps(-1, 1, 0.125F)};
+      filter->drive(step, draw.of({0.0F, 0.0F, 0.0078125F, -0.0078125F}));
+      place += step;
+      const ConstellationPoint& thing = known[static_cast<std::size_t>(draw.between(0, things - 1))];
+      RangedSighting sighted;
+      sighted.from_robot = thing.place - place;
+      if (draw.one_in(6)) sighted.from_robot += Vec2(draw.steps(-2, 2, 0.25F), 0);
+      sighted.range = std::sqrt(sighted.from_robot.squaredNorm());
+      if (sighted.range < 0.1F) continue;
+      sighted.direction = sighted.from_robot / sighted.range;
+      sighted.along = 0.0009765625F;
+      sighted.across = 0.000244140625F;
+      filter->see(sighted, draw.one_in(12) ? std::uint8_t{9} : thing.signature);
+      const auto found = filter->found();
+      sweep.tell("found", found.has_value());
+      if (!found) continue;
+      sweep.tell("place", found->place.x() + 16 * found->place.y());
+      sweep.tell("rotation", found->rotation.x() + 16 * found->rotation.y());
+      sweep.tell("doubt", found->doubt);
+      sweep.tell("met", found->met);
+    }
+  }
+  expect_said(sweep, {"found 400 496e30d3", "place 400 56d5cd3c", "rotation 400 aa318c81", "doubt 400 4ec8190c",
+                      "met 400 cb96584c"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -96,6 +97,7 @@ TEST(CarveBlocks, LeavesOtherRowsAlone) {
     const GridPlacement placement{{-2, -2}, 4.0F / static_cast<float>(kColumns)};
     const HalfPlane half_plane = any_half_plane(random, kArenaHalfSide);
     const RowRange left = carve_blocks({begin, end}, kColumns, {first, last}, placement, half_plane);
+    ASSERT_LE(left.begin, left.end) << "rows from the end of the range on were not asked for";
     PlainGrid plain(kColumns);
     plain.carve(placement, half_plane);
     for (std::size_t row = 0; row < kColumns; ++row) {
@@ -105,6 +107,30 @@ TEST(CarveBlocks, LeavesOtherRowsAlone) {
         const bool solid = begin[row] <= at && at < end[row];
         ASSERT_EQ(solid, !asked || plain.solid(column, row)) << i << " " << row;
         ASSERT_FALSE(asked && solid && (row < left.begin || row >= left.end)) << i << " " << row;
+      }
+    }
+  }
+}
+
+// Through cells' corners, exactly or almost: whole numbers cannot tell, and leave it to the plain form.
+TEST(CarveBlocks, CutAsTheLineDoesWhereItPassesCorners) {
+  std::mt19937 random(53);
+  for (int i = 0; i < 20'000; ++i) {
+    const std::size_t columns = std::array<std::size_t, 3>{80, 128, 512}[random() % 3];
+    const GridPlacement placement{{-2, -2}, uniform(random, 0.04F, 4) / static_cast<float>(columns)};
+    const Vec2 along{static_cast<float>(random() % 41) - 20, static_cast<float>(random() % 41) - 20.5F};
+    const Vec2 normal = along / std::sqrt(along.squaredNorm());
+    const float off = random() % 2 == 0 ? 0 : uniform(random, -1, 1) * 1e-4F;
+    const Vec2 corner{static_cast<float>(random() % columns) + off, static_cast<float>(random() % columns)};
+    const HalfPlane half_plane{normal, normal.dot(placement.low + placement.cell * corner) - kCarveGuard};
+    std::vector<std::int16_t> begin(columns, 0), end(columns, static_cast<std::int16_t>(columns));
+    std::vector<std::int16_t> plain_begin = begin, plain_end = end;
+    carve_blocks({begin, end}, columns, {0, columns}, placement, half_plane);
+    carve_half_plane({plain_begin, plain_end}, columns, {0, columns}, placement, half_plane);
+    for (std::size_t row = 0; row < columns; ++row) {
+      for (std::size_t word = 0; word < columns / 32; ++word) {
+        ASSERT_EQ(solid_bits(begin[row], end[row], word), solid_bits(plain_begin[row], plain_end[row], word))
+            << i << " " << row;
       }
     }
   }

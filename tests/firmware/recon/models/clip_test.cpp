@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <span>
 
 #include "firmware/recon/models/carve.hpp"
 #include "host/geometry/half_planes.hpp"
 #include "host/geometry/planar.hpp"
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -264,6 +268,91 @@ TEST(CarveGrid, ManyRefinementsAreBounded) {
   }
   EXPECT_LE(grid.placements(), 9);
   EXPECT_NEAR(grid.placement().cell * 32, 0.04F, 0.03F);
+}
+
+void tell_polygon(Sweep& sweep, std::span<const Vec2> vertices) {
+  sweep.tell("vertices", vertices.size());
+  for (const Vec2& v : vertices) {
+    sweep.tell("x", v.x());
+    sweep.tell("y", v.y());
+  }
+}
+
+// Through corners, along sides, past both: with room for few vertices, so that edges are given up.
+TEST(ConvexClip, OfCutsThroughItsCorners) {
+  Draw draw(71);
+  Sweep sweep;
+  const auto run = [&](auto clip) {
+    clip.start();
+    for (int i = 0; i < 24; ++i) {
+      const Vec2 normal = draw.of<Vec2>({{1, 0}, {0, 1}, {0.6F, 0.8F}, {0.8F, 0.6F}, {0.70710678F, 0.70710678F}});
+      const Vec2 sides{draw.coin() ? normal.x() : -normal.x(), draw.coin() ? normal.y() : -normal.y()};
+      clip.cut({sides, draw.one_in(12) ? draw.steps(-16, 4, 0.125F) : draw.steps(2, 22, 0.125F)});
+      tell_polygon(sweep, clip.vertices());
+      const recon::Bounds box = recon::bounds_of(clip.vertices());
+      sweep.tell("box", box.high.x() - box.low.x() + 16 * (box.high.y() - box.low.y()));
+    }
+  };
+  for (int i = 0; i < 150; ++i) {
+    run(recon::ConvexClip<8>());
+    run(recon::ConvexClip<12>());
+  }
+  expect_said(sweep, {"vertices 4923 ee5c37ef", "x 23246 b7f17d87", "y 23302 d3a9f2eb", "box 4922 96b9b226"});
+}
+
+// What is left of few vertices that are small multiples of the shallowest cut apart, as many in the span as there is
+// room for.
+TEST(ConvexClip, OfCutsAsShallowAsTheShallowest) {
+  constexpr float u = recon::kShallowestCut;
+  Draw draw(72);
+  Sweep sweep;
+  for (int i = 0; i < 20'000; ++i) {
+    std::array<Vec2, 8> v;
+    std::size_t size = 0;
+    const auto near = [&](float x, float y) {
+      v[size++] = {x == 0 ? draw.of({0.0F, u, -u, 2 * u, 4 * u}) : x, y == 0 ? draw.of({0.0F, u, -u, 2 * u}) : y};
+    };
+    near(-1, -1);
+    if (draw.coin()) near(0, -1.25F);
+    near(1, -1);
+    if (draw.coin()) near(1.25F, 0);
+    near(0, 1);
+    if (draw.coin()) near(0, 1);
+    if (draw.one_in(3)) near(-1.25F, 0);
+    const Vec2 normal = draw.of<Vec2>({{1, 0}, {-1, 0}, {0, 1}, {0, -1}});
+    const bool far = normal.y() != 0 && draw.coin();
+    const float bound = draw.of({0.0F, u, -u, 2 * u}) + (far ? 1.0F : 0.0F);
+    const std::size_t room = draw.coin() ? size + 2 : draw.between<std::size_t>(size, 8);
+    const std::size_t left =
+        recon::clip_convex(std::span(v).first(std::min<std::size_t>(room, 8)), size, {normal, bound});
+    tell_polygon(sweep, std::span(v).first(left));
+  }
+  expect_said(sweep, {"vertices 20000 a36ed90a", "x 79899 bdf4a74b", "y 84221 c75197e6"});
+}
+
+// A grid is placed anew where the clip with its margin is smaller than the share of its side, and not where it is
+// equal.
+TEST(CarveGrid, IsPlacedAnewBelowItsShare) {
+  const auto placements_for = [](float extent) {
+    const auto grid = std::make_unique<recon::CarveGrid<32>>();
+    grid->start();
+    const std::array<Vec2, 4> clip = {Vec2{0, 0}, {extent, 0}, {extent, 0.5F}, {0, 0.5F}};
+    grid->refine(clip);
+    return static_cast<int>(grid->placements());
+  };
+  const float share = recon::kRefineShare * (4.0F / 32 * 32);
+  float extent = 2.2F;
+  while (recon::kRefineMargin * extent < share) extent = std::nextafter(extent, 3.0F);
+  EXPECT_EQ(recon::kRefineMargin * extent, share) << "some float has just this product";
+  EXPECT_EQ(placements_for(std::nextafter(extent, 0.0F)), 1);
+  EXPECT_EQ(placements_for(extent), 0);
+  const auto grid = std::make_unique<recon::CarveGrid<32>>();
+  grid->start();
+  const std::array<Vec2, 3> line = {Vec2{0, 0}, {0.5F, 0}, {0.5F, 0.5F}};
+  grid->refine(std::span(line).first(2));
+  EXPECT_EQ(grid->placements(), 0) << "two points are no clip";
+  grid->refine(line);
+  EXPECT_EQ(grid->placements(), 1);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/firmware/recon/exact_view.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -250,6 +251,50 @@ TEST(Cylinder, StaysExactOverThousandsOfViews) {
   ASSERT_TRUE(cylinder.estimate().ok());
   EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 1e-3F);
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 1e-3F);
+}
+
+// Views from a lattice of places, of an object that is there or not, with feet that fit or not: the whole state of the
+// estimator after each of them.
+TEST(Cylinder, OfViewsFromALattice) {
+  Draw draw(161);
+  Sweep sweep;
+  for (int run = 0; run < 300; ++run) {
+    recon::Cylinder cylinder;
+    const float known = draw.one_in(3) ? 0.28F : 0.0F;
+    for (int look = 0; look < 12; ++look) {
+      const recon::Vec2 side =
+          draw.of<recon::Vec2>({{1, 0}, {1, 0}, {0.6F, 0.8F}, {0.6F, -0.8F}, {0, 1}, {0.8F, 0.6F}});
+      const float away = draw.of({1.0F, 1.0F, 1.25F, 2.0F, 0.03125F});
+      const auto end = [&] {
+        return draw.of({recon::End::kSeen, recon::End::kSeen, recon::End::kAmbiguous, recon::End::kLowerBound});
+      };
+      recon::Sighting sighting;
+      sighting.axis = draw.one_in(3) ? recon::rotated(side, {0.96F, 0.28F}) : side;
+      sighting.center = side;
+      sighting.lens = -away * side;
+      if (draw.one_in(6)) sighting.lens += recon::Vec2{draw.steps(-2, 2, 0.125F), draw.steps(-2, 2, 0.125F)};
+      sighting.left = {recon::rotated(side, {0.96F, 0.28F}), end()};
+      sighting.right = {recon::rotated(side, {0.96F, -0.28F}), end()};
+      sighting.focal = 256;
+      sighting.known_radius = known;
+      sighting.lens_height = 0.125F;
+      sighting.rows_known = run % 2 == 0;
+      sighting.bottom = {0.125F / (away * draw.of({0.75F, 0.75F, 1.0F, 2.0F})), end()};
+      sweep.tell("prior", recon::prior_distance(sighting));
+      cylinder.add(sighting, {}, draw.of({1.0F, 1.0F, 0.5F, 0.05F}), {});
+      if (!draw.one_in(4)) cylinder.solve(sighting.lens, side, {});
+      if (draw.one_in(12)) cylinder.move_origin({0.125F, -0.25F});
+      base::Fnv1a64 hash;
+      cylinder.hash(hash);
+      sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
+      sweep.tell("refusal", static_cast<int>(cylinder.estimate().refusal));
+      sweep.tell("whole", cylinder.known_whole());
+      sweep.tell("rows", cylinder.row_count());
+      if (cylinder.estimate().ok()) sweep.tell("sigma", cylinder.estimate().outline_sigma());
+    }
+  }
+  expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 c1165f51", "refusal 745 969ab905", "whole 401 11075e9d",
+                      "rows 1778 a416d5d7", "sigma 2855 ad362711"});
 }
 
 }  // namespace

@@ -6,15 +6,19 @@
 #include <array>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <random>
 #include <type_traits>
+#include <vector>
 
 #include "firmware/config/profile.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
 #include "tests/firmware/recon/exact_view.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -213,8 +217,9 @@ TEST(SheafViews, BlindViewsAreNotKeptAndHalfOnesDoNotPushWholeOnesOut) {
 
   store.start({}, {});
   for (int i = 0; i < 24; ++i) store.add(sighting_at(15 * i, i == 7 ? recon::End::kLowerBound : recon::End::kSeen), {});
-  std::array<float, recon::thinning_scratch(127)> scratch{};
-  const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7), scratch);
+  std::array<float, recon::kThinningColumns * recon::thinning_room(24)> columns{};
+  std::size_t known = 0;
+  const std::size_t goes = recon::view_to_give_up(store.view(), view_at({0, 0}, 7), {columns, known});
   EXPECT_EQ(goes, 7U);
 }
 
@@ -389,6 +394,143 @@ TEST(GrowHull, HoldsFansOfPostsOnOneRay) {
     worst = std::max(worst, std::abs(host::signed_area(hull.ring()) - area) / area);
   }
   EXPECT_LT(worst, 1e-4);
+}
+
+// Bounds as they stand in the header, met exactly: rays along the axes and along (0.8, 0.6), whose sine is 0.6.
+TEST(SheafPlane, RaysMeetAtTheLeastSineAndAtTheNearestPost) {
+  const auto posts = [](const SheafView& a, const SheafView& b, float sine) {
+    const SheafPlane plane = recon::sheaf_plane(a, b, sine);
+    return 2 * plane.has_left + plane.has_right;
+  };
+  const SheafView along{{0, 0}, {1, 0}, {1, 0}, {0, 0}};
+  const SheafView across{{0, -1}, {0.8F, 0.6F}, {0.8F, 0.6F}, {0.8F, 0.6F}};
+  EXPECT_EQ(posts(along, across, 0.6F), 2);
+  EXPECT_EQ(posts(across, along, 0.6F), 2);
+  EXPECT_EQ(posts(along, across, std::nextafter(0.6F, 1.0F)), 0);
+  constexpr float kNear = recon::kPostNearest;
+  for (const float at : {kNear, std::nextafter(kNear, 0.0F)}) {
+    const SheafView up{{at, -1}, {0, 1}, {0, 1}, {0, 0}};
+    EXPECT_EQ(posts(along, up, 0.5F), at == kNear ? 2 : 0);
+    EXPECT_EQ(posts(up, along, 0.5F), at == kNear ? 2 : 0);
+  }
+  for (const float at : {recon::kPostFarthest, std::nextafter(recon::kPostFarthest, 0.0F)}) {
+    EXPECT_EQ(posts(along, {{at, -1}, {0, 1}, {0, 1}, {0, 0}}, 0.5F), at < recon::kPostFarthest ? 2 : 0);
+  }
+}
+
+// Bearings that are not unit, so that chords are exactly the bounds.
+TEST(SheafPartner, OfChordsThatAreTheBounds) {
+  Draw draw(81);
+  Sweep sweep;
+  for (int i = 0; i < 20'000; ++i) {
+    std::vector<SheafView> views(static_cast<std::size_t>(draw.between(1, 5)));
+    for (SheafView& view : views) {
+      constexpr float kLeast = recon::kParallaxLeast, kWanted = recon::kParallaxWanted;
+      view.bearing = {1, draw.of({0.0F, kLeast, std::nextafter(kLeast, 1.0F), kWanted, kWanted + kLeast, 2 * kWanted,
+                                  kWanted - kLeast, recon::kParallaxMost, std::nextafter(recon::kParallaxMost, 0.0F)})};
+      if (draw.one_in(4)) view.bearing.y() = -view.bearing.y();
+      if (!draw.one_in(3)) view.left = view.bearing;
+      if (!draw.one_in(3)) view.right = view.bearing;
+    }
+    for (std::size_t j = 0; j < views.size(); ++j) {
+      sweep.tell("partner", recon::sheaf_partner(views, j));
+      sweep.tell("repeats", recon::repeats(views[0], views[j]));
+      sweep.tell("ends", views[j].true_ends());
+    }
+  }
+  expect_said(sweep, {"partner 48809 d3207cae", "repeats 24126 d5ed6843", "ends 53158 06320f9a"});
+}
+
+// Points of a square lattice: on edges, on their lines, on corners; and steps as small as the tolerance.
+TEST(GrowHull, OfPointsOnItsEdgesAndTheirLines) {
+  constexpr float u = recon::kHullTolerance;
+  Draw draw(82);
+  Sweep sweep;
+  for (int run = 0; run < 1'500; ++run) {
+    const float step = run % 3 == 0 ? u : 0.25F;
+    std::array<Vec2, 9> hull;
+    const std::size_t room = draw.of<std::size_t>({6, 9});
+    std::size_t size = 0;
+    for (int i = 0; i < 14; ++i) {
+      const int reach = run % 2 == 0 ? 2 : 4;
+      Vec2 point{draw.steps(-reach, reach, step), draw.steps(-reach, reach, run % 5 == 0 ? u : step)};
+      if (i < 3 && run % 3 == 0) point = {i == 1 ? 1.0F : 0.0F, 0};
+      size = recon::grow_hull(std::span(hull).first(room), size, point);
+      sweep.tell("size", size);
+      for (std::size_t j = 0; j < size; ++j) {
+        sweep.tell("x", hull[j].x());
+        sweep.tell("y", hull[j].y());
+      }
+    }
+  }
+  expect_said(sweep, {"size 21000 d24126c5", "x 72419 c4bbc522", "y 66370 26a61533"});
+}
+
+// Radii of 1 and 2.5 around posts that are their own median: on the axes nothing is rounded.
+TEST(PlaneSheaf, TrimsBeyondItsRadii) {
+  Draw draw(83);
+  Sweep sweep;
+  for (int run = 0; run < 3'000; ++run) {
+    std::array<SheafPlane, 6> planes{};
+    for (SheafPlane& plane : planes) {
+      const auto post = [&] {
+        const float along = draw.of({1.0F, -1.0F, 1.0F, -1.0F, 2.5F, -2.5F, 2.25F, 2.75F});
+        return draw.coin() ? Vec2{along, 0} : Vec2{0, along};
+      };
+      plane.left = post();
+      plane.right = post();
+      plane.has_left = !draw.one_in(3);
+      plane.has_right = !draw.one_in(3);
+    }
+    std::array<float, 12> scratch{};
+    const Vec2 axis = draw.of<Vec2>({{1, 0}, {0, -1}, {0.6F, 0.8F}});
+    recon::trim_posts(std::span(planes).first(draw.between<std::size_t>(3, 6)), axis, scratch);
+    for (const SheafPlane& plane : planes) sweep.tell("posts", 2 * plane.has_left + plane.has_right);
+  }
+  expect_said(sweep, {"posts 15777 56e5b2dd"});
+}
+
+// Views of a lattice of posts from a lattice of places: all that a sheaf tells of them.
+TEST(PlaneSheaf, OfViewsFromALattice) {
+  Draw draw(84);
+  Sweep sweep;
+  const auto sheaf = std::make_unique<recon::PlaneSheaf<12, 24>>();
+  const auto store = std::make_unique<recon::SheafViews<8>>();
+  for (int run = 0; run < 300; ++run) {
+    store->start({}, {});
+    for (int i = draw.between(0, 12); i > 0; --i) {
+      const int half = draw.between(-8, 8);
+      const Vec2 lens{draw.of({-1.0F, 0.0F, 1.0F}), static_cast<float>(half) / 8 - 2};
+      recon::Sighting sighting;
+      sighting.lens = lens;
+      sighting.center = -lens / std::sqrt(lens.squaredNorm());
+      const auto edge = [&](const Vec2& at) -> recon::Ray {
+        const Vec2 away = at - lens;
+        return {away / std::sqrt(away.squaredNorm()),
+                draw.one_in(4) ? recon::End::kLowerBound : draw.of({recon::End::kSeen, recon::End::kAmbiguous})};
+      };
+      sighting.left = edge({-0.125F, draw.of({0.0F, 0.125F})});
+      sighting.right = edge({0.125F, draw.of({0.0F, 0.125F})});
+      store->add(sighting, {});
+      sweep.tell("views", store->view().size());
+    }
+    if (draw.one_in(4)) store->move_origin({0.25F, -0.5F});
+    const auto tell_sheaf = [&] {
+      sweep.tell("refusal", static_cast<int>(sheaf->refusal()));
+      sweep.tell("posts", sheaf->posts());
+      for (const Vec2& post : sheaf->hull()) sweep.tell("hull", post.x() + 4 * post.y());
+    };
+    sheaf->build(store->view());
+    tell_sheaf();
+    sweep.tell("planes", sheaf->planes().size());
+    sheaf->build_paper(store->view());
+    tell_sheaf();
+    base::Fnv1a64 hash;
+    store->hash(hash, 0);
+    sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
+  }
+  expect_said(sweep, {"views 1746 7b3552eb", "refusal 232 c111cad9", "posts 456 637db78b", "hull 1665 fc7f9d27",
+                      "planes 229 98bf58a3", "digest 300 32675d7c"});
 }
 
 }  // namespace

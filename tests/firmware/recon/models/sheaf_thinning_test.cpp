@@ -47,9 +47,10 @@ SheafView view_along(double angle, int ends) {
 }
 
 void expect_same(const std::vector<SheafView>& views) {
-  std::vector<float> scratch(recon::thinning_scratch(views.size() - 1));
+  std::vector<float> columns(recon::kThinningColumns * recon::thinning_room(views.size() - 1));
+  std::size_t known = 0;
   const std::span<const SheafView> store(views.data(), views.size() - 1);
-  ASSERT_EQ(recon::view_to_give_up(store, views.back(), scratch), plain_rule(views));
+  ASSERT_EQ(recon::view_to_give_up(store, views.back(), {columns, known}), plain_rule(views));
 }
 
 TEST(SheafThinning, ChoosesAsThePlainRuleDoesFromRandomBearings) {
@@ -77,6 +78,38 @@ TEST(SheafThinning, ChoosesAsThePlainRuleDoesFromRegularBearings) {
         expect_same(views);
         std::rotate(views.begin(), views.begin() + twice, views.end());
         expect_same(views);
+      }
+    }
+  }
+}
+
+// What is kept from one newcomer to the next: always the same views, wherever the robot goes; the newest one is
+// replaced in between, and bearings come again.
+TEST(SheafThinning, ChoosesAsThePlainRuleDoesFromNewcomerToNewcomer) {
+  std::mt19937 random(5);
+  for (const std::size_t size : {8U, 9U, 24U, 31U, 75U}) {
+    for (const double step : {1e-7, 0.002, 0.02, 0.3, 3.0}) {
+      std::vector<float> columns(recon::kThinningColumns * recon::thinning_room(size), 1e9F);
+      std::size_t known = 0;
+      std::vector<SheafView> views;
+      double angle = 0;
+      for (int i = 0; i < 600; ++i) {
+        angle += std::uniform_real_distribution<>(-0.4, 1)(random) * step;
+        const int ends = 1 + static_cast<int>(random() % 4 != 0);
+        const bool again = !views.empty() && random() % 8 == 0;
+        const SheafView view = again ? views[random() % views.size()] : view_along(angle, ends);
+        if (views.size() == size && random() % 2 == 0) {
+          views.back() = view;
+          continue;
+        }
+        if (views.size() == size) {
+          std::vector<SheafView> all = views;
+          all.push_back(view);
+          const std::size_t goes = recon::view_to_give_up(views, view, {columns, known});
+          ASSERT_EQ(goes, plain_rule(all));
+          views.erase(views.begin() + static_cast<std::ptrdiff_t>(goes));
+        }
+        views.push_back(view);
       }
     }
   }

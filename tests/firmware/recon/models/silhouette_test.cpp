@@ -10,6 +10,8 @@
 
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 
+#include "tests/firmware/recon/sweep.hpp"
+
 namespace fencepost::recon {
 namespace {
 
@@ -128,6 +130,55 @@ TEST(NodeDirections, NearestNodeIsTheNearestOfAll) {
       EXPECT_NEAR(direction.dot(node_direction(nearest, nodes)), most, 1e-4F) << step;
     }
   }
+}
+
+// From a lattice of places, at an outline and at a circle: both kinds refuse at their bounds.
+TEST(Silhouette, OfPlacesOnALattice) {
+  test::Draw draw(91);
+  test::Sweep sweep;
+  Kept kept(kBox, 32);
+  for (std::size_t k = 0; k < 32; ++k) kept.sigmas[k] = static_cast<std::uint8_t>(20 + 5 * k);
+  const auto tell = [&](bool seen, const Silhouette& silhouette) {
+    sweep.tell("seen", seen);
+    if (!seen) return;
+    sweep.tell("left", silhouette.left.at.x() + 8 * silhouette.left.at.y());
+    sweep.tell("right", silhouette.right.at.x() + 8 * silhouette.right.at.y());
+    sweep.tell("left variance", silhouette.left.variance);
+    sweep.tell("right variance", silhouette.right.variance);
+    sweep.tell("depth", silhouette.depth);
+  };
+  for (int i = 0; i < 10'000; ++i) {
+    const bool near = draw.coin();
+    const Vec2 lens{draw.steps(-26, 26, near ? 0.0078125F : 0.25F), draw.steps(-26, 26, near ? 0.0078125F : 0.25F)};
+    LensPose pose;
+    pose.axis = draw.of<Vec2>({{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.6F, 0.8F}, {-0.8F, 0.6F}});
+    Silhouette seen;
+    tell(render(kept.view(), lens, pose, 0.0001F, seen), seen);
+    CylinderEstimate circle;
+    circle.center = {draw.steps(-2, 2, 0.0625F), 0};
+    circle.radius = draw.of({0.0F, 0.0625F, 0.25F});
+    circle.covariance = {1e-4F, 2e-5F, 4e-4F, 1e-5F, 0, 1e-4F};
+    tell(render(circle, lens, pose, 0.0001F, seen), seen);
+  }
+  expect_said(sweep, {"seen 7178 a323bed0", "left 7176 2814a99d", "right 7176 aef99d9b", "left variance 7178 911f9d5e",
+                      "right variance 7178 e4728872", "depth 7178 77978021"});
+}
+
+// 1.01 radii away a lens is still inside, a float more and it is not; so are 6 m too far for an outline.
+TEST(Silhouette, RefusesAtItsBounds) {
+  CylinderEstimate circle;
+  circle.radius = 0.25F;
+  const float inside = circle.radius * 1.01F;
+  const LensPose pose;
+  Silhouette seen;
+  EXPECT_FALSE(render(circle, {-inside, 0}, pose, 0, seen));
+  EXPECT_TRUE(render(circle, {-std::nextafter(inside, 1.0F), 0}, pose, 0, seen));
+  circle.radius = 0;
+  EXPECT_FALSE(render(circle, {-0.001F, 0}, pose, 0, seen));
+  EXPECT_TRUE(render(circle, {-0.00100001F, 0}, pose, 0, seen));
+  const Kept kept(kBox, 64);
+  EXPECT_FALSE(render(kept.view(), {-6, 0}, pose, 0, seen));
+  EXPECT_TRUE(render(kept.view(), {std::nextafter(-6.0F, 0.0F), 0}, pose, 0, seen));
 }
 
 }  // namespace

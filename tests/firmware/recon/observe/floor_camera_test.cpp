@@ -7,6 +7,8 @@
 #include "firmware/recon/observe/camera_model.hpp"
 #include "firmware/recon/observe/tuning.hpp"
 
+#include "tests/firmware/recon/sweep.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -148,6 +150,58 @@ TEST(FloorCamera, AgreesWithTheCameraModelOfAFisheye) {
     }
   }
   EXPECT_GT(compared, 500);
+}
+
+// Whole numbers all the way: every point of a coarse image, through lenses of each kind.
+TEST(FloorCamera, OfEachPointOfTheImage) {
+  Sweep sweep;
+  for (const double pitch : {-0.2, 0.0, 0.1, 0.35, 1.3}) {
+    for (const double k1 : {-0.3, 0.0, 0.2}) {
+      for (const sensor::Lens lens : {sensor::Lens::kPinhole, sensor::Lens::kEquidistant}) {
+        sensor::CameraIntrinsics camera = pixy(pitch, k1, 0.25);
+        camera.lens = lens;
+        camera.fy = base::Pixels2::nearest(lens == sensor::Lens::kPinhole ? 90 : 270);
+        const FloorCamera floor = floor_of(camera);
+        sweep.tell("nearest", floor.nearest_visible());
+        sweep.tell("leftmost", floor.leftmost_visible());
+        sweep.tell("rightmost", floor.rightmost_visible());
+        sweep.tell("row", floor.depth_of_row(500));
+        sweep.tell("column", floor.width_of_column(500));
+        for (int u = -40; u <= 700; u += 37) {
+          for (int v = -40; v <= 500; v += 27) {
+            const FloorPoint point = floor.at(u, v);
+            sweep.tell("depth", point.depth == FloorPoint::kNowhere ? 0 : point.depth);
+            sweep.tell("slope", point.slope);
+            sweep.tell("pair", floor.at(u, u + 9, v).right.slope);
+          }
+        }
+      }
+    }
+  }
+  expect_said(sweep, {"nearest 30 97ebfbac", "leftmost 24 fe10ff9f", "rightmost 24 e91336d5", "row 30 202d3456",
+                      "column 30 e8309129", "depth 7373 a20f9f04", "slope 12224 affad90d", "pair 12223 acd0ddd2"});
+}
+
+TEST(FloorCamera, NeedsAHeightFromAMillimetreToFourMetresAndAPinholesImage) {
+  recon::CameraModel camera = recon::make_camera_model(pixy());
+  const auto usable = [&] { return FloorCamera(camera).usable(); };
+  for (const auto& [height, good] :
+       {std::pair{0.0F, false}, {0.0009F, false}, {0.001F, true}, {4.0F, true}, {4.001F, false}}) {
+    camera.height = height;
+    EXPECT_EQ(usable(), good) << height;
+  }
+  camera.height = 0.12F;
+  camera.pitch_known = false;
+  EXPECT_FALSE(usable());
+  camera.pitch_known = true;
+  camera.fx = 79;  // 316 columns are four of that
+  EXPECT_FALSE(usable());
+  camera.fx = 79.25F;
+  EXPECT_TRUE(usable());
+  camera.fy = 52;  // of 208 rows
+  EXPECT_FALSE(usable());
+  camera.fy = 52.25F;
+  EXPECT_TRUE(usable());
 }
 
 }  // namespace

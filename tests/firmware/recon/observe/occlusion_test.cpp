@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -73,6 +76,37 @@ TEST(Occlusion, AnEndNearTheBorderMayBeTheBorders) {
   EXPECT_FALSE(recon::near_border({5, 0, 90, 9}, 176).left);
   EXPECT_TRUE(recon::near_border({50, 0, 171, 9}, 176).right);
   EXPECT_FALSE(recon::near_border({50, 0, 170, 9}, 176).right);
+}
+
+// Boxes that almost touch, in rows and columns, and at the image's lower end.
+TEST(Occlusion, OfBoxesThatAlmostTouch) {
+  Draw draw(21);
+  Sweep sweep;
+  for (int i = 0; i < 60'000; ++i) {
+    const auto near = [&](int at, int off) { return static_cast<std::int16_t>(draw.between(at - off, at + off)); };
+    std::vector<WaitingBlob> blobs;
+    blobs.push_back({{100, near(80, 4), near(110, 3), near(200, 9)}, 1});
+    for (int other = draw.between(1, 2); other > 0; --other) {
+      const std::int16_t left = draw.of<std::int16_t>({90, 105, 112, 118, 96, 82});
+      blobs.push_back({{near(left, 4), draw.coin() ? near(80, 8) : near(200, 9), near(left + draw.of({4, 10, 30}), 4),
+                        near(200, 9)},
+                       draw.one_in(3) ? std::uint8_t{1} : std::uint8_t{2}});
+    }
+    const int beside = draw.of({recon::kTouchPixels, recon::kBesidePixels});
+    const Sides ends = recon::hidden_sides(blobs, 0, kRows, beside);
+    sweep.tell("left", ends.left);
+    sweep.tell("right", ends.right);
+    sweep.tell("bottom", ends.bottom);
+  }
+  expect_said(sweep, {"left 7648 3f758a6c", "right 9970 5ad2d987", "bottom 8239 b8a9e4d0"});
+}
+
+TEST(Occlusion, NearTheBorderAreFiveColumnsAtEitherSide) {
+  for (std::int16_t x1 = 0; x1 < 10; ++x1) {
+    EXPECT_EQ(recon::near_border({x1, 50, 100, 60}, 316).left, x1 < 5) << x1;
+    const auto x2 = static_cast<std::int16_t>(315 - x1);
+    EXPECT_EQ(recon::near_border({100, 50, x2, 60}, 316).right, x2 >= 311) << x2;
+  }
 }
 
 }  // namespace

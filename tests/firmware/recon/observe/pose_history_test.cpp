@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "tests/firmware/recon/sweep.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -95,6 +99,67 @@ TEST(PoseHistory, MeasuresSpeedAndTurn) {
   EXPECT_NEAR(motion.turn, 0.1F, 1e-3F);
   history.push(sample(0.4, 0, 0.02, 1.6108));  // backwards now
   EXPECT_LT(history.motion(base::milliseconds(50)).forward, -0.3F);
+}
+
+// Ticks of 0.1 ms: gaps of half a second, and times beside, at and between samples, in a ring of four.
+TEST(PoseHistory, OfEachTickBesideItsSamples) {
+  Draw draw(31);
+  Sweep sweep;
+  for (int run = 0; run < 1'500; ++run) {
+    History history;
+    std::int64_t t = draw.of<std::int64_t>({0, 100'000, 0xFFFF'FFF0});
+    std::vector<std::int64_t> times;
+    if (run % 8 == 1) sweep.tell("nothing", history.at({t}).ok());
+    for (int i = draw.between(1, 7); i > 0; --i) {
+      const int x = draw.between(-3, 3);
+      history.push({{t}, {x * 7}, {draw.between(-3, 3)}, {draw.of({0, 1, -1, 31'415, 31'416, -31'416, 62'832})}});
+      times.push_back(t);
+      sweep.tell("forward", history.motion(base::Duration{draw.of({0, 1, 5, 4'999, 5'000, 10'000})}).forward);
+      sweep.tell("turn", history.motion(base::Duration{draw.of({0, 1, 5, 4'999, 5'000, 10'000})}).turn);
+      t += draw.of({1, 2, 3, 4'999, 5'000, 5'001});
+    }
+    for (const std::int64_t sample : times) {
+      for (const int off : {-5'000, -2, -1, 0, 1, 2, 2'500, 5'000}) {
+        const auto pose = history.at({sample + off});
+        sweep.tell("missing", pose.ok() ? 0 : 1 + static_cast<int>(pose.error()));
+        if (!pose.ok()) continue;
+        sweep.tell("x", pose->position.x);
+        sweep.tell("y", pose->position.y);
+        sweep.tell("heading", pose->heading);
+      }
+    }
+    history.clear();
+    sweep.tell("cleared", history.at({times.back()}).ok());
+    history.push({{t}, {}, {}, {}});
+    history.push({{t + 4}, {4}, {}, {}});
+    sweep.tell("after a clear", history.at({t + 1}).ok());
+  }
+  expect_said(sweep, {"forward 3136 23d2cead", "turn 2777 9ab8a818", "missing 28162 7f5570cc", "x 17683 35bdd20a",
+                      "y 17762 ededfb3f", "heading 18429 7b1625dd", "cleared 0 22a013d2", "after a clear 1500 93172072",
+                      "nothing 0 7a270d46"});
+}
+
+// 2^30 ticks are out of reach, one less is only before the first sample.
+TEST(PoseHistory, BeyondItsReachEverythingIsTooOld) {
+  History history;
+  history.push({{0}, {}, {}, {}});
+  history.push({{(1LL << 30) - 1}, {}, {}, {}});
+  EXPECT_EQ(history.at({1}).error(), PoseMiss::kGap);
+  EXPECT_TRUE(history.at({0}).ok());
+  EXPECT_EQ(history.at({-1}).error(), PoseMiss::kTooOld);
+}
+
+TEST(PoseHistory, TheShortWayEndsAtHalfATurn) {
+  constexpr std::int64_t kTurn = 6'283'185;
+  constexpr std::int64_t kHalf = kTurn / 2;
+  for (const std::int64_t sign : {1, -1}) {
+    EXPECT_EQ(recon::short_way(sign * kHalf), sign * kHalf);
+    EXPECT_EQ(recon::short_way(sign * (kHalf + 1)), sign * (kHalf + 1 - kTurn));
+    EXPECT_EQ(recon::short_way(sign * (kTurn - 1)), -sign);
+    EXPECT_EQ(recon::short_way(sign * kTurn), 0);
+    EXPECT_EQ(recon::short_way(sign * (kTurn + 1)), sign);
+    EXPECT_EQ(recon::short_way(sign * (7 * kTurn + kHalf + 1)), sign * (kHalf + 1 - kTurn));
+  }
 }
 
 }  // namespace

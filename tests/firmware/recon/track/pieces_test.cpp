@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "firmware/recon/observe/occlusion.hpp"
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -252,6 +255,89 @@ TEST(StandsElsewhere, IsWhatHasAnotherFootAndIsNoPieceOfTheObject) {
   EXPECT_FALSE(recon::stands_elsewhere(object, box(100, 150, 40, 118)));
   object.foot_row = 0;
   EXPECT_FALSE(recon::stands_elsewhere(object, box(20, 140, 60, 90))) << "the robot has moved";
+}
+
+recon::End any_piece_end(Draw& draw) {
+  return draw.of({recon::End::kSeen, recon::End::kSeen, recon::End::kAmbiguous, recon::End::kLowerBound});
+}
+
+/// Columns from near `left` to near `right`, rows from near 80 to near 120.
+Observation any_piece(Draw& draw, int left, int right, std::uint8_t signature) {
+  const auto near = [&](int at, int off) { return static_cast<std::int16_t>(draw.between(at - off, at + off)); };
+  Observation seen;
+  seen.signature = signature;
+  seen.left = any_piece_end(draw);
+  seen.right = any_piece_end(draw);
+  seen.top = any_piece_end(draw);
+  seen.bottom = any_piece_end(draw);
+  seen.left_column = near(left, 4);
+  seen.right_column = near(right, 4);
+  seen.box = {seen.left_column, near(80, 4), seen.right_column, near(120, 4)};
+  return seen;
+}
+
+// Two blobs with a gap, what may be a post in it, and up to two objects that are expected about there.
+TEST(Pieces, OfBlobsAndObjectsThatAreAlmostWhereTheyShouldBe) {
+  Draw draw(11);
+  Sweep sweep;
+  for (int i = 0; i < 60'000; ++i) {
+    std::vector<Observation> blobs{any_piece(draw, 100, 110, 1), any_piece(draw, 120, 130, draw.one_in(6) ? 2 : 1)};
+    if (draw.coin()) {
+      Observation post = any_piece(draw, 112, 118, draw.one_in(4) ? 1 : 2);
+      post.box.y1 = static_cast<std::int16_t>(post.box.y1 + draw.of({0, -8}));
+      post.box.y2 = static_cast<std::int16_t>(post.box.y2 + draw.of({0, 8}));
+      blobs.push_back(post);
+    }
+    std::vector<Prediction> objects(static_cast<std::size_t>(draw.between(0, 2)));
+    for (Prediction& object : objects) {
+      const int kind = draw.between(0, 2);
+      object = expected(kind == 2 ? 118 : 100, kind == 1 ? 112 : 130);
+      object.left.at = static_cast<std::int16_t>(object.left.at + draw.between(-4, 4));
+      object.right.at = static_cast<std::int16_t>(object.right.at + draw.between(-4, 4));
+      object.left_tolerance = object.right_tolerance = draw.between<std::int16_t>(1, 8);
+      object.left.sigma = draw.between<std::int16_t>(0, 2);
+      object.right.sigma = draw.between<std::int16_t>(0, 2);
+      if (draw.one_in(8)) object.depth = 0;
+      if (draw.one_in(8)) object.signature = 2;
+    }
+    const PiecePair pair = recon::find_pieces(blobs, objects);
+    sweep.tell("found", pair.found);
+    sweep.tell("which", pair.found ? 4 * pair.left + pair.right : 0);
+    sweep.tell("whole", pair.found && pair.whole != recon::kNoMatch ? pair.whole + 1 : 0);
+    sweep.tell("rows", pair.found && pair.rows_match);
+    sweep.tell("alike", recon::are_alike(blobs[0], blobs[1]));
+  }
+  expect_said(sweep, {"found 14145 a84dd8a9", "which 14145 e44811f3", "whole 4316 ee5a5cd5", "rows 12877 c0d20c17",
+                      "alike 33825 46e5c6df"});
+}
+
+// As wide as both together is the widest gap between two that are alike.
+TEST(Pieces, AreAlikeAtAnyDistanceUpToTheirWidths) {
+  Draw draw(12);
+  Sweep sweep;
+  for (int i = 0; i < 20'000; ++i) {
+    Observation one = any_piece(draw, 100, 108, 1);
+    const int left = draw.between(104, 128);
+    Observation other = any_piece(draw, left, 136, draw.one_in(8) ? 2 : 1);
+    if (draw.coin()) std::swap(one, other);
+    sweep.tell("alike", recon::are_alike(one, other));
+  }
+  expect_said(sweep, {"alike 8834 7ac2246c"});
+}
+
+TEST(Pieces, JoinedOneIsWhereBothAreAndMovesIfOneDoes) {
+  for (const int moves : {0, 1, 2, 3}) {
+    base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
+    ASSERT_TRUE(blobs.push_back({{10, 22, 20, 40}, 1, (moves & 1) != 0}));
+    ASSERT_TRUE(blobs.push_back({{30, 20, 45, 39}, 1, (moves & 2) != 0}));
+    recon::join(blobs, {0, 1, true});
+    ASSERT_EQ(blobs.size(), 1U);
+    EXPECT_EQ(blobs[0].moves, moves != 0);
+    EXPECT_EQ(blobs[0].box.x1, 10);
+    EXPECT_EQ(blobs[0].box.y1, 20);
+    EXPECT_EQ(blobs[0].box.x2, 45);
+    EXPECT_EQ(blobs[0].box.y2, 40);
+  }
 }
 
 }  // namespace

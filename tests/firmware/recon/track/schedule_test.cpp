@@ -43,5 +43,14 @@ TEST(ModelPace, ANewRunAndAClockThatWentBackBeginAnew) {
   EXPECT_TRUE(pace.due(kStart - milliseconds(99), milliseconds(30)));
 }
 
+// At the interval itself it is due again, and a time that is the same is not.
+TEST(ModelPace, IsDueAtTheInterval) {
+  ModelPace pace;
+  EXPECT_TRUE(pace.due(kStart, milliseconds(30)));
+  EXPECT_FALSE(pace.due(kStart, milliseconds(30)));
+  EXPECT_TRUE(pace.due(kStart + milliseconds(30), milliseconds(30)));
+  EXPECT_FALSE(pace.due(kStart + milliseconds(59), milliseconds(30)));
+}
+
 }  // namespace
 }  // namespace fencepost::test

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "tests/firmware/recon/exact_view.hpp"
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -172,6 +175,41 @@ TEST(Hybrid, DistanceIsThatToTheOutline) {
   const float corner = std::hypot(0.9F, 0.94F);
   EXPECT_NEAR(filter.hybrid.outline().distance_from(Vec2{1, 1} - middle, nearest), corner, 5e-3F);
   EXPECT_LT(filter.hybrid.outline().distance_from(-middle, nearest), -0.05F);
+}
+
+// Whatever the processor does side by side: the first of those that are as far off, looked at a quarter turn apart.
+template <std::size_t kNodes>
+void expect_first_side(std::mt19937& random) {
+  std::array<std::int16_t, kNodes> offsets{};
+  std::array<std::uint8_t, kNodes> sigmas{};
+  const int spread = 1 << random() % 15;
+  for (std::int16_t& offset : offsets) offset = static_cast<std::int16_t>(static_cast<int>(random() % 65'535) % spread);
+  const OutlineView outline{offsets, sigmas};
+  const auto coordinate = [&] { return (static_cast<float>(random() % 20'001) - 10'000.0F) * 6e-4F; };
+  const Vec2 point = random() % 8 == 0 ? Vec2{0, 0} : Vec2{coordinate(), coordinate()};
+  const WholeVector at{static_cast<std::int32_t>(point.x() * (1 / kOffsetStep)),
+                       static_cast<std::int32_t>(point.y() * (1 / kOffsetStep))};
+  std::size_t expected = 0;
+  std::int32_t most = std::numeric_limits<std::int32_t>::min();
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const std::size_t k = i % 4 * (kNodes / 4) + i / 4;
+    const WholeVector direction = whole_direction(k, kNodes);
+    const std::int32_t outside = direction.x * at.x + direction.y * at.y - offsets[k] * kWholeUnit;
+    if (outside <= most) continue;
+    most = outside;
+    expected = k;
+  }
+  std::size_t nearest = 99;
+  const float distance = outline.distance_from(point, nearest);
+  ASSERT_EQ(nearest, expected) << point.transpose();
+  ASSERT_EQ(distance, node_direction(nearest, kNodes).dot(point) - outline.offset(nearest));
+}
+TEST(OutlineView, DistanceIsFromTheFirstSideThatIsFarthestOff) {
+  std::mt19937 random(71);
+  for (int i = 0; i < 20'000; ++i) {
+    expect_first_side<64>(random);
+    expect_first_side<32>(random);
+  }
 }
 
 // Moved by whole steps of the map, everything is the same but the origin: bit for bit.
@@ -383,6 +421,83 @@ TEST(HybridSolver, SurvivesNonsense) {
     for (std::size_t i = 0; i < size; ++i) EXPECT_TRUE(vertices[i].allFinite());
     EXPECT_TRUE(narrow.hybrid.outline().confidence() >= 0);
   }
+}
+
+/// From `lens`, looking at the origin's neighbourhood: its edges along directions that need no trigonometry.
+Sighting lattice_sighting(Draw& draw) {
+  const Vec2 side = draw.of<Vec2>({{1, 0}, {0.6F, 0.8F}, {0.6F, -0.8F}, {0, 1}, {-0.8F, 0.6F}, {-1, 0}, {0, -1}});
+  const auto end = [&] {
+    return draw.of({End::kSeen, End::kSeen, End::kSeen, End::kAmbiguous, End::kLowerBound, End::kOccluded});
+  };
+  Sighting sighting;
+  sighting.axis = draw.one_in(4) ? rotated(side, {0.96F, 0.28F}) : side;
+  sighting.center = side;
+  sighting.lens = -draw.of({1.0F, 1.0F, 1.25F, 0.5F, 0.03125F}) * side;
+  const Vec2 narrow{0.9921875F, 0.125F}, wide{0.96F, 0.28F};
+  const Vec2 left = draw.coin() ? narrow : wide, right = draw.coin() ? narrow : wide;
+  sighting.left = {rotated(side, left), end()};
+  sighting.right = {rotated(side, {right.x(), -right.y()}), end()};
+  sighting.focal = 256;
+  sighting.lens_height = 0.125F;
+  sighting.rows_known = !draw.one_in(4);
+  sighting.bottom = {draw.of({0.125F, 0.15625F, 0.25F, 0.0F}), end()};
+  sighting.known_radius = draw.one_in(4) ? 0.125F : 0.0F;
+  return sighting;
+}
+
+template <class HybridType, class Solver>
+void tell_hybrid(Draw& draw, Sweep& sweep) {
+  const auto hybrid = std::make_unique<HybridType>();
+  const auto solver = std::make_unique<Solver>();
+  for (int look = 0; look < 14; ++look) {
+    const Sighting sighting = lattice_sighting(draw);
+    if (look == 0) hybrid->begin(sighting);
+    hybrid->add(sighting, {});
+    sweep.tell("news", hybrid->news);
+    sweep.tell("guess", guessed_middle(sighting).x() + 4 * guessed_middle(sighting).y());
+    if (hybrid->news && !draw.one_in(3)) solver->solve(*hybrid);
+    for (std::size_t part = 0; part < HybridType::kHashParts; ++part) {
+      base::Fnv1a64 hash;
+      hybrid->hash(hash, part);
+      sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
+    }
+    sweep.tell("refusal", static_cast<int>(hybrid->refusal));
+    const Vec2 from{draw.steps(-8, 8, 0.25F), draw.steps(-8, 8, 0.25F)};
+    const Vec2 normal = draw.of<Vec2>({{1, 0}, {0, 1}, {0.6F, 0.8F}, {-0.8F, 0.6F}, {0, -1}});
+    sweep.tell("contradict", hybrid->edges_contradict(from, normal));
+    if (!hybrid->ok()) continue;
+    const OutlineView outline = hybrid->outline();
+    sweep.tell("confidence", outline.confidence());
+    std::size_t nearest = 0;
+    sweep.tell("distance", outline.distance_from(draw.of({1.0F, 4.0F}) * from, nearest));
+    sweep.tell("nearest", nearest);
+    const Chord chord = outline.chord_at(draw.steps(-8, 8, 0.03125F));
+    sweep.tell("chord", chord.low + 8 * chord.high);
+    std::array<Vec2, kOutlineVertices> vertices;
+    const std::size_t size = outline_polygon(outline, draw.of({0.0F, 1.0F, 3.0F}), vertices);
+    sweep.tell("vertices", size);
+    for (std::size_t i = 0; i < size; ++i) sweep.tell("vertex", vertices[i].x() + 4 * vertices[i].y());
+  }
+}
+
+// All that is kept and told of an outline, after views from a lattice of places whose ends are all kinds of ends.
+TEST(Hybrid, OfViewsFromALattice) {
+  Draw draw(151);
+  Sweep sweep;
+  for (int run = 0; run < 30; ++run) {
+    tell_hybrid<Wide, WideSolver>(draw, sweep);
+    tell_hybrid<Narrow, NarrowSolver>(draw, sweep);
+  }
+  expect_said(sweep, {"news 754 8f4d1552", "guess 840 4c874e98", "digest 1680 6512dd36", "refusal 65 a82e9db0",
+                      "contradict 390 519a01ea", "confidence 695 30cf2177", "distance 775 02013625",
+                      "nearest 756 ff78d823", "chord 775 1f83fa36", "vertices 769 8aae4df2", "vertex 24403 2d61b708"});
+}
+
+// An outline whose every side is the same share of itself uncertain: how far it is moved out.
+TEST(Hybrid, IsMovedOutByShare) {
+  Sweep sweep;
+  for (int i = 0; i < 240; ++i) sweep.tell("inflation", inflation(static_cast<float>(i) * 0.05F));
+  expect_said(sweep, {"inflation 239 47e1eba1"});
 }
 
 }  // namespace

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
+
+#include "tests/firmware/recon/sweep.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -235,6 +238,80 @@ TEST(SectorStore, ASideIsOpenWhereNoEdgeIsNear) {
   EXPECT_TRUE(edge_seen(store, direction_of(SectorPlace{12, 0.5F}, 64)));
   EXPECT_FALSE(edge_seen(store, direction_of(SectorPlace{13, 0.5F}, 64)));
   EXPECT_FALSE(edge_seen(store, -normal));
+}
+
+void tell_clusters(Sweep& sweep, ConstClusters clusters) {
+  base::Fnv1a64 hash;
+  hash_clusters(hash, clusters);
+  sweep.tell("clusters", static_cast<std::uint32_t>(hash.value()));
+}
+
+// Tangents on a lattice of offsets, sigmas and places of two neighbouring sectors: what joins, what takes a place, what
+// is dropped; and what the store says of it then.
+TEST(SectorStore, OfTangentsOnALattice) {
+  Draw draw(141);
+  Sweep sweep;
+  for (int run = 0; run < 400; ++run) {
+    const std::size_t sectors = run % 3 == 0 ? 32 : 64;
+    std::array<PackedCluster, 64 * kClustersPerSector> all{};
+    const Clusters store = Clusters(all).first(sectors * kClustersPerSector);
+    for (int i = 0; i < 24; ++i) {
+      SectorPlace place{draw.of<std::size_t>({0, 10, 10, sectors - 1}), draw.of({0.0F, 0.25F, 0.5F, 0.5F, 0.998F})};
+      const float bound = draw.of({0.125F, 0.125F, 0.13F, 0.135F, 0.14F, 0.15F, 0.0F, 3.2F, 3.3F, -3.3F});
+      const Tangent tangent{{direction_of(place, sectors), bound}, draw.of({0.005F, 0.01F, 0.02F}), draw.one_in(3)};
+      const StoreContext context{draw.of({0.0F, 0.0F, 0.0625F, -0.0625F}), draw.of({1.0F, 0.25F, 2.0F})};
+      insert(store, place, tangent, draw.of({1.0F, 1.0F, 0.5F, 0.0625F}), context);
+      tell_clusters(sweep, store);
+      for (const std::size_t at : {0U, 10U}) {
+        for (std::size_t which = 0; which < kClustersPerSector; ++which) {
+          sweep.tell("standing", standing(store, at * kClustersPerSector + which));
+        }
+      }
+      sweep.tell("edge", edge_seen(store, draw.of<Vec2>({{1, 0}, {0, 1}, {0.6F, 0.8F}, {0.5F, 0.8F}, {-1, 0}})));
+    }
+    move_origin(store, {draw.of({0, 100, -32'767, 32'767}), draw.of({0, -100, 7, 1'250})});
+    tell_clusters(sweep, store);
+  }
+  expect_said(sweep, {"clusters 10000 73e0809d", "standing 38400 d26b9653", "edge 3932 d104fd96"});
+}
+
+TEST(SectorStore, OfNumbersThatAreItsBounds) {
+  Sweep sweep;
+  for (int i = 1; i < 4'000; ++i) {
+    sweep.tell("sigma", encode_sigma(static_cast<float>(i) * 0.5F * kSigmaUnit));
+    sweep.tell("large sigma", encode_sigma(static_cast<float>(i) * 512 * kSigmaUnit));
+  }
+  for (const int steps : {0, 1, 32'766, 32'767, 32'768}) {
+    for (const float more : {-0.5F, -0.25F, 0.0F, 0.25F, 0.5F}) {
+      for (const float sign : {1.0F, -1.0F}) {
+        std::int32_t whole = 0;
+        sweep.tell("fits", whole_steps(sign * kOffsetStep * (static_cast<float>(steps) + more), whole));
+        sweep.tell("steps", whole);
+      }
+    }
+  }
+  for (const std::size_t sectors : {32U, 64U}) {
+    for (int x = -4; x <= 4; ++x) {
+      for (int y = -4; y <= 4; ++y) {
+        if (x == 0 && y == 0) continue;
+        const SectorPlace place = place_of({static_cast<float>(x), static_cast<float>(y)}, sectors);
+        sweep.tell("sector", place.sector);
+        sweep.tell("phase", place.phase);
+        for (const int part : {0, 1, 255, 511}) {
+          sweep.tell("change", change_of_offset({1'000 * x, -777 * y}, place.sector, part, sectors));
+        }
+      }
+    }
+  }
+  expect_said(sweep, {"sigma 3967 646dcca6", "large sigma 3999 fd18db89", "fits 34 6cc592b7", "steps 28 740efa55",
+                      "sector 152 f4d95c8a", "phase 96 5ac39a54", "change 640 d972a219"});
+}
+
+TEST(NodeDirections, GoRound) {
+  for (std::size_t k = 0; k < 64; ++k) {
+    EXPECT_EQ(direction_at(64 + k), direction_at(k)) << k;
+    EXPECT_EQ(direction_at(128 + k), direction_at(k)) << k;
+  }
 }
 
 }  // namespace

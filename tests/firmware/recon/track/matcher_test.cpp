@@ -1,0 +1,129 @@
+// The matcher by itself: objects that are where the test says, and blobs that are almost there.
+#include "firmware/recon/track/matcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "tests/firmware/level_pixy2.hpp"
+#include "tests/firmware/recon/sweep.hpp"
+
+namespace fencepost::test {
+namespace {
+
+using recon::kNoMatch;
+
+struct Thing : recon::ObjectCore {
+  static constexpr bool kPredictsByOutline = false;
+};
+constexpr std::size_t kThings = 4;
+using Things = std::array<Thing, kThings>;
+using Matcher = recon::Matcher<Thing, kThings>;
+
+/// Each object is a circle here, whatever its models say.
+struct Places {
+  std::array<std::optional<recon::CylinderEstimate>, kThings> circles;
+
+  [[nodiscard]] const std::optional<recon::CylinderEstimate>& place_of(const Thing& /*object*/,
+                                                                       std::size_t slot) const {
+    return circles[slot];
+  }
+};
+
+recon::CylinderEstimate circle_at(float x, float y) {
+  recon::CylinderEstimate estimate;
+  estimate.center = {x, y};
+  estimate.radius = 0.0625F;
+  estimate.covariance = {1e-5F, 0, 1e-5F, 0, 0, 1e-5F};
+  estimate.refusal = recon::CylinderRefusal::kNone;
+  return estimate;
+}
+
+void tell_matches(Sweep& sweep, const Matcher& matcher, const Things& things) {
+  for (std::size_t o = 0; o < kThings; ++o) {
+    sweep.tell("blob", matcher.seen(o) ? matcher.blob_of(o) + 1 : 0);
+    sweep.tell("in pieces", matcher.in_pieces(o));
+    sweep.tell("may be hidden", things[o].used() && matcher.may_be_hidden(o));
+    sweep.tell("divided", matcher.prediction(o).divided);
+    if (!matcher.seen(o)) continue;
+    const recon::Observation seen = matcher.observation_of(o);
+    sweep.tell("left end", static_cast<int>(seen.left));
+    sweep.tell("right end", static_cast<int>(seen.right));
+    sweep.tell("top", static_cast<int>(seen.top));
+    sweep.tell("bottom", static_cast<int>(seen.bottom));
+    sweep.tell("foot", matcher.foot_of(o));
+  }
+  for (std::size_t b = 0; b < matcher.observations().size(); ++b) {
+    sweep.tell("taken", matcher.taken(b));
+    sweep.tell("piece of", static_cast<int>(matcher.piece_of(things, b)));
+    const recon::Prediction* divided = matcher.divided_at(matcher.observations()[b]);
+    sweep.tell("part of", divided != nullptr ? 1 + divided->signature : 0);
+  }
+}
+
+TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
+  Draw draw(61);
+  Sweep sweep;
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2(0));
+  for (int run = 0; run < 6'000; ++run) {
+    const auto matcher = std::make_unique<Matcher>();
+    Things things;
+    Places places;
+    recon::WaitingFrame frame{{1'000}, 0, 0, {}};
+    for (std::size_t o = 0; o < kThings; ++o) {
+      if (draw.one_in(5)) continue;
+      Thing& thing = things[o];
+      thing.id = static_cast<std::uint32_t>(o + 1);
+      thing.signature = draw.one_in(4) ? 2 : 1;
+      thing.confirmed = draw.coin();
+      thing.moving = draw.one_in(6);
+      thing.last_seen = {draw.of<std::int64_t>({899, 900, 901})};
+      thing.foot_row = draw.of<std::int16_t>({0, 130, 140});
+      thing.missed_for = draw.of<std::uint16_t>({0, 4'999, 5'000});
+      thing.in_pieces = draw.between<std::uint8_t>(0, 2);
+      thing.left = thing.right = recon::End::kSeen;
+      const float x = draw.of({1.0F, 1.0F, 1.0625F, 0.75F});
+      const float y = draw.steps(-6, 6, 0.03125F);
+      if (!draw.one_in(6)) places.circles[o] = circle_at(x, y);
+      thing.last_bearing = recon::Vec2(x, y) / std::sqrt(x * x + y * y);
+      if (draw.one_in(5)) continue;
+      // What is seen of it, a few pixels off; or its two ends.
+      const double middle = 157.5 - 273.6 * static_cast<double>(y) / static_cast<double>(x);
+      const auto half = static_cast<int>(17 / static_cast<double>(x));
+      const int left = static_cast<int>(middle) - half + draw.of({0, 0, 2, -4, 9});
+      const int right = static_cast<int>(middle) + half + draw.of({0, 0, 2, -4, 17, 34});
+      const int foot = 103 + static_cast<int>(35 / static_cast<double>(x)) + draw.of({0, 0, 1, 3, -7, 12});
+      const auto blob = [&](int from, int to, int low) {
+        const auto px = [](int value) { return static_cast<std::int16_t>(value); };
+        if (to >= from) {
+          static_cast<void>(frame.blobs.push_back({{px(from), 90, px(to), px(low)}, thing.signature, draw.one_in(10)}));
+        }
+      };
+      if (draw.one_in(3)) {
+        blob(left, left + half - draw.of({2, 8}), foot);
+        const int gap = draw.of({2, 4});
+        blob(left + half + gap, right, foot + draw.of({0, 0, 5, 6, -5, -6}));
+      } else {
+        blob(left, right, foot);
+      }
+    }
+    matcher->predict(things, {900}, camera, recon::lens_pose({}, camera), {}, places);
+    matcher->observe(frame, camera, things);
+    matcher->tell_widths([](std::uint8_t signature) { return static_cast<std::uint16_t>(10 * signature); });
+    sweep.tell("matched", matcher->match());
+    tell_matches(sweep, *matcher, things);
+    if (matcher->observations().empty()) continue;
+    matcher->count_as_pieces(0, static_cast<std::size_t>(draw.between(0, 5)));
+    if (!matcher->taken(0)) matcher->begin(static_cast<std::size_t>(draw.between(0, 3)), 0);
+    matcher->end(static_cast<std::size_t>(draw.between(0, 3)));
+    tell_matches(sweep, *matcher, things);
+  }
+  expect_said(sweep, {"matched 5735 5030c00f", "blob 25093 2d1f0635", "in pieces 4504 5cfb9084",
+                      "may be hidden 31116 645520bd", "divided 2382 c837265a", "left end 8475 c4b4f56c",
+                      "right end 8542 8b15fb81", "top 714 33693899", "bottom 5903 25e1e3cb", "foot 25093 f861323b",
+                      "taken 25294 5bc70709", "piece of 32032 43eca2d3", "part of 3136 778e00ab"});
+}
+
+}  // namespace
+}  // namespace fencepost::test
