@@ -12,14 +12,16 @@ constexpr std::int64_t kTicksPerMs = base::Duration::kPerUnit / 1000;
 constexpr std::uint32_t kSlowImageTicks = base::milliseconds(2).raw;
 static_assert(kSlowestImage.raw / kSlowImageTicks <= 255 && kSlowImageTicks % 4 == 0);
 
+// FNV-1a, of whole values: with a small factor, two edges that move together could cancel. 0: no boxes.
 std::uint32_t hash_of(const recon::WaitingFrame& frame) {
-  std::uint32_t hash = 0;
-  const auto add = [&hash](std::int32_t value) { hash = hash * 31 + static_cast<std::uint32_t>(value) + 1; };
+  if (frame.blobs.empty()) return 0;
+  std::uint32_t hash = 0x811C9DC5;
+  const auto add = [&hash](std::int32_t value) { hash = (hash ^ static_cast<std::uint32_t>(value)) * 0x01000193; };
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {
     add(blob.signature);
     for (const std::int16_t edge : {blob.box.x1, blob.box.y1, blob.box.x2, blob.box.y2}) add(edge);
   }
-  return hash;
+  return std::max<std::uint32_t>(hash, 1);
 }
 
 // m and rad, both without a sign.

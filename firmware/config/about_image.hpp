@@ -29,8 +29,8 @@ static_assert(sizeof(AboutImage) == 52 + 4 * kDeviceKeys);
 
 constexpr AboutImage about_image(std::string_view version, std::size_t signatures, const DeviceLimits& limits) {
   AboutImage about;
-  for (std::size_t i = 0; i < AboutImage::kMark.size(); ++i) about.mark[i] = AboutImage::kMark[i];
-  for (std::size_t i = 0; i < version.size() && i < AboutImage::kVersion; ++i) about.version[i] = version[i];
+  AboutImage::kMark.copy(about.mark.data(), about.mark.size());
+  version.copy(about.version.data(), about.version.size());  // what does not fit is left out
   about.signatures = static_cast<std::uint8_t>(signatures);
   about.cameras = limits.cameras;
   about.odometries = limits.odometries;

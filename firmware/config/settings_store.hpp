@@ -1,6 +1,7 @@
 // What a robot has been told, in flash: an append log of short lines, in two pages that take turns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -105,7 +106,8 @@ class SettingsStore {
       right_ = program(at, pair(static_cast<std::uint16_t>(line.size())));
       for (std::size_t i = 0; right_ && i < line.size(); i += kWord) {
         Word word{0xFF, 0xFF, 0xFF, 0xFF};
-        for (std::size_t k = 0; k < kWord && i + k < line.size(); ++k) word[k] = static_cast<std::uint8_t>(line[i + k]);
+        const std::size_t in_word = std::min(kWord, line.size() - i);
+        for (std::size_t k = 0; k < in_word; ++k) word[k] = static_cast<std::uint8_t>(line[i + k]);
         right_ = program(at += kWord, word);
       }
       check_ = base::crc16(line);

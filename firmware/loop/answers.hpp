@@ -96,7 +96,7 @@ class Answers {
   std::size_t write_next(const console::Links& links, std::span<char> out) {
     console::Answer& answer = m_.console.answer;
     const std::size_t slot = answer.subject > 0 ? answer.subject - 1U : next_used(answer.line);
-    if (slot >= Profile::kObjects || !m_.map.slots()[slot].used()) {
+    if (slot == Profile::kObjects || !m_.map.slots()[slot].used()) {
       return console::write_none("objects", status_facts(links), out);
     }
     const recon::Object<Profile>& object = m_.map.slots()[slot];

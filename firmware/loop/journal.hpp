@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include "firmware/loop/output_queue.hpp"
 
@@ -19,7 +20,12 @@ struct Journaled : Base {
 template <std::size_t N>
 class Journal {
  public:
-  void start() { on_ = true; }
+  /// `inputs`: whoever reads the lines needs frames and odometry, too. A replay has them from where it reads, and need
+  /// not write them: any of them would have fitted.
+  void start(bool inputs = true) {
+    on_ = true;
+    inputs_ = inputs;
+  }
   /// The file cannot be written any more: the loop goes on without it.
   void stop() {
     on_ = false;
@@ -30,6 +36,9 @@ class Journal {
   /// False when there is no room now.
   template <class Record>
   [[nodiscard]] bool put(const Record& record) {
+    if constexpr (std::is_same_v<Record, sensor::BlobFrame> || std::is_same_v<Record, sensor::OdometrySample>) {
+      if (!inputs_) return has_room();
+    }
     return queue_.put(record);
   }
   /// Any record fits.
@@ -40,6 +49,7 @@ class Journal {
 
  private:
   bool on_ = false;
+  bool inputs_ = true;
   OutputQueue<N> queue_;
 };
 

@@ -45,6 +45,7 @@ struct FirstCharacter {
 
 inline constexpr std::array<FirstCharacter, 128> kFirstCharacters = [] {
   std::array<FirstCharacter, 128> table{};
+  table.fill(FirstCharacter{});  // g++ 12 forgets elements' defaults where the library's checks are on
   for (std::size_t i = 0; i < kPackedCharacters.size(); ++i) {
     table[static_cast<unsigned char>(kPackedCharacters[i])].code = static_cast<std::uint8_t>(i);
   }

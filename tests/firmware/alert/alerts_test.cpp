@@ -47,6 +47,8 @@ TEST(AlertLevel, FollowsDistanceTimeAndPath) {
   EXPECT_EQ(level(guessed), AlertLevel::kNotice);
   guessed.toward = {-0.1F, 0.1F};
   EXPECT_EQ(level(guessed), AlertLevel::kClear) << "behind the robot nothing was ever seen";
+  guessed.toward = {0, 0.1F};
+  EXPECT_EQ(level(guessed), AlertLevel::kClear) << "nor beside it";
   Obstacle unbacked = in_path(0.1F);
   unbacked.guessed = true;
   unbacked.toward = {0.1F, 0};
@@ -107,6 +109,25 @@ TEST(AlertLevel, AStopComesBeforeTheNextLookWouldBeTooLate) {
   };
   EXPECT_EQ(level(0.291F), AlertLevel::kStop);
   EXPECT_EQ(level(0.293F), AlertLevel::kWarn);
+}
+
+// Two centimetres nearer or farther, or another level.
+TEST(AlertNews, AreWhatAPersonHasNotBeenTold) {
+  AlertState state;
+  record::AlertReport report;
+  const auto is_news = [&](AlertLevel level, std::int32_t distance) {
+    report.level = level;
+    report.distance = {distance};
+    return alert::news(state, report);
+  };
+  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
+  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'000));
+  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'199));
+  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'200));
+  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'001)) << "of what was said last";
+  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
+  EXPECT_TRUE(is_news(AlertLevel::kStop, 5'000));
+  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
 }
 
 class Judge : public testing::Test {

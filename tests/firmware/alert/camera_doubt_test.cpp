@@ -83,6 +83,32 @@ TEST(CameraDoubt, IsToldAnewWhenItsFactorHasChanged) {
   EXPECT_EQ(doubt.said().factor.raw, 150);
 }
 
+TEST(CameraDoubt, FactorsAreRoundedToHundredths) {
+  for (const auto& [factor, raw] : {std::pair(1.3348F, 133), {1.3352F, 134}, {0.001F, 1}, {1'000.0F, 10'000}}) {
+    CameraDoubt doubt;
+    ASSERT_TRUE(doubt.judge(votes(0, 0, 0), factor, kNow));
+    EXPECT_EQ(doubt.said().factor.raw, raw) << factor;
+  }
+}
+
+TEST(CameraDoubt, ATenthMoreOrLessIsToldAnew) {
+  for (const auto& [factor, told] : {std::pair(1.59F, false), {1.6F, true}, {1.41F, false}, {1.4F, true}}) {
+    CameraDoubt doubt;
+    ASSERT_TRUE(doubt.judge(votes(0, 0, 0), 1.5F, kNow));
+    EXPECT_EQ(doubt.judge(votes(0, 0, 0), factor, kNow), told) << factor;
+  }
+}
+
+// A quarter too far; too near by 1.45.
+TEST(CameraDoubt, HowLargeAnErrorIsAComplaint) {
+  const auto doubts = [](const RowVotes& seen) { return CameraDoubt{}.judge(seen, {}, kNow); };
+  EXPECT_TRUE(doubts({5, 0, 0, 4.0F, 0})) << "1.25";
+  EXPECT_FALSE(doubts({5, 0, 0, 4.02F, 0}));
+  EXPECT_TRUE(doubts({0, 4, 0, 0, 5.81F}));
+  EXPECT_FALSE(doubts({0, 4, 0, 0, 5.79F}));
+  EXPECT_FALSE(doubts({3, 0, 0, 0, 0})) << "of no scale nothing follows";
+}
+
 TEST(CameraDoubt, AnotherCalibrationIsNotDoubted) {
   CameraDoubt doubt;
   EXPECT_FALSE(doubt.forget(kNow)) << "there was none";

@@ -42,6 +42,22 @@ TEST_F(Fronts, NearInTheWayWarnsAndStops) {
   EXPECT_EQ(see().due, AlertLevel::kStop);
 }
 
+// The guard's millimetres count from its origin, wherever that is.
+TEST_F(Fronts, AreWhereTheGuardsOriginPutsThem) {
+  constexpr std::int32_t kMillimetre = recon::kMapUnitsPerMetre / 1'000;
+  const recon::MapPoint origin = {3'000 * kMillimetre, -2'000 * kMillimetre};
+  robot_.position = {3'500 * kMillimetre, -1'750 * kMillimetre};
+  const auto seen = [&] {
+    return see_fronts(fronts_, origin, alert::RobotPlace(robot_), path_, alert::AlertRules(settings_));
+  };
+  put(500 + 265, 250);
+  EXPECT_EQ(seen().due, AlertLevel::kWarn);
+  EXPECT_FLOAT_EQ(seen().nearest.toward.x(), 0.265F);
+  EXPECT_FLOAT_EQ(seen().nearest.toward.y(), 0);
+  put(500 + 261, 250);
+  EXPECT_EQ(seen().due, AlertLevel::kStop);
+}
+
 TEST_F(Fronts, BesideTheWaySaysNothing) {
   put(240, 125);
   put(240, -125);

@@ -136,6 +136,58 @@ class Looks : public testing::Test {
   std::normal_distribution<double> gauss_;
 };
 
+/// A thing that is seen once, and then frames without it, so many 10^-4 s apart.
+struct Unseen {
+  explicit Unseen(const recon::CameraModel& model) : camera(model) {
+    recon::WaitingFrame frame;
+    frame.t = t;
+    static_cast<void>(frame.blobs.push_back({{150, 90, 180, 160}, 1, false}));
+    looming.look(frame, camera, nullptr);
+  }
+  const alert::LoomingTrack& after(std::int64_t span) {
+    recon::WaitingFrame frame;
+    frame.t = t = t + base::Duration{span};
+    looming.look(frame, camera, nullptr);
+    return looming.tracks()[0];
+  }
+  recon::CameraModel camera;
+  base::Time t{1'000'000};
+  alert::Looming<8> looming;
+};
+
+// 2^-10 and 2^-6 s: 166 of 10^-4 s are 16.99 of the first, 1035 are 105.98.
+TEST_F(Looks, CountsTimeInPartsOfASecond) {
+  EXPECT_EQ(Unseen(camera_).after(400).unseen, 40);
+  EXPECT_EQ(Unseen(camera_).after(166).unseen, 16);
+  EXPECT_EQ(Unseen(camera_).after(1'035).unseen, 105);
+  Unseen several(camera_);
+  ASSERT_TRUE(several.after(400).used());
+  EXPECT_EQ(several.after(400).unseen, 80);
+  EXPECT_EQ(Unseen(camera_).after(400).unmeasured, 2);
+  EXPECT_EQ(Unseen(camera_).after(1'000).unmeasured, 6);
+  Unseen quick(camera_);
+  EXPECT_EQ(quick.after(50).unmeasured, 1) << "one a frame, at least";
+  EXPECT_EQ(quick.after(50).unmeasured, 2);
+}
+
+// Nearer by far than anything can come in a frame, once: then it is where it was.
+TEST_F(Looks, AStrayThatStaysAloneIsForgotten) {
+  noise_ = 0;
+  things_ = {{1.0, 0, 0, 0, 0.1, 0.1}};
+  for (int i = 0; i < 10; ++i) look();
+  ASSERT_TRUE(looming_.tracks()[0].used());
+  const std::uint16_t depth = looming_.tracks()[0].depth;
+  for (int times = 0; times < 4; ++times) {
+    things_[0].x = 0.5;
+    look();
+    EXPECT_EQ(looming_.tracks()[0].strays, 1) << times;
+    things_[0].x = 1.0;
+    look();
+    EXPECT_EQ(looming_.tracks()[0].strays, 0) << times;
+  }
+  EXPECT_NEAR(looming_.tracks()[0].depth, depth, 160) << "1 cm";
+}
+
 TEST_F(Looks, ABallIsAnnouncedAndStaysSo) {
   for (const double speed : {0.3, 0.5, 1.0, 1.5}) {
     for (const double aside : {-0.3, 0.0, 0.3}) {

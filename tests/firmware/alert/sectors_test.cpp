@@ -87,6 +87,24 @@ TEST(Sectors, APointIsInItsSector) {
   }
 }
 
+// Its disc reaches 2.39 degrees to either side, over a border or not: 13 degrees to 15.39, for example.
+TEST(Sectors, APointIsInAllTheSectorsOfItsDisc) {
+  const auto sector_at = [](double degree) {
+    return static_cast<std::size_t>(std::floor((degree + 365) / 10)) % kSectors;
+  };
+  const double reach = std::atan(0.05 / 1.2) / kDegree;
+  for (int degree = -179; degree <= 180; ++degree) {
+    Sectors sectors({}, kHome, 150);
+    const recon::guard::Front front = front_at(1.2 * std::cos(degree * kDegree), 1.2 * std::sin(degree * kDegree));
+    sectors.add({&front, 1}, {});
+    const std::size_t first = sector_at(degree - reach);
+    const std::size_t last = sector_at(degree + reach);
+    for (std::size_t k = 0; k < kSectors; ++k) {
+      EXPECT_EQ(sectors.range(k).has_value(), k == first || k == last) << degree << " in " << k;
+    }
+  }
+}
+
 TEST(Sectors, ARangeEndsBeforeFloorThatWasNotSeen) {
   // It looked from one metre back: floor from 0.5 to 1.5 m ahead of where it was.
   const recon::guard::SeenFloor floor = floor_seen(pose_at(-1, 0, 0), {0});

@@ -202,6 +202,30 @@ TEST(Sight, ACameraThatIsAskedMoreOftenThanItSeesIsNotFrozen) {
   }
 }
 
+// Found by a storm: a right edge 31 columns further and a top one row higher were the same image to it.
+TEST(Sight, EdgesThatMoveAgainstEachOtherAreAnotherImage) {
+  alert::Sight sight;
+  sight.start(base::Time::nearest(0));
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2());
+  for (int i = 0; i < 40; ++i) {
+    const base::Time t = base::Time::nearest(0.05 * i);
+    const sensor::OdometrySample sample{t, {}, {}, base::Radians::nearest(0.05 * i)};
+    sensor::BlobFrame frame{t, static_cast<std::uint32_t>(i), {}};
+    const bool further = i / 3 % 2 == 1;
+    sensor::Blob blob;
+    blob.signature = 2;
+    blob.x1 = 20;
+    blob.x2 = further ? 231 : 200;
+    blob.y1 = further ? 120 : 121;
+    blob.y2 = 180;
+    ASSERT_TRUE(frame.blobs.push_back(blob));
+    sight.odometry_came(sample);
+    sight.frame_came(t);
+    sight.frame_used(recon::make_waiting(frame, 0), camera, recon::to_map_pose(sample));
+    EXPECT_EQ(sight.blindness(t, false), Blindness::kNone) << i;
+  }
+}
+
 TEST(Sight, AQuickCameraThatWasLateOnceIsHeldToTheShortTime) {
   Inputs inputs = repeating(0.25);
   inputs.run(2);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "firmware/alert/tuning.hpp"
+
 namespace fencepost::test {
 namespace {
 
@@ -17,6 +19,80 @@ RobotPath path_of(float forward, float turn, float half_width = 0.15F) {
   path.motion = {forward, turn};
   path.half_width = half_width;
   return path;
+}
+
+// Each bound at the bound.
+TEST(LastWay, IsHowItSurelyWent) {
+  using namespace alert;
+  LastWay way;
+  way.follow({kSurelyMoving, kSurelyTurning});
+  EXPECT_FALSE(way.back);
+  EXPECT_TRUE(way.turning);
+  way.follow({-kSurelyMoving, std::nextafter(kSurelyTurning, 0.0F)});
+  EXPECT_TRUE(way.back);
+  EXPECT_FALSE(way.turning);
+  way.follow({std::nextafter(kSurelyMoving, 0.0F), std::nextafter(kSpinning, 0.0F)});
+  EXPECT_TRUE(way.back) << "it may stand";
+  EXPECT_FALSE(way.turning);
+  way.follow({0, -kSpinning});
+  EXPECT_TRUE(way.back);
+  EXPECT_TRUE(way.turning);
+  way.follow({0, 0});
+  EXPECT_TRUE(way.turning) << "one that stands may go on so";
+}
+
+TEST(Ways, WhichLeadOn) {
+  using namespace alert;
+  const auto ways = [](float forward, float turn) { return Ways(path_of(forward, turn)); };
+  EXPECT_FALSE(ways(-kSurelyMoving, 0).ahead);
+  EXPECT_TRUE(ways(std::nextafter(-kSurelyMoving, 0.0F), 0).ahead);
+  EXPECT_FALSE(ways(-kStanding, 0).behind);
+  EXPECT_TRUE(ways(std::nextafter(-kStanding, -1.0F), 0).behind);
+  EXPECT_FALSE(ways(kStanding, 0.05F).arc);
+  EXPECT_TRUE(ways(0.25F, 0.5F).arc);
+  EXPECT_FALSE(ways(0.25F, 0.5F).straight);
+  EXPECT_FALSE(ways(0.25F, 0.5F).spins);
+  EXPECT_FLOAT_EQ(ways(0.25F, -0.5F).radius, -0.5F);
+  EXPECT_FALSE(ways(0.5F, 0.01F).arc) << "a radius of 50 m is straight on";
+  EXPECT_TRUE(ways(0.5F, 0.0101F).arc);
+  EXPECT_TRUE(ways(0.05F, kSurelyTurning).arc);
+  EXPECT_TRUE(ways(0.05F, kSurelyTurning).straight) << "and slow";
+  EXPECT_FALSE(ways(0.05F, std::nextafter(kSurelyTurning, 0.0F)).arc);
+  EXPECT_FALSE(ways(kSurelyMoving, 0.2F).straight) << "no more";
+  EXPECT_TRUE(ways(0, kSurelyTurning).spins);
+  EXPECT_FALSE(ways(0, std::nextafter(kSurelyTurning, 0.0F)).spins);
+  EXPECT_TRUE(ways(0.1F, 0.7F).spins) << "a radius of 0.143 m";
+  EXPECT_FALSE(ways(0.1F, 0.65F).spins) << "0.154 m";
+}
+
+// What stands may go on as it went; a round body sweeps nothing by a spin, and one on an arc does not spin.
+TEST(Ways, OfARobotThatStandsAreThoseOfBefore) {
+  RobotPath path = path_of(0, 0);
+  path.last = {true, true};
+  EXPECT_FALSE(alert::Ways(path).behind) << "round";
+  EXPECT_FALSE(alert::Ways(path).spins);
+  path.front = 0.2F;
+  EXPECT_FALSE(alert::Ways(path).behind) << "its rear is";
+  EXPECT_TRUE(alert::Ways(path).spins);
+  path.rear = 0.2F;
+  EXPECT_TRUE(alert::Ways(path).behind);
+  path.last = {false, false};
+  EXPECT_FALSE(alert::Ways(path).behind);
+  EXPECT_FALSE(alert::Ways(path).spins);
+  path.last = {true, true};
+  path.motion = {0.05F, 0.2F};
+  EXPECT_TRUE(alert::Ways(path).arc);
+  EXPECT_FALSE(alert::Ways(path).spins);
+  path.motion = {alert::kSurelyMoving, 0};
+  EXPECT_FALSE(alert::Ways(path).behind) << "it surely goes ahead";
+  EXPECT_FALSE(alert::Ways(path).spins);
+}
+
+TEST(SweptByBody, WhatReachesTheOriginIsTouched) {
+  const alert::SweptByBody body(path_of(0.2F, 0));
+  EXPECT_TRUE(body.touches({-0.5F, 0}, 0.75F));
+  EXPECT_FALSE(body.touches({-0.5F, 0}, 0.5F)) << "it ends there";
+  EXPECT_FALSE(body.touches({-0.5F, 0}, 0.25F));
 }
 
 TEST(SweptArea, IsTheStripAhead) {

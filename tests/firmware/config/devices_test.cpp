@@ -101,6 +101,30 @@ TEST(Devices, AFisheyeIsEquidistant) {
   EXPECT_EQ(devices.calibration(), pixy2::kPixy2Profile);
 }
 
+// As the robot says them in FPCAM, to the last hundredth of a pixel.
+TEST(Devices, LensesToTheLastHundredthOfAPixel) {
+  const struct {
+    CameraId camera;
+    const char* degrees;
+    std::int32_t fx, fy;
+  } cases[] = {{CameraId::kPixy2, "60", 27'365, 27'365},     {CameraId::kPixy2, "100", 13'257, 13'257},
+               {CameraId::kPixy2, "101", 17'925, 17'925},    {CameraId::kPixy2, "150", 12'070, 12'070},
+               {CameraId::kHuskylens, "75", 20'850, 20'850}, {CameraId::kCmucam2, "44", 10'890, 23'665},
+               {CameraId::kCmucam3, "120", 4'202, 9'194},    {CameraId::kJevois, "65", 25'114, 25'114}};
+  for (const auto& [camera, degrees, fx, fy] : cases) {
+    Devices devices(camera, OdometryId::kConsole);
+    ASSERT_FALSE(devices.set("lens", degrees));
+    EXPECT_EQ(devices.calibration().fx.raw, fx) << info(camera).name << ' ' << degrees;
+    EXPECT_EQ(devices.calibration().fy.raw, fy) << info(camera).name << ' ' << degrees;
+  }
+}
+
+TEST(Devices, AConsolesCameraHasNoLensOfItsOwn) {
+  Devices devices(CameraId::kConsole, OdometryId::kConsole);
+  ASSERT_FALSE(devices.set("lens", "60"));
+  EXPECT_EQ(devices.calibration(), sensor::CameraIntrinsics{});
+}
+
 TEST(Devices, SaysWhatIsNoValue) {
   Devices devices;
   const Devices before = devices;
@@ -140,6 +164,27 @@ TEST(Devices, WheelsAreThoseOfTheirDrawing) {
   }
 }
 
+// Picometres of a count, rounded: pi times 65.0 mm by 1440 counts is 141,808,001.7 pm.
+TEST(Devices, WheelsToTheLastPicometre) {
+  const struct {
+    const char* diameter;
+    const char* counts;
+    std::int64_t pm;
+  } cases[] = {{"65", "1440", 141808002},
+               {"186.8", "622.9", 942124752},
+               {"156.5", "515.1", 954492818},
+               {"39.5", "-2143.7", -57887256}};
+  for (const auto& [diameter, counts, pm] : cases) {
+    Devices devices;
+    ASSERT_FALSE(devices.set("wheel.diameter", diameter));
+    ASSERT_FALSE(devices.set("wheel.counts", counts));
+    EXPECT_EQ(devices.wheels(16).left_pm_per_count, pm) << diameter << ' ' << counts;
+    EXPECT_EQ(devices.wheels(16).right_pm_per_count, pm) << diameter << ' ' << counts;
+  }
+  EXPECT_EQ(Devices().wheels(32).counter_bits, 32);
+  EXPECT_EQ(Devices().wheels(16).track_pm, 130'000'000'000);
+}
+
 Refusal refused(std::string_view camera, std::string_view odometry, const DeviceLimits& limits) {
   return refusal(Devices(camera_named(camera), odometry_named(odometry)), limits);
 }
@@ -162,12 +207,34 @@ TEST(Devices, RefusesWhatCannotWork) {
   EXPECT_EQ(refused("pixy2", "console", microbit), Refusal::kCameraNotInImage);
   EXPECT_EQ(refused("pixy2_i2c", "encoders", microbit), Refusal::kOdometryNotInImage);
   EXPECT_EQ(refused("pixy3", "console", everything()), Refusal::kCameraNotInImage);
+  DeviceLimits one = everything();
+  one.lowest_address = 1;
+  EXPECT_EQ(refused("nxtcam_i2c", "console", one), Refusal::kNone) << "the lowest it speaks to";
+  one.lowest_address = 2;
+  EXPECT_EQ(refused("nxtcam_i2c", "console", one), Refusal::kAddress);
+  EXPECT_EQ(refused("console", "create2", pico), Refusal::kNone) << "one of them has the line";
+}
+
+TEST(Devices, AnImageContainsWhatItsBitsSay) {
+  for (std::size_t i = 0; i < kCameraIds; ++i) {
+    DeviceLimits only;
+    only.cameras = 1U << i;
+    for (std::size_t k = 0; k < kCameraIds; ++k) EXPECT_EQ(only.contains(static_cast<CameraId>(k)), i == k);
+  }
+  for (std::size_t i = 0; i < kOdometryIds; ++i) {
+    DeviceLimits only;
+    only.odometries = 1U << i;
+    for (std::size_t k = 0; k < kOdometryIds; ++k) EXPECT_EQ(only.contains(static_cast<OdometryId>(k)), i == k);
+  }
 }
 
 TEST(Devices, RefusesALensThatNobodyKnowsAndWheelsWithoutCounts) {
   Devices devices(CameraId::kConsole, OdometryId::kEncoders);
   ASSERT_FALSE(devices.set("lens", "60"));
   EXPECT_EQ(refusal(devices, everything()), Refusal::kNoLens);
+  ASSERT_FALSE(devices.set("camera", "pixy2"));
+  EXPECT_EQ(refusal(devices, everything()), Refusal::kNone) << "a camera of its own may have another lens";
+  ASSERT_FALSE(devices.set("camera", "console"));
   ASSERT_FALSE(devices.set("lens", "0"));
   ASSERT_FALSE(devices.set("wheel.counts", "0"));
   EXPECT_EQ(refusal(devices, everything()), Refusal::kNoCounts);
@@ -182,6 +249,7 @@ TEST(Devices, RefusesToDriveWhatTheBoardHasNot) {
   DeviceLimits without = everything();
   without.motors = false;
   EXPECT_EQ(refusal(devices, without), Refusal::kNoMotors);
+  EXPECT_EQ(refused("pixy2", "console", without), Refusal::kNone) << "it is not asked to";
   EXPECT_NE(reason(Refusal::kNoMotors), "");
 }
 

@@ -87,6 +87,10 @@ TEST(Nearest, IsTheCommandThatWasMeant) {
   EXPECT_EQ(suggested("restet"), "reset");
   EXPECT_EQ(suggested("modes"), "mode");
   EXPECT_EQ(suggested("frobnicate"), "");
+  // Two letters too many, too few or others, and three.
+  for (const char* two : {"xxstatus", "statusxx", "stts", "atus", "xxatus", "statxx", "sxtatxus"})
+    EXPECT_EQ(suggested(two), "status") << two;
+  for (const char* three : {"xxxstatus", "statusxxx", "xxxtus", "xstatxusx"}) EXPECT_EQ(suggested(three), "") << three;
   EXPECT_EQ(suggested("x"), "");
   EXPECT_EQ(suggested("xy"), "");
   EXPECT_EQ(suggested(std::string(900, 'a').c_str()), "");

@@ -85,6 +85,13 @@ TEST(Console, LockedItChangesNothing) {
   }
   EXPECT_EQ(desk.type_line("settings"), settings);
   EXPECT_EQ(desk.memory().map.slots()[0].used(), objects);
+  const std::uint32_t odometry = desk.memory().counters.odometry;
+  EXPECT_EQ(desk.type(line_of(desk_odometry(50))).find("locked"), std::string::npos) << "inputs are taken";
+  EXPECT_EQ(desk.memory().counters.odometry, odometry + 1);
+  const std::uint32_t rejected = desk.memory().counters.rejected;
+  const std::string too_long = desk.type("$FPCFG,alert.stop," + std::string(2'000, '0') + "\n");
+  EXPECT_EQ(too_long.find("locked"), std::string::npos) << too_long;
+  EXPECT_EQ(desk.memory().counters.rejected, rejected + 1) << "nothing would have been set";
   EXPECT_EQ(desk.type_line("alerts on"), "alerts are on\r\n");
   EXPECT_EQ(desk.type_line("stop").find("error"), std::string::npos);
   EXPECT_NE(desk.type_line("lock").find("locked"), std::string::npos) << "there is no unlock";
@@ -184,6 +191,16 @@ TEST(Console, ObjectsAndMapSayWhatIsMissing) {
   EXPECT_EQ(desk.type_line("objects"), "no objects: frames used 1, refused 0\r\n");
   desk.pipeline().start_run(desk.header);
   EXPECT_EQ(desk.type_line("objects"), "no objects: the camera has no calibration ($FPCAM)\r\n");
+  EXPECT_NE(desk.type_line("status").find("\r\ncamera link silent, no calibration ($FPCAM); odometry link silent\r\n"),
+            std::string::npos);
+}
+
+TEST(Console, ObjectsSayThatFramesWereRefused) {
+  Desk<> desk;
+  desk.type_line(line_of(desk_odometry(0.5)));
+  desk.type_line(line_of(desk_frame(0.3, 1)));  // from before the first odometry
+  desk.type_line(line_of(desk_odometry(0.6)));
+  EXPECT_EQ(desk.type_line("objects"), "no objects: frames used 0, refused 1\r\n");
 }
 
 TEST(Console, AlertsModeVersionReset) {
@@ -208,6 +225,12 @@ TEST(Console, SettingsAreSetAndGot) {
   EXPECT_EQ(desk.type_line("get correct.pose"),
             "correct.pose = on (off|on|auto), by landmarks seen again; auto: if odometry drifts\r\n");
   EXPECT_EQ(desk.type_line("set confirm.k 7"), "confirm.k = 7 (7 of 5: no object can be confirmed)\r\n");
+  EXPECT_EQ(desk.type_line("set confirm.n 6"), "confirm.n = 6 (7 of 6: no object can be confirmed)\r\n");
+  EXPECT_EQ(desk.type_line("set alert.rate 6"), "alert.rate = 6 /s\r\n") << "it is about something else";
+  EXPECT_EQ(desk.type_line("set confirm.n 7"), "confirm.n = 7\r\n") << "as many";
+  EXPECT_EQ(desk.type_line("set confirm.n 5"), "confirm.n = 5 (7 of 5: no object can be confirmed)\r\n");
+  EXPECT_EQ(desk.type_line("set confirm.k 5"), "confirm.k = 5\r\n");
+  EXPECT_EQ(desk.type_line("set alert.rate 5"), "alert.rate = 5 /s\r\n");
   EXPECT_EQ(desk.type_line("set confirm.n 8"), "confirm.n = 8\r\n");
   for (const char* setting : {"car.counts = 2046.0 /m", "car.wheelbase = 0.170 m", "steer.scale = -0.950",
                               "steer.offset = -1.25 deg", "gyro.scale = -1.0020", "gyro.bias = -0.750 deg/s"}) {

@@ -92,6 +92,39 @@ TEST_F(DevicesConsole, StopHoldsUntilGo) {
   EXPECT_FALSE(elsewhere.memory().console.motion.held);
 }
 
+TEST_F(DevicesConsole, StatusHasItsLinesInOrder) {
+  EXPECT_EQ(say("status"),
+            "profile micro, mode text, alerts on, time not known yet\r\n"
+            "camera link silent, pixy2 316x208; odometry link silent\r\n"
+            "camera pixy2 at 115200 baud (GP4 sends, GP5 receives), lens 60 deg; odometry console\r\n"
+            "frames used 0, refused: no_pose 0, odometry_gap 0, no_camera 0, queue 0\r\n"
+            "blobs used 0, dropped 0; odometry 0; rejected 0; records dropped 0\r\n"
+            "robot: no odometry yet\r\n"
+            "objects 0 of 4, confirmed 0; digest cbf29ce484222325\r\n");
+}
+
+// 316 columns by a focal length of 223.50 px are 70.51 degrees, by 223.66 px 70.48.
+TEST_F(DevicesConsole, ALensIsSaidInWholeDegrees) {
+  for (const auto& [fx, degrees] : {std::pair(22'350, "lens 71 deg"), {22'366, "lens 70 deg"}}) {
+    sensor::CameraIntrinsics own = calibration();
+    own.fx = own.fy = {fx};
+    static_cast<void>(desk.type(line_of(own)));
+    EXPECT_NE(say("status").find(degrees), std::string::npos) << fx << say("status");
+  }
+}
+
+TEST_F(DevicesConsole, WhatTheImageDoesNotContainIsAnsweredByWhatItDoes) {
+  static constexpr config::DeviceOffer kFew = [] {
+    config::DeviceOffer few = kPico;
+    few.limits.cameras = 1U << static_cast<unsigned>(CameraId::kPixy2);
+    few.limits.odometries = 1U << static_cast<unsigned>(OdometryId::kConsole);
+    return few;
+  }();
+  desk.pipeline().offer(kFew);
+  EXPECT_EQ(say("set camera cmucam1"), "error: 'cmucam1' is not possible: camera takes pixy2\r\n");
+  EXPECT_EQ(say("set odometry encoders"), "error: 'encoders' is not possible: odometry takes console\r\n");
+}
+
 TEST_F(DevicesConsole, UnknownNamesAreAnsweredByThoseThatThereAre) {
   EXPECT_EQ(say("set odometry wheels"),
             "error: 'wheels' is not possible: odometry takes console|encoders|create1|create2\r\n");

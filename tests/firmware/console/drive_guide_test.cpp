@@ -101,6 +101,13 @@ TEST(DriveGuide, AStraightNeedsANearAndAFarBlockInOneImage) {
   EXPECT_NE(way.said().find("1 of 4 times"), std::string::npos) << way.said();
 }
 
+TEST(DriveGuide, SaysHowFarItWentInHundredthsOfAMetre) {
+  Way way;
+  way.see({kNear});
+  way.drive(1.24);
+  EXPECT_NE(way.said().find(" now 1.21 m: 0 of 4 times"), std::string::npos) << way.said();
+}
+
 TEST(DriveGuide, AStraightThatSeesNothingOrBendsIsNone) {
   Way blind;
   blind.see({kNear, kFar});

@@ -125,6 +125,11 @@ TEST(TopView, AnOutlineIsDrawnAsItIsWhereverItStands) {
     MapExtent extent;
     extent.include({0, 0}, 0);
     const console::MapShape shape{place, 0, kWall.view()};
+    const MapMillimetres corner = shape.place_of({0.5F, -0.25F});
+    EXPECT_EQ(corner.x, place.x + 500);
+    EXPECT_EQ(corner.y, place.y - 250);
+    EXPECT_EQ(shape.place_of({250, -250}).x, place.x + 100'000) << "no farther is drawn";
+    EXPECT_EQ(shape.place_of({250, -250}).y, place.y - 100'000);
     shape.include_in(extent);
     const TopView view = TopView::of(extent, {0, 0}, 0);
     std::size_t rows = 0;

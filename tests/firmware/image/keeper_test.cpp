@@ -174,5 +174,21 @@ TEST(Keeper, SaysOnceThatThePartRefuses) {
   EXPECT_TRUE(desk.keeper.keep());
 }
 
+// Of an image that kept more than this one, or of another program.
+TEST(Keeper, WhatIsNoInputOfAStartIsPassedOver) {
+  Flash flash;
+  config::SettingsStore store(flash);
+  const auto without_end = [](std::string line) { return line.substr(0, line.find('\r')); };
+  ASSERT_TRUE(store.rewrite([&](auto& put) {
+    put(without_end(test::line_of(sensor::OdometrySample{base::Time{5}, {}, {}, {}})));
+    put("no record at all");
+    put(without_end(test::line_of(record::Setting{std::string_view("alert.stop"), std::string_view("0.4")})));
+  }));
+  Desk desk(flash);
+  EXPECT_EQ(desk.memory().settings.text(config::Key::kAlertStop).view(), "0.40");
+  EXPECT_TRUE(desk.memory().poses.empty());
+  EXPECT_FALSE(desk.pipeline().stream_time()) << "the stream has not begun";
+}
+
 }  // namespace
 }  // namespace fencepost::image

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 #include "tests/firmware/loop/desk.hpp"
@@ -85,6 +86,29 @@ TEST(Journal, WithoutRoomNoInputIsUsed) {
   EXPECT_EQ(counters.odometry, used("$FPODO"));
   EXPECT_EQ(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 100 - used("$FPFRM"));
   EXPECT_GT(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 0U);
+}
+
+// A replay reads frames and odometry itself.
+TEST(Journal, WithoutInputsTheOthersAreTheSame) {
+  Desk<Journaled> whole(Mode::kText, desk_approach(100));
+  Desk<Journaled> others(Mode::kText, desk_approach(100));
+  whole.memory().journal.start();
+  others.memory().journal.start(false);
+  std::string expected;
+  std::string journal;
+  for (int i = 0; i < 2100; ++i) {
+    whole.turn();
+    others.turn();
+    std::istringstream lines(take_journal(whole));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("$FPFRM") && !line.starts_with("$FPODO")) expected += line + "\n";
+    }
+    journal += take_journal(others);
+  }
+  EXPECT_NE(journal.find("$FPALR"), std::string::npos);
+  EXPECT_EQ(journal, expected);
+  EXPECT_EQ(others.memory().map.digest(), whole.memory().map.digest());
+  EXPECT_GT(others.memory().map.frames(), 50U);
 }
 
 TEST(Journal, StoppedTheLoopGoesOn) {

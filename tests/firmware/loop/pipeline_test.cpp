@@ -71,6 +71,52 @@ TEST(Pipeline, AFrameWaitsForTheOdometryAtItsExposure) {
   EXPECT_EQ(bench.memory->counters.frames, 1U);
 }
 
+TEST(Pipeline, SaysWhetherTheLatestInputWasUsed) {
+  Bench bench;
+  loop::Pipeline<config::Small>& pipeline = bench.pipeline;
+  EXPECT_FALSE(pipeline.accept(odometry(1.0)));
+  EXPECT_TRUE(pipeline.used_input());
+  EXPECT_EQ(pipeline.accept(odometry(1.0)), record::Reject::kTime);
+  EXPECT_FALSE(pipeline.used_input());
+  EXPECT_FALSE(pipeline.accept(frame(1.05, 1)));
+  EXPECT_TRUE(pipeline.used_input());
+  EXPECT_EQ(pipeline.accept(frame(1.05, 2)), record::Reject::kTime);
+  EXPECT_FALSE(pipeline.used_input());
+  EXPECT_FALSE(pipeline.accept(frame(1.06, 3)));
+  EXPECT_TRUE(pipeline.used_input());
+  sensor::BlobFrame outside = frame(1.07, 4);
+  outside.blobs[0].x2 = 316;
+  EXPECT_EQ(pipeline.accept(outside), record::Reject::kRange);
+  EXPECT_FALSE(pipeline.used_input());
+  EXPECT_FALSE(pipeline.accept(frame(1.08, 5)));
+  EXPECT_EQ(pipeline.accept(odometry(1.1, 300'000)), record::Reject::kRange);
+  EXPECT_FALSE(pipeline.used_input());
+}
+
+// How far stream time is behind the robot's clock: less is believed at once; more by 10 ms an input, and only of one
+// that is the newest.
+TEST(Pipeline, StreamTimeFollowsTheClockSlowly) {
+  Bench bench;
+  loop::Pipeline<config::Small>& pipeline = bench.pipeline;
+  const auto behind = [&](std::int64_t now) {
+    pipeline.set_clock(Time{now});
+    return bench.memory->run.behind->raw;
+  };
+  EXPECT_FALSE(pipeline.has_clock());
+  pipeline.accept(odometry(1.0));
+  EXPECT_EQ(behind(20'000), 10'000);
+  EXPECT_TRUE(pipeline.has_clock());
+  pipeline.accept(odometry(1.1));
+  EXPECT_EQ(behind(20'900), 9'900);
+  pipeline.accept(odometry(1.2));
+  EXPECT_EQ(behind(21'950), 9'950) << "by less than 10 ms";
+  pipeline.accept(odometry(1.3));
+  EXPECT_EQ(behind(30'000), 10'050);
+  pipeline.accept(frame(1.25, 1));
+  EXPECT_EQ(behind(30'000), 10'050) << "it was late";
+  EXPECT_EQ(behind(22'000), 9'000) << "less is believed of any";
+}
+
 TEST(Pipeline, AFrameWaitsAtMost200msOfStreamTime) {
   Bench bench;
   bench.pipeline.accept(odometry(1.00));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace fencepost::test {
 namespace {
 
@@ -55,6 +57,11 @@ TEST(Settings, SwitchesAreOnOrOff) {
   Settings settings;
   EXPECT_EQ(settings.set("correct.pose", "on"), std::nullopt);
   EXPECT_EQ(settings.text(Key::kCorrectPose).view(), "on");
+  EXPECT_EQ(settings.set("correct.pose", "off"), std::nullopt);
+  EXPECT_EQ(settings.raw(Key::kCorrectPose), config::kCorrectOff);
+  EXPECT_EQ(settings.set("correct.pose", "auto"), std::nullopt);
+  EXPECT_EQ(settings.raw(Key::kCorrectPose), config::kCorrectAuto);
+  EXPECT_EQ(settings.set("correct.pose", "on"), std::nullopt);
   EXPECT_EQ(settings.set("correct.pose", "1"), SettingError::kNotANumber);
   EXPECT_EQ(settings.set("correct.posture", "on"), SettingError::kUnknownKey);
 }
@@ -64,6 +71,15 @@ TEST(Settings, NumbersAreInTheirUnit) {
   ASSERT_FALSE(settings.set("alert.ttc_stop", "1.25").has_value());  // rounded to its decimals
   EXPECT_FLOAT_EQ(settings.number(Key::kAlertTtcStop), 1.3F);
   EXPECT_FLOAT_EQ(settings.number(Key::kRobotWidth), 0.2F);
+  const std::pair<std::string_view, std::pair<Key, float>> told[] = {{"confirm.k", {Key::kConfirmK, 7}},
+                                                                     {"correct.drift", {Key::kCorrectDrift, 12.5F}},
+                                                                     {"robot.margin", {Key::kRobotMargin, 0.25F}},
+                                                                     {"car.wheelbase", {Key::kCarWheelbase, 0.125F}},
+                                                                     {"gyro.scale", {Key::kGyroScale, -1.0625F}}};
+  for (const auto& [name, value] : told) {
+    ASSERT_EQ(settings.set(name, std::to_string(value.second)), std::nullopt) << name;
+    EXPECT_EQ(settings.number(value.first), value.second) << name << ": none to four decimals";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,246 @@
+// What looming keeps of each thing, to its last bit: integers on every machine. Whoever changes a rule or a constant of
+// it on purpose finds the new numbers in the failure.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/alert/looming.hpp"
+#include "tests/firmware/level_pixy2.hpp"
+
+namespace fencepost::test {
+namespace {
+
+/// FNV-1a.
+class Hash {
+ public:
+  void add(std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      hash_ = (hash_ ^ (value >> shift & 0xFFU)) * 0x100'0000'01B3ULL;
+    }
+  }
+  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+  template <class Integer>
+  void integer(Integer value) {
+    add(static_cast<std::uint32_t>(value));
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF2'9CE4'8422'2325ULL;
+};
+
+/// Millimetres from the lens: ahead, to the left; a box of that width and height.
+struct LoomingThing {
+  int ahead = 1000;
+  int left = 0;
+  int width = 100;
+  int height = 100;
+  std::uint8_t signature = 1;
+};
+
+class Tracks {
+ public:
+  explicit Tracks(std::int64_t height_mm = 120) {
+    sensor::CameraIntrinsics intrinsics = level_pixy2(0);
+    intrinsics.mount.z = {static_cast<std::int32_t>(10 * height_mm)};
+    camera_ = recon::make_camera_model(intrinsics);
+  }
+
+  /// A frame, `dt` of 10^-4 s after the one before.
+  void look(const std::vector<LoomingThing>& things, std::int64_t dt = 400) {
+    recon::WaitingFrame frame;
+    frame.t = t_ = t_ + base::Duration{dt};
+    for (const LoomingThing& thing : things) {
+      const std::optional<recon::Box> box = seen(thing);
+      if (box) static_cast<void>(frame.blobs.push_back({*box, thing.signature, false}));
+    }
+    looming_.look(frame, camera_, odometry_ ? &pose_ : nullptr);
+    for (const alert::LoomingTrack& track : looming_.tracks()) keep(track);
+    for (const recon::WaitingBlob& blob : frame.blobs) {
+      hash_.integer(blob.moves);
+      moved_ = moved_ || blob.moves;
+    }
+    const alert::FrontAhead front = looming_.ahead(camera_, path_, rules_, t_ + base::Duration{100});
+    highest_ = std::max(highest_, front.due);
+    hash_.integer(front.due);
+    hash_.integer(front.held);
+    if (!front.nearest.known) return;
+    for (const float number : {front.nearest.distance, front.nearest.ttc, front.nearest.closing_speed,
+                               front.nearest.toward.x(), front.nearest.toward.y(), front.confidence}) {
+      hash_.add(number);
+    }
+    hash_.integer(front.signature);
+  }
+  /// mm and urad, and how fast it says that it goes.
+  void move(int x, int y, int urad, float forward = 0, float turn = 0) {
+    pose_.position.x += 100 * x;
+    pose_.position.y += 100 * y;
+    pose_.heading += urad;
+    path_.motion = {forward, turn};
+  }
+  void odometry(bool there) { odometry_ = there; }
+  [[nodiscard]] std::uint64_t digest() const { return hash_.value(); }
+  [[nodiscard]] record::AlertLevel highest() const { return highest_; }
+  [[nodiscard]] bool moved() const { return moved_; }
+
+ private:
+  static constexpr int kFocal = 27'360;  // hundredths of a pixel, as the centre's
+
+  void keep(const alert::LoomingTrack& track) {
+    hash_.integer(track.sightings);
+    if (!track.used()) return;
+    for (const std::int32_t number : {track.depth_variance, track.covariance, track.speed_variance})
+      hash_.integer(number);
+    for (const int number :
+         {int{track.depth}, int{track.speed}, int{track.slope}, int{track.across}, int{track.width}, int{track.unseen},
+          int{track.signature}, int{track.sure}, int{track.moved}, int{track.unmeasured}, int{track.low},
+          int{track.guessed}, int{track.whole}, int{track.strays}}) {
+      hash_.integer(number);
+    }
+  }
+  [[nodiscard]] static std::optional<recon::Box> seen(const LoomingThing& thing) {
+    if (thing.ahead < 30) return std::nullopt;
+    const auto column = [&](int left) { return (15'750 - kFocal * left / thing.ahead + 50) / 100; };
+    const auto row = [&](int up) { return (10'350 - kFocal * up / thing.ahead + 50) / 100; };
+    const int x1 = column(thing.left + thing.width / 2);
+    const int x2 = column(thing.left - thing.width / 2) - 1;
+    const int y1 = row(thing.height - 120);
+    const int y2 = row(-120) - 1;
+    if (x2 < 0 || x1 > 315 || y1 > 207 || x2 < x1 || y2 < y1) return std::nullopt;
+    const auto inside = [](int at, int last) { return static_cast<std::int16_t>(std::clamp(at, 0, last)); };
+    return recon::Box{inside(x1, 315), inside(y1, 207), inside(x2, 315), inside(y2, 207)};
+  }
+
+  recon::CameraModel camera_;
+  alert::Looming<4> looming_;
+  alert::RobotPath path_;
+  alert::AlertRules rules_{config::Settings{}};
+  recon::MapPose pose_;
+  bool odometry_ = true;
+  base::Time t_{1'000'000};
+  record::AlertLevel highest_ = record::AlertLevel::kClear;
+  bool moved_ = false;
+  Hash hash_;
+};
+
+// It comes straight on at 1.5 m/s, and past the robot, below the image at the end.
+void comes(Tracks& tracks) {
+  for (int ahead = 2'900; ahead > 20; ahead -= 60) tracks.look({{ahead, 40}});
+  for (int i = 0; i < 30; ++i) tracks.look({});
+}
+// 0.5 m/s across, one each way at another distance, of two colours.
+void crosses(Tracks& tracks) {
+  for (int i = 0; i < 60; ++i) tracks.look({{900, 600 - 20 * i}, {1'500, 30 * i - 900, 120, 80, 2}});
+}
+// A robot at 0.3 m/s that bends to the left, by things that stand and one that comes; at 30 and 20 frames a second.
+void drives(Tracks& tracks) {
+  for (int i = 0; i < 50; ++i) {
+    tracks.move(12, i / 8, 8'000, 0.3F, 0.2F);
+    const int turned = i * i / 8;
+    tracks.look({{1'500 - 12 * i, 200 - turned},
+                 {900 - 12 * i, -250 - turned, 60, 150, 2},
+                 {2'600 - 50 * i, -turned, 90, 90, 3}},
+                i % 2 == 0 ? 333 : 500);
+  }
+}
+// Straight on at 0.4 m/s, one ahead that comes, another that goes away.
+void meets(Tracks& tracks) {
+  for (int i = 0; i < 60; ++i) {
+    tracks.move(16, 0, 0, 0.4F);
+    tracks.look({{2'500 - 40 * i, 20}, {700 + 10 * i, -150, 80, 120, 2}});
+  }
+}
+// Feet below the image from the begin on, cut off at one side, then at the other, then at both.
+void is_cut_off(Tracks& tracks) {
+  for (int i = 0; i < 40; ++i) tracks.look({{300 - 4 * i, 120 - 5 * i, 150, 200}});
+  for (int i = 0; i < 20; ++i) tracks.look({{280 - 4 * i, -100, 200, 200}, {150, 20, 500, 300, 2}});
+}
+// Odometry begins late, and falls silent.
+void without_odometry(Tracks& tracks) {
+  for (int i = 0; i < 60; ++i) {
+    tracks.odometry(i >= 20 && i < 40);
+    tracks.move(4, 0, 0, 0.1F);
+    tracks.look({{2'000 - 30 * i, 100}, {1'200 - 4 * i, -200, 50, 60, 2}});
+  }
+}
+// One before the other, alike and not, and more of them than there is room for.
+void hides(Tracks& tracks) {
+  for (int i = 0; i < 50; ++i) {
+    tracks.look({{1'000, 10 * i - 250, 100, 60},
+                 {700, 0, 60, 100},
+                 {1'400, 150 - 6 * i, 90, 120, 2},
+                 {1'900 - 30 * i, -300, 80, 80, 2},
+                 {2'500 - 10 * i, 400, 100, 90, 3},
+                 {2'950 - 20 * i, -600, 100, 90, 4}});
+  }
+}
+// Frames that are lost, looks that see something else once, a pause that is too long.
+void flickers(Tracks& tracks) {
+  for (int i = 0; i < 80; ++i) {
+    const int ahead = i % 7 == 5 ? 600 : 1'600 - 15 * i;
+    if (i % 5 == 3) {
+      tracks.look({});
+    } else if (i % 11 == 9) {
+      tracks.look({{ahead, i % 2 == 0 ? 400 : -400}});
+    } else {
+      tracks.look({{ahead, 30}}, i == 60 ? 5'001 : i % 3 == 0 ? 150 : 400);
+    }
+  }
+}
+// Turned on the spot and back; what is far to the side leaves the image.
+void turns(Tracks& tracks) {
+  for (int i = 0; i < 60; ++i) {
+    const int urad = i < 30 ? 20'000 : -20'000;
+    tracks.move(0, 0, urad, 0, i < 30 ? 0.5F : -0.5F);
+    const int aside = 20 * (i < 30 ? i : 60 - i);
+    tracks.look({{1'000, 300 - aside}, {1'000, -100 - aside, 60, 90, 2}});
+  }
+}
+
+struct Told {
+  const char* name;
+  void (*story)(Tracks&);
+  std::uint64_t with_floor;
+  std::uint64_t without;
+};
+
+class LoomingTracks : public testing::TestWithParam<Told> {};
+
+TEST_P(LoomingTracks, AreWhatTheyWere) {
+  Tracks tracks;
+  GetParam().story(tracks);
+  EXPECT_EQ(tracks.digest(), GetParam().with_floor) << GetParam().name;
+  Tracks no_floor(0);  // the lens on the floor: no row tells how far a foot is
+  GetParam().story(no_floor);
+  EXPECT_EQ(no_floor.digest(), GetParam().without) << GetParam().name << " without floor";
+}
+
+constexpr Told kTold[] = {{"comes", comes, 0x437C263388FC2A02ULL, 0x88CC0CBC68F12B38ULL},
+                          {"crosses", crosses, 0xADD5682455887B75ULL, 0xE7F6C52A22F2ADC3ULL},
+                          {"drives", drives, 0x2DF6352FE539D48CULL, 0x08F2BA13AA1CA1D5ULL},
+                          {"meets", meets, 0x61CE7105F4708D9AULL, 0x67A5C98B1CD57694ULL},
+                          {"is_cut_off", is_cut_off, 0x7ACBA5003860F362ULL, 0x0311DF9087B7871CULL},
+                          {"without_odometry", without_odometry, 0x3DAECDE0624175D1ULL, 0xC642C311A8B82CD7ULL},
+                          {"hides", hides, 0x6D426BA8EB93E451ULL, 0xEFA21D98508B75C9ULL},
+                          {"flickers", flickers, 0x04927F666DFB1619ULL, 0x1AB2FB28E861BBF8ULL},
+                          {"turns", turns, 0xF2692BB79965799FULL, 0x8C7423195FB9CA22ULL}};
+
+TEST(LoomingTrackStories, TellOfStopsAndOfThingsThatMove) {
+  Tracks coming;
+  comes(coming);
+  EXPECT_EQ(coming.highest(), record::AlertLevel::kStop);
+  Tracks crossing;
+  crosses(crossing);
+  EXPECT_TRUE(crossing.moved());
+  EXPECT_EQ(crossing.highest(), record::AlertLevel::kClear);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stories, LoomingTracks, testing::ValuesIn(kTold),
+                         [](const auto& told) { return std::string(told.param.name); });
+
+}  // namespace
+}  // namespace fencepost::test
