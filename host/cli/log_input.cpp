@@ -79,11 +79,14 @@ std::string_view LogInput::next() {
   }
 }
 
+std::string how_to_make_a_part(const std::string& path) {
+  return "make a part of it: fencepost replay " + (path == "-" ? "LOG" : path) +
+         " --from 0 --to 600 --write-log part.log";
+}
+
 void refuse_long_log(const std::string& path) {
-  throw Failure(Exit::kUnreadable,
-                input_name(path) + " has more than " + std::to_string(kMostWhole / 1'000'000) +
-                    " MB, too much to look at all of it at once; make a part of it: fencepost replay " +
-                    (path == "-" ? "LOG" : path) + " --from 0 --to 600 --write-log part.log");
+  throw Failure(Exit::kUnreadable, input_name(path) + " has more than " + std::to_string(kMostWhole / 1'000'000) +
+                                       " MB, too much to look at all of it at once; " + how_to_make_a_part(path));
 }
 
 std::string read_log(const std::string& path) {

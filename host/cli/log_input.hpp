@@ -48,5 +48,7 @@ std::string read_log(const std::string& path);
 /// The same for what may be a scene: no line is cut.
 std::string read_log_or_scene(const std::string& path);
 [[noreturn]] void refuse_long_log(const std::string& path);
+/// The end of a sentence about a log that is too long.
+std::string how_to_make_a_part(const std::string& path);
 
 }  // namespace fencepost::host::cli

@@ -95,9 +95,8 @@ void read_report_log(const ReportInputs& inputs, const std::string& path, std::s
   throw Failure(
       Exit::kUnreadable,
       fmt::format(
-          "{} has more than {} MB as gzip packs it, or {} as it is, too much for a browser; leave out --whole, or "
-          "make a part of it: fencepost replay {} --from 0 --to 600 --write-log part.log",
-          name, kWholeRoom.packed / 1'000'000, kWholeRoom.unpacked / 1'000'000, name));
+          "{} has more than {} MB as gzip packs it, or {} as it is, too much for a browser; leave out --whole, or {}",
+          name, kWholeRoom.packed / 1'000'000, kWholeRoom.unpacked / 1'000'000, how_to_make_a_part(path)));
 }
 
 }  // namespace

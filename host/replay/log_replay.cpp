@@ -127,12 +127,17 @@ void LogReplay::begin_run(const record::Header& logged) {
   std::string profile = options_.profile;
   if (profile.empty()) profile = std::string(logged.profile.view());
   if (profile.empty()) profile = kDefaultProfile;
-  runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
+  const auto make = [this](const std::string& name) {
+    const bool inputs = options_.log != nullptr;  // whoever writes a log wants the whole of it
+    return make_runner(
+        name, [this](std::string_view bytes) { own_log_.hear(bytes); }, inputs);
+  };
+  runner_ = make(profile);
   if (!runner_) {
     complaints_.add("profile " + profile + " of the log is not known here, " + std::string(kDefaultProfile) +
                     " is used; others: " + std::string(kProfileNames));
     profile = kDefaultProfile;
-    runner_ = make_runner(profile, [this](std::string_view bytes) { own_log_.hear(bytes); });
+    runner_ = make(profile);
   }
   profile_ = profile;
   path_.clear();

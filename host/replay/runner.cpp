@@ -23,11 +23,14 @@ template <class Base>
 class ProfileRunner final : public Runner {
  public:
   using Profile = Replayed<Base>;
+  // As far apart as a cache is deep, objects would drive each other out of it: each frame asks all of them if they are
+  // used.
+  static_assert(sizeof(recon::Object<Profile>) % 4096 != 0);
 
-  explicit ProfileRunner(std::function<void(std::string_view)> log)
+  ProfileRunner(std::function<void(std::string_view)> log, bool inputs)
       : log_(std::move(log)),
         loop_(*memory_, camera_, odometry_, console_, console::Mode::kQuiet, loop::canned_stream<Base>()) {
-    memory_->journal.start();
+    memory_->journal.start(inputs);
   }
 
   void start_run(const record::Header& header) override {
@@ -274,10 +277,13 @@ class ProfileRunner final : public Runner {
 
 }  // namespace
 
-std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log) {
-  if (profile == config::Micro::kName) return std::make_unique<ProfileRunner<Compared<config::Micro>>>(std::move(log));
-  if (profile == config::Small::kName) return std::make_unique<ProfileRunner<Compared<config::Small>>>(std::move(log));
-  if (profile == config::Full::kName) return std::make_unique<ProfileRunner<Compared<config::Full>>>(std::move(log));
+std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log, bool inputs) {
+  const auto make = [&]<class Profile>() {
+    return std::make_unique<ProfileRunner<Compared<Profile>>>(std::move(log), inputs);
+  };
+  if (profile == config::Micro::kName) return make.template operator()<config::Micro>();
+  if (profile == config::Small::kName) return make.template operator()<config::Small>();
+  if (profile == config::Full::kName) return make.template operator()<config::Full>();
   return nullptr;
 }
 

@@ -54,8 +54,10 @@ class Runner {
   [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;
 };
 
-/// `log` hears every byte of the log that this run writes. nullptr for an unknown profile name.
-std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log);
+/// `log` hears every byte of the log that this run writes, but for frames and odometry where they are not wanted:
+/// `inputs`. nullptr for an unknown profile name.
+std::unique_ptr<Runner> make_runner(std::string_view profile, std::function<void(std::string_view)> log,
+                                    bool inputs = true);
 
 /// The names that make_runner knows, as an error message lists them.
 inline constexpr std::string_view kProfileNames = "micro, small, full";

@@ -1,6 +1,7 @@
 #include "host/simulate/pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace fencepost::host {
@@ -57,9 +58,25 @@ void join_rows(std::vector<Run>& runs, std::size_t begin, std::size_t middle,
   }
 }
 
+/// Four at a time: each minimum waits for the one before it.
+double nearest_of(const LabelImage& image, const Run& run, int v) {
+  std::array<double, 4> least;
+  least.fill(image.depth(run.begin, v));
+  int u = run.begin;
+  for (; u + 3 <= run.end; u += 4) {
+    for (int i = 0; i < 4; ++i) {
+      double& one = least[static_cast<std::size_t>(i)];
+      one = std::min(one, image.depth(u + i, v));
+    }
+  }
+  for (; u <= run.end; ++u) least[0] = std::min(least[0], image.depth(u, v));
+  return *std::min_element(least.begin(), least.end());
+}
+
 void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   const std::int64_t count = run.end - run.begin + 1;
-  if (piece.pixels == 0) piece.nearest = image.depth(run.begin, v);
+  const double nearest = nearest_of(image, run, v);
+  piece.nearest = piece.pixels == 0 ? nearest : std::min(piece.nearest, nearest);
   if (piece.pixels == 0 || run.begin < piece.box.x1) piece.left = static_cast<std::size_t>(run.object);
   if (piece.pixels == 0 || run.end > piece.box.x2) piece.right = static_cast<std::size_t>(run.object);
   piece.box.include(run.begin, v);
@@ -67,7 +84,6 @@ void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   piece.pixels += count;
   piece.sum_u += count * (run.begin + run.end) / 2;  // exact: count and begin + end are never both odd
   piece.sum_v += count * v;
-  for (int u = run.begin; u <= run.end; ++u) piece.nearest = std::min(piece.nearest, image.depth(u, v));
 }
 
 // Of an object that stands apart.

@@ -5,8 +5,9 @@
 
 namespace fencepost::host {
 
-LabelImage::LabelImage(int width, int height) : width_(width), height_(height) {
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+LabelImage::LabelImage(int width, int height)
+    : width_(width), height_(height), stride_(static_cast<std::size_t>(width) + kBesideRow) {
+  const std::size_t pixels = stride_ * static_cast<std::size_t>(height);
   labels_.assign(pixels, kNothing);
   depths_.assign(pixels, std::numeric_limits<double>::infinity());
 }
@@ -105,10 +106,14 @@ void LabelImage::draw_runs(std::size_t object, const Prism& prism, const PixelRa
   int u = silhouette.box().x1;
   for (const ColumnRun& run : silhouette.columns()) {
     const Stretch& stretch = silhouette.stretches(u).front();
-    for (int v = run.first; v <= run.last; ++v) {
-      const bool wall = v >= run.wall_begin && v < run.wall_end;
-      show(index(u, v), wall ? stretch.enter : prism.first_hit(stretch, rays.rise(0, v)));
-    }
+    const auto show_top = [&](int begin, int end) {
+      for (int v = begin; v < end; ++v) show(index(u, v), prism.first_hit(stretch, rays.rise(0, v)));
+    };
+    const int wall_begin = std::clamp(run.wall_begin, run.first, run.last + 1);
+    const int wall_end = std::clamp(run.wall_end, wall_begin, run.last + 1);
+    show_top(run.first, wall_begin);
+    for (int v = wall_begin; v < wall_end; ++v) show(index(u, v), stretch.enter);
+    show_top(wall_end, run.last + 1);
     ++u;
   }
 }

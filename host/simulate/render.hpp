@@ -41,7 +41,7 @@ class LabelImage {
 
  private:
   [[nodiscard]] std::size_t index(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u);
+    return static_cast<std::size_t>(v) * stride_ + static_cast<std::size_t>(u);
   }
   void clear(std::size_t objects);
   /// The object's silhouette is whole, and nothing else is beside it.
@@ -54,8 +54,12 @@ class LabelImage {
                   double rise);
   void show(std::size_t pixel, double hit);
 
+  /// A cache line of depths: columns are drawn, and rows of 320 would all meet in an eighth of a cache.
+  static constexpr std::size_t kBesideRow = 8;
+
   int width_;
   int height_;
+  std::size_t stride_;  ///< pixels from row to row
   std::vector<std::int16_t> labels_;
   std::vector<double> depths_;
   std::vector<PixelBox> alone_;

@@ -59,7 +59,6 @@ class ThinnedRun final : private AlertSink {
 
   AlertSink& alerts_;
   PageReplay replay_;
-  std::uint32_t run_ = 0;
   Looks even_;
   double step_ = kFirstStep;
   Looks stops_;

@@ -56,11 +56,12 @@ DeviceSpec at_baud(DeviceSpec spec, std::uint32_t baud) {
   return spec;
 }
 
-bool has_baud(const DeviceSpec& spec) {
-  if (spec.place.kind != PlaceKind::kTty) return false;
+bool has_option(const DeviceSpec& spec, std::string_view name) {
   return std::ranges::any_of(devices::options_of(*spec.row, spec.use),
-                             [](const devices::Option& option) { return *option.name == "baud"; });
+                             [name](const devices::Option& option) { return *option.name == name; });
 }
+
+bool has_baud(const DeviceSpec& spec) { return spec.place.kind == PlaceKind::kTty && has_option(spec, "baud"); }
 
 bool answers(LinkState state) { return sensor::works(state) || state == LinkState::kUnready; }
 
@@ -73,9 +74,7 @@ std::vector<const devices::Row*> wheels_first() {
 
 /// Its white balance and gain: no frame comes before.
 base::Duration settling_of(const DeviceSpec& spec) {
-  const bool settles = std::ranges::any_of(devices::options_of(*spec.row, spec.use),
-                                           [](const devices::Option& option) { return *option.name == "settle"; });
-  return base::milliseconds(settles ? 1'000 * static_cast<std::int64_t>(spec.number("settle")) : 0);
+  return base::milliseconds(has_option(spec, "settle") ? 1'000 * static_cast<std::int64_t>(spec.number("settle")) : 0);
 }
 
 Probe ask(Asked& asked, linux::MonotonicClock clock, const ProbeTimes& times, base::Duration settling,

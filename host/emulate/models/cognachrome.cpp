@@ -140,7 +140,9 @@ Bytes Cognachrome::step(base::Time now) {
   } else {
     bytes = field();
   }
-  if (baud_ != 0) free_ = now + base::Duration{kTicksASecond * 10 * static_cast<std::int64_t>(bytes.size()) / baud_};
+  // Rounded up: a line that gets more than it can carry falls behind without end.
+  const std::int64_t bits = 10 * static_cast<std::int64_t>(bytes.size());
+  if (baud_ != 0) free_ = now + base::Duration{(kTicksASecond * bits + baud_ - 1) / baud_};
   return bytes;
 }
 

@@ -75,10 +75,12 @@ Bytes Pixy1::next_block() {
   return bytes;
 }
 
+// Rounded up: a line that gets more than it can carry falls behind without end.
 base::Duration Pixy1::time_of(std::size_t bytes) const {
   constexpr std::int64_t kBitsAByte = 10;
   constexpr std::int64_t kTicksASecond = base::milliseconds(1'000).raw;
-  return {baud_ == 0 ? 0 : kTicksASecond * kBitsAByte * static_cast<std::int64_t>(bytes) / baud_};
+  if (baud_ == 0) return {0};
+  return {(kTicksASecond * kBitsAByte * static_cast<std::int64_t>(bytes) + baud_ - 1) / baud_};
 }
 
 std::optional<base::Time> Pixy1::next() const { return all_sent() ? next_image_ : std::min(next_image_, free_); }
