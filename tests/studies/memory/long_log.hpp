@@ -19,6 +19,9 @@ inline std::string record_line(const std::string& body) {
 
 class LongLog {
  public:
+  /// A pose each `tick` s. A record's time ends at a million: of 4 GB that takes poses close to each other.
+  explicit LongLog(double tick = 0.05) : tick_seconds_(tick) {}
+
   /// What comes before the drive: its camera looks ahead from 0.1 m.
   static std::string begin() {
     return record_line("FPHDR,1,test,1,none,full") +
@@ -27,7 +30,7 @@ class LongLog {
            record_line("FPSIG,1,d02020,red");
   }
 
-  /// The next 0.1 s.
+  /// The next two poses.
   std::string next() {
     std::string text = fmt::format("{:200}\n", "what a program of the robot's own prints");
     for (int i = 0; i < 2; ++i) {
@@ -42,7 +45,7 @@ class LongLog {
   static constexpr double kFront = 2.0;  // m, of the box, 0.1 wide and 0.2 high
   static constexpr double kFocal = 273.6;
 
-  [[nodiscard]] double time() const { return 0.05 * static_cast<double>(tick_); }
+  [[nodiscard]] double time() const { return tick_seconds_ * static_cast<double>(tick_); }
   /// 10 s there and 10 s back.
   [[nodiscard]] double place() const {
     const double phase = std::fmod(time(), 20);
@@ -59,14 +62,14 @@ class LongLog {
                                    (right - left) * (row(0) - row(0.2))));
   }
 
+  double tick_seconds_;
   std::uint64_t tick_ = 0;
   std::uint32_t frame_ = 0;
 };
 
 /// A file of at least so many bytes.
-inline void write_long_log(const std::string& path, std::uint64_t bytes) {
+inline void write_long_log(const std::string& path, std::uint64_t bytes, LongLog log = LongLog()) {
   std::ofstream file(path, std::ios::binary);
-  LongLog log;
   file << LongLog::begin();
   for (std::uint64_t size = 0; size < bytes;) {
     const std::string part = log.next();

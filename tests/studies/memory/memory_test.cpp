@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -175,6 +177,25 @@ TEST(Memory, ALineWithoutEndIsReadInAFewKilobytes) {
   const auto document = nlohmann::json::parse(slurp(folder.path() / "out"));
   EXPECT_EQ(document["log"]["frames"], 20);
   EXPECT_EQ(document["log"]["foreign"], 101);
+}
+
+// Minutes, and a file of that size: toolchain/long memory.
+TEST(Memory, DISABLED_OfFourGigabytesIsThatOfTwentyMegabytes) {
+  if (!can_measure()) GTEST_SKIP() << "a sanitizer has its own memory";
+  const Folder folder;
+  write_long_log((folder.path() / "long.log").string(), 4'000 * kMegabyte, LongLog(0.02));
+  spill(folder.path() / "scene.json", kScene);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"replay", "long.log", "--json"},
+                                                {"evaluate", "long.log", "--scene", "scene.json"},
+                                                {"report", "long.log", "-o", "report.html"}}) {
+    const auto began = std::chrono::steady_clock::now();
+    const Ended ended = run(folder, words);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    std::printf("%s: %.0f MB at its peak, %.0f s\n", words.front().c_str(), ended.peak, took.count());
+    EXPECT_EQ(ended.exit_code, 0) << words.front();
+    EXPECT_LT(ended.peak, kMost) << words.front();
+  }
+  EXPECT_LT(std::filesystem::file_size(folder.path() / "report.html"), 2 * kMegabyte);
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ void StormBench::begin(const Event& event, base::Time now) {
     case EventKind::kStall:
       end.device->set_stalled(true);
       last(end.stall_ends);
+      end.line.held = std::max(end.line.held, until);
       break;
     case EventKind::kUnplug:
       if (end.line.plugged) end.line.since = now;

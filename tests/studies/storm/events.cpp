@@ -170,4 +170,19 @@ std::vector<Event> random_events(Chance& chance, const EventChoice& choice) {
   return events;
 }
 
+std::vector<Event> unnoticed_reboots(std::uint64_t seed, std::int64_t milliseconds) {
+  Chance chance(seed);
+  std::vector<Event> events;
+  for (std::int64_t at = 10'000; at + 45'000 < milliseconds; at += 60'000) {
+    const std::int64_t begins = at + chance.whole(0, 10'000);
+    const std::int64_t kept_away = chance.whole(300, 3'000);
+    events.push_back({.kind = EventKind::kBusy, .at = begins, .length = kept_away});
+    for (const Cable cable : {Cable::kCamera, Cable::kWheels}) {
+      const std::int64_t length = chance.whole(1, kept_away / 2);
+      events.push_back({.kind = EventKind::kReboot, .cable = cable, .at = begins + 5, .length = length});
+    }
+  }
+  return events;
+}
+
 }  // namespace fencepost::test

@@ -33,7 +33,7 @@ struct Event {
   std::int64_t length = 0;  ///< ms
   double amount = 0;
   std::uint64_t seed = 0;
-  std::string text;
+  std::string text{};
 };
 
 /// One line, for people.
@@ -48,5 +48,8 @@ struct EventChoice {
 };
 /// In order of time.
 std::vector<Event> random_events(Chance& chance, const EventChoice& choice);
+/// Camera and wheels lose their power for a moment, each minute, while nobody looks: nothing tells the robot but what
+/// they then say.
+std::vector<Event> unnoticed_reboots(std::uint64_t seed, std::int64_t milliseconds);
 
 }  // namespace fencepost::test

@@ -25,6 +25,7 @@ struct Request {
   std::string log;
   bool shrink = true;
   bool tell = false;
+  bool reboots = false;
 };
 
 constexpr std::string_view kPlants[] = {"none", "alert", "frame", "guard", "pin", "flash", "half"};
@@ -89,15 +90,16 @@ void report(const Request& request, const Plan& plan, const RunOutcome& outcome)
   for (const std::size_t number : request.shrink ? numbers : std::vector<std::size_t>{}) {
     print(fmt::format("  event {}: {}\n", number, describe(plan.events.at(number))));
   }
-  print(fmt::format("  again: {}{}\n", command_of(plan, numbers),
-                    request.plant == "none" ? "" : " --plant " + request.plant));
+  print(fmt::format("  again: {}{}{}\n", command_of(plan, numbers),
+                    request.plant == "none" ? "" : " --plant " + request.plant, request.reboots ? " --reboots" : ""));
 }
 
 Sum run_share(const Request& request, unsigned job) {
   Sum sum;
   const auto began = std::chrono::steady_clock::now();
   for (std::uint64_t i = job; i < request.seeds; i += request.jobs) {
-    const Plan plan = plan_of(request.first_seed + i, request.minutes);
+    Plan plan = plan_of(request.first_seed + i, request.minutes);
+    if (request.reboots) plan.events = unnoticed_reboots(plan.seed, plan.milliseconds);
     const Plan used = with_events(plan, chosen(plan, request.events));
     if (request.tell) {
       print(fmt::format("seed {}: {}\n", plan.seed, describe(plan)));
@@ -167,6 +169,8 @@ void options(CLI::App& app, Request& request) {
       ->capture_default_str();
   app.add_option("--log", request.log, "file for the log of the last run");
   app.add_flag("!--no-shrink", request.shrink, "say what failed, not the fewest events with which it does");
+  app.add_flag("--reboots", request.reboots,
+               "instead of all else camera and wheels are switched off and on while the loop is kept away");
   app.add_flag("--tell", request.tell, "each run and its events");
 }
 

@@ -209,6 +209,7 @@ class Storm {
     for (Outside::Line* line : {&outside.camera, &outside.wheels}) {
       line->since = by_robot(line->since);
       line->disturbed = by_robot(line->disturbed);
+      line->held = by_robot(line->held);
     }
     outside.choked = by_robot(choked_);
     outside.may_drive = output();

@@ -38,6 +38,18 @@ TEST_P(Storm, FindsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Storm, testing::Range<std::uint64_t>(0, kRobots / 5));
 
+// Seed 7 is a HuskyLens 2, which runs another algorithm then.
+TEST(StormReboots, DevicesSwitchedOffAndOnUnnoticedComeBack) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Plan plan = plan_of(seed, 1.0);
+    plan.events = unnoticed_reboots(seed, plan.milliseconds);
+    ASSERT_FALSE(plan.events.empty());
+    for (const Fault& fault : run_storm(plan).faults) {
+      ADD_FAILURE() << fault.check << ": " << fault.sentence << "\n  " << describe(plan);
+    }
+  }
+}
+
 struct Planted {
   Plant plant;
   const char* check;

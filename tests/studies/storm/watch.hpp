@@ -23,6 +23,7 @@ struct Outside {
     bool plugged = true;
     base::Time since;
     base::Time disturbed;  ///< the end of the last fault on it
+    base::Time held;       ///< until then its bytes were, the last time that they were, kept on their way
   };
   Line camera;
   Line wheels;
@@ -50,9 +51,11 @@ class Watch {
   };
   /// Of one run of the robot.
   struct Seen {
-    explicit Seen(base::Time now) : begun(now) {}
+    explicit Seen(base::Time now) : begun(now), looked(now), camera_worked(now), wheels_worked(now) {}
 
     base::Time begun;
+    base::Time looked;
+    std::optional<base::Time> kept_away;  ///< until then the loop did not turn
     StopOracle oracle;
     std::uint32_t frames = 0;
     std::optional<base::Time> stream;
@@ -61,16 +64,23 @@ class Watch {
     std::optional<sensor::OdometrySample> last_sample;
     std::optional<sensor::BlobFrame> last_frame;
     base::Time same_since;                            ///< boxes are as they are
-    int slow_images = 0;                              ///< one after the other
+    bool late = false;                                ///< although they should have moved
+    int slow_images = 0;                              ///< such ones, one after the other
+    base::Duration slow_image;                        ///< what the last one took, and a fifth more
     std::optional<sensor::OdometrySample> same_from;  ///< where the robot was then, or when odometry was well again
     std::deque<sensor::OdometrySample> samples;       ///< lately
     std::optional<base::Time> frozen;                 ///< since when they should have moved by far
     std::optional<base::Time> strange;                ///< the last input that may be disbelieved, or was refused
     std::optional<base::Time> urgent;                 ///< since when stop or blind is in force
+    base::Time camera_worked;                         ///< by its link's last good state
+    base::Time wheels_worked;
     console::Counters counters;
   };
-  void note_inputs(const StormRobot& robot, base::Time now);
-  void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
+  void note_inputs(const StormRobot& robot, const Outside& outside, base::Time now);
+  /// `in_time`: it did not lie anywhere on its way, so it was seen from where the robot was when it came.
+  void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, bool in_time, base::Time now);
+  void forget_image(base::Time now);
+  void note_change(base::Time t);
   void note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
   [[nodiscard]] std::optional<sensor::OdometrySample> sample_at(base::Time t) const;
   void note_sample(const sensor::OdometrySample& sample, base::Time now);
