@@ -75,6 +75,21 @@ class Coverage(unittest.TestCase):
         self.assertFalse(enough)
         self.assertIn("hal/forgotten.cpp: in no unit test", said)
 
+    def test_a_source_without_lines_is_in_a_test_where_its_object_ran(self):
+        objects = self.root / "build/hal/CMakeFiles/hal.dir"
+        (objects / "Unity").mkdir(parents=True)
+        for unity, source in (("unity_0_cxx.cxx", "table.cpp"), ("unity_1_cxx.cxx", "never.cpp")):
+            (objects / "Unity" / unity).write_text(f'#define X\n#include "{self.root}/hal/{source}"\n')
+        (objects / "Unity/unity_0_cxx.cxx.gcda").write_text("")
+        (objects / "base").mkdir()
+        (objects / "base/apart.cpp.gcda").write_text("")
+        self.assertEqual(coverage.compiled(self.root / "build", self.root), {"hal/table.cpp", "hal/base/apart.cpp"})
+
+    def test_lines_not_run_are_told(self):
+        files = coverage.collect([document(self.root, line(1, 5), line(2, 0))], self.root)
+        self.assertEqual(list(coverage.lines_not_run(files, self.root)),
+                         ["drivers/cmucam/decoder.cpp:2: if (byte > 3) stop();"])
+
     def test_a_call_that_may_throw_is_no_branch(self):
         ways = [{"count": 0, "throw": False}, {"count": 0, "throw": True}, {"count": 3, "throw": False}]
         self.assertEqual(coverage.decisions(ways), [3])

@@ -6,6 +6,7 @@ mutation.hpp, and lists them. Operators: comparisons with and without equality, 
 one side of && and ||, constants, statements left out. Needs clang's Python bindings.
 """
 
+import itertools
 import json
 import pathlib
 import re
@@ -26,6 +27,7 @@ STATIC = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_DECL, CursorKind.TEMPLATE_NO
           CursorKind.TYPE_ALIAS_DECL, CursorKind.CONCEPT_DECL if hasattr(CursorKind, "CONCEPT_DECL") else None)
 MOST = 1 << 15  # kMost of mutation.hpp
 CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
+FUNCTION_KINDS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE)
 NAMESPACE = "::fencepost::mutation::"
 
 
@@ -68,7 +70,8 @@ class Source:
 
     def walk(self, children, cursor):
         for child in children:
-            if not self.here(child) or child.kind in STATIC or self.is_constant(child) or self.is_argument(child, cursor):
+            compiled = child.kind in STATIC or self.is_constant(child) or self.is_consteval(child)
+            if not self.here(child) or compiled or self.is_argument(child, cursor):
                 continue
             self.offer(child, cursor)
             self.walk(child.get_children(), child)
@@ -84,6 +87,10 @@ class Source:
         words = [token.spelling for token in cursor.get_tokens()]
         name = words.index(cursor.spelling) if cursor.spelling in words else 0
         return "constexpr" in words[:name + 1] or cursor.kind == CursorKind.FIELD_DECL
+
+    def is_consteval(self, cursor):
+        words = itertools.takewhile(lambda token: token.spelling != cursor.spelling, cursor.get_tokens())
+        return cursor.kind in FUNCTION_KINDS and any(token.spelling == "consteval" for token in words)
 
     def offer(self, cursor, parent):
         begin, end = self.span(cursor)

@@ -2,7 +2,7 @@
 """usage: mutate_test.py SOURCES COMPILER FOLDER
 
 Mutates a small program by every operator and runs it with each mutant: it has to print what that mutant means, and what
-it prints without one is unchanged.
+it prints without one is unchanged. And run.py's --under takes the mutants of the folders that it names.
 """
 
 import json
@@ -12,8 +12,11 @@ import shutil
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+
 SAMPLE = """#include <cstdio>
-constexpr int kFixed = 2 + 3;
+consteval int doubled(int a) { return 2 * a; }
+constexpr int kFixed = 1 + doubled(2);
 template <class T>
 bool less(T a, T b) { return a < b; }
 template <int N>
@@ -32,10 +35,19 @@ int main() {
 """
 USUAL = "5 0 -3 -2"
 # What each mutant prints, by its line and what it is.
-MEANS = {(4, "< is <="): "5 1 -3 -2", (11, "statement left out"): "5 0 -3 -7", (12, "right side of && ignored"): USUAL,
-         (12, "! left out"): "5 0 -4 -5", (12, ">= is >"): "5 0 -4 -2", (12, "3 is more"): "5 0 -4 -2", (12, "- left out"): "5 0 3 -2",
-         (13, "- is +"): "5 0 -3 12", (13, "7 is more"): "5 0 -3 -3", (16, "statement left out"): "",
-         (16, "2 is more"): None, (16, "1 is more"): USUAL, (16, "3 is more"): "5 0 -4 -2", (16, "5 is more"): "5 0 -3 -1"}
+MEANS = {(5, "< is <="): "5 1 -3 -2", (12, "statement left out"): "5 0 -3 -7", (13, "right side of && ignored"): USUAL,
+         (13, "! left out"): "5 0 -4 -5", (13, ">= is >"): "5 0 -4 -2", (13, "3 is more"): "5 0 -4 -2", (13, "- left out"): "5 0 3 -2",
+         (14, "- is +"): "5 0 -3 12", (14, "7 is more"): "5 0 -3 -3", (17, "statement left out"): "",
+         (17, "2 is more"): None, (17, "1 is more"): USUAL, (17, "3 is more"): "5 0 -4 -2", (17, "5 is more"): "5 0 -3 -1"}
+
+
+def faults_of_under(sources):
+    sys.path.insert(0, str(sources / "tests/mutation"))
+    import run
+    all_of_them = [{"file": "drivers/wire/crc.cpp"}, {"file": "firmware/recon/map.hpp"}, {"file": "firmware/reconnect.cpp"}]
+    of_recon = run.within(all_of_them, ["firmware/recon/"]) == all_of_them[1:2]
+    of_both = run.within(all_of_them, ["firmware/recon/", "drivers/"]) == all_of_them[:2]
+    return [] if of_recon and of_both and run.within(all_of_them, [""]) == all_of_them else ["--under takes others"]
 
 
 def main():
@@ -57,7 +69,9 @@ def main():
         return subprocess.run([folder / "sample"], env={**os.environ, "FENCEPOST_MUTANT": str(mutant)}, check=True,
                               capture_output=True, text=True).stdout.strip()
 
-    faults = [] if prints(-1) == USUAL else [f"without a mutant it prints {prints(-1)}"]
+    faults = faults_of_under(sources)
+    if prints(-1) != USUAL:
+        faults.append(f"without a mutant it prints {prints(-1)}")
     mutants = json.loads((folder / "mutants.json").read_text())
     if {(mutant["line"], mutant["what"]) for mutant in mutants} != set(MEANS):
         faults.append(f"other mutants: {[(mutant['line'], mutant['what']) for mutant in mutants]}")

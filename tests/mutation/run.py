@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""usage: run.py SOURCES FOLDER [--mutants N] [--seed S] [--jobs J] [--minutes M] [--only ID[,ID...]]
+"""usage: run.py SOURCES FOLDER [--mutants N] [--seed S] [--jobs J] [--minutes M]
+              [--under PATH[,PATH...]] [--only ID[,ID...]]
 
 Mutation testing of the robot's code: SOURCES (a checkout) is copied to FOLDER, every mutant written into the copy
 (mutate.py), its unit tests built once, and N mutants drawn from S (default 1000 and 1) judged by those tests that reach
 them (judge.py). A mutant is killed if a test fails, crashes or takes five times as long; one that no test reaches has
 survived. After M minutes of judging the rest is left: figures are of what was judged. FOLDER is used again: only what has
-changed is mutated, built and measured anew. Ends with the share killed and the survivors, by file; FOLDER/survivors.txt
-has them, FOLDER/results.json all. Exit status 1 below 90 %.
+changed is mutated, built and measured anew. --under draws only mutants of files whose path begins so. Ends with the
+share killed and the survivors, by file; FOLDER/survivors.txt has them, FOLDER/results.json all. Exit status 1 below 90 %.
 """
 
 import argparse
@@ -44,11 +45,11 @@ def write_if_other(path, content):
 
 
 def with_switch(flags):
-    # A shared library, so that no order of linking matters.
+    # A shared library, so that no order of linking matters. Indices are checked, as the build with sanitizers does.
     return flags + (b"\nset(FENCEPOST_MUTATED ON)\n"
                     b"add_subdirectory(${PROJECT_SOURCE_DIR}/tests/mutation ${PROJECT_BINARY_DIR}/mutation)\n"
                     b"target_link_libraries(fencepost_flags INTERFACE fencepost_mutation)\n"
-                    b"target_compile_options(fencepost_flags INTERFACE -w -Wno-error -g0 -O1)\n")
+                    b"target_compile_options(fencepost_flags INTERFACE -w -Wno-error -g0 -O1 -D_GLIBCXX_ASSERTIONS)\n")
 
 
 def copy_mutated(sources, folder):
@@ -109,6 +110,14 @@ def report(results, sources, folder):
     return killed >= ENOUGH * len(results)
 
 
+def within(mutants, beginnings):
+    """Those of files whose path begins so."""
+    chosen = [mutant for mutant in mutants if mutant["file"].startswith(tuple(beginnings))]
+    if not chosen:
+        sys.exit(f"no mutant is in a file that begins with {' or '.join(beginnings)}; try --under firmware/recon/")
+    return chosen
+
+
 def cpu_seconds():
     times = os.times()
     return times.user + times.system + times.children_user + times.children_system
@@ -122,6 +131,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--minutes", type=float, default=float("inf"))
+    parser.add_argument("--under", default="", help="draws only from mutants of files whose path begins so")
     parser.add_argument("--only", help="these mutants of FOLDER/mutants.json, not a sample")
     asked = parser.parse_args()
     sources, folder = asked.sources.resolve(), asked.folder.resolve()
@@ -139,6 +149,7 @@ def main():
     known, none = judge.baseline(programs, folder, asked.jobs)
     stage(f"{len(known)} tests without a mutant")
     mutants = [mutant for mutant in json.loads((folder / "mutants.json").read_text()) if mutant["id"] not in none]
+    mutants = within(mutants, asked.under.split(","))
     if asked.only:
         only = set(map(int, asked.only.split(",")))
         chosen = [mutant for mutant in mutants if mutant["id"] in only]
