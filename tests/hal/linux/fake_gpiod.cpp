@@ -48,7 +48,9 @@ extern "C" {
 
 gpiod_chip* gpiod_chip_open_lookup(const char* description) {
   if (std::strcmp(description, "gpiochip0") == 0) return &the_chip;
-  errno = ENOENT;
+  errno = std::strcmp(description, "gpiochip1") == 0   ? EACCES
+          : std::strcmp(description, "gpiochip2") == 0 ? EIO
+                                                       : ENOENT;
   return nullptr;
 }
 void gpiod_chip_close(gpiod_chip* /*chip*/) {}

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -33,6 +35,8 @@ struct libusb_context {
   bool interrupted = false;
   std::vector<libusb_transfer*> flying;
   std::vector<libusb_transfer*> cancelled;
+  libusb_hotplug_callback_fn watcher = nullptr;
+  void* watching = nullptr;
   libusb_context() { ++fake_libusb().contexts; }
   ~libusb_context() { --fake_libusb().contexts; }
 };
@@ -44,11 +48,62 @@ libusb_device the_device;
 // Not yet known to the handle: libusb distinguishes contexts by their device lists.
 libusb_context* current = nullptr;
 
-void finish(libusb_transfer* transfer, libusb_transfer_status status) {
-  transfer->status = status;
-  transfer->actual_length = 0;
+struct Ended {
+  libusb_transfer* transfer;
+  int status;
+};
+
+void finish(const Ended& ended) {
+  ended.transfer->status = static_cast<libusb_transfer_status>(ended.status);
+  if (ended.status == LIBUSB_TRANSFER_CANCELLED || ended.status == LIBUSB_TRANSFER_NO_DEVICE)
+    ended.transfer->actual_length = 0;
   --fake_libusb().in_flight;
-  transfer->callback(transfer);
+  ended.transfer->callback(ended.transfer);
+}
+
+bool is_input(const libusb_transfer* transfer) { return (transfer->endpoint & LIBUSB_ENDPOINT_IN) != 0; }
+
+/// Of those that fly, each that the device answers next, in order.
+std::vector<Ended> answered(const std::vector<libusb_transfer*>& flying) {
+  auto& fake = fake_libusb();
+  const std::lock_guard lock(fake.mutex);
+  std::vector<Ended> ended;
+  for (libusb_transfer* transfer : flying) {
+    transfer->actual_length = 0;
+    if (is_input(transfer) && !fake.reads.empty()) {
+      const fencepost::test::FakeLibusb::Read read = fake.reads.front();
+      fake.reads.pop_front();
+      transfer->actual_length = static_cast<int>(read.bytes.size());
+      std::copy(read.bytes.begin(), read.bytes.end(), transfer->buffer);
+      ended.push_back({transfer, read.status});
+    } else if (!is_input(transfer) && !fake.write_statuses.empty()) {
+      const int status = fake.write_statuses.front();
+      fake.write_statuses.pop_front();
+      if (status == LIBUSB_TRANSFER_COMPLETED) {
+        transfer->actual_length = transfer->length;
+        fake.heard.emplace_back(transfer->buffer, transfer->buffer + transfer->length);
+      }
+      ended.push_back({transfer, status});
+    }
+  }
+  return ended;
+}
+
+/// Those that have ended by now; none while they are kept.
+std::vector<Ended> take_ended(libusb_context& context) {
+  if (fake_libusb().keep_transfers) return {};
+  std::vector<Ended> ended;
+  for (libusb_transfer* one : std::exchange(context.cancelled, {})) ended.push_back({one, LIBUSB_TRANSFER_CANCELLED});
+  if (fake_libusb().unplugged) {
+    ended.clear();
+    for (libusb_transfer* one : context.flying) ended.push_back({one, LIBUSB_TRANSFER_NO_DEVICE});
+  } else if (ended.empty()) {
+    ended = answered(context.flying);
+  }
+  std::erase_if(context.flying, [&](libusb_transfer* one) {
+    return std::any_of(ended.begin(), ended.end(), [one](const Ended& each) { return each.transfer == one; });
+  });
+  return ended;
 }
 
 }  // namespace
@@ -58,11 +113,26 @@ FakeLibusb& fake_libusb() {
   static auto* const fake = new FakeLibusb;
   return *fake;
 }
+
+void FakeLibusb::restore() {
+  hang_in_open = hang_in_exit = keep_transfers = unplugged = false;
+  init_error = list_error = open_error = claim_error = configuration_error = 0;
+  submit_error = clear_halt_error = watch_error = 0;
+  configuration = 1;
+  packet = 64;
+  resets = halts_cleared = event = 0;
+  const std::lock_guard lock(mutex);
+  reads.clear();
+  write_statuses.clear();
+  heard.clear();
+}
 }  // namespace fencepost::test
 
 extern "C" {
 
+const char* LIBUSB_CALL libusb_strerror(int /*error*/) { return "as the test has it"; }
 int LIBUSB_CALL libusb_init(libusb_context** context) {
+  if (fake_libusb().init_error != 0) return fake_libusb().init_error;
   *context = current = new libusb_context;
   return 0;
 }
@@ -71,6 +141,7 @@ void LIBUSB_CALL libusb_exit(libusb_context* context) {
   delete context;
 }
 ssize_t LIBUSB_CALL libusb_get_device_list(libusb_context* /*context*/, libusb_device*** list) {
+  if (fake_libusb().list_error != 0) return fake_libusb().list_error;
   *list = new libusb_device* [2] { &the_device, nullptr };
   return fake_libusb().unplugged ? 0 : 1;
 }
@@ -79,10 +150,12 @@ int LIBUSB_CALL libusb_get_device_descriptor(libusb_device* /*device*/, libusb_d
   *descriptor = {};
   descriptor->idVendor = 0x0694;
   descriptor->idProduct = 0x0002;
+  descriptor->iSerialNumber = 3;
   return 0;
 }
 int LIBUSB_CALL libusb_open(libusb_device* /*device*/, libusb_device_handle** handle) {
   wait_while(fake_libusb().hang_in_open);
+  if (fake_libusb().open_error != 0) return fake_libusb().open_error;
   *handle = new libusb_device_handle{current};
   ++fake_libusb().handles;
   return 0;
@@ -93,17 +166,45 @@ void LIBUSB_CALL libusb_close(libusb_device_handle* handle) {
 }
 libusb_device* LIBUSB_CALL libusb_get_device(libusb_device_handle* /*handle*/) { return &the_device; }
 int LIBUSB_CALL libusb_set_auto_detach_kernel_driver(libusb_device_handle* /*handle*/, int /*on*/) { return 0; }
-int LIBUSB_CALL libusb_get_configuration(libusb_device_handle* /*handle*/, int* number) { return *number = 1, 0; }
-int LIBUSB_CALL libusb_claim_interface(libusb_device_handle* /*handle*/, int /*interface*/) { return 0; }
-int LIBUSB_CALL libusb_get_max_packet_size(libusb_device* /*device*/, unsigned char /*endpoint*/) { return 64; }
-int LIBUSB_CALL libusb_hotplug_register_callback(libusb_context* /*context*/, int /*events*/, int /*flags*/,
-                                                 int /*vendor*/, int /*product*/, int /*device_class*/,
-                                                 libusb_hotplug_callback_fn /*function*/, void* /*user*/,
+int LIBUSB_CALL libusb_get_configuration(libusb_device_handle* /*handle*/, int* number) {
+  *number = fake_libusb().configuration;
+  return fake_libusb().configuration_error;
+}
+int LIBUSB_CALL libusb_set_configuration(libusb_device_handle* /*handle*/, int number) {
+  fake_libusb().configuration = number;
+  return 0;
+}
+int LIBUSB_CALL libusb_claim_interface(libusb_device_handle* /*handle*/, int /*interface*/) {
+  return fake_libusb().claim_error;
+}
+int LIBUSB_CALL libusb_reset_device(libusb_device_handle* /*handle*/) { return ++fake_libusb().resets, 0; }
+int LIBUSB_CALL libusb_clear_halt(libusb_device_handle* /*handle*/, unsigned char /*endpoint*/) {
+  ++fake_libusb().halts_cleared;
+  return fake_libusb().clear_halt_error;
+}
+int LIBUSB_CALL libusb_get_max_packet_size(libusb_device* /*device*/, unsigned char /*endpoint*/) {
+  return fake_libusb().packet;
+}
+int LIBUSB_CALL libusb_get_string_descriptor_ascii(libusb_device_handle* /*handle*/, std::uint8_t index,
+                                                   unsigned char* data, int length) {
+  const std::string& serial = fake_libusb().serial;
+  if (index != 3 || length < static_cast<int>(serial.size())) return LIBUSB_ERROR_NOT_FOUND;
+  std::copy(serial.begin(), serial.end(), data);
+  return static_cast<int>(serial.size());
+}
+int LIBUSB_CALL libusb_hotplug_register_callback(libusb_context* context, int /*events*/, int /*flags*/, int /*vendor*/,
+                                                 int /*product*/, int /*device_class*/,
+                                                 libusb_hotplug_callback_fn function, void* user,
                                                  libusb_hotplug_callback_handle* handle) {
+  if (fake_libusb().watch_error != 0) return fake_libusb().watch_error;
+  context->watcher = function;
+  context->watching = user;
   return *handle = 1, 0;
 }
-void LIBUSB_CALL libusb_hotplug_deregister_callback(libusb_context* /*context*/,
-                                                    libusb_hotplug_callback_handle /*handle*/) {}
+void LIBUSB_CALL libusb_hotplug_deregister_callback(libusb_context* context,
+                                                    libusb_hotplug_callback_handle /*handle*/) {
+  context->watcher = nullptr;
+}
 
 libusb_transfer* LIBUSB_CALL libusb_alloc_transfer(int /*packets*/) {
   ++fake_libusb().transfers;
@@ -114,6 +215,7 @@ void LIBUSB_CALL libusb_free_transfer(libusb_transfer* transfer) {
   delete transfer;
 }
 int LIBUSB_CALL libusb_submit_transfer(libusb_transfer* transfer) {
+  if (fake_libusb().submit_error != 0) return fake_libusb().submit_error;
   libusb_context* context = transfer->dev_handle->context;
   const std::lock_guard lock(context->mutex);
   context->flying.push_back(transfer);
@@ -127,27 +229,21 @@ int LIBUSB_CALL libusb_cancel_transfer(libusb_transfer* transfer) {
   return 0;
 }
 int LIBUSB_CALL libusb_handle_events_timeout_completed(libusb_context* context, timeval* limit, int* /*completed*/) {
-  std::vector<libusb_transfer*> ended;
+  std::vector<Ended> ended;
+  int event = 0;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(limit->tv_sec) +
                    std::chrono::microseconds(limit->tv_usec);
-  libusb_transfer_status status = LIBUSB_TRANSFER_CANCELLED;
   {
     std::unique_lock lock(context->mutex);
-    // Polls: nothing here reports an unplug.
-    while (!context->interrupted && std::chrono::steady_clock::now() < end && ended.empty()) {
+    while (!context->interrupted && std::chrono::steady_clock::now() < end && ended.empty() && event == 0) {
       context->news.wait_for(lock, std::chrono::milliseconds(1));
-      if (fake_libusb().keep_transfers) continue;
-      ended = std::exchange(context->cancelled, {});
-      if (fake_libusb().unplugged) {
-        ended = context->flying;
-        status = LIBUSB_TRANSFER_NO_DEVICE;
-      }
-      std::erase_if(context->flying,
-                    [&](libusb_transfer* one) { return std::find(ended.begin(), ended.end(), one) != ended.end(); });
+      ended = take_ended(*context);
+      if (context->watcher != nullptr) event = fake_libusb().event.exchange(0);
     }
     context->interrupted = false;
   }
-  for (libusb_transfer* transfer : ended) finish(transfer, status);
+  if (event != 0) context->watcher(context, &the_device, static_cast<libusb_hotplug_event>(event), context->watching);
+  for (const Ended& one : ended) finish(one);
   return 0;
 }
 void LIBUSB_CALL libusb_interrupt_event_handler(libusb_context* context) {

@@ -54,6 +54,15 @@ TEST_F(GpioLineTest, SaysWhatIsWrongAndWhatToTry) {
             std::string::npos);
 }
 
+TEST_F(GpioLineTest, SaysHowToBeAllowedAndWhereElseToLook) {
+  const auto secret = open_gpio_line({"gpiochip1", "3", false});
+  ASSERT_FALSE(secret.ok());
+  EXPECT_NE(secret.problem().find("sudo usermod -aG gpio $USER"), std::string::npos) << secret.problem();
+  const auto broken = open_gpio_line({"gpiochip2", "3", false});
+  ASSERT_FALSE(broken.ok());
+  EXPECT_NE(broken.problem().find("see 'gpioinfo' and the end of 'dmesg'"), std::string::npos) << broken.problem();
+}
+
 TEST_F(GpioLineTest, AnErrorOfTheSystemIsAnswered) {
   auto line = open_gpio_line({"gpiochip0", "3", false});
   ASSERT_TRUE(line.ok());

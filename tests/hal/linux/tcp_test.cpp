@@ -8,6 +8,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "hal/linux/clock.hpp"
 #include "hal/linux/wait.hpp"
@@ -49,6 +50,12 @@ class Server {
     ASSERT_TRUE(peer_.open());
   }
   void hang_up() { peer_.close(); }
+  /// Hangs up without a farewell.
+  void reset() {
+    const linger none{1, 0};
+    ASSERT_EQ(::setsockopt(peer_.get(), SOL_SOCKET, SO_LINGER, &none, sizeof none), 0);
+    peer_.close();
+  }
   void stop() {
     peer_.close();
     listening_.close();
@@ -197,6 +204,48 @@ TEST(Tcp, FullIsNoLoss) {
   ASSERT_FALSE(taken.ok());
   EXPECT_EQ(taken.error(), Error::kFull);
   EXPECT_EQ(server.hear(sent).size(), sent);
+}
+
+TEST(Tcp, SaysWhatToTryWhereNothingLeads) {
+  Opened<Tcp> nowhere = Tcp::open({"255.255.255.255", 1});
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_NE(nowhere.problem().find("255.255.255.255:1"), std::string::npos) << nowhere.problem();
+  EXPECT_NE(nowhere.problem().find("see whether 'ping' gets there"), std::string::npos) << nowhere.problem();
+  Opened<Tcp> no_scope = Tcp::open({"fe80::1", 1});  // which of the links?
+  ASSERT_FALSE(no_scope.ok());
+  EXPECT_NE(no_scope.problem().find("check host and port"), std::string::npos) << no_scope.problem();
+}
+
+TEST(Tcp, TellsOfAResetOnWriting) {
+  Server server;
+  Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
+  ASSERT_TRUE(tcp) << tcp.problem();
+  server.accept();
+  server.reset();
+  EXPECT_EQ(tcp->write({}).value(), 0U) << "nothing was tried";
+  EXPECT_EQ(tcp->read({}).value(), 0U);
+  EXPECT_EQ(tcp->write(octets("x")).error(), Error::kGone);
+  EXPECT_FALSE(tcp->connected());
+}
+
+// A listener whose queue is full answers nothing, as a host that is switched off.
+TEST(Tcp, WaitsTwoSecondsOfItsClockForAnAnswer) {
+  Server server;
+  std::vector<Tcp> queue;
+  const Time start = Time{} + milliseconds(1000);
+  while (queue.size() < 8 && (queue.empty() || queue.back().connected())) {
+    Opened<Tcp> tcp = Tcp::later({"127.0.0.1", server.port()});
+    ASSERT_TRUE(tcp) << tcp.problem();
+    queue.push_back(std::move(*tcp));
+    queue.back().tend(start);
+  }
+  Tcp& waiting = queue.back();
+  ASSERT_FALSE(waiting.connected());
+  waiting.tend(start + milliseconds(2000));
+  EXPECT_EQ(waiting.problem(), "");
+  waiting.tend(start + milliseconds(2000) + base::Duration{1});
+  EXPECT_FALSE(waiting.connected());
+  EXPECT_NE(waiting.problem().find("see whether 'ping' gets there"), std::string::npos) << waiting.problem();
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Progress(unittest.TestCase):
         subprocess.run([FENCEPOST, "replay", RECORDINGS / "corridor.log"], stdout=subprocess.DEVNULL, check=True)
         one = max(time.monotonic() - begin, 0.005)
         self.log = self.folder / "long.log"
-        self.log.write_bytes(run * min(2000, int(12 / one) + 1))
+        self.log.write_bytes(run * min(2000, int(6 / one) + 1))
 
     def at_terminal(self, *arguments, until=None, **environment):
         """Exit status and all that the terminal got; `until`: interrupted where that is shown."""
