@@ -235,6 +235,7 @@ Exit emulate(const EmulateRequest& request) {
   explain(devices, playback);
   emulate::Server server(playback, clock, tell_people, tell);
   std::uint64_t seed = request.seed * 1'000;
+  catch_interrupts();  // before there is a link that would stay
   for (const Device& device : devices) {
     emulate::OpenedTransport transport = devices::open_transport(device.spec);
     if (!transport) throw Failure(Exit::kDevice, device.name + ": " + transport.problem());
@@ -242,7 +243,6 @@ Exit emulate(const EmulateRequest& request) {
                   request.verbose ? tell_people : emulate::Say()});
     server.add(std::move(*transport));
   }
-  catch_interrupts();
   for (std::size_t i = 0; i < devices.size(); ++i) tell(devices[i].name + " on " + server.place(i));
   const bool finished = server.run([] { return interrupted != 0; });
   if (interrupted == SIGINT) leave_interrupted_line();

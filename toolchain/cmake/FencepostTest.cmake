@@ -1,23 +1,49 @@
-# Tests' own code, a third of what sanitizers make a build cost, goes without those checks that the address sanitizer's
-# traps or the boards make as well.
 add_library(fencepost_test_flags INTERFACE)
 target_link_libraries(fencepost_test_flags INTERFACE fencepost_flags GTest::gtest GTest::gtest_main)
-if(FENCEPOST_SANITIZE MATCHES "undefined")
-  target_compile_options(fencepost_test_flags INTERFACE
-    -fno-sanitize=null,alignment,object-size,vptr,return,unreachable,nonnull-attribute,returns-nonnull-attribute)
-endif()
 
-# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ...): one GoogleTest program, its cases known to CTest.
+# Properties of tests that mostly wait for clocks: one of each number at a time, beside what computes.
+function(fencepost_waits properties number)
+  set(${properties} PROCESSORS 1 RESOURCE_LOCK real_time_${number} COST 300 PARENT_SCOPE)
+endfunction()
+
+# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ... [EACH] [COST n | WAITS n]): one GoogleTest program, its suites
+# known to CTest; with EACH its cases, as where one may skip, which CTest says of whole tests only. What takes long has a
+# COST: the dearest begin first. What mostly waits for clocks has WAITS and a number: one of each number runs at a time.
 function(fencepost_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "EACH" "COST;WAITS" "SOURCES;LIBRARIES" ${ARGN})
+  # Of the three that toolchain/test has for each core: two that compute fill it and a half.
+  set(properties TIMEOUT 300 PROCESSORS 2)
+  if(ARG_COST)
+    list(APPEND properties COST ${ARG_COST})
+  elseif(ARG_WAITS)
+    fencepost_waits(properties ${ARG_WAITS})
+    list(APPEND properties TIMEOUT 300)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_test_flags)
   # Recordings by others live beside the checkout and are never part of it; tests that need them skip without.
   target_compile_definitions(${name} PRIVATE
     FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FENCEPOST_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
-  # Cases are numbered, not named by their values, which may be whole documents.
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  foreach(source IN LISTS ARG_SOURCES)
+    file(STRINGS "${source}" skips REGEX "GTEST_SKIP")
+    if(skips)
+      set(ARG_EACH TRUE)
+    endif()
+  endforeach()
+  if(ARG_EACH)
+    # Cases are numbered, not named by their values, which may be whole documents.
+    gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+    return()
+  endif()
+  set(tests "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
+  add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS "${tests}" VERBATIM
+    COMMAND ${CMAKE_COMMAND} -D "PROGRAM=$<TARGET_FILE:${name}>" -D "TESTS=${tests}" -D "PROPERTIES=${properties}"
+      -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FencepostSuites.cmake")
+  # Where it was not built: nothing to run, and CTest says so.
+  set(include "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")
+  file(WRITE "${include}" "if(EXISTS \"${tests}\")\n  include(\"${tests}\")\nelse()\n  add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")
 endfunction()
 
 # fencepost_fuzzer(<name> SOURCE a.cpp LIBRARIES x ... [SEAL seal_x]): a program for endless fuzzing by hand, with
