@@ -39,6 +39,10 @@ if(FENCEPOST_SANITIZE)
     target_compile_options(fencepost_flags INTERFACE
       $<$<BOOL:$<TARGET_PROPERTY:FENCEPOST_FEWER_CHECKS>>:-fno-sanitize=${fewer}>)
   endif()
+else()
+  # There the standard library checks bounds itself.
+  target_compile_definitions(fencepost_flags INTERFACE
+    $<$<AND:$<CONFIG:Debug>,$<BOOL:$<TARGET_PROPERTY:FENCEPOST_FEWER_CHECKS>>>:_GLIBCXX_ASSERTIONS>)
 endif()
 add_library(fencepost_robot_flags INTERFACE)
 target_link_libraries(fencepost_robot_flags INTERFACE fencepost_flags)
