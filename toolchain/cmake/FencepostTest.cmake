@@ -21,6 +21,9 @@ function(fencepost_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_test_flags)
+  if(TARGET fencepost_test_headers AND NOT fencepost_robot_flags IN_LIST ARG_LIBRARIES)
+    target_precompile_headers(${name} REUSE_FROM fencepost_test_headers)
+  endif()
   # Recordings by others live beside the checkout and are never part of it; tests that need them skip without.
   target_compile_definitions(${name} PRIVATE
     FENCEPOST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
