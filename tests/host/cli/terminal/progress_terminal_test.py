@@ -31,7 +31,7 @@ class Progress(unittest.TestCase):
         begin = time.monotonic()
         subprocess.run([FENCEPOST, "replay", self.log], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
         one = (time.monotonic() - begin) / few
-        self.log.write_bytes(run * min(4000, max(few, int(6 / one))))
+        self.log.write_bytes(run * min(4000, max(few, int(4 / one))))
 
     def at_terminal(self, *arguments, until=None, **environment):
         """Exit status and all that the terminal got; `until`: interrupted where that is shown."""
