@@ -3,7 +3,7 @@
 
 Holds what README.md says of the code: each path in its backticks and links exists, each name of a namespace is declared,
 each test of the paper's table is one, and the ten minutes of reading open no more other files than they say. So it does
-for the tests in robustness.md's tables.
+for the tests in robustness.md's tables. The sentence of safety.md that must not fail is there.
 Prints one line per fault; exit status 1 if there is any.
 """
 
@@ -16,6 +16,8 @@ import command
 LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
 MOST_BEYOND = 8  # files that ten minutes of reading may make one open beside those it names
 ROBUSTNESS = "host/share/doc/robustness.md"
+SAFETY = "host/share/doc/safety.md"
+PROMISE = "The absence of an alert does not mean that the way is free."
 NAMESPACES = {"recon": "firmware/recon"}
 GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
 CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
@@ -120,6 +122,9 @@ def check(root):
     compared += 1
     if path_fault:
         faults.append(path_fault)
+    compared += 1
+    if PROMISE not in " ".join((root / SAFETY).read_text(encoding="utf-8").split()):
+        faults.append(f"{SAFETY}: it does not say: {PROMISE}")
     tests = tests_of(root)
     for name, header in (("README.md", "| paper |"), (ROBUSTNESS, "| what was done |")):
         for number, word in table_tests((root / name).read_text(encoding="utf-8"), header):

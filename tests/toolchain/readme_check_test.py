@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from readme_check import check
+from readme_check import PROMISE, check
 
 README = """# X
     toolchain/never_checked in a listing
@@ -25,6 +25,7 @@ ROBUSTNESS = """| what was done | test |
 TREE = {
     "README.md": README,
     "host/share/doc/robustness.md": ROBUSTNESS,
+    "host/share/doc/safety.md": PROMISE.replace(" does", "\n  does"),
     "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
     "host/share/doc/live.md": "",
@@ -57,7 +58,11 @@ class ReadmeCheck(unittest.TestCase):
             path.write_text(text)
 
     def test_a_true_one_has_no_faults_and_was_compared(self):
-        self.assertEqual(check(self.root), ([], 11))
+        self.assertEqual(check(self.root), ([], 12))
+
+    def test_the_promise_must_stand_there(self):
+        (self.root / "host/share/doc/safety.md").write_text("No alert never means that the way is free.")
+        self.assertEqual(check(self.root)[0], [f"host/share/doc/safety.md: it does not say: {PROMISE}"])
 
     def test_each_planted_fault_is_found_where_it_is(self):
         for there, instead, expected in FAULTS:
