@@ -1,5 +1,6 @@
 """Stub cameras of the vendors' modules, for MicroPython and CPython: three pictures, then the script ends."""
 import sys
+from collections import namedtuple
 
 
 class Over(Exception):
@@ -22,7 +23,7 @@ written = []
 
 
 class Blob:
-    """As OpenMV and MaixPy have it: methods, and an index."""
+    """As OpenMV's firmware 4 and MaixPy have it: methods, and an index."""
 
     def __init__(self, x, y, w, h, signature, pixels, centroid):
         self.box, self.signature, self.area, self.centroid = (x, y, w, h), signature, pixels, centroid
@@ -52,14 +53,25 @@ class Blob:
         return int(self.centroid[1] + 0.5)
 
 
+Fields = namedtuple("Fields", ("x", "y", "w", "h", "cx", "cy", "pixels", "code", "cxf", "cyf", "rect"))
+
+
+def fields_of(x, y, w, h, signature, pixels, centroid):
+    """As OpenMV's firmware 5 has a blob: a tuple whose fields have names."""
+    cx, cy = centroid
+    return Fields(x, y, w, h, int(cx + 0.5), int(cy + 0.5), pixels, 1 << (signature - 1), cx, cy, (x, y, w, h))
+
+
 class Picture:
+    blob = Blob
+
     def __init__(self, blobs):
         self.blobs = blobs
 
     def find_blobs(self, thresholds, pixels_threshold=10, area_threshold=10, merge=False):
         """One threshold: which colour it is, the first or the second, is told by its sign of A."""
         assert not merge and all(len(t) == 6 for t in thresholds)
-        seen = [Blob(*b) for b in self.blobs]
+        seen = [self.blob(*b) for b in self.blobs]
         if len(thresholds) == 1:
             return [b for b in seen if b.signature == (1 if thresholds[0][2] > 0 else 2)]
         return seen
@@ -76,8 +88,8 @@ def next_picture():
     return Picture(PICTURES[len(shown) - 1])
 
 
-def openmv():
-    sensor, pyb, time = Module(), Module(), Module()
+def openmv(uart_module="pyb", uart_number=3):
+    sensor, serial, time = Module(), Module(), Module()
     time.ticks_ms = ticks_ms
     sensor.RGB565, sensor.QVGA = 2, 4
     settings = {}
@@ -96,13 +108,19 @@ def openmv():
 
     class Uart:
         def __init__(self, number, baud):
-            assert (number, baud) == (3, 115200)
+            assert (number, baud) == (uart_number, 115200)
 
         def write(self, text):
             written.append(text)
 
-    pyb.UART = Uart
-    sys.modules.update({"sensor": sensor, "pyb": pyb, "time": time})
+    serial.UART = Uart
+    sys.modules.update({"sensor": sensor, uart_module: serial, "time": time})
+
+
+def openmv5():
+    """Firmware 5 on a camera without an STM32."""
+    Picture.blob = staticmethod(fields_of)
+    openmv("machine", 1)
 
 
 def maixcam():
@@ -166,8 +184,8 @@ def vex():
     sys.modules["vex"] = module
 
 
-def run(script, name):
-    {"openmv_frames": openmv, "maixcam_frames": maixcam, "vex_frames": vex}[name]()
+def run(script, camera):
+    {"openmv": openmv, "openmv5": openmv5, "maixcam": maixcam, "vex": vex}[camera]()
     try:
         exec(script, {"__name__": "__main__"})
     except Over:
