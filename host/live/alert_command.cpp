@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string_view>
@@ -17,8 +18,9 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kOurs = "FENCEPOST_";
-/// Not a status that wait(2) has.
-constexpr int kHung = -1;
+/// Time that a process has to end after SIGKILL.
+constexpr std::chrono::milliseconds kKillGrace{200};
+constexpr std::chrono::milliseconds kPoll{2};  // between looks whether a command has ended
 
 /// What the new process does before the shell, and as what it runs: in a group of its own, so that Ctrl-C is not for it
 /// and all that it started can be killed, with signals as a shell expects them, and nothing of ours open.
@@ -67,11 +69,7 @@ std::vector<std::string> whole_environment(const AlertNow& alert) {
   return all;
 }
 
-std::string fault_of(int status, std::chrono::milliseconds longest) {
-  if (status == kHung) {
-    return fmt::format("still ran after {:.1f} s and was killed; let it begin long work with '&'",
-                       std::chrono::duration<double>(longest).count());
-  }
+std::string fault_of(int status) {
   if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
   switch (WEXITSTATUS(status)) {
     case 0: return {};
@@ -79,6 +77,17 @@ std::string fault_of(int status, std::chrono::milliseconds longest) {
     case 127: return "ended with exit code 127: the shell did not find it; give its whole path";
     default: return fmt::format("ended with exit code {}", WEXITSTATUS(status));
   }
+}
+
+/// Its status, or nothing if it still runs after `limit`.
+std::optional<int> wait_for(pid_t pid, std::chrono::milliseconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  int status = 0;
+  while (::waitpid(pid, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() >= end) return std::nullopt;
+    std::this_thread::sleep_for(kPoll);
+  }
+  return status;
 }
 
 }  // namespace
@@ -98,8 +107,8 @@ std::vector<std::string> environment_of(const AlertNow& alert) {
 }
 
 // Signals are handled by the thread that waits for them.
-AlertCommand::AlertCommand(std::string line, std::chrono::milliseconds longest)
-    : line_(std::move(line)), longest_(longest) {
+AlertCommand::AlertCommand(std::string line, std::chrono::milliseconds longest, Kill kill)
+    : line_(std::move(line)), longest_(longest), kill_(kill) {
   sigset_t all;
   sigset_t before;
   ::sigfillset(&all);
@@ -165,7 +174,8 @@ void AlertCommand::note(const std::string& fault, record::AlertLevel level) {
   last_fault_ = fault;
 }
 
-std::string AlertCommand::run(const AlertNow& alert) const {
+std::string AlertCommand::run(const AlertNow& alert) {
+  std::erase_if(given_up_, [](pid_t pid) { return ::waitpid(pid, nullptr, WNOHANG) != 0; });
   const Spawning spawning;
   std::vector<std::string> words = {"sh", "-c", line_, "sh", std::string(name(alert.beat.level))};
   std::vector<std::string> environment = whole_environment(alert);
@@ -173,21 +183,27 @@ std::string AlertCommand::run(const AlertNow& alert) const {
   const int error = ::posix_spawn(&pid, "/bin/sh", &spawning.actions, &spawning.attributes, pointers_to(words).data(),
                                   pointers_to(environment).data());
   if (error != 0) return fmt::format("cannot be started: {}", std::strerror(error));
-  return fault_of(await(pid), longest_);
+  const std::optional<int> status = wait_for(pid, longest_);
+  return status ? fault_of(*status) : end_hung(pid);
 }
 
-int AlertCommand::await(int pid) const {
-  const auto end = std::chrono::steady_clock::now() + longest_;
-  int status = 0;
-  while (::waitpid(pid, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() >= end) {
-      ::kill(-pid, SIGKILL);
-      ::waitpid(pid, &status, 0);
-      return kHung;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+// The process itself is signalled as well as its group, which it may have left.
+std::string AlertCommand::end_hung(pid_t pid) {
+  const double seconds = std::chrono::duration<double>(longest_).count();
+  kill_(-pid, SIGKILL);
+  const int error = kill_(pid, SIGKILL) == 0 ? 0 : errno;
+  const bool ended = wait_for(pid, kKillGrace).has_value();
+  if (!ended) given_up_.push_back(pid);
+  // Without the process, its group is gone, is ending, or has members of another user.
+  const bool group_lives = ended && kill_(-pid, 0) != 0 && errno == EPERM;
+  if (ended && !group_lives) {
+    return fmt::format("still ran after {:.1f} s and was killed; let it begin long work with '&'", seconds);
   }
-  return status;
+  const int reason = group_lives ? EPERM : error;
+  return fmt::format(
+      "still ran after {:.1f} s and cannot be killed ({}); commands of later levels run beside it; a program under "
+      "sudo needs its own time limit",
+      seconds, reason != 0 ? std::strerror(reason) : "the system holds it");
 }
 
 }  // namespace fencepost::host

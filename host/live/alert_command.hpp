@@ -1,8 +1,11 @@
 // A command of the user, run at each change of the alert level in force.
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,21 +17,25 @@
 namespace fencepost::host {
 
 /// Started on a thread of its own, one at a time: while one runs the newest change waits, and takes the place of one
-/// that waited. One that runs for longer than `longest` is killed, lest a stop wait behind it for ever.
+/// that waited. One that runs for longer than `longest` is killed, lest a stop wait behind it for ever. One that cannot
+/// be killed is given up, and the next one runs beside it.
 class AlertCommand final : public AlertOutput {
  public:
   static constexpr std::chrono::milliseconds kLongest{2'000};
 
+  using Kill = int (*)(pid_t pid, int signal);  ///< kill(2), or a stand-in
+
   /// `line` is for /bin/sh: `$1` in it is the level, the environment has the rest (`environment_of`). Its standard
   /// input is empty, its output goes to standard error.
-  explicit AlertCommand(std::string line, std::chrono::milliseconds longest = kLongest);
+  explicit AlertCommand(std::string line, std::chrono::milliseconds longest = kLongest, Kill kill = ::kill);
   /// Waits for the one that runs and for the one that waits.
   ~AlertCommand() override;
   AlertCommand(const AlertCommand&) = delete;
   AlertCommand& operator=(const AlertCommand&) = delete;
 
   void show(const AlertNow& alert, base::Time now) override;
-  /// Once more with level blind, unless it was told to stop or to be blind; and waits.
+  /// Runs it with level blind, unless its last level is stop or blind. Returns when no command is running or waiting,
+  /// at the latest after twice `longest` and the grace after a kill.
   void end(base::Time now) override;
   std::vector<std::string> news() override;
 
@@ -36,12 +43,14 @@ class AlertCommand final : public AlertOutput {
   void push(const AlertNow& alert);
   void work();
   /// Runs it to its end. What went wrong, without the level; empty if nothing did.
-  [[nodiscard]] std::string run(const AlertNow& alert) const;
-  [[nodiscard]] int await(int pid) const;
+  [[nodiscard]] std::string run(const AlertNow& alert);
+  [[nodiscard]] std::string end_hung(pid_t pid);
   void note(const std::string& fault, record::AlertLevel level);
 
   const std::string line_;
   const std::chrono::milliseconds longest_;
+  const Kill kill_;
+  std::vector<pid_t> given_up_;              ///< survived SIGKILL; of the thread
   std::optional<record::AlertLevel> level_;  ///< that was last pushed
 
   std::mutex mutex_;  ///< of what follows, up to `thread_`

@@ -2,7 +2,10 @@
 #include "host/live/alert_command.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -125,6 +128,55 @@ TEST_F(AlertCommandTest, OneThatHangsIsKilledWithAllThatItStarted) {
   EXPECT_FALSE(std::filesystem::exists(path("warn")));
   std::this_thread::sleep_for(Ms(3'500));
   EXPECT_FALSE(std::filesystem::exists(path("late"))) << "its children went with it";
+}
+
+std::vector<pid_t> asked;  // processes that a stand-in for kill(2) was to kill
+
+int fail(int error) {
+  errno = error;
+  return -1;
+}
+int refuse(pid_t pid, int /*signal*/) {
+  if (pid > 0) asked.push_back(pid);
+  return fail(EPERM);
+}
+int refuse_groups(pid_t pid, int signal) { return pid < 0 ? fail(EPERM) : ::kill(pid, signal); }
+int find_no_group(pid_t pid, int signal) {
+  if (pid < 0) return fail(ESRCH);
+  asked.push_back(pid);
+  return ::kill(pid, signal);
+}
+
+// It left its group by setpgid(2).
+TEST_F(AlertCommandTest, OneThatJoinedAnotherGroupIsKilled) {
+  asked.clear();
+  AlertCommand command("exec sleep 1000", Ms(200), find_no_group);
+  command.show(alert_at(AlertLevel::kWarn), {});
+  EXPECT_NE(said_by(command).find("and was killed"), std::string::npos);
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_NE(::kill(asked[0], 0), 0) << "it still lives";
+}
+
+// As one that sudo made another user's.
+TEST_F(AlertCommandTest, OneThatCannotBeKilledHoldsNeitherTheNextLevelNorTheEnd) {
+  asked.clear();
+  AlertCommand command("if [ $1 = blind ]; then exec sleep 1000; fi; touch '" + path("") + "'$1", Ms(1'000), refuse);
+  command.show(alert_at(AlertLevel::kBlind), {});
+  EXPECT_EQ(said_by(command),
+            "--on-alert: the command for level blind still ran after 1.0 s and cannot be killed (Operation not "
+            "permitted); commands of later levels run beside it; a program under sudo needs its own time limit");
+  command.show(alert_at(AlertLevel::kWarn), {});
+  await_file("warn");
+  command.end({});
+  EXPECT_EQ(asked.size(), 2U) << "the end runs the command and does not wait for it";
+  for (const pid_t pid : asked) EXPECT_EQ(::kill(pid, SIGKILL), 0) << "it does not live any more";
+}
+
+// The shell ended, what it started did not.
+TEST_F(AlertCommandTest, SaysThatPartOfItCannotBeKilled) {
+  AlertCommand command("sleep 3 & wait", Ms(200), refuse_groups);
+  command.show(alert_at(AlertLevel::kWarn), {});
+  EXPECT_NE(said_by(command).find("cannot be killed (Operation not permitted)"), std::string::npos);
 }
 
 TEST_F(AlertCommandTest, SaysOnceWhatIsWrongUntilSomethingElseIs) {
