@@ -117,7 +117,7 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   obstacle.known = true;
   obstacle.toward =
       recon::Vec2{static_cast<float>(nearest_x), static_cast<float>(nearest_y)} / recon::kMillimetresPerMetre;
-  obstacle.distance = std::sqrt(obstacle.toward.squaredNorm());
+  obstacle.distance = obstacle.toward.norm();
   obstacle.in_path.emplace();
   set_closing(path, obstacle);
   ahead.signature = nearest->signature;

@@ -375,8 +375,8 @@ float early_by(const LoomingTrack& track, float ttc, float closing, const AlertR
 FrontAhead judge_track(const LoomingTrack& track, const Meeting& meeting, const RobotPath& path,
                        const AlertRules& rules) {
   FrontAhead front;
-  const float distance = std::sqrt(meeting.place.squaredNorm());
-  const float speed = std::sqrt(meeting.velocity.squaredNorm());
+  const float distance = meeting.place.norm();
+  const float speed = meeting.velocity.norm();
   if (!(distance > 0) || !(speed > kNotClosing)) return front;
   const float closing = -meeting.place.dot(meeting.velocity) / distance;
   if (!(closing > kNotClosing)) return front;

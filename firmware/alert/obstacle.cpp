@@ -45,16 +45,14 @@ RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
 
 float Obstacle::bearing() const { return base::atan2_rad(toward.y(), toward.x()); }
 
-void set_closing(const RobotPath& path, Obstacle& obstacle) {
-  set_closing(path, std::sqrt(obstacle.toward.squaredNorm()), obstacle);
-}
+void set_closing(const RobotPath& path, Obstacle& obstacle) { set_closing(path, obstacle.toward.norm(), obstacle); }
 
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
   const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
   const Vec2 center{robot.heading.dot(away), recon::cross(robot.heading, away)};
-  const float range = std::sqrt(center.squaredNorm());
+  const float range = center.norm();
   Obstacle obstacle;
   obstacle.known = true;
   obstacle.toward = center;

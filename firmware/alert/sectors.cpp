@@ -108,7 +108,7 @@ void Sectors::put(const Vec2& right, const Vec2& left, float range) {
 
 // All that is within `radius` of a place, robot frame.
 void Sectors::put_around(const Vec2& center, float radius, float range) {
-  const float square = center.squaredNorm();
+  const float square = center.squared_norm();
   if (square <= radius * radius) return near_.fill(0);
   // Where the rays that touch the circle do so, or a little wider.
   const Vec2 middle = (1.0F - radius * radius / square) * center;
@@ -121,7 +121,7 @@ void Sectors::add(std::span<const recon::guard::Front> fronts, recon::MapPoint o
   const Vec2 back{heading_.x(), -heading_.y()};
   for (const recon::guard::Front& front : fronts) {
     const Vec2 place = recon::rotated(back, from + Vec2{metres(front.x), metres(front.y)});
-    const float square = place.squaredNorm();
+    const float square = place.squared_norm();
     if (square > kFarthest * kFarthest) continue;
     const float distance = std::sqrt(square);
     if (distance <= kFrontRadius) return near_.fill(0);
@@ -141,7 +141,7 @@ void Sectors::add_cylinder(const recon::ObjectCore& object, const RobotPlace& ro
 
 void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
   const Vec2 center = recon::offset_from(robot.position, outline.origin);
-  const float square = center.squaredNorm();
+  const float square = center.squared_norm();
   const bool far = square > kFarthest * kFarthest;
   const float reach = reach_of(outline.view);
   if (far && reach < kSmall) return;

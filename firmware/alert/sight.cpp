@@ -32,8 +32,7 @@ struct Displacement {
 
 Displacement displacement_between(const recon::MapPose& from, const recon::MapPose& to) {
   const std::int64_t turn = recon::short_way(std::int64_t{to.heading} - from.heading);
-  return {std::sqrt(recon::offset_from(from.position, to.position).squaredNorm()),
-          std::fabs(1e-6F * static_cast<float>(turn))};
+  return {recon::offset_from(from.position, to.position).norm(), std::fabs(1e-6F * static_cast<float>(turn))};
 }
 
 // By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the

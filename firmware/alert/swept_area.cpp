@@ -95,7 +95,7 @@ SweptByBody::SweptByBody(const RobotPath& path) : path_(path), sweep_(path), ove
 
 // A disc is a point, and the margin is wider by its radius.
 bool SweptByBody::touches(const recon::Vec2& center, float radius) const {
-  if (center.squaredNorm() < radius * radius) return true;
+  if (center.squared_norm() < radius * radius) return true;
   SweptBounds<float> bounds = sweep_.ring(path_.half_width + radius);
   if (path_.has_corners()) {
     bounds.middle = 0.5F * path_.body_radius;

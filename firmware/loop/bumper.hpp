@@ -67,7 +67,7 @@ class Bumper {
                                     base::Time now) {
     if (!may_move || !odometry) return Standstill::kAlert;
     if (!wanted) return Standstill::kLine;
-    if (recon::offset_from(last_.position, odometry->position).squaredNorm() >= kMoved * kMoved) {
+    if (recon::offset_from(last_.position, odometry->position).squared_norm() >= kMoved * kMoved) {
       last_ = *odometry;
       moved_ = base::Stamp(now);
     }

@@ -31,7 +31,7 @@ PARTS = {
     "cortex-m33/fpv5-sp-d16-hard": ["-mcpu=cortex-m33", "-mfpu=fpv5-sp-d16", "-mfloat-abi=hard"],
     "cortex-m33/fpv5-sp-d16-softfp": ["-mcpu=cortex-m33", "-mfpu=fpv5-sp-d16", "-mfloat-abi=softfp"],
 }
-TOO_OLD = """// Above all sources: what they need, and what Eigen is told.
+TOO_OLD = """// Above all sources: what they need.
 #if __cplusplus < 201709L
 #error "Fencepost is compiled as C++20: put compiler.cpp.extra_flags=-std=gnu++20 into the board's platform.local.txt; README.md"
 #endif
@@ -39,9 +39,6 @@ TOO_OLD = """// Above all sources: what they need, and what Eigen is told.
 #error "Fencepost's results are checked without the compiler's fast mathematics: leave that option out"
 #endif
 #pragma GCC optimize("fp-contract=off")
-#define EIGEN_DONT_VECTORIZE
-#define EIGEN_NO_MALLOC
-#define EIGEN_MPL2_ONLY
 """
 
 
@@ -82,29 +79,8 @@ def room_of(source, alone):
     return "_".join(source.split("/")[:2])
 
 
-def eigen_files(root, source):
-    """Eigen's headers that this source includes."""
-    done = subprocess.run(["c++", "-std=c++20", "-M", "-DEIGEN_DONT_VECTORIZE", "-DEIGEN_NO_MALLOC", "-I", root,
-                           "-I", eigen_folder(), root / source], capture_output=True, text=True, check=True)
-    return sorted({w for w in done.stdout.split() if "/Eigen/" in w})
-
-
-def eigen_folder():
-    for folder in ("/usr/include/eigen3", "/usr/local/include/eigen3"):
-        if pathlib.Path(folder, "Eigen/Core").is_file():
-            return folder
-    raise SystemExit("package.py: Eigen is not there; toolchain/setup host")
-
-
 def version_of(root):
     return re.search(r"project\(fencepost VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
-
-
-def license_of_eigen():
-    for file in ("/usr/share/common-licenses/MPL-2.0", "/usr/share/licenses/common/MPL-2.0/license.txt"):
-        if pathlib.Path(file).is_file():
-            return pathlib.Path(file).read_bytes()
-    raise SystemExit("package.py: no text of the Mozilla Public License 2.0 on this machine (Debian: base-files)")
 
 
 def write_sources(root, to):
@@ -121,9 +97,6 @@ def write_sources(root, to):
         text = '#include "fencepost_options.h"\n\n' + "".join(f'#include "{name}"\n' for name in names)
         put(to / f"src/fencepost_{room}.cpp", text.encode())
     put(to / "src/fencepost_options.h", TOO_OLD.encode())
-    for file in eigen_files(root, ROOTS[1]):
-        put(to / "src/Eigen" / file.split("/Eigen/", 1)[1], pathlib.Path(file).read_bytes())
-    put(to / "src/Eigen/COPYING.MPL2", license_of_eigen())
 
 
 def write_library(root, to):

@@ -37,8 +37,8 @@ foreach(room ${rooms})
   get_filename_component(parent ${room} DIRECTORY)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${room}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost/${parent}
     COMPONENT development FILES_MATCHING PATTERN "*.hpp"
-    # What runs on boards only, and what this machine's devices need.
-    PATTERN boards EXCLUDE PATTERN mcu EXCLUDE PATTERN template EXCLUDE PATTERN linux EXCLUDE PATTERN image EXCLUDE
+    # Not for other programs: headers of boards, of this machine's devices, and one that needs Eigen.
+    PATTERN relocation.hpp EXCLUDE PATTERN boards EXCLUDE PATTERN mcu EXCLUDE PATTERN template EXCLUDE PATTERN linux EXCLUDE PATTERN image EXCLUDE
     PATTERN fencepost EXCLUDE)
 endforeach()
 install(FILES "${PROJECT_SOURCE_DIR}/firmware/fencepost/fencepost.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost

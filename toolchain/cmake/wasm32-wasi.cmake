@@ -7,7 +7,7 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR llvm-ar-14)
 set(CMAKE_RANLIB llvm-ranlib-14)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-# Headers of libraries without code (Eigen, nlohmann) may come from the host, programs and libraries may not be guessed.
+# Headers of libraries without code (nlohmann) may come from the host, programs and libraries may not be guessed.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 # Where it was built is in no file: the same sources make the same bytes in any folder.

@@ -32,7 +32,7 @@ constexpr float kLead = 100.0F;
 
 float square_of(float value) { return value * value; }
 
-float distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
+float distance(const Vec2& a, const Vec2& b) { return (a - b).norm(); }
 
 bool alike_in_kind(const ConstellationPoint& a, const ConstellationPoint& b) {
   if (a.signature != b.signature) return false;
@@ -70,7 +70,7 @@ struct Matches {
   }
   // The rigid motion of least squares; none where the matches tell no direction.
   bool motion(FrameMotion& out) const {
-    const float length = std::sqrt(turn.squaredNorm());
+    const float length = turn.norm();
     if (!(length > 0)) return false;
     out.rotation = turn / length;
     out.shift = known / weight - rotated(out.rotation, seen / weight);
@@ -91,7 +91,7 @@ struct Judge {
     float least = square_of(kWidestGate);
     std::size_t nearest = constellation::kNone;
     for (std::size_t k = 0; k < known.points.size(); ++k) {
-      const float apart = (known.points[k].place - place).squaredNorm();
+      const float apart = (known.points[k].place - place).squared_norm();
       if (apart >= least || !alike_in_kind(known.points[k], seen[s])) continue;
       if (apart > square_of(gate_of(known.points[k], seen[s], distance(place, middle), turn))) continue;
       least = apart;
@@ -101,10 +101,10 @@ struct Judge {
   }
 
   [[nodiscard]] bool is_nearest_seen(std::size_t s, std::size_t k) const {
-    const float apart = (known.points[k].place - motion.of(seen[s].place)).squaredNorm();
+    const float apart = (known.points[k].place - motion.of(seen[s].place)).squared_norm();
     for (std::size_t other = 0; other < seen.size(); ++other) {
       if (other == s || !alike_in_kind(known.points[k], seen[other])) continue;
-      if ((known.points[k].place - motion.of(seen[other].place)).squaredNorm() < apart) return false;
+      if ((known.points[k].place - motion.of(seen[other].place)).squared_norm() < apart) return false;
     }
     return true;
   }
@@ -159,7 +159,7 @@ struct Judge {
       } else if (chance > largest[1]) {
         largest[1] = chance;
       }
-      result.misfit += (known.points[partners[s]].place - place).squaredNorm();
+      result.misfit += (known.points[partners[s]].place - place).squared_norm();
     }
     if (result.matched < 2) return {1, 0, result.matched, result.expected};
     result.chance /= largest[0] * largest[1];

@@ -180,7 +180,7 @@ bool is_plausible(std::span<const float> projected, float gain) {
 // that odometry is worse than was thought, a smaller one that it is better: a step up the likelihood's gradient.
 void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float innovation) {
   const float driven =
-      gauge.position * jacobian.center.squaredNorm() + gauge.heading * jacobian.heading * jacobian.heading;
+      gauge.position * jacobian.center.squared_norm() + gauge.heading * jacobian.heading * jacobian.heading;
   const float share = std::min(1.0F, driven / innovation);
   gauge.surprise = squared < kMostSurprise ? squared : kMostSurprise;
   gauge.usual += kUsualGain * (gauge.surprise - gauge.usual);
@@ -237,7 +237,7 @@ void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNois
   at.odometry = odometry;
   shear(filter, driven);
   const Covariance covariance(filter);
-  const float distance = std::sqrt(driven.squaredNorm());
+  const float distance = driven.norm();
   DriftGauge& gauge = filter.gauge;
   const float position = gauge.factor * noise.position * noise.position * distance;
   const float heading = gauge.factor * (noise.heading * noise.heading * distance +

@@ -42,7 +42,7 @@ void LensCheck::take(const ObjectCore& object, const Observation& seen, const Ca
   const float u = 0.5F * (left_edge(seen.box) + right_edge(seen.box));
   const float v = 0.5F * (top_edge(seen.box) + bottom_edge(seen.box));
   const Vec2 away = object.cylinder.estimate().center - lens.lens_from(object.origin);
-  const View view{ground_direction(camera, u, v), std::sqrt(away.squaredNorm())};
+  const View view{ground_direction(camera, u, v), away.norm()};
   if (begins) {
     fresh_ = true;
   } else {

@@ -32,7 +32,7 @@ RowDepth foot_depth(const Sighting& seen, const MeasurementNoise& noise) {
 
 LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
   if (!seen.both_edges()) return {};
-  const float half = 0.5F * std::sqrt((seen.left.direction - seen.right.direction).squaredNorm());
+  const float half = 0.5F * (seen.left.direction - seen.right.direction).norm();
   if (!(half * kFarthestLandmark > kTypicalRadius)) return {};
   const RowDepth row = foot_depth(seen, noise);
   const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
@@ -88,7 +88,7 @@ Line foot_of(const Sighting& seen, float variance, const MeasurementNoise& noise
 SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
                              const MeasurementNoise& noise) {
   SightedCircle circle;
-  const float distance = std::sqrt(away.squaredNorm());
+  const float distance = away.norm();
   if (!(distance > 0)) return circle;
   MeasurementNoise ends = noise;  // of each end alone; the pose's is that of both
   ends.heading = 0;

@@ -222,7 +222,7 @@ class PoseCorrection {
     const MapPose& last = filter_.at().odometry;
     const std::int64_t turned = short_way(static_cast<std::int64_t>(odometry.heading) - last.heading);
     return turned > interval.turn || turned < -interval.turn ||
-           offset_from(last.position, odometry.position).squaredNorm() > interval.step * interval.step;
+           offset_from(last.position, odometry.position).squared_norm() > interval.step * interval.step;
   }
 
   // Objects stand where their landmarks do; what they look like, their models find out for themselves.

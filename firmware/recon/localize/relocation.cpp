@@ -70,7 +70,7 @@ Covariance2 inverse(const Covariance2& m, float& determinant) {
 
 Vec2 turned_by(const Vec2& rotation, float angle) {
   const Vec2 next = rotation + angle * left_of(rotation);
-  return next / std::sqrt(next.squaredNorm());
+  return next.normalized();
 }
 
 /// How well a thing of the map suits what a candidate says of a sighting.
@@ -78,7 +78,7 @@ struct Fit {
   std::size_t known = constellation::kNone;
   float distance = 0;  ///< sigmas^2
   float density = 0;   ///< 1/m^2
-  Vec2 off{0, 0};
+  Eigen::Vector2f off = Eigen::Vector2f::Zero();
   Covariance2 weight = Covariance2::Zero();
 };
 
@@ -130,7 +130,7 @@ RelocationFilter::RelocationFilter(std::span<const ConstellationPoint> known)
 }
 
 void RelocationFilter::drive(const Vec2& step, float turned) {
-  const float way = std::sqrt(step.squaredNorm());
+  const float way = step.norm();
   const float turn_strays = way * power2(kTurnStrays) + std::fabs(turned) * power2(kTurnStraysTurning);
   for (Candidate& candidate : candidates_) {
     if (!(candidate.weight > 0)) continue;
@@ -182,7 +182,8 @@ void RelocationFilter::weigh(Candidate& candidate, const RangedSighting& sighted
     float determinant = 0;
     fit.known = k;
     fit.weight = inverse(sum, determinant);
-    fit.off = known_[k].place - candidate.place - away;
+    const Vec2 off = known_[k].place - candidate.place - away;
+    fit.off = {off.x(), off.y()};
     fit.distance = fit.off.dot(fit.weight * fit.off);
     fit.density = base::exp_minus(0.5F * fit.distance) / (2 * base::kPi * std::sqrt(determinant));
     density += fit.density;
@@ -200,7 +201,7 @@ void RelocationFilter::weigh(Candidate& candidate, const RangedSighting& sighted
   if (!fits) return;
   const Eigen::Matrix<float, 3, 2> gain = candidate.covariance * j.transpose() * best.weight;
   const Eigen::Vector3f correction = gain * best.off;
-  candidate.place += correction.head<2>();
+  candidate.place += Vec2{correction.x(), correction.y()};
   candidate.rotation = turned_by(candidate.rotation, correction.z());
   candidate.covariance = (candidate.covariance - gain * j * candidate.covariance).eval();
   candidate.covariance = (0.5F * (candidate.covariance + candidate.covariance.transpose())).eval();
@@ -253,7 +254,7 @@ std::optional<Relocation> RelocationFilter::found() const {
   float all = 1;  // a place that is not in the map
   for (const Candidate& candidate : candidates_) {
     all += candidate.weight;
-    const bool there = (candidate.place - best->place).squaredNorm() < power2(kSamePlace) &&
+    const bool there = (candidate.place - best->place).squared_norm() < power2(kSamePlace) &&
                        candidate.rotation.dot(best->rotation) > kSameTurn;
     if (there) same += candidate.weight;
   }

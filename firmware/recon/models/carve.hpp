@@ -103,7 +103,7 @@ class CarveGrid {
     ++placements_;
     for (std::size_t i = 0; i < clip.size(); ++i) {
       const Vec2 edge = clip[i + 1 == clip.size() ? 0 : i + 1] - clip[i];
-      const float length = std::sqrt(edge.squaredNorm());
+      const float length = edge.norm();
       if (!(length > kShallowestCut)) continue;
       const Vec2 normal = -left_of(edge) / length;
       carve({normal, normal.dot(clip[i]) + kShallowestCut});

@@ -26,7 +26,7 @@ Vec2 crossing(const Vec2& inside, float d_inside, const Vec2& outside, float d_o
 bool apex_over_edge(std::span<const Vec2> v, std::size_t size, std::size_t i, Vec2& apex, float& moved) {
   const Vec2& a = v[i];
   const Vec2& b = v[next(i, size)];
-  const float length_squared = (b - a).squaredNorm();
+  const float length_squared = (b - a).squared_norm();
   if (length_squared < kShallowestCut * kShallowestCut) {  // both ends are one point
     apex = a;
     moved = 0;
@@ -70,7 +70,7 @@ std::size_t simplify(std::span<Vec2> v, std::size_t size) {
 
 // Drops vertex i if it is the same point as vertex j to within a shallowest cut.
 std::size_t merge(std::span<Vec2> v, std::size_t size, std::size_t i, std::size_t j) {
-  if (size <= 3 || (v[i] - v[j]).cwiseAbs().maxCoeff() > kShallowestCut) return size;
+  if (size <= 3 || (v[i] - v[j]).max_norm() > kShallowestCut) return size;
   for (std::size_t k = i; k + 1 < size; ++k) v[k] = v[k + 1];
   return size - 1;
 }
@@ -213,8 +213,8 @@ Bounds bounds_of(std::span<const Vec2> vertices) {
   if (vertices.empty()) return {};
   Bounds bounds{vertices[0], vertices[0]};
   const auto take = [&](const Vec2& v) {
-    bounds.low = bounds.low.cwiseMin(v);
-    bounds.high = bounds.high.cwiseMax(v);
+    bounds.low = {std::min(bounds.low.x(), v.x()), std::min(bounds.low.y(), v.y())};
+    bounds.high = {std::max(bounds.high.x(), v.x()), std::max(bounds.high.y(), v.y())};
   };
   if constexpr (base::kVectors) {
     // Two vertices at a time, and twice that; the order is nothing to minima.
@@ -222,7 +222,7 @@ Bounds bounds_of(std::span<const Vec2> vertices) {
     constexpr std::size_t kMany = 4;
     const std::size_t whole = vertices.size() / kMany * kMany;
     if (whole > 0) {
-      const float* at = vertices[0].data();
+      const Vec2* at = vertices.data();
       Two low;
       std::memcpy(&low, at, sizeof low);
       Two high = low;
@@ -231,8 +231,8 @@ Bounds bounds_of(std::span<const Vec2> vertices) {
       for (std::size_t i = 0; i < whole; i += kMany) {
         Two one;
         Two other;
-        std::memcpy(&one, at + 2 * i, sizeof one);
-        std::memcpy(&other, at + 2 * i + 4, sizeof other);
+        std::memcpy(&one, at + i, sizeof one);
+        std::memcpy(&other, at + i + 2, sizeof other);
         low = one < low ? one : low;
         high = one > high ? one : high;
         other_low = other < other_low ? other : other_low;

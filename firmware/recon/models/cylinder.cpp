@@ -66,7 +66,7 @@ CylinderEstimate solve_equations(const NormalEquations& equations, const Vec2& l
   estimate.covariance = inverse(*factors);
   solve_for(*factors, equations, estimate);
   const Vec2 away = estimate.center - lens;
-  const float distance_squared = away.squaredNorm();
+  const float distance_squared = away.squared_norm();
   const float limit = kMaxDistanceSigmaShare * distance_squared;
   // position_along(away) = distance^2 times the variance of the distance
   if (!(estimate.covariance.position_along(away) < limit * limit)) return estimate;
@@ -170,8 +170,8 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     rows_.scale(kForgetting);
     row_count_ *= kForgetting;
   }
-  const float distance = estimate_.ok() ? std::max(kNearestLens, std::sqrt((estimate_.center - lens).squaredNorm()))
-                                        : prior_distance(sighting);
+  const float distance =
+      estimate_.ok() ? std::max(kNearestLens, (estimate_.center - lens).norm()) : prior_distance(sighting);
   if (is_edge(sighting.left.end))
     add_edge(sighting, sighting.left, left_tangent(sighting, origin), distance, novelty, noise);
   if (is_edge(sighting.right.end))
@@ -256,7 +256,7 @@ NormalEquations Cylinder::believed_rows(const MeasurementNoise& noise) const {
 bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const {
   if (!from_edges.ok()) return false;
   const Vec2 away = from_edges.center - lens;
-  const float variance = from_edges.covariance.position_along(away) / away.squaredNorm();
+  const float variance = from_edges.covariance.position_along(away) / away.squared_norm();
   return variance * false_depth_ * kTrueDepth < 1.0F;
 }
 

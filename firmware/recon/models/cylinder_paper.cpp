@@ -18,7 +18,7 @@ void CylinderPaper::add(const Sighting& sighting, MapPoint origin) {
   const float bound = normal.dot(lens);
   // sin^2 of the half angle = (1 - cos of the angle between the edges) / 2
   const Vec2 chord = sighting.left.direction - sighting.right.direction;
-  const float sine = 0.5F * std::sqrt(chord.squaredNorm());
+  const float sine = 0.5F * chord.norm();
   sums_.nxx += normal.x() * normal.x();
   sums_.nxy += normal.x() * normal.y();
   sums_.nyy += normal.y() * normal.y();

@@ -115,7 +115,7 @@ void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<
 bool is_free(const Vec2& place, std::span<const Disc> others, float clearance) {
   return std::none_of(others.begin(), others.end(), [&](const Disc& other) {
     const float reach = other.radius + clearance;
-    return (place - other.center).squaredNorm() < reach * reach;
+    return (place - other.center).squared_norm() < reach * reach;
   });
 }
 
@@ -137,7 +137,7 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   std::array<float, kDirections> told{};
   tell(sides, nodes, radius, told);
 
-  const float away = std::sqrt(robot.squaredNorm());
+  const float away = robot.norm();
   const float distance = std::clamp(away, kNearestView, kFarthestView);
   const std::size_t now = nearest_node(away > 0 ? Vec2(robot / away) : Vec2(1, 0), nodes);
   // A tangent's normal is a quarter turn from the view, less the angle that the radius takes up.

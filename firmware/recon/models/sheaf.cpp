@@ -12,10 +12,10 @@ std::size_t next(std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i
 std::size_t previous(std::size_t i, std::size_t size) { return i == 0 ? size - 1 : i - 1; }
 
 // Chord between two unit bearings: 2 sin(angle / 2), in [0, 2].
-float chord(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
+float chord(const Vec2& a, const Vec2& b) { return (a - b).norm(); }
 
 bool share_an_end(const SheafView& a, const SheafView& b) {
-  return (!a.left.isZero(0) && !b.left.isZero(0)) || (!a.right.isZero(0) && !b.right.isZero(0));
+  return (a.left != Vec2{} && b.left != Vec2{}) || (a.right != Vec2{} && b.right != Vec2{});
 }
 
 // The ray from p along d meets the one from q along e.
@@ -27,7 +27,7 @@ bool meet(const Vec2& p, const Vec2& d, const Vec2& q, const Vec2& e, float leas
   const float along_e = cross(baseline, d) / sine;
   if (along_d < kPostNearest || along_e < kPostNearest) return false;
   post = p + along_d * d;
-  return post.squaredNorm() < kPostFarthest * kPostFarthest;
+  return post.squared_norm() < kPostFarthest * kPostFarthest;
 }
 
 // One or two vertices, and what a further point makes of them.
@@ -38,10 +38,10 @@ std::size_t grow_line(std::span<Vec2> v, std::size_t size, const Vec2& point) {
   }
   if (size == 1) {
     v[1] = point;
-    return (point - v[0]).cwiseAbs().maxCoeff() > kHullTolerance ? 2 : 1;
+    return (point - v[0]).max_norm() > kHullTolerance ? 2 : 1;
   }
   const Vec2 along = v[1] - v[0];
-  const float length_squared = along.squaredNorm();
+  const float length_squared = along.squared_norm();
   const float height_times_base = cross(along, point - v[0]);
   if (!(height_times_base * height_times_base > kHullTolerance * kHullTolerance * length_squared)) {
     const float share = along.dot(point - v[0]) / length_squared;
@@ -72,11 +72,11 @@ EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
   EdgeView view;
   view.outside_by = -cross(along, offset);
   const float share_times_square = along.dot(offset);
-  const float length_squared = along.squaredNorm();
+  const float length_squared = along.squared_norm();
   if (share_times_square > 0 && share_times_square < length_squared) {
     view.distance_squared = view.outside_by * view.outside_by / length_squared;
   } else {
-    view.distance_squared = share_times_square > 0 ? (point - b).squaredNorm() : offset.squaredNorm();
+    view.distance_squared = share_times_square > 0 ? (point - b).squared_norm() : offset.squared_norm();
   }
   return view;
 }
@@ -114,7 +114,7 @@ std::size_t least_vertex(std::span<const Vec2> v, std::size_t size) {
     const Vec2& before = v[previous(i, size)];
     const Vec2 base = v[next(i, size)] - before;
     const float height_times_base = cross(base, v[i] - before);
-    const float height = height_times_base * height_times_base / base.squaredNorm();
+    const float height = height_times_base * height_times_base / base.squared_norm();
     if (i > 0 && !(height < least_height)) continue;
     least = i;
     least_height = height;
@@ -148,7 +148,7 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin) {
 }
 
 bool repeats(const SheafView& view, const SheafView& other) {
-  return (view.bearing - other.bearing).squaredNorm() < kParallaxLeast * kParallaxLeast;
+  return (view.bearing - other.bearing).squared_norm() < kParallaxLeast * kParallaxLeast;
 }
 
 SheafPlane sheaf_plane(const SheafView& a, const SheafView& b, float least_sine) {
@@ -206,7 +206,7 @@ void trim_posts(std::span<SheafPlane> planes, const Vec2& axis, std::span<float>
   if (count < kTrimPosts) return;
   const float across = median_of([&](const Vec2& post) { return cross(axis, post); });
   const Vec2 center = along * axis + across * left_of(axis);
-  const auto radius = [&](const Vec2& post) { return std::sqrt((post - center).squaredNorm()); };
+  const auto radius = [&](const Vec2& post) { return (post - center).norm(); };
   const float farthest = kTrimRadii * median_of(radius);
   for_each_post(planes, [&](const Vec2& post, bool& has) { has = radius(post) <= farthest; });
 }

@@ -40,7 +40,7 @@ struct SheafView {
   Vec2 left{0, 0};     ///< unit, of the left edge; zero if that end is censored: it never triangulates
   Vec2 right{0, 0};
 
-  [[nodiscard]] int true_ends() const { return (left.isZero(0) ? 0 : 1) + (right.isZero(0) ? 0 : 1); }
+  [[nodiscard]] int true_ends() const { return (left == Vec2{} ? 0 : 1) + (right == Vec2{} ? 0 : 1); }
 };
 
 SheafView sheaf_view(const Sighting& sighting, MapPoint origin);

@@ -189,7 +189,7 @@ struct Choice {
   float right = least_of(of_last.right);
   const Vec2 apart = newcomer.bearing - last.bearing;
   float& of_side = cross(last.bearing, newcomer.bearing) >= 0 ? left : right;
-  const float square = apart.squaredNorm();
+  const float square = apart.squared_norm();
   of_side = square < of_side ? square : of_side;
   const float gap = (std::sqrt(left) + std::sqrt(right)) * static_cast<float>(last.true_ends());
   if (known == 0 || gap < choice.gap) choice = {known, gap};

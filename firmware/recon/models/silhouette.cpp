@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kNearest = 1e-3F;  // m
 
-bool in_front(const Vec2& at) { return at.x() > 0 && at.x() * at.x() > kSideways * kSideways * at.squaredNorm(); }
+bool in_front(const Vec2& at) { return at.x() > 0 && at.x() * at.x() > kSideways * kSideways * at.squared_norm(); }
 
 // Which nodes have the lens on their outer side, in whole numbers of kOffsetStep: small parts have no floats.
 class Facing {
@@ -67,7 +67,7 @@ float variance_after(const OutlineView& outline, std::size_t k) {
 
 bool render(const CylinderEstimate& cylinder, const Vec2& lens, const LensPose& pose, float others, Silhouette& seen) {
   const Vec2 away = cylinder.center - lens;
-  const float distance = std::sqrt(away.squaredNorm());
+  const float distance = away.norm();
   if (!(distance > cylinder.radius * 1.01F) || !(distance > kNearest)) return false;
   const Vec2 bearing = to_camera(pose, away / distance);
   if (!(bearing.x() > kSideways)) return false;

@@ -59,7 +59,7 @@ CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
 Vec2 undistort(const CameraModel& camera, float u, float v) {
   const Vec2 distorted{(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy};
   if (!camera.bent) return distorted;
-  const float r_d = std::sqrt(distorted.squaredNorm());
+  const float r_d = distorted.norm();
   if (r_d == 0) return distorted;
   float r = r_d;
   for (int step = 0; camera.k1 != 0 && step < kUndistortSteps; ++step) {
@@ -97,7 +97,7 @@ Vec2 PixelRow::towards(float u) const {
 
 Vec2 PixelRow::ground_direction(float u) const {
   const Vec2 direction = towards(u);
-  return direction / std::sqrt(direction.squaredNorm());
+  return direction.normalized();
 }
 
 std::int16_t PixelRow::level_column(float u) const { return whole_pixels(column_of(camera_, towards(u))); }
@@ -124,7 +124,7 @@ float column_of(const CameraModel& camera, const Vec2& direction) {
 }
 
 float columns_per_radian(const CameraModel& camera, const Vec2& direction) {
-  if (!camera.equidistant) return camera.fx * direction.squaredNorm() / (direction.x() * direction.x());
+  if (!camera.equidistant) return camera.fx * direction.squared_norm() / (direction.x() * direction.x());
   if (camera.k1 == 0) return camera.fx;
   const float angle = base::atan2_rad(direction.y(), direction.x());
   return camera.fx * (1 + 3 * camera.k1 * angle * angle);

@@ -19,8 +19,8 @@ float ObjectCore::confidence() const {
 
 float ObjectCore::novelty(const Vec2& lens) const {
   const Vec2 center = cylinder.estimate().ok() ? cylinder.estimate().center : Vec2{0, 0};
-  const float distance = std::max(kNearestLens, std::sqrt((center - lens).squaredNorm()));
-  const float moved_by = std::sqrt((lens - last_lens).squaredNorm());
+  const float distance = std::max(kNearestLens, (center - lens).norm());
+  const float moved_by = (lens - last_lens).norm();
   return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
 }
 
@@ -31,7 +31,7 @@ bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b) {
   const float larger = std::max(one.radius, other.radius);
   const float reach = larger + std::min(larger, one.outline_sigma() + other.outline_sigma());
   const Vec2 apart = offset_from(a.origin, b.origin) + other.center - one.center;
-  return apart.squaredNorm() < reach * reach;
+  return apart.squared_norm() < reach * reach;
 }
 
 void ObjectCore::hash(base::Fnv1a64& hash) const {

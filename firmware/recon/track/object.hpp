@@ -194,7 +194,7 @@ struct Object : ObjectCore {
   [[nodiscard]] bool must_relocate() const {
     if (!placed()) return true;
     constexpr float kInner = 0.75F * kArenaHalfSide;
-    return relocations < kMaxRelocations && cylinder.estimate().center.squaredNorm() > kInner * kInner;
+    return relocations < kMaxRelocations && cylinder.estimate().center.squared_norm() > kInner * kInner;
   }
 
   // Puts the local origin at the estimate.

@@ -38,7 +38,7 @@ bool foot_inside(const CameraModel& camera, const PredictedLine& bottom) {
 
 // Sigma of a tangent, rad.
 float sigma_of(const TouchPoint& touch, float heading) {
-  return std::sqrt(touch.variance / touch.at.squaredNorm() + heading * heading);
+  return std::sqrt(touch.variance / touch.at.squared_norm() + heading * heading);
 }
 
 Prediction predict_place(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
@@ -63,7 +63,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const auto columns = static_cast<float>(camera.width);
   prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const float border = kBorderShare * columns;
-  const float near_square = middle.squaredNorm();
+  const float near_square = middle.squared_norm();
   prediction.expected = foot_inside(camera, prediction.bottom) && u_left > border && u_right < columns - border &&
                         near_square > kNearestExpected * kNearestExpected &&
                         near_square < kFarthestExpected * kFarthestExpected;
@@ -89,7 +89,7 @@ Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, cons
   const Vec2 lens = pose.lens_from(object.origin);
   const Vec2 nearest = object.last_lens + kNearestUnknown * object.last_bearing - lens;
   const Vec2 far = to_camera(pose, object.last_bearing);
-  const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, std::sqrt(nearest.squaredNorm())));
+  const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, nearest.norm()));
   Prediction prediction;
   if (!(far.x() > kSideways)) return prediction;
   const float u_far = column_of(camera, far);

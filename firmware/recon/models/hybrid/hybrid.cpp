@@ -188,8 +188,8 @@ Vec2 guessed_middle(const Sighting& first) {
 void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, const Sighting& sighting,
               const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(core.origin);
-  const float distance = std::max(kNearestLens, std::sqrt(lens.squaredNorm()));
-  const float moved_by = std::sqrt((lens - core.last_lens).squaredNorm()) / (kNovelShare * distance);
+  const float distance = std::max(kNearestLens, lens.norm());
+  const float moved_by = (lens - core.last_lens).norm() / (kNovelShare * distance);
   const bool elsewhere = core.views == 0 || moved_by >= kLeastNews;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);

@@ -29,7 +29,7 @@ std::int16_t offset_steps(float offset) {
 }  // namespace
 
 void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offsets, const Vec2& center) {
-  if (center.squaredNorm() <= kRecentre * kRecentre) return;
+  if (center.squared_norm() <= kRecentre * kRecentre) return;
   constexpr std::int32_t kMapUnitsPerStep = 10;
   const OriginShift shift{offset_steps(center.x()), offset_steps(center.y())};
   core.origin.x += shift.x * kMapUnitsPerStep;

@@ -11,7 +11,7 @@ namespace {
 // Variance (m^2) that a piece which may be lost adds to each edge of an object at `distance`.
 float loss_variance(const Sighting& sighting, float distance) {
   if (!sighting.both_edges()) return 0;
-  const float width = std::sqrt((sighting.left.direction - sighting.right.direction).squaredNorm()) * distance;
+  const float width = (sighting.left.direction - sighting.right.direction).norm() * distance;
   return kLossProbability * kLostShare * kLostShare * width * width;
 }
 

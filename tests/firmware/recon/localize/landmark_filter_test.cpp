@@ -78,7 +78,7 @@ class DenseFilter {
   void correct(int slot, const HalfPlane& tangent, double variance) {
     const int at = 3 + 3 * slot;
     const Eigen::Rotation2Dd turn(x[2]);
-    const Eigen::Vector2d normal = turn * tangent.normal.cast<double>();
+    const Eigen::Vector2d normal = turn * Eigen::Vector2f(tangent.normal.x(), tangent.normal.y()).cast<double>();
     const Eigen::Vector2d away = x.segment<2>(at) - x.head<2>();
     DenseRow H = DenseRow::Zero(n_);
     H.head<2>() = -normal.transpose();
@@ -262,7 +262,7 @@ TEST(LandmarkFilter, LearnsTheSameFromHalfTheSumAndHalfTheDifference) {
   for (std::size_t l = 0; l < 4; ++l) {
     const recon::Landmark& one = ends.filter.landmark(l);
     const recon::Landmark& other = halves.filter.landmark(l);
-    EXPECT_LT(std::sqrt(recon::offset_from(one.center, other.center).squaredNorm()), 0.004F);
+    EXPECT_LT(recon::offset_from(one.center, other.center).norm(), 0.004F);
     EXPECT_NEAR(one.radius, other.radius, 0.003F);
   }
   const DenseMatrix P = unpacked(ends.filter);
@@ -368,11 +368,11 @@ TEST(LandmarkFilter, MovesWhatWasSeenLastWithThePose) {
   }
   const Vec2 pose_moved = recon::offset_from(old_pose.position, loop.filter.at().pose.position);
   const Vec2 place_moved = recon::offset_from(old_place, loop.filter.landmark(3).center);
-  EXPECT_GT(std::sqrt(pose_moved.squaredNorm()), 0.01F);
+  EXPECT_GT(pose_moved.norm(), 0.01F);
   // It is 0.64 m from the robot, so what the heading was off moves it on top.
   const float turned = static_cast<float>(loop.filter.at().pose.heading - old_pose.heading) * 1e-6F;
   const Vec2 expected = pose_moved + turned * Vec2{-0.4F, -0.5F};
-  EXPECT_LT(std::sqrt((place_moved - expected).squaredNorm()), 0.003F);
+  EXPECT_LT((place_moved - expected).norm(), 0.003F);
   EXPECT_LT(away(), away_before);
 }
 
@@ -410,7 +410,7 @@ TEST(LandmarkFilter, DoubtsWhatIsTwoSigmasOff) {
     tangent.bound = off;
     const MapPose before = loop.filter.at().pose;
     if (loop.correct(0, tangent) != TangentFate::kUsed) return -1.0F;
-    return std::sqrt(recon::offset_from(before.position, loop.filter.at().pose.position).squaredNorm());
+    return std::sqrt(recon::offset_from(before.position, loop.filter.at().pose.position).squared_norm());
   };
   float farthest = 0;
   float last = 0;
@@ -474,7 +474,7 @@ TEST(LandmarkFilter, TurnsWithTheScene) {
         g.covariance = {0.01F, 0, 0.01F, 0, 0, 0.0009F};
         const Eigen::Vector2d away = Eigen::Rotation2Dd(turn) * Eigen::Vector2d(loop.discs[l].x - loop.truth[0] + 0.05,
                                                                                 loop.discs[l].y - loop.truth[1] - 0.05);
-        g.away = away.cast<float>();
+        g.away = {static_cast<float>(away.x()), static_cast<float>(away.y())};
         recon::add_landmark(view, l, g);
       }
     } else {

@@ -30,7 +30,7 @@ Room room(std::mt19937& random, int things, int colours) {
                                   0.05F,
                                   static_cast<std::uint8_t>(1 + static_cast<int>(all.size()) % colours)};
     bool free = true;
-    for (const ConstellationPoint& other : all) free = free && (other.place - next.place).squaredNorm() > 0.25F;
+    for (const ConstellationPoint& other : all) free = free && (other.place - next.place).squared_norm() > 0.25F;
     if (free) all.push_back(next);
   }
   return all;
@@ -67,7 +67,7 @@ std::optional<Answer> drive(std::mt19937& random, const Room& truth, const Room&
   float rate = 0;
   for (float t = 0; t <= seconds; t += kStep) {
     if (std::fmod(t, 4.0F) < kStep / 2) rate = 0.5F * even(random);
-    if (place.squaredNorm() > 4 && cross(place, {std::cos(heading), std::sin(heading)}) != 0) {
+    if (place.squared_norm() > 4 && cross(place, {std::cos(heading), std::sin(heading)}) != 0) {
       const bool outwards = place.dot(Vec2(std::cos(heading), std::sin(heading))) > 0;
       if (outwards) rate = 0.7F;
     }
@@ -79,7 +79,7 @@ std::optional<Answer> drive(std::mt19937& random, const Room& truth, const Room&
     filter.drive(kSpeed * kStep * (1 + 0.03F * normal(random)) * Vec2(std::cos(told), std::sin(told)), seen_turn);
     for (const ConstellationPoint& thing : truth) {
       const Vec2 away = thing.place - place;
-      const float range = std::sqrt(away.squaredNorm());
+      const float range = away.norm();
       const float bearing = std::remainder(std::atan2(away.y(), away.x()) - heading, 2 * kPi);
       if (range > kFarthest || range < 0.2F || std::fabs(bearing) > kHalfView) continue;
       const float seen = told + bearing + 0.01F * normal(random);
@@ -94,7 +94,7 @@ std::optional<Answer> drive(std::mt19937& random, const Room& truth, const Room&
     const auto found = filter.found();
     if (!found) continue;
     const float direction = std::atan2(found->rotation.y(), found->rotation.x()) + told;
-    return Answer{t, std::sqrt((found->place - place).squaredNorm()), std::remainder(direction - heading, 2 * kPi)};
+    return Answer{t, (found->place - place).norm(), std::remainder(direction - heading, 2 * kPi)};
   }
   return std::nullopt;
 }
@@ -243,7 +243,7 @@ TEST(Relocation, OfThingsOnALattice) {
       RangedSighting sighted;
       sighted.from_robot = thing.place - place;
       if (draw.one_in(6)) sighted.from_robot += Vec2(draw.steps(-2, 2, 0.25F), 0);
-      sighted.range = std::sqrt(sighted.from_robot.squaredNorm());
+      sighted.range = sighted.from_robot.norm();
       if (sighted.range < 0.1F) continue;
       sighted.direction = sighted.from_robot / sighted.range;
       sighted.along = 0.0009765625F;

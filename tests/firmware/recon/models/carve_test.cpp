@@ -70,8 +70,8 @@ void expect_plain(std::mt19937& random) {
     for (std::size_t row = 0; row < N; ++row) {
       for (std::size_t column = 0; column < N; ++column) {
         ASSERT_EQ(grid->solid(column, row), plain.solid(column, row))
-            << cut << ": " << half_plane.normal.transpose() << " " << half_plane.bound << " at " << column << " "
-            << row;
+            << cut << ": " << half_plane.normal.x() << " " << half_plane.normal.y() << " " << half_plane.bound << " at "
+            << column << " " << row;
       }
     }
   }
@@ -119,7 +119,7 @@ TEST(CarveBlocks, CutAsTheLineDoesWhereItPassesCorners) {
     const std::size_t columns = std::array<std::size_t, 3>{80, 128, 512}[random() % 3];
     const GridPlacement placement{{-2, -2}, uniform(random, 0.04F, 4) / static_cast<float>(columns)};
     const Vec2 along{static_cast<float>(random() % 41) - 20, static_cast<float>(random() % 41) - 20.5F};
-    const Vec2 normal = along / std::sqrt(along.squaredNorm());
+    const Vec2 normal = along.normalized();
     const float off = random() % 2 == 0 ? 0 : uniform(random, -1, 1) * 1e-4F;
     const Vec2 corner{static_cast<float>(random() % columns) + off, static_cast<float>(random() % columns)};
     const HalfPlane half_plane{normal, normal.dot(placement.low + placement.cell * corner) - kCarveGuard};

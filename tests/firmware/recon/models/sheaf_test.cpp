@@ -503,10 +503,10 @@ TEST(PlaneSheaf, OfViewsFromALattice) {
       const Vec2 lens{draw.of({-1.0F, 0.0F, 1.0F}), static_cast<float>(half) / 8 - 2};
       recon::Sighting sighting;
       sighting.lens = lens;
-      sighting.center = -lens / std::sqrt(lens.squaredNorm());
+      sighting.center = -lens.normalized();
       const auto edge = [&](const Vec2& at) -> recon::Ray {
         const Vec2 away = at - lens;
-        return {away / std::sqrt(away.squaredNorm()),
+        return {away.normalized(),
                 draw.one_in(4) ? recon::End::kLowerBound : draw.of({recon::End::kSeen, recon::End::kAmbiguous})};
       };
       sighting.left = edge({-0.125F, draw.of({0.0F, 0.125F})});

@@ -24,7 +24,7 @@ float plain_gap(const std::vector<SheafView>& views, std::size_t i) {
     const Vec2& b = views[j].bearing;
     const float side = recon::cross(a, b);
     float& of_side = nearest[side > 0 || (side == 0 && j > i) ? 1 : 0];
-    of_side = std::min(of_side, (b - a).squaredNorm());
+    of_side = std::min(of_side, (b - a).squared_norm());
   }
   return (std::sqrt(nearest[1]) + std::sqrt(nearest[0])) * static_cast<float>(views[i].true_ends());
 }

@@ -201,7 +201,7 @@ void expect_first_side(std::mt19937& random) {
   }
   std::size_t nearest = 99;
   const float distance = outline.distance_from(point, nearest);
-  ASSERT_EQ(nearest, expected) << point.transpose();
+  ASSERT_EQ(nearest, expected) << point.x() << " " << point.y();
   ASSERT_EQ(distance, node_direction(nearest, kNodes).dot(point) - outline.offset(nearest));
 }
 TEST(OutlineView, DistanceIsFromTheFirstSideThatIsFarthestOff) {
@@ -418,7 +418,8 @@ TEST(HybridSolver, SurvivesNonsense) {
     EXPECT_TRUE(confidence >= 0 && confidence <= 1) << confidence;
     std::array<Vec2, kOutlineVertices> vertices;
     const std::size_t size = outline_polygon(wide.hybrid.outline(), 0, vertices);
-    for (std::size_t i = 0; i < size; ++i) EXPECT_TRUE(vertices[i].allFinite());
+    for (std::size_t i = 0; i < size; ++i)
+      EXPECT_TRUE(std::isfinite(vertices[i].x()) && std::isfinite(vertices[i].y()));
     EXPECT_TRUE(narrow.hybrid.outline().confidence() >= 0);
   }
 }
