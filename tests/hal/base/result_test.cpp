@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace fencepost::base {
 namespace {
 
@@ -30,6 +33,24 @@ TEST(Result, TakesAnErrorTypeOfTheCaller) {
   enum class Refusal { kNone, kTooNear };
   const Result<int, Refusal> result = Refusal::kTooNear;
   EXPECT_EQ(result.error(), Refusal::kTooNear);
+}
+
+// A frame of 16 blobs would be cleared at each poll that has nothing.
+TEST(Result, MakesNoValueOnError) {
+  static int made = 0;
+  struct Counted {
+    Counted() { ++made; }
+  };
+  const Result<Counted> result = Error::kNotReady;
+  EXPECT_EQ(result.error(), Error::kNotReady);
+  EXPECT_EQ(made, 0);
+}
+
+TEST(Result, HoldsWhatIsNoPlainData) {
+  const Result<std::vector<int>, std::string> good = std::vector{1, 2, 3};
+  const Result<std::vector<int>, std::string> bad = std::string("a reason that is too long to be kept in place");
+  EXPECT_EQ(good->size(), 3U);
+  EXPECT_EQ(bad.error(), "a reason that is too long to be kept in place");
 }
 
 TEST(ResultDeath, TrapsOnTheValueOfAnError) {
