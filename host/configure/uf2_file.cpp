@@ -19,6 +19,9 @@ constexpr std::size_t kBlock = 512;
 constexpr std::size_t kDataAt = 32;
 constexpr std::size_t kMostData = 476;
 constexpr std::size_t kPayload = 256;
+// The RP2040's drive erases a sector at each block whose number is a multiple of 16, wherever its address is (erratum
+// RP2040-E14). So the file has whole sectors; only the last one may end early.
+constexpr std::size_t kSector = 4096;
 
 std::uint32_t word(std::string_view block, std::size_t at) {
   std::uint32_t value = 0;
@@ -54,10 +57,12 @@ base::Result<ImageMemory, std::string> read_uf2(std::string_view file) {
 
 std::string write_uf2(const ImageMemory& memory) {
   std::vector<std::uint32_t> pages;
-  for (std::uint64_t page = memory.begin() / kPayload * kPayload; page < memory.end(); page += kPayload) {
+  for (std::uint64_t sector = memory.begin() / kSector * kSector; sector < memory.end(); sector += kSector) {
     bool known = false;
-    for (std::uint64_t at = page; at < page + kPayload; ++at) known = known || memory.known(at);
-    if (known) pages.push_back(static_cast<std::uint32_t>(page));
+    for (std::uint64_t at = sector; at < sector + kSector; ++at) known = known || memory.known(at);
+    if (!known) continue;
+    const std::uint64_t end = std::min(sector + kSector, memory.end());
+    for (std::uint64_t page = sector; page < end; page += kPayload) pages.push_back(static_cast<std::uint32_t>(page));
   }
   std::string file;
   for (std::size_t n = 0; n < pages.size(); ++n) {

@@ -56,13 +56,35 @@ TEST(ImageFile, Uf2ReadsWhatItWrites) {
   ASSERT_TRUE(memory.put(0x1000'0000, counting(512)));
   ASSERT_TRUE(memory.put(0x101F'E000, counting(256)));
   const std::string file = write_image(memory, ImageFormat::kUf2);
-  ASSERT_EQ(file.size(), 3U * 512);
+  ASSERT_EQ(file.size(), 17U * 512);
   EXPECT_EQ(file.substr(0, 4), "UF2\n");
-  EXPECT_EQ(file[24], 3) << "blocks in all";
+  EXPECT_EQ(file[24], 17) << "blocks in all";
   const auto read = read_image(file);
   ASSERT_TRUE(read.ok()) << read.error();
   expect_same(memory, *read);
-  EXPECT_FALSE(read->known(0x1000'0200));
+  EXPECT_EQ(read->at(0x1000'0200), 0xFF);
+  EXPECT_FALSE(read->known(0x1000'1000));
+}
+
+// The ROM's drive erases where the number of a block is a multiple of 16 (erratum RP2040-E14).
+TEST(ImageFile, Uf2NumbersBlocksAsTheirSectorsAre) {
+  for (std::size_t size = 1; size < 3U * 4096; size += 127) {
+    ImageMemory memory;
+    ASSERT_TRUE(memory.put(0x1000'0000, counting(size)));
+    ASSERT_TRUE(memory.put(0x1000'8F00, counting(size % 4096)));  // a hole before it, and not from a sector's start
+    ASSERT_TRUE(memory.put(0x1001'0000, counting(8192)));
+    const std::string file = write_image(memory, ImageFormat::kUf2);
+    const auto sector_of = [&](std::size_t block) {
+      std::uint32_t address = 0;
+      for (std::size_t i = 4; i-- > 0;) address = address << 8U | static_cast<std::uint8_t>(file[block * 512 + 12 + i]);
+      return address / 4096;
+    };
+    const std::size_t blocks = file.size() / 512;
+    ASSERT_GT(blocks, 32U);
+    for (std::size_t n = 1; n < blocks; ++n) {
+      ASSERT_EQ(sector_of(n) != sector_of(n - 1), n % 16 == 0) << "block " << n << " of a program of " << size;
+    }
+  }
 }
 
 TEST(ImageFile, BinIsAllOfItWithErasedHoles) {
