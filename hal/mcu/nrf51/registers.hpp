@@ -96,6 +96,7 @@ inline constexpr std::uint32_t kWatchdogStart = kWatchdog + 0x000;
 inline constexpr std::uint32_t kWatchdogReload = kWatchdog + 0x504;  // of 32768 Hz, less one
 inline constexpr std::uint32_t kWatchdogConfig = kWatchdog + 0x50C;
 inline constexpr std::uint32_t kWatchdogWhileAsleep = 1U << 0;
+inline constexpr std::uint32_t kWatchdogWhileHalted = 1U << 3;
 inline constexpr std::uint32_t kWatchdogFeed = kWatchdog + 0x600;  // RR[0], the only one enabled after a reset
 inline constexpr std::uint32_t kWatchdogFood = 0x6E52'4635;
 

@@ -8,11 +8,13 @@ namespace {
 
 constexpr std::uint32_t kCrystalHz = 12'000'000;
 constexpr std::uint32_t kRingHz = 6'500'000;
-constexpr std::uint32_t kMaxPolls = 200'000;  // the crystal takes 1 ms, a PLL some 0.1 ms
+constexpr std::uint32_t kMaxPolls = 200'000;  // the crystal takes 6 ms, a PLL some 0.1 ms
+// Times 256 / 12 MHz (2.16.3): 6 ms, after which the Pico's crystal has its full swing. Less: some do not start cold.
+constexpr std::uint32_t kCrystalStarts = 6 * 47;
 
 // All of this is inlined: it runs in the flash, too, where the rest of the program is not there yet.
 [[gnu::always_inline]] inline bool start_crystal() {
-  reg(kXoscStartup) = 47;  // * 256 / 12 MHz: 1 ms (2.16.3)
+  reg(kXoscStartup) = kCrystalStarts;
   reg(kXoscControl) = kXoscEnable1To15MHz;
   return await_bits(kXoscStatus, kXoscStable, kMaxPolls);
 }

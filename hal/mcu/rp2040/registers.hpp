@@ -83,7 +83,6 @@ inline constexpr std::uint32_t kWatchdogLoad = 0x4005'8004;
 inline constexpr std::uint32_t kWatchdogReason = 0x4005'8008;
 inline constexpr std::uint32_t kWatchdogScratch = 0x4005'800C;  // eight words; the boot ROM uses 4 to 7 (2.8.1.1)
 inline constexpr std::uint32_t kWatchdogTick = 0x4005'802C;
-inline constexpr std::uint32_t kWatchdogPauses = 0x7U << 24;  // while a debugger holds a core
 inline constexpr std::uint32_t kWatchdogEnable = 1U << 30;
 inline constexpr std::uint32_t kWatchdogTrigger = 1U << 31;
 inline constexpr std::uint32_t kWatchdogByTimer = 1U << 0;

@@ -18,12 +18,12 @@ inline constexpr std::uint32_t kWatchdogCount = 800'000;
 /// 3 s: the flash takes 0.4 s at most to erase a sector.
 inline constexpr std::uint32_t kPatientCount = 6'000'000;
 
-/// After the clock: it counts the same microseconds.
+/// After the clock: it counts the same microseconds. It goes on while a debugger holds the core, since motors do, too.
 inline void start_watchdog() {
   reg(kPowerWatchdogSelect) = kAllButOscillators;
   reg(kArmedWord) = kArmed;
   reg(kWatchdogLoad) = kWatchdogCount;
-  reg(kWatchdogControl) = kWatchdogEnable | kWatchdogPauses;
+  reg(kWatchdogControl) = kWatchdogEnable;
 }
 inline void feed_watchdog() { reg(kWatchdogLoad) = kWatchdogCount; }
 

@@ -349,6 +349,13 @@ class Nrf5(Core):
             self.feed()
         return True if running and register in (0x504, 0x508, 0x50C) else None
 
+    def hold(self, seconds):
+        """A debugger holds the core: the watchdog goes on if it is configured to."""
+        if not self.words.get(WATCHDOG + 0x50C, 1) & 8:
+            self.watchdog_until += seconds
+        self.seconds += seconds
+        self.look_at_part()
+
     def feed(self):
         self.watchdog_until = self.seconds + (self.words.get(WATCHDOG + 0x504, WORD - 1) + 1) / WATCHDOG_HZ
 

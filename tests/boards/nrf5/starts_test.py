@@ -257,6 +257,16 @@ class Driving(unittest.TestCase):
                 self.assertGreater(part.seconds - at, 0.35)
 
 
+    def test_the_watchdog_goes_on_while_a_debugger_holds_the_core(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                part = start(board, seconds=0.1)
+                part.hold(0.3)
+                self.assertIsNone(part.stop_reason)
+                part.hold(0.2)
+                self.assertEqual(part.stop_reason, "the watchdog has reset the part")
+
+
 class Rules(unittest.TestCase):
     def reserved(self, board):
         """{pin: what the board itself has there}"""

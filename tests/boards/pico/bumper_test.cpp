@@ -183,6 +183,16 @@ TEST_F(Motors, FallWhenADebuggerResetsTheCore) {
   EXPECT_LE(stood() - begun, 0.02);
 }
 
+TEST_F(Motors, FallWhenADebuggerHaltsTheCore) {
+  go();
+  const double begun = bench.seconds();
+  machine->command("halt");
+  bench.run(0.6);
+  EXPECT_LE(stood() - begun, 0.5);
+  EXPECT_GE(stood() - begun, 0.3) << "it was the watchdog";
+  EXPECT_TRUE(bench.await("reset: watchdog", 2)) << bench.said();
+}
+
 TEST_F(XrpMotors, GoAhead) {
   EXPECT_TRUE(never_ran());
   go();

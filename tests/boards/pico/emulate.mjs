@@ -1,10 +1,18 @@
 // usage: node emulate.mjs IMAGE.uf2 CONSOLE CAMERA USB CONTROL [COUNTS]
 //
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
-// CONTROL says, a line a command: `run MICROSECONDS` is answered by `at MICROSECONDS` when all that was said until then
-// has been sent. Others: `power`, `run-pin`, `probe` (resets the core alone), `fault`, `hang`; `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`; `camera
-// gone|back` (two-wire bus); `turn LEFT RIGHT MICROSECONDS` (wheels with encoders: counts, time between two); `counts`,
-// `stop` (the changes of the pin that stops the motors: microseconds, level) and `pin NUMBER` (of a motor's), answered by a line of JSON. COUNTS: what to count (counter.mjs); written at SIGTERM.
+// CONTROL says. It has a command a line.
+//
+//   run MICROSECONDS: answered by `at MICROSECONDS` when all that was said until then has been sent.
+//   power, run-pin: resets.
+//   probe, halt: a debugger resets the core alone, or holds it.
+//   fault, hang: the program fails, or is lost in a loop.
+//   usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out.
+//   camera gone|back: the device on the two-wire bus.
+//   turn LEFT RIGHT MICROSECONDS: wheels with encoders, counts and time between two.
+//   counts: answered by a line of JSON.
+//   stop, pin NUMBER: likewise, the changes of STOP's pin or of a motor's: microseconds, level.
+// COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { Counter } from './counter.mjs';
@@ -54,6 +62,7 @@ const commands = {
   power: () => pico.start('power'),
   'run-pin': () => pico.start('run'),
   probe: () => pico.resetCore(),
+  halt: () => pico.holdCore(),
   fault: () => pico.rom.fault(),
   hang: () => pico.rom.hang(),
   usb: (what) => ({

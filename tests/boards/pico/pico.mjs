@@ -13,6 +13,7 @@ const kCycleNanos = 8; // 125 MHz
 // Outputs of which each change is kept: what stops the motors, and the motors'.
 export const kTraced = { pico: [15, 16, 17], xrp: [17, 6, 7, 14, 15] };
 const kHigh = 1; // of rp2040js' states of a pin; all others are low at the end of a wire with a resistor to ground
+const kWatchdogPauses = 7 << 24; // of its control register (4.7.6)
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
 
 export class Pico {
@@ -48,6 +49,7 @@ export class Pico {
       this.flash.set(before.flash.subarray(0, this.flash.length));
     }
     const mcu = (this.mcu = new RP2040());
+    this.held = false;
     mcu.logger = new ConsoleLogger(LogLevel.Error, true);
     mcu.flash.set(this.flash);
     if (how === 'power') mcu.sram.forEach((_, i) => (mcu.sram[i] = (i * 2654435761) >>> 24));
@@ -73,6 +75,13 @@ export class Pico {
     mcu.core = new mcu.core.constructor(mcu);
     this.rules.watchCore();
     this.boot();
+  }
+
+  /** A debug probe holds the core; pulses, pins and the watchdog go on, unless the program lets the watchdog pause. */
+  holdCore() {
+    const watchdog = this.mcu.peripherals[0x40058];
+    if (watchdog.readUint32(0) & kWatchdogPauses) watchdog.timer.enable = false;
+    this.held = true;
   }
 
   wire(how, oldWatchdog) {
@@ -114,13 +123,13 @@ export class Pico {
     const { mcu } = this;
     const { core, clock } = mcu;
     while (clock.nanos < until && !this.dead) {
-      if (!core.waiting) {
+      if (!core.waiting && !this.held) {
         if (this.counter !== null) this.counter.see(core);
         const cycles = core.executeInstruction(); // it may let time pass itself: the flash does
         clock.nanosCounter += cycles * kCycleNanos;
         if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= clock.nanosCounter) clock.tick(0);
         this.instructions++;
-      } else if (core.checkForInterrupts()) {
+      } else if (!this.held && core.checkForInterrupts()) {
         core.waiting = false;
       } else {
         const next = clock.nextAlarm ? Math.max(clock.nanosToNextAlarm, 0) : until;

@@ -4,6 +4,9 @@ const kNormal = 0;
 const kClear = 3;
 const kTarget = 0x04; // of the I2C master
 const kDebugPause = 0x2c; // of the timer
+const kCrystalEnable = 0xfab << 12; // of its control register
+const kCrystalStartup = 0x0c;
+const kCrystalStarts = 6 * 47; // times 256 / 12 MHz: 6 ms
 const kTable = 0x10000100; // behind the boot stage
 const kTimerInterrupt = 16;
 
@@ -20,6 +23,8 @@ export class Rules {
     this.held = 0x1ffffff; // in reset, all of them after power-on
     this.paused = 3; // the timer, while a debugger holds a core: so after its reset (4.6.5)
     this.watch(0x4000c, (offset, value, how) => this.reset(offset, value, how));
+    this.startup = 0xc4; // of the crystal, after a reset
+    this.watch(0x40024, (offset, value) => this.crystal(offset, value));
     this.watch(0x40044, (offset, value) => offset === kTarget && this.target(value & 0x3ff));
     this.watch(0x40054, (offset, value) => offset === kDebugPause && (this.paused = value));
     for (const [place, bit] of Object.entries(kGated)) {
@@ -63,6 +68,13 @@ export class Rules {
     this.expect(!begins(kPllUsb) || !(clocks.usbCtrl & (1 << 11)), 'PLL_USB is reset while USB runs on it');
     this.held = after;
     if (begins(21)) this.paused = 3;
+  }
+
+  // 2.16.3, STARTUP: the vendor gives a Pico's crystal 6 ms; with less some boards do not start cold.
+  crystal(offset, value) {
+    if (offset === kCrystalStartup) this.startup = value & 0x3fff;
+    const enables = offset === 0 && (value & (0xfff << 12)) === kCrystalEnable;
+    this.expect(!enables || this.startup >= kCrystalStarts, `the crystal is given ${this.startup} counts to start`);
   }
 
   // 4.3.17, IC_TAR: reserved addresses are not sent to.

@@ -12,6 +12,7 @@ const kSysControl = 0x4000803c;
 const kUsbControl = 0x40008054;
 const kI2cTarget = 0x40044004;
 const kPause = 0x4005402c;
+const kCrystal = 0x40024000;
 
 // All peripherals out of reset.
 function part() {
@@ -21,6 +22,11 @@ function part() {
   return mcu;
 }
 const faults = {
+  'the crystal is given 47 counts to start': (mcu) => {
+    mcu.writeUint32(kCrystal + 0xc, 47);
+    mcu.writeUint32(kCrystal, 0xfabaa0);
+  },
+  'the crystal is given 196 counts to start': (mcu) => mcu.writeUint32(kCrystal, 0xfabaa0),
   'PLL_SYS is reset while the core runs on it': (mcu) => {
     mcu.writeUint32(kSysControl, 1);
     mcu.writeUint32(kResets + kSet, 1 << 12);
@@ -45,6 +51,8 @@ for (const [what, fault] of Object.entries(faults)) {
 }
 
 const mcu = part();
+mcu.writeUint32(kCrystal + 0xc, 282);
+mcu.writeUint32(kCrystal, 0xfabaa0);
 mcu.writeUint32(kResets + kSet, 1 << 12);
 mcu.writeUint32(kResets + kClear, 1 << 12);
 mcu.writeUint32(kSysControl, 1);

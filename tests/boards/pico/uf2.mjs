@@ -4,6 +4,7 @@ const kSecond = 0x9e5d5157;
 const kLast = 0x0ab16f30;
 const kFamily = 0xe48bff56;
 const kFlash = 0x10000000;
+
 const kSector = 4096;
 
 /** It erases as the ROM does: the first block of each sixteen erases the sector that it lies in (erratum RP2040-E14). */
