@@ -26,7 +26,7 @@ OWN = {"tests/toolchain/words_check.py", "tests/toolchain/words_check_test.py"} 
 OPENING = re.compile(r"(what|of what|by so much)\b", re.IGNORECASE)
 TOLD = re.compile(r"\btold\b", re.IGNORECASE)
 EXTREME = re.compile(r"\bk(?:Most|Least)[A-Z]\w*")
-ABBREVIATIONS = {"e.g.", "i.e.", "etc.", "vs.", "cf.", "sec.", "fig.", "no.", "approx.", "ca."}
+ABBREVIATIONS = {"e.g.", "i.e.", "etc.", "vs.", "cf.", "sec.", "fig.", "no.", "approx.", "ca.", "..."}
 CONSTANT = re.compile(r"\s*(?:(?:static|inline|extern)\s+)*(?:constexpr|constinit|const)\b[^(]*?\b(k[A-Z]\w*)")
 FIELD = re.compile(r"(?:in|out|errors|cost|source):$")  # begins a line of a documented function
 
@@ -183,7 +183,7 @@ def sentences(text):
         sentence.append((number, word))
         following = words[i + 1][1] if i + 1 < len(words) else ""
         ends = re.search(r"[.!?][\"')\]*`]*$", word) and word.lower().lstrip("(") not in ABBREVIATIONS
-        if not following or (ends and not following[0].islower()) or FIELD.match(following):
+        if not following or ends or FIELD.match(following):
             yield sentence[0][0], [w for _, w in sentence]
             sentence = []
 
