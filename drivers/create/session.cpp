@@ -216,6 +216,8 @@ void Session::stand() {
 }
 
 void Session::link_lost() {
+  decoder_.reset();
+  reading_decoder_.reset();
   steered_.reset();
   begun_ = streaming_ = heard_ = false;
   tries_ = 0;

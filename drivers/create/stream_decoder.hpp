@@ -41,6 +41,8 @@ class StreamDecoder {
   /// When its first byte arrived.
   [[nodiscard]] base::Time t() const { return t_; }
   [[nodiscard]] ChecksumRule rule() const { return agreed_ >= kAgreement ? rule_ : ChecksumRule::kUnknown; }
+  /// Forgets a frame that has begun.
+  void reset() { filled_ = 0; }
   /// Forgets the checksum rule: it may be another robot.
   void forget_rule() { agreed_ = 0; }
   /// Complete frames whose checksum matches neither rule, or not the known one.

@@ -53,6 +53,12 @@ class Decoder {
   /// One byte that arrived at `now`.
   Event feed(std::uint8_t byte, base::Time now);
 
+  /// Forgets a line and a frame that have begun.
+  void reset() {
+    size_ = 0;
+    too_long_ = building_ = false;
+  }
+
   [[nodiscard]] const sensor::BlobFrame& frame() const { return frame_; }
   /// The last frame had numbers of one decimal and the frame's stamp.
   [[nodiscard]] bool as_told() const { return as_told_; }

@@ -39,6 +39,7 @@ void Session::step(base::Time now) {
 }
 
 void Session::link_lost() {
+  decoder_.reset();
   begun_ = heard_ = framed_ = false;
   outbox_.clear();
 }

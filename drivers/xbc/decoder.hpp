@@ -41,6 +41,9 @@ class Decoder {
   /// One byte that arrived at `now`.
   Event feed(std::uint8_t byte, base::Time now);
 
+  /// Forgets a line and a frame that have begun.
+  void reset() { in_line_ = building_ = false; }
+
   [[nodiscard]] const sensor::BlobFrame& frame() const { return frame_; }
   [[nodiscard]] std::int32_t version() const { return version_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }

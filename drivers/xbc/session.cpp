@@ -35,6 +35,7 @@ void Session::step(base::Time now) {
 }
 
 void Session::link_lost() {
+  decoder_.reset();
   begun_ = heard_ = framed_ = false;
   version_ = 0;
   outbox_.clear();

@@ -30,7 +30,7 @@ TESTS = ("hal_base_test", "hal_sensor_test", "alert_test", "record_test", "loop_
          "settings_store_test", "config_devices_test", "image_test", "image_encoders_test",
          "recon_test", "recon_guard_test", "recon_hybrid_test", "recon_pose_test", "recon_sheaf_test", "recon_exactness_test",
          "can_wheels_test", "cmucam_test", "cognachrome_test", "create_test", "huskylens_test", "jevois_test", "nxt_test",
-         "nxtcam_test", "odometry_test", "pixy1_test", "pixy2_test", "xbc_test", "serial_test", "wire_test", "hostile_test")
+         "nxtcam_test", "odometry_test", "pixy1_test", "pixy2_test", "xbc_test", "serial_test", "wire_test", "contract_test", "hostile_test")
 ENOUGH = 0.90
 
 

@@ -13,13 +13,27 @@
 
 namespace fencepost::test {
 
+/// Ten seconds of the fastest camera: what a stalled line may give when it goes on.
+inline constexpr std::int64_t kOldImages = 700;
+
+/// Of an image that many columns and rows wide: a box of 42 x 31, elsewhere in each image.
+inline sensor::Blob moving_box(std::int64_t image, std::int64_t columns, std::int64_t rows) {
+  const auto x = static_cast<std::int16_t>(image % columns);
+  const auto y = static_cast<std::int16_t>(image / columns % rows);
+  return {3, x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
+          0, {}};
+}
+
 /// Common to all camera rigs. `scene` is what each image shows; or `moving`: a different box in each image, so that a
-/// damaged or an old one cannot be taken for the right one.
-template <class Blobs = std::vector<sensor::Blob>>
+/// damaged or an old one cannot be taken for the right one. `Self` has kWidth and kHeight of the driver's image and
+/// `blob_of(image)`, that box as the device is shown it. Where the driver gives another blob, it has is(frame, image).
+template <class Self, class Thing = sensor::Blob>
 struct CameraRig {
   using Sample = sensor::BlobFrame;
 
-  Blobs scene;
+  static constexpr std::size_t kMaxThings = 20;  ///< in one image: more than a frame holds
+
+  std::vector<Thing> scene;
   bool moving = false;
   std::int64_t images = 0;
   bool exposing = true;  ///< the imager works
@@ -33,6 +47,16 @@ struct CameraRig {
     if (exposing) ++images;
     return exposing;
   }
+  /// Things in an image that is taken now.
+  [[nodiscard]] std::vector<Thing> seen() const { return moving ? std::vector{Self::blob_of(images)} : scene; }
+  static bool is(const sensor::BlobFrame& frame, std::int64_t image) {
+    return frame.blobs.size() == 1 && frame.blobs[0] == Self::blob_of(image);
+  }
+  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
+    return any_of_last(last, [&](std::int64_t image) { return Self::is(frame, image); });
+  }
+  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
+  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
   /// Whether `is(n)` holds for the number of one of the last `count` images.
   template <class Is>
   [[nodiscard]] bool any_of_last(std::int64_t count, Is is) const {
@@ -42,9 +66,6 @@ struct CameraRig {
     return false;
   }
 };
-
-/// Ten seconds of the fastest camera: what a stalled line may give when it goes on.
-inline constexpr std::int64_t kOldImages = 700;
 
 struct BenchClock {
   fake::SteppedClock clock;

@@ -29,11 +29,14 @@ class BrickUsb : public Plug {
   base::Result<std::size_t> send(std::span<const std::uint8_t> out) {
     if (unplugged_) return base::Error::kGone;
     if (stalled_) return base::Error::kFull;
+    hear(out);
     const auto reply = brick_.telegram(passed(out), clock_.now());
     if (!reply) return out.size();
     const std::uint64_t before = corrupted();
-    replies_.emplace_back(clock_.now() + delay, passed(*reply));
-    if (is_frame_ != nullptr && is_frame_(*reply) && corrupted() == before) ++whole_frames_;
+    const bool is_frame = is_frame_ != nullptr && is_frame_(*reply);
+    const std::vector<std::uint8_t> sent = is_frame ? tampered(*reply) : *reply;
+    replies_.emplace_back(clock_.now() + delay, passed(sent));
+    if (is_frame && sent == *reply && corrupted() == before) ++whole_frames_;
     return out.size();
   }
   base::Result<std::size_t> receive(std::span<std::uint8_t> in) {

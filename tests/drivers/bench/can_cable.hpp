@@ -26,7 +26,8 @@ class CanCable : public Plug {
     waiting_.pop_front();
     const std::uint64_t before = corrupted();
     for (const std::uint8_t byte : frame.bytes()) (void)corruptor_.pass(byte);
-    if (corrupted() != before) return neighbour_whole_ = false, base::Error::kBadInput;
+    const std::vector<std::uint8_t> sent = {frame.bytes().begin(), frame.bytes().end()};
+    if (corrupted() != before || tampered(sent) != sent) return neighbour_whole_ = false, base::Error::kBadInput;
     // A sample needs a frame of each wheel.
     whole_frames_ += neighbour_whole_ ? 1U : 0U;
     neighbour_whole_ = !neighbour_whole_;

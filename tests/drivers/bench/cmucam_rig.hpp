@@ -8,7 +8,10 @@
 
 namespace fencepost::test {
 
-struct CmuCamRig : CameraRig<std::vector<emulate::ColouredSpot>> {
+struct CmuCamRig : CameraRig<CmuCamRig, emulate::ColouredSpot> {
+  static constexpr int kWidth = 176;
+  static constexpr int kHeight = 287;
+  static constexpr std::size_t kMaxThings = 3;  ///< more are a box with too few pixels
   using Link = Cable<emulate::CmuCamDevice>;
   static constexpr base::Duration kImage = base::milliseconds(60);  ///< 16.7 /s
 
@@ -26,7 +29,7 @@ struct CmuCamRig : CameraRig<std::vector<emulate::ColouredSpot>> {
     if (!device.starting()) started = now + emulate::CmuCamDevice::kStart;
     if (device.starting() && link.powered() && now >= started) link.inject(device.finish_start());
     if (!expose(now, kImage) || !link.powered()) return;
-    link.inject(device.frame(moving ? std::vector{spot_of(images)} : scene));
+    link.inject(device.frame(seen()));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
   void switch_off() { link.power(false); }
@@ -39,20 +42,17 @@ struct CmuCamRig : CameraRig<std::vector<emulate::ColouredSpot>> {
     switch_on();
   }
   // Red, within the image of every model.
-  static emulate::ColouredSpot spot_of(std::int64_t image) {
+  static emulate::ColouredSpot blob_of(std::int64_t image) {
     const int x = static_cast<int>(image % 60);
     const int y = static_cast<int>(image / 60 % 90);
     return {200, 30, 30, x, y, x + 9, y + 19, 150};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) {
-             const emulate::ColouredSpot spot = spot_of(image);
-             const sensor::Blob& blob = frame.blobs[0];
-             return blob.x1 == spot.x1 && blob.y1 == spot.y1 && blob.x2 == spot.x2 && blob.y2 == spot.y2;
-           });
+  static bool is(const sensor::BlobFrame& frame, std::int64_t image) {
+    if (frame.blobs.size() != 1) return false;
+    const emulate::ColouredSpot spot = blob_of(image);
+    const sensor::Blob& blob = frame.blobs[0];
+    return blob.x1 == spot.x1 && blob.y1 == spot.y1 && blob.x2 == spot.x2 && blob.y2 == spot.y2;
   }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
   base::Time started = base::Time{} + emulate::CmuCamDevice::kStart;  ///< when a start is over
   emulate::CmuCamDevice device;

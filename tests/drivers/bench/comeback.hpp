@@ -1,70 +1,46 @@
-// A stall, an unplug and a power cycle, one after the other, on a good cable.
+// A driver on a good cable whose device falls silent, is unplugged, switched off, or not there.
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <optional>
 
-#include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/hostile_cases.hpp"
-#include "tests/drivers/bench/plug.hpp"
 
 namespace fencepost::test {
 
-template <class Rig>
-class Day {
- public:
-  explicit Day(base::Duration step) : bench_(Damage{}), step_(step) { bench_.moving = true; }
-
-  Comeback spend() {
-    Comeback day;
-    bench_.link.stall();
-    (void)pass(kDead);
-    day.before = bench_.driver.link();
-    bench_.link.resume();
-    (void)pass(kRecovery);
-    day.working = bench_.driver.link();
-    bench_.link.stall();
-    (void)pass(kDead);
-    day.stalled = bench_.driver.link();
-    bench_.link.resume();
-    (void)pass(kRecovery);
-    day.after_stall = bench_.driver.link();
-    bench_.link.unplug();
-    (void)pass(base::milliseconds(1'500));
-    day.unplugged = bench_.driver.link();
-    bench_.link.replug();
-    (void)pass(kRecovery);
-    day.replugged = bench_.driver.link();
-    bench_.restart(bench_.clock.now());
-    (void)pass(kRecovery);
-    day.samples_after_power_cycle = pass(base::milliseconds(2'000));
-    day.after_power_cycle = bench_.driver.link();
-    day.wrong = wrong_;
-    return day;
-  }
-
- private:
-  static constexpr base::Duration kDead = base::milliseconds(10'000);
-  static constexpr base::Duration kRecovery = base::milliseconds(15'000);
-
-  std::uint64_t pass(base::Duration time) {
-    std::uint64_t samples = 0;
-    for (const base::Time end = bench_.clock.now() + time; bench_.clock.now() < end;) {
-      const auto sample = bench_.step(step_);
-      if (!sample) continue;
-      ++samples;
-      wrong_ += bench_.right(*sample) || bench_.old(*sample) ? 0U : 1U;
-    }
-    return samples;
-  }
-
-  Bench<Rig> bench_;
-  base::Duration step_;
-  std::uint64_t wrong_ = 0;
+/// The link's state in the phases of a day without damage: a stall, an unplug and a power cycle.
+struct Comeback {
+  sensor::LinkState before = sensor::LinkState::kOk;  ///< while the device is dead, at the beginning
+  sensor::LinkState working = sensor::LinkState::kAbsent;
+  sensor::LinkState stalled = sensor::LinkState::kOk;  ///< long enough
+  sensor::LinkState after_stall = sensor::LinkState::kAbsent;
+  sensor::LinkState unplugged = sensor::LinkState::kOk;
+  sensor::LinkState replugged = sensor::LinkState::kAbsent;
+  sensor::LinkState after_power_cycle = sensor::LinkState::kAbsent;
+  std::uint64_t samples_after_power_cycle = 0;
+  std::uint64_t wrong = 0;  ///< samples, ever
 };
+Comeback spend_day(const HostileCase& driver);
 
-template <class Rig>
-Comeback spend_day(base::Duration step) {
-  return std::make_unique<Day<Rig>>(step)->spend();
-}
+/// The longest times from the end of a silence to the first sample that says what the device says then.
+struct Recovery {
+  base::Duration stall;     ///< the line carried nothing, the device went on
+  base::Duration unplug;    ///< the plug was out, the device went on
+  base::Duration power;     ///< the device was switched off and on; its own start is in it
+  std::uint64_t wrong = 0;  ///< samples that say what never was
+  std::uint64_t stale = 0;  ///< samples after a power cycle that say what was before it
+};
+Recovery measure_recovery(const HostileCase& driver);
+
+/// Of a line that carries nothing but noise: a wrong baud rate, a loose ground, another device.
+struct Noise {
+  std::uint64_t polls = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t working = 0;  ///< polls after which the link was said to work
+};
+/// Two minutes of random bytes, as fast as the line is; the device is off. Nothing where a cable carries no single
+/// bytes.
+std::optional<Noise> hear_noise(const HostileCase& driver);
 
 }  // namespace fencepost::test

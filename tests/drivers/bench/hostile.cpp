@@ -6,13 +6,14 @@
 #include <exception>
 #include <string>
 
-#include "tests/drivers/bench/hostile_cases.hpp"
+#include "tests/drivers/bench/comeback.hpp"
+#include "tests/drivers/bench/hostile_hours.hpp"
 
 namespace fencepost::test {
 namespace {
 
 bool run(const HostileCase& driver, double hours, unsigned seed) {
-  const HostileFigures figures = driver.hours(hours, seed);
+  const HostileFigures figures = run_hostile_hours(driver, hours, seed);
   fmt::print(
       "{:<20} {} h: {} samples; {} bytes damaged, {} faults; of {} good frames in calm {} lost, {} bytes damaged then; "
       "{} wrong samples, {} held back; longest gap {:.2f} s, recovery {:.2f} s; queue {}, heap {:+} bytes\n",
@@ -26,10 +27,10 @@ bool run(const HostileCase& driver, double hours, unsigned seed) {
 }
 
 void show_recovery(const HostileCase& driver) {
-  const Recovery recovery = driver.recovery();
+  const Recovery recovery = measure_recovery(driver);
   fmt::print("{:<20} after a stall {:.2f} s, an unplug {:.2f} s, a power cycle {:.2f} s\n", driver.name,
              recovery.stall.to_double(), recovery.unplug.to_double(), recovery.power.to_double());
-  if (const auto noise = driver.noise()) {
+  if (const auto noise = hear_noise(driver)) {
     fmt::print("{:<20} of noise {} samples, {:.2f} % of the time it was said to work\n", driver.name, noise->samples,
                100.0 * static_cast<double>(noise->working) / static_cast<double>(noise->polls));
   }

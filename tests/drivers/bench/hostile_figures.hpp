@@ -38,6 +38,7 @@ struct HostileLimits {
   base::Duration longest_wait;      ///< gap or recovery: longer, it hangs
   base::Duration own_start = {};    ///< of the device, from power to its first sample
   bool reset_starts_it = false;     ///< and after a silence it has to be reset
+  bool sealed_in_parts = false;     ///< nothing tells that a box of a frame is missing
 };
 
 /// Violated limits, in words; empty if there are none.

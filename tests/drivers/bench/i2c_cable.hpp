@@ -35,16 +35,19 @@ class I2cCable : public Plug {
     if (!answer_) answer_.emplace();
     turns_left_ = turns;
     ++transfers_;
+    hear(out);
     return out.size();
   }
 
   base::Result<std::size_t> finish(std::span<std::uint8_t> in) {
     if (unplugged_) return answer_.reset(), base::Error::kGone;
     if (!answer_ || stalled_ || turns_left_-- > 0) return base::Error::kNotReady;
-    const std::vector<std::uint8_t> bytes = *answer_;
+    std::vector<std::uint8_t> bytes = *answer_;
     answer_.reset();
     if (refused_) return base::Error::kRefused;
     const std::uint64_t before = corrupted();
+    if (reads_frame_) bytes = tampered(bytes);
+    bytes.resize(std::min(bytes.size(), in.size()));
     for (std::size_t i = 0; i < bytes.size(); ++i) in[i] = corruptor_.pass(bytes[i]);
     if (reads_frame_ && corrupted() == before) ++whole_frames_;
     return bytes.size();

@@ -10,7 +10,9 @@
 
 namespace fencepost::test {
 
-struct NxtCamImages : CameraRig<> {
+struct NxtCamImages : CameraRig<NxtCamImages> {
+  static constexpr int kWidth = 176;
+  static constexpr int kHeight = 144;
   static constexpr base::Duration kImage = base::milliseconds(33);
 
   explicit NxtCamImages(const fake::SteppedClock& clock) : device(clock.now()) {}
@@ -22,14 +24,9 @@ struct NxtCamImages : CameraRig<> {
         3, x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
         0, {}};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
   bool show_image(base::Time now) {
     if (!expose(now, kImage)) return false;
-    device.show(moving ? std::vector{blob_of(images)} : scene);
+    device.show(seen());
     return true;
   }
 

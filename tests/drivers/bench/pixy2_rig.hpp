@@ -10,12 +10,14 @@
 
 namespace fencepost::test {
 
-struct Pixy2Images : CameraRig<> {
+struct Pixy2Images : CameraRig<Pixy2Images> {
+  static constexpr int kWidth = 316;
+  static constexpr int kHeight = 208;
   static constexpr base::Duration kImage = base::milliseconds(16);
 
   explicit Pixy2Images(const fake::SteppedClock& clock) : device(clock.now()) {}
   void live(base::Time now) {
-    if (expose(now, kImage)) device.show(moving ? std::vector{blob_of(images)} : scene);
+    if (expose(now, kImage)) device.show(seen());
   }
   static sensor::Blob blob_of(std::int64_t image) {
     const auto x = static_cast<std::int16_t>(image % 200);
@@ -24,11 +26,6 @@ struct Pixy2Images : CameraRig<> {
         3, x, y, static_cast<std::int16_t>(x + 40), static_cast<std::int16_t>(y + 30), {10 * x + 200}, {10 * y + 150},
         0, {}};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
   emulate::Pixy2 device;
 };

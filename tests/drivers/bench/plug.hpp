@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <random>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace fencepost::test {
 
@@ -31,6 +35,9 @@ class Corruptor {
   std::uint64_t corrupted_ = 0;
 };
 
+/// Each frame of the device passes it on its way to the driver.
+using Tamper = std::function<std::vector<std::uint8_t>(const std::vector<std::uint8_t>&)>;
+
 class Plug {
  public:
   explicit Plug(const Damage& damage) : corruptor_(damage) {}
@@ -43,12 +50,31 @@ class Plug {
   [[nodiscard]] bool plugged() const { return !unplugged_; }
 
   Corruptor& corruptor() { return corruptor_; }
+  void tamper(Tamper tamper) { tamper_ = std::move(tamper); }
+  /// Bytes that the driver has sent, and the first of them since they were last cleared.
+  [[nodiscard]] std::uint64_t written() const { return written_; }
+  std::vector<std::uint8_t>& said() { return said_; }
   [[nodiscard]] std::uint64_t corrupted() const { return corruptor_.corrupted(); }
   /// Frames of the device that went on their way undamaged.
   [[nodiscard]] std::uint64_t whole_frames() const { return whole_frames_; }
 
  protected:
+  /// `frame` as it arrives, but for single bytes.
+  [[nodiscard]] std::vector<std::uint8_t> tampered(const std::vector<std::uint8_t>& frame) const {
+    return tamper_ ? tamper_(frame) : frame;
+  }
+
+  void hear(std::span<const std::uint8_t> out) {
+    written_ += out.size();
+    for (std::size_t i = 0; i < out.size() && said_.size() < kKept; ++i) said_.push_back(out[i]);
+  }
+
+  static constexpr std::size_t kKept = 80;
+
   Corruptor corruptor_;
+  Tamper tamper_;
+  std::vector<std::uint8_t> said_;
+  std::uint64_t written_ = 0;
   bool unplugged_ = false;
   bool stalled_ = false;
   std::uint64_t whole_frames_ = 0;

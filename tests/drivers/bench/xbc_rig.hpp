@@ -8,7 +8,9 @@
 
 namespace fencepost::test {
 
-struct XbcRig : CameraRig<std::vector<emulate::XbcBlob>> {
+struct XbcRig : CameraRig<XbcRig, emulate::XbcBlob> {
+  static constexpr int kWidth = 356;
+  static constexpr int kHeight = 291;
   using Link = Cable<emulate::XbcDevice>;
   static constexpr base::Duration kImage = base::milliseconds(65);
 
@@ -21,7 +23,7 @@ struct XbcRig : CameraRig<std::vector<emulate::XbcBlob>> {
   void live(base::Time now) {
     if (!expose(now, kImage)) return;
     ++sent;
-    link.inject(device.frame(moving ? std::vector{blob_of(images)} : scene));
+    link.inject(device.frame(seen()));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
   void restart(base::Time /*now*/) {
@@ -34,16 +36,13 @@ struct XbcRig : CameraRig<std::vector<emulate::XbcBlob>> {
     const int y = static_cast<int>(image / 300 % 200);
     return {0, 0, x + 18, y + 15, 600, x, y, x + 36, y + 29, 0};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) {
-             const emulate::XbcBlob shown = blob_of(image);
-             const sensor::Blob& blob = frame.blobs[0];
-             return blob.x1 == shown.left && blob.y1 == shown.top && blob.x2 == shown.right &&
-                    blob.y2 == shown.bottom && blob.pixels == 600;
-           });
+  static bool is(const sensor::BlobFrame& frame, std::int64_t image) {
+    if (frame.blobs.size() != 1) return false;
+    const emulate::XbcBlob shown = blob_of(image);
+    const sensor::Blob& blob = frame.blobs[0];
+    return blob.x1 == shown.left && blob.y1 == shown.top && blob.x2 == shown.right && blob.y2 == shown.bottom &&
+           blob.pixels == 600;
   }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
   emulate::XbcDevice device;
   Link link;

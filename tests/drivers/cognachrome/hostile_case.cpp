@@ -1,5 +1,5 @@
 // A Cognachrome on a serial line through hostile hours.
-#include "tests/drivers/bench/hostile_case.hpp"
+#include "tests/drivers/bench/hostile_cases.hpp"
 #include "tests/drivers/cognachrome/rig.hpp"
 
 namespace fencepost::test {

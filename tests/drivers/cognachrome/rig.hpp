@@ -8,7 +8,10 @@
 
 namespace fencepost::test {
 
-struct CognachromeRig : CameraRig<> {
+struct CognachromeRig : CameraRig<CognachromeRig> {
+  static constexpr int kWidth = 250;
+  static constexpr int kHeight = 200;
+  static constexpr std::size_t kMaxThings = 8;  ///< of a field, at 38400 baud
   using Link = Cable<emulate::Cognachrome>;
   static constexpr std::uint32_t kBaud = 38'400;
 
@@ -18,7 +21,7 @@ struct CognachromeRig : CameraRig<> {
     link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes[0] == 0xFF; });
   }
   void live(base::Time now) {
-    if (expose(now, emulate::Cognachrome::kField)) device.show(moving ? std::vector{blob_of(images)} : scene);
+    if (expose(now, emulate::Cognachrome::kField)) device.show(seen());
     while (exposing && *device.next() <= now) link.inject(device.step(*device.next()));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
@@ -29,16 +32,13 @@ struct CognachromeRig : CameraRig<> {
     const auto y = static_cast<std::int16_t>(image / 200 % 150);
     return {3, x, y, static_cast<std::int16_t>(x + 40), static_cast<std::int16_t>(y + 39), {}, {}, 0, {}};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) {
-             const sensor::Blob shown = blob_of(image);
-             const sensor::Blob& blob = frame.blobs[0];
-             return blob.signature == 3 && blob.pixels == 1'640 && blob.cx.raw == 10 * (shown.x1 + 20) &&
-                    blob.cy.raw == 10 * (shown.y1 + 20);
-           });
+  static bool is(const sensor::BlobFrame& frame, std::int64_t image) {
+    if (frame.blobs.size() != 1) return false;
+    const sensor::Blob shown = blob_of(image);
+    const sensor::Blob& blob = frame.blobs[0];
+    return blob.signature == 3 && blob.pixels == 1'640 && blob.cx.raw == 10 * (shown.x1 + 20) &&
+           blob.cy.raw == 10 * (shown.y1 + 20);
   }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
   emulate::Cognachrome device{emulate::Cognachrome::Preset::kVision, kBaud};
   Link link;

@@ -1,15 +1,18 @@
 // A HuskyLens of either generation on a serial line, through hostile hours.
-#include "tests/drivers/bench/hostile_case.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "host/emulate/models/huskylens.hpp"
 #include "host/emulate/models/huskylens2.hpp"
 #include "tests/drivers/bench/cable.hpp"
+#include "tests/drivers/bench/hostile_cases.hpp"
 
 namespace fencepost::test {
 namespace {
 
 template <class Device, huskylens::Generation Generation>
-struct HuskyLensRig : CameraRig<> {
+struct HuskyLensRig : CameraRig<HuskyLensRig<Device, Generation>> {
+  static constexpr int kWidth = Generation == huskylens::Generation::kTwo ? 640 : 320;
+  static constexpr int kHeight = Generation == huskylens::Generation::kTwo ? 480 : 240;
+  using Sample = sensor::BlobFrame;
   using Link = Cable<Device>;
   static constexpr bool kTwo = Generation == huskylens::Generation::kTwo;
   static constexpr base::Duration kImage = base::milliseconds(33);
@@ -22,22 +25,11 @@ struct HuskyLensRig : CameraRig<> {
     });
   }
   void live(base::Time now) {
-    if (expose(now, kImage)) device.show(moving ? std::vector{blob_of(images)} : scene);
+    if (this->expose(now, kImage)) device.show(this->seen());
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
   void restart(base::Time now) { static_cast<void>(device.power_up(now)), link.forget(); }
-  static sensor::Blob blob_of(std::int64_t image) {
-    const auto x = static_cast<std::int16_t>(image % 250);
-    const auto y = static_cast<std::int16_t>(image / 250 % 190);
-    return {
-        3, x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
-        0, {}};
-  }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
+  static sensor::Blob blob_of(std::int64_t image) { return moving_box(image, 250, 190); }
 
   Device device;
   Link link;

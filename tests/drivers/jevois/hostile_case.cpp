@@ -1,5 +1,5 @@
 // A JeVois through hostile hours.
-#include "tests/drivers/bench/hostile_case.hpp"
+#include "tests/drivers/bench/hostile_cases.hpp"
 #include "tests/drivers/jevois/rig.hpp"
 
 namespace fencepost::test {

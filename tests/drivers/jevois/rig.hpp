@@ -8,7 +8,9 @@
 
 namespace fencepost::test {
 
-struct JeVoisRig : CameraRig<std::vector<sensor::Blob>> {
+struct JeVoisRig : CameraRig<JeVoisRig> {
+  static constexpr int kWidth = 320;
+  static constexpr int kHeight = 240;
   using Link = Cable<emulate::JeVois>;
   static constexpr base::Duration kImage = base::milliseconds(33);
 
@@ -22,7 +24,7 @@ struct JeVoisRig : CameraRig<std::vector<sensor::Blob>> {
   void live(base::Time now) {
     if (!expose(now, kImage)) return;
     sensor::BlobFrame frame;
-    for (const sensor::Blob& blob : moving ? std::vector{blob_of(images)} : scene) (void)frame.blobs.push_back(blob);
+    for (const sensor::Blob& blob : seen()) (void)frame.blobs.push_back(blob);
     link.inject(device.see(frame, now));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
@@ -31,18 +33,7 @@ struct JeVoisRig : CameraRig<std::vector<sensor::Blob>> {
     link.power(true);
     (void)device.power_up(now);
   }
-  static sensor::Blob blob_of(std::int64_t image) {
-    const auto x = static_cast<std::int16_t>(image % 250);
-    const auto y = static_cast<std::int16_t>(image / 250 % 190);
-    return {
-        3, x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
-        0, {}};
-  }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
+  static sensor::Blob blob_of(std::int64_t image) { return moving_box(image, 250, 190); }
 
   emulate::JeVois device;
   Link link;

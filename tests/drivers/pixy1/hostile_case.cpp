@@ -1,7 +1,7 @@
 // A Pixy on a serial line, and on USB, through hostile hours.
-#include "tests/drivers/bench/hostile_case.hpp"
 #include "drivers/pixy1/pixy1.hpp"
 #include "tests/drivers/bench/cable.hpp"
+#include "tests/drivers/bench/hostile_cases.hpp"
 #include "tests/drivers/pixy1/rig.hpp"
 
 namespace fencepost::test {
@@ -9,8 +9,8 @@ namespace {
 
 // Two wrong of three and a half million samples in a day: what made zeros of a mark, or the sum right.
 constexpr double kPixy1Sum = 1e-5;
-const RegisteredCase kPixy1Serial{
-    hostile_case<Pixy1Rig, 2>("pixy1:tty", {kPixy1Sum, 100'000, base::milliseconds(1'500), base::milliseconds(1'000)})};
+const RegisteredCase kPixy1Serial{hostile_case<Pixy1Rig, 2>(
+    "pixy1:tty", {kPixy1Sum, 100'000, base::milliseconds(1'500), base::milliseconds(1'000), false, true})};
 
 // USB has its own checksum, Chirp none.
 constexpr double kPixy1UsbSum = 0.1;

@@ -10,21 +10,12 @@
 
 namespace fencepost::test {
 
-struct Pixy1Images : CameraRig<> {
+struct Pixy1Images : CameraRig<Pixy1Images> {
+  static constexpr int kWidth = 320;
+  static constexpr int kHeight = 200;
   static constexpr base::Duration kImage = emulate::Pixy1::kImage;
 
-  static sensor::Blob blob_of(std::int64_t image) {
-    const auto x = static_cast<std::int16_t>(image % 250);
-    const auto y = static_cast<std::int16_t>(image / 250 % 150);
-    return {
-        3, x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
-        0, {}};
-  }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
+  static sensor::Blob blob_of(std::int64_t image) { return moving_box(image, 250, 150); }
 };
 
 struct Pixy1Rig : Pixy1Images {
@@ -36,7 +27,7 @@ struct Pixy1Rig : Pixy1Images {
     link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes.size() > 4; });
   }
   void live(base::Time now) {
-    if (expose(now, kImage)) device.show(moving ? std::vector{blob_of(images)} : scene);
+    if (expose(now, kImage)) device.show(seen());
     while (exposing && device.next() && *device.next() <= now) link.inject(device.step(*device.next()));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
@@ -56,7 +47,7 @@ struct Pixy1UsbRig : Pixy1Images {
     link.count_frames([](std::span<const std::uint8_t> bytes) { return bytes.size() > 4 && bytes[4] == 0x18; });
   }
   void live(base::Time now) {
-    if (expose(now, kImage)) device.show(moving ? std::vector{blob_of(images)} : scene);
+    if (expose(now, kImage)) device.show(seen());
     while (exposing && device.next() <= now) link.inject(device.step(device.next()));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }

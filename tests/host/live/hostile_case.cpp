@@ -1,15 +1,17 @@
 // A camera that prints frames, on a serial line through hostile hours.
-#include "tests/drivers/bench/hostile_case.hpp"
 #include "drivers/serial/pump.hpp"
 #include "host/emulate/models/frames.hpp"
 #include "host/live/records_camera.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
+#include "tests/drivers/bench/hostile_cases.hpp"
 
 namespace fencepost::test {
 namespace {
 
-struct FramesRig : CameraRig<> {
+struct FramesRig : CameraRig<FramesRig> {
+  static constexpr int kWidth = 320;
+  static constexpr int kHeight = 240;
   using Link = Cable<emulate::FramePrinter>;
   static constexpr base::Duration kImage = base::milliseconds(33);
 
@@ -21,7 +23,7 @@ struct FramesRig : CameraRig<> {
   void live(base::Time now) {
     if (!expose(now, kImage)) return;
     sensor::BlobFrame frame;
-    for (const sensor::Blob& blob : moving ? std::vector{blob_of(images)} : scene) (void)frame.blobs.push_back(blob);
+    for (const sensor::Blob& blob : seen()) (void)frame.blobs.push_back(blob);
     link.inject(device.see(frame, now));
   }
   base::Result<Sample> poll(base::Time now) { return driver.poll(now); }
@@ -33,11 +35,6 @@ struct FramesRig : CameraRig<> {
         3,   x, y, static_cast<std::int16_t>(x + 41), static_cast<std::int16_t>(y + 30), {10 * x + 205}, {10 * y + 150},
         900, {}};
   }
-  [[nodiscard]] bool shows(const sensor::BlobFrame& frame, std::int64_t last) const {
-    return frame.blobs.size() == 1 && any_of_last(last, [&](auto image) { return frame.blobs[0] == blob_of(image); });
-  }
-  [[nodiscard]] bool right(const sensor::BlobFrame& frame) const { return shows(frame, latest); }
-  [[nodiscard]] bool old(const sensor::BlobFrame& frame) const { return shows(frame, kOldImages); }
 
   emulate::FramePrinter device;
   Link link;
