@@ -18,9 +18,9 @@
 
 namespace fencepost::test {
 
-/// Images of a camera: a different box in each; one, two or three boxes; these in turns; or a crowd.
+/// Images of a camera: a different box in each; one, two or three boxes; these in turns; a crowd; none.
 /// Wheels drive straight on.
-enum class Scene : std::uint8_t { kMoving, kOne, kTwo, kThree, kTurns, kCrowd };
+enum class Scene : std::uint8_t { kMoving, kOne, kTwo, kThree, kTurns, kCrowd, kNothing };
 
 /// A sample, by what it says.
 struct Seen {
@@ -107,6 +107,7 @@ class RigSubject final : public Subject {
       std::size_t things = static_cast<std::size_t>(scene_);
       if (scene_ == Scene::kTurns) things = 1 + static_cast<std::size_t>(bench_.images % 3);
       if (scene_ == Scene::kCrowd) things = Rig::kMaxThings;
+      if (scene_ == Scene::kNothing) things = 0;
       bench_.scene.clear();
       for (std::size_t i = 0; i < things; ++i) {
         bench_.scene.push_back(bench_.blob_of(7 + 7'531 * static_cast<std::int64_t>(i)));

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/cmucam/rig.hpp"
 #include "tests/drivers/hex.hpp"
 
@@ -167,17 +166,6 @@ TEST(CmuCamSession, SaysWhatItIsToldTo) {
   EXPECT_EQ(hear("ACK\r" + test::hex_text("FF 4D 00 00 00 00 00 00 00 00") + ":"), "TC 180 240 16 60 16 60\r");
   EXPECT_EQ(session.sample().blobs.size(), 1U);
   EXPECT_EQ(session.counts().frames, 1U);
-}
-
-TEST(CmuCamSession, ALostLinkLeavesNothingToBeSent) {
-  Session session(two_windows(kCmuCam1));
-  session.step({0});
-  EXPECT_FALSE(session.outbox().waiting().empty());
-  session.link_lost();
-  EXPECT_TRUE(session.outbox().waiting().empty());
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-  session.step({1});
-  EXPECT_FALSE(session.outbox().waiting().empty()) << "at once when it is back";
 }
 
 // A second for its version text, half of one for an ACK, a fifth for a packet.
@@ -358,34 +346,6 @@ TEST(CmuCamSession, AnotherModelIsNotReady) {
   rig.scene = red_and_blue();
   EXPECT_TRUE(rig.run(seconds(10)).empty());
   EXPECT_EQ(rig.driver.link(), LinkState::kUnready);
-}
-
-TEST(CmuCamSession, ASilentPortIsSilentAndTheWaitsAreBounded) {
-  fake::ScriptedLink<4096> link({});
-  CmuCam<fake::ScriptedLink<4096>> driver(link, two_windows(kCmuCam2));
-  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
-  EXPECT_EQ(driver.link(), LinkState::kSilent);
-  EXPECT_GT(link.written().size(), 60 * 4U) << "a try a second";
-  EXPECT_LT(link.written().size(), 60 * 30U);
-}
-
-TEST(CmuCamSession, APortThatTakesNothingDoesNotHang) {
-  fake::ScriptedLink<64> link({});
-  link.limit_writes(0);
-  CmuCam<fake::ScriptedLink<64>> driver(link, two_windows(kCmuCam2));
-  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
-  EXPECT_EQ(driver.link(), LinkState::kSilent);
-}
-
-TEST(CmuCamSession, NoiseIsNoCamera) {
-  Rig rig(two_windows(kCmuCam2), CmuCamModel::kTwo);
-  rig.switch_off();
-  (void)rig.run(seconds(5));
-  for (int i = 0; i < 2'000; ++i) {
-    rig.link.noise(test::bytes_of(std::string_view("\x13\x9C\xF0~\r")));
-    EXPECT_FALSE(rig.step());
-  }
-  EXPECT_EQ(rig.driver.link(), LinkState::kSilent) << "the wrong baud rate looks so";
 }
 
 }  // namespace

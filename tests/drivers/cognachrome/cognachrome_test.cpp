@@ -4,10 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/drivers/cognachrome/rig.hpp"
 #include "tests/drivers/hex.hpp"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fencepost::cognachrome {
 namespace {
@@ -125,27 +122,6 @@ TEST(Cognachrome, BoxesEndAtTheImage) {
   }
 }
 
-TEST(Cognachrome, GarbageBeforeAFrameIsPassedOver) {
-  for (const char* garbage : {"00", "61 00 78", "FF 61 00", "FF 31", "FE 03 74 70 75", "FE"}) {
-    Listener listener;
-    EXPECT_EQ(listener.hears(hex(garbage) + kFrame + kMark), (Frames{{kA, kB}})) << garbage;
-  }
-}
-
-// A byte lost or too many is noticed by the next channel letter or mark; another value often is not: no checksum.
-TEST(Cognachrome, AByteLostOrTooManyCostsItsFrame) {
-  for (std::size_t at = 1; at < kFrame.size(); ++at) {
-    Bytes lost = kFrame;
-    lost.erase(lost.begin() + static_cast<std::ptrdiff_t>(at));
-    Bytes more = kFrame;
-    more.insert(more.begin() + static_cast<std::ptrdiff_t>(at), 0xF0);
-    for (const Bytes& damaged : {lost, more}) {
-      Listener listener;
-      EXPECT_EQ(listener.hears(damaged + kFrame + kMark), (Frames{{kA, kB}})) << at;
-    }
-  }
-}
-
 TEST(Cognachrome, MoreObjectsThanAFrameHoldsAreCounted) {
   Bytes frame = kMark;
   for (std::uint8_t i = 1; i <= 20; ++i) {
@@ -202,24 +178,6 @@ TEST(CognachromeSession, InstallsItsStrings) {
   EXPECT_EQ(says(), Bytes{}) << "nobody asked for that";
 }
 
-TEST(CognachromeSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
-  Session session{Config{}};
-  Time now{};
-  session.step(now);
-  session.step(now = now + milliseconds(500));
-  EXPECT_FALSE(session.outbox().waiting().empty());
-  for (const std::uint8_t byte : kFrame + kMark + kMark) static_cast<void>(session.take(byte, now));
-  EXPECT_EQ(session.link(), LinkState::kEmpty);
-  session.link_lost();
-  EXPECT_TRUE(session.outbox().waiting().empty());
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-  session.step(now = now + milliseconds(1));
-  session.step(now = now + milliseconds(499));
-  EXPECT_TRUE(session.outbox().waiting().empty()) << "it listens first";
-  session.step(now = now + milliseconds(1));
-  EXPECT_FALSE(session.outbox().waiting().empty());
-}
-
 // Two frames no more than 100 ms apart; and half a second without one, or without a byte.
 TEST(CognachromeSession, HowLongAFrameCounts) {
   for (const auto& [apart, taken] : {std::pair(100, true), {101, false}}) {
@@ -253,48 +211,6 @@ TEST(CognachromeSession, WhoseStringsAreNotKnownIsOnlyListenedTo) {
   Session session{Config{&kHex}};
   for (int ms = 0; ms < 10'000; ++ms) session.step(Time{} + milliseconds(ms));
   EXPECT_TRUE(session.outbox().waiting().empty());
-}
-
-using Bench = test::Bench<test::CognachromeRig>;
-const sensor::Blob kScene{1, 100, 60, 139, 99, {}, {}, 1'600, {}};
-
-TEST(CognachromeCamera, TakesEveryFieldOnce) {
-  Bench bench;
-  bench.run(3'000, {kScene});
-  const std::size_t before = bench.frames.size();
-  bench.run(1'670, {kScene});
-  EXPECT_EQ(bench.frames.size() - before, 100U);
-  EXPECT_EQ(blobs_of(bench.frames.back()),
-            (std::vector<sensor::Blob>{{1, 102, 0, 139, 199, {1'200}, {800}, 1'600, {}}}));
-  bench.run(100, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
-}
-
-// Its start, then at most one try in vain (800 ms) and the conversation.
-TEST(CognachromeCamera, ComesBackAsSoonAsTheCameraDoes) {
-  for (int phase = 0; phase < 900; phase += 50) {
-    Bench bench;
-    bench.run(3'000 + phase, {kScene});
-    ASSERT_EQ(bench.driver.link(), LinkState::kOk);
-    bench.restart(bench.clock.now());
-    bench.run(1'950, {kScene});
-    EXPECT_EQ(bench.driver.link(), LinkState::kOk) << phase;
-  }
-}
-
-TEST(Cognachrome, FuzzRunsShortly) {
-  std::uint32_t state = 1;
-  const Bytes words[] = {kMark, kFrame, text("$1A#18:78:50:20"), text("&06:21:6E:00"), hex("FE 03")};
-  for (int run = 0; run < 300; ++run) {
-    Bytes input;
-    for (int i = 0; i < 40; ++i) {
-      state = state * 1'664'525U + 1'013'904'223U;
-      Bytes word = words[(state >> 16U) % 5U];
-      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
-      input = input + word;
-    }
-    LLVMFuzzerTestOneInput(input.data(), input.size());
-  }
 }
 
 }  // namespace

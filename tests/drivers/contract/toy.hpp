@@ -30,6 +30,7 @@ enum class Flaw : std::uint8_t {
   kInventsFrames,          ///< while nothing comes
   kBabbles,                ///< asks at each poll
   kAsksOnce,               ///< and not after a power cycle
+  kSaysNoEmptiness,        ///< where nothing is in sight
   kHoldsBack,              ///< a frame until the next one comes
 };
 
@@ -141,7 +142,8 @@ class ToyDriver {
     frame.t = now;
     dropped_ += dropped;
     heard_ = now;
-    state_ = sensor::LinkState::kOk;
+    const bool empty = frame.blobs.empty() && F != Flaw::kSaysNoEmptiness;
+    state_ = empty ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
     frame_ = F == Flaw::kHoldsBack ? std::exchange(held_, frame) : frame;
     return true;
   }

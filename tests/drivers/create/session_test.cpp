@@ -349,20 +349,6 @@ TEST(CreateDrive, IsSentTenTimesASecond) {
   EXPECT_EQ(commands(1'400, 1'401), 1U);
 }
 
-TEST(CreateSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
-  Session session(config_of(Model::kCreate2));
-  session.step({10});
-  EXPECT_FALSE(session.outbox().waiting().empty());
-  for (const std::uint8_t byte : test::bytes_of(test::hex_text("13 06 2B 00 00 2C 00 00 A3")))
-    (void)session.take(byte, {20});
-  EXPECT_EQ(session.link(), LinkState::kOk);
-  session.link_lost();
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_TRUE(session.outbox().waiting().empty());
-  session.step({30});
-  EXPECT_EQ(session.outbox().waiting().size(), 5U) << "asked anew at once: start, and a list of two";
-}
-
 TEST(CreateSession, AFrameFromBeforeTheLatestIsPassedOver) {
   Session session(config_of(Model::kCreate2));
   const auto hear = [&](const char* frame, std::int64_t t) {
@@ -522,34 +508,6 @@ TEST(CreateSession, BytesThatAreNoStreamAreUnready) {
   rig.run(600);
   EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
   EXPECT_EQ(rig.frames.size(), 0U);
-}
-
-// 200 bytes a millisecond of anything: a checksum of one byte fits by chance now and then, a whole frame hardly ever.
-TEST(CreateSession, NoiseAloneIsNotOk) {
-  Rig rig(config_of(Model::kCreate2), CreateModel::kTwo, true);
-  rig.run(1'000);
-  ASSERT_EQ(rig.driver.link(), LinkState::kOk);
-  rig.link.power(false);
-  std::minstd_rand random(1);
-  int ok = 0;
-  for (int ms = 0; ms < 10'000; ++ms) {
-    std::vector<std::uint8_t> bytes(200);
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() >> 8U);
-    rig.link.noise(bytes);
-    rig.clock.advance(base::milliseconds(1));
-    (void)rig.poll(rig.clock.now());
-    if (ms > 1'200 && rig.driver.link() == LinkState::kOk) ++ok;
-  }
-  EXPECT_EQ(ok, 0);
-  EXPECT_NEAR(rig.last.x.to_double(), 0, 0.001);
-}
-
-TEST(CreateSession, APortThatTakesNothingDoesNotHang) {
-  fake::ScriptedLink<64> link({});
-  link.limit_writes(0);
-  Create<fake::ScriptedLink<64>> driver(link, Config{});
-  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
-  EXPECT_EQ(driver.link(), LinkState::kSilent);
 }
 
 // A damaged frame costs nothing but itself: the pose at the end is that of the counts.

@@ -8,8 +8,6 @@
 
 #include "tests/drivers/hex.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace fencepost::create {
 namespace {
 
@@ -76,24 +74,6 @@ TEST(CreateStream, RemembersTheRuleOnceItHasMatchedTwice) {
   EXPECT_EQ(decoder.rule(), ChecksumRule::kWithoutHeader);
 }
 
-TEST(CreateStream, CutInAtAnyByteTheNextFrameIsFound) {
-  for (std::size_t cut = 1; cut <= kWith.size(); ++cut) {
-    EXPECT_EQ(found(kWith.substr(cut) + kWith, kEncoders), Found{"1000 65500 @" + std::to_string(kWith.size() - cut)});
-    EXPECT_EQ(found(kWith.substr(0, cut - 1) + kWith, kEncoders), Found{"1000 65500 @" + std::to_string(cut - 1)});
-  }
-}
-
-TEST(CreateStream, OneDamagedByteCostsItsFrameAndNoOther) {
-  for (std::size_t at = 0; at < kWith.size(); ++at) {
-    for (int flip = 1; flip < 256; ++flip) {
-      std::string bytes = kWith + kWith + kWith + kWith;
-      const std::size_t damaged = 2 * kWith.size() + at;
-      bytes[damaged] = static_cast<char>(bytes[damaged] ^ flip);
-      EXPECT_EQ(found(bytes, kEncoders).size(), 3U) << at << ' ' << flip;
-    }
-  }
-}
-
 TEST(CreateStream, HeadersInTheDataMisleadNobody) {
   // Both counts are 0x1313, then 0x1306: 13 + 06 + 2B + 13 + 13 + 2C + 13 + 06 = AF, and 51 make 100.
   EXPECT_EQ(found(test::hex_text("13 13 06 13 06 2B 13 13 2C 13 06 51"), kEncoders), Found{"4883 4870 @3"});
@@ -102,21 +82,6 @@ TEST(CreateStream, HeadersInTheDataMisleadNobody) {
 TEST(CreateStream, OnlyWhatWasAskedFor) {
   EXPECT_TRUE(found(test::hex_text("13 05 1D 02 19 0D 00 B6"), kEncoders).empty());
   EXPECT_TRUE(found(test::hex_text("13 06 2C 03 E8 2B FF DC DD"), kEncoders).empty()) << "the other order";
-}
-
-TEST(CreateStream, TheFuzzersEntryRuns) {
-  std::uint32_t state = 9;
-  for (int round = 0; round < 2'000; ++round) {
-    std::vector<std::uint8_t> bytes;
-    for (int i = 0; i < 200; ++i) {
-      state = state * 1'664'525 + 1'013'904'223;
-      constexpr std::string_view kMeaningful = "\x13\x06\x2B\x2C";
-      const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 2 == 0 ? test::octet(kMeaningful[r / 2 % kMeaningful.size()])
-                                 : static_cast<std::uint8_t>(r / 2));
-    }
-    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
-  }
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 #include "tests/drivers/bench/cable.hpp"
 #include "tests/drivers/bench/i2c_cable.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace fencepost::huskylens {
 namespace {
 
@@ -121,78 +119,6 @@ TEST(HuskyLens, KnocksChoosesColoursAndAsksForBlocks) {
   EXPECT_EQ(talk.asks(), kAskBlocks);
 }
 
-// Cut in two at every place, with a pause between that is shorter than the timeout, and longer with what came before.
-TEST(HuskyLens, AnAnswerMayComeInAnyTwoParts) {
-  const Bytes whole = kInfo8 + kBlock;
-  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
-    Talk talk;
-    talk.start();
-    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(cut);
-    auto frames = talk.hears({whole.begin(), middle});
-    talk.wait(90);
-    if (cut < whole.size()) {
-      EXPECT_EQ(talk.asks(), Bytes{}) << "it is still answering";
-    }
-    for (const auto& frame : talk.hears({middle, whole.end()})) frames.push_back(frame);
-    ASSERT_EQ(frames.size(), 1U) << cut;
-    EXPECT_EQ(frames[0].blobs[0], kBox) << cut;
-  }
-}
-
-TEST(HuskyLens, GarbageBeforeAnAnswerIsPassedOver) {
-  for (const char* garbage : {"00", "FF FF FF", "55", "55 AA", "55 55 AA 11 05", "55 AA 11 FF 2A", "55 AA 11 0A 77"}) {
-    Talk talk;
-    talk.start();
-    const auto frames = talk.hears(hex(garbage) + kInfo8 + kBlock);
-    ASSERT_EQ(frames.size(), 1U) << garbage;
-    EXPECT_EQ(frames[0].blobs[0], kBox) << garbage;
-  }
-}
-
-TEST(HuskyLens, AByteThatIsAnotherCostsOneAnswer) {
-  const Bytes whole = kInfo8 + kBlock;
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    Talk talk;
-    talk.start();
-    Bytes damaged = whole;
-    damaged[at] ^= 0x40;
-    EXPECT_TRUE(talk.hears(damaged).empty()) << at;
-    talk.wait(120);
-    talk.session.step(talk.now);  // the timeout, where the damage was no frame at all
-    const Bytes asked = talk.asks();
-    EXPECT_TRUE(asked == kAskBlocks || asked.empty());
-    const auto frames = talk.hears(kInfo9 + kBlock);
-    ASSERT_EQ(frames.size(), 1U) << at;
-    EXPECT_EQ(frames[0].blobs[0], kBox) << at;
-  }
-}
-
-// Twenty blocks promised and sent: sixteen are kept, the largest; the next answer is as any other.
-TEST(HuskyLens, MoreBlocksThanAFrameHoldsAreCounted) {
-  const auto summed = [](Bytes bytes) {
-    unsigned sum = 0;
-    for (const std::uint8_t byte : bytes) sum += byte;
-    bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
-    return bytes;
-  };
-  Talk talk;
-  talk.start();
-  Bytes answer = summed(hex("55 AA 11 0A 29 14 00 01 00 08 00 00 00 00 00"));
-  for (std::uint8_t i = 1; i <= 20; ++i) {
-    Bytes block = hex("55 AA 11 0A 2A A0 00 78 00 00 00 28 00 01 00");
-    block[9] = static_cast<std::uint8_t>(2 * i);
-    answer = answer + summed(block);
-  }
-  const auto frames = talk.hears(answer);
-  ASSERT_EQ(frames.size(), 1U);
-  ASSERT_EQ(frames[0].blobs.size(), 16U);
-  EXPECT_EQ(frames[0].blobs[0].x2 - frames[0].blobs[0].x1 + 1, 40);
-  EXPECT_EQ(frames[0].blobs[15].x2 - frames[0].blobs[15].x1 + 1, 10);
-  EXPECT_EQ(talk.session.counts().blobs_dropped, 4U);
-  EXPECT_EQ(talk.asks(), kAskBlocks);
-  EXPECT_EQ(talk.hears(kInfo9 + kBlock).size(), 1U);
-}
-
 TEST(HuskyLens, AnImageIsGivenOnce) {
   Talk talk;
   talk.start();
@@ -284,21 +210,6 @@ TEST(HuskyLens, CountsItsFrames) {
   ASSERT_EQ(second.size(), 1U);
   EXPECT_EQ(second[0].frame, 1U);
   EXPECT_EQ(talk.session.counts().frames, 2U);
-}
-
-TEST(HuskyLens, ALostLinkLeavesNothingOfAnAnswer) {
-  Talk talk;
-  talk.start();
-  talk.hears(kInfo8);
-  talk.hears(Bytes(kBlock.begin(), kBlock.begin() + 8));
-  EXPECT_EQ(talk.session.counts().restarts, 0U);
-  talk.session.lose_link();
-  EXPECT_EQ(talk.session.counts().restarts, 1U);
-  EXPECT_EQ(talk.session.link(), LinkState::kAbsent);
-  talk.session.lose_link();
-  EXPECT_EQ(talk.session.counts().restarts, 1U) << "it was gone";
-  EXPECT_TRUE(talk.hears(Bytes(kBlock.begin() + 8, kBlock.end())).empty());
-  EXPECT_EQ(talk.session.counts().broken, 0U);
 }
 
 // A header of five bytes, whose command is none.
@@ -393,26 +304,6 @@ TEST(HuskyLens2, AHuskyLens1IsFoundWhereItWasNamed) {
   const auto frames = talk.hears(kInfo8 + kBlock);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(frames[0].blobs[0], (sensor::Blob{1, 260, 200, 379, 279, {3'195}, {2'395}, 0, {}}));
-}
-
-TEST(HuskyLens2, AByteThatIsAnotherCostsOneAnswer) {
-  const Bytes whole = kInfo2 + kBlock2;
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    Talk talk{Session{Options{.generation = Generation::kTwo}}};
-    ASSERT_EQ(start_two(talk).size(), 1U);
-    talk.wait(30);
-    EXPECT_EQ(talk.asks(), kAskBlocks2);
-    Bytes damaged = whole;
-    damaged[at] ^= 0x40;
-    EXPECT_TRUE(talk.hears(damaged).empty()) << at;
-    talk.wait(120);
-    talk.session.step(talk.now);
-    const Bytes asked = talk.asks();
-    EXPECT_TRUE(asked == kAskBlocks2 || asked.empty());
-    const auto frames = talk.hears(kInfo2 + kBlock2);
-    ASSERT_EQ(frames.size(), 1U) << at;
-    EXPECT_EQ(frames[0].blobs[0], kBox) << at;
-  }
 }
 
 TEST(HuskyLens2, AnotherAlgorithmIsUnready) {
@@ -535,21 +426,6 @@ TEST(HuskyLens, SeesOverI2cWhatItSeesOverSerial) {
   }
   EXPECT_GT(frames, 30U) << "of two seconds";
   EXPECT_LE(bus.longest_read(), 16U);
-}
-
-TEST(HuskyLens, FuzzRunsShortly) {
-  std::uint32_t state = 1;
-  const Bytes words[] = {kOk, kInfo8, kInfo9, kBlock, kArrow, kBusy, kNone9};
-  for (int run = 0; run < 300; ++run) {
-    Bytes input;
-    for (int i = 0; i < 40; ++i) {
-      state = state * 1'664'525U + 1'013'904'223U;
-      Bytes word = words[state >> 16U & 7U ? (state >> 16U) % 7U : 0U];
-      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
-      input = input + word;
-    }
-    LLVMFuzzerTestOneInput(input.data(), input.size());
-  }
 }
 
 TEST(HuskyLens, BoxesAboveAndBelowTheImageAreNone) {

@@ -7,8 +7,6 @@
 
 #include "tests/drivers/hex.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace fencepost::jevois {
 namespace {
 
@@ -98,24 +96,6 @@ TEST(JevoisDecoder, WhatAThingIsCalled) {
   }
 }
 
-TEST(JevoisDecoder, CutInAtAnyByteTheNextFrameIsUnderstood) {
-  for (std::size_t cut = 0; cut < kExample.size(); ++cut) {
-    Reading reading;
-    reading.bytes(kExample.substr(cut)).bytes(kExample);
-    EXPECT_EQ(reading.frames.size(), cut == 0 ? 2U : 1U) << cut;
-    EXPECT_EQ(reading.frames.back().blobs.size(), 1U) << cut;
-  }
-}
-
-TEST(JevoisDecoder, AFrameCutOffAnywhereCostsAtMostTheNextOne) {
-  for (std::size_t cut = 1; cut < kExample.size(); ++cut) {
-    Reading reading;
-    reading.bytes(kExample.substr(0, cut)).bytes(kExample).bytes(kExample);
-    ASSERT_GE(reading.frames.size(), 1U) << cut;
-    for (const sensor::BlobFrame& frame : reading.frames) EXPECT_EQ(frame.blobs.size(), 1U) << cut;
-  }
-}
-
 TEST(JevoisDecoder, EachLineOfAFrameCounts) {
   const std::string start = "1 MARK START\n";
   const std::string ball = "1 N2 red_ball 250 -188 400 300\n";
@@ -160,21 +140,6 @@ TEST(JevoisDecoder, KeepsTheLargestAndCountsTheOthers) {
   EXPECT_EQ(reading.frames[0].blobs.size(), 16U);
   EXPECT_GT(reading.frames[0].blobs[0].x2, reading.frames[0].blobs[1].x2);
   EXPECT_EQ(reading.decoder.counts().dropped, 4U);
-}
-
-TEST(JevoisDecoder, TheFuzzersEntryRuns) {
-  std::uint32_t state = 5;
-  for (int round = 0; round < 2'000; ++round) {
-    std::vector<std::uint8_t> bytes;
-    for (int i = 0; i < 200; ++i) {
-      state = state * 1'664'525 + 1'013'904'223;
-      constexpr std::string_view kMeaningful = "MARK START STOP\n N2 D2 F2 blob 0123456789-.\r\n/:";
-      const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 4 != 0 ? test::octet(kMeaningful[r / 4 % kMeaningful.size()])
-                                 : static_cast<std::uint8_t>(r / 4));
-    }
-    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
-  }
 }
 
 // In hundredths, of 320 x 240 pixels: what touches the picture from outside by its edge alone is outside.

@@ -26,29 +26,6 @@ TEST(JevoisSession, SaysHowToWriteUntilFramesCome) {
   EXPECT_EQ(driver.link(), LinkState::kSilent);
 }
 
-TEST(JevoisSession, FramesAndLinkStates) {
-  Rig rig;
-  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
-  EXPECT_TRUE(rig.run(2'900).empty()) << "it boots";
-  const auto frames = rig.run(1'100);
-  ASSERT_FALSE(frames.empty()) << "at most a second after its boot";
-  for (const sensor::BlobFrame& frame : frames) {
-    ASSERT_EQ(frame.blobs.size(), 2U);
-    EXPECT_EQ(frame.blobs[0], rig.blob_of(500));
-    EXPECT_EQ(frame.blobs[1], rig.blob_of(900));
-  }
-  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
-  rig.scene.clear();
-  rig.run(200);
-  EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
-  rig.link.unplug();
-  rig.run(300);
-  EXPECT_EQ(rig.driver.link(), LinkState::kAbsent);
-  rig.link.replug();
-  rig.run(300);
-  EXPECT_EQ(rig.driver.link(), LinkState::kEmpty);
-}
-
 // Another module was loaded: style and marks are as delivered again.
 TEST(JevoisSession, AnotherModuleIsToldAnew) {
   Rig rig;
@@ -103,20 +80,6 @@ TEST(JevoisSession, WaitsHalfASecondEachTime) {
   EXPECT_EQ(session.link(), LinkState::kUnready);
   EXPECT_TRUE(said(16'001));
   EXPECT_EQ(session.link(), LinkState::kSilent);
-}
-
-TEST(JevoisSession, ALostLinkLeavesNothingToBeSentOrBelieved) {
-  Session session{Config{}};
-  session.step({0});
-  for (const char c : std::string("1 MARK START\n1 MARK STOP\n"))
-    (void)session.take(static_cast<std::uint8_t>(c), {10});
-  EXPECT_EQ(session.link(), LinkState::kEmpty);
-  EXPECT_FALSE(session.outbox().waiting().empty());
-  session.link_lost();
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_TRUE(session.outbox().waiting().empty());
-  session.step({20});
-  EXPECT_FALSE(session.outbox().waiting().empty()) << "told at once when it is back";
 }
 
 TEST(JevoisSession, TalkWithoutFramesIsUnready) {

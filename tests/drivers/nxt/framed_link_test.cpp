@@ -16,43 +16,13 @@ using Link = fake::ScriptedLink<64>;
 
 static_assert(bus::PacketLink<FramedLink<Link>>);
 
-std::vector<Bytes> received(const std::vector<Bytes>& chunks) {
-  std::vector<fake::LinkStep> script;
-  for (const Bytes& chunk : chunks) script.push_back({chunk, {}});
-  Link link(script);
-  FramedLink<Link> framed(link);
-  std::vector<Bytes> telegrams;
-  std::array<std::uint8_t, 64> in{};
-  for (int i = 0; i < 200; ++i) {
-    if (const auto got = framed.receive(in)) telegrams.emplace_back(in.begin(), in.begin() + static_cast<long>(*got));
-  }
-  return telegrams;
-}
-
 const Bytes kAlive = hex("07 00 02 0D 00 C0 27 09 00");
-const Bytes kAliveTelegram = hex("02 0D 00 C0 27 09 00");
-const Bytes kWritten = hex("03 00 02 0F 00");
 
 TEST(NxtFramedLink, PutsTheDocumentedLengthInFront) {
   Link link({});
   FramedLink<Link> framed(link);
   EXPECT_EQ(framed.send(sensor_write(0, 0x01, hex("42"), 11).view()).value(), 7U);
   EXPECT_EQ(bytes_of(link.written()), hex("07 00 00 0F 00 02 0B 02 42"));
-}
-
-TEST(NxtFramedLink, FindsTelegramsSplitAnywhere) {
-  Bytes all = kAlive;
-  all.insert(all.end(), kWritten.begin(), kWritten.end());
-  for (std::size_t cut = 0; cut <= all.size(); ++cut) {
-    const Bytes first(all.begin(), all.begin() + static_cast<long>(cut));
-    const Bytes second(all.begin() + static_cast<long>(cut), all.end());
-    EXPECT_EQ(received({first, second}), (std::vector<Bytes>{kAliveTelegram, hex("02 0F 00")})) << cut;
-  }
-}
-
-TEST(NxtFramedLink, SkipsGarbage) {
-  EXPECT_EQ(received({hex("FF FF 00 00 02 01 41 00 55"), kAlive}), (std::vector<Bytes>{kAliveTelegram}));
-  EXPECT_EQ(received({hex("07 00 03 0D"), kAlive}), (std::vector<Bytes>{kAliveTelegram}));
 }
 
 TEST(NxtFramedLink, WhatItsFirstBytesAre) {

@@ -13,9 +13,6 @@ using base::Error;
 using sensor::LinkState;
 using test::hex;
 
-const sensor::Blob kRed{2, 60, 40, 81, 70, {705}, {550}, 0, {}};
-const sensor::Blob kBlue{5, 100, 100, 121, 131, {1105}, {1155}, 0, {}};
-
 struct Bench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
   emulate::NxtCam camera_device{base::Time{}};
   SensorPort port{brick.conversation(), 0};
@@ -98,35 +95,6 @@ TEST(NxtSensorPort, IsSetUpAgainAfterARestart) {
   bench.run(10'000);
   EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).error(), Error::kRefused);
   EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);
-}
-
-TEST(NxtSensorPort, RunsTheNxtCam) {
-  Bench bench;
-  bench.attach();
-  nxtcam::Camera<SensorPort> camera(bench.port);
-  std::vector<sensor::BlobFrame> frames;
-  const auto run = [&](int ms) {
-    for (int i = 0; i < ms; ++i) {
-      bench.run(1);
-      if (i % 33 == 0) bench.camera_device.show({kRed, kBlue});
-      if (const auto frame = camera.poll(bench.clock.now())) frames.push_back(*frame);
-    }
-  };
-  run(8'000);
-  EXPECT_EQ(camera.link(), LinkState::kOk);
-  ASSERT_FALSE(frames.empty());
-  ASSERT_EQ(frames.back().blobs.size(), 2U);
-  EXPECT_EQ(frames.back().blobs[0], kBlue);
-  EXPECT_EQ(frames.back().blobs[1], kRed);
-  frames.clear();
-  run(1'000);
-  EXPECT_GT(frames.size(), 15U);
-  bench.link.unplug();
-  run(500);
-  EXPECT_EQ(camera.link(), LinkState::kAbsent);
-  bench.link.replug();
-  run(5'000);
-  EXPECT_EQ(camera.link(), LinkState::kOk);
 }
 
 }  // namespace

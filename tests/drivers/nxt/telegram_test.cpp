@@ -3,11 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "tests/drivers/hex.hpp"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fencepost::nxt {
 namespace {
@@ -73,19 +69,6 @@ TEST(NxtTelegram, RepliesMatchByOpcodeAndPort) {
 TEST(NxtTelegram, SensorBytesAreAtMostSixteen) {
   const auto bytes = hex("02 10 00 FF 02 02 3C 28 50 46 05 64 64 78 82 00 00 00 00 00");
   EXPECT_EQ(sensor_bytes_of(*reply_in(bytes)).size(), 16U);
-}
-
-TEST(NxtTelegram, FuzzedShortly) {
-  std::mt19937 random(3);
-  const std::vector<std::uint8_t> seed = {7, 0, 2, 0x88, 0, 0x7C, 1,    0x1D, 1, 7, 0,    2, 0x0D, 0, 0xC0, 0x27, 9, 0,
-                                          5, 0, 2, 0x0B, 0, 0x78, 0x1E, 3,    0, 2, 0x05, 0, 20,   0, 2,    0x10, 0, 0,
-                                          0, 0, 0, 0,    0, 0,    0,    0,    0, 0, 0,    0, 0,    0, 0,    0};
-  for (int i = 0; i < 2'000; ++i) {
-    std::vector<std::uint8_t> bytes;
-    for (int k = 0; k < 8; ++k) bytes.insert(bytes.end(), seed.begin(), seed.end());
-    for (int k = 0; k < 12; ++k) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
-    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
-  }
 }
 
 TEST(NxtTelegram, NothingAnswersAnEmptyRequest) {

@@ -58,17 +58,6 @@ TEST(V5Camera, TheWorkedExampleIsAFrameAfterThePause) {
   EXPECT_EQ(reading.frames[0].t, base::Time{10'010}) << "its first byte";
 }
 
-TEST(V5Camera, ALostLinkLeavesNothingToBeSentOrBelieved) {
-  Reading reading;
-  reading.bytes(kExample).pass(8);
-  EXPECT_EQ(reading.session.link(), LinkState::kOk);
-  EXPECT_FALSE(reading.session.outbox().waiting().empty());
-  reading.bytes(hex("55 AA 07 04"));
-  reading.session.lose_link();
-  EXPECT_EQ(reading.session.link(), LinkState::kAbsent);
-  EXPECT_TRUE(reading.session.outbox().waiting().empty());
-}
-
 TEST(V5Camera, BlobsOfOneCountAreOneFrameTheLargestFirst) {
   Reading reading;
   reading.bytes(test::NxtCam5::framed(4, {9, 0, 5, 10, 20, 20, 30}));
@@ -82,18 +71,6 @@ TEST(V5Camera, BlobsOfOneCountAreOneFrameTheLargestFirst) {
   EXPECT_EQ(reading.frames.size(), 2U);
 }
 
-TEST(V5Camera, CountsWhatSixteenCannotHoldTheSmallestGo) {
-  Reading reading;
-  for (std::uint8_t i = 0; i < 18; ++i)
-    reading.bytes(test::NxtCam5::framed(4, {7, 0, 1, 0, 0, 10, static_cast<std::uint8_t>(20 + i)}));
-  reading.pass(8);
-  ASSERT_EQ(reading.frames.size(), 1U);
-  ASSERT_EQ(reading.frames[0].blobs.size(), 16U);
-  EXPECT_EQ(reading.frames[0].blobs[0].y2, 36);
-  EXPECT_EQ(reading.frames[0].blobs[15].y2, 21);
-  EXPECT_EQ(reading.session.counts().blobs_dropped, 2U);
-}
-
 TEST(V5Camera, ABlobBehindItsFrameIsLate) {
   Reading reading;
   reading.bytes(kExample).pass(28).bytes(kExample).pass(20);
@@ -102,17 +79,6 @@ TEST(V5Camera, ABlobBehindItsFrameIsLate) {
   late.bytes(kExample).pass(3).bytes(kExample).pass(20);
   EXPECT_EQ(late.frames.size(), 1U);
   EXPECT_EQ(late.session.counts().late, 1U);
-}
-
-TEST(V5Camera, DamageCostsTheDamagedFrameOnly) {
-  for (std::size_t at = 0; at < kExample.size(); ++at) {
-    std::vector<std::uint8_t> damaged = kExample;
-    damaged[at] ^= 0x40U;
-    Reading reading;
-    reading.bytes(kExample).pass(30).bytes(damaged).pass(30).bytes(kExample).pass(30);
-    EXPECT_EQ(reading.frames.size(), 2U) << at;
-    for (const auto& frame : reading.frames) EXPECT_EQ(frame.blobs[0], kRed);
-  }
 }
 
 TEST(V5Camera, ABlobThatCannotBeIsRejected) {
@@ -139,22 +105,6 @@ TEST(V5Camera, AsksForTheVersionAndCommandsTracking) {
   EXPECT_EQ(heard.link(), LinkState::kUnready);
 }
 
-TEST(V5Camera, ASilentPortIsSilentAndAskedOnceASecond) {
-  Script link({});
-  V5Camera<Script> camera(link);
-  for (std::int64_t ms = 0; ms < 10'000; ms += 10) EXPECT_FALSE(camera.poll({ms * 10}).ok());
-  EXPECT_EQ(camera.link(), LinkState::kSilent);
-  EXPECT_EQ(link.written().size(), 50U);
-}
-
-TEST(V5Camera, APortThatTakesNothingDoesNotHang) {
-  Script link({});
-  link.limit_writes(0);
-  V5Camera<Script> camera(link);
-  for (std::int64_t ms = 0; ms < 60'000; ms += 10) EXPECT_FALSE(camera.poll({ms * 10}).ok());
-  EXPECT_EQ(camera.link(), LinkState::kSilent);
-}
-
 TEST(V5Camera, LinkStates) {
   Bench bench;
   bench.run(1'000, {});
@@ -178,20 +128,6 @@ TEST(V5Camera, LinkStates) {
   bench.run(1'500, {kRed});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   EXPECT_EQ(bench.driver.session().version(), "5.01");
-}
-
-TEST(V5Camera, ThirtyFramesASecond) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.run(3'300, {kRed}).size(), 100U);
-}
-
-TEST(V5Camera, AnUnnoticedResetIsRepaired) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  bench.restart(bench.clock.now());
-  bench.run(2'000, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk) << "tracking is off after a reset";
 }
 
 // A camera that takes no questions: heard by its blobs alone.

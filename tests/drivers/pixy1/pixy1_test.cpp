@@ -7,8 +7,6 @@
 #include "tests/drivers/hex.hpp"
 #include "tests/drivers/pixy1/rig.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace fencepost::pixy1 {
 namespace {
 
@@ -198,48 +196,6 @@ TEST(Pixy1, WaitsHalfASecond) {
   EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
-TEST(Pixy1, AnImageMayComeInAnyTwoParts) {
-  const Bytes whole = kIdle + kMark + kOne + kTwo + kIdle;
-  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
-    Listener listener;
-    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(cut);
-    auto frames = listener.hears({whole.begin(), middle});
-    listener.wait(50);
-    for (const auto& frame : listener.hears({middle, whole.end()})) frames.push_back(frame);
-    ASSERT_EQ(frames.size(), 1U) << cut;
-    EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob, kTwoBlob})) << cut;
-  }
-}
-
-TEST(Pixy1, GarbageBeforeAnImageIsPassedOver) {
-  for (const char* garbage :
-       {"00", "FF FF FF", "55", "55 AA", "AA 55", "56 AA 56", "55 AA 01 02", "55 AA 55 AA 4B 01 01"}) {
-    Listener listener;
-    const auto frames = listener.hears(hex(garbage) + kIdle + kMark + kOne + kTwo + kIdle);
-    ASSERT_EQ(frames.size(), 1U) << garbage;
-    EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob, kTwoBlob})) << garbage;
-  }
-}
-
-// Another value, a byte lost, a byte too many: at most one image is missing, and none is given that was not sent.
-TEST(Pixy1, ADamagedByteCostsAtMostOneImage) {
-  const Bytes image = kIdle + kMark + kOne + kTwo;
-  const std::vector sent = {kOneBlob, kTwoBlob};
-  for (std::size_t at = 0; at < image.size(); ++at) {
-    for (int kind = 0; kind < 3; ++kind) {
-      Bytes damaged = image;
-      const auto place = damaged.begin() + static_cast<std::ptrdiff_t>(at);
-      if (kind == 0) *place ^= 0x40;
-      if (kind == 1) damaged.erase(place);
-      if (kind == 2) damaged.insert(place, 0x31);
-      Listener listener;
-      const auto frames = listener.hears(image + damaged + image + kIdle);
-      EXPECT_GE(frames.size(), 2U) << at << ", " << kind;
-      for (const auto& frame : frames) EXPECT_EQ(blobs_of(frame), sent) << at << ", " << kind;
-    }
-  }
-}
-
 TEST(Pixy1, AnImageWhoseMarkWasLostIsNotAddedToTheOneBefore) {
   Listener listener;
   const auto frames = listener.hears(kMark + kOne + kTwo + kOne + kTwo + kMark + kOne + kIdle);
@@ -319,35 +275,6 @@ using Bench = test::Bench<test::Pixy1Rig>;
 const sensor::Blob kNear{1, 100, 60, 219, 159, {1'595}, {1'095}, 0, {}};
 const sensor::Blob kFar{2, 10, 20, 29, 39, {195}, {295}, 0, {}};
 
-TEST(Pixy1Camera, TakesEveryImageOnce) {
-  Bench bench;
-  bench.run(2'000, {kFar, kNear});
-  const std::size_t before = bench.frames.size();
-  bench.run(1'000, {kFar, kNear});
-  EXPECT_EQ(bench.frames.size() - before, 50U);
-  EXPECT_EQ(blobs_of(bench.frames.back()), (std::vector{kNear, kFar}));
-  EXPECT_EQ(bench.disorder, 0U);
-  bench.run(200, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
-}
-
-// Its own start, and two images.
-TEST(Pixy1Camera, ComesBackAsSoonAsTheCameraDoes) {
-  Bench bench;
-  bench.run(2'000, {kNear});
-  bench.restart(bench.clock.now());
-  bench.run(999, {kNear});
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-  bench.run(41, {kNear});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-  bench.link.unplug();
-  bench.run(10, {kNear});
-  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-  bench.link.replug();
-  bench.run(41, {kNear});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
 /// On the two-wire bus: what there is of the image is read in portions, and zeros where there is nothing.
 class OnTwoWires final : public emulate::I2cDevice {
  public:
@@ -385,21 +312,6 @@ TEST(Pixy1Camera, SeesOverI2cWhatItSeesOverSerial) {
     static_cast<void>(driver.poll(clock.now()));
   }
   EXPECT_EQ(driver.link(), LinkState::kEmpty);
-}
-
-TEST(Pixy1, FuzzRunsShortly) {
-  std::uint32_t state = 1;
-  const Bytes words[] = {kIdle, kMark, kOne, kTwo, kCode};
-  for (int run = 0; run < 300; ++run) {
-    Bytes input;
-    for (int i = 0; i < 40; ++i) {
-      state = state * 1'664'525U + 1'013'904'223U;
-      Bytes word = words[(state >> 16U) % 5U];
-      if ((state >> 24U) % 4U == 0) word[(state >> 8U) % word.size()] ^= static_cast<std::uint8_t>(state >> 4U);
-      input = input + word;
-    }
-    LLVMFuzzerTestOneInput(input.data(), input.size());
-  }
 }
 
 TEST(Pixy1, NoiseWithoutImagesIsSoonNotReady) {

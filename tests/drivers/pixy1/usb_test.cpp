@@ -119,19 +119,6 @@ TEST(Pixy1Usb, WhatTheFirstBytesOfAMessageAre) {
   }
 }
 
-TEST(Pixy1Usb, ALostLinkLeavesNothingToBeSentOrBelieved) {
-  UsbSession session{Options{}};
-  session.step({});
-  for (const std::uint8_t byte : hex(kPushed2)) (void)session.take(byte, {});
-  EXPECT_EQ(session.link(), LinkState::kOk);
-  EXPECT_FALSE(session.outbox().waiting().empty());
-  session.link_lost();
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-  EXPECT_TRUE(session.outbox().waiting().empty());
-  session.step({1});
-  EXPECT_FALSE(session.outbox().waiting().empty()) << "opened anew at once";
-}
-
 TEST(Pixy1Usb, WaitsForAnAnswerAndForAnImage) {
   UsbSession session{Options{}};
   const auto asks = [&](std::int64_t t) {
@@ -157,20 +144,6 @@ TEST(Pixy1Usb, ACountThatOverflowsIsNone) {
   Bytes message = hex(kPushed2);
   for (const std::size_t at : {32U, 33U, 34U, 35U}) message[at] = at == 35 ? 0x80 : 0;
   EXPECT_FALSE(blocks_in(message));
-}
-
-// A message of 200 bytes of which the header came alone: the next answer is none of its rest.
-TEST(Pixy1Usb, AMessageThatIsNeverWholeIsGivenUp) {
-  UsbSession session{Options{}};
-  session.step({0});
-  for (const std::uint8_t byte : hex("55 55 AA AA 18 00 00 00 C8 00 00 00")) (void)session.take(byte, {10});
-  session.step({3'000});
-  for (const std::uint8_t byte : hex("55 55 AA AA 61 00 00 00 06 00 00 00 00 00 00 00 01 01")) {
-    (void)session.take(byte, {3'010});
-  }
-  const auto waiting = session.outbox().waiting();
-  ASSERT_EQ(waiting.size(), 64U);
-  EXPECT_EQ(waiting[4], 0xA0) << "it asks for the next thing";
 }
 
 TEST(Pixy1Usb, IntroducesItselfAndHasItRun) {
@@ -218,57 +191,6 @@ TEST(Pixy1Usb, TakesEveryImageOnce) {
     EXPECT_EQ(bench.frames.back().blobs[0], kNear);
     bench.run(40, {});
     EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
-  }
-}
-
-TEST(Pixy1Usb, AHundredBlocksAreRead) {
-  Bench bench;
-  std::vector<sensor::Blob> many;
-  for (std::int16_t i = 0; i < 100; ++i) many.push_back({2, 0, 0, static_cast<std::int16_t>(i), 9, {}, {}, 0, {}});
-  bench.run(2'000, many);
-  ASSERT_FALSE(bench.frames.empty());
-  ASSERT_EQ(bench.frames.back().blobs.size(), 16U);
-  EXPECT_EQ(bench.frames.back().blobs[0].x2, 99);
-  EXPECT_EQ(bench.driver.dropped(), 84U * bench.frames.size());
-}
-
-// Its own start, and at worst one question that it did not hear yet.
-TEST(Pixy1Usb, ComesBackAsSoonAsTheCameraDoes) {
-  for (int phase = 0; phase < 500; phase += 20) {
-    Bench bench;
-    bench.run(2'000 + phase, {kNear});
-    ASSERT_EQ(bench.driver.link(), LinkState::kOk);
-    bench.restart(bench.clock.now());
-    bench.run(1'400, {kNear});
-    EXPECT_EQ(bench.driver.link(), LinkState::kOk) << phase;
-    bench.link.unplug();
-    bench.run(10, {kNear});
-    EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-    bench.link.replug();
-    bench.run(100, {kNear});
-    EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-  }
-}
-
-TEST(Pixy1Usb, WhateverArrivesABlockLiesInTheImage) {
-  std::uint32_t state = 1;
-  const Bytes whole = hex(kPushed2);
-  for (int run = 0; run < 20'000; ++run) {
-    UsbSession session{Options{}};
-    for (int messages = 0; messages < 3; ++messages) {
-      Bytes bytes = whole;
-      for (int i = 0; i < 2; ++i) {
-        state = state * 1'664'525U + 1'013'904'223U;
-        bytes[(state >> 8U) % bytes.size()] = static_cast<std::uint8_t>(state >> 24U);
-      }
-      for (const std::uint8_t byte : bytes) {
-        if (!session.take(byte, base::Time{} + base::milliseconds(messages))) continue;
-        for (const sensor::Blob& blob : session.sample().blobs) {
-          ASSERT_TRUE(blob.signature > 0 && blob.x1 >= 0 && blob.x1 <= blob.x2 && blob.x2 < kWidth);
-          ASSERT_TRUE(blob.y1 >= 0 && blob.y1 <= blob.y2 && blob.y2 < kHeight);
-        }
-      }
-    }
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/bench/pixy2_rig.hpp"
 #include "tests/drivers/hex.hpp"
@@ -97,25 +95,6 @@ TEST(Pixy2Camera, FirmwareWithOneProgramIsTakenAsItIs) {
   EXPECT_EQ(session.counters().malformed, 1U) << "no blocks";
 }
 
-// Half an answer, the plug out and in, and then the other half.
-TEST(Pixy2Camera, ALostLinkLeavesNothingOfAnAnswer) {
-  const auto version = hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00");
-  const std::vector<std::uint8_t> first(version.begin(), version.begin() + 10);
-  const std::vector<std::uint8_t> second(version.begin() + 10, version.end());
-  const base::Error none = base::Error::kNotReady;
-  const std::array<fake::LinkStep, 5> script = {
-      {{{}, none}, {first, {}}, {{}, base::Error::kGone}, {second, {}}, {{}, none}}};
-  fake::ScriptedLink<128> link(script);
-  Camera<fake::ScriptedLink<128>> camera(link, {});
-  for (std::int64_t t = 10; t <= 20; t += 10) (void)camera.poll({t});
-  EXPECT_EQ(camera.link(), LinkState::kAbsent);
-  link.limit_writes(0);
-  (void)camera.poll({30});
-  EXPECT_EQ(camera.link(), LinkState::kSilent) << "its bytes show that the plug is in";
-  EXPECT_EQ(camera.session().counters().malformed, 0U);
-  EXPECT_EQ(camera.damaged(), 0U);
-}
-
 TEST(Pixy2Camera, StartsUpWithTheCamera) {
   Bench bench;
   bench.run(400, {kRed});
@@ -129,27 +108,6 @@ TEST(Pixy2Camera, StartsUpWithTheCamera) {
   EXPECT_EQ(bench.frames.back().blobs[0], kRed);
 }
 
-TEST(Pixy2Camera, TakesEveryFrameOnceInOrder) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  const std::size_t before = bench.frames.size();
-  bench.run(1'600, {kRed});
-  EXPECT_EQ(bench.frames.size() - before, 100U);
-  for (std::size_t i = 1; i < bench.frames.size(); ++i) {
-    EXPECT_GT(bench.frames[i].t, bench.frames[i - 1].t);
-    EXPECT_EQ(bench.frames[i].frame, bench.frames[i - 1].frame + 1);
-  }
-}
-
-TEST(Pixy2Camera, SeeingNothingIsEmpty) {
-  Bench bench;
-  bench.run(3'000, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
-  EXPECT_FALSE(bench.frames.empty());
-  bench.run(100, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
 TEST(Pixy2Camera, FirstByteStampsTheFrame) {
   Bench bench;
   bench.link.set_bytes_per_ms(2);
@@ -159,35 +117,6 @@ TEST(Pixy2Camera, FirstByteStampsTheFrame) {
   while (bench.frames.empty()) bench.run(1, {kRed, kSmall});
   // 34 bytes at two a millisecond: the last comes 16 ms after the first.
   EXPECT_EQ((bench.clock.now() - bench.frames[0].t), base::milliseconds(16));
-}
-
-// A line at another rate, or beside a motor: 200 bytes a millisecond of anything, packets with wrong checksums among
-// them.
-TEST(Pixy2Camera, NoiseAloneIsNotOk) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  ASSERT_EQ(bench.driver.link(), LinkState::kOk);
-  bench.link.power(false);
-  bench.link.set_bytes_per_ms(200);
-  std::minstd_rand random(1);
-  const std::uint32_t damaged = bench.driver.damaged();
-  for (int ms = 0; ms < 10'000; ++ms) {
-    std::vector<std::uint8_t> bytes(200);
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() >> 8U);
-    if (ms % 100 == 0) std::copy_n(test::hex("AF C1 21 01 FF FF 00").begin(), 7, bytes.begin());
-    bench.link.noise(bytes);
-    bench.clock.advance(base::milliseconds(1));
-    (void)bench.driver.poll(bench.clock.now());
-    if (ms > 1'200) {
-      ASSERT_NE(bench.driver.link(), LinkState::kOk) << ms;
-    }
-  }
-  EXPECT_GT(bench.driver.damaged(), damaged + 50);
-  bench.link.forget();
-  bench.link.power(true);
-  bench.link.set_bytes_per_ms(12);
-  bench.run(2'000, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 TEST(Pixy2Camera, AnotherProgramIsChanged) {
@@ -238,62 +167,6 @@ TEST(Pixy2Camera, AFrozenSensorIsUnready) {
     (void)bench.driver.poll(bench.clock.now());
   }
   EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
-}
-
-TEST(Pixy2Camera, ComesBackAfterAPowerCycle) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  bench.device.restart(bench.clock.now());
-  bench.run(450, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-  bench.run(1'600, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
-TEST(Pixy2Camera, UnpluggedIsAbsentAndReplugged) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  bench.link.unplug();
-  bench.run(10, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-  bench.run(5'000, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-  bench.link.replug();
-  bench.run(600, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
-TEST(Pixy2Camera, APortWithoutACameraIsSilent) {
-  Bench bench;
-  bench.device.restart(base::Time{1'000'000'000});
-  bench.link.unplug();
-  bench.run(100, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-  bench.link.replug();
-  bench.run(1'000, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-}
-
-TEST(Pixy2Camera, CountsWhatSixteenCannotHold) {
-  Bench bench;
-  std::vector<sensor::Blob> many;
-  for (std::int16_t i = 0; i < 18; ++i)
-    many.push_back({1, i, 10, static_cast<std::int16_t>(i + 5 + i), 20, {}, {}, 0, {}});
-  bench.run(3'000, many);
-  ASSERT_FALSE(bench.frames.empty());
-  EXPECT_EQ(bench.frames.back().blobs.size(), 16U);
-  EXPECT_EQ(bench.driver.dropped(), 2U * bench.frames.size());
-}
-
-TEST(Pixy2Camera, AStalledLineEndsTheWait) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  bench.link.stall();
-  bench.run(400, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-  bench.link.resume();
-  bench.run(800, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
 }  // namespace

@@ -3,11 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "tests/drivers/hex.hpp"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fencepost::pixy2 {
 namespace {
@@ -221,49 +217,6 @@ TEST(Pixy2Scanner, GivesEachPacketAndWhenItBegan) {
   EXPECT_EQ(heard.times[2], base::Time{42});
 }
 
-TEST(Pixy2Scanner, SkipsGarbageFillerAndADoubledSync) {
-  const Heard heard = hear(joined({hex("01 01 00 AF 01 C1 55 AE C1 AF"), hex(kOneBlock)}));
-  ASSERT_EQ(heard.messages.size(), 1U);
-  EXPECT_EQ(heard.messages[0], hex(kOneBlock));
-  EXPECT_EQ(heard.times[0], base::Time{10});
-}
-
-// A packet cut at every byte, and whole ones after it: all of those are found, none is made up.
-TEST(Pixy2Scanner, CutAnywhereItFindsTheNext) {
-  const auto two = hex(kTwoBlocks);
-  for (std::size_t cut = 0; cut < two.size(); ++cut) {
-    const std::vector<std::uint8_t> part(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(cut));
-    const Heard heard = hear(joined({part, hex(kOneBlock), hex(kNoBlocks), two}));
-    ASSERT_GE(heard.messages.size(), 3U) << cut;
-    EXPECT_EQ(heard.messages[heard.messages.size() - 1], two) << cut;
-    EXPECT_EQ(heard.messages[heard.messages.size() - 2], hex(kNoBlocks)) << cut;
-    EXPECT_EQ(heard.messages[heard.messages.size() - 3], hex(kOneBlock)) << cut;
-  }
-}
-
-TEST(Pixy2Scanner, EveryDamagedDataByteIsSeen) {
-  const auto two = hex(kTwoBlocks);
-  for (std::size_t at = 4; at < two.size(); ++at) {
-    auto bad = two;
-    bad[at] = static_cast<std::uint8_t>(bad[at] ^ 0x10U);
-    const Heard heard = hear(joined({bad, hex(kOneBlock)}));
-    ASSERT_EQ(heard.messages.size(), 1U) << at;
-    EXPECT_EQ(heard.messages[0], hex(kOneBlock)) << at;
-    EXPECT_EQ(heard.damaged, 1U) << at;
-  }
-}
-
-// A length of 252 that was 14: the bytes of the next packets are taken for data, then found again.
-TEST(Pixy2Scanner, OverlongLengthGivesBackWhatItSwallowed) {
-  auto bad = hex(kOneBlock);
-  bad[3] = 0xFC;
-  std::vector<std::uint8_t> bytes = bad;
-  for (int i = 0; i < 14; ++i) bytes = joined({bytes, hex(kOneBlock)});
-  const Heard heard = hear(bytes);
-  EXPECT_EQ(heard.messages.size(), 14U);
-  EXPECT_EQ(heard.damaged, 1U);
-}
-
 TEST(Pixy2Scanner, ImpossibleHeadersAreNotWaitedFor) {
   for (const char* header :
        {"AF C1 20 02", "AF C1 21 0F", "AF C1 01 05", "AF C1 03 02", "AF C1 0F 11", "AF C1 0D 00"}) {
@@ -279,16 +232,6 @@ TEST(Pixy2Packets, PaddingComesFirst) {
   EXPECT_EQ(bytes[0], 0x01);
   EXPECT_EQ(bytes[63], 0x01);
   EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin() + 64, bytes.end()), hex("AF C1 0E 00 00 00"));
-}
-
-TEST(Pixy2Scanner, FuzzedShortly) {
-  std::mt19937 random(1);
-  const auto seed = joined({hex(kVersionReply), hex(kTwoBlocks), hex(kColourCode)});
-  for (int i = 0; i < 3'000; ++i) {
-    auto bytes = seed;
-    for (int k = 0; k < 6; ++k) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
-    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), random() % bytes.size()), 0);
-  }
 }
 
 TEST(Pixy2Protocol, AVersionsTypeMayFillItsRoom) {

@@ -7,8 +7,6 @@
 
 #include "tests/drivers/hex.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace fencepost::xbc {
 namespace {
 
@@ -103,46 +101,6 @@ TEST(XbcDecoder, EitherLineEnd) {
   EXPECT_EQ(Reading().bytes(with_cr).frames.size(), 1U);
 }
 
-TEST(XbcDecoder, CutInAtAnyByteTheNextFrameIsUnderstood) {
-  for (std::size_t cut = 0; cut < kExample.size(); ++cut) {
-    Reading reading;
-    reading.bytes(kExample.substr(cut)).bytes(kExample);
-    ASSERT_GE(reading.frames.size(), 1U) << cut;
-    EXPECT_EQ(reading.frames.back().blobs.size(), 2U) << cut;
-    EXPECT_EQ(reading.frames.size(), cut == 0 ? 2U : 1U) << cut;
-  }
-}
-
-TEST(XbcDecoder, AFrameCutOffAnywhereCostsItselfOnly) {
-  for (std::size_t cut = 1; cut < kExample.size(); ++cut) {
-    Reading reading;
-    reading.bytes(kExample.substr(0, cut)).bytes(kExample);
-    EXPECT_EQ(reading.frames.size(), 1U) << cut;
-    EXPECT_EQ(reading.frames.at(0).t.raw, static_cast<std::int64_t>(cut)) << cut;
-  }
-}
-
-// Any single byte made any other: the frame is lost or, where the byte did not matter, the same; never another one.
-TEST(XbcDecoder, OneDamagedByteNeverMakesAnotherFrame) {
-  std::size_t lost = 0;
-  for (std::size_t at = 0; at < kExample.size(); ++at) {
-    for (int value = 0; value < 256; ++value) {
-      std::string bytes(kExample);
-      bytes[at] = static_cast<char>(value);
-      Reading reading;
-      reading.bytes(bytes).bytes(kExample);
-      ASSERT_GE(reading.frames.size(), 1U) << at << ' ' << value;
-      for (sensor::BlobFrame& frame : reading.frames) {
-        ASSERT_EQ(frame.blobs.size(), 2U) << at << ' ' << value;
-        ASSERT_TRUE(frame.blobs[0] == kFirst && frame.blobs[1] == kSecond && frame.frame == 1'234)
-            << at << ' ' << value;
-      }
-      lost += 2 - reading.frames.size();
-    }
-  }
-  EXPECT_GT(lost, kExample.size() * 200);
-}
-
 TEST(XbcDecoder, AMissingOrDoubledLineSpoilsItsFrame) {
   const std::string f = sealed("F 7 1");
   const std::string b = sealed("B 0 0 178 146 600 54 160 131 196 160 0");
@@ -192,42 +150,6 @@ TEST(XbcDecoder, PixelsAreOursAlready) {
   ASSERT_EQ(reading.frames.size(), 1U);
   EXPECT_EQ(reading.frames[0].blobs[0], (sensor::Blob{3, 0, 0, 355, 290, {0}, {2'900}, 0, {}}))
       << "32767 is where the XBC's int ends, not a count";
-}
-
-TEST(XbcDecoder, KeepsTheLargestAndCountsTheOthers) {
-  std::string bytes = sealed("F 1 40");
-  for (int i = 0; i < 40; ++i) {
-    const std::string size = std::to_string(100 + (i * 7) % 40);
-    bytes += sealed("B " + std::to_string(i / 32) + " " + std::to_string(i % 32) + " 5 5 " + size + " 50 0 0 9 19 0");
-  }
-  Reading reading;
-  reading.bytes(bytes + sealed("E 1"));
-  ASSERT_EQ(reading.frames.size(), 1U);
-  ASSERT_EQ(reading.frames[0].blobs.size(), 16U);
-  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(reading.frames[0].blobs[i].pixels, 139U - i);
-  EXPECT_EQ(reading.decoder.counts().dropped, 24U);
-}
-
-TEST(XbcDecoder, ALineWithoutEndIsDroppedAndCounted) {
-  Reading reading;
-  reading.bytes("$" + std::string(10'000, 'x')).bytes(kExample);
-  EXPECT_EQ(reading.frames.size(), 1U);
-  EXPECT_EQ(reading.decoder.counts().damaged, 1U);
-}
-
-TEST(XbcDecoder, TheFuzzersEntryRuns) {
-  std::uint32_t state = 5;
-  for (int round = 0; round < 2'000; ++round) {
-    std::vector<std::uint8_t> bytes;
-    for (int i = 0; i < 200; ++i) {
-      state = state * 1'664'525 + 1'013'904'223;
-      constexpr std::string_view kMeaningful = "$FBEV *0123456789-\r\nXBCL";
-      const std::uint32_t r = state >> 16;
-      bytes.push_back(r % 4 != 0 ? test::octet(kMeaningful[r / 4 % kMeaningful.size()])
-                                 : static_cast<std::uint8_t>(r / 4));
-    }
-    ASSERT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
-  }
 }
 
 TEST(XbcDecoder, EachValueHasItsRange) {

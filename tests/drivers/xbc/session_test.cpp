@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/bench/xbc_rig.hpp"
 #include "tests/drivers/hex.hpp"
 
@@ -112,15 +111,6 @@ TEST(XbcSession, LinkStates) {
   EXPECT_EQ(rig.driver.session().version(), 1) << "asked again";
 }
 
-TEST(XbcSession, AsksAndIsNotAnswered) {
-  fake::ScriptedLink<256> link({});
-  Xbc<fake::ScriptedLink<256>> driver(link, Config{});
-  for (std::int64_t ms = 0; ms < 10'000; ms += 10) EXPECT_FALSE(driver.poll({ms * 10}).ok());
-  EXPECT_EQ(driver.link(), LinkState::kSilent);
-  const std::string asked(link.written().begin(), link.written().end());
-  EXPECT_EQ(asked, "?\n?\n?\n?\n?\n?\n?\n?\n?\n?\n");
-}
-
 TEST(XbcSession, AnotherVersionIsNotReady) {
   Session session{Config{}};
   const auto feed = [&](std::string_view bytes) {
@@ -145,19 +135,6 @@ TEST(XbcSession, SignaturesAreTheUsers) {
   }
   ASSERT_EQ(session.sample().blobs.size(), 1U);
   EXPECT_EQ(session.sample().blobs[0].signature, 8);
-}
-
-// Damage alone: what was sent whole arrives, but for at most one frame a damaged byte (a lost line end takes the next
-// line with it, were it not for its `$`).
-TEST(HostileXbc, DamageCostsTheDamagedFrameOnly) {
-  Rig rig;
-  rig.run(1'000);
-  rig.link.corruptor().set(0.001);
-  rig.run(3'600'000);
-  EXPECT_GT(rig.link.corrupted(), 5'000U);
-  EXPECT_GE(rig.received + 1, rig.link.whole_frames());
-  EXPECT_LE(rig.sent - rig.received, rig.link.corrupted());
-  EXPECT_EQ(rig.wrong, 0U);
 }
 
 }  // namespace
