@@ -3,15 +3,14 @@
 // A Raspberry Pi Pico in rp2040js. The four are Unix sockets that somebody listens at. The part's time passes only as
 // CONTROL says. It has a command a line.
 //
-//   run MICROSECONDS: answered by `at MICROSECONDS` when all that was said until then has been sent.
-//   power, run-pin: resets.
-//   probe, halt: a debugger resets the core alone, or holds it.
-//   fault, hang: the program fails, or is lost in a loop.
-//   usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out.
-//   camera gone|back: the device on the two-wire bus.
-//   turn LEFT RIGHT MICROSECONDS: wheels with encoders, counts and time between two.
-//   counts: answered by a line of JSON.
-//   stop, pin NUMBER: likewise, the changes of STOP's pin or of a motor's: microseconds, level.
+//   Time: `run MICROSECONDS`, answered by `at MICROSECONDS` when all that was said until then has been sent.
+//   Resets: `power`, `run-pin`. A debugger resets the core alone, or holds it: `probe`, `halt`.
+//   Failures: `fault`, `hang` (lost in a loop).
+//   The cable: `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`.
+//   The device on the two-wire bus: `camera gone|back`.
+//   Wheels with encoders, counts and time between two: `turn LEFT RIGHT MICROSECONDS`.
+//   Questions, answered by a line of JSON: `counts`; `stop` and `pin NUMBER`, the changes of an output as pairs of
+//   microseconds and level.
 // COUNTS: what to count (counter.mjs); written at SIGTERM.
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
