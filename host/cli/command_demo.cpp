@@ -13,7 +13,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-constexpr const char* kRecording = "approach_stop";
+constexpr const char* kRecording = "go_around";
 
 std::string next_steps(const std::string& log, const std::string& scene) {
   return fmt::format(
@@ -28,14 +28,14 @@ std::string next_steps(const std::string& log, const std::string& scene) {
 Exit run(const std::string& output) {
   const std::string log = find_recording(std::string(kRecording) + ".log");
   const std::string scene_path = find_recording(std::string(kRecording) + ".json");
-  say(fmt::format("Replaying {}: a robot drives towards an obstacle.", log));
+  say(fmt::format("Replaying {}: a robot stops before an obstacle and goes around it.", log));
   const ReplayOutcome outcome = replay_file(log, {});
   const GivenLog given{std::string(kRecording) + ".log", read_input(log), read_input(scene_path)};
   write_output(output, page_of_logs({given}));
   if (!is_standard_output(output)) {  // else the page itself is the data
-    const TextOptions text{colour_on_stdout(), true};
+    const TextOptions text{colour_on_stdout(), true, 1};
     write_output("-", alert_list(outcome.result, text) + "\n" + object_table(outcome.result, text) + "\n" +
-                          summary_line(outcome.result));
+                          counts(outcome.result, outcome.result.alerts.size()) + "\n");
     say_lines(fmt::format("\nWrote {}: open it in a browser to see the map and the alerts.", output));
   }
   say_what_was_left_out(outcome);

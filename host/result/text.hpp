@@ -14,6 +14,7 @@ namespace fencepost::host {
 struct TextOptions {
   bool colour = false;        ///< ANSI colours; only for a terminal
   bool changes_only = false;  ///< alerts: leave out those that repeat the object's last level
+  std::size_t areas = 2;      ///< objects: columns with models' areas, at most; more do not fit into 80 columns
 };
 
 /// One line per object under a head of two lines (names, units), at most 80 columns for values of ordinary size.
@@ -45,7 +46,9 @@ std::string pass_table(const ResultDocument& document, const std::vector<SideRul
 /// How many of them were passed on the other side.
 std::size_t wrong_sides(const ResultDocument& document, const std::vector<SideRule>& sides);
 
-/// One line: objects, alerts, frames, profile and digest.
+/// `3 objects (2 confirmed), 8 alerts, 201 frames`.
+std::string counts(const ResultDocument& document, std::uint64_t alerts);
+/// One line: the counts, profile and digest.
 std::string summary_line(const ResultDocument& document);
 /// With so many alerts, which the document need not hold.
 std::string summary_line(const ResultDocument& document, std::uint64_t alerts);

@@ -68,14 +68,18 @@ std::string calibration_list(const ResultDocument& document) {
 
 std::string summary_line(const ResultDocument& document) { return summary_line(document, document.alerts.size()); }
 
-std::string summary_line(const ResultDocument& document, std::uint64_t alerts) {
+std::string counts(const ResultDocument& document, std::uint64_t alerts) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
     return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight
   });
   const auto plural = [](std::uint64_t n) { return n == 1 ? "" : "s"; };
-  return fmt::format("{} object{} ({} confirmed), {} alert{}, {} frame{}, profile {}, digest {}\n",
-                     document.objects.size(), plural(document.objects.size()), confirmed, alerts, plural(alerts),
-                     document.log.frames, plural(document.log.frames), printable(document.profile),
+  return fmt::format("{} object{} ({} confirmed), {} alert{}, {} frame{}", document.objects.size(),
+                     plural(document.objects.size()), confirmed, alerts, plural(alerts), document.log.frames,
+                     plural(document.log.frames));
+}
+
+std::string summary_line(const ResultDocument& document, std::uint64_t alerts) {
+  return fmt::format("{}, profile {}, digest {}\n", counts(document, alerts), printable(document.profile),
                      digest_text(document.digest));
 }
 

@@ -12,7 +12,6 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::size_t kNameWidth = 10;      ///< at least
-constexpr std::size_t kAreaColumns = 2;     ///< more do not fit into 80 columns
 constexpr std::size_t kAreaWidth = 7;       ///< what a longer name takes from them
 constexpr double kSquareCentimetres = 1e4;  ///< per m^2
 
@@ -36,11 +35,11 @@ std::size_t name_width(const ResultDocument& document) {
   return width;
 }
 
-/// The models whose area is shown: the most useful ones the profile has, as many as `width` letters of names leave room
-/// for.
-std::vector<std::string> area_columns(const ResultDocument& document, std::size_t width) {
+/// The models whose area is shown: the most useful ones that the profile has. At most `areas`, and as many as `width`
+/// letters of names leave room for.
+std::vector<std::string> area_columns(const ResultDocument& document, std::size_t width, std::size_t areas) {
   const std::size_t taken = (width - kNameWidth + kAreaWidth - 1) / kAreaWidth;
-  const std::size_t most = kAreaColumns - std::min(kAreaColumns, taken);
+  const std::size_t most = areas - std::min(areas, taken);
   const std::vector<std::string> present = model_names(document);
   std::vector<std::string> columns;
   for (const char* name : {"hybrid", "carve", "clip"}) {
@@ -73,7 +72,7 @@ std::string object_row(const ResultDocument& document, const ObjectResult& objec
 std::string object_table(const ResultDocument& document, const TextOptions& options) {
   if (document.objects.empty()) return "No objects: no blob was seen from enough places.\n";
   const std::size_t width = name_width(document);
-  const std::vector<std::string> areas = area_columns(document, width);
+  const std::vector<std::string> areas = area_columns(document, width, options.areas);
   std::string head = fmt::format("{:>3} {:<{}} {:<9} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5}", "id", "name", width, "state",
                                  "views", "x", "y", "radius", "height", "conf");
   std::string units = fmt::format("{:>3} {:<{}} {:<9} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5}", "", "", width, "", "", "m",

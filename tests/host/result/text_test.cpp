@@ -21,6 +21,12 @@ TEST(ObjectTable, IsWhatThePageShows) {
             "  2 sig 9      tentative     1       -       -      -  0.000  0.50      -      -\n");
 }
 
+TEST(ObjectTable, HasNoMoreAreasThanAskedFor) {
+  const std::string table = object_table(small_document(), {.colour = false, .changes_only = false, .areas = 1});
+  EXPECT_EQ(table.substr(0, table.find('\n')),
+            " id name       state     views       x       y radius height  conf  carve");
+}
+
 TEST(ObjectTable, FitsEightyColumns) {
   ResultDocument d = small_document();
   d.objects[0].id = 999;
@@ -83,6 +89,7 @@ TEST(AlertList, CanLeaveRepeatsOut) {
 }
 
 TEST(SummaryLine, CountsAndIdentifies) {
+  EXPECT_EQ(counts(small_document(), 1), "2 objects (1 confirmed), 1 alert, 5 frames");
   EXPECT_EQ(summary_line(small_document()),
             "2 objects (1 confirmed), 2 alerts, 5 frames, profile full, digest 0123456789abcdef\n");
 }
