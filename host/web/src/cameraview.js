@@ -3,7 +3,7 @@ import { prepare } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
 import { fitted, Labels } from "./labels.js";
 import { boxOf, ringInImage } from "./lens.js";
-import { nameOf, outlineOf, poseAt } from "./scene.js";
+import { isDoubtful, nameOf, outlineOf, poseAt } from "./scene.js";
 
 function drawSolid(g, camera, pose, object, scale, colour) {
   const ring = outlineOf(object);
@@ -43,7 +43,7 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   const { frame } = view.page;
   const ratio = camera ? camera.height / camera.width : 0.65;
   canvas.style.aspectRatio = `${1 / ratio}`;
-  canvas.style.maxWidth = `max(260px, ${(30 / ratio).toFixed(2)}vh)`;
+  canvas.style.maxWidth = `max(260px, ${(28 / ratio).toFixed(2)}vh)`;
   const { g, width, height } = prepare(canvas);
   g.fillStyle = theme === "dark" ? "#0a1016" : "#f6f8fa";
   g.fillRect(0, 0, width, height);
@@ -60,7 +60,7 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
       if (!box) continue;
       rendered.set(object.id, box);
       const colour = colourOf(object.rgb, object.signature, theme);
-      drawSolid(g, camera, pose, object, scale, colour);
+      if (!isDoubtful(object)) drawSolid(g, camera, pose, object, scale, colour);
       g.setLineDash([5, 4]);
       g.lineWidth = object.id === selected ? 2.5 : 1.4;
       g.strokeStyle = colour;
@@ -87,9 +87,9 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
     if (ours && seenWhole(camera, box[2], others)) errors.push(Math.abs(ours[2] - u2));
   }
   canvas.placed = nameBoxes(g, { width, height, ink, memory }, named);
-  if (!frame) return "No frame yet. Full: boxes sent by the camera; dashed: rendered from the map.";
-  const mean = errors.length ? `; ends seen whole differ by ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px on average` : "";
-  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}. Full: sent by the camera; dashed: rendered from the map${mean}.`;
+  if (!frame) return "No frame yet.";
+  const mean = errors.length ? `; whole ends ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px off on average` : "";
+  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}${mean}.`;
 }
 
 function drawHorizon(g, camera, width, scale, ink) {

@@ -1,5 +1,4 @@
 // What the user does: pointer, buttons, keys, files. `page` is what main.js offers.
-import { entryOf } from "./data.js";
 import { byId, make, plain } from "./dom.js";
 import { describe } from "./map2d.js";
 import { listen } from "./pointer.js";
@@ -79,7 +78,7 @@ export function bindTransport({ state, play, stop, goTo }) {
 }
 
 /** Files that are chosen or dropped, and the recordings in the page. */
-export function bindFiles(recordings, { openFiles, openEntry }) {
+export function bindFiles(recordings, { openFiles, openRecording }) {
   byId("files").onchange = (event) => { openFiles([...event.target.files]).finally(() => { event.target.value = ""; }); };
   const drop = byId("drop");
   document.addEventListener("dragover", (event) => { event.preventDefault(); drop.hidden = false; });
@@ -91,5 +90,5 @@ export function bindFiles(recordings, { openFiles, openEntry }) {
   });
   const list = byId("recordings");
   list.replaceChildren(make("option", { value: "" }, "choose …"), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
-  list.onchange = async () => { if (list.value !== "") openEntry(await entryOf(recordings[Number(list.value)])); };
+  list.onchange = () => { if (list.value !== "") openRecording(recordings[Number(list.value)]); };
 }

@@ -71,7 +71,7 @@ export class Labels {
   }
 
   #find(item, w, marks) {
-    const places = [...item.first ?? [], ...placesAround(item.box, item.at, w, marks ? NEAR : item.reach ?? REACH)];
+    const places = [...item.first ?? [], ...placesAround(item.box, item.at, w, marks ? NEAR : REACH)];
     const free = (place) => place && this.#free(boxAt(place, w), marks);
     const last = this.#memory.get(item.key);
     const index = free(places[last]) ? last : places.findIndex(free);
@@ -79,9 +79,9 @@ export class Labels {
     return places[index];
   }
 
-  /** One more. `texts`: the longest first, the others for where that has no place; `box`, `at`: what it names, and its
-   * middle; `first`: places to try before others; `key`: the same from one drawing to the next; `font`, `ink`, and
-   * `colour` of the line; `reach`: px, where further away is worse than none. */
+  /** One more. `texts`: the longest first, the others for where that has no place. `box`, `at`: what it names, and its
+   * middle; `first`: places to try before others. `key`: the same from one drawing to the next. `font`, `ink`, and
+   * `colour` of the line. */
   add(item) {
     this.g.font = item.font;
     for (const text of item.texts) {

@@ -2,6 +2,16 @@
 import { make } from "./dom.js";
 
 export const LAYERS = { truth: "truth", path: "path", zones: "alert zones", wedge: "camera", guard: "guard's points", labels: "names" };
+/** Those that are shown first: the guard's points hide what they stand on. */
+export const FIRST = Object.keys(LAYERS).filter((name) => name !== "guard");
+
+/** The legend has what the map shows: each line of a layer, and of the truth where there is one. */
+export function showLegend(list, { layers, truth }) {
+  for (const line of list.querySelectorAll("[data-layer]")) {
+    const { layer } = line.dataset;
+    line.hidden = !layers.has(layer) || (layer === "truth" && truth.length === 0);
+  }
+}
 
 /** Boxes to tick in `list`: the layers, and the models that `result` has. */
 export function offerLayers(list, { state, result, redraw }) {

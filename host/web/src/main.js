@@ -6,7 +6,7 @@ import { byId, download, make, plain } from "./dom.js";
 import { Engine, PROFILES } from "./engine.js";
 import { addCard } from "./gallery.js";
 import { Kept } from "./kept.js";
-import { LAYERS, offerLayers } from "./layers.js";
+import { FIRST, offerLayers, showLegend } from "./layers.js";
 import { drawMap } from "./map2d.js";
 import { Orbit, drawSolid } from "./map3d.js";
 import { Player } from "./player.js";
@@ -22,7 +22,7 @@ const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [],
 
 const state = {
   entry: { name: "", bytes: new Uint8Array(), truth: [] }, look: NOTHING, whole: NOTHING.path, t: 0, begin: 0, end: 0, rows: [],
-  models: ["hybrid"], layers: new Set(Object.keys(LAYERS)), selected: null, playing: false, solid: false, live: false, loaded: false,
+  models: ["hybrid"], layers: new Set(FIRST), selected: null, playing: false, solid: false, live: false, loaded: false,
 };
 const memory = { flat: new Map(), solid: new Map(), camera: new Map() };  // of where names were
 const flat = new Window();
@@ -54,6 +54,7 @@ function draw() {
   if (byId("follow").checked && view.pose) {
     for (const eye of [flat, orbit]) [eye.x, eye.y] = [view.pose.x, view.pose.y];
   }
+  showLegend(byId("legend"), { layers: state.layers, truth: state.entry.truth });
   if (state.solid) drawSolid(byId("map"), orbit, { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
   byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
   drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
@@ -71,7 +72,7 @@ function keepingFocus(table, fill) {
   if (label) [...table.querySelectorAll("button")].find((b) => b.getAttribute("aria-label") === label)?.focus();
 }
 
-const shownTables = { at: 0, alerts: null, rows: [0, 0] };
+const shownTables = { at: 0, alerts: null, rows: [0, 0], count: 0 };
 function fillTables(force) {
   if (!force && performance.now() - shownTables.at < 200) return;
   shownTables.at = performance.now();
@@ -88,6 +89,7 @@ function fillTables(force) {
     });
     shownTables.alerts = all;
   }
+  shownTables.count = count;
   markAlerts(byId("alerts"), shownTables.rows, count);
   const worst = [...levels.values()].filter((alert) => alert.level !== "clear");
   worst.sort((a, b) => LEVELS.indexOf(b.level) - LEVELS.indexOf(a.level));
@@ -98,10 +100,10 @@ function fillTables(force) {
   fillFacts(byId("facts"), factsOf({ name: state.entry.name, result, page, last, took: player.took, duration: player.duration }));
 }
 
+/** `t`: of the look; the time that is asked for may be another one by now. */
 function show(look, t, force = false) {
   document.documentElement.dataset.shown = t.toFixed(2);
   state.look = look;
-  state.t = t;
   offerLayers(byId("layer-list"), { state, result: state.entry.kept ? player.last.result : look.result, redraw });
   fillTables(force || !state.playing);
   redraw();
@@ -121,21 +123,23 @@ async function goTo(t) {
     const started = performance.now();
     const look = await player.seek(wanted);
     going.cost = performance.now() - started;
-    if (look) show(look, state.playing ? state.t : wanted, wanted >= state.end);
+    if (look && state.loaded) show(look, wanted, wanted >= state.end);
   }
   going.busy = false;
 }
 
+let plays = 0;  // paused and played again within a frame, the first must not go on beside the second
 function play() {
   if (state.live || !state.loaded) return;
   if (state.t >= state.end - 1e-6) state.t = state.begin;
   state.playing = true;
+  const mine = ++plays;
   byId("play").textContent = "❚❚";
   byId("play").setAttribute("aria-label", "Pause");
   let last = performance.now();
   let asked = 0;
   const tick = (now) => {
-    if (!state.playing) return;
+    if (!state.playing || mine !== plays) return;
     state.t = Math.min(state.end, state.t + Math.max(0, now - last) / 1000 * Number(byId("speed").value));
     last = now;
     if (now - asked > Math.max(60, 3 * going.cost) || state.t >= state.end) {
@@ -149,10 +153,16 @@ function play() {
   requestAnimationFrame(tick);
 }
 
-function stop() {
+function halt() {
   state.playing = false;
   byId("play").textContent = "▶";
   byId("play").setAttribute("aria-label", "Play");
+}
+
+function stop() {
+  if (!state.playing) return;
+  halt();
+  goTo(state.t);  // the look that is shown is a little older
 }
 
 function select(id) {
@@ -188,11 +198,11 @@ function setLive(live) {
 }
 
 async function openEntry(entry) {
-  stop();
+  halt();
   Object.assign(state, { entry, loaded: false, selected: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
   byId("title").textContent = plain(entry.name);
   document.title = `${plain(entry.name)} · Fencepost`;
-  summary(`Replaying ${entry.name} …`);
+  summary("is being replayed …");
   byId("progress").hidden = false;
   setLive(false);
   player.stop();
@@ -214,20 +224,25 @@ async function openEntry(entry) {
     });
   } catch (error) {
     byId("progress").hidden = true;
-    summary(`${entry.name} stopped the loop (${error.message}): does fencepost replay read it? Please report it, with the log.`);
+    summary(`stopped the loop (${error.message}): does fencepost replay read it? Please report it, with the log.`);
   }
   if (!last) return null;
   byId("progress").hidden = true;
-  Object.assign(state, { loaded: true, whole: last.path, begin: player.begin, end: player.end, rows: rowsOf(last.result, player.end) });
+  Object.assign(state, { loaded: true, whole: last.path, begin: player.begin, end: player.end, t: player.end, rows: rowsOf(last.result, player.end) });
   Object.assign(byId("slider"), { min: player.begin, max: player.end, step: 0.01 });
   fillProblems(byId("problems"), { ...last, lines: (n) => lineOf(entry.bytes, n) });
   show(last, player.end, true);
   fit();
-  const { objects, log, profile, digest } = last.result;
+  const { objects, log } = last.result;
   const { alerts } = countsOf(last);
-  summary(last.page.unreadable ? `${entry.name} cannot be replayed` :
-    `${objects.length} objects (${objects.filter((o) => o.state !== "tentative").length} confirmed), ${alerts} alerts, ${log.frames} frames, ${player.duration.toFixed(1)} s, profile ${profile}, digest ${digest}`);
+  summary(last.page.unreadable ? "cannot be replayed" :
+    `${player.duration.toFixed(1)} s, ${log.frames} frames, ${objects.length} objects (${objects.filter((o) => o.state !== "tentative").length} confirmed), ${alerts} alerts`);
   return last;
+}
+
+/** A recording of the page's own is there to be looked at: it plays at once, where motion is welcome. */
+async function openRecording(recording) {
+  if (await openEntry(await entryOf(recording)) && !window.matchMedia("(prefers-reduced-motion: reduce)").matches) play();
 }
 
 async function openFiles(files) {
@@ -275,9 +290,11 @@ async function openFirst(recordings, comingLog) {
     follow(mine.stream, comingLog).catch((error) => summary(`The run cannot be followed: ${error.message}`));
   } else if (mine) {
     byId("profile").value = String(Math.max(0, PROFILES.indexOf(mine.profile)));
-    await openAll(await Promise.all(mine.logs.map(entryOf)));
+    const [first, ...others] = mine.logs;
+    if (!others.length && recordings.some(({ name }) => name === first.name)) await openRecording(first);
+    else await openAll(await Promise.all(mine.logs.map(entryOf)));
   } else {
-    await openEntry(await entryOf(recordings[0]));
+    await openRecording(recordings[0]);
     byId("recordings").value = "0";
   }
 }
@@ -289,7 +306,7 @@ async function begin() {
   engine = await Engine.create(wasm);
   replayer = new Player(engine);
   player = replayer;
-  const page = { state, flat, orbit, redraw, play, stop, goTo, fit, select, openFiles, openEntry, view: viewNow, last: () => player.last };
+  const page = { state, flat, orbit, redraw, play, stop, goTo, fit, select, openFiles, openRecording, view: viewNow, last: () => player.last };
   bindMap(page);
   bindKeys(page);
   bindTransport(page);
@@ -299,13 +316,13 @@ async function begin() {
   const comingLog = {
     engine: () => new Engine(engine.module), open: (entry) => state.live ? openEntry(entry) : null,
     begin: (name) => {
-      stop();
+      halt();
       player.stop();
       player = replayer;
       byId("thinned").hidden = true;
       setLive(true);
       byId("recordings").value = "";
-      summary("Live: the map is made here, of what the robot sends.");
+      summary("The map is made here, of what the robot sends.");
       Object.assign(state, { entry: { name, bytes: new Uint8Array(), truth: [] }, look: NOTHING, rows: [], selected: null });
       byId("title").textContent = name;
       document.title = `${name} · Fencepost`;
@@ -315,7 +332,7 @@ async function begin() {
     show: (look) => {
       if (!state.live) return;  // another log was opened meanwhile
       const first = state.look.path.length === 0 && look.path.length > 0;
-      Object.assign(state, { begin: look.path[0] ?? 0, end: look.time, rows: rowsOf(look.result, look.time) });
+      Object.assign(state, { t: look.time, begin: look.path[0] ?? 0, end: look.time, rows: rowsOf(look.result, look.time) });
       show(look, look.time);
       if (first || look.result.objects.length !== state.fitted) fit();
       state.fitted = look.result.objects.length;
@@ -323,6 +340,7 @@ async function begin() {
   };
   bindPort(comingLog);
   new ResizeObserver(redraw).observe(byId("map"));
+  new ResizeObserver(() => markAlerts(byId("alerts"), shownTables.rows, shownTables.count)).observe(byId("alerts").parentElement);
   await openFirst(recordings, comingLog);
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
 }

@@ -3,7 +3,7 @@ import { figure, label, niceStep, prepare } from "./canvas.js";
 import { colourOf } from "./colours.js";
 import { halfAngle } from "./lens.js";
 import { drawLabels } from "./maplabels.js";
-import { bodyOf, centreOf, curvatureAt, nameOf, openSidesOf, outlineOf, placed, polygonsOf, poseIndex, sweptRing } from "./scene.js";
+import { bodyOf, centreOf, curvatureAt, isDoubtful, nameOf, opacityOf, openSidesOf, outlineOf, placed, polygonsOf, poseIndex, sweptRing } from "./scene.js";
 
 const DASHES = {
   hybrid: [], cylinder: [7, 4], sheaf: [10, 3, 2, 3], carve: [2, 3], clip: [4, 2], cylinder_paper: [6, 4], sheaf_paper: [2, 4],
@@ -161,16 +161,17 @@ function drawModel({ g, window, theme }, object, model) {
   const polygons = polygonsOf(object, model);
   if (!polygons.length) return;
   const colour = colourOf(object.rgb, object.signature, theme);
-  g.globalAlpha = object.state === "tentative" ? 0.45 : object.state === "lost" ? 0.75 : 1;
+  const doubtful = isDoubtful(object);
+  g.globalAlpha = opacityOf(object);
   g.beginPath();
   for (const rings of polygons) for (const ring of rings) trace(g, window, ring);
   g.strokeStyle = g.fillStyle = colour;
-  g.lineWidth = model === "hybrid" ? 2.6 : 1.4;
+  g.lineWidth = model === "hybrid" && !doubtful ? 2.6 : 1.2;
   g.setLineDash(DASHES[model] ?? [3, 3]);
   g.stroke();
   g.setLineDash([]);
-  if (model === "hybrid") {
-    g.globalAlpha *= 0.2;
+  if (model === "hybrid" && !doubtful) {
+    g.globalAlpha *= 0.3;
     g.fill("evenodd");
   }
   g.globalAlpha = 1;
@@ -228,7 +229,7 @@ export function drawMap(canvas, window, { view, whole, ink, theme, selected, bar
   if (view.layers.has("guard")) drawGuard(all);
   for (const object of view.result.objects) {
     for (const model of view.models) drawModel(all, object, model);
-    if (view.models.includes("hybrid")) drawOpenSides(all, object);
+    if (view.models.includes("hybrid") && !isDoubtful(object)) drawOpenSides(all, object);
   }
   if (view.pose) drawRobot(all);
   drawHighlight(all);

@@ -2,7 +2,7 @@
 import { niceStep, prepare } from "./canvas.js";
 import { colourOf } from "./colours.js";
 import { fitted, Labels } from "./labels.js";
-import { bodyOf, centreOf, curvatureAt, nameOf, outlineOf, placed, sweptRing } from "./scene.js";
+import { bodyOf, centreOf, curvatureAt, isDoubtful, nameOf, opacityOf, outlineOf, placed, sweptRing } from "./scene.js";
 
 const ROBOT_HEIGHT = 0.09;  // m, drawn: nobody tells it
 const NEAR = 0.05;
@@ -168,7 +168,15 @@ export function drawSolid(canvas, orbit, { view, ink, theme, selected, memory })
     const ring = outlineOf(object);
     if (!ring) continue;
     const colour = colourOf(object.rgb, object.signature, theme);
-    faces.push(...facesOf(orbit, ring, object.base, Math.max(object.z_max, object.base + 0.005), colour, object.state === "confirmed" ? 0.88 : 0.4));
+    if (isDoubtful(object)) {
+      drawFace(g, orbit, ring.map((p) => orbit.axes(p, 0)));
+      g.strokeStyle = colour;
+      g.globalAlpha = opacityOf(object);
+      g.stroke();
+      g.globalAlpha = 1;
+      continue;
+    }
+    faces.push(...facesOf(orbit, ring, object.base, Math.max(object.z_max, object.base + 0.005), colour, 0.95 * opacityOf(object)));
   }
   if (pose) faces.push(...facesOf(orbit, body.ring.map((p) => placed(pose, p)), 0.01, ROBOT_HEIGHT, theme === "dark" ? "#c8d2dc" : "#4a5663", 1));
   faces.sort((a, b) => b.depth - a.depth);

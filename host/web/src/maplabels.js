@@ -1,8 +1,8 @@
 // Marks and names on the top view.
+import { label } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
-import { plain } from "./dom.js";
 import { fitted, Labels } from "./labels.js";
-import { centreOf, nameOf, outlineOf } from "./scene.js";
+import { centreOf, isDoubtful, nameOf, outlineOf } from "./scene.js";
 
 const sansSerif = (weight, size = 13) => `${weight} ${size}px system-ui, sans-serif`;
 const SHARE = 0.6;  // of the width, the longest name
@@ -32,35 +32,28 @@ function objectLabels({ g, window, ink, theme, selected }, labels, placed) {
     ink: object.id === selected ? ink.accent : ink.ink, colour: colourOf(object.rgb, object.signature, theme) }));
 }
 
-function truthLabels({ g, window, ink, view }, labels) {
-  const font = "italic 12px system-ui, sans-serif";
-  g.font = font;
-  const names = fitted(view.truth.map(({ name }) => plain(name)), (text) => g.measureText(text).width < SHARE * window.width);
-  view.truth.forEach(({ ring }, i) => {
-    const box = extent(ring.map((p) => window.toPage(p)));
-    if (!isShown(window, box)) return;
-    const at = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
-    const w = g.measureText(names[i]).width + 4;
-    labels.add({ key: `truth ${i}`, box, at, font, texts: [names[i]], first: [[at[0] - w / 2, box[3] + 12]], reach: 60, ink: ink.soft, colour: ink.soft });
-  });
-}
-
 /** Marks, then names: of what was seen most first. `axes`: where numbers stand; they are `placed` of the canvas then. */
 export function drawLabels(all) {
-  const { canvas, g, window, ink, view, theme, bare } = all;
+  const { canvas, g, window, ink, view, theme } = all;
   const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => (a.state === "tentative") - (b.state === "tentative") || b.views - a.views);
   const placed = objects.map((object) => ({ object, ...placeOf(window, object) }));
   const labels = new Labels(g, window.width, window.height, all.memory);
   for (const { object, at: [u, v], box } of placed) {
     const size = Math.min(7, Math.max(2.5, (box[2] - box[0]) / 4));
     g.fillStyle = colourOf(object.rgb, object.signature, theme);
-    drawMark(g, markOf(object.signature), u, v, size);
+    if (isDoubtful(object)) {
+      g.font = sansSerif("700");
+      g.textAlign = "center";
+      g.textBaseline = "middle";
+      label(g, "?", u, v, g.fillStyle, ink.paper);
+    } else {
+      drawMark(g, markOf(object.signature), u, v, size);
+    }
     labels.mark(box);
   }
   if (view.layers.has("labels")) {
     for (const box of all.axes) labels.block(box);
     objectLabels(all, labels, placed.filter(({ box }) => isShown(window, box)));
-    if (view.layers.has("truth") && !bare) truthLabels(all, labels);
     labels.draw(ink.paper);
   }
   canvas.placed = labels.placed;

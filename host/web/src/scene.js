@@ -21,6 +21,12 @@ export function centreOf(object) {
   return [mean(0), mean(1)];
 }
 
+const DOUBTFUL = 0.1;  // confidence below which an outline is a guess: it gets no area
+
+export const isDoubtful = (object) => !(object.confidence >= DOUBTFUL);
+/** How solid an object is drawn: by its confidence. */
+export const opacityOf = (object) => Math.min(1, 0.25 + (object.confidence ?? 0));
+
 export const nameOf = (object) => `${object.id} ${plain(object.name ?? `signature ${object.signature}`)}`;
 
 /** The truth of a scene file: rings with names. */

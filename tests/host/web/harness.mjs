@@ -16,6 +16,9 @@ export function crc16(text) {
 /** A record as a line: "FPSIG,1,d02020,red". */
 export const record = (body) => `$${body}*${crc16(body)}\r\n`;
 
+/** How conditions are awaited: not by frames, whose clock may be the test's. */
+export const POLLED = { polling: 20 };
+
 export class Tools {
   constructor(args) { [this.page, this.cli, this.npm, this.shared] = args; }
   require(name) { return createRequire(join(this.npm, "package.json"))(name); }
@@ -33,9 +36,10 @@ export class Browser {
     return Object.assign(new Browser(), { browser, tools, requests: [], errors: [] });
   }
 
-  /** The page as it opens from disk, when it has shown its first log. Notes requests to anything else, and errors. */
+  /** The page as it opens from disk, when it has shown its first log. Notes requests to anything else, and errors. It does
+   * not play by itself without reducedMotion: "no-preference". */
   async open({ file = this.tools.page, before, ...options } = {}) {
-    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
     const page = await context.newPage();
     page.on("request", (request) => {
       const url = request.url();
@@ -45,7 +49,7 @@ export class Browser {
     page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
     if (before) await page.addInitScript(before.run, before.with);
     await page.goto(`file://${file}`);
-    await page.waitForSelector("html[data-ready]", { timeout: 60_000 });
+    await page.waitForFunction(() => document.documentElement.dataset.ready, null, { ...POLLED, timeout: 60_000 });
     return page;
   }
   close() { return this.browser.close(); }
@@ -64,10 +68,31 @@ export async function drop(page, ...files) {
   // The log that is there may have the same name.
   if (log) await page.evaluate(() => { document.title = ""; });
   await page.dispatchEvent("body", "drop", { dataTransfer: data });
-  if (log) await page.waitForFunction((name) => document.title.startsWith(name) && document.getElementById("progress").hidden, log);
+  if (log) await page.waitForFunction((name) => document.title.startsWith(name) && document.getElementById("progress").hidden, log, POLLED);
 }
 
 export const text = (page, selector) => page.locator(selector).textContent();
+
+/** When what was asked for before has been drawn. */
+export const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+
+/** Runs in the page, before it: its animation has the test's clock. `slow` ms pass at each look at that clock. */
+export function frameClock() {
+  let now = 0;
+  let waiting = [];
+  window.slow = 0;
+  performance.now = () => now += window.slow;
+  window.requestAnimationFrame = (frame) => waiting.push(frame);
+  window.nextFrame = (ms) => {
+    now += ms;
+    const due = waiting;
+    waiting = [];
+    for (const frame of due) frame(now);
+  };
+}
+
+/** So many frames of a page with that clock, `ms` apart. */
+export const frames = (page, count, ms) => page.evaluate(([n, step]) => { for (let i = 0; i < n; ++i) window.nextFrame(step); }, [count, ms]);
 
 export async function goTo(page, t) {
   await page.evaluate((time) => {
@@ -75,7 +100,7 @@ export async function goTo(page, t) {
     slider.value = time;
     slider.dispatchEvent(new Event("input", { bubbles: true }));
   }, t);
-  await page.waitForFunction((time) => document.documentElement.dataset.shown === time.toFixed(2), t);
+  await page.waitForFunction((time) => document.documentElement.dataset.shown === time.toFixed(2), t, POLLED);
 }
 
 /** Runs `cases` one after the other, { name: async () => {} }; the process fails if one does. */

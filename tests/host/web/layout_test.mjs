@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { Browser, Tools, drop, goTo, run } from "./harness.mjs";
+import { Browser, Tools, drop, goTo, run, settled } from "./harness.mjs";
 import { NAMES, hostileScene } from "./hostile_scene.mjs";
 
 const tools = new Tools(process.argv.slice(2));
@@ -71,7 +71,6 @@ async function checkLabels(page, selector, least) {
 }
 
 const nameIn = (object) => `${object.id} ${object.name}`;
-const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
 
 await run({
   async "the scene is what it should be"() {
@@ -130,7 +129,7 @@ await run({
   async "the page of each bundled log has every name in full beside its object"() {
     for (const width of WIDTHS) {
       const page = await browser.open({ viewport: { width, height: 900 } });
-      for (const name of ["wro_lap", "approach_stop", "corridor", "noisy_arc"]) {
+      for (const name of ["go_around", "wro_lap", "approach_stop", "corridor", "noisy_arc"]) {
         await drop(page, tools.log(name), tools.scene(name));
         await settled(page);
         assert.deepEqual(await tooWide(page), [], `${name} at ${width}`);

@@ -5,15 +5,32 @@ import { randomBytes } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { Browser, Tools, drop, goTo, record, run, text } from "./harness.mjs";
+import { Browser, POLLED, Tools, drop, frameClock, frames, goTo, record, run, settled, text } from "./harness.mjs";
 import { standIn } from "./stand_in_serial.mjs";
 
 const tools = new Tools(process.argv.slice(2));
 const browser = await Browser.start(tools);
+const FIRST = "go_around";  // the recording that the page opens with
+const BRAKES = 0.6;  // s: so long after a stop it stands
 const HOSTILE = '<img src=x onerror=hacked=1>';
 const escaped = (name) => [...name].map((c) => /[\w =.]/.test(c) ? c : `%${c.charCodeAt(0).toString(16).toUpperCase().padStart(2, "0")}`).join("");
 
 const picture = (page, selector = "#map") => page.locator(selector).evaluate((canvas) => canvas.toDataURL());
+
+const shown = (page) => page.evaluate(() => document.documentElement.dataset.shown);
+
+/** All that is said beside the pointer, anywhere on the map. */
+const tipsOn = async (page) => new Set(await page.locator("#map").evaluate((map) => {
+  const { left, top, width, height } = map.getBoundingClientRect();
+  const tips = [];
+  for (let u = width; u > 0; u -= 9) {
+    for (let v = 0; v < height; v += 9) {
+      map.dispatchEvent(new PointerEvent("pointermove", { clientX: left + u, clientY: top + v }));
+      tips.push(document.getElementById("tip").textContent);
+    }
+  }
+  return tips;
+}));
 
 async function complaints(page) {
   await page.evaluate(tools.require("axe-core").source);
@@ -25,9 +42,9 @@ let page = await browser.open();
 
 await run({
   async "shows a bundled log first, with the command line's digest"() {
-    assert.equal(await text(page, "#digest"), tools.digest(tools.log("wro_lap")));
-    assert.equal(await page.locator("#objects tbody tr").count(), 7);
-    assert.ok(await page.locator("#alerts tbody tr").count() > 20);
+    assert.equal(await text(page, "#digest"), tools.digest(tools.log(FIRST)));
+    assert.equal(await page.locator("#objects tbody tr").count(), 3);
+    assert.ok(await page.locator("#alerts tbody tr").count() > 5);
   },
 
   async "a dropped log has the command line's digest"() {
@@ -41,8 +58,10 @@ await run({
 
   async "the slider goes to a time and back"() {
     await drop(page, tools.log("approach_stop"), tools.scene("approach_stop"));
+    await settled(page);
     const end = await picture(page);
     await goTo(page, 5);
+    await settled(page);
     const digest = await text(page, "#digest-now");
     assert.equal(digest, tools.digest(tools.log("approach_stop"), "--to", "5.001"));
     assert.notEqual(await picture(page), end);
@@ -55,29 +74,146 @@ await run({
     await page.waitForFunction(() => Number.parseFloat(document.getElementById("clock").textContent) > 7);
   },
 
+  async "plays its own recording from the start on opening, where motion is welcome"() {
+    const playing = await browser.open({ before: { run: frameClock }, reducedMotion: "no-preference" });
+    assert.equal(await text(playing, "#title"), `${FIRST}.log`);
+    await frames(playing, 20, 50);
+    await frames(playing, 1, 0);  // a frame later it is drawn
+    assert.equal(await text(playing, "#clock"), "1.00 s");
+    assert.ok(Number(await shown(playing)) > 0.9);
+    assert.equal(await playing.getAttribute("#play", "aria-label"), "Pause");
+    await playing.selectOption("#recordings", { label: "wro_lap.log" });
+    await playing.waitForFunction(() => document.getElementById("play").getAttribute("aria-label") === "Pause" && document.title.startsWith("wro_lap"), null, POLLED);
+    await frames(playing, 10, 50);
+    await frames(playing, 1, 0);
+    assert.equal(await text(playing, "#clock"), "0.50 s");
+    await drop(playing, tools.log("corridor"));
+    assert.equal(await playing.getAttribute("#play", "aria-label"), "Play", "a log of one's own is shown whole");
+    await playing.context().close();
+    const still = await browser.open({ before: { run: frameClock } });
+    await frames(still, 20, 50);
+    assert.equal(await still.getAttribute("#play", "aria-label"), "Play");
+    assert.equal(await shown(still), Number(await still.getAttribute("#slider", "max")).toFixed(2));
+    await still.context().close();
+  },
+
+  async "in the recording that opens first, STOP means stop: the robot stands, turns away, goes around and on"() {
+    const { alerts } = JSON.parse(tools.result(tools.log(FIRST)));
+    const poses = readFileSync(tools.log(FIRST), "latin1").split("\n").filter((line) => line.startsWith("$FPODO")).map((line) => line.split("*")[0].split(",").slice(1).map(Number));
+    const levels = alerts.map(({ level }) => level).filter((level, i, all) => level !== all[i - 1]);
+    assert.deepEqual(levels, ["notice", "warn", "stop", "notice", "clear", "notice", "warn", "stop"]);
+    let driven = 0;
+    let after = 0;
+    poses.slice(1).forEach(([t, x, y, heading], i) => {
+      const [, x0, y0, h0] = poses[i];
+      const middle = (heading + h0) / 2;
+      const [ahead, aside] = [(x - x0) * Math.cos(middle) + (y - y0) * Math.sin(middle), (y - y0) * Math.cos(middle) - (x - x0) * Math.sin(middle)];
+      assert.ok(Math.abs(aside) < 0.001, `sideways at ${t} s`);
+      driven += Math.abs(ahead);
+      const stops = new Map();  // by object: when the stop in force began
+      for (const alert of alerts.filter((one) => one.t <= t)) {
+        if (alert.level !== "stop") stops.delete(alert.id); else if (!stops.has(alert.id)) stops.set(alert.id, alert.t);
+      }
+      if ([...stops.values()].some((began) => began < t - BRAKES)) assert.ok(Math.abs(ahead) < 0.001, `it drives at ${t} s, ${BRAKES} s after a stop`);
+      if (t > alerts.find(({ level }) => level === "stop").t + BRAKES) after += Math.abs(ahead);
+    });
+    assert.ok(after > 2 && driven > 3, `${after} m after the first stop, ${driven} m in all`);
+  },
+
   async "plays by the space bar, and stops; arrows step"() {
-    await page.focus("#map");
-    await page.keyboard.press("Home");
-    await page.waitForFunction(() => document.getElementById("clock").textContent === "0.00 s");
-    await page.keyboard.press(" ");
-    await page.waitForFunction(() => Number.parseFloat(document.getElementById("clock").textContent) > 0.4);
-    await page.keyboard.press(" ");
-    await page.waitForTimeout(250);
-    const there = await text(page, "#clock");
-    await page.waitForTimeout(250);
-    assert.equal(await text(page, "#clock"), there);
-    await page.keyboard.press("Shift+ArrowRight");
-    assert.ok(Math.abs(Number.parseFloat(await text(page, "#clock")) - Number.parseFloat(there) - 1) < 0.02);
-    await page.keyboard.press("ArrowLeft");
-    assert.ok(Math.abs(Number.parseFloat(await text(page, "#clock")) - Number.parseFloat(there) - 0.9) < 0.02);
-    await page.keyboard.press("End");
-    await page.waitForFunction(() => document.documentElement.dataset.shown === Number(document.getElementById("slider").max).toFixed(2));
+    const stepped = await browser.open({ before: { run: frameClock } });
+    await stepped.focus("#map");
+    await stepped.keyboard.press("Home");
+    await frames(stepped, 1, 50);
+    assert.equal(await text(stepped, "#clock"), "0.00 s");
+    await stepped.keyboard.press(" ");
+    await frames(stepped, 10, 50);
+    await stepped.keyboard.press(" ");
+    for (let i = 0; i < 2; ++i) {
+      await frames(stepped, 10, 50);
+      assert.equal(await text(stepped, "#clock"), "0.50 s");
+      assert.equal(await shown(stepped), "0.50");
+    }
+    for (const [key, then] of [["Shift+ArrowRight", "1.50"], ["ArrowLeft", "1.40"], ["End", Number(await stepped.getAttribute("#slider", "max")).toFixed(2)]]) {
+      await stepped.keyboard.press(key);
+      await frames(stepped, 1, 50);
+      assert.equal(await text(stepped, "#clock"), `${then} s`);
+      assert.equal(await shown(stepped), then);
+    }
+    await stepped.context().close();
+  },
+
+  async "stops where its clock is, however long the way to what it shows takes"() {
+    const slow = await browser.open({ before: { run: frameClock } });
+    await goTo(slow, 15);
+    await slow.evaluate(() => { window.slow = 20; });  // each look at the clock ends the page's turn of work
+    await slow.keyboard.press(" ");
+    await frames(slow, 10, 50);
+    await slow.keyboard.press(" ");
+    await frames(slow, 1, 50);
+    const there = await text(slow, "#clock");
+    await slow.waitForFunction((t) => document.documentElement.dataset.shown === t, Number.parseFloat(there).toFixed(2), POLLED);
+    await frames(slow, 1, 50);
+    assert.equal(await text(slow, "#clock"), there);
+    await slow.context().close();
+  },
+
+  async "the alert in force is in view in the list, from the first"() {
+    const seen = (page) => page.evaluate(() => {
+      const row = document.querySelector("#alerts tr.lit");
+      const [box, head] = [row.closest(".scroll"), row.closest("table").tHead].map((element) => element.getBoundingClientRect());
+      const { top, bottom } = row.getBoundingClientRect();
+      return top >= head.bottom - 1 && bottom <= box.bottom + 1;
+    });
+    for (const viewport of [{ width: 1280, height: 800 }, { width: 1280, height: 900 }, { width: 400, height: 800 }]) {
+      const opened = await browser.open({ viewport });
+      for (const log of [FIRST, "wro_lap"]) {
+        if (log !== FIRST) await drop(opened, tools.log(log));
+        await settled(opened);
+        assert.ok(await seen(opened), `${log} at ${viewport.width} x ${viewport.height}`);
+        await goTo(opened, 12);
+        await settled(opened);
+        assert.ok(await seen(opened), `${log} at ${viewport.width} x ${viewport.height}, 12 s`);
+      }
+      await opened.context().close();
+    }
+  },
+
+  async "says what it is, and what its map's signs are; the first screen has all that one plays with"() {
+    const opened = await browser.open({ viewport: { width: 1280, height: 800 } });
+    assert.match(await text(opened, "#about"), /^See what a small robot knows of the obstacles around it, .* STOP\.$/);
+    for (const part of ["#about", "#map", "#legend", "#play", "#slider", "#camera", "#alerts tr.lit"]) {
+      const { y, height } = await opened.locator(part).boundingBox();
+      assert.ok(y >= 0 && y + height <= 800, `${part}: ${y} to ${y + height}`);
+    }
+    const legend = () => opened.locator("#legend li").evaluateAll((lines) => lines.filter((line) => !line.hidden).map((line) => line.textContent.replace(/\s+/g, " ").trim()));
+    assert.deepEqual(await legend(), ["floor ahead: what stands here raises notice, warn, stop", "in the camera's view",
+      "an obstacle as the robot knows it: the fainter, the less sure; ? hardly", "a side that it has not seen", "what really stands there", "driven to come"]);
+    await opened.click("#layers summary");
+    assert.ok(!await opened.getByLabel("guard's points", { exact: true }).isChecked());
+    await opened.getByLabel("guard's points", { exact: true }).click();
+    await opened.getByLabel("camera", { exact: true }).click();
+    await settled(opened);
+    assert.deepEqual((await legend()).filter((line) => /guard|camera/.test(line)), ["× a foot that the guard remembers"]);
+    await drop(opened, tools.log("approach_stop"));
+    await settled(opened);
+    assert.ok(!(await legend()).includes("what really stands there"), "there is no truth");
+    await opened.context().close();
+  },
+
+  async "names of the truth are said under the pointer alone"() {
+    await drop(page, tools.log("approach_stop"), tools.scene("approach_stop"));
+    await settled(page);
+    const labels = await page.locator("#map").evaluate((canvas) => canvas.placed.map(({ text }) => text));
+    assert.deepEqual(labels, ["1 red", "2 yellow"]);
+    const tips = await tipsOn(page);
+    assert.ok([...tips].some((tip) => tip.endsWith("truth: box in the way")), [...tips].join("\n\n"));
   },
 
   async "layers, models, 3-D, zoom and colours change the picture"() {
     const seen = new Set([await picture(page)]);
     const other = async (what) => {
-      await page.waitForTimeout(120);
+      await settled(page);
       const now = await picture(page);
       assert.ok(!seen.has(now), what);
       seen.add(now);
@@ -106,18 +242,8 @@ await run({
   async "a tooltip has the object's numbers"() {
     await drop(page, tools.log("approach_stop"));
     await page.click("#fit");
-    await page.waitForTimeout(200);
-    const found = await page.locator("#map").evaluate((map) => {
-      const { left, top, width, height } = map.getBoundingClientRect();
-      for (let u = width; u > 0; u -= 9) {
-        for (let v = 0; v < height; v += 9) {
-          map.dispatchEvent(new PointerEvent("pointermove", { clientX: left + u, clientY: top + v }));
-          const tip = document.getElementById("tip").textContent;
-          if (tip.startsWith("1 red")) return tip;
-        }
-      }
-      return "";
-    });
+    await settled(page);
+    const found = [...await tipsOn(page)].find((tip) => tip.startsWith("1 red"));
     assert.match(found, /1 red\nconfirmed, \d+ views.*\nx \d/s);
   },
 
@@ -308,7 +434,7 @@ await run({
       const digest = tools.digest(tools.log("wro_lap"), ...(profile.startsWith("the") ? [] : ["--profile", profile]));
       await page.waitForFunction((wanted) => document.getElementById("digest")?.textContent === wanted && document.getElementById("progress").hidden, digest);
     }
-    assert.match(await text(page, "#summary"), /profile full/);
+    assert.match(await text(page, "#facts"), /profilefull/);
   },
 
   async "nothing was asked of a network, and nothing failed"() {
