@@ -19,7 +19,6 @@ DOCUMENT = "host/share/doc/boards.md"
 GUIDE = "firmware/FIRST_ALERT.md"
 EXAMPLES = "host/share/examples"
 SUMS = "SHA256SUMS"
-MARK = "<!-- boards -->"  # where README.md's table of boards belongs
 ROW = re.compile(r"\| `(\w+)` \|")  # of a board, in a table of boards
 PICTURE = re.compile(r"(!\[[^\]]*\]\()([^)]+)\)")
 PAGE = re.compile(r"(\[[^\]]*\]\()([^):]+\.md)\)")
@@ -54,22 +53,21 @@ def sections(text):
     return head, {re.match(r"## `(\w+)`", part).group(1): part for part in rest}
 
 
-def table_of_boards(readme):
-    """README.md's: what each board was tested in."""
-    match = re.search(r"^\| preset \| board \|.*\n(?:\|.*\n)+", readme, re.MULTILINE)
+def table_of_boards(text):
+    """The one that says in what each board was tested."""
+    match = re.search(r"^\| preset \| board \|.*\n(?:\|.*\n)+", text, re.MULTILINE)
     if not match:
-        raise Fault("README.md has no table that begins with | preset | board |")
+        raise Fault(f"{DOCUMENT} has no table that begins with | preset | board |")
     return match.group()
 
 
-def page(text, version, collected, table):
-    """The document of these boards alone, with the version; `collected`: {board: [file names]}; `table` says what was tested."""
+def page(text, version, collected):
+    """The document of these boards alone, with the version; `collected`: {board: [file names]}."""
     head, parts = sections(text)
-    head = head.replace(MARK, table)
-    rows = [row.group(1) for line in table.splitlines() if (row := ROW.match(line))]
+    rows = [row.group(1) for line in table_of_boards(head).splitlines() if (row := ROW.match(line))]
     missing = sorted(set(collected) - set(rows))
     if missing:
-        raise Fault(f"README.md's table of boards has no row for {', '.join(missing)}")
+        raise Fault(f"{DOCUMENT}: the table of boards has no row for {', '.join(missing)}")
     missing = sorted(set(collected) - set(parts))
     if missing:
         raise Fault(f"{DOCUMENT} has no section for {', '.join(missing)}: say there what goes where")
@@ -158,8 +156,7 @@ def make(source, build_folder, out, version, builder=build):
         builder(source, build_folder / board, board)
         collected[board] = collect(build_folder / board, out, board, version)
     text = (source / DOCUMENT).read_text(encoding="utf-8")
-    table = table_of_boards((source / "README.md").read_text(encoding="utf-8"))
-    (out / "START_HERE.html").write_text(to_html(page(text, version, collected, table)), encoding="utf-8")
+    (out / "START_HERE.html").write_text(to_html(page(text, version, collected)), encoding="utf-8")
     add_guide(source, out, version)
     add_sums(out)
     print(f"images: {out}: {len(names)} boards, {sum(map(len, collected.values()))} images")

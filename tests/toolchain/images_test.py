@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: images_test.py
 
-toolchain/images.py: which boards there are, what it leaves, what it refuses; and that host/share/doc/boards.md and README.md
-have each preset. Nothing is compiled: the build is the test's own.
+toolchain/images.py: which boards there are, what it leaves, what it refuses; and that host/share/doc/boards.md has each
+preset. Nothing is compiled: the build is the test's own.
 """
 
 import hashlib
@@ -19,7 +19,6 @@ import images  # noqa: E402
 
 TEXT = (TOP / images.DOCUMENT).read_text(encoding="utf-8")
 BOARDS = images.boards(json.loads((TOP / "CMakePresets.json").read_text(encoding="utf-8")))
-README = "# R\n\n| preset | board | tested in |\n|---|---|---|\n| `pico` | Pico | an emulator |\n| `pyboard` | other | none |\n\nText\n"
 KINDS_OF = {"pico": ("uf2", "hex", "bin", "elf")}
 
 
@@ -61,9 +60,8 @@ class Boards(unittest.TestCase):
             self.assertEqual(set(re.findall(r"fencepost-VERSION-(\w+)\.", part)), {board})
 
     def test_each_board_has_what_was_tested_and_what_was_not(self):
-        tested = images.table_of_boards((TOP / "README.md").read_text(encoding="utf-8"))
+        tested = images.table_of_boards(TEXT)
         never = row_cells(TEXT, "never tried")
-        self.assertIn(images.MARK, TEXT)
         for board in BOARDS:
             self.assertIn(f"| `{board}` |", tested)
             self.assertTrue(never[board]["never tried"], board)
@@ -76,24 +74,24 @@ class Images(unittest.TestCase):
         self.top = pathlib.Path(self.folder.name)
         self.out = self.top / "out"
 
-    def source(self, text, readme):
+    def source(self, text):
         """A tree with the Pico alone."""
         source = self.top / "source"
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
                 (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md)\n"),
-                ("README.md", readme), ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n")):
+                ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n")):
             path = source / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
         return source
 
-    def make(self, text=TEXT, kinds=KINDS_OF["pico"], readme=README):
+    def make(self, text=TEXT, kinds=KINDS_OF["pico"]):
         def build(_source, folder, board):
             folder.mkdir(parents=True, exist_ok=True)
             for kind in kinds:
                 (folder / f"fencepost.{kind}").write_bytes(f"{board} {kind}".encode())
-        images.make(self.source(text, readme), self.top / "build", self.out, "1.2.3", build)
+        images.make(self.source(text), self.top / "build", self.out, "1.2.3", build)
 
     def test_leaves_images_pages_and_sums(self):
         self.make()
@@ -106,8 +104,8 @@ class Images(unittest.TestCase):
             self.assertEqual(hashlib.sha256((self.out / name).read_bytes()).hexdigest(), digest, name)
         start, guide = ((self.out / f"{name}.html").read_text() for name in ("START_HERE", "FIRST_ALERT"))
         self.assertIn("fencepost-1.2.3-pico.uf2", start)
-        self.assertIn("<td>an emulator</td>", start)
-        self.assertNotIn("pyboard", start, "a board that is not there")
+        self.assertIn("<td>rp2040js</td>", start)
+        self.assertNotIn("<code>pyboard</code>", start, "a board that is not there")
         self.assertIn('<img src="wires.svg"', guide)
         self.assertIn('<a href="seen.html"', guide)
         self.assertNotIn("VERSION", start + guide)
@@ -124,9 +122,9 @@ class Images(unittest.TestCase):
         with self.assertRaisesRegex(images.Fault, why):
             self.make(**how)
 
-    def test_a_board_that_the_readme_leaves_out_is_refused(self):
-        self.refused("README.md's table of boards has no row for pico", readme=README.replace("`pico`", "`pica`"))
-        self.refused("README.md has no table", readme="# R\n")
+    def test_a_board_that_the_table_leaves_out_is_refused(self):
+        self.refused("the table of boards has no row for pico", text=TEXT.replace("| `pico` |", "| `pica` |"))
+        self.refused("has no table that begins", text=TEXT.replace("| preset |", "| name |"))
 
     def test_a_board_without_a_section_is_refused(self):
         self.refused("no section for pico", text=TEXT.replace("## `pico`", "## `picoo`"))

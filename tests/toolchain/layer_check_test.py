@@ -173,12 +173,14 @@ class LayerCheck(unittest.TestCase):
         self.assertEqual(self.found(rooms), faults)
 
     def test_a_long_readme_is_found(self):
-        (self.root / "hal/README.md").write_text("line\n" * 16)
+        (self.root / "host/share/doc").mkdir(parents=True)
+        for name in ("hal/README.md", "README.md", "host/share/doc/README.md"):
+            (self.root / name).write_text("line\n" * 16)
         self.assertEqual(self.found(), [("hal/README.md", 16, "readme-length")])
 
     def test_what_a_repository_has_for_its_visitors_is_no_stranger(self):
         (self.root / ".github").mkdir()
-        for name in (".github/CONTRIBUTING.md", "CHANGELOG.md", ".editorconfig"):
+        for name in (".github/CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", ".editorconfig"):
             (self.root / name).write_text("")
         self.assertEqual(self.found(), [])
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """usage: readme_check.py [ROOT]
 
-Holds what README.md says of the code: each path in its backticks and links exists, each name of a namespace is declared,
-each test of the paper's table is one, and the ten minutes of reading open no more other files than they say. So it does
-for the tests in robustness.md's tables. The sentence of safety.md that must not fail is there.
+Holds what the pages in PAGES say of the code. Each path in their backticks and links exists; each name of a namespace is
+declared. Each test of the paper's table is one, and of robustness.md's tables. The ten minutes of reading open no more
+other files than they say. The index leads to every page. README.md fits a screen or two, and its pages can be clicked on.
+The sentence of safety.md that must not fail is there.
 Prints one line per fault; exit status 1 if there is any.
 """
 
@@ -15,6 +16,12 @@ import command
 
 LAYERS = ("hal", "drivers", "firmware", "host", "tests", "toolchain")
 MOST_BEYOND = 8  # files that ten minutes of reading may make one open beside those it names
+DOCUMENTS = "host/share/doc"
+INDEX = "host/share/doc/README.md"
+ARCHITECTURE = "host/share/doc/architecture.md"
+PAPER = "host/share/doc/paper_to_code.md"
+PAGES = ("README.md", INDEX, ARCHITECTURE, PAPER)
+README_LINES, README_COLUMNS = 80, 120  # at most
 ROBUSTNESS = "host/share/doc/robustness.md"
 SAFETY = "host/share/doc/safety.md"
 PROMISE = "The absence of an alert does not mean that the way is free."
@@ -24,7 +31,7 @@ CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
 
 
 def marked(text):
-    """(line number, what stands in backticks or behind a link)"""
+    """(line number, what stands in backticks or behind a link, whether it is a link's)"""
     fenced = False
     for number, line in enumerate(text.split("\n"), 1):
         if line.startswith("```"):
@@ -32,19 +39,22 @@ def marked(text):
         if fenced or line.startswith("    "):
             continue
         for match in re.finditer(r"`([^`]+)`|\]\(([^)#]+)\)", line):
-            yield number, match.group(1) or match.group(2)
+            yield number, match.group(1) or match.group(2), match.group(1) is None
 
 
-def paths_in(root, text):
+def paths_in(root, name, text):
     """(line number, path): what looks like a path of the repository; a bare file name follows the folder before it."""
     folder = root
-    for number, word in marked(text):
-        if "/" in word and " " not in word and word.split("/")[0] in (*LAYERS, ".github"):
+    for number, word, linked in marked(text):
+        if linked:
+            if "://" not in word:
+                yield number, (root / name).parent / word
+        elif "/" in word and " " not in word and word.split("/")[0] in (*LAYERS, ".github"):
             folder = (root / word).parent
             yield number, root / word
         elif re.fullmatch(r"[\w.]+\.(?:hpp|cpp|md|csv)", word):
             found = folder / word if (folder / word).is_file() else root / word
-            yield number, found if found.is_file() else root / "host/share/doc" / word
+            yield number, found if found.is_file() else root / DOCUMENTS / word
 
 
 def tests_of(root):
@@ -82,7 +92,7 @@ def opened_beyond(root, text):
     section = re.search(r"^## Ten minutes of reading\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
     if not section:
         return None
-    listed = {path for _, path in paths_in(root, section.group(1)) if path.suffix == ".hpp" and path.is_file()}
+    listed = {path for _, path in paths_in(root, ARCHITECTURE, section.group(1)) if path.suffix == ".hpp" and path.is_file()}
     included = {
         root / name
         for path in listed
@@ -95,39 +105,67 @@ def fault_of_path(root, text):
     beyond = opened_beyond(root, text)
     said = re.search(r"include (\d+) more", text)
     if beyond is None or not said:
-        return "README.md: no reading path that says how many more headers it includes"
+        return f"{ARCHITECTURE}: no reading path that says how many more headers it includes"
     if int(said.group(1)) == len(beyond) <= MOST_BEYOND:
         return None
     names = ", ".join(path.relative_to(root).as_posix() for path in beyond)
-    return f"README.md: the reading path includes {len(beyond)} more headers, at most {MOST_BEYOND}: {names}"
+    return f"{ARCHITECTURE}: the reading path includes {len(beyond)} more headers, at most {MOST_BEYOND}: {names}"
+
+
+def faults_of_page(root, name, text):
+    """(faults, how many things were compared): its paths, and its names of a namespace"""
+    faults, compared = [], 0
+    for number, path in paths_in(root, name, text):
+        compared += 1
+        if not path.exists():
+            faults.append(f"{name}:{number}: there is no {path.resolve().relative_to(root).as_posix()}")
+    for number, word, _ in marked(text):
+        scoped = re.fullmatch(r"(\w+)::(\w+)", word)
+        if not scoped or scoped.group(1) not in NAMESPACES:
+            continue
+        compared += 1
+        headers = (root / NAMESPACES[scoped.group(1)]).rglob("*.hpp")
+        if not any(re.search(rf"\b{scoped.group(2)}\b", h.read_text(encoding="utf-8")) for h in headers):
+            faults.append(f"{name}:{number}: {word} is declared nowhere")
+    return faults, compared
+
+
+def faults_of_form(root, texts):
+    """README.md is a first screen, the index the way to every page."""
+    lines = texts["README.md"].splitlines()
+    if len(lines) > README_LINES:
+        yield f"README.md: {len(lines)} lines, at most {README_LINES}"
+    for number, line in enumerate(lines, 1):
+        if len(line) > README_COLUMNS:
+            yield f"README.md:{number}: {len(line)} columns, at most {README_COLUMNS}"
+    for name in ("README.md", INDEX):
+        for number, word, linked in marked(texts[name]):
+            if word.endswith(".md") and not linked:
+                yield f"{name}:{number}: {word} is no link"
+    index = (root / INDEX).parent
+    linked = {(index / word).resolve() for _, word, is_link in marked(texts[INDEX]) if is_link}
+    for path in sorted(index.glob("*.md")):
+        if path.name != "README.md" and path.resolve() not in linked:
+            yield f"{INDEX}: nothing leads to {path.name}"
 
 
 def check(root):
     """(faults, how many things were compared)"""
-    text = (root / "README.md").read_text(encoding="utf-8")
-    faults, compared = [], 0
-    for number, path in paths_in(root, text):
-        compared += 1
-        if not path.exists():
-            faults.append(f"README.md:{number}: there is no {path.relative_to(root).as_posix()}")
-    for number, word in marked(text):
-        name = re.fullmatch(r"(\w+)::(\w+)", word)
-        if not name or name.group(1) not in NAMESPACES:
-            continue
-        compared += 1
-        headers = (root / NAMESPACES[name.group(1)]).rglob("*.hpp")
-        if not any(re.search(rf"\b{name.group(2)}\b", h.read_text(encoding="utf-8")) for h in headers):
-            faults.append(f"README.md:{number}: {word} is declared nowhere")
-    path_fault = fault_of_path(root, text)
-    compared += 1
+    root = root.resolve()
+    texts = {name: (root / name).read_text(encoding="utf-8") for name in (*PAGES, ROBUSTNESS, SAFETY)}
+    faults, compared = list(faults_of_form(root, texts)), 2
+    for name in PAGES:
+        found, count = faults_of_page(root, name, texts[name])
+        faults += found
+        compared += count
+    path_fault = fault_of_path(root, texts[ARCHITECTURE])
     if path_fault:
         faults.append(path_fault)
-    compared += 1
-    if PROMISE not in " ".join((root / SAFETY).read_text(encoding="utf-8").split()):
+    if PROMISE not in " ".join(texts[SAFETY].split()):
         faults.append(f"{SAFETY}: it does not say: {PROMISE}")
     tests = tests_of(root)
-    for name, header in (("README.md", "| paper |"), (ROBUSTNESS, "| what was done |")):
-        for number, word in table_tests((root / name).read_text(encoding="utf-8"), header):
+    for name, header in ((PAPER, "| paper |"), (ROBUSTNESS, "| what was done |")):
+        for number, word in table_tests(texts[name], header):
             compared += 1
             fault = fault_of_test(root, word, tests)
             if fault:

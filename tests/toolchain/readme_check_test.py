@@ -1,31 +1,35 @@
 #!/usr/bin/env python3
-"""A small tree with a README that is true, then with one fault of each kind."""
+"""A small tree whose pages are true, then with one fault of each kind."""
 
 import pathlib
 import tempfile
 import unittest
 
-from readme_check import PROMISE, check
+from readme_check import ARCHITECTURE, INDEX, PAPER, PROMISE, README_LINES, check
 
-README = """# X
+SAFETY = "host/share/doc/safety.md"
+TREE = {
+    "README.md": """# X
     toolchain/never_checked in a listing
-See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md), `live.md`. Not a path: `X/Y`, `-f a/b`.
-
+See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md). Not a path: `X/Y`, `-f a/b`, [far](https://x.y/z.md).
+""",
+    INDEX: """# Documentation
+[live](live.md), [code](architecture.md), [paper](paper_to_code.md), [safe](safety.md), [broken](robustness.md), [a](../../../hal/a.hpp)
+""",
+    ARCHITECTURE: """# Code
 ## Ten minutes of reading
-1. `hal/a.hpp`: they include 1 more.
-
+1. `hal/a.hpp`: they include 1 more, `live.md`.
+""",
+    PAPER: """# Paper
 | paper | in words | code | test |
 |---|---|---|---|
 | II | words | `recon::carve` | `Carve.*`, `table.reaches`, `toolchain/long drift` |
-"""
-ROBUSTNESS = """| what was done | test |
+""",
+    "host/share/doc/robustness.md": """| what was done | test |
 |---|---|
 | zeros | `Carve.Cuts` |
-"""
-TREE = {
-    "README.md": README,
-    "host/share/doc/robustness.md": ROBUSTNESS,
-    "host/share/doc/safety.md": PROMISE.replace(" does", "\n  does"),
+""",
+    SAFETY: PROMISE.replace(" does", "\n  does"),
     "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
     "host/share/doc/live.md": "",
@@ -35,15 +39,21 @@ TREE = {
     "toolchain/long": "part_drift() {\n",
 }
 FAULTS = [
-    ("See `hal/a.hpp`", "See `hal/gone.hpp`", "README.md:3: there is no hal/gone.hpp"),
-    ("`b.hpp`", "`c.hpp`", "README.md:3: there is no host/share/doc/c.hpp"),
-    ("(host/share/doc/live.md)", "(host/share/doc/gone.md)", "README.md:3: there is no host/share/doc/gone.md"),
-    ("include 1 more", "include 0 more", "README.md: the reading path includes 1 more headers, at most 8: hal/b.hpp"),
-    ("include 1 more", "include all", "README.md: no reading path that says how many more headers it includes"),
-    ("`recon::carve`", "`recon::cut`", "README.md:10: recon::cut is declared nowhere"),
-    ("`Carve.*`", "`Carver.*`", "README.md:10: no test is called Carver.*"),
-    ("`table.reaches`", "`table.fails`", "README.md:10: no test is called table.fails"),
-    ("long drift", "long walk", "README.md:10: toolchain/long has no part walk"),
+    ("README.md", "See `hal/a.hpp`", "See `hal/gone.hpp`", "README.md:3: there is no hal/gone.hpp"),
+    ("README.md", "`b.hpp`", "`c.hpp`", "README.md:3: there is no host/share/doc/c.hpp"),
+    ("README.md", "(host/share/doc/live.md)", "(host/share/doc/gone.md)", "README.md:3: there is no host/share/doc/gone.md"),
+    ("README.md", "[more](host/share/doc/live.md)", "`host/share/doc/live.md`", "README.md:3: host/share/doc/live.md is no link"),
+    ("README.md", "# X\n", "# X\n" * README_LINES, f"README.md: {README_LINES + 2} lines, at most {README_LINES}"),
+    ("README.md", "# X", "# X" + "x" * 120, "README.md:1: 123 columns, at most 120"),
+    (INDEX, "[live](live.md), ", "", f"{INDEX}: nothing leads to live.md"),
+    (INDEX, "[live](live.md)", "[live](alive.md)", f"{INDEX}:2: there is no host/share/doc/alive.md"),
+    (ARCHITECTURE, "include 1 more", "include 0 more", f"{ARCHITECTURE}: the reading path includes 1 more headers, at most 8: hal/b.hpp"),
+    (ARCHITECTURE, "include 1 more", "include all", f"{ARCHITECTURE}: no reading path that says how many more headers it includes"),
+    (PAPER, "`recon::carve`", "`recon::cut`", f"{PAPER}:4: recon::cut is declared nowhere"),
+    (PAPER, "`Carve.*`", "`Carver.*`", f"{PAPER}:4: no test is called Carver.*"),
+    (PAPER, "`table.reaches`", "`table.fails`", f"{PAPER}:4: no test is called table.fails"),
+    (PAPER, "long drift", "long walk", f"{PAPER}:4: toolchain/long has no part walk"),
+    (SAFETY, PROMISE.replace(" does", "\n  does"), "No alert never means that the way is free.", f"{SAFETY}: it does not say: {PROMISE}"),
 ]
 
 
@@ -57,19 +67,16 @@ class ReadmeCheck(unittest.TestCase):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
 
-    def test_a_true_one_has_no_faults_and_was_compared(self):
-        self.assertEqual(check(self.root), ([], 12))
-
-    def test_the_promise_must_stand_there(self):
-        (self.root / "host/share/doc/safety.md").write_text("No alert never means that the way is free.")
-        self.assertEqual(check(self.root)[0], [f"host/share/doc/safety.md: it does not say: {PROMISE}"])
+    def test_true_ones_have_no_faults_and_were_compared(self):
+        self.assertEqual(check(self.root), ([], 18))
 
     def test_each_planted_fault_is_found_where_it_is(self):
-        for there, instead, expected in FAULTS:
+        for name, there, instead, expected in FAULTS:
             with self.subTest(instead=instead):
-                self.assertEqual(README.count(there), 1)
-                (self.root / "README.md").write_text(README.replace(there, instead))
+                self.assertEqual(TREE[name].count(there), 1)
+                (self.root / name).write_text(TREE[name].replace(there, instead))
                 self.assertIn(expected, check(self.root)[0])
+                (self.root / name).write_text(TREE[name])
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Renews every document of this folder's and of tests/host/devices' tests: python3 write.py BUILD [CXX], from the top of the sources.
 
-devices.md (of BUILD's devices_test, where that was built), the pages of the sensors, questions.md, segment.md, the three paths, the README's picture and demo. The
-engineer's path installs what BUILD has built, which has to be whole for it. Read the difference afterwards.
+devices.md (of BUILD's devices_test, where that was built), the pages of the sensors, questions.md, segment.md, the three paths, the README's demo (its picture:
+tests/host/web/picture_test.mjs --write). The engineer's path installs what BUILD has built, which has to be whole for it. Read the difference afterwards.
 """
 
 import os
@@ -21,12 +21,12 @@ def python(script, *arguments):
 
 
 def write_demo(program, folder):
-    """README.md's lines of `fencepost demo`, which commands_test compares."""
+    """README.md's five lines of `fencepost demo`, which commands_test compares."""
     said = subprocess.run([program, "demo", "-o", Path(folder) / "demo.html"], check=True, capture_output=True, text=True).stdout
-    shown = "".join(("    " + line if line else "") + "\n" for line in said.splitlines())
+    shown = "".join(("    " + line if line else "") + "\n" for line in said.splitlines()[:5])
     readme = SOURCES / "README.md"
     text = readme.read_text(encoding="utf-8")
-    renewed, found = re.subn(r"^ {4} +\d+\.\d{3} s  .*?, digest [0-9a-f]{16}\n", lambda _: shown, text, count=1, flags=re.MULTILINE | re.DOTALL)
+    renewed, found = re.subn(r"(?:^ {4} +\d+\.\d{3} s  .*\n){5}", lambda _: shown, text, count=1, flags=re.MULTILINE)
     assert found, "README.md shows no demo"
     readme.write_text(renewed, encoding="utf-8")
 
@@ -42,7 +42,6 @@ def main(build, compiler="c++"):
             shutil.copyfile(written, SOURCES / "host/share/doc/devices.md")
         python(HERE.parent / "devices/sensor_pages.py", SOURCES)
         python(HERE / "questions.py", program, SOURCES, Path(folder) / "questions")
-        python(HERE / "picture.py", program, SOURCES)
         write_demo(program, folder)
         python(HERE.parent / "cli/document.py", program, SOURCES, "segment.md")
         python(HERE / "paths.py", program, SOURCES, build, compiler, "student", "teacher", "engineer")
