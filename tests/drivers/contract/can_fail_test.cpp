@@ -25,7 +25,7 @@ Kept kept(std::string_view name, const HostileCase& driver) {
 
 bool same(const Kept& a, const Kept& b) {
   return a.broken.empty() == b.broken.empty() && a.tries == b.tries && a.unnoticed == b.unnoticed &&
-         a.longest == b.longest;
+         a.longest == b.longest && a.total == b.total;
 }
 
 TEST(ContractCanFail, ASoundDriverKeepsAll) {

@@ -55,6 +55,7 @@ class Trial {
       right += judge(subject_.step()) ? 1 : 0;
     }
     kept.longest = std::max(kept.longest, subject_.now() - begin);
+    kept.total = kept.total + (subject_.now() - begin);
   }
   /// Until the next long frame was sent as `fault` says, in the midst of what is right.
   void fire(const Fault& fault) {
@@ -267,6 +268,9 @@ void forget_what_was_to_be_said(Subject& subject, const Bytes& opening, Kept& ke
   subject.plug().said().clear();
   subject.plug().resume();
   subject.plug().replug();
+  (void)subject.step();
+  if (subject.line() != nullptr && subject.link() > LinkState::kSilent)
+    kept.broken.emplace_back("heard before it spoke");
   subject.pass(milliseconds(2'000));
   Bytes& said = subject.plug().said();
   while (said.size() > opening.size() && said[0] == kPadding && !opening.empty() && opening[0] != kPadding)
@@ -312,6 +316,7 @@ Kept lost_link(Subject& subject) {
       right += trial.judge(subject.step()) ? 1 : 0;
     }
     trial.kept.longest = std::max(trial.kept.longest, subject.now() - begin);
+    trial.kept.total = trial.kept.total + (subject.now() - begin);
     if (trial.kept.unnoticed != before) trial.say("a wrong frame after a lost link");
   }
   if (line != nullptr) line->power(false);

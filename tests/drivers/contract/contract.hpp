@@ -16,6 +16,7 @@ struct Kept {
   std::uint32_t tries = 0;
   std::uint32_t unnoticed = 0;      ///< samples that the device did not send
   base::Duration longest;           ///< from a fault to the second right sample after it
+  base::Duration total;             ///< of all these times
   std::vector<std::string> broken;  ///< promises that hold for all drivers, in words
 };
 

@@ -40,7 +40,7 @@ class DriverContract : public testing::TestWithParam<HostileCase> {
       const bool sealed = contract.one_fault && limits.undetected_share < kNoSum && !limits.sealed_in_parts;
       EXPECT_TRUE(!sealed || kept.unnoticed == 0) << "it has a checksum";
       std::ostringstream row;
-      row << kept.tries << ',' << kept.unnoticed << ',' << kept.longest.raw / 10;
+      row << kept.tries << ',' << kept.unnoticed << ',' << kept.longest.raw / 10 << ',' << kept.total.raw / 10;
       const std::string key = std::string(GetParam().name) + "," + std::string(name);
       if (const char* folder = std::getenv("FENCEPOST_GOLDEN")) {
         std::ofstream(std::string(folder) + "/contract.csv", std::ios::app) << key << ',' << row.str() << '\n';
@@ -48,7 +48,7 @@ class DriverContract : public testing::TestWithParam<HostileCase> {
       static const auto kTable = figures_of_table();
       const auto row_of_table = kTable.find(key);
       EXPECT_EQ(row.str(), row_of_table == kTable.end() ? "" : row_of_table->second)
-          << "contract.csv: tries, samples that the device did not send, ms until two right ones";
+          << "contract.csv: tries, samples that the device did not send, ms until two right ones, the longest and all";
       return;
     }
     FAIL() << "no such case";

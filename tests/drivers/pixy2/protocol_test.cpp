@@ -217,6 +217,17 @@ TEST(Pixy2Scanner, GivesEachPacketAndWhenItBegan) {
   EXPECT_EQ(heard.times[2], base::Time{42});
 }
 
+// A length of 252 that was 14: the bytes of the next packets are taken for data, then found again.
+TEST(Pixy2Scanner, OverlongLengthGivesBackWhatItSwallowed) {
+  auto bad = hex(kOneBlock);
+  bad[3] = 0xFC;
+  std::vector<std::uint8_t> bytes = bad;
+  for (int i = 0; i < 14; ++i) bytes = joined({bytes, hex(kOneBlock)});
+  const Heard heard = hear(bytes);
+  EXPECT_EQ(heard.messages.size(), 14U);
+  EXPECT_EQ(heard.damaged, 1U);
+}
+
 TEST(Pixy2Scanner, ImpossibleHeadersAreNotWaitedFor) {
   for (const char* header :
        {"AF C1 20 02", "AF C1 21 0F", "AF C1 01 05", "AF C1 03 02", "AF C1 0F 11", "AF C1 0D 00"}) {
