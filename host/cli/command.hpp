@@ -1,13 +1,12 @@
 // One command of the program: what --help says about it, and how it runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
+#include "host/cli/options.hpp"
 
 namespace fencepost::host::cli {
 
@@ -17,8 +16,8 @@ struct Command {
   std::string name;
   std::string summary;   ///< one clause, for the list of commands
   std::string examples;  ///< shown first in --help, one a line, each indented by two blanks
-  /// Adds options to the command's parser. The action runs after parsing; for a command of commands it is empty.
-  std::function<Action(CLI::App&)> configure;
+  /// Declares the command's options. The action runs after parsing; for a command of commands it is empty.
+  std::function<Action(Options)> configure;
   std::vector<Command> children;
 };
 

@@ -1,166 +1,38 @@
-#include <fmt/format.h>
-
-#include <charconv>
-#include <cmath>
 #include <memory>
-#include <numbers>
-#include <optional>
 
-#include "host/calibrate/calibrate.hpp"
-#include "host/calibrate/calibrated_robot.hpp"
-#include "host/calibrate/calibration_picture.hpp"
-#include "host/calibrate/calibration_text.hpp"
 #include "host/cli/command.hpp"
-#include "host/cli/files.hpp"
-#include "host/cli/log_input.hpp"
-#include "host/cli/progress.hpp"
-#include "host/cli/replay_run.hpp"
-#include "host/cli/terminal.hpp"
-#include "host/text/printable.hpp"
+#include "host/cli/lab.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
-struct CalibrateRequest {
-  std::string log;
-  std::string camera;
-  std::string robot;
-  std::vector<std::string> sizes;
-  std::vector<std::string> distances;
-  std::string write_camera;
-  std::string write_robot;
-  std::string picture;
-  std::string output = "-";
-  bool json = false;
-  CalibrateOptions options;
-};
-
-constexpr double kLongest = 10;  // m, of a block or between two
-
-/// A length in metres. errors: Failure (kUsage)
-double length_of(std::string_view text, const std::string& option, const std::string& form) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0 && value <= kLongest)) {
-    throw Failure(Exit::kUsage, fmt::format("{}: \"{}\" is no length from 0 to {} m; write {}", option, printable(text),
-                                            kLongest, form));
-  }
-  return value;
+void add_outputs(Options command, const std::shared_ptr<CalibrateRequest>& request) {
+  command.value("--write-camera", request->write_camera, "the $FPCAM line, as the console and --camera take it")
+      .takes("FILE");
+  command.value("--write-robot", request->write_robot, "a robot file, as run --robot takes it").takes("FILE");
+  command.value("--picture", request->picture, "an SVG of before and after").takes("FILE");
+  command.flag("--json", request->json, "write the result as JSON instead of text");
+  command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
 }
 
-/// "red=0.05" is round and so wide, "red=0.05x0.08" a box: its mean width is its outline over pi.
-NamedSize size_of(const std::string& text) {
-  constexpr const char* kForm = "NAME=DIAMETER or NAME=AxB, for example red=0.05x0.08";
-  const std::size_t equals = text.rfind('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw Failure(Exit::kUsage, fmt::format("--size: \"{}\" names no block; write {}", printable(text), kForm));
-  }
-  const std::string_view lengths = std::string_view(text).substr(equals + 1);
-  const std::size_t cross = lengths.find('x');
-  const double a = length_of(lengths.substr(0, cross), "--size", kForm);
-  if (cross == std::string_view::npos) return {text.substr(0, equals), a};
-  const double b = length_of(lengths.substr(cross + 1), "--size", kForm);
-  return {text.substr(0, equals), 2 * (a + b) / std::numbers::pi};
-}
-
-NamedDistance distance_of(const std::string& text) {
-  constexpr const char* kForm = "NAME,NAME=METRES, for example red,blue=0.80";
-  const std::size_t comma = text.find(',');
-  const std::size_t equals = text.rfind('=');
-  if (comma == std::string::npos || equals == std::string::npos || comma == 0 || equals < comma + 2) {
-    throw Failure(Exit::kUsage,
-                  fmt::format("--distance: \"{}\" names no two blocks; write {}", printable(text), kForm));
-  }
-  return {text.substr(0, comma), text.substr(comma + 1, equals - comma - 1),
-          length_of(std::string_view(text).substr(equals + 1), "--distance", kForm)};
-}
-
-void check_usage(CalibrateRequest& request) {
-  const CalibrateOptions& options = request.options;
-  if (options.from && options.to && *options.from > *options.to) {
-    throw Failure(Exit::kUsage, "--from is later than --to; swap them");
-  }
-  int inputs = 0;
-  for (const std::string& file : {request.log, request.camera, request.robot}) inputs += file == "-" ? 1 : 0;
-  if (inputs > 1) throw Failure(Exit::kUsage, "only one of LOG, --camera and --robot can be standard input");
-  int outputs = 0;
-  for (const std::string& file : {request.output, request.write_camera, request.write_robot, request.picture}) {
-    outputs += is_standard_output(file) ? 1 : 0;
-  }
-  if (outputs > 1) {
-    throw Failure(Exit::kUsage, "only one of the outputs can be standard output; name a file with -o");
-  }
-  for (const std::string& size : request.sizes) request.options.sizes.push_back(size_of(size));
-  for (const std::string& apart : request.distances) request.options.distances.push_back(distance_of(apart));
-}
-
-/// Everything is made before anything is written.
-void write_all(const CalibrateRequest& request, const Calibration& calibration, const std::string& base) {
-  std::string robot;
-  if (!request.write_robot.empty()) {
-    const auto made = calibrated_robot(calibration, base, input_name(request.robot));
-    if (!made) throw Failure(Exit::kUnreadable, made.error().message);
-    robot = *made;
-  }
-  if (!request.write_camera.empty()) write_output(request.write_camera, camera_line(calibration.found));
-  if (!request.write_robot.empty()) write_output(request.write_robot, robot);
-  if (!request.picture.empty()) write_output(request.picture, calibration_picture(calibration));
-  write_output(request.output,
-               request.json ? calibration_json(calibration) : calibration_text(calibration, input_name(request.log)));
-}
-
-Exit run(CalibrateRequest request) {
-  check_usage(request);
-  if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
-  const std::string base = request.robot.empty() ? "" : read_input(request.robot);
-  std::optional<Progress> progress("calibrating");
-  request.options.progress = [&](double share) { progress->at(share, 1); };
-  const CalibrateOutcome outcome = calibrate(read_log(request.log), input_name(request.log), request.options);
-  progress.reset();
-  if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
-  if (!outcome.calibration) throw Failure(outcome.usage ? Exit::kUsage : Exit::kUnreadable, outcome.refusal);
-  say_what_was_left_out(outcome.replay);
-  write_all(request, *outcome.calibration, base);
-  for (const std::string& note : outcome.calibration->notes) say(note);
-  if (outcome.calibration->complete()) return Exit::kDone;
-  for (const Finding& finding : outcome.calibration->findings) {
-    if (finding.observed || !finding.essential) continue;
-    say(fmt::format("{} is not told by this log and stays as it was: {}", finding.label, finding.motion));
-  }
-  return Exit::kCheckFailed;
-}
-
-void add_outputs(CLI::App& app, const std::shared_ptr<CalibrateRequest>& request) {
-  app.add_option("--write-camera", request->write_camera, "the $FPCAM line, as the console and --camera take it")
-      ->type_name("FILE");
-  app.add_option("--write-robot", request->write_robot, "a robot file, as run --robot takes it")->type_name("FILE");
-  app.add_option("--picture", request->picture, "an SVG of before and after")->type_name("FILE");
-  app.add_flag("--json", request->json, "write the result as JSON instead of text");
-  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
-}
-
-Action configure_calibrate(CLI::App& app) {
+Action configure_calibrate(Options command) {
   const auto request = std::make_shared<CalibrateRequest>();
-  app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
-  app.add_option("--size", request->sizes, "how wide a block is, m: its diameter, or AxB")
-      ->type_name("NAME=D|AxB")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-  app.add_option("--distance", request->distances, "how far apart two blocks are, middle to middle, m")
-      ->type_name("NAME,NAME=D")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-  app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
-  app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_option("--robot", request->robot, "the robot file whose other numbers --write-robot keeps")
-      ->type_name("FILE");
-  add_outputs(app, request);
-  return [request] { return run(*request); };
+  command.positional("LOG", request->log, "a recorded stream; - is standard input").required();
+  command.value("--size", request->sizes, "how wide a block is, m: its diameter, or AxB")
+      .takes("NAME=D|AxB")
+      .repeated();
+  command.value("--distance", request->distances, "how far apart two blocks are, middle to middle, m")
+      .takes("NAME,NAME=D")
+      .repeated();
+  command.value("--from", request->from, "s, stream time; earlier records are not used").takes("T");
+  command.value("--to", request->to, "s, stream time; later records are not used").takes("T");
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+  command.value("--robot", request->robot, "the robot file whose other numbers --write-robot keeps").takes("FILE");
+  add_outputs(command, request);
+  return [request] { return run_calibrate(*request); };
 }
 
 }  // namespace

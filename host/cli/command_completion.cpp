@@ -1,4 +1,3 @@
-#include <map>
 #include <memory>
 
 #include "host/cli/command.hpp"
@@ -13,13 +12,13 @@ Command completion_command() {
           "  fencepost completion bash -o ~/.local/share/bash-completion/completions/fencepost\n"
           "  source <(fencepost completion zsh)\n"
           "  fencepost completion fish | source\n",
-          [](CLI::App& app) -> Action {
+          [](Options command) -> Action {
             const auto shell = std::make_shared<std::string>();
             const auto output = std::make_shared<std::string>("-");
-            app.add_option("SHELL", *shell, "whose")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
-            app.add_option("-o,--output", *output, "where to write; default: standard output")->type_name("FILE");
-            return [program = app.get_parent(), shell, output] {
-              const CommandWords words = describe(*program);
+            command.positional("SHELL", *shell, "whose").required().one_of({"bash", "zsh", "fish"});
+            command.value("-o,--output", *output, "where to write; default: standard output").takes("FILE");
+            return [command, shell, output] {
+              const CommandWords words = command.program();
               write_output(*output, *shell == "bash"  ? bash_completion(words)
                                     : *shell == "zsh" ? zsh_completion(words)
                                                       : fish_completion(words));

@@ -77,23 +77,24 @@ Exit run(const Request& request) {
   return Exit::kDone;
 }
 
-Action configure_command_line(CLI::App& app) {
+Action configure_command_line(Options command) {
   const auto request = std::make_shared<Request>();
-  app.add_option("IMAGE", request->image, "a board's image: .uf2, .hex, .bin or .gba")->required();
-  app.add_option("--camera", request->camera, "which camera is connected, such as pixy2.1")->type_name("NAME");
-  app.add_option("--lens", request->lens, "degrees that it sees across, where its lens is another; 0: as delivered")
-      ->type_name("DEG");
-  app.add_option("--odometry", request->odometry, "what tells how the wheels turn: console, encoders, create1, create2")
-      ->type_name("NAME");
-  app.add_option("--robot", request->robot, "the robot's numbers (JSON): camera mount, colours, wheels, settings")
-      ->type_name("FILE");
-  app.add_option("--calibration", request->calibration,
-                 "a file with an FPCAM line, or a scene: instead of the camera's own")
-      ->type_name("FILE");
-  app.add_option("--set", request->settings, "any other setting; may be repeated")->type_name("KEY=VALUE");
-  app.add_option("-o,--output", request->output, "where to write it: .uf2, .hex or .bin; .sav for a Game Boy")
-      ->type_name("FILE")
-      ->required();
+  command.positional("IMAGE", request->image, "a board's image: .uf2, .hex, .bin or .gba").required();
+  command.value("--camera", request->camera, "which camera is connected, such as pixy2.1").takes("NAME");
+  command.value("--lens", request->lens, "degrees that it sees across, where its lens is another; 0: as delivered")
+      .takes("DEG");
+  command.value("--odometry", request->odometry, "what tells how the wheels turn: console, encoders, create1, create2")
+      .takes("NAME");
+  command.value("--robot", request->robot, "the robot's numbers (JSON): camera mount, colours, wheels, settings")
+      .takes("FILE");
+  command
+      .value("--calibration", request->calibration,
+             "a file with an FPCAM line, or a scene: instead of the camera's own")
+      .takes("FILE");
+  command.value("--set", request->settings, "any other setting; may be repeated").takes("KEY=VALUE");
+  command.value("-o,--output", request->output, "where to write it: .uf2, .hex or .bin; .sav for a Game Boy")
+      .takes("FILE")
+      .required();
   return [request] { return run(*request); };
 }
 

@@ -43,10 +43,9 @@ Exit run(const std::string& output) {
   return Exit::kDone;
 }
 
-Action configure_demo(CLI::App& app) {
+Action configure_demo(Options command) {
   const auto output = std::make_shared<std::string>("fencepost-demo.html");
-  app.add_option("-o,--output", *output, "where to write the page; default: fencepost-demo.html")
-      ->type_name("FILE.html");
+  command.value("-o,--output", *output, "where to write the page; default: fencepost-demo.html").takes("FILE.html");
   return [output] { return run(*output); };
 }
 

@@ -79,14 +79,15 @@ Exit run_doctor(const DoctorRequest& request) {
   return ports.exit;
 }
 
-Action configure_doctor(CLI::App& app) {
+Action configure_doctor(Options command) {
   const auto request = std::make_shared<DoctorRequest>();
-  app.add_option("WHAT", request->subject, "a log, or a port such as /dev/ttyUSB0; default: every port, none opened")
-      ->type_name("LOG|PORT");
-  app.add_option("--compare", request->good, "a log of a good day: what is worse in LOG")->type_name("GOOD");
-  request->ports.add_to(app);
-  app.add_flag("--json", request->json, "a document instead of text");
-  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
+  command
+      .positional("WHAT", request->subject, "a log, or a port such as /dev/ttyUSB0; default: every port, none opened")
+      .takes("LOG|PORT");
+  command.value("--compare", request->good, "a log of a good day: what is worse in LOG").takes("GOOD");
+  request->ports.add_to(command);
+  command.flag("--json", request->json, "a document instead of text");
+  command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
   return [request] { return run_doctor(*request); };
 }
 

@@ -7,7 +7,7 @@
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/judge_logs.hpp"
-#include "host/cli/positive.hpp"
+#include "host/cli/lab.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/evaluate/evaluation_json.hpp"
@@ -16,15 +16,6 @@
 
 namespace fencepost::host::cli {
 namespace {
-
-struct EvaluateRequest : JudgeRequest {
-  std::vector<std::string> merge;
-  std::optional<double> max_recklessness;
-  std::optional<double> max_paranoia;
-  bool json = false;
-  bool part = false;
-  std::string output = "-";
-};
 
 void check_usage(const EvaluateRequest& request) {
   if (request.logs.empty()) throw Failure(Exit::kUsage, "LOG is required; see fencepost evaluate --help");
@@ -93,7 +84,7 @@ Exit conclude(const EvaluateRequest& request, const EvaluationPart& part, const 
     for (const Judged& one : judged) {
       if (one.evaluation && one.smoothed) smoothed.push_back(*one.smoothed);
     }
-    text = request.json ? with_smooth_json(text, smoothed) : text + smooth_evaluation_text(smoothed);
+    text = with_smoothed(text, request.json, smoothed);
   }
   write_output(request.output, request.part ? part_json(part) : text);
   const Exit bounds = judge(request, summary);
@@ -125,57 +116,60 @@ Exit merge_parts(const EvaluateRequest& request) {
   }
 }
 
-Exit run(EvaluateRequest request) {
+Exit run(const EvaluateRequest& request) {
   if (!request.merge.empty()) return merge_parts(request);
   check_usage(request);
-  std::vector<std::uint32_t>& views = request.options.views;
+  if (request.smooth) need_lab("evaluate --smooth");
+  EvaluateOptions options;
+  options.profile = request.profile;
+  std::vector<std::uint32_t>& views = options.views;
+  views = request.views;
   std::sort(views.begin(), views.end());
   views.erase(std::unique(views.begin(), views.end()), views.end());
-  if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
-  std::vector<Judged> judged = judge_logs(request);
+  if (!request.camera.empty()) options.camera = read_camera(request.camera);
+  std::vector<Judged> judged = judge_logs(request, options);
   const EvaluationPart part = collect(judged, request.logs, views);
   return conclude(request, part, judged);
 }
 
-Action configure_evaluate(CLI::App& app) {
+Action configure_evaluate(Options command) {
   const auto request = std::make_shared<EvaluateRequest>();
-  app.add_option("LOG", request->logs, "recorded streams; - is standard input");
-  app.add_option("--scene", request->scenes, "the truth, one for each LOG; default: X.json beside X.log")
-      ->type_name("SCENE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-  app.add_option("--views", request->options.views, "measure where an object has so many views; default: 2,4,8,18,75")
-      ->type_name("N,N,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(positive());
-  app.add_option("--model", request->models, "only these models; the bounds then hold for them only")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("--max-recklessness", request->max_recklessness, "0 to 1; exit 1 if a model's mean is above")
-      ->type_name("X")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--max-paranoia", request->max_paranoia, "0 to 1; exit 1 if a model's mean is above")
-      ->type_name("Y")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_flag("--smooth", request->smooth, "also the least-squares optimum of each log, beside the online map");
-  app.add_flag("--json", request->json, "write the measures as JSON instead of text");
-  app.add_option("--jobs", request->jobs, "so many logs at once; default: all cores. It changes no result")
-      ->type_name("N")
-      ->check(positive());
-  app.add_flag("--part", request->part, "write what --merge reads: these logs are a part of all");
-  app.add_option("--merge", request->merge,
-                 "instead of logs: the measures of several parts, as of all their logs at once")
-      ->type_name("PART")
-      ->expected(1, -1);
-  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
+  command.positional("LOG", request->logs, "recorded streams; - is standard input");
+  command.value("--scene", request->scenes, "the truth, one for each LOG; default: X.json beside X.log")
+      .takes("SCENE")
+      .repeated();
+  command.value("--views", request->views, "measure where an object has so many views; default: 2,4,8,18,75")
+      .takes("N,N,...")
+      .separated_by(',')
+      .one_word()
+      .positive();
+  command.value("--model", request->models, "only these models; the bounds then hold for them only")
+      .takes("NAME,...")
+      .separated_by(',')
+      .one_word();
+  command.value("--max-recklessness", request->max_recklessness, "0 to 1; exit 1 if a model's mean is above")
+      .takes("X")
+      .within(0.0, 1.0);
+  command.value("--max-paranoia", request->max_paranoia, "0 to 1; exit 1 if a model's mean is above")
+      .takes("Y")
+      .within(0.0, 1.0);
+  command.value("--profile", request->profile, "capacities of the robot; default: the log's, else full")
+      .one_of({"micro", "small", "full"});
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+  command.flag("--smooth", request->smooth, "also the least-squares optimum of each log, beside the online map");
+  command.flag("--json", request->json, "write the measures as JSON instead of text");
+  command.value("--jobs", request->jobs, "so many logs at once; default: all cores. It changes no result")
+      .takes("N")
+      .positive();
+  command.flag("--part", request->part, "write what --merge reads: these logs are a part of all");
+  command
+      .value("--merge", request->merge, "instead of logs: the measures of several parts, as of all their logs at once")
+      .takes("PART")
+      .count(1, -1);
+  command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
   return [request] { return run(*request); };
 }
 

@@ -8,8 +8,8 @@
 #include "host/cli/alert_spool.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/lab.hpp"
 #include "host/cli/log_input.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/export/csv_list.hpp"
@@ -45,6 +45,7 @@ struct Format {
   std::string_view ending;  ///< of the file that it writes, and of a FILE that asks for it
   bool by_ending;           ///< of several formats with that ending, the one it asks for
   bool history;             ///< uses how objects came to be
+  bool lab;                 ///< only the second program draws it
   Write write;
 };
 
@@ -81,32 +82,33 @@ std::string write_nav2(const exports::Run& run, const ExportRequest& request) {
 }
 
 constexpr std::array<Format, 9> kFormats = {{
-    {"mcap", ".mcap", true, true,
+    {"mcap", ".mcap", true, true, false,
      [](const exports::Run& run, const ExportRequest& request) {
        return exports::mcap_of(run, *exports::foxglove_json(), request.start);
      }},
-    {"mcap-ros2", ".mcap", false, true,
+    {"mcap-ros2", ".mcap", false, true, false,
      [](const exports::Run& run, const ExportRequest& request) {
        return exports::mcap_of(run, *exports::ros2_cdr(), request.start);
      }},
-    {"nav2", ".yaml", true, false, write_nav2},
-    {"collision-monitor", ".yaml", false, false,
+    {"nav2", ".yaml", true, false, false, write_nav2},
+    {"collision-monitor", ".yaml", false, false, false,
      [](const exports::Run& run, const ExportRequest&) { return exports::collision_monitor(run); }},
-    {"geojson", ".geojson", true, false,
+    {"geojson", ".geojson", true, false, false,
      [](const exports::Run& run, const ExportRequest& request) {
        return exports::geojson_of(run, request.model, anchor_of(request));
      }},
-    {"svg", ".svg", true, false,
+    {"svg", ".svg", true, false, false,
      [](const exports::Run& run, const ExportRequest& request) {
        return exports::svg_of(exports::draw_run(run, request.model), run.name);
      }},
-    {"png", ".png", true, false,
+    {"png", ".png", true, false, true,
      [](const exports::Run& run, const ExportRequest& request) {
-       return exports::png_of(exports::draw_run(run, request.model), request.scale);
+       return png_file(exports::draw_run(run, request.model), request.scale);
      }},
-    {"glb", ".glb", true, false,
+    {"glb", ".glb", true, false, false,
      [](const exports::Run& run, const ExportRequest& request) { return exports::glb_of(run, request.model); }},
-    {"csv", ".csv", true, true, [](const exports::Run& run, const ExportRequest&) { return exports::csv_of(run); }},
+    {"csv", ".csv", true, true, false,
+     [](const exports::Run& run, const ExportRequest&) { return exports::csv_of(run); }},
 }};
 
 std::vector<std::string> format_names() {
@@ -194,6 +196,7 @@ Exit run(ExportRequest request) {
     throw Failure(Exit::kUsage, "--from is later than --to; swap them");
   }
   const Format& format = format_of(request);
+  if (format.lab) need_lab("export to PNG");
   const std::string stem = request.log == "-" ? "fencepost" : std::filesystem::path(request.log).stem().string();
   if (request.output.empty()) request.output = stem + std::string(format.ending);
   if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
@@ -207,41 +210,37 @@ Exit run(ExportRequest request) {
   return Exit::kDone;
 }
 
-Action configure_export(CLI::App& app) {
+Action configure_export(Options command) {
   const auto request = std::make_shared<ExportRequest>();
-  app.add_option("LOG", request->log, "a recorded stream; - is standard input")->required();
-  app.add_option("--format", request->format, "what to write; default: by FILE's ending")
-      ->check(CLI::IsMember(format_names()));
-  app.add_option("-o,--output", request->output, "default: the log's name with the format's ending, in this folder")
-      ->type_name("FILE");
-  app.add_option("--model", request->model,
-                 "outlines of that model alone; default: the hybrid's, where there is none the cylinder's")
-      ->type_name("NAME");
-  app.add_option("--every", request->interval, "s, mcap and csv: an object at most so often; default 0.2")
-      ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--start", request->start, "mcap: s since 1970 at the run's beginning; default 0")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1e10));
-  app.add_option("--resolution", request->resolution, "nav2: m a cell; default 0.02")
-      ->type_name("M")
-      ->check(positive());
-  app.add_option("--at", request->at,
-                 "geojson: the map's origin in degrees, and its x axis from north; default: metres")
-      ->type_name("LAT,LON[,BEARING]")
-      ->delimiter(',')
-      ->expected(2, 3)
-      ->check(CLI::Range(-360.0, 360.0));
-  app.add_option("--scale", request->scale, "png: pixels for one of the SVG's; default 2")
-      ->type_name("F")
-      ->check(CLI::Range(0.1, 8.0));
-  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
-  app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
+  command.positional("LOG", request->log, "a recorded stream; - is standard input").required();
+  command.value("--format", request->format, "what to write; default: by FILE's ending").one_of(format_names());
+  command.value("-o,--output", request->output, "default: the log's name with the format's ending, in this folder")
+      .takes("FILE");
+  command
+      .value("--model", request->model,
+             "outlines of that model alone; default: the hybrid's, where there is none the cylinder's")
+      .takes("NAME");
+  command.value("--every", request->interval, "s, mcap and csv: an object at most so often; default 0.2")
+      .takes("S")
+      .not_negative();
+  command.value("--start", request->start, "mcap: s since 1970 at the run's beginning; default 0")
+      .takes("T")
+      .within(0.0, 1e10);
+  command.value("--resolution", request->resolution, "nav2: m a cell; default 0.02").takes("M").positive();
+  command.value("--at", request->at, "geojson: the map's origin in degrees, and its x axis from north; default: metres")
+      .takes("LAT,LON[,BEARING]")
+      .separated_by(',')
+      .count(2, 3)
+      .within(-360.0, 360.0);
+  command.value("--scale", request->scale, "png: pixels for one of the SVG's; default 2").takes("F").within(0.1, 8.0);
+  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
+      .one_of({"micro", "small", "full"});
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+  command.value("--from", request->options.from, "s, stream time; earlier records are not used").takes("T");
+  command.value("--to", request->options.to, "s, stream time; later records are not used").takes("T");
   return [request] { return run(*request); };
 }
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <memory>
 #include <vector>
@@ -18,27 +17,20 @@ struct HelpRequest {
   std::string pages;
 };
 
-/// All manual pages, each by its command's name.
-void write_pages(const CLI::App& command, std::vector<std::string> path, const std::string& folder) {
-  path.push_back(command.get_name());
-  const std::string name = fmt::format("{}", fmt::join(path, " "));
-  const std::string summary = path.size() == 1 ? kProgramSummary : command.get_description();
-  write_output(fmt::format("{}/{}.1", folder, fmt::join(path, "-")),
-               manual_page(name, summary, FENCEPOST_VERSION, help_of(command)));
-  for (const CLI::App* child : command.get_subcommands({})) write_pages(*child, path, folder);
+std::string page_of(const CommandWords& command) {
+  const std::string summary = command.path.size() == 1 ? kProgramSummary : command.text;
+  return manual_page(command.name(), summary, FENCEPOST_VERSION, command.help);
 }
 
-Exit run(const CLI::App& program, const HelpRequest& request) {
+Exit run(const CommandWords& program, const HelpRequest& request) {
   if (!request.pages.empty()) {
-    write_pages(program, {}, request.pages);
+    for (const CommandWords* command : all_commands(program)) {
+      write_output(fmt::format("{}/{}.1", request.pages, command->name('-')), page_of(*command));
+    }
     return Exit::kDone;
   }
-  const CLI::App& command = find_command(program, request.words);
-  std::string name = program.get_name();
-  for (const std::string& word : request.words) name += " " + word;
-  const std::string summary = request.words.empty() ? kProgramSummary : command.get_description();
-  const std::string help = help_of(command);
-  write_output("-", request.roff ? manual_page(name, summary, FENCEPOST_VERSION, help) : help);
+  const CommandWords& command = find_command(program, request.words);
+  write_output("-", request.roff ? page_of(command) : command.help);
   return Exit::kDone;
 }
 
@@ -50,12 +42,12 @@ Command help_command() {
           "  fencepost help\n"
           "  fencepost help import csv\n"
           "  fencepost help replay --roff | man -l -\n",
-          [](CLI::App& app) -> Action {
+          [](Options command) -> Action {
             const auto request = std::make_shared<HelpRequest>();
-            app.add_option("COMMAND", request->words, "whose; default: what there is");
-            app.add_flag("--roff", request->roff, "as a manual page");
-            app.add_option("--pages", request->pages, "instead: all manual pages into a folder")->type_name("DIR");
-            return [program = app.get_parent(), request] { return run(*program, *request); };
+            command.positional("COMMAND", request->words, "whose; default: what there is");
+            command.flag("--roff", request->roff, "as a manual page");
+            command.value("--pages", request->pages, "instead: all manual pages into a folder").takes("DIR");
+            return [command, request] { return run(command.program(), *request); };
           },
           {}};
 }

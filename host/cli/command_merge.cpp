@@ -1,112 +1,26 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string_view>
 
 #include "host/cli/command.hpp"
-#include "host/cli/files.hpp"
-#include "host/cli/log_input.hpp"
-#include "host/cli/progress.hpp"
-#include "host/cli/replay_run.hpp"
-#include "host/cli/terminal.hpp"
-#include "host/merge/merge.hpp"
+#include "host/cli/lab.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
-struct MergeRequest {
-  std::vector<std::string> logs;
-  std::string camera;
-  std::string output = "-";
-  bool json = false;
-  ReplayOptions options;
-};
-
-/// Where the runs of a log begin: at its headers, the first also at its start.
-std::vector<std::string_view> runs_of(std::string_view bytes) {
-  constexpr std::string_view kHeader = "$FPHDR,";
-  std::vector<std::string_view> runs;
-  std::size_t begin = 0;
-  bool headed = bytes.starts_with(kHeader);
-  for (std::size_t at = bytes.find(kHeader, 1); at != std::string_view::npos; at = bytes.find(kHeader, at + 1)) {
-    if (bytes[at - 1] != '\n') continue;
-    if (headed) {
-      runs.push_back(bytes.substr(begin, at - begin));
-      begin = at;
-    }
-    headed = true;
-  }
-  runs.push_back(bytes.substr(begin));
-  return runs;
-}
-
-/// A robot that was carried and told `reset` has two runs in one log. Those without a usable frame are passed over,
-/// unless there is no other.
-void add_runs(const std::string& log, const std::string& bytes, const MergeRequest& request,
-              std::vector<RunMap>& maps) {
-  const std::vector<std::string_view> runs = runs_of(bytes);
-  std::optional<Unreadable> unreadable;
-  bool any = false;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::string name = input_name(log) + (runs.size() > 1 ? ", run " + std::to_string(i + 1) : "");
-    ReplayOutcome outcome = replay(runs[i], name, request.options);
-    if (outcome.unreadable) {
-      unreadable = outcome.unreadable;
-      continue;
-    }
-    any = true;
-    say_what_was_left_out(outcome, request.logs.size() + runs.size() > 2 ? name : "");
-    maps.push_back({name, std::move(outcome.result), runs[i], request.options.camera});
-  }
-  if (!any && unreadable) throw Failure(Exit::kUnreadable, unreadable->message);
-}
-
-Exit run(MergeRequest request) {
-  const auto inputs = std::count(request.logs.begin(), request.logs.end(), "-") + (request.camera == "-" ? 1 : 0);
-  if (inputs > 1) throw Failure(Exit::kUsage, "only one of the logs and --camera can be standard input");
-  if (!request.camera.empty()) request.options.camera = read_camera(request.camera);
-  std::vector<RunMap> runs;
-  std::vector<std::string> bytes;  // the runs point into them
-  std::uint64_t all = 0;
-  for (const std::string& log : request.logs) all += bytes.emplace_back(read_log(log)).size();
-  std::optional<Progress> progress("merging");
-  std::uint64_t done = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    add_runs(request.logs[i], bytes[i], request, runs);
-    done += bytes[i].size();
-    progress->at(static_cast<double>(done), static_cast<double>(all),
-                 fmt::format("{} of {} logs", i + 1, bytes.size()));
-  }
-  const MergedMap merged = merge(runs);
-  progress.reset();
-  const bool colour = is_standard_output(request.output) && colour_on_stdout();
-  write_output(request.output, request.json ? merge_json(merged) : merge_text(merged, colour));
-  for (const std::string& note : merged.notes) say(note);
-  Exit exit = Exit::kDone;
-  for (const RunJoin& join : merged.runs) {
-    if (join.joined()) continue;
-    say(join.log + " is not in the map: " + reason(join));
-    exit = Exit::kCheckFailed;
-  }
-  return exit;
-}
-
-Action configure_merge(CLI::App& app) {
+Action configure_merge(Options command) {
   const auto request = std::make_shared<MergeRequest>();
-  app.add_option("LOG", request->logs,
-                 "recorded streams, all runs of each; the map frame is that of the first; - is standard input")
-      ->required();
-  app.add_option("--profile", request->options.profile, "capacities of the robots; default: each log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_flag("--json", request->json, "write the result document, with \"runs\" and \"sources\", instead of text");
-  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
-  return [request] { return run(*request); };
+  command
+      .positional("LOG", request->logs,
+                  "recorded streams, all runs of each; the map frame is that of the first; - is standard input")
+      .required();
+  command.value("--profile", request->profile, "capacities of the robots; default: each log's, else full")
+      .one_of({"micro", "small", "full"});
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+  command.flag("--json", request->json, "write the result document, with \"runs\" and \"sources\", instead of text");
+  command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
+  return [request] { return run_merge(*request); };
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "hal/linux/clock.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
@@ -296,25 +295,27 @@ Exit run(const MonitorRequest& request) {
   return watch(request);
 }
 
-Action configure_monitor(CLI::App& app) {
+Action configure_monitor(Options command) {
   const auto request = std::make_shared<MonitorRequest>();
-  app.add_option("PORT|LOG", request->what,
-                 "the robot's console: a serial port, tcp:HOST:PORT, - for standard input; or a recorded stream")
-      ->required();
-  app.add_option("--speed", request->speed, "of a log; default 1: as it was; 0: as fast as it goes")
-      ->type_name("F")
-      ->check(CLI::Range(0.0, kFastest));
-  app.add_flag("--plain", request->plain, "lines instead of a screen, as where standard output is no terminal");
-  app.add_flag("--no-bell", request->no_bell, "no bell when it says STOP");
-  app.add_option("--baud", request->baud, "of a serial port; default: 115200")->type_name("N")->check(positive());
-  app.add_flag("--no-command", request->no_command, "do not ask a robot for mode log");
-  app.add_flag("--wait", request->wait, "wait for a port that is not there yet");
-  app.add_option("--profile", request->options.profile,
-                 "of a log: capacities of the robot; default: the log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
+  command
+      .positional("PORT|LOG", request->what,
+                  "the robot's console: a serial port, tcp:HOST:PORT, - for standard input; or a recorded stream")
+      .required();
+  command.value("--speed", request->speed, "of a log; default 1: as it was; 0: as fast as it goes")
+      .takes("F")
+      .within(0.0, kFastest);
+  command.flag("--plain", request->plain, "lines instead of a screen, as where standard output is no terminal");
+  command.flag("--no-bell", request->no_bell, "no bell when it says STOP");
+  command.value("--baud", request->baud, "of a serial port; default: 115200").takes("N").positive();
+  command.flag("--no-command", request->no_command, "do not ask a robot for mode log");
+  command.flag("--wait", request->wait, "wait for a port that is not there yet");
+  command
+      .value("--profile", request->options.profile, "of a log: capacities of the robot; default: the log's, else full")
+      .one_of({"micro", "small", "full"});
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
   return [request] { return run(*request); };
 }
 

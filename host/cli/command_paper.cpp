@@ -1,149 +1,41 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <opencv2/imgproc.hpp>
-#include <optional>
-#include <system_error>
 
 #include "host/cli/command.hpp"
-#include "host/cli/files.hpp"
-#include "host/cli/log_input.hpp"
-#include "host/cli/progress.hpp"
-#include "host/cli/replay_run.hpp"
-#include "host/cli/terminal.hpp"
-#include "host/paper/log_tour.hpp"
-#include "host/paper/paper.hpp"
-#include "host/segment/image_file.hpp"
-#include "host/segment/image_list.hpp"
+#include "host/cli/lab.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct PaperRequest {
-  std::string log;
-  std::string scene;
-  std::string images;
-  std::string output = "fencepost-paper";
-  PaperOptions options;
-};
-
-/// Before a minute of work: the folder is there and takes files.
-void prepare(const std::string& folder) {
-  const auto fail = [&](const std::string& why) {
-    throw Failure(Exit::kDevice, "cannot write into " + folder + ": " + why + "; choose another folder with -o");
-  };
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail("it is a file");
-  fs::create_directories(folder, error);
-  if (error) fail(error.message());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(std::system_category().message(errno));
-}
-
-/// The photographs of a folder, by the number of the frame that was made of each.
-std::function<Picture(std::uint32_t)> photographs(const std::string& folder, const Tour& tour) {
-  std::vector<std::string> files;
-  try {
-    files = images_in(folder);
-  } catch (const SegmentProblem& problem) {
-    throw Failure(Exit::kUnreadable, problem.message());
-  }
-  for (const FrameTruth& frame : tour.frames) {
-    if (frame.frame.frame < files.size()) continue;
-    throw Failure(Exit::kUnreadable,
-                  fmt::format("{}: {} images, but the run has a frame {}; name the folder that the run was made of",
-                              folder, files.size(), frame.frame.frame));
-  }
-  const sensor::CameraIntrinsics camera = tour.scene.camera;
-  return [files, camera](std::uint32_t frame) {
-    const std::string& file = files[frame];
-    try {
-      const cv::Mat image = read_image(file);
-      if (image.cols != camera.width || image.rows != camera.height) {
-        throw Failure(Exit::kUnreadable, fmt::format("{}: {} x {} px, but the run\u2019s camera has {} x {}", file,
-                                                     image.cols, image.rows, camera.width, camera.height));
-      }
-      cv::Mat rgb;
-      cv::cvtColor(image, rgb, cv::COLOR_BGR2RGB);
-      return Picture{rgb.cols, rgb.rows, {rgb.datastart, rgb.dataend}};
-    } catch (const SegmentProblem& problem) {
-      throw Failure(Exit::kUnreadable, problem.message());
-    }
-  };
-}
-
-/// The recorded run, if one was named.
-std::optional<PaperRun> recorded_run(const PaperRequest& request) {
-  if (request.log.empty() && request.scene.empty()) {
-    if (request.images.empty()) return std::nullopt;
-    throw Failure(Exit::kUsage, "--images are those of a recorded run: name it with --log and --scene");
-  }
-  if (request.log.empty() || request.scene.empty()) {
-    throw Failure(Exit::kUsage, "--log and --scene belong together: a run, and the truth about it");
-  }
-  const Scene scene = read_scene(request.scene);
-  PaperRun run{fs::path(request.log).filename().string(), tour_of_log(read_log(request.log), scene)};
-  if (!request.images.empty()) run.tour.photograph = photographs(request.images, run.tour);
-  return run;
-}
-
-std::vector<PaperFile> make_page(const PaperOptions& options, const std::string& log) {
-  try {
-    return write_paper(options);
-  } catch (const std::runtime_error& error) {
-    if (!options.run) throw;
-    throw Failure(Exit::kUnreadable, log + ": " + error.what());
-  }
-}
-
-Exit run(const PaperRequest& request) {
-  PaperOptions options = request.options;
-  options.run = recorded_run(request);
-  prepare(request.output);
-  options.mean_scenes = std::min(options.mean_scenes, options.scenes);
-  std::optional<Progress> progress("computing");
-  options.progress = [&](std::string_view what, double done, double all) { progress->at(done, all, what); };
-  const std::vector<PaperFile> files = make_page(options, request.log);
-  progress.reset();
-  for (const PaperFile& file : files) {
-    write_output((fs::path(request.output) / file.name).string(), file.bytes);
-  }
-  say("wrote " + (fs::path(request.output) / "index.html").string() + "; open it in a browser");
-  return Exit::kDone;
-}
-
-Action configure_paper(CLI::App& app) {
+Action configure_paper(Options command) {
   const auto request = std::make_shared<PaperRequest>();
-  request->options.generator = "fencepost " FENCEPOST_VERSION;
-  app.add_option(
-         "-o,--output", request->output,
-         "folder for the page, its drawings and CSV files; default: fencepost-paper. Files of the same names are "
-         "replaced, others stay")
-      ->type_name("DIR");
-  app.add_option("--seed", request->options.seed, "of the scene that is drawn; the others count up from it; default: 1")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000));
-  app.add_option("--scenes", request->options.scenes,
-                 "scenes of the table of Figure 10; so many, but at most 20, for the curves; default: 60")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10'000));
-  app.add_option("--log", request->log, "a recorded run instead of simulated scenes: of fencepost segment, say")
-      ->type_name("LOG");
-  app.add_option("--scene", request->scene, "the truth about that run; its first two objects are the landmarks")
-      ->type_name("SCENE");
-  app.add_option("--images", request->images,
-                 "the photographs that the run was made of: the first by name is that of frame 0; without it real "
-                 "images are drawn from the scene")
-      ->type_name("DIR");
-  app.add_option("--single", request->options.single_scenes,
-                 "scenes in each of which, alone, every sentence is looked at again; default: 20")
-      ->type_name("N")
-      ->check(CLI::Range(0, 10'000));
-  return [request] { return run(*request); };
+  command
+      .value("-o,--output", request->output,
+             "folder for the page, its drawings and CSV files; default: fencepost-paper. Files of the same names are "
+             "replaced, others stay")
+      .takes("DIR");
+  command.value("--seed", request->seed, "of the scene that is drawn; the others count up from it; default: 1")
+      .takes("N")
+      .within(0, 1'000'000'000);
+  command
+      .value("--scenes", request->scenes,
+             "scenes of the table of Figure 10; so many, but at most 20, for the curves; default: 60")
+      .takes("N")
+      .within(1, 10'000);
+  command.value("--log", request->log, "a recorded run instead of simulated scenes: of fencepost segment, say")
+      .takes("LOG");
+  command.value("--scene", request->scene, "the truth about that run; its first two objects are the landmarks")
+      .takes("SCENE");
+  command
+      .value("--images", request->images,
+             "the photographs that the run was made of: the first by name is that of frame 0; without it real "
+             "images are drawn from the scene")
+      .takes("DIR");
+  command
+      .value("--single", request->single_scenes,
+             "scenes in each of which, alone, every sentence is looked at again; default: 20")
+      .takes("N")
+      .within(0, 10'000);
+  return [request] { return run_paper(*request); };
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/record_devices.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
@@ -184,24 +183,25 @@ Exit run(const RecordRequest& request) {
                          .seconds = request.seconds});
 }
 
-Action configure_record(CLI::App& app) {
+Action configure_record(Options command) {
   const auto request = std::make_shared<RecordRequest>();
-  app.add_option("PORT", request->port, "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input");
-  app.add_option("--camera", request->camera, "instead of PORT: a camera of this machine, as `run` takes it")
-      ->type_name("DEV");
-  app.add_option("--odometry", request->odometry, "with --camera: the wheels, as `run` takes them")->type_name("DEV");
-  app.add_option("--robot", request->robot, "with --camera: the robot's numbers (JSON)")->type_name("FILE");
-  app.add_option("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
-      ->type_name("FILE");
-  request->parts.add_to(app);
-  app.add_option("--baud", request->baud, "of a serial port; default: 115200")->type_name("N")->check(positive());
-  app.add_option("--mode", request->mode, "console mode asked for at the start; only log can be replayed; default: log")
-      ->check(CLI::IsMember({"log", "text", "plot", "quiet"}));
-  app.add_flag("--reset", request->reset, "also ask for a new run, so that replay --check can compare all of it");
-  app.add_flag("--no-command", request->no_command, "send nothing but what is typed");
-  app.add_flag("--wait", request->wait, "wait for a port that is not there yet");
-  app.add_option("--seconds", request->seconds, "end after so long")->type_name("T")->check(positive());
-  app.add_flag("-q,--quiet", request->quiet, "do not show the lines");
+  command.positional("PORT", request->port,
+                     "the robot's console: a serial port, tcp:HOST:PORT, or - for standard input");
+  command.value("--camera", request->camera, "instead of PORT: a camera of this machine, as `run` takes it")
+      .takes("DEV");
+  command.value("--odometry", request->odometry, "with --camera: the wheels, as `run` takes them").takes("DEV");
+  command.value("--robot", request->robot, "with --camera: the robot's numbers (JSON)").takes("FILE");
+  command.value("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
+      .takes("FILE");
+  request->parts.add_to(command);
+  command.value("--baud", request->baud, "of a serial port; default: 115200").takes("N").positive();
+  command.value("--mode", request->mode, "console mode asked for at the start; only log can be replayed; default: log")
+      .one_of({"log", "text", "plot", "quiet"});
+  command.flag("--reset", request->reset, "also ask for a new run, so that replay --check can compare all of it");
+  command.flag("--no-command", request->no_command, "send nothing but what is typed");
+  command.flag("--wait", request->wait, "wait for a port that is not there yet");
+  command.value("--seconds", request->seconds, "end after so long").takes("T").positive();
+  command.flag("-q,--quiet", request->quiet, "do not show the lines");
   return [request] { return run(*request); };
 }
 

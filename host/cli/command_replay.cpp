@@ -8,7 +8,6 @@
 #include "host/cli/alert_spool.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/doctor/log/difference.hpp"
@@ -153,43 +152,42 @@ Exit run(ReplayRequest request) {
   return request.options.check ? judge(outcome.check) : Exit::kDone;
 }
 
-Action configure_replay(CLI::App& app) {
+Action configure_replay(Options command) {
   const auto request = std::make_shared<ReplayRequest>();
-  app.add_option("LOG", request->log, "a recorded stream; - is standard input");
-  app.add_option("--diff", request->diff,
-                 "instead: settings, calibration and alerts of two logs; exit 1 if they differ")
-      ->type_name("A B")
-      ->expected(2);
-  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_flag("--json", request->json, "write the result document instead of text");
-  app.add_flag("--passes", request->passes, "instead: what was driven past, on which side, how near");
-  app.add_option("--sides", request->sides, "the same, and where each has to be passed; exit 1 if one was not")
-      ->type_name("NAME=left|right,...")
-      ->delimiter(',');
-  app.add_flag(
+  command.positional("LOG", request->log, "a recorded stream; - is standard input");
+  command.value("--diff", request->diff, "instead: settings, calibration and alerts of two logs; exit 1 if they differ")
+      .takes("A B")
+      .count(2);
+  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
+      .one_of({"micro", "small", "full"});
+  command.flag("--json", request->json, "write the result document instead of text");
+  command.flag("--passes", request->passes, "instead: what was driven past, on which side, how near");
+  command.value("--sides", request->sides, "the same, and where each has to be passed; exit 1 if one was not")
+      .takes("NAME=left|right,...")
+      .separated_by(',');
+  command.flag(
       "--check", request->options.check,
       "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if they differ or are damaged");
-  app.add_option("--from", request->options.from, "s, stream time; earlier records are not used")->type_name("T");
-  app.add_option("--to", request->options.to, "s, stream time; later records are not used")->type_name("T");
-  app.add_option("--frames", request->options.frames, "stop after the N-th frame record")
-      ->type_name("N")
-      ->check(positive());
-  app.add_option("--run", request->options.run, "of a log of several runs the N-th; default: its last")
-      ->type_name("N")
-      ->check(positive());
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, its \"camera\", or OpenCV's YAML: for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_option("--pose-noise", request->pose_noise,
-                 "sigmas of each pose; default 4,7: a robot that drives. Calibrated cameras: less")
-      ->type_name("MM,MRAD")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(positive());
-  app.add_option("--write-log", request->write_log, "the log that a robot would have written for these inputs")
-      ->type_name("FILE");
-  app.add_option("-o,--output", request->output, "where to write; default: standard output")->type_name("FILE");
+  command.value("--from", request->options.from, "s, stream time; earlier records are not used").takes("T");
+  command.value("--to", request->options.to, "s, stream time; later records are not used").takes("T");
+  command.value("--frames", request->options.frames, "stop after the N-th frame record").takes("N").positive();
+  command.value("--run", request->options.run, "of a log of several runs the N-th; default: its last")
+      .takes("N")
+      .positive();
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, its \"camera\", or OpenCV's YAML: for logs without FPCAM")
+      .takes("FILE");
+  command
+      .value("--pose-noise", request->pose_noise,
+             "sigmas of each pose; default 4,7: a robot that drives. Calibrated cameras: less")
+      .takes("MM,MRAD")
+      .separated_by(',')
+      .count(2)
+      .positive();
+  command.value("--write-log", request->write_log, "the log that a robot would have written for these inputs")
+      .takes("FILE");
+  command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
   return [request] { return run(*request); };
 }
 

@@ -134,29 +134,29 @@ Exit run(ReportRequest request) {
   return Exit::kDone;
 }
 
-Action configure_report(CLI::App& app) {
+Action configure_report(Options command) {
   const auto request = std::make_shared<ReportRequest>();
-  app.add_option("LOG", request->logs, "recorded streams, side by side; - is standard input")->required();
-  app.add_option("--scene", request->scenes, "the truth, drawn hatched: one for each LOG, in the same order")
-      ->type_name("SCENE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-  app.add_flag("--static", request->still,
+  command.positional("LOG", request->logs, "recorded streams, side by side; - is standard input").required();
+  command.value("--scene", request->scenes, "the truth, drawn hatched: one for each LOG, in the same order")
+      .takes("SCENE")
+      .repeated();
+  command.flag("--static", request->still,
                "a picture without any script instead, for paper, mail and browsers without WebAssembly: "
                "one log, and with --scene every model measured against the truth");
-  app.add_flag(
+  command.flag(
       "--whole", request->whole,
       "each log with every byte, however large the page becomes; default: at most 2 MB, of longer logs as much as "
       "can be seen");
-  app.add_option("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--camera", request->camera,
-                 "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      ->type_name("FILE");
-  app.add_option("-o,--output", request->output,
-                 "default: the log's name with .html, in the current folder; of several fencepost-report.html")
-      ->type_name("FILE");
+  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
+      .one_of({"micro", "small", "full"});
+  command
+      .value("--camera", request->camera,
+             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+  command
+      .value("-o,--output", request->output,
+             "default: the log's name with .html, in the current folder; of several fencepost-report.html")
+      .takes("FILE");
   return [request] { return run(*request); };
 }
 

@@ -10,7 +10,6 @@
 #include "host/cli/live_devices.hpp"
 #include "host/cli/open_run_log.hpp"
 #include "host/cli/page_file.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/devices/tables.hpp"
@@ -221,45 +220,48 @@ Exit run(const RunRequest& request) {
   return exit_of(summary);
 }
 
-Action configure_run(CLI::App& app) {
+Action configure_run(Options command) {
   const auto request = std::make_shared<RunRequest>();
-  app.add_option("--camera", request->camera, "which camera, and where: KIND:PLACE[,option=value...]")
-      ->type_name("DEV")
-      ->required();
-  app.add_option("--odometry", request->odometry, "which wheels, and where")->type_name("DEV")->required();
-  app.add_option("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)")->type_name("FILE");
-  app.add_option("--console", request->console,
-                 "- (this terminal, the default), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, or /dev/tty...[,baud=N]")
-      ->type_name("DEV");
-  app.add_option("--mode", request->mode,
-                 "of the console; default: log where standard output is no terminal and there is no --log, else text")
-      ->check(CLI::IsMember({"text", "log", "plot", "quiet"}));
-  app.add_option("--log", request->log, "write the whole record stream there, whatever the console shows")
-      ->type_name("FILE");
-  request->parts.add_to(app);
-  app.add_flag("--force", request->force, "overwrite an existing log");
-  app.add_flag("--wait", request->wait, "wait for devices that are not there yet, instead of ending with exit code 4");
-  app.add_option("--on-alert", request->on_alert,
-                 "at each change of the alert level in force, run CMD by the shell: $1 is the level, FENCEPOST_LEVEL, "
-                 "_ID, _COLOUR, _DISTANCE, _BEARING, _TTC, _CAMERA, _ODOMETRY and _TIME tell all of it")
-      ->type_name("CMD");
-  app.add_option("--stop-gpio", request->stop_gpio,
-                 "a GPIO line that stops the motors while it is low, and is high only while the robot may drive: "
-                 "CHIP:LINE[,active-high]")
-      ->type_name("LINE");
-  app.add_option("--alert-can", request->alert_can,
-                 "send the alert in force as a CAN frame, at each change and at least every 100 ms: INTERFACE[:ID], "
-                 "ID 120 by default (share/can/fencepost_alert.dbc)")
-      ->type_name("IF");
-  app.add_option(
-         "--view", request->view,
-         "show the run in browsers of this machine, at http://127.0.0.1:PORT/; without a PORT at any that is free")
-      ->type_name("[PORT]")
-      ->expected(0, 1);
-  app.add_option("--profile", request->profile, "capacities; default: full")
-      ->check(CLI::IsMember({"micro", "small", "full"}));
-  app.add_option("--frames", request->frames, "stop after the N-th frame record")->type_name("N")->check(positive());
-  app.add_option("--seconds", request->seconds, "stop after so long")->type_name("N")->check(positive());
+  command.value("--camera", request->camera, "which camera, and where: KIND:PLACE[,option=value...]")
+      .takes("DEV")
+      .required();
+  command.value("--odometry", request->odometry, "which wheels, and where").takes("DEV").required();
+  command.value("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)").takes("FILE");
+  command
+      .value("--console", request->console,
+             "- (this terminal, the default), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, or /dev/tty...[,baud=N]")
+      .takes("DEV");
+  command
+      .value("--mode", request->mode,
+             "of the console; default: log where standard output is no terminal and there is no --log, else text")
+      .one_of({"text", "log", "plot", "quiet"});
+  command.value("--log", request->log, "write the whole record stream there, whatever the console shows").takes("FILE");
+  request->parts.add_to(command);
+  command.flag("--force", request->force, "overwrite an existing log");
+  command.flag("--wait", request->wait, "wait for devices that are not there yet, instead of ending with exit code 4");
+  command
+      .value("--on-alert", request->on_alert,
+             "at each change of the alert level in force, run CMD by the shell: $1 is the level, FENCEPOST_LEVEL, "
+             "_ID, _COLOUR, _DISTANCE, _BEARING, _TTC, _CAMERA, _ODOMETRY and _TIME tell all of it")
+      .takes("CMD");
+  command
+      .value("--stop-gpio", request->stop_gpio,
+             "a GPIO line that stops the motors while it is low, and is high only while the robot may drive: "
+             "CHIP:LINE[,active-high]")
+      .takes("LINE");
+  command
+      .value("--alert-can", request->alert_can,
+             "send the alert in force as a CAN frame, at each change and at least every 100 ms: INTERFACE[:ID], "
+             "ID 120 by default (share/can/fencepost_alert.dbc)")
+      .takes("IF");
+  command
+      .value("--view", request->view,
+             "show the run in browsers of this machine, at http://127.0.0.1:PORT/; without a PORT at any that is free")
+      .takes("[PORT]")
+      .count(0, 1);
+  command.value("--profile", request->profile, "capacities; default: full").one_of({"micro", "small", "full"});
+  command.value("--frames", request->frames, "stop after the N-th frame record").takes("N").positive();
+  command.value("--seconds", request->seconds, "stop after so long").takes("N").positive();
   return [request] { return run(*request); };
 }
 

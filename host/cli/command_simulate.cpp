@@ -37,10 +37,10 @@ Exit run(const SimulateRequest& request) {
   return Exit::kDone;
 }
 
-Action configure_simulate(CLI::App& app) {
+Action configure_simulate(Options command) {
   const auto request = std::make_shared<SimulateRequest>();
-  app.add_option("SCENE", request->scene, "a scene file (JSON); - is standard input")->required();
-  app.add_option("-o,--output", request->output, "where to write the log; default: standard output")->type_name("LOG");
+  command.positional("SCENE", request->scene, "a scene file (JSON); - is standard input").required();
+  command.value("-o,--output", request->output, "where to write the log; default: standard output").takes("LOG");
   return [request] { return run(*request); };
 }
 

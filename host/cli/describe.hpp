@@ -1,8 +1,6 @@
 // What the parser knows of the commands, as manual pages and completion need it.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +17,7 @@ struct OptionWords {
 struct CommandWords {
   std::vector<std::string> path;  ///< "fencepost", "import", "csv"
   std::string text;
+  std::string help;  ///< the text of --help
   std::vector<OptionWords> options;
   std::vector<std::string> positional_choices;
   bool takes_words = false;  ///< beside options
@@ -28,8 +27,6 @@ struct CommandWords {
   [[nodiscard]] std::string name(char between = ' ') const;
 };
 
-CommandWords describe(const CLI::App& program);
-
 /// Of the whole tree, each before its own commands.
 std::vector<const CommandWords*> all_commands(const CommandWords& program);
 
@@ -37,9 +34,6 @@ std::vector<const CommandWords*> all_commands(const CommandWords& program);
 std::string guess_among(const std::vector<std::string>& names, std::string_view word, const std::string& where);
 
 /// The command that `words` name below `program`. errors: Failure (kUsage), with a guess
-const CLI::App& find_command(const CLI::App& program, const std::vector<std::string>& words);
-
-/// What --help prints of it.
-std::string help_of(const CLI::App& command);
+const CommandWords& find_command(const CommandWords& program, const std::vector<std::string>& words);
 
 }  // namespace fencepost::host::cli

@@ -114,10 +114,10 @@ Findings ask(const std::string& text, devices::Use use, const std::string& robot
 
 }  // namespace
 
-void PortRequestOptions::add_to(CLI::App& app) {
-  app.add_option("--camera", camera, "how this camera is, as run names it: KIND:PLACE")->type_name("DEVICE");
-  app.add_option("--odometry", odometry, "the same of wheels")->type_name("DEVICE");
-  app.add_option("--robot", robot, "the robot file of run, for wheels that need one")->type_name("FILE");
+void PortRequestOptions::add_to(Options command) {
+  command.value("--camera", camera, "how this camera is, as run names it: KIND:PLACE").takes("DEVICE");
+  command.value("--odometry", odometry, "the same of wheels").takes("DEVICE");
+  command.value("--robot", robot, "the robot file of run, for wheels that need one").takes("FILE");
 }
 
 bool names_port(const std::string& subject) {

@@ -1,8 +1,6 @@
 // `fencepost doctor` on ports: what is there, and how a device is.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,7 +13,7 @@ struct PortRequestOptions {
   std::string odometry;
   std::string robot;
 
-  void add_to(CLI::App& app);
+  void add_to(Options command);
   [[nodiscard]] bool names_devices() const { return !camera.empty() || !odometry.empty(); }
 };
 

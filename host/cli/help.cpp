@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/cli/command.hpp"
+
 namespace fencepost::host::cli {
 
 std::string overview() {
@@ -19,11 +21,6 @@ std::string overview() {
          "  -V,--version  the version\n\n"
          "Data goes to standard output, messages to standard error; - is standard input or output.\n"
          "Exit codes: 0 done, 1 a check failed, 2 usage, 3 unreadable input, 4 device or output, 130 interrupted.\n";
-}
-
-std::string HelpWithExample::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
-  if (app->get_parent() == nullptr) return overview();
-  return "Examples:\n" + app->get_footer() + "\n" + CLI::Formatter::make_help(app, std::move(name), mode);
 }
 
 }  // namespace fencepost::host::cli

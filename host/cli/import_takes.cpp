@@ -4,7 +4,6 @@
 
 #include "host/cli/files.hpp"
 #include "host/cli/live_devices.hpp"
-#include "host/cli/positive.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/devices/catalogue.hpp"
 #include "host/devices/open_devices.hpp"
@@ -66,65 +65,65 @@ Exit import_can(const TakeRequest& request) {
   }
 }
 
-void add_common(CLI::App& app, TakeRequest& request, const char* source, const char* about) {
-  app.add_option(source, request.source, about)->required();
-  app.add_option("--camera", request.camera,
-                 "how the camera sees: a name such as pixy2, or a file with an FPCAM line, a scene, or its \"camera\"")
-      ->type_name("NAME|FILE");
-  app.add_option("-o,--output", request.output, "where to write the log; default: standard output")->type_name("LOG");
+void add_common(Options command, TakeRequest& request, const char* source, const char* about) {
+  command.positional(source, request.source, about).required();
+  command
+      .value("--camera", request.camera,
+             "how the camera sees: a name such as pixy2, or a file with an FPCAM line, a scene, or its \"camera\"")
+      .takes("NAME|FILE");
+  command.value("-o,--output", request.output, "where to write the log; default: standard output").takes("LOG");
 }
 
-void add_poses(CLI::App& app, TakeRequest& request) {
-  app.add_option("--poses", request.poses, "the robot's poses: CSV t,x,y,heading (s, m, rad), or TUM's eight numbers")
-      ->type_name("FILE");
+void add_poses(Options command, TakeRequest& request) {
+  command.value("--poses", request.poses, "the robot's poses: CSV t,x,y,heading (s, m, rad), or TUM's eight numbers")
+      .takes("FILE");
 }
 
 template <class Import>
-Action with(CLI::App& app, const std::shared_ptr<TakeRequest>& request, const char* source, const char* about,
+Action with(Options command, const std::shared_ptr<TakeRequest>& request, const char* source, const char* about,
             Import import) {
-  add_common(app, *request, source, about);
-  add_poses(app, *request);
+  add_common(command, *request, source, about);
+  add_poses(command, *request);
   return [request, import] {
     return finish_import(import(read_input(request->source), input_name(request->source), settings_of(*request)),
                          request->output);
   };
 }
 
-Action configure_csv(CLI::App& app) {
-  return with(app, std::make_shared<TakeRequest>(), "CSV", "blobs, by the names of their columns",
+Action configure_csv(Options command) {
+  return with(command, std::make_shared<TakeRequest>(), "CSV", "blobs, by the names of their columns",
               [](const auto&... arguments) { return import_csv(arguments...); });
 }
 
-Action configure_sketch(CLI::App& app) {
+Action configure_sketch(Options command) {
   const auto request = std::make_shared<TakeRequest>();
-  app.add_option("--rate", request->rate, "frames a second, where the text has no times; default 20")
-      ->type_name("HZ")
-      ->check(positive());
-  return with(app, request, "TEXT", "what the monitor of the Arduino IDE showed, saved",
+  command.value("--rate", request->rate, "frames a second, where the text has no times; default 20")
+      .takes("HZ")
+      .positive();
+  return with(command, request, "TEXT", "what the monitor of the Arduino IDE showed, saved",
               [](const auto&... arguments) { return import_sketch(arguments...); });
 }
 
-Action configure_player(CLI::App& app) {
-  return with(app, std::make_shared<TakeRequest>(), "LOG", "of Player's writelog: position2d and blobfinder",
+Action configure_player(Options command) {
+  return with(command, std::make_shared<TakeRequest>(), "LOG", "of Player's writelog: position2d and blobfinder",
               [](const auto&... arguments) { return import_player(arguments...); });
 }
 
-Action configure_mcap(CLI::App& app) {
+Action configure_mcap(Options command) {
   const auto request = std::make_shared<TakeRequest>();
-  app.add_option("--detections", request->topics.detections, "the topic; default: the first of its kind")
-      ->type_name("TOPIC");
-  app.add_option("--odometry", request->topics.odometry, "likewise")->type_name("TOPIC");
-  return with(app, request, "MCAP", "Detection2DArray and Odometry, as CDR or JSON",
+  command.value("--detections", request->topics.detections, "the topic; default: the first of its kind").takes("TOPIC");
+  command.value("--odometry", request->topics.odometry, "likewise").takes("TOPIC");
+  return with(command, request, "MCAP", "Detection2DArray and Odometry, as CDR or JSON",
               [request](const auto& bytes, const auto& file, const auto& settings) {
                 return import_mcap(bytes, file, request->topics, settings);
               });
 }
 
-Action configure_candump(CLI::App& app) {
+Action configure_candump(Options command) {
   const auto request = std::make_shared<TakeRequest>();
-  add_common(app, *request, "LOG", "of candump -l, or its output with -t a");
-  app.add_option("--robot", request->robot, "the robot file with the mapping \"can\"")->required()->type_name("FILE");
-  app.add_option("--blobs", request->blobs, "CSV as of import csv, by the same clock")->required()->type_name("CSV");
+  add_common(command, *request, "LOG", "of candump -l, or its output with -t a");
+  command.value("--robot", request->robot, "the robot file with the mapping \"can\"").required().takes("FILE");
+  command.value("--blobs", request->blobs, "CSV as of import csv, by the same clock").required().takes("CSV");
   return [request] { return import_can(*request); };
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/cli/files.hpp"
+#include "host/cli/lab.hpp"
 #include "host/cli/log_input.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
@@ -73,17 +74,8 @@ class Advance {
   Progress progress_;
 };
 
-SmoothEvaluation smooth_pair(const JudgeRequest& request, const std::string& log, const Scene& scene) {
-  SmoothOptions options;
-  options.profile = request.options.profile;
-  options.camera = request.options.camera;
-  const SmoothOutcome outcome = smooth(read_log(log), log, options);
-  if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
-  if (!outcome.smoothed) throw Failure(Exit::kUnreadable, outcome.refusal);
-  return evaluate_smoothed(*outcome.smoothed, scene, log);
-}
-
-void judge_pair(const JudgeRequest& request, std::size_t pair, Advance& advance, Judged& judged) {
+void judge_pair(const EvaluateRequest& request, const EvaluateOptions& options, std::size_t pair, Advance& advance,
+                Judged& judged) {
   const std::string& log = request.logs[pair];
   const std::string scene_name = request.scenes.empty() ? scene_beside(log) : request.scenes[pair];
   const Scene scene = read_scene(scene_name);
@@ -95,13 +87,13 @@ void judge_pair(const JudgeRequest& request, std::size_t pair, Advance& advance,
     advance.read(input.position() - before);
     return bytes;
   };
-  EvaluateOutcome outcome = evaluate(source, name, scene, request.options);
+  EvaluateOutcome outcome = evaluate(source, name, scene, options);
   if (outcome.replay.unreadable) throw Failure(Exit::kUnreadable, outcome.replay.unreadable->message);
   judged.said = what_was_left_out(outcome.replay, request.logs.size() > 1 ? name : "");
   outcome.evaluation.log = name;
   outcome.evaluation.scene = input_name(scene_name);
   if (!request.models.empty()) keep_models(outcome.evaluation, request.models);
-  if (request.smooth) judged.smoothed = smooth_pair(request, log, scene);
+  if (request.smooth) judged.smoothed = smooth_log(log, scene, options);
   judged.evaluation = std::move(outcome.evaluation);
 }
 
@@ -120,12 +112,12 @@ void keep_models(Evaluation& evaluation, const std::vector<std::string>& names) 
   }
 }
 
-std::vector<Judged> judge_logs(const JudgeRequest& request) {
+std::vector<Judged> judge_logs(const EvaluateRequest& request, const EvaluateOptions& options) {
   std::vector<Judged> all(request.logs.size());
   Advance advance(request.logs);
   run_jobs(all.size(), request.jobs > 0 ? request.jobs : all_cores(), [&](std::size_t i) {
     try {
-      judge_pair(request, i, advance, all[i]);
+      judge_pair(request, options, i, advance, all[i]);
     } catch (const Failure& failure) {
       all[i].failure = failure;
     }

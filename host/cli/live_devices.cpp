@@ -3,7 +3,6 @@
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/log_size.hpp"
-#include "host/cli/positive.hpp"
 #include "host/devices/open_devices.hpp"
 
 namespace fencepost::host::cli {
@@ -30,11 +29,9 @@ Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::
   return std::move(*std::get_if<Devices>(&opened));
 }
 
-void PartOptions::add_to(CLI::App& app) {
-  app.add_option("--log-size", size, "begin a new part of the log after so much, such as 64M")->type_name("SIZE");
-  app.add_option("--log-minutes", minutes, "begin a new part of the log after so long")
-      ->type_name("N")
-      ->check(positive());
+void PartOptions::add_to(Options command) {
+  command.value("--log-size", size, "begin a new part of the log after so much, such as 64M").takes("SIZE");
+  command.value("--log-minutes", minutes, "begin a new part of the log after so long").takes("N").positive();
 }
 
 std::uint64_t PartOptions::bytes() const {

@@ -1,8 +1,6 @@
 // What `run` and `record` do alike with the cameras and wheels of this machine.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 
@@ -31,7 +29,7 @@ struct PartOptions {
   std::string size;
   std::optional<double> minutes;
 
-  void add_to(CLI::App& app);
+  void add_to(Options command);
   [[nodiscard]] bool given() const { return minutes || !size.empty(); }
   /// 0: no limit. errors: Failure (kUsage)
   [[nodiscard]] std::uint64_t bytes() const;

@@ -9,12 +9,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr int kDecimals = 6;
-
-template <class Number>
-Json known(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
 Json length(const std::optional<double>& metres) { return metres ? rounded(*metres, kDecimals) : Json(nullptr); }
 
 Json mean_json(const Mean& mean) {

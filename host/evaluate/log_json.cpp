@@ -8,12 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDecimals = 6;
-
-template <class Number>
-Json known(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
 Json number(double value, Digits digits) { return digits == Digits::kAll ? Json(value) : rounded(value, kDecimals); }
 Json length(const std::optional<double>& metres, Digits digits) {
   return metres ? number(*metres, digits) : Json(nullptr);

@@ -2,11 +2,20 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 
 #include "host/evaluate/evaluation.hpp"
 
 namespace fencepost::host {
+
+inline constexpr int kDecimals = 6;  ///< of shares and lengths that are shown
+
+/// Null where it is not known.
+template <class Number>
+nlohmann::ordered_json known(const std::optional<Number>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
 
 /// Of shares and lengths.
 enum class Digits : unsigned char {

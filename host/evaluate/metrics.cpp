@@ -46,13 +46,13 @@ Moments moments(const LinearRing& ring, Point base) {
 
 Score score(const MultiPolygon& model, const Polygon& footprint) {
   if (!is_finite(model)) return {};
-  const MultiPolygon truth{footprint};
-  const double model_area = union_area(model, {});
-  const double true_area = union_area(truth, {});
+  const Overlap found = overlap(model, {footprint});
+  const double model_area = found.both + found.only_a;
+  const double true_area = found.both + found.only_b;
   if (model_area < kNoArea || true_area < kNoArea) return {};
-  const double common = intersection_area(model, truth);
   const auto share = [](double part, double whole) { return std::clamp(part / whole, 0.0, 1.0); };
-  return {1 - share(common, true_area), 1 - share(common, model_area), share(common, model_area + true_area - common)};
+  return {1 - share(found.both, true_area), 1 - share(found.both, model_area),
+          share(found.both, model_area + found.only_b)};
 }
 
 Point centroid(const Polygon& polygon) {

@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "host/geometry/geos_session.hpp"
 #include "host/geometry/rings.hpp"
 
 namespace fencepost::host {
 
 namespace {
-
-using Operation = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
-
-MultiPolygon combined(Operation operation, const MultiPolygon& a, const MultiPolygon& b) {
-  GeosSession geos;
-  const auto left = geos.to_geos(a);
-  const auto right = geos.to_geos(b);
-  return geos.from_geos(geos.own(operation(geos.handle(), left.get(), right.get())).get());
-}
 
 template <class Visit>
 void for_each_ring(const MultiPolygon& areas, Visit visit) {
@@ -51,55 +42,23 @@ double farthest(const MultiPolygon& from, const MultiPolygon& to, double step) {
 
 }  // namespace
 
-MultiPolygon intersection(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSIntersection_r, a, b); }
-MultiPolygon unite(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSUnion_r, a, b); }
-MultiPolygon difference(const MultiPolygon& a, const MultiPolygon& b) { return combined(&GEOSDifference_r, a, b); }
-
-double intersection_area(const MultiPolygon& a, const MultiPolygon& b) { return area(intersection(a, b)); }
-double union_area(const MultiPolygon& a, const MultiPolygon& b) { return area(unite(a, b)); }
-double difference_area(const MultiPolygon& a, const MultiPolygon& b) { return area(difference(a, b)); }
-
-std::optional<Invalidity> find_invalidity(const Polygon& polygon) {
-  if (polygon.outer.size() < 3) {
-    return Invalidity{"Too few points", polygon.outer.empty() ? Point{} : polygon.outer.front()};
-  }
-  GeosSession geos;
-  const auto geometry = geos.to_geos(polygon);
-  char* reason = nullptr;
-  GEOSGeometry* place = nullptr;
-  const char valid = GEOSisValidDetail_r(geos.handle(), geometry.get(), 0, &reason, &place);
-  std::optional<Invalidity> result;
-  if (valid != 1) {
-    result.emplace();
-    if (reason != nullptr) result->reason = reason;
-    if (place != nullptr) {
-      GEOSGeomGetX_r(geos.handle(), place, &result->where.x);
-      GEOSGeomGetY_r(geos.handle(), place, &result->where.y);
-    }
-  } else if (!(area(polygon) > 0)) {
-    result = Invalidity{"No area", polygon.outer.front()};
-  }
-  if (reason != nullptr) GEOSFree_r(geos.handle(), reason);
-  if (place != nullptr) GEOSGeom_destroy_r(geos.handle(), place);
-  return result;
-}
-
 Polygon convex_hull(const MultiPolygon& areas) {
-  GeosSession geos;
-  const auto geometry = geos.to_geos(areas);
-  const MultiPolygon hull = geos.from_geos(geos.own(GEOSConvexHull_r(geos.handle(), geometry.get())).get());
-  return hull.empty() ? Polygon{} : hull.front();
-}
-
-std::vector<Triangle> triangulation(const MultiPolygon& areas) {
-  GeosSession geos;
-  const auto geometry = geos.to_geos(areas);
-  const auto pieces = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.handle(), geometry.get()));
-  std::vector<Triangle> triangles;
-  for (const Polygon& piece : geos.from_geos(pieces.get())) {
-    triangles.push_back({piece.outer[0], piece.outer[1], piece.outer[2]});
+  LinearRing all;
+  for_each_ring(areas, [&](const LinearRing& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
+  std::ranges::sort(all, [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  // The lower side from left to right, then the upper one back.
+  LinearRing hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const Point p : all) {
+      const auto straight = [&](Point a, Point b) { return (b.x - a.x) * (p.y - a.y) <= (b.y - a.y) * (p.x - a.x); };
+      while (hull.size() >= begin + 2 && straight(hull[hull.size() - 2], hull.back())) hull.pop_back();
+      hull.push_back(p);
+    }
+    if (!hull.empty()) hull.pop_back();
+    std::ranges::reverse(all);
   }
-  return triangles;
+  return signed_area(hull) > 0 ? Polygon{std::move(hull), {}} : Polygon{};
 }
 
 std::optional<OutlineDistance> outline_distance(const MultiPolygon& a, const MultiPolygon& b, double step) {

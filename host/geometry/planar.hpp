@@ -1,4 +1,4 @@
-// Exact-as-double set operations on planar areas. Backed by GEOS; no GEOS type leaves the .cpp.
+// Measures of planar areas: what two cover, whether an outline is one, triangles, distances. No library behind it.
 #pragma once
 
 #include <array>
@@ -10,11 +10,15 @@
 
 namespace fencepost::host {
 
-/// The parts that both cover, that either covers, that only `a` covers. Rings come back oriented (outer
-/// counter-clockwise). Inputs that are not valid are repaired first; slivers without area vanish.
-MultiPolygon intersection(const MultiPolygon& a, const MultiPolygon& b);
-MultiPolygon unite(const MultiPolygon& a, const MultiPolygon& b);
-MultiPolygon difference(const MultiPolygon& a, const MultiPolygon& b);
+/// How much two areas cover, m^2. A polygon covers what its rings enclose an odd number of times; several polygons of
+/// one input count once where they overlap. Coordinates are finite.
+struct Overlap {
+  double both = 0;
+  double only_a = 0;
+  double only_b = 0;
+};
+/// Exact but for rounding. Cost: all pairs of edges that share a height.
+Overlap overlap(const MultiPolygon& a, const MultiPolygon& b);
 
 double intersection_area(const MultiPolygon& a, const MultiPolygon& b);
 double union_area(const MultiPolygon& a, const MultiPolygon& b);
@@ -25,14 +29,16 @@ struct Invalidity {
   std::string reason;  ///< "Self-intersection", "Hole lies outside shell", "Too few points", ...
   Point where;
 };
-/// Nothing when the polygon is valid (simple rings, holes inside, some area).
+/// Nothing when the polygon is valid as GeoJSON has it: simple rings, some area, an interior in one piece.
+/// Holes lie inside and meet other rings in single points.
 std::optional<Invalidity> find_invalidity(const Polygon& polygon);
 
 /// Counter-clockwise; an empty outer ring when the input spans no area.
 Polygon convex_hull(const MultiPolygon& areas);
 
 using Triangle = std::array<Point, 3>;  ///< counter-clockwise
-/// The area as triangles whose corners are vertices of its rings, holes left out (constrained Delaunay).
+/// Each polygon as triangles whose corners are vertices of its rings, holes left out. One that is not valid gives
+/// triangles that cover about the same.
 std::vector<Triangle> triangulation(const MultiPolygon& areas);
 
 /// How far two outlines lie apart: the largest distance from a point of one to the other, each way, metres.

@@ -1,27 +1,41 @@
 #include "host/jobs/jobs.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace fencepost::host {
 
-std::size_t all_cores() { return static_cast<std::size_t>(tbb::info::default_concurrency()); }
+std::size_t all_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 void run_jobs(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& job) {
-  at_once = std::min(at_once, std::max<std::size_t>(count, 1));
-  // Without leave the library takes no more than there are cores.
-  const tbb::global_control leave(tbb::global_control::max_allowed_parallelism, at_once);
-  tbb::task_arena arena(static_cast<int>(at_once));
-  arena.execute([&] {
-    const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) job(i);
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), some, tbb::simple_partitioner());
-  });
+  std::atomic<std::size_t> next = 0;
+  std::mutex lock;
+  std::exception_ptr first;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) job(i);
+    } catch (...) {
+      const std::lock_guard guard(lock);
+      if (!first) first = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> others;  // joined at the end of this block
+    for (std::size_t i = 1; i < std::min(at_once, count); ++i) {
+      try {
+        others.emplace_back(work);
+      } catch (const std::system_error&) {
+        break;  // the system has no more threads: those that there are do it
+      }
+    }
+    work();
+  }
+  if (first) std::rethrow_exception(first);
 }
 
 }  // namespace fencepost::host

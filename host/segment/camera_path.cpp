@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host/import/text_lines.hpp"
-#include "host/segment/image_file.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host/import/text_lines.hpp"
-#include "host/segment/image_file.hpp"
 #include "host/segment/pinhole.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -5,12 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "host/import/import.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
-
-/// Thrown inside host/segment, turned into the result's error by `segment`.
-using SegmentProblem = ImportError;
 
 /// 8-bit blue, green, red. Alpha is put on white, 16 bits become 8, grey becomes colour; EXIF's rotation is not
 /// followed. `name` is for messages. errors: SegmentProblem: neither PNG nor JPEG, damaged or cut off, more than 32767

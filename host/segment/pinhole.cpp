@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/segment/image_file.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 namespace {

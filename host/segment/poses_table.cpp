@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "host/segment/image_file.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "host/import/text_lines.hpp"
-#include "host/segment/image_file.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -7,8 +7,8 @@
 #include "firmware/record/stream_reader.hpp"
 #include "host/scene/read_scene.hpp"
 #include "host/segment/colmap_camera.hpp"
-#include "host/segment/image_file.hpp"
 #include "host/segment/opencv_camera.hpp"
+#include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 

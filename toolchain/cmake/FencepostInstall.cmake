@@ -1,5 +1,6 @@
-# cmake --install: the program with what it reads, and, for other programs, the core and the desk's replay as libraries.
-# Two components, program and development: a package each (FencepostPackage.cmake).
+# cmake --install: the programs with what they read, and, for programs of others, the core and the desk's replay as
+# libraries. Two components, program and development: a package each (FencepostPackage.cmake). Without FENCEPOST_LAB
+# the first program alone, which is all that such a build makes.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fencepost")
 
@@ -22,6 +23,11 @@ if(FENCEPOST_DESK)
   install(FILES "${made}/fencepost" DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
   install(FILES "${made}/_fencepost" DESTINATION ${CMAKE_INSTALL_DATADIR}/${zsh_folder} COMPONENT program)
   install(FILES "${made}/fencepost.fish" DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
+  if(NOT FENCEPOST_LAB)
+    return()
+  endif()
+  # Where `fencepost` looks for it.
+  install(TARGETS fencepost_lab_exe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/fencepost COMPONENT program)
   set(libraries fencepost_core fencepost_host)
   set(rooms hal drivers firmware host/geometry host/replay host/result host/scene host/text)
 else()

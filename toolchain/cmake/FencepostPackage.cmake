@@ -31,7 +31,7 @@ evaluates it, simulates robots and speaks as their devices.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfencepost-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libfmt-dev, libgeos-dev, nlohmann-json3-dev, pkg-config, cmake")
+  "libfmt-dev, nlohmann-json3-dev, pkg-config, cmake")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "The robot's program as a static library without a heap, for programs of one's
 own: odometry and boxes in, alerts, objects and outlines out. Replay at the

@@ -9,6 +9,7 @@
 
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
+#include "tests/host/geometry/geos_session.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -54,7 +55,7 @@ TEST(Wedges, AgreeWithGeosOnRandomViews) {
                                  {apex.x + 20 * std::cos(wedge.right), apex.y + 20 * std::sin(wedge.right)},
                                  {apex.x + 20 * std::cos(wedge.left), apex.y + 20 * std::sin(wedge.left)}},
                                 {}};
-      expected = intersection(expected, {triangle});
+      expected = GeosSession().intersection(expected, {triangle});
     }
     const LinearRing region = intersect_wedges(square({0, 0}, 4), wedges);
     EXPECT_NEAR(signed_area(region), area(expected), 1e-9);

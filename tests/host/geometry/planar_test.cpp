@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "host/geometry/half_planes.hpp"
 #include "host/geometry/rings.hpp"
+#include "tests/host/geometry/geos_session.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -22,37 +25,66 @@ TEST(Area, TakesHolesOutWhateverTheirOrientation) {
   EXPECT_DOUBLE_EQ(area(MultiPolygon{}), 0);
 }
 
-TEST(SetOperations, OfTwoUnitSquaresShiftedByHalf) {
+TEST(Overlap, OfTwoUnitSquaresShiftedByHalf) {
   const MultiPolygon a = {box(0, 0, 1, 1)};
   const MultiPolygon b = {box(0.5, 0.5, 1.5, 1.5)};
   EXPECT_NEAR(intersection_area(a, b), 0.25, 1e-12);
   EXPECT_NEAR(union_area(a, b), 1.75, 1e-12);  // 1 + 1 - 0.25
   EXPECT_NEAR(difference_area(a, b), 0.75, 1e-12);
-  ASSERT_EQ(intersection(a, b).size(), 1U);
-  EXPECT_GT(signed_area(intersection(a, b)[0].outer), 0);
 }
 
-TEST(SetOperations, OfDisjointAndEmptyAreas) {
+TEST(Overlap, OfDisjointAndEmptyAreas) {
   const MultiPolygon a = {box(0, 0, 1, 1)};
   const MultiPolygon b = {box(2, 0, 3, 1)};
-  EXPECT_TRUE(intersection(a, b).empty());
-  EXPECT_EQ(unite(a, b).size(), 2U);
+  EXPECT_DOUBLE_EQ(intersection_area(a, b), 0);
+  EXPECT_DOUBLE_EQ(union_area(a, b), 2);
   EXPECT_DOUBLE_EQ(union_area(a, {}), 1);
   EXPECT_DOUBLE_EQ(difference_area({}, a), 0);
   // Sharing an edge is no area.
   EXPECT_DOUBLE_EQ(intersection_area(a, {box(1, 0, 2, 1)}), 0);
 }
 
-TEST(SetOperations, PunchAHole) {
-  const MultiPolygon result = difference({box(0, 0, 3, 3)}, {box(1, 1, 2, 2)});
-  ASSERT_EQ(result.size(), 1U);
-  ASSERT_EQ(result[0].holes.size(), 1U);
-  EXPECT_GT(signed_area(result[0].outer), 0);
-  EXPECT_LT(signed_area(result[0].holes[0]), 0);
-  EXPECT_DOUBLE_EQ(area(result), 8);
+TEST(Overlap, LeavesAHoleOut) {
+  Polygon ring = box(0, 0, 3, 3);
+  ring.holes.push_back({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  EXPECT_DOUBLE_EQ(difference_area({box(0, 0, 3, 3)}, {ring}), 1);
+  EXPECT_DOUBLE_EQ(intersection_area({box(1, 1, 2, 2)}, {ring}), 0);
 }
 
-TEST(SetOperations, OverlappingPartsOfOneInputCountOnce) {
+/// A star about `center`, its corners in order, with up to one smaller star as a hole; crossed if `wild`.
+Polygon random_polygon(std::mt19937& random, bool wild) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto ring = [&](Point middle, double least, double most, std::size_t corners) {
+    LinearRing corner_ring;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + 0.8 * uniform(random)) / double(corners);
+      const double radius = least + (most - least) * uniform(random);
+      corner_ring.push_back({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)});
+    }
+    if (wild) std::ranges::shuffle(corner_ring, random);
+    return corner_ring;
+  };
+  const Point center{uniform(random), uniform(random)};
+  Polygon polygon{ring(center, 0.3, 1, 5 + random() % 20), {}};
+  if (random() % 2 == 0) polygon.holes.push_back(ring(center, 0.05, wild ? 0.5 : 0.08, 3 + random() % 8));
+  return polygon;
+}
+
+TEST(Overlap, AgreesWithGeosOnRandomPolygonsThatMayCrossThemselves) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 60; ++trial) {
+    const bool wild = trial % 2 == 0;
+    const MultiPolygon a = {random_polygon(random, wild), random_polygon(random, false)};
+    const MultiPolygon b = {random_polygon(random, wild)};
+    const Overlap found = overlap(a, b);
+    GeosSession geos;
+    EXPECT_NEAR(found.both, area(geos.intersection(a, b)), 1e-12) << trial;
+    EXPECT_NEAR(found.both + found.only_a, geos.union_area(a, {}), 1e-12) << trial;
+    EXPECT_NEAR(found.both + found.only_b, geos.union_area(b, {}), 1e-12) << trial;
+  }
+}
+
+TEST(Overlap, OverlappingPartsOfOneInputCountOnce) {
   EXPECT_DOUBLE_EQ(union_area({box(0, 0, 2, 1), box(1, 0, 3, 1)}, {}), 3);
 }
 
@@ -73,6 +105,41 @@ TEST(Validity, OfGoodAndDegenerateRings) {
   Polygon outside = box(0, 0, 1, 1);
   outside.holes.push_back({{5, 5}, {6, 5}, {6, 6}});
   EXPECT_EQ(find_invalidity(outside)->reason, "Hole lies outside shell");
+}
+
+TEST(Validity, OfHolesThatTouch) {
+  Polygon holed = box(0, 0, 4, 4);
+  holed.holes.push_back({{0, 2}, {1, 1}, {1, 3}});  // in one point: fine
+  EXPECT_FALSE(find_invalidity(holed).has_value());
+  holed.holes.push_back({{4, 2}, {1, 1}, {3, 1}});  // from there to the other side
+  EXPECT_EQ(find_invalidity(holed)->reason, "Interior is disconnected");
+  Polygon nested = box(0, 0, 4, 4);
+  nested.holes = {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{1.5, 1.5}, {2, 1.5}, {2, 2}}};
+  EXPECT_EQ(find_invalidity(nested)->reason, "Holes are nested");
+  EXPECT_EQ(find_invalidity(Polygon{{{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}, {}})->reason,
+            "Ring Self-intersection");
+}
+
+TEST(Validity, AgreesWithGeosOnRandomPolygons) {
+  std::mt19937 random(12);
+  int valid = 0;
+  constexpr int kTrials = 1000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    // On a grid corners meet sides and each other.
+    Polygon polygon = random_polygon(random, trial % 4 == 0);
+    if (trial % 2 == 0) {
+      const auto snap = [](LinearRing& ring) {
+        for (Point& p : ring) p = {std::round(6 * p.x), std::round(6 * p.y)};
+      };
+      snap(polygon.outer);
+      for (LinearRing& hole : polygon.holes) snap(hole);
+    }
+    const auto invalid = find_invalidity(polygon);
+    EXPECT_EQ(!invalid, GeosSession().is_valid(polygon)) << trial << " " << (invalid ? invalid->reason : "");
+    valid += invalid ? 0 : 1;
+  }
+  EXPECT_GT(valid, kTrials / 4);
+  EXPECT_LT(valid, kTrials * 3 / 4);
 }
 
 TEST(ConvexHull, OfAnL) {
@@ -99,6 +166,31 @@ TEST(Triangulation, CoversAnLAndASquareWithAHoleButNotTheHole) {
   }
   EXPECT_NEAR(covered, 3 + 8, 1e-12);
   EXPECT_TRUE(triangulation({}).empty());
+}
+
+TEST(Triangulation, CoversRandomPolygonsAndNothingElse) {
+  std::mt19937 random(13);
+  for (int trial = 0; trial < 300; ++trial) {
+    Polygon polygon = random_polygon(random, false);
+    if (trial % 3 == 0) polygon = box(-1, -1, 2, 2);
+    // Holes beside each other, some of them at one height.
+    if (trial % 3 == 0) {
+      for (int i = 0; i < 4; ++i) {
+        const double x = -0.8 + 0.6 * i;
+        const double y = trial % 2 == 0 ? 0 : 0.1 * i;
+        polygon.holes.push_back({{x, y}, {x + 0.3, y}, {x + 0.3, y + 0.4}, {x + 0.1, y + 0.2}});
+      }
+    }
+    if (find_invalidity(polygon)) continue;
+    MultiPolygon pieces;
+    double covered = 0;
+    for (const Triangle& t : triangulation({polygon})) {
+      pieces.push_back({{t.begin(), t.end()}, {}});
+      covered += signed_area(t);
+    }
+    EXPECT_NEAR(covered, area(polygon), 1e-12) << trial;
+    EXPECT_NEAR(difference_area(pieces, {polygon}), 0, 1e-12) << trial;
+  }
 }
 
 TEST(OutlineDistance, OfConcentricSquaresEachWay) {

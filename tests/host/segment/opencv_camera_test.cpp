@@ -38,6 +38,26 @@ TEST(OpenCvCamera, IsReadAsRosWritesIt) {
   EXPECT_EQ(camera.k1.raw, 100);
 }
 
+TEST(OpenCvCamera, IsReadWithANumberALine) {
+  const sensor::CameraIntrinsics camera = parse_camera(
+      "camera_matrix:\r\n  data:\r\n  - 270.5\r\n  - 0\r\n  - 160\r\n  - 0\r\n  - 271.5\r\n  - 120\r\n  - 0\r\n  - "
+      "0\r\n  - 1\r\n"
+      "distortion_coefficients:\n  rows: 1\n  data:\n  - -0.01\n  - 0\nimage_height: 240\nimage_width: 320",
+      "ost.yaml");
+  EXPECT_EQ(camera.fy.raw, 27'150);
+  EXPECT_EQ(camera.cx.raw, 16'000);
+  EXPECT_EQ(camera.k1.raw, -100);
+  EXPECT_EQ(camera.width, 320);
+}
+
+TEST(OpenCvCamera, IsRefusedWhereANumberIsNone) {
+  for (const char* wrong : {"nan", ".inf", "x", "[", "1e999"}) {
+    EXPECT_THROW(static_cast<void>(parse_camera(opencv(std::string("0., 0., 0., 0., ") + wrong), "c.yml")),
+                 SegmentProblem)
+        << wrong;
+  }
+}
+
 TEST(OpenCvCamera, IsRefusedWhereOneCoefficientIsNotEnoughOrAKeyIsMissing) {
   try {
     static_cast<void>(parse_camera(opencv("-0.04, 0.5, 0., 0., 0."), "c.yml"));

@@ -1,4 +1,4 @@
-// RAII around the GEOS C API with its reentrant handle. Included by planar.cpp only.
+// RAII around the GEOS C API with its reentrant handle: the oracle of host/geometry.
 #pragma once
 
 #include <geos_c.h>
@@ -34,6 +34,10 @@ class GeosSession {
   /// Takes ownership; a null result becomes an exception.
   [[nodiscard]] Geometry own(GEOSGeometry* geometry);
   [[nodiscard]] GEOSContextHandle_t handle() const { return handle_; }
+
+  [[nodiscard]] MultiPolygon intersection(const MultiPolygon& a, const MultiPolygon& b);
+  [[nodiscard]] double union_area(const MultiPolygon& a, const MultiPolygon& b);
+  [[nodiscard]] bool is_valid(const Polygon& polygon);
 
  private:
   static void remember(const char* message, void* session);

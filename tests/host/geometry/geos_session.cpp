@@ -1,4 +1,4 @@
-#include "host/geometry/geos_session.hpp"
+#include "tests/host/geometry/geos_session.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -82,5 +82,15 @@ MultiPolygon GeosSession::from_geos(const GEOSGeometry* geometry) {
   }
   return result;
 }
+
+MultiPolygon GeosSession::intersection(const MultiPolygon& a, const MultiPolygon& b) {
+  return from_geos(own(GEOSIntersection_r(handle_, to_geos(a).get(), to_geos(b).get())).get());
+}
+
+double GeosSession::union_area(const MultiPolygon& a, const MultiPolygon& b) {
+  return area(from_geos(own(GEOSUnion_r(handle_, to_geos(a).get(), to_geos(b).get())).get()));
+}
+
+bool GeosSession::is_valid(const Polygon& polygon) { return GEOSisValid_r(handle_, to_geos(polygon).get()) == 1; }
 
 }  // namespace fencepost::host

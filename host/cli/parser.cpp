@@ -1,0 +1,244 @@
+// The only source that includes CLI11, which takes a compiler as long as ten commands.
+#include "host/cli/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "host/cli/describe.hpp"
+#include "host/cli/files.hpp"
+#include "host/cli/help.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+/// Prints a command's examples (kept as its footer) before everything else; the program's own help is `overview()`.
+class HelpWithExample : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (app->get_parent() == nullptr) return overview();
+    return "Examples:\n" + app->get_footer() + "\n" + CLI::Formatter::make_help(app, std::move(name), mode);
+  }
+  std::string make_footer(const CLI::App*) const override { return {}; }
+};
+
+/// "fencepost import csv"; nothing of no command.
+std::string name_of(const CLI::App* app) {
+  std::string name;
+  for (; app != nullptr; app = app->get_parent()) name = app->get_name() + (name.empty() ? "" : " ") + name;
+  return name;
+}
+
+/// The words of "TEXT:{micro,small,full}".
+std::vector<std::string> choices_of(const std::string& type) {
+  const std::size_t begin = type.find('{');
+  const std::size_t end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
+}
+
+OptionWords words_of(const CLI::Option& option) {
+  OptionWords words;
+  for (const std::string& name : option.get_snames()) words.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) words.names.push_back("--" + name);
+  if (option.get_items_expected_max() > 0) words.value = option.get_type_name();
+  words.choices = choices_of(words.value);
+  words.text = option.get_description();
+  return words;
+}
+
+CommandWords words_of(const CLI::App& app, std::vector<std::string> path) {
+  CommandWords words;
+  path.push_back(app.get_name());
+  words.path = std::move(path);
+  words.text = app.get_description();
+  words.help = app.get_parent() == nullptr ? overview() : app.help(name_of(app.get_parent()));
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional()) {
+      words.takes_words = true;
+      words.positional_choices = choices_of(option->get_type_name());
+    } else {
+      words.options.push_back(words_of(*option));
+    }
+  }
+  for (const CLI::App* child : app.get_subcommands({})) words.commands.push_back(words_of(*child, words.path));
+  return words;
+}
+
+/// By what help calls its value, such as "T" or "DEG".
+bool takes_numbers(const CLI::Option& option) {
+  constexpr std::array kNames = {"A B", "D",       "DEG", "DEGREES", "F", "HZ", "M", "MM,MRAD",
+                                 "N",   "N,N,...", "PX",  "S",       "T", "X",  "Y"};
+  return std::ranges::find(kNames, option.get_type_name()) != kNames.end();
+}
+
+/// The command whose options were being read.
+const CLI::App& parsed(const CLI::App& program) {
+  const CLI::App* app = &program;
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return *app;
+}
+
+/// "no option --jsno in fencepost replay; did you mean --json?", if there is one that no command has.
+std::optional<std::string> unknown_option(const CLI::App& command) {
+  const std::string where = name_of(&command);
+  for (const std::string& word : command.remaining()) {
+    if (word.size() < 2 || word[0] != '-') continue;
+    const std::string flag = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    if (flag.size() <= 2) names.clear();  // one letter is near any other
+    return fmt::format("no option {} in {}{}", flag, where, guess_among(names, flag, where));
+  }
+  return std::nullopt;
+}
+
+/// "nan" and "inf" are numbers to what converts them; no option means them.
+void refuse_what_is_no_number(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!takes_numbers(*option)) continue;
+    for (const std::string& text : option->results()) {
+      double value = 0;
+      if (!CLI::detail::lexical_cast(text, value) || std::isfinite(value)) continue;
+      throw Failure(Exit::kUsage,
+                    fmt::format("{}: {} is not a number; see {} --help", option->get_name(), text, name_of(&command)));
+    }
+  }
+}
+
+}  // namespace
+
+Option& Option::takes(const char* value) {
+  option_->type_name(value);
+  return *this;
+}
+Option& Option::shown_as(const char* text) {
+  option_->option_text(text);
+  return *this;
+}
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+Option& Option::one_of(std::vector<std::string> words) {
+  option_->check(CLI::IsMember(std::move(words)));
+  return *this;
+}
+/// With a message that fits on a line: the library's own spells out the largest double.
+Option& Option::positive() {
+  option_->check(CLI::Validator(
+      [](std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value > 0;
+        return good ? std::string() : text + " is not a number above 0";
+      },
+      ""));
+  return *this;
+}
+Option& Option::not_negative() {
+  option_->check(CLI::NonNegativeNumber);
+  return *this;
+}
+Option& Option::within(int least, int most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+Option& Option::within(double least, double most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+Option& Option::count(int least, int most) {
+  option_->expected(least, most);
+  return *this;
+}
+Option& Option::separated_by(char separator) {
+  option_->delimiter(separator);
+  return *this;
+}
+Option& Option::one_word() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+Option& Option::repeated() {
+  option_->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+  return *this;
+}
+
+template <class T>
+Option Options::value(const std::string& names, T& target, const std::string& text) {
+  return Option(*command_->add_option(names, target, text));
+}
+template Option Options::value(const std::string&, int&, const std::string&);
+template Option Options::value(const std::string&, double&, const std::string&);
+template Option Options::value(const std::string&, std::uint32_t&, const std::string&);
+template Option Options::value(const std::string&, std::uint64_t&, const std::string&);
+template Option Options::value(const std::string&, std::string&, const std::string&);
+template Option Options::value(const std::string&, std::optional<int>&, const std::string&);
+template Option Options::value(const std::string&, std::optional<double>&, const std::string&);
+template Option Options::value(const std::string&, std::optional<std::uint32_t>&, const std::string&);
+template Option Options::value(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template Option Options::value(const std::string&, std::optional<std::string>&, const std::string&);
+template Option Options::value(const std::string&, std::vector<double>&, const std::string&);
+template Option Options::value(const std::string&, std::vector<std::uint32_t>&, const std::string&);
+template Option Options::value(const std::string&, std::vector<std::string>&, const std::string&);
+
+void Options::flag(const std::string& names, bool& target, const std::string& text) {
+  command_->add_flag(names, target, text);
+}
+
+CommandWords Options::program() const {
+  const CLI::App* app = command_;
+  while (app->get_parent() != nullptr) app = app->get_parent();
+  return words_of(*app, {});
+}
+
+Parser::Parser() : app_(std::make_unique<CLI::App>("", "fencepost")) {
+  app_->formatter(std::make_shared<HelpWithExample>());
+  app_->set_version_flag("-V,--version", "fencepost " FENCEPOST_VERSION);
+  app_->require_subcommand(1);
+  for (const Command& command : commands()) add(*app_, command);
+}
+
+Parser::~Parser() = default;
+
+void Parser::add(CLI::App& parent, const Command& command) {
+  CLI::App* app = parent.add_subcommand(command.name, command.summary);
+  app->footer(command.examples);
+  if (command.configure) {
+    app->callback([this, action = command.configure(Options(*app))] { action_ = action; });
+  }
+  for (const Command& child : command.children) add(*app, child);
+  if (!command.children.empty()) app->require_subcommand(1);
+}
+
+Action Parser::parse(int argc, const char* const* argv) {
+  const auto show = [](const std::string& text) -> Action {
+    return [text] {
+      write_output("-", text);
+      return Exit::kDone;
+    };
+  };
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::CallForVersion& version) {
+    return show(std::string(version.what()) + "\n");
+  } catch (const CLI::Success&) {
+    const CLI::App& command = parsed(*app_);
+    return show(command.help(name_of(command.get_parent())));
+  } catch (const CLI::ParseError& error) {
+    const CLI::App& command = parsed(*app_);
+    throw Failure(Exit::kUsage,
+                  unknown_option(command).value_or(fmt::format("{}; see {} --help", error.what(), name_of(&command))));
+  }
+  refuse_what_is_no_number(parsed(*app_));
+  return action_;
+}
+
+}  // namespace fencepost::host::cli

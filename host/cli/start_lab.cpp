@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+#include "host/cli/lab.hpp"
+#include "host/smooth/smooth_evaluation.hpp"
+
+namespace fencepost::host::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kName = "fencepost-lab";
+
+std::vector<fs::path> places() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {folder / kName, folder.parent_path() / "libexec" / "fencepost" / kName};
+}
+
+/// As this program was called, to the byte.
+std::vector<std::string> command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < all.size(); at += words.back().size() + 1) words.emplace_back(all.c_str() + at);
+  return words;
+}
+
+/// `what`: the command that needs it. errors: Failure (kUnreadable): not there
+[[noreturn]] void start_lab(const char* what) {
+  std::vector<std::string> words = command_line();
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::string tried;
+  for (const fs::path& path : places()) {
+    ::execv(path.c_str(), arguments.data());
+    if (errno != ENOENT && errno != ENOTDIR) {
+      throw Failure(Exit::kUnreadable, fmt::format("cannot start {}: {}; install again", path.string(),
+                                                   std::system_category().message(errno)));
+    }
+    tried += (tried.empty() ? "" : ", ") + path.string();
+  }
+  throw Failure(
+      Exit::kUnreadable,
+      fmt::format(
+          "{} needs {}, the part of Fencepost with large libraries, which is not there; looked for {}. "
+          "Debian's package of fencepost has it; of the source, beside what toolchain/demo built: toolchain/setup "
+          "host lab && cmake --preset demo -DFENCEPOST_LAB=ON && cmake --build --preset demo",
+          what, kName, tried));
+}
+
+}  // namespace
+
+Exit run_calibrate(const CalibrateRequest&) { start_lab("calibrate"); }
+Exit run_import_mrclam(const SetRequest&) { start_lab("import mrclam"); }
+Exit run_import_rings(const SetRequest&) { start_lab("import rings"); }
+Exit run_merge(const MergeRequest&) { start_lab("merge"); }
+Exit run_paper(const PaperRequest&) { start_lab("paper"); }
+Exit run_segment(const SegmentRequest&) { start_lab("segment"); }
+Exit run_smooth(const SmoothRequest&) { start_lab("smooth"); }
+void need_lab(const char* what) { start_lab(what); }
+
+// Nobody comes here after need_lab().
+SmoothEvaluation smooth_log(const std::string&, const Scene&, const EvaluateOptions&) { std::abort(); }
+std::string with_smoothed(const std::string&, bool, const std::vector<SmoothEvaluation>&) { std::abort(); }
+std::string png_file(const exports::Drawing&, double) { std::abort(); }
+
+}  // namespace fencepost::host::cli
