@@ -97,9 +97,9 @@ Action configure_csv(Options command) {
 
 Action configure_sketch(Options command) {
   const auto request = std::make_shared<TakeRequest>();
-  command.value("--rate", request->rate, "frames a second, where the text has no times; default 20")
+  command.value("--rate", request->rate, "frames a second, 0.1 to 1000, where the text has no times; default 20")
       .takes("HZ")
-      .positive();
+      .within(0.1, 1000.0);
   return with(command, request, "TEXT", "what the monitor of the Arduino IDE showed, saved",
               [](const auto&... arguments) { return import_sketch(arguments...); });
 }

@@ -5,13 +5,14 @@
 
 #include "host/import/log_builder.hpp"
 #include "host/import/table.hpp"
+#include "host/import/take_times.hpp"
 
 namespace fencepost::host {
 namespace {
 
-constexpr double kTick = 1e-4;   // s
-constexpr double kStep = 0.02;   // s, of the poses of a robot that stands still
-constexpr double kMargin = 0.1;  // s, of those before the first frame: a latency
+constexpr double kTick = 1e-4;  // s
+constexpr double kStep = 0.02;  // s, between poses of a stationary robot
+constexpr int kMargin = 5;      // such poses before the first frame: 0.1 s, a camera's latency
 constexpr int kLastSignature = 255;
 
 std::optional<sensor::Blob> blob_of(const ImportedBlob& taken, const sensor::CameraIntrinsics& camera) {
@@ -73,8 +74,11 @@ void put_in_order(std::vector<Item>& items, const char* what, Taken& counts) {
 
 void stand_still(Taken& taken) {
   taken.notes.emplace_back("no poses: the robot is taken to stand still; give its poses with --poses");
-  const double end = taken.frames.back().t;
-  for (double t = taken.frames.front().t - kMargin; t < end + kStep; t += kStep) taken.poses.push_back({t, 0, 0, 0});
+  // From the first frame: times of a clock since 1970 are too large for exact steps.
+  const double begin = taken.frames.front().t;
+  for (TakenFrame& frame : taken.frames) frame.t -= begin;
+  const int last = static_cast<int>(std::ceil(taken.frames.back().t / kStep));
+  for (int i = -kMargin; i <= last; ++i) taken.poses.push_back({i * kStep, 0, 0, 0});
 }
 
 sensor::CameraIntrinsics camera_of(const Taken& taken, const TakeSettings& settings, const std::string& source) {
@@ -120,6 +124,7 @@ Imported log_of(Taken taken, const TakeSettings& settings, const std::string& so
   }
   put_in_order(taken.frames, "frames", taken);
   put_in_order(taken.poses, "poses", taken);
+  check_times(taken, source);
   LogParts parts;
   parts.target = target;
   parts.camera = camera_of(taken, settings, source);

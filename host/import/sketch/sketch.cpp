@@ -1,5 +1,6 @@
 #include "host/import/sketch/sketch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,6 +11,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr double kDay = 86'400;  // s
+constexpr double kMaxBack = 1;   // s, by which a computer's clock may be put back during a recording
 
 /// Centre rounded down; columns count the pixels, rows of a Pixy the difference of the edges (drivers/pixy2).
 ImportedBlob centred(double x, double y, double width, double height, bool pixy) {
@@ -23,9 +25,12 @@ ImportedBlob centred(double x, double y, double width, double height, bool pixy)
 
 class Reader {
  public:
-  explicit Reader(double rate) : rate_(rate) {}
+  /// `rate`: of frames without the monitor's times.
+  Reader(const std::string& file, double rate) : file_(file), rate_(rate) {}
 
+  /// errors: ImportProblem: a clock that runs backwards
   void take(std::string_view line) {
+    ++line_;
     const StampedLine stamped = without_stamp(line);
     note_time(stamped.t);
     const std::string_view text = trimmed_text(stamped.text);
@@ -47,7 +52,11 @@ class Reader {
     if (!t) return;
     stamped_ = true;
     if (*t + days_ + kDay / 2 < now_) days_ += kDay;  // past midnight
-    now_ = *t + days_;
+    if (*t + days_ + kMaxBack < now_) {
+      throw ImportProblem{file_ + ":" + std::to_string(line_), "has an earlier time than a line above it",
+                          "save each recording to a file of its own"};
+    }
+    now_ = std::max(now_, *t + days_);
   }
   void begin_frame() {
     TakenFrame frame;
@@ -139,6 +148,8 @@ class Reader {
     taken_.frames.back().blobs.push_back(blob);
   }
 
+  const std::string& file_;
+  std::size_t line_ = 0;
   double rate_;
   Taken taken_;
   double now_ = 0;
@@ -149,15 +160,11 @@ class Reader {
 
 }  // namespace
 
-Taken take_sketch(std::string_view text, double rate) {
-  Reader reader(rate);
-  for (const std::string_view line : lines_of(text)) reader.take(line);
-  return reader.finish();
-}
-
 ImportResult import_sketch(std::string_view text, const std::string& file, const TakeSettings& settings) {
   try {
-    return log_of(take_sketch(text, settings.rate), settings, file, "import-sketch");
+    Reader reader(file, settings.rate);
+    for (const std::string_view line : lines_of(text)) reader.take(line);
+    return log_of(reader.finish(), settings, file, "import-sketch");
   } catch (const ImportProblem& problem) {
     return problem;
   }

@@ -106,6 +106,8 @@ INSTANTIATE_TEST_SUITE_P(All, UsageError,
                                            Wrong{"fencepost replay - --camera -", "cannot both be standard input"},
                                            Wrong{"fencepost replay a --write-log -", "cannot both be standard output"},
                                            Wrong{"fencepost import mrclam d --poses maybe", "maybe"},
+                                           Wrong{"fencepost import sketch t --rate 1e-9", "1e-9 not in range"},
+                                           Wrong{"fencepost import sketch t --rate 1001", "1001 not in range"},
                                            Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
 
 class Unreadable : public ::testing::TestWithParam<Wrong> {};

@@ -4,6 +4,7 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -90,6 +91,31 @@ TEST(ImportSketch, MakesTimesUpWhereThereAreNoneAndSaysSo) {
   ASSERT_EQ(result->summary.notes.size(), 2U);
   EXPECT_NE(result->summary.notes[0].find("10 times a second"), std::string::npos) << result->summary.notes[0];
   EXPECT_NE(result->summary.notes[1].find("stand still"), std::string::npos);
+}
+
+TEST(ImportSketch, RefusesARateAtWhichFramesLastForYears) {
+  TakeSettings slow = settings();
+  slow.rate = 1e-9;
+  const ImportResult result = import_sketch("Detected 0\nDetected 0\n", "monitor.txt", slow);
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().what.find("has a gap of 1000000000 s"), std::string::npos) << result.error().message();
+}
+
+TEST(ImportSketch, RefusesAClockThatRunsBackwards) {
+  const ImportResult result =
+      import_sketch("23:00:00.000 -> Detected 0\n22:00:00.000 -> Detected 0\n21:00:00.000 -> Detected 0\n",
+                    "monitor.txt", settings());
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().message(),
+            "monitor.txt:2: has an earlier time than a line above it; save each recording to a file of its own");
+}
+
+TEST(ImportSketch, AllowsAClockThatIsPutBackALittle) {
+  const Recorded log =
+      recorded(import_sketch("12:00:01.000 -> Detected 0\n12:00:00.500 -> Detected 0\n12:00:01.100 -> Detected 0\n",
+                             "monitor.txt", settings()));
+  ASSERT_EQ(log.frames.size(), 2U);
+  EXPECT_EQ((log.frames[1].t - log.frames[0].t).raw, 1'000);
 }
 
 TEST(ImportSketch, ReadsWhatTheHuskyLensExamplePrints) {
@@ -190,6 +216,78 @@ TEST(ImportCsv, TakesPosesAsTumWritesThem) {
   EXPECT_NEAR(poses[0].heading, std::acos(0.0), 1e-12);
   EXPECT_EQ(poses[0].y, -2);
   EXPECT_THROW(parse_pose_table("1 2 3 4 5 6 7 8\n1 2 3\n", "gt.txt"), ImportError);
+}
+
+/// `rows` frames, `step` apart from `begin` on.
+std::string table(double begin, double step, int rows) {
+  std::string text = "t,x,y,w,h\n";
+  for (int i = 0; i < rows; ++i) {
+    std::array<char, 80> line{};
+    std::snprintf(line.data(), line.size(), "%.0f,100,100,20,20\n", begin + step * i);
+    text += line.data();
+  }
+  return text;
+}
+
+std::string refusal(const ImportResult& result) { return result.ok() ? "imported" : result.error().message(); }
+
+struct Times {
+  double begin;
+  double step;
+  int rows;
+  const char* says;
+};
+class ForeignTimes : public ::testing::TestWithParam<Times> {};
+
+TEST_P(ForeignTimes, AreRefusedWithAGuess) {
+  const auto& [begin, step, rows, says] = GetParam();
+  EXPECT_EQ(refusal(import_csv(table(begin, step, rows), "b.csv", settings())), says);
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, ForeignTimes,
+    ::testing::Values(
+        Times{1.764e18, 33'554'432, 60,
+              "b.csv: times go up by 33554432 between rows; are they nanoseconds? The importer reads seconds"},
+        Times{0, 33'333, 60,
+              "b.csv: times go up by 33333 between rows; are they microseconds? The importer reads seconds"},
+        Times{0, 33, 600, "b.csv: times go up by 33 between rows; are they milliseconds? The importer reads seconds"},
+        Times{0, 1'764e6, 2,
+              "b.csv: has a gap of 1764000000 s behind the time 0.000 s; leave out the rows before it or behind it; "
+              "frames and poses need one clock"},
+        Times{0, 1e15, 2,
+              "b.csv: has a gap of 1000000000000000 s behind the time 0.000 s; leave out the rows before it or behind "
+              "it; frames and poses need one clock"},
+        Times{0, 4, 9'002, "b.csv: lasts 36004 s; at most 36000 s can be imported without poses"}));
+
+TEST(ImportCsv, FindsTheOneGapAmongManyFrames) {
+  const std::string text = "t,x,y,w,h\n0,9,9,2,2\n0.1,9,9,2,2\n0.2,9,9,2,2\n50000.3,9,9,2,2\n50000.4,9,9,2,2\n";
+  EXPECT_NE(refusal(import_csv(text, "b.csv", settings())).find("a gap of 50000 s behind the time 0.200 s"),
+            std::string::npos);
+}
+
+TEST(ImportCsv, NamesClocksOfBlobsAndPosesThatDiffer) {
+  TakeSettings with_poses = settings();
+  with_poses.poses = {{1.764e9, 0, 0, 0}, {1.764e9 + 1, 0, 0, 0}};
+  EXPECT_NE(refusal(import_csv(table(0, 1, 3), "b.csv", with_poses)).find("frames and poses need one clock"),
+            std::string::npos);
+}
+
+TEST(ImportCsv, DoubtsMillisecondsThatFitTheirPoses) {
+  TakeSettings with_poses = settings();
+  with_poses.poses = {{0, 0, 0, 0}, {100, 0, 0, 0}};
+  const ImportResult result = import_csv(table(0, 33, 3), "b.csv", with_poses);
+  ASSERT_TRUE(result.ok()) << refusal(result);
+  ASSERT_EQ(result->summary.notes.size(), 1U);
+  EXPECT_EQ(result->summary.notes[0], "times go up by 33 between rows: are they milliseconds? Seconds were read");
+}
+
+TEST(ImportCsv, StandsStillAtTheTimesOfAClockSince1970) {
+  const Recorded log = recorded(import_csv(table(1'764e6, 1, 3), "b.csv", settings()));
+  ASSERT_EQ(log.frames.size(), 3U);
+  EXPECT_EQ(log.frames[0].t.raw, 1'000);
+  EXPECT_EQ(log.frames[2].t.raw, 21'000);
+  ASSERT_EQ(log.odometry.size(), 106U) << "2 s, and 0.1 s before them";
+  EXPECT_EQ(log.odometry[1].t.raw, 200);
 }
 
 TEST(ImportPlayer, ReadsPosesAndBlobsOfWritelog) {
@@ -399,6 +497,15 @@ TEST(ImportMcap, ReadsDetectionsAndOdometryWithAnyCompression) {
   const ImportResult other = import_mcap(file_of(chunk("brotli", "x", 1)), "run.mcap", {}, settings());
   ASSERT_FALSE(other.ok());
   EXPECT_EQ(other.error().what, "has chunks compressed by \"brotli\"");
+}
+
+TEST(ImportMcap, NamesTheGapBehindAMessageWithoutAStamp) {
+  const std::string records = channel(1, "vision_msgs/msg/Detection2DArray", "/boxes", "cdr") +
+                              message(1, detections(0, {"cone"})) + message(1, detections(1'764e6, {"cone"}));
+  const ImportResult result = import_mcap(file_of(records), "run.mcap", {}, settings());
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().what, "has a gap of 1763999995 s behind the time 5.000 s")
+      << "first by the time of its message";
 }
 
 TEST(ImportMcap, ReadsAFileThatWasCutOffAtAnyByte) {
