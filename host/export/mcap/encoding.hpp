@@ -16,8 +16,8 @@ inline constexpr std::string_view kMapFrame = "map";
 inline constexpr std::string_view kRobotFrame = "base_link";
 inline constexpr std::string_view kCameraFrame = "camera";  ///< at the lens, x along the optical axis, z up
 
-enum class Topic : std::uint8_t { kTransforms, kPose, kOdometry, kDetections, kObjects, kAlerts };
-inline constexpr std::size_t kTopics = 6;
+enum class Topic : std::uint8_t { kTransforms, kStaticTransforms, kPose, kOdometry, kDetections, kObjects, kAlerts };
+inline constexpr std::size_t kTopics = 7;
 
 /// A unit quaternion.
 struct Turn {
@@ -72,8 +72,11 @@ class Encoding {
     McapSchema schema;
     std::map<std::string, std::string> metadata{};
   };
-  /// Nothing: this vocabulary says it by another.
+  /// Nothing: this vocabulary says it by another, static transforms by kTransforms.
   [[nodiscard]] virtual std::optional<Channel> channel(Topic topic) const = 0;
+
+  /// Of the whole file.
+  virtual void add_metadata(McapWriter& /*writer*/) const {}
 
   [[nodiscard]] virtual std::string transforms(double t, std::span<const Placement> placements) const = 0;
   [[nodiscard]] virtual std::string pose(double t, const PoseResult& pose) const = 0;

@@ -141,6 +141,7 @@ class FoxgloveJson final : public Encoding {
     constexpr const char* kSchemas = "jsonschema";
     switch (topic) {
       case Topic::kTransforms: return Channel{"/tf", {"foxglove.FrameTransform", kSchemas, frame_transform_schema()}};
+      case Topic::kStaticTransforms: return std::nullopt;  // a viewer holds the last transform
       case Topic::kPose: return Channel{"/pose", {"foxglove.PoseInFrame", kSchemas, pose_in_frame_schema()}};
       case Topic::kOdometry: return Channel{"/odom", {"nav_msgs/msg/Odometry", kSchemas, odometry_schema()}};
       case Topic::kDetections:

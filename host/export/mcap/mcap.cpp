@@ -23,7 +23,6 @@ struct Waiting {
   Topic topic;
   std::size_t index;  ///< of a pose, a frame, a change or an alert
 };
-constexpr std::size_t kCamera = static_cast<std::size_t>(-1);  ///< of the transforms
 
 class Recording {
  public:
@@ -47,7 +46,7 @@ class Recording {
 
   void add_camera() {
     if (!run_.document.camera || run_.document.path.empty()) return;
-    add(run_.document.path.front().t, Topic::kTransforms, kCamera);
+    add(run_.document.path.front().t, Topic::kStaticTransforms, 0);
   }
 
   void add_poses() {
@@ -148,7 +147,8 @@ class Recording {
     const std::vector<PoseResult>& path = run_.document.path;
     const std::size_t i = one.index;
     switch (one.topic) {
-      case Topic::kTransforms: return i == kCamera ? camera_transform() : robot_transform(path[i]);
+      case Topic::kTransforms: return robot_transform(path[i]);
+      case Topic::kStaticTransforms: return camera_transform();
       case Topic::kPose: return encoding_.pose(stamp(path[i].t), path[i]);
       case Topic::kOdometry:
         return encoding_.odometry(stamp(path[i].t), moving(i > 0 ? &path[i - 1] : nullptr, path[i]));
@@ -169,6 +169,9 @@ class Recording {
       const auto channel = encoding_.channel(static_cast<Topic>(i));
       if (channel) channels[i] = writer.add_channel(channel->topic, channel->schema, channel->metadata);
     }
+    // Without a topic of its own.
+    constexpr auto kStatic = static_cast<std::size_t>(Topic::kStaticTransforms);
+    if (channels[kStatic] == 0) channels[kStatic] = channels[static_cast<std::size_t>(Topic::kTransforms)];
     const auto nanoseconds = [this](double t) {
       return static_cast<std::uint64_t>(std::llround(std::max(0.0, stamp(t)) * kNanoseconds));
     };
@@ -180,6 +183,7 @@ class Recording {
     writer.add_metadata("fencepost", {{"digest", digest_text(run_.document.digest)},
                                       {"profile", run_.document.profile},
                                       {"lengths", "m, map frame: x forward at the start, y left, z up"}});
+    encoding_.add_metadata(writer);
     return writer.finish();
   }
 

@@ -10,6 +10,19 @@ namespace {
 
 constexpr int kCovariance = 36;
 
+/// Quality of service of a latched topic, as rosbag2 wrote it up to Iron. The numbers are rmw's: keep last, reliable,
+/// transient local, automatic liveliness. The times are infinite.
+constexpr const char* kLatched =
+    "- history: 1\n"
+    "  depth: 1\n"
+    "  reliability: 1\n"
+    "  durability: 1\n"
+    "  deadline: {sec: 9223372036, nsec: 854775807}\n"
+    "  lifespan: {sec: 9223372036, nsec: 854775807}\n"
+    "  liveliness: 1\n"
+    "  liveliness_lease_duration: {sec: 9223372036, nsec: 854775807}\n"
+    "  avoid_ros_namespace_conventions: false\n";
+
 enum Marker : std::int32_t { kLineStrip = 4, kText = 9, kTriangles = 11 };
 enum Action : std::int32_t { kAdd = 0, kDelete = 2 };
 
@@ -128,12 +141,13 @@ class Ros2Cdr final : public Encoding {
   [[nodiscard]] std::string message_encoding() const override { return "cdr"; }
 
   [[nodiscard]] std::optional<Channel> channel(Topic topic) const override {
-    const auto of = [](const char* name, const char* type) {
+    const auto of = [](const char* name, const char* type, const char* quality = "") {
       // rosbag2 looks for this key; empty means its defaults.
-      return Channel{name, {type, "ros2msg", ros2_definition(type)}, {{"offered_qos_profiles", ""}}};
+      return Channel{name, {type, "ros2msg", ros2_definition(type)}, {{"offered_qos_profiles", quality}}};
     };
     switch (topic) {
       case Topic::kTransforms: return of("/tf", "tf2_msgs/msg/TFMessage");
+      case Topic::kStaticTransforms: return of("/tf_static", "tf2_msgs/msg/TFMessage", kLatched);
       case Topic::kPose: return std::nullopt;  // the odometry tells it
       case Topic::kOdometry: return of("/odom", "nav_msgs/msg/Odometry");
       case Topic::kDetections: return of("/detections", "vision_msgs/msg/Detection2DArray");
@@ -141,6 +155,11 @@ class Ros2Cdr final : public Encoding {
       case Topic::kAlerts: return of("/alerts", "rcl_interfaces/msg/Log");
     }
     return std::nullopt;
+  }
+
+  /// Without this record rosbag2 expects words in kLatched since Jazzy; no earlier one reads it.
+  void add_metadata(McapWriter& writer) const override {
+    writer.add_metadata("rosbag2", {{"serialized_metadata", ""}});
   }
 
   [[nodiscard]] std::string transforms(double t, std::span<const Placement> placements) const override {

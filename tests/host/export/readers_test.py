@@ -159,6 +159,14 @@ class Export(unittest.TestCase):
         twists = [m["twist"]["twist"]["linear"]["x"] for m in topics["/odom"]["messages"]]
         self.assertAlmostEqual(max(twists), 0.2, delta=0.05)
         self.detections_are(topics["/detections"])
+        self.assertEqual({one["child_frame_id"] for m in topics["/tf"]["messages"] for one in m["transforms"]}, {"base_link"})
+        (latched,) = topics["/tf_static"]["messages"]
+        (mount,) = latched["transforms"]
+        self.assertEqual([mount["header"]["frame_id"], mount["child_frame_id"]], ["base_link", "camera"])
+        (quality,) = yaml.safe_load(topics["/tf_static"]["metadata"]["offered_qos_profiles"])
+        self.assertEqual([quality[key] for key in ("history", "depth", "reliability", "durability")], [1, 1, 1, 1])
+        self.assertEqual(topics["/tf"]["metadata"], {"offered_qos_profiles": ""})
+        self.assertIn({"serialized_metadata": ""}, mcap["metadata"])
         last = topics["/objects"]["messages"][-1]["markers"]
         for thing in SOLID:
             line = next(m for m in last if m["ns"] == "outlines" and m["id"] == thing["id"] and m["action"] == 0)

@@ -71,7 +71,9 @@ async function readMcap(bytes) {
     const channel = indexed.channelsById.get(message.channelId);
     const schema = indexed.schemasById.get(channel.schemaId);
     if (!decoders.has(channel.id)) decoders.set(channel.id, decoder(channel, schema));
-    const topic = (topics[channel.topic] ??= { schema: schema.name, times: [], messages: [] });
+    const topic = (topics[channel.topic] ??= {
+      schema: schema.name, metadata: Object.fromEntries(channel.metadata), times: [], messages: [],
+    });
     topic.times.push(Number(message.logTime) / 1e9);
     topic.messages.push(decoders.get(channel.id)(message.data));
   }
