@@ -21,7 +21,7 @@ struct Cut {
   std::uint32_t views = 0;
   bool end = false;
   std::optional<double> position_error;  ///< m, from the cylinder's centre to the footprint's centroid
-  std::vector<ModelScore> models;        ///< empty for a true object that was not found: scored as without area
+  std::vector<ModelScore> models;        ///< empty for a true object that was not found: scored as empty
   double confidence = 0;                 ///< the object's
 };
 
@@ -80,9 +80,10 @@ struct Mean {
 struct SummaryRow {
   std::string model;
   std::optional<std::uint32_t> views;  ///< nothing: the end
-  Mean recklessness;
-  Mean paranoia;
-  Mean iou;
+  Mean recklessness;                   ///< an empty model counts 1
+  Mean paranoia;                       ///< without empty models
+  Mean iou;                            ///< an empty model counts 0
+  std::uint64_t empty = 0;
 };
 
 struct PositionRow {

@@ -8,7 +8,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
+
 Json length(const std::optional<double>& metres) { return metres ? rounded(*metres, kDecimals) : Json(nullptr); }
 
 Json mean_json(const Mean& mean) {
@@ -24,7 +25,8 @@ Json summary_json(const Summary& summary) {
                       {"views", known(row.views)},
                       {"recklessness", mean_json(row.recklessness)},
                       {"paranoia", mean_json(row.paranoia)},
-                      {"iou", mean_json(row.iou)}});
+                      {"iou", mean_json(row.iou)},
+                      {"empty", row.empty}});
   }
   Json position = Json::array();
   for (const PositionRow& row : summary.position) {

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kPartFormat = 1;
+constexpr int kPartFormat = 2;
 
 template <class Number>
 std::optional<Number> read_known(const Json& json) {
@@ -25,13 +25,18 @@ record::ObjectState read_state(const std::string& word) {
   throw NotAPart("unknown state " + word);
 }
 
+Score read_score(const Json& json) {
+  if (json.at("paranoia").is_null()) return kEmptyScore;
+  return {json.at("recklessness"), json.at("paranoia"), json.at("iou"), false};
+}
+
 Cut read_cut(const Json& json) {
   Cut cut;
   cut.views = json.at("views");
   cut.end = json.at("end");
   cut.position_error = read_known<double>(json.at("position_error"));
   for (const auto& [model, score] : json.at("models").items()) {
-    cut.models.push_back({model, {score.at("recklessness"), score.at("paranoia"), score.at("iou")}});
+    cut.models.push_back({model, read_score(score)});
   }
   return cut;
 }

@@ -21,6 +21,7 @@ std::string swaps_text(const std::optional<std::uint64_t>& swaps) {
 }
 
 std::string score_cell(const Score& score) {
+  if (score.empty) return "empty";
   return fmt::format("{:.0f}/{:.0f}/{:.0f}", 100 * score.recklessness, 100 * score.paranoia, 100 * score.iou);
 }
 
@@ -113,23 +114,24 @@ std::string mean_cell(const Mean& mean, double scale) {
 }
 
 std::string mean_table(const Summary& summary) {
-  std::string text = fmt::format("{:<15} {:>5} {:>15} {:>15} {:>15} {:>7}\n", "model", "views", "recklessness %",
-                                 "paranoia %", "IoU %", "objects");
+  std::string text = fmt::format("{:<15} {:>5} {:>14} {:>14} {:>14} {:>7} {:>5}\n", "model", "views", "recklessness %",
+                                 "paranoia %", "IoU %", "objects", "empty");
   for (const SummaryRow& row : summary.rows) {
-    text += fmt::format("{:<15} {:>5} {:>15} {:>15} {:>15} {:>7}\n", printable(row.model), moment_name(row.views),
+    text += fmt::format("{:<15} {:>5} {:>14} {:>14} {:>14} {:>7} {:>5}\n", printable(row.model), moment_name(row.views),
                         mean_cell(row.recklessness, 100), mean_cell(row.paranoia, 100), mean_cell(row.iou, 100),
-                        row.recklessness.n);
+                        row.recklessness.n, row.empty);
   }
-  text += fmt::format("\n{:<15} {:>5} {:>15} {:>39}\n", "position error", "views", "cm", "objects");
+  text += fmt::format("\n{:<15} {:>5} {:>14} {:>37}\n", "position error", "views", "cm", "objects");
   for (const PositionRow& row : summary.position) {
     text +=
-        fmt::format("{:<15} {:>5} {:>15} {:>39}\n", "", moment_name(row.views), mean_cell(row.error, 100), row.error.n);
+        fmt::format("{:<15} {:>5} {:>14} {:>37}\n", "", moment_name(row.views), mean_cell(row.error, 100), row.error.n);
   }
   return text;
 }
 
 std::string several_logs(std::span<const Evaluation> evaluations, const Summary& summary) {
-  std::string text = "Mean +- standard error over the objects of " + plural(evaluations.size(), "log") + ".\n\n";
+  std::string text = "Mean +- standard error over the objects of " + plural(evaluations.size(), "log") +
+                     ".\nParanoia is of models that are not empty.\n\n";
   text += mean_table(summary) + "\n";
   for (const Evaluation& evaluation : evaluations) {
     for (const ObjectEvaluation& object : evaluation.objects) {

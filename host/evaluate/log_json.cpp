@@ -17,7 +17,7 @@ Json cut_json(const Cut& cut, Digits digits) {
   Json models = Json::object();
   for (const ModelScore& entry : cut.models) {
     models[entry.model] = {{"recklessness", number(entry.score.recklessness, digits)},
-                           {"paranoia", number(entry.score.paranoia, digits)},
+                           {"paranoia", entry.score.empty ? Json(nullptr) : number(entry.score.paranoia, digits)},
                            {"iou", number(entry.score.iou, digits)}};
   }
   return {{"views", cut.views},

@@ -45,14 +45,15 @@ Moments moments(const LinearRing& ring, Point base) {
 }  // namespace
 
 Score score(const MultiPolygon& model, const Polygon& footprint) {
-  if (!is_finite(model)) return {};
+  if (!is_finite(model)) return kEmptyScore;
   const Overlap found = overlap(model, {footprint});
   const double model_area = found.both + found.only_a;
   const double true_area = found.both + found.only_b;
-  if (model_area < kNoArea || true_area < kNoArea) return {};
+  if (model_area < kNoArea) return kEmptyScore;
+  if (true_area < kNoArea) return {};
   const auto share = [](double part, double whole) { return std::clamp(part / whole, 0.0, 1.0); };
   return {1 - share(found.both, true_area), 1 - share(found.both, model_area),
-          share(found.both, model_area + found.only_b)};
+          share(found.both, model_area + found.only_b), false};
 }
 
 Point centroid(const Polygon& polygon) {

@@ -44,9 +44,10 @@ void for_each_cut(std::span<const Evaluation> evaluations, std::optional<std::ui
   }
 }
 
-/// The model's score; the worst for an object that was not found, empty for a model that the profile lacks.
+/// The model's score; that of an empty model for an object that was not found. Nothing for a model that the profile
+/// lacks.
 std::optional<Score> score_of(const ObjectEvaluation& object, const Cut& cut, const std::string& model) {
-  if (!object.found) return Score{};
+  if (!object.found) return kEmptyScore;
   for (const ModelScore& entry : cut.models) {
     if (entry.model == model) return entry.score;
   }
@@ -55,6 +56,7 @@ std::optional<Score> score_of(const ObjectEvaluation& object, const Cut& cut, co
 
 SummaryRow model_row(std::span<const Evaluation> evaluations, const std::string& model,
                      std::optional<std::uint32_t> views) {
+  SummaryRow row{model, views, {}, {}, {}, 0};
   std::vector<double> recklessness;
   std::vector<double> paranoia;
   std::vector<double> iou;
@@ -62,10 +64,17 @@ SummaryRow model_row(std::span<const Evaluation> evaluations, const std::string&
     const std::optional<Score> score = score_of(object, cut, model);
     if (!score) return;
     recklessness.push_back(score->recklessness);
-    paranoia.push_back(score->paranoia);
+    if (score->empty) {
+      ++row.empty;
+    } else {
+      paranoia.push_back(score->paranoia);
+    }
     iou.push_back(score->iou);
   });
-  return {model, views, mean_of(recklessness), mean_of(paranoia), mean_of(iou)};
+  row.recklessness = mean_of(recklessness);
+  row.paranoia = mean_of(paranoia);
+  row.iou = mean_of(iou);
+  return row;
 }
 
 PositionRow position_row(std::span<const Evaluation> evaluations, std::optional<std::uint32_t> views) {

@@ -1,6 +1,7 @@
 #include "host/paper/evaluation_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -84,8 +85,10 @@ std::vector<ReacquisitionScore> score_scenes(BlocksWorld world, std::uint64_t se
     RegionRenderer renderer(tour.scene.camera);
     const Models models = reconstruct(tour, block_count(world), {tour.frames.size()});
     for (std::size_t a = 0; a < table.size(); ++a) {
-      const Sequence sequence = reacquire_all(tour, renderer, world_of(tour, models, algorithms()[a], 0));
+      const std::vector<Solid> by_models = world_of(tour, models, algorithms()[a], 0);
+      const Sequence sequence = reacquire_all(tour, renderer, by_models);
       table[a].add(sequence);
+      table[a].count_empty(by_models);
       examples.add(sequence, {world, seed + i, a, 0, 0, 0});
     }
     scene_done();
@@ -202,16 +205,32 @@ PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progr
   data.table.resize(algorithms().size());
   for (std::size_t a = 0; a < data.table.size(); ++a) {
     data.table[a].add(data.sequence[a]);
+    data.table[a].count_empty(world_of(data.shown.tour, data.shown.models, algorithms()[a], frames - 1));
     data.examples.add(data.sequence[a], {BlocksWorld::kPaperLike, 0, a, 0, 0, 0});
   }
   return data;
 }
 
-double mean_score(const std::vector<SequenceData>& sequences, std::size_t algorithm, std::size_t images,
+double measure_of(const Score& score, double Score::*what) {
+  return score.empty && what == &Score::paranoia ? std::nan("") : score.*what;
+}
+
+double mean_score(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images,
                   double Score::*what) {
   double sum = 0;
-  for (const SequenceData& data : sequences) sum += data.score(algorithm, kYellowLandmark, images).*what;
-  return sequences.empty() ? 0 : sum / static_cast<double>(sequences.size());
+  double count = 0;
+  for (const SequenceData& data : sequences) {
+    const double value = measure_of(data.score(algorithm, kYellowLandmark, images), what);
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / count : std::nan("");
+}
+
+std::size_t count_empty(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      sequences, [&](const SequenceData& data) { return data.score(algorithm, kYellowLandmark, images).empty; }));
 }
 
 }  // namespace fencepost::host

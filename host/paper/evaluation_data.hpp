@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -102,8 +103,13 @@ PaperData evaluate_scene(std::uint64_t seed);
 /// run alone, and so is the table. errors: std::runtime_error: too few frames or objects.
 PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress);
 
-/// Mean R or P (member of Score) of the yellow landmark over sequences.
-double mean_score(const std::vector<SequenceData>& sequences, std::size_t algorithm, std::size_t images,
+/// A member of Score; not a number for the paranoia of an empty model.
+double measure_of(const Score& score, double Score::*what);
+
+/// Mean of measure_of() over sequences, for the yellow landmark; not a number of none.
+double mean_score(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images,
                   double Score::*what);
+/// Of these models, how many are empty.
+std::size_t count_empty(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images);
 
 }  // namespace fencepost::host

@@ -60,7 +60,9 @@ std::string csv_number(double value, int decimals) {
   return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
 }
 
-std::string percent(double share, int decimals) { return markup::figure(100 * share, decimals) + " %"; }
+std::string percent(double share, int decimals) {
+  return std::isfinite(share) ? markup::figure(100 * share, decimals) + " %" : "\u2013";
+}
 
 std::string landmark_name(std::size_t landmark) { return landmark == kRedLandmark ? "red" : "yellow"; }
 
@@ -85,6 +87,18 @@ MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm
     if (model.name == algorithm.model) return model.geometry;
   }
   return {};
+}
+
+std::string shown_empty(const PaperData& data) {
+  std::string text;
+  for (std::size_t a = 0; a < data.shown.scores.size(); ++a) {
+    for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
+      if (!data.shown.scores[a][landmark].back().empty) continue;
+      text += fmt::format("{}{} by {}", text.empty() ? " Empty, so that nothing is rendered: " : ", ",
+                          landmark_name(landmark), markup::escaped(algorithms()[a].label));
+    }
+  }
+  return text.empty() ? text : text + ".";
 }
 
 std::vector<PlanLens> first_lenses(const Tour& tour, std::size_t images) {

@@ -68,7 +68,7 @@ class Csv {
 
 /// Fixed decimals; empty if not finite.
 std::string csv_number(double value, int decimals = 4);
-/// "12.3 %"
+/// "12.3 %"; a dash if not finite.
 std::string percent(double share, int decimals = 1);
 std::string landmark_name(std::size_t landmark);
 
@@ -83,6 +83,10 @@ std::size_t frame_with_both(const Tour& tour, std::size_t from);
 /// What `algorithm` has of `landmark` at a snapshot; empty if nothing.
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot);
+
+/// " Empty, so that nothing is rendered: red by space carving." of the models of all images of the sequence that is
+/// drawn; nothing if none is.
+std::string shown_empty(const PaperData& data);
 
 /// Arrows where the first `images` lenses were.
 std::vector<PlanLens> first_lenses(const Tour& tour, std::size_t images);

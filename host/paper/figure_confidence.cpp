@@ -25,16 +25,22 @@ std::vector<Point> points_of(const std::vector<NoveltySample>& samples, double f
   return points;
 }
 
-/// (thoroughness, R or P) of the yellow landmark over all scenes and images.
+/// (thoroughness, R or P) of the yellow landmark over all scenes and images; P is not a number for an empty model.
 std::vector<Point> against_thoroughness(const std::vector<SequenceData>& sequences, std::size_t algorithm,
                                         double Score::*what) {
   std::vector<Point> points;
   for (const SequenceData& data : sequences) {
     for (const std::size_t images : data.after) {
-      points.push_back(
-          {data.thoroughness[kYellowLandmark][images - 1], data.score(algorithm, kYellowLandmark, images).*what});
+      points.push_back({data.thoroughness[kYellowLandmark][images - 1],
+                        measure_of(data.score(algorithm, kYellowLandmark, images), what)});
     }
   }
+  return points;
+}
+
+/// The points of models that have this measure.
+std::vector<Point> known(std::vector<Point> points) {
+  std::erase_if(points, [](const Point& p) { return std::isnan(p.y); });
   return points;
 }
 
@@ -78,6 +84,18 @@ struct Segments {
 std::string slope_cell(const std::optional<Slope>& slope) {
   return slope ? fmt::format("{}<small>\u00b1 {}</small>", figure(slope->value, 2), figure(slope->sigma, 2))
                : "nothing to fit";
+}
+
+/// "3 of 60": models of Figure 13 that are never rendered.
+std::string empty_cell(const PaperData& data, std::size_t algorithm) {
+  std::size_t empty = 0;
+  std::size_t models = 0;
+  for (const std::size_t images : kNoveltySets) {
+    if (images > data.shown.tour.frames.size()) continue;
+    empty += count_empty(data.noisy, algorithm, images);
+    models += data.noisy.size();
+  }
+  return fmt::format("{} of {}", empty, models);
 }
 
 /// "8, 18 and 36", as far as there are so many images.
@@ -137,7 +155,7 @@ void say_who_is_least_sure(PaperFigure& fig, const PaperData& data) {
 }
 
 double trend(const PaperData& data, std::size_t algorithm, double Score::*what) {
-  return rank_correlation(against_thoroughness(data.noisy, algorithm, what));
+  return rank_correlation(known(against_thoroughness(data.noisy, algorithm, what)));
 }
 
 constexpr int kThoroughnessParts = 20;
@@ -150,7 +168,8 @@ void draw_trends(PaperFigure& fig, const PaperData& data) {
     Chart chart{reckless ? "Recklessness" : "Paranoia", "thoroughness", reckless ? "R" : "P", 0, 1, 0, 1, {}};
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
       ChartSeries series = series_of(algorithms()[a]);
-      const auto points = against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia);
+      const auto points =
+          known(against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia));
       series.points = binned_means(points, 0, 1, kThoroughnessParts, kLeastInPart);
       chart.series.push_back(series);
       for (const BinStatistics& bin : bin_statistics(points, 0, 1, kThoroughnessParts)) {
@@ -173,13 +192,15 @@ void add_trend_table(PaperFigure& fig, const PaperData& data) {
     for (std::size_t i = 0; i < r.size(); ++i) {
       csv.row({std::string(algorithms()[a].key), csv_number(r[i].x), csv_number(r[i].y), csv_number(p[i].y)});
     }
+    const auto shapes = known(p);
     table +=
-        fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                    escaped(algorithms()[a].label), figure(rank_correlation(r), 2), figure(rank_correlation(p), 2));
+        fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} of {}</td></tr>\n",
+                    escaped(algorithms()[a].label), figure(rank_correlation(r), 2), figure(rank_correlation(shapes), 2),
+                    p.size() - shapes.size(), p.size());
   }
   fig.add(
       "<div class=\"scroll\"><table class=\"counts\"><thead><tr><th>rank correlation with thoroughness</th>"
-      "<th class=\"n\">R</th><th class=\"n\">P</th></tr></thead><tbody>\n" +
+      "<th class=\"n\">R</th><th class=\"n\">P</th><th class=\"n\">empty, without P</th></tr></thead><tbody>\n" +
       table + "</tbody></table></div>\n");
   fig.add_file("fig14.csv", csv.text());
 }
@@ -210,7 +231,8 @@ PaperFigure figure_12(const PaperData& data) {
   PaperFigure fig{"12", "Match confidence over the sequence", {}, {}, {}};
   fig.add(
       "<p>Models of all images, rendered from each of their poses; the second best match score minus the best "
-      "one.</p><div class=\"charts\">");
+      "one." +
+      shown_empty(data) + "</p><div class=\"charts\">");
   Csv csv("image,landmark,algorithm,error,match_confidence,margin,outcome");
   for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
     Chart chart{fmt::format("The {} landmark", landmark_name(landmark)),
@@ -270,15 +292,16 @@ PaperFigure figure_13(const PaperData& data) {
     fig.add_svg(fmt::format("fig13_{}.svg", algorithm.key), draw_chart(novelty_chart(algorithm, samples)), "chart");
     const auto low = slope(points_of(samples, 0, kHalfNew));
     const auto high = slope(points_of(samples, kHalfNew, 1));
-    slopes += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                          escaped(algorithm.label), slope_cell(low), slope_cell(high));
+    slopes += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                          escaped(algorithm.label), slope_cell(low), slope_cell(high), empty_cell(data, a));
     if (!of_the_paper(algorithm)) continue;
     segments.add(low);
     segments.add(high);
   }
   fig.add(
       "</div><div class=\"scroll\"><table class=\"counts\"><thead><tr><th>model</th><th class=\"n\">slope below "
-      "half new, its standard error</th><th class=\"n\">slope above</th></tr></thead><tbody>\n" +
+      "half new, its standard error</th><th class=\"n\">slope above</th><th class=\"n\">empty models</th></tr></thead>"
+      "<tbody>\n" +
       slopes + "</tbody></table></div>\n");
   fig.add_file("fig13.csv", csv.text());
   say_of_novelty(fig, segments);

@@ -108,10 +108,11 @@ PaperFigure figure_4(const PaperData& data) {
       const Score& score = data.shown.scores[a][landmark][last];
       csv.row({std::string(algorithm.key), landmark_name(landmark), csv_number(area(world[landmark].footprint), 6),
                csv_number(world[landmark].z_min), csv_number(world[landmark].z_max), csv_number(score.recklessness),
-               csv_number(score.paranoia), csv_number(score.iou)});
+               csv_number(measure_of(score, &Score::paranoia)), csv_number(score.iou)});
     }
   }
   fig.add("</div>");
+  if (const std::string empty = shown_empty(data); !empty.empty()) fig.add("<p class=\"note\">" + empty + "</p>");
   fig.add_file("fig04.csv", csv.text());
   return fig;
 }
@@ -199,6 +200,7 @@ PaperFigure figure_8(const PaperData& data) {
     }
     fig.add("</div>");
   }
+  if (const std::string empty = shown_empty(data); !empty.empty()) fig.add("<p class=\"note\">" + empty + "</p>");
   fig.add_file("fig08.csv", csv.text());
   const auto cylinder = algorithm_index("cylinder");
   const auto carving = algorithm_index("carving");

@@ -25,7 +25,7 @@ std::string score_table(const SequenceData& data, std::size_t images) {
     for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
       const Score& score = data.score(a, landmark, images);
       html += fmt::format("<td class=\"n\">{}</td><td class=\"n\">{}</td>", figure(score.recklessness, 2),
-                          figure(score.paranoia, 2));
+                          score.empty ? "\u2013" : figure(score.paranoia, 2));
     }
     html += "</tr>\n";
   }
@@ -102,7 +102,7 @@ PaperFigure figure_5(const PaperData& data) {
   constexpr std::size_t kImages = 2;
   fig.add(
       "<p>Yellow: the true footprints. The lenses are outside the drawings. R is recklessness, P "
-      "paranoia; 1 and 1: the model has no area yet.</p><div class=\"plans\">");
+      "paranoia; a model without area has no P.</p><div class=\"plans\">");
   for (const std::size_t landmark : {kRedLandmark, kYellowLandmark}) {
     fig.add_svg(fmt::format("fig05_{}.svg", landmark_name(landmark)),
                 draw_plan(model_plan(data.shown, landmark, kImages, 0.9)), "plan");
@@ -113,7 +113,7 @@ PaperFigure figure_5(const PaperData& data) {
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
       const Score& score = data.shown.score(a, landmark, kImages);
       csv.row({landmark_name(landmark), std::string(algorithms()[a].key), csv_number(score.recklessness),
-               csv_number(score.paranoia), csv_number(score.iou)});
+               csv_number(measure_of(score, &Score::paranoia)), csv_number(score.iou)});
     }
   }
   fig.add_file("fig05.csv", csv.text());

@@ -16,13 +16,25 @@ namespace {
 
 struct Trade {
   double r = 0;
-  double p = 0;
+  double p = 0;  ///< of models that are not empty
   [[nodiscard]] double sum() const { return r + p; }
 };
 
 Trade mean_trade(const std::vector<SequenceData>& data, std::size_t algorithm, std::size_t images) {
   return {mean_score(data, algorithm, images, &Score::recklessness),
           mean_score(data, algorithm, images, &Score::paranoia)};
+}
+
+/// " Empty, and without P: 3 of 20 by space carving."
+std::string empty_text(const PaperData& data, const std::vector<std::size_t>& shown, std::size_t images) {
+  std::string text;
+  for (const std::size_t a : shown) {
+    const std::size_t empty = count_empty(data.noisy, a, images);
+    if (empty == 0) continue;
+    text += fmt::format("{}{} of {} by {}", text.empty() ? " Empty, and without P: " : ", ", empty, data.noisy.size(),
+                        algorithms()[a].label);
+  }
+  return text.empty() ? " No model is empty." : text + ".";
 }
 
 /// How much the printed cylinder's radius differs from its last one, on average from image 8 on.
@@ -57,21 +69,24 @@ void claim_trade_off(const PaperData& data, PaperFigure& fig, std::size_t cylind
   fig.say(
       "few images", few_c.p < few_k.p && few_k.r < few_c.r,
       fmt::format("With 2 images triangulation is better in paranoia ({} against {}), space carving in recklessness "
-                  "({} against {}; {}).",
-                  percent(few_c.p), percent(few_k.p), percent(few_k.r), percent(few_c.r), over),
+                  "({} against {}; {}).{}",
+                  percent(few_c.p), percent(few_k.p), percent(few_k.r), percent(few_c.r), over,
+                  empty_text(data, {cylinder, carving}, 2)),
       fmt::format(" The first two views are {} degrees apart.",
                   markup::figure(angle_between_first_two(data.noisy.front().tour), 0)));
   const Trade many_c = mean_trade(data.noisy, cylinder, last);
   const Trade many_k = mean_trade(data.noisy, carving, last);
   fig.say("many images", many_c.r < many_k.r && many_c.p < many_k.p,
-          fmt::format("With all {} cylinders outperform carving in both: R {} against {}, P {} against {}.", last,
-                      percent(many_c.r), percent(many_k.r), percent(many_c.p), percent(many_k.p)));
+          fmt::format("With all {} cylinders outperform carving in both: R {} against {}, P {} against {}.{}", last,
+                      percent(many_c.r), percent(many_k.r), percent(many_c.p), percent(many_k.p),
+                      empty_text(data, {cylinder, carving}, last)));
   if (const auto sheaf = algorithm_index("sheaf")) {
     const Trade many_s = mean_trade(data.noisy, *sheaf, last);
-    fig.say("plane sheaf", many_s.r < many_k.r && many_s.p < many_k.p,
-            fmt::format("So do plane sheaves, the paper concludes: R {} against {}, P {} against {}.",
-                        percent(many_s.r), percent(many_k.r), percent(many_s.p), percent(many_k.p)),
-            many_s.r < many_k.r ? " In recklessness they do." : "");
+    fig.say(
+        "plane sheaf", many_s.r < many_k.r && many_s.p < many_k.p,
+        fmt::format("So do plane sheaves, the paper concludes: R {} against {}, P {} against {}.{}", percent(many_s.r),
+                    percent(many_k.r), percent(many_s.p), percent(many_k.p), empty_text(data, {*sheaf, carving}, last)),
+        many_s.r < many_k.r ? " In recklessness they do." : "");
   }
   const Trade middle_k = mean_trade(data.noisy, carving, 8);
   fig.say(
@@ -112,7 +127,7 @@ void claim_hybrid(const PaperData& data, PaperFigure& fig) {
       text += fmt::format(" {} against {} after {}{}", percent(ours, 0), percent(best, 0), images,
                           images == last ? "." : ",");
     }
-    fig.compare(std::string(key), better, text);
+    fig.compare(std::string(key), better, text + empty_text(data, {0, 1, 2, *hybrid}, last));
   }
 }
 
@@ -138,9 +153,9 @@ PaperFigure figure_7(const PaperData& data) {
                 "plan");
   }
   fig.add("</div>" + algorithm_legend());
-  Csv csv("scenes,image,algorithm,recklessness,paranoia,iou");
+  Csv csv("scenes,image,algorithm,recklessness,paranoia,iou,empty,models");
   const auto add_curves = [&](const std::string& key, const std::string& title, const std::vector<std::size_t>& images,
-                              auto value) {
+                              std::span<const SequenceData> sequences) {
     for (const bool reckless : {true, false}) {
       Chart chart{fmt::format("{}, {}", reckless ? "Recklessness" : "Paranoia", title),
                   "images",
@@ -153,8 +168,8 @@ PaperFigure figure_7(const PaperData& data) {
       for (std::size_t a = 0; a < algorithms().size(); ++a) {
         ChartSeries series = series_of(algorithms()[a]);
         for (const std::size_t n : images) {
-          series.points.push_back(
-              {static_cast<double>(n), value(a, n, reckless ? &Score::recklessness : &Score::paranoia)});
+          series.points.push_back({static_cast<double>(n),
+                                   mean_score(sequences, a, n, reckless ? &Score::recklessness : &Score::paranoia)});
         }
         chart.series.push_back(series);
       }
@@ -163,22 +178,20 @@ PaperFigure figure_7(const PaperData& data) {
     for (std::size_t a = 0; a < algorithms().size(); ++a) {
       for (const std::size_t n : images) {
         csv.row({key, std::to_string(n), std::string(algorithms()[a].key),
-                 csv_number(value(a, n, &Score::recklessness)), csv_number(value(a, n, &Score::paranoia)),
-                 csv_number(value(a, n, &Score::iou))});
+                 csv_number(mean_score(sequences, a, n, &Score::recklessness)),
+                 csv_number(mean_score(sequences, a, n, &Score::paranoia)),
+                 csv_number(mean_score(sequences, a, n, &Score::iou)), std::to_string(count_empty(sequences, a, n)),
+                 std::to_string(sequences.size())});
       }
     }
   };
   fig.add("<div class=\"charts\">");
-  add_curves("shown", "this scene", data.shown.after, [&](std::size_t a, std::size_t n, double Score::*what) {
-    return data.shown.score(a, kYellowLandmark, n).*what;
-  });
+  add_curves("shown", "this scene", data.shown.after, {&data.shown, 1});
   if (data.run.empty()) {
-    add_curves("noisy", "mean of " + scenes_text(data, data.noisy.size()), data.mean_images,
-               [&](std::size_t a, std::size_t n, double Score::*what) { return mean_score(data.noisy, a, n, what); });
-    add_curves("ideal", "ideal segmentation", data.mean_images,
-               [&](std::size_t a, std::size_t n, double Score::*what) { return mean_score(data.ideal, a, n, what); });
+    add_curves("noisy", "mean of " + scenes_text(data, data.noisy.size()), data.mean_images, data.noisy);
+    add_curves("ideal", "ideal segmentation", data.mean_images, data.ideal);
   }
-  fig.add("</div>");
+  fig.add("</div><p class=\"note\">Paranoia is of models that are not empty; fig07.csv counts the empty ones.</p>");
   fig.add_file("fig07.csv", csv.text());
   const auto cylinder = algorithm_index("cylinder");
   const auto carving = algorithm_index("carving");

@@ -53,6 +53,14 @@ std::string landmark_rows(const PaperData& data, std::size_t landmark, Csv& csv)
     for (const ReacquisitionScore& score : data.table) html += cell(score.landmarks[landmark], type);
     html += "</tr>\n";
   }
+  html += fmt::format("<tr><td>{}</td><td>empty models</td>", title);
+  for (std::size_t a = 0; a < data.table.size(); ++a) {
+    const std::size_t empty = data.table[a].empty[landmark];
+    html += fmt::format("<td class=\"n\">{} of {}</td>", empty, data.table_scenes);
+    csv.row({landmark_name(landmark), "empty models", std::string(algorithms()[a].key), std::to_string(empty),
+             std::to_string(data.table_scenes), "", ""});
+  }
+  html += "</tr>\n";
   html += fmt::format("<tr><td>{}</td><td>all</td>", title);
   for (std::size_t a = 0; a < data.table.size(); ++a) {
     const OutcomeCounts& counts = data.table[a].landmarks[landmark];
@@ -127,7 +135,7 @@ PaperFigure figure_10(const PaperData& data) {
   fig.add(
       "<p class=\"note\">matched: found in the real image, wrong if it is something else. unmatched: rendered but not "
       "found, wrong if it is there whole. unseen: not rendered, wrong if it is there whole. Small: wrong decisions of "
-      "all.</p>\n");
+      "all. An empty model is never rendered: each image that shows its landmark whole is a wrong decision.</p>\n");
   fig.add_file("fig10.csv", csv.text());
   claim(data, fig);
   return fig;

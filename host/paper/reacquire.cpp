@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "host/evaluate/metrics.hpp"
+#include "host/geometry/planar.hpp"
 #include "host/paper/blocks_world.hpp"
 
 namespace fencepost::host {
@@ -53,6 +55,12 @@ Sequence reacquire_all(const Tour& tour, RegionRenderer& renderer, const std::ve
     for (std::size_t landmark = 0; landmark < sequence.size(); ++landmark) sequence[landmark].push_back(both[landmark]);
   }
   return sequence;
+}
+
+void ReacquisitionScore::count_empty(const std::vector<Solid>& world) {
+  for (std::size_t landmark = 0; landmark < empty.size(); ++landmark) {
+    if (area(world[landmark].footprint) < kNoArea) ++empty[landmark];
+  }
 }
 
 void ReacquisitionScore::add(const Sequence& sequence) {

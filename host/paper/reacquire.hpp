@@ -52,8 +52,10 @@ struct ReacquisitionScore {
   std::vector<double> right_margins;
   std::vector<double> wrong_margins;
   std::vector<double> scene_accuracies;  ///< of each sequence added
+  std::vector<std::size_t> empty{0, 0};  ///< models without area: red, yellow
 
   void add(const Sequence& sequence);
+  void count_empty(const std::vector<Solid>& world);
   [[nodiscard]] OutcomeCounts all() const;
 };
 

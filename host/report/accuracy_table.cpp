@@ -33,7 +33,7 @@ std::string row(const ObjectAccuracy& accuracy, const Scene& truth, const std::v
       html += "<td class=\"n\">\u2013</td><td class=\"n\">\u2013</td>";
     } else {
       html += fmt::format("<td class=\"n\">{}</td><td class=\"n\">{}</td>", figure(model->score.recklessness * 100, 1),
-                          figure(model->score.paranoia * 100, 1));
+                          model->score.empty ? "\u2013" : figure(model->score.paranoia * 100, 1));
     }
   }
   return html + "</tr>\n";
@@ -74,8 +74,8 @@ std::string accuracy_table(const ResultDocument& document, const Scene& truth) {
   html += leftovers(document, truth, all);
   return html +
          "<p class=\"note\">R, recklessness: share of the true footprint outside the model. P, paranoia: share "
-         "of the model outside the true footprint. 0 is perfect; a model without area counts 100 and "
-         "100. An object means the true one of its signature near which it lies.</p>\n";
+         "of the model outside the true footprint. 0 is perfect; a model without area has R 100 and no P. "
+         "An object means the true one of its signature near which it lies.</p>\n";
 }
 
 }  // namespace fencepost::host

@@ -35,22 +35,29 @@ TEST(Score, TellsRecklessFromParanoid) {
   expect_score(score({box(5, 5, 1, 1)}, box(0, 0, 2, 2)), 1, 1, 0);
 }
 
-TEST(Score, AModelWithoutAreaIsWrongBothWays) {
-  const Polygon truth = box(0, 0, 2, 2);
-  expect_score(score({}, truth), 1, 1, 0);
-  expect_score(score({Polygon{}}, truth), 1, 1, 0);
-  expect_score(score({Polygon{{{0, 0}, {1, 1}}, {}}}, truth), 1, 1, 0);
-  expect_score(score({Polygon{{{0, 0}, {1, 1}, {2, 2}}, {}}}, truth), 1, 1, 0);
-  expect_score(score({box(1, 1, 1e-5, 1e-5)}, truth), 1, 1, 0);  // 1e-10 m^2
+void expect_empty(const Score& score) {
+  expect_score(score, 1, 1, 0);
+  EXPECT_TRUE(score.empty);
 }
 
-TEST(Score, ACoordinateThatIsNoNumberIsWrongBothWays) {
+TEST(Score, AModelWithoutAreaIsEmpty) {
+  const Polygon truth = box(0, 0, 2, 2);
+  expect_empty(score({}, truth));
+  expect_empty(score({Polygon{}}, truth));
+  expect_empty(score({Polygon{{{0, 0}, {1, 1}}, {}}}, truth));
+  expect_empty(score({Polygon{{{0, 0}, {1, 1}, {2, 2}}, {}}}, truth));
+  expect_empty(score({box(1, 1, 1e-5, 1e-5)}, truth));  // 1e-10 m^2
+  EXPECT_FALSE(score({box(5, 5, 1, 1)}, truth).empty) << "beside the footprint, but a shape";
+  EXPECT_FALSE(score({truth}, box(0, 0, 1e-5, 1e-5)).empty) << "the footprint has no area, not the model";
+}
+
+TEST(Score, ACoordinateThatIsNoNumberIsAnEmptyModel) {
   Polygon broken = box(0, 0, 2, 2);
   broken.outer[2].x = std::numeric_limits<double>::quiet_NaN();
-  expect_score(score({broken}, box(0, 0, 2, 2)), 1, 1, 0);
+  expect_empty(score({broken}, box(0, 0, 2, 2)));
   Polygon far = box(0, 0, 2, 2);
   far.holes = {{{0.1, 0.1}, {0.1, HUGE_VAL}, {0.2, 0.1}}};
-  expect_score(score({far}, box(0, 0, 2, 2)), 1, 1, 0);
+  expect_empty(score({far}, box(0, 0, 2, 2)));
 }
 
 // Model 4 x 4 with a hole of 2 x 2 in which the footprint lies: nothing in common. A ring twice counts once.

@@ -21,7 +21,7 @@ ObjectEvaluation found(std::uint32_t id, double recklessness) {
   object.visible = 30;
   object.found = {id, record::ObjectState::kConfirmed, 8};
   object.swaps = 0;
-  object.cuts = {{2, false, std::nullopt, {{"clip", {}}}},
+  object.cuts = {{2, false, std::nullopt, {{"clip", kEmptyScore}}},
                  {8, false, 0.02, {{"clip", {recklessness, 0.5, 0.25}}}},
                  {8, true, 0.01, {{"clip", {recklessness / 2, 0.5, 0.25}}}}};
   return object;
@@ -75,13 +75,18 @@ TEST(Summary, OneObjectHasNoStandardError) {
   EXPECT_EQ(row_at(summary, 8).recklessness.standard_error, std::nullopt);
 }
 
-// R: (0.2 + 1) / 2, P: (0.5 + 1) / 2, IoU: (0.25 + 0) / 2; there is no place whose error could count.
-TEST(Summary, AMissedObjectCountsAsAModelWithoutArea) {
+// R: (0.2 + 1) / 2, P: 0.5 of the one that has area, IoU: (0.25 + 0) / 2; there is no place whose error could count.
+TEST(Summary, AMissedObjectCountsAsAnEmptyModel) {
   const std::vector<Evaluation> logs{log_of({found(1, 0.2), missed()})};
   const Summary summary = summarise(logs, kViews);
   const SummaryRow& row = row_at(summary, 8);
   EXPECT_NEAR(row.recklessness.mean, 0.6, 1e-12);
-  EXPECT_NEAR(row.paranoia.mean, 0.75, 1e-12);
+  EXPECT_NEAR(row.paranoia.mean, 0.5, 1e-12);
+  EXPECT_EQ(row.paranoia.n, 1U);
+  EXPECT_EQ(row.empty, 1U);
+  EXPECT_EQ(row_at(summary, 2).empty, 2U) << "the one that was found has no area yet";
+  EXPECT_EQ(row_at(summary, 2).recklessness.mean, 1);
+  EXPECT_EQ(row_at(summary, 2).paranoia.n, 0U);
   EXPECT_NEAR(row.iou.mean, 0.125, 1e-12);
   EXPECT_EQ(row.iou.n, 2U);
   ASSERT_EQ(summary.position.size(), 3U);
@@ -124,7 +129,7 @@ TEST(Json, HasTheDocumentedKeys) {
   log.phantoms = {{7, 2, 9, 0}, {8, 2, 9, std::nullopt}};
   const std::vector<Evaluation> logs{log};
   const json document = json::parse(to_json(logs, summarise(logs, kViews), kViews));
-  EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["format"], 2);
   EXPECT_EQ(document["views"], json({2, 8}));
   const json& summary = document["summary"];
   for (const char* key : {"logs", "objects", "found", "missed", "phantoms", "swaps", "models", "position"}) {
@@ -134,10 +139,13 @@ TEST(Json, HasTheDocumentedKeys) {
   EXPECT_EQ(summary["models"][2]["views"], nullptr);
   EXPECT_EQ(summary["models"][1]["recklessness"]["mean"], 0.6);
   EXPECT_EQ(summary["models"][1]["recklessness"]["n"], 2);
+  EXPECT_EQ(summary["models"][1]["empty"], 1);
+  EXPECT_EQ(summary["models"][0]["paranoia"]["mean"], nullptr);
   EXPECT_EQ(summary["position"][0]["error"]["mean"], nullptr);
   const json& object = document["logs"][0]["objects"][0];
   EXPECT_EQ(object["found"], json({{"id", 1}, {"state", "confirmed"}, {"views", 8}, {"swaps", 0}}));
   EXPECT_EQ(object["cuts"][1]["models"]["clip"], json({{"recklessness", 0.2}, {"paranoia", 0.5}, {"iou", 0.25}}));
+  EXPECT_EQ(object["cuts"][0]["models"]["clip"], json({{"recklessness", 1}, {"paranoia", nullptr}, {"iou", 0}}));
   EXPECT_EQ(object["cuts"][2]["end"], true);
   EXPECT_EQ(object["cuts"][0]["position_error"], nullptr);
   EXPECT_EQ(document["logs"][0]["objects"][1]["found"], nullptr);
@@ -159,6 +167,10 @@ TEST(Text, NamesWhatWasMissedAndWhatIsNotThere) {
   const std::string several = evaluation_text(logs, summarise(logs, kViews), kViews);
   EXPECT_NE(several.find("a.log: missed ca?n\n"), std::string::npos) << several;
   EXPECT_NE(several.find("+-"), std::string::npos) << several;
+  EXPECT_NE(one.find("clip                empty  20/50/25"), std::string::npos) << one;
+  EXPECT_NE(several.find("clip                8   53.3 +- 24.0   50.0 +-  0.0   16.7 +-  8.3       3     1\n"),
+            std::string::npos)
+      << several;
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(WritePaper, HasTablesWithTheirHeadersAndWholeRows) {
       {"fig04.csv", "algorithm,landmark,area_m2,z_min_m,z_max_m,recklessness,paranoia,iou"},
       {"fig05.csv", "landmark,algorithm,recklessness,paranoia,iou"},
       {"fig06.csv", "algorithm,landmark,hue,rgb,width,height,shape,location,error"},
-      {"fig07.csv", "scenes,image,algorithm,recklessness,paranoia,iou"},
+      {"fig07.csv", "scenes,image,algorithm,recklessness,paranoia,iou,empty,models"},
       {"fig08.csv", "image,algorithm,landmark,error,match_confidence,outcome"},
       {"fig09.csv", "outcome,correct,world,seed,image,algorithm,landmark,error"},
       {"fig10.csv", "landmark,result,algorithm,wrong,all,right_percent,paper_percent"},

@@ -74,6 +74,8 @@ TEST(ReacquisitionScore, CountsByLandmarkAndKeepsConfidences) {
   EXPECT_EQ(score.landmarks[kRedLandmark].of(kUnrendered), 3U);
   EXPECT_EQ(score.all().accuracy(), 0.75);  // 9 of 12
   EXPECT_EQ(score.scene_accuracies, (std::vector<double>{1, 0.5}));
+  score.count_empty(wrong);
+  EXPECT_EQ(score.empty, (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(AreaUnderCurve, IsTheShareOfPairsInOrder) {

@@ -50,14 +50,14 @@ TEST(Accuracy, TellsRecklessFromParanoid) {
   EXPECT_NEAR(all.at(0).models[1].score.paranoia, 0.5, 1e-12);
 }
 
-TEST(Accuracy, AModelWithoutAreaIsWrongBothWays) {
+TEST(Accuracy, AModelWithoutAreaHasNoParanoia) {
   ResultDocument d;
   d.objects = {found(1, 1, {1, 1}, {})};
   d.objects[0].models[1].geometry.clear();
   const auto all = measure_accuracy(d, scene_of({{1, box(0, 0, 2, 2)}}));
   for (const ModelScore& model : all.at(0).models) {
     EXPECT_EQ(model.score.recklessness, 1);
-    EXPECT_EQ(model.score.paranoia, 1);
+    EXPECT_TRUE(model.score.empty);
   }
 }
 

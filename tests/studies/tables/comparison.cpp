@@ -26,7 +26,7 @@ std::vector<SceneMeans> means_of(std::span<const host::Summary> scenes, const Re
     });
     if (row == scene.rows.end()) throw std::runtime_error("model " + cell.model + " was not measured");
     const auto objects = static_cast<double>(row->recklessness.n);
-    if (objects > 0) means.push_back({objects, 100 * row->recklessness.mean, 100 * row->paranoia.mean});
+    if (objects > 0) means.push_back({objects, 100 * row->recklessness.mean, 100 * paranoia_with_empty(*row)});
   }
   if (means.size() < 2) throw std::runtime_error("a comparison needs two scenes or more with " + cell.model);
   return means;
@@ -52,6 +52,12 @@ ComparedCell compare_cell(const ReferenceCell& reference, const std::vector<Scen
 }
 
 }  // namespace
+
+double paranoia_with_empty(const host::SummaryRow& row) {
+  const auto shapes = static_cast<double>(row.paranoia.n);
+  const auto empty = static_cast<double>(row.empty);
+  return row.recklessness.n == 0 ? 0 : (row.paranoia.mean * shapes + empty) / (shapes + empty);
+}
 
 std::vector<ComparedCell> compare(std::string_view level, std::span<const host::Evaluation> scenes,
                                   std::span<const ReferenceCell> reference) {

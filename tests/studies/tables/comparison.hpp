@@ -28,6 +28,9 @@ struct ComparedCell {
   [[nodiscard]] bool fails() const { return worse_by() > kPointsAllowed + kErrorsAllowed * error; }
 };
 
+/// Mean paranoia in which an empty model counts 1, as in the reference.
+double paranoia_with_empty(const host::SummaryRow& row);
+
 /// Every cell of the level. Objects of one scene share poses and hide each other, so the standard error is that of
 /// scenes, not of objects. The reference's own was not kept; its scenes are as ours, so it follows from their number.
 /// errors: throws std::runtime_error for fewer than two scenes and for a model that was not measured.

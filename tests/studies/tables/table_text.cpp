@@ -46,7 +46,7 @@ std::string level_table(const NoiseLevel& level, const std::string& flags, const
   for (const host::SummaryRow& row : summary.rows) {
     if (row.model != model) text += fmt::format("\n| {} |", row.model);
     model = row.model;
-    text += fmt::format(" {:.0f} / {:.0f} / {:.0f} |", 100 * row.recklessness.mean, 100 * row.paranoia.mean,
+    text += fmt::format(" {:.0f} / {:.0f} / {:.0f} |", 100 * row.recklessness.mean, 100 * paranoia_with_empty(row),
                         100 * row.iou.mean);
     double& worst = row.views ? worst_early : worst_end;
     for (const host::Mean* mean : {&row.recklessness, &row.paranoia}) {
