@@ -19,6 +19,7 @@ struct Command {
   /// Declares the command's options. The action runs after parsing; for a command of commands it is empty.
   std::function<Action(Options)> configure;
   std::vector<Command> children;
+  bool by_lab = false;  ///< done by the second program (lab.hpp), which its help says
 };
 
 /// What the program is, in one clause.

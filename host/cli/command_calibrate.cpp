@@ -44,7 +44,8 @@ Command calibrate_command() {
           "  fencepost calibrate run.log --size red=0.05 --picture calibration.svg\n"
           "  fencepost calibrate run.log --robot robot.json --write-robot calibrated.json\n",
           configure_calibrate,
-          {}};
+          {},
+          true};
 }
 
 }  // namespace fencepost::host::cli

@@ -159,7 +159,8 @@ Action configure_evaluate(Options command) {
       .value("--camera", request->camera,
              "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
       .takes("FILE");
-  command.flag("--smooth", request->smooth, "also the least-squares optimum of each log, beside the online map");
+  command.flag("--smooth", request->smooth,
+               "also the least-squares optimum of each log, beside the online map; by fencepost-lab");
   command.flag("--json", request->json, "write the measures as JSON instead of text");
   command.value("--jobs", request->jobs, "so many logs at once; default: all cores. It changes no result")
       .takes("N")

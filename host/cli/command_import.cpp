@@ -60,12 +60,14 @@ Command import_command() {
       "the UTIAS multi-robot recordings",
       "  fencepost import mrclam MRCLAM_Dataset1 --robot 1 --to 120 -o mrclam.log --truth mrclam.json\n",
       configure_mrclam,
-      {}};
+      {},
+      true};
   const Command rings = {"rings",
                          "bearing intervals of one object, as CSV",
                          "  fencepost import rings box.csv -o box.log\n",
                          configure_rings,
-                         {}};
+                         {},
+                         true};
   std::vector<Command> children = {mrclam, rings};
   for (Command& command : take_commands()) children.push_back(std::move(command));
   std::string examples;

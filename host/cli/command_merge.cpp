@@ -31,7 +31,8 @@ Command merge_command() {
           "  fencepost merge morning.log noon.log\n"
           "  fencepost merge robot*.log --json | jq '.runs'\n",
           configure_merge,
-          {}};
+          {},
+          true};
 }
 
 }  // namespace fencepost::host::cli

@@ -47,7 +47,8 @@ Command paper_command() {
           "  fencepost paper -o paper-7 --seed 7 --scenes 10\n"
           "  fencepost paper -o blocks --log blocks.log --scene blocks.json --images photos\n",
           configure_paper,
-          {}};
+          {},
+          true};
 }
 
 }  // namespace fencepost::host::cli

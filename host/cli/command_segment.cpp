@@ -79,7 +79,8 @@ Command segment_command() {
           "  fencepost segment photos --camera camera.json -o run.log\n"
           "  fencepost segment photos --camera camera.json --debug-images found | fencepost replay -\n",
           configure_segment,
-          {}};
+          {},
+          true};
 }
 
 }  // namespace fencepost::host::cli

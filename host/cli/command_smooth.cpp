@@ -34,7 +34,8 @@ Command smooth_command() {
           "  fencepost smooth run.log --report smoothed.html\n"
           "  fencepost smooth run.log --calibrate --json\n",
           configure_smooth,
-          {}};
+          {},
+          true};
 }
 
 }  // namespace fencepost::host::cli

@@ -14,8 +14,11 @@ std::string overview() {
       "  fencepost report run.log -o run.html\n\n"
       "Obstacle maps and alerts from coloured blobs and odometry: the robot's own loop, at the desk.\n\n"
       "Commands:\n";
-  for (const Command& command : commands()) text += fmt::format("  {:<11} {}\n", command.name, command.summary);
+  for (const Command& command : commands()) {
+    text += fmt::format("  {:<11} {}\n", command.name + (command.by_lab ? " *" : ""), command.summary);
+  }
   return text +
+         "\n* by a second program, fencepost-lab, which not every installation has\n"
          "\nOptions:\n"
          "  -h,--help     this help; after a command, that command's\n"
          "  -V,--version  the version\n\n"

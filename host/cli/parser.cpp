@@ -209,7 +209,7 @@ Parser::Parser() : app_(std::make_unique<CLI::App>("", "fencepost")) {
 Parser::~Parser() = default;
 
 void Parser::add(CLI::App& parent, const Command& command) {
-  CLI::App* app = parent.add_subcommand(command.name, command.summary);
+  CLI::App* app = parent.add_subcommand(command.name, command.summary + (command.by_lab ? "; by fencepost-lab" : ""));
   app->footer(command.examples);
   if (command.configure) {
     app->callback([this, action = command.configure(Options(*app))] { action_ = action; });

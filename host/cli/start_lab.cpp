@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kName = "fencepost-lab";
 
-std::vector<fs::path> places() {
+/// Beside this program, and where an installation has it.
+std::array<fs::path, 2> lab_places() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
   return {folder / kName, folder.parent_path() / "libexec" / "fencepost" / kName};
@@ -40,22 +42,24 @@ std::vector<std::string> command_line() {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  std::string tried;
-  for (const fs::path& path : places()) {
+  const std::array<fs::path, 2> places = lab_places();
+  for (const fs::path& path : places) {
     ::execv(path.c_str(), arguments.data());
     if (errno != ENOENT && errno != ENOTDIR) {
       throw Failure(Exit::kUnreadable, fmt::format("cannot start {}: {}; install again", path.string(),
                                                    std::system_category().message(errno)));
     }
-    tried += (tried.empty() ? "" : ", ") + path.string();
   }
-  throw Failure(
-      Exit::kUnreadable,
-      fmt::format(
-          "{} needs {}, the part of Fencepost with large libraries, which is not there; looked for {}. "
-          "Debian's package of fencepost has it; of the source, beside what toolchain/demo built: toolchain/setup "
-          "host lab && cmake --preset demo -DFENCEPOST_LAB=ON && cmake --build --preset demo",
-          what, kName, tried));
+  const fs::path folder = places[0].parent_path();
+  // An installed program looks only where it was installed.
+  const std::string install = folder.filename() == "bin" ? fmt::format(" && cmake --install build/demo --prefix '{}'",
+                                                                       folder.parent_path().string())
+                                                         : std::string();
+  throw Failure(Exit::kUnreadable,
+                fmt::format("{} needs {}, which is neither in {} nor in {}; install Debian's package, or build it: "
+                            "toolchain/setup host lab && cmake --preset demo -DFENCEPOST_LAB=ON && "
+                            "cmake --build --preset demo{}",
+                            what, kName, folder.string(), places[1].parent_path().string(), install));
 }
 
 }  // namespace

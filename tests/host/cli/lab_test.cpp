@@ -1,6 +1,7 @@
 // The second program, which the first one starts: where it is, and where it is not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/host/cli/run.hpp"
@@ -39,10 +40,30 @@ TEST_F(Alone, SaysWhatIsMissingAndHowToGetIt) {
     EXPECT_EQ(run.exit_code, 3) << line << "\n" << run.err;
     EXPECT_EQ(run.out, "") << line;
     EXPECT_NE(run.err.find("needs fencepost-lab"), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find((folder_.path() / "libexec/fencepost/fencepost-lab").string()), std::string::npos)
+    EXPECT_NE(run.err.find("nor in " + (folder_.path() / "libexec/fencepost").string() + ";"), std::string::npos)
         << run.err;
     EXPECT_NE(run.err.find("toolchain/setup host lab && cmake --preset demo"), std::string::npos) << run.err;
+    EXPECT_TRUE(run.err.ends_with("cmake --install build/demo --prefix '" + folder_.path().string() + "'\n"))
+        << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
   }
+}
+
+TEST_F(Alone, InstallsNothingWhereItWasBuilt) {
+  fs::rename(folder_.path() / "bin", folder_.path() / "cli");
+  EXPECT_TRUE(run("cli/fencepost paper").err.ends_with("&& cmake --build --preset demo\n"));
+}
+
+TEST_F(Alone, SaysInHelpWhatTheOtherDoes) {
+  const std::string overview = run("bin/fencepost --help").out;
+  EXPECT_NE(overview.find("\n  paper *     "), std::string::npos) << overview;
+  EXPECT_NE(overview.find("\n  replay      "), std::string::npos) << overview;
+  EXPECT_NE(overview.find("* by a second program, fencepost-lab"), std::string::npos) << overview;
+  for (const char* command : {"paper", "segment", "merge", "calibrate", "smooth", "import rings", "import mrclam"}) {
+    EXPECT_NE(run(std::string("bin/fencepost help ") + command).out.find("; by fencepost-lab\n"), std::string::npos)
+        << command;
+  }
+  EXPECT_EQ(run("bin/fencepost help replay").out.find("fencepost-lab"), std::string::npos);
 }
 
 TEST_F(Alone, KnowsEveryCommandAllTheSame) {
