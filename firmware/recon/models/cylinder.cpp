@@ -176,7 +176,8 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     add_edge(sighting, sighting.left, left_tangent(sighting, origin), distance, novelty, noise);
   if (is_edge(sighting.right.end))
     add_edge(sighting, sighting.right, right_tangent(sighting, origin), distance, novelty, noise);
-  RowDepth row = row_depth(sighting, noise);
+  // The foot of a part in the image is not the nearest point of a disc: along a wall its row never changes.
+  RowDepth row = sighting.cut_at_side ? RowDepth{} : row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
   if (row.known) {
     const Vec2 normal = -sighting.axis;

@@ -34,6 +34,8 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Ob
   constexpr float kRadiusPerMillimetre = 0.0005F;
   sighting.known_radius = kRadiusPerMillimetre * static_cast<float>(observation.width);
   sighting.equidistant = camera.equidistant;
+  const Sides cut = cut_by_border(camera, box);
+  sighting.cut_at_side = cut.left || cut.right;
   sighting.lens_height = camera.height;
   sighting.rows_known = camera.pitch_known && camera.height > 0;
   return sighting;

@@ -48,6 +48,7 @@ struct Sighting {
   float lens_height = 0;     ///< m
   float known_radius = 0;    ///< m, of a circle as wide as all things of this colour are known to be; 0: not known
   bool equidistant = false;  ///< a column is the same angle everywhere
+  bool cut_at_side = false;  ///< the image's left or right border cuts the blob
   bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row tells a depth
 
   /// The lens in a local frame with map axes.

@@ -109,6 +109,35 @@ TEST(CameraDoubt, IsForgottenWithTheCalibration) {
   EXPECT_EQ(down.robot->link.take_said(), "CAMERA  nothing speaks against its calibration any more\r\n");
 }
 
+// The border cuts a wall where its foot leaves the image. That row stays the same while the robot drives.
+TEST(CameraDoubt, NeverOfWallsThatTheBorderCuts) {
+  constexpr double kHalfWidth = 0.4;  // m
+  constexpr double kLength = 16;      // m
+  Script script;
+  for (int i = 0; i < 20 * 40; ++i) {
+    const double x = 0.01 * i;
+    const base::Time t = base::Time::nearest(0.05 * i);
+    sensor::BlobFrame frame{t, static_cast<std::uint32_t>(i), {}};
+    const double end = 273.6 * kHalfWidth / (kLength - x);  // px beside the middle of the image
+    for (const bool left : {true, false}) {
+      sensor::Blob wall;
+      wall.signature = left ? 1 : 2;
+      wall.x1 = static_cast<std::int16_t>(left ? 0 : std::lround(157.5 + end));
+      wall.x2 = static_cast<std::int16_t>(left ? std::lround(157.5 - end) : 315);
+      wall.y1 = 60;
+      wall.y2 = static_cast<std::int16_t>(103.5 + 0.12 / kHalfWidth * 157.5);
+      static_cast<void>(frame.blobs.push_back(wall));
+    }
+    script.odometry.push_back({t, desk_odometry(0.05 * i, x)});
+    script.camera.push_back({t, frame});
+  }
+  DoubtfulRobot robot(console::Mode::kLog, std::move(script));
+  robot.pipeline().set_camera(level_pixy2(0));
+  robot.turn(40'500);
+  EXPECT_EQ(robot.link.take_said().find("$FPCAL"), std::string::npos);
+  EXPECT_GT(robot.memory().map.frames(), 700U) << "nothing was looked at";
+}
+
 TEST(CameraDoubt, NeverOfACameraThatIsAsTold) {
   for (const double turn : {0.0, 0.8, -0.5}) {
     const Played right = play({}, console::Mode::kLog, 20, turn == 0 ? 0.05 : 0.1, turn);

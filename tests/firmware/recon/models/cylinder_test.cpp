@@ -119,7 +119,20 @@ TEST(Cylinder, OneViewIsEnoughWithTheGroundRow) {
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
 }
 
-// One end is outside the image all the time: an object of the usual size stands there.
+TEST(Cylinder, TakesNoRowOfABlobThatTheBorderCutsAtASide) {
+  for (const bool cut : {false, true}) {
+    Cylinder cylinder;
+    for (int i = 0; i < 3; ++i) {
+      recon::Sighting s = view_of_circle(kCenter, kRadius, {0.02 * i, 0}).sighting;
+      s.cut_at_side = cut;
+      stand_on_floor(s, 1.0 - kRadius);  // that of a wall's part in the image: it keeps its row
+      add(cylinder, s);
+    }
+    EXPECT_EQ(cylinder.row_count(), cut ? 0.0F : 3.0F);
+  }
+}
+
+// A neighbour hides one end all the time: an object of the usual size stands there.
 TEST(Cylinder, OneEdgeAndTheGroundRowMakeOneOfTheUsualSize) {
   Cylinder cylinder;
   for (int i = 0; i < 3; ++i) {
