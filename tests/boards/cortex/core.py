@@ -18,6 +18,7 @@ STAY = b"\xfe\xe7"  # a branch to itself
 RAM = 0x20000000
 CYCLES_A_BYTE = 1
 LOOK = 20e-6  # seconds between two looks at what is due
+IF_THEN = 0x0600FC00  # of XPSR: what is left of an IT block
 PUSHED = [*range(arm.UC_ARM_REG_R0, arm.UC_ARM_REG_R12 + 1), arm.UC_ARM_REG_SP, arm.UC_ARM_REG_LR, arm.UC_ARM_REG_XPSR]
 PUSHED_FLOATS = [*range(arm.UC_ARM_REG_D0, arm.UC_ARM_REG_D15 + 1), arm.UC_ARM_REG_FPSCR]
 
@@ -216,6 +217,7 @@ class Core:
         pushed = PUSHED + PUSHED_FLOATS if self.HAS_FLOATS else PUSHED
         kept, back = [(register, self.uc.reg_read(register)) for register in pushed], self.pc
         self.uc.reg_write(arm.UC_ARM_REG_LR, RETURN | 1)
+        self.uc.reg_write(arm.UC_ARM_REG_XPSR, self.uc.reg_read(arm.UC_ARM_REG_XPSR) & ~IF_THEN)
         self.returned = False
         while not self.returned and self.stop_reason is None:
             self.go(handler)
