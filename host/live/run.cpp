@@ -154,7 +154,7 @@ class Run {
     set.add_readable(parts_.interrupted_descriptor);
     parts_.devices.camera->watch(set);
     parts_.devices.odometry->watch(set);
-    parts_.console.watch(set, loop_->output_waits());
+    if (!inputs_must_wait()) parts_.console.watch(set, loop_->output_waits());
     const base::Duration patience = std::min(parts_.devices.camera->patience(), parts_.devices.odometry->patience());
     base::Time deadline = parts_.clock.now() + patience;
     if (log_.behind() || loop_->output_waits()) deadline = std::min(deadline, parts_.clock.now() + kSoon);
