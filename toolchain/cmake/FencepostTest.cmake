@@ -1,26 +1,22 @@
 add_library(fencepost_test_flags INTERFACE)
 target_link_libraries(fencepost_test_flags INTERFACE fencepost_flags GTest::gtest GTest::gtest_main)
 
-# Properties of tests that mostly wait for clocks: one of each number at a time, beside what computes.
-function(fencepost_waits properties number)
-  set(${properties} PROCESSORS 1 RESOURCE_LOCK real_time_${number} COST 300 PARENT_SCOPE)
-endfunction()
-
-# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ... [EACH] [COST n | WAITS n]): one GoogleTest program, its suites
-# known to CTest; with EACH its cases, as where one may skip, which CTest says of whole tests only. What takes long has a
-# COST: the dearest begin first. What mostly waits for clocks has WAITS and a number: one of each number runs at a time.
+# fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ... [EACH] [STAGED] [COST n]): one GoogleTest program.
+# CTest knows its suites; with EACH its cases, as where one may skip, which CTest says of whole tests only. STAGED: on the
+# clock of tests/stage, as what would wait in real time. What takes long has a COST: the dearest begin first.
 function(fencepost_test name)
-  cmake_parse_arguments(ARG "EACH" "COST;WAITS" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "EACH;STAGED" "COST" "SOURCES;LIBRARIES" ${ARGN})
   # Of the three that toolchain/test has for each core: two that compute fill it and a half.
   set(properties TIMEOUT 300 PROCESSORS 2)
   if(ARG_COST)
     list(APPEND properties COST ${ARG_COST})
-  elseif(ARG_WAITS)
-    fencepost_waits(properties ${ARG_WAITS})
-    list(APPEND properties TIMEOUT 300)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_test_flags)
+  if(ARG_STAGED)
+    set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR "$<TARGET_FILE:stage>")
+    add_dependencies(${name} stage)
+  endif()
   if(TARGET fencepost_test_headers AND NOT fencepost_robot_flags IN_LIST ARG_LIBRARIES)
     target_precompile_headers(${name} REUSE_FROM fencepost_test_headers)
   endif()
@@ -45,6 +41,7 @@ function(fencepost_test name)
   set(tests "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS "${tests}" VERBATIM
     COMMAND ${CMAKE_COMMAND} -D "PROGRAM=$<TARGET_FILE:${name}>" -D "TESTS=${tests}" -D "PROPERTIES=${properties}"
+      -D "STAGE=$<$<BOOL:${ARG_STAGED}>:$<TARGET_FILE:stage>>"
       -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FencepostSuites.cmake")
   # Where it was not built: nothing to run, and CTest says so.
   set(include "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")

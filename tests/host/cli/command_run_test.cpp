@@ -515,14 +515,14 @@ TEST_F(CommandRun, DrivesNothingUnlessAskedTo) {
 class CommandRunWithALine : public CommandRun {
  protected:
   [[nodiscard]] Process start() const {
-    ::setenv("LD_PRELOAD", FENCEPOST_FAKE_GPIOD, 1);
+    ::setenv("LD_PRELOAD", (FENCEPOST_FAKE_GPIOD ":" + before).c_str(), 1);
     ::setenv("FAKE_GPIO", file("levels").c_str(), 1);
     ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 0);
     const std::vector<std::string> words =
         on_devices({"--log", "run.log", "--mode", "quiet", "--stop-gpio", "gpiochip0:3"});
     return Process(folder, words);
   }
-  void TearDown() override { ::unsetenv("LD_PRELOAD"); }
+  void TearDown() override { ::setenv("LD_PRELOAD", before.c_str(), 1); }
   /// The levels so far, without repetitions: "010".
   [[nodiscard]] std::string levels() const {
     std::ifstream file(folder.path() / "levels");
@@ -536,6 +536,9 @@ class CommandRunWithALine : public CommandRun {
   [[nodiscard]] bool goes_through(const std::string& expected) const {
     return eventually([&] { return levels().starts_with(expected); });
   }
+
+  const char* preloaded = ::getenv("LD_PRELOAD");
+  std::string before = preloaded != nullptr ? preloaded : "";
 };
 
 TEST_F(CommandRunWithALine, IsHighOnlyWhileBothSensorsWork) {

@@ -10,7 +10,6 @@ import re
 import subprocess
 import sys
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from device_facts import devices_of, page_of
@@ -19,8 +18,6 @@ from sensor_pages import CONSOLE, emulation, kind, unsettled
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from shown_place import shown_place  # noqa: E402
 
-AT_ONCE = 6  # pairs of programs, in real time on two cores
-TRIES = 3  # of a machine that is busy with something else
 PATIENCE = 90  # s
 START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
 
@@ -132,14 +129,11 @@ def fault_of(device, program, sources):
         return None
     if not shown:
         return f"{device.name}: its page shows no emulate and run"
-    for attempt in range(TRIES):
-        try:
-            drive(*shown, program, sources)
-            examine(device, shown[0], page, program, sources)
-            return None
-        except Wrong as wrong:
-            if attempt == TRIES - 1:
-                return f"{device.name}: {wrong}"
+    try:
+        drive(*shown, program, sources)
+        examine(device, shown[0], page, program, sources)
+    except Wrong as wrong:
+        return f"{device.name}: {wrong}"
     return None
 
 
@@ -148,8 +142,7 @@ def main(arguments):
     wanted = arguments[2:]
     devices = [device for device in devices_of(sources).values()
                if (emulation(device) or device.name == "console") and (not wanted or device.name in wanted)]
-    with ThreadPoolExecutor(AT_ONCE) as pool:
-        faults = [fault for fault in pool.map(lambda device: fault_of(device, program, sources), devices) if fault]
+    faults = [fault for fault in (fault_of(device, program, sources) for device in devices) if fault]
     print("\n\n".join(faults))
     print(f"{len(devices)} devices, {len(faults)} do not as their page says")
     return 1 if faults or not devices else 0

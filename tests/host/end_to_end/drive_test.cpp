@@ -4,12 +4,10 @@
 #include <csignal>
 
 #include "host/devices/catalogue.hpp"
-#include "tests/host/end_to_end/stage.hpp"
+#include "tests/host/end_to_end/drive_scene.hpp"
 
 namespace fencepost::host::testing {
 namespace {
-
-constexpr int kDrives = 10;
 
 struct Drive {
   std::string name;
@@ -69,17 +67,8 @@ std::vector<std::string> running(const Drive& drive) {
 
 class EndToEnd : public ::testing::TestWithParam<Drive> {
  protected:
-  /// Both programs from the first command to the end of the drive; what `run` said is then in its files. A drive is
-  /// what it claims to be only on a machine that has time for it: one that was late is driven again.
+  /// Both programs from the first command to the end of the drive; what `run` said is then in its files.
   void drive(const Drive& drive, const std::vector<std::string>& more = {}) {
-    for (int tries = 0; tries < kDrives; ++tries) {
-      ASSERT_NO_FATAL_FAILURE(drive_once(drive, more));
-      if (!was_busy(err) && !was_busy(emulated)) return;
-    }
-    FAIL() << "this machine was busy in each of " << kDrives << " drives: " << err << emulated;
-  }
-  void drive_once(const Drive& drive, const std::vector<std::string>& more) {
-    for (const char* file : {"a", "b", "run.log"}) std::filesystem::remove(folder.path() / file);
     spill(folder.path() / "scene.json", scene_for(camera_of(drive.camera), 12, drive.speed));
     Process emulate(folder, emulation(drive, more), "emulate.");
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(folder.path() / last_link(drive)); })) << emulate.err();
@@ -90,7 +79,6 @@ class EndToEnd : public ::testing::TestWithParam<Drive> {
     err = run.err();
     emulated = emulate.err();
   }
-  static bool was_busy(const std::string& said) { return said.find("this machine was busy") != std::string::npos; }
   static std::string last_link(const Drive& drive) { return drive.emulated.size() > 1 ? "b" : "a"; }
 
   Folder folder;

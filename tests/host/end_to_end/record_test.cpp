@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-#include "tests/host/end_to_end/stage.hpp"
+#include "tests/host/end_to_end/drive_scene.hpp"
 
 namespace fencepost::host::testing {
 namespace {

@@ -16,6 +16,9 @@ export function crc16(text) {
 /** A record as a line: "FPSIG,1,d02020,red". */
 export const record = (body) => `$${body}*${crc16(body)}\r\n`;
 
+/** Only a failing test waits so long, ms. */
+const PATIENCE = 180_000;
+
 /** How conditions are awaited: not by frames, whose clock may be the test's. */
 export const POLLED = { polling: 20 };
 
@@ -36,10 +39,16 @@ export class Browser {
     return Object.assign(new Browser(), { browser, tools, requests: [], errors: [] });
   }
 
+  async context(options) {
+    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    context.setDefaultTimeout(PATIENCE);
+    return context;
+  }
+
   /** The page as it opens from disk, when it has shown its first log. Notes requests to anything else, and errors. It does
    * not play by itself without reducedMotion: "no-preference". */
   async open({ file = this.tools.page, before, ...options } = {}) {
-    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
+    const context = await this.context({ reducedMotion: "reduce", ...options });
     const page = await context.newPage();
     page.on("request", (request) => {
       const url = request.url();
@@ -49,7 +58,7 @@ export class Browser {
     page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
     if (before) await page.addInitScript(before.run, before.with);
     await page.goto(`file://${file}`);
-    await page.waitForFunction(() => document.documentElement.dataset.ready, null, { ...POLLED, timeout: 60_000 });
+    await page.waitForFunction(() => document.documentElement.dataset.ready, null, POLLED);
     return page;
   }
   close() { return this.browser.close(); }

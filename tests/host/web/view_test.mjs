@@ -18,7 +18,7 @@ function start(...words) {
   const program = { child, said: "", ended: new Promise((resolve) => child.on("exit", (code, signal) => resolve(code ?? signal))) };
   for (const stream of [child.stdout, child.stderr]) stream.on("data", (bytes) => { program.said += bytes; });
   program.says = async (pattern) => {
-    for (let i = 0; i < 600; ++i) {
+    for (let i = 0; i < 1800; ++i) {
       const match = pattern.exec(program.said);
       if (match) return match;
       await new Promise((resolve) => setTimeout(resolve, 100));
@@ -38,7 +38,7 @@ async function robot(name) {
 }
 
 async function visit(address) {
-  const context = await browser.browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const context = await browser.context();
   const page = await context.newPage();
   page.on("request", (request) => browser.requests.push(request.url()));
   page.on("pageerror", (error) => browser.errors.push(String(error)));
@@ -83,7 +83,7 @@ await run({
     const { brain, address } = await robot("killed");
     const page = await visit(address);
     await page.waitForFunction(() => /red/.test(document.getElementById("objects").textContent));
-    const foreign = await (await browser.browser.newContext()).newPage();
+    const foreign = await (await browser.context()).newPage();
     const rebound = await foreign.goto(address.replace("127.0.0.1", "rebound.example"));
     assert.equal(rebound.status(), 403);
     assert.match(await foreign.content(), /on this machine alone/);

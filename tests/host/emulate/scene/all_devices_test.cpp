@@ -1,4 +1,4 @@
-// Every device at once on one clock, in real time: over ptys with hal/linux, and over TCP. Each camera's driver gets
+// Every device at once on one clock: over ptys with hal/linux, and over TCP. Each camera's driver gets
 // frames of the feed, each wheel base's the way.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// In real time, on this machine's ptys and ports, with hal/linux as the host's end. Waits are for conditions.
+// On this machine's ptys and ports, with hal/linux as the host's end, on the clock of tests/stage.
 #include "host/emulate/scene/server.hpp"
 
 #include <fcntl.h>
