@@ -50,6 +50,7 @@ export class Browser {
   async open({ file = this.tools.page, before, ...options } = {}) {
     const context = await this.context({ reducedMotion: "reduce", ...options });
     const page = await context.newPage();
+    page.setDefaultTimeout(0); // CTest ends what hangs; a busy machine only takes longer
     page.on("request", (request) => {
       const url = request.url();
       if (!url.startsWith(`file://${file}`) && !/^(data|blob):/.test(url)) this.requests.push(url);
