@@ -158,11 +158,11 @@ std::string metres_text(int hundredths) {
   return std::to_string(hundredths / 100) + (cents.size() < 2 ? ".0" : ".") + cents;
 }
 
-void read_settings(const nlohmann::json& value, const JsonNode& root, SettingReader& reader) {
+void read_settings(const JsonNode& root, SettingReader& reader) {
   if (const auto robot = root.find("robot")) {
     const RobotBody body = read_robot_body(*robot);
     for (const std::string key : {"front", "rear", "width"}) {
-      if (const auto member = robot->find(key)) reader.set(*member, "robot." + key, value.at("robot").at(key).dump());
+      if (const auto member = robot->find(key)) reader.set(*member, "robot." + key, member->written());
     }
     if (!body.footprint.empty()) {
       const BodyRectangle rectangle = rectangle_around(body.footprint);
@@ -175,16 +175,18 @@ void read_settings(const nlohmann::json& value, const JsonNode& root, SettingRea
   const auto settings = root.find("settings");
   if (!settings) return;
   settings->expect_object();
-  for (const auto& [key, member] : value.at("settings").items()) {
-    const std::string text = member.is_string()    ? member.get<std::string>()
-                             : member.is_boolean() ? (member.get<bool>() ? "on" : "off")
-                                                   : member.dump();
-    reader.set(settings->at(key), key, text);
+  for (const std::string& key : settings->keys()) {
+    const JsonNode member = settings->at(key);
+    const std::string written = member.written();
+    reader.set(member, key,
+               member.is_text()     ? member.text()
+               : written == "true"  ? "on"
+               : written == "false" ? "off"
+                                    : written);
   }
 }
 
-RobotFile read_robot(const nlohmann::json& value) {
-  const JsonNode root(value, "");
+RobotFile read_robot(const JsonNode& root) {
   // The last six are of scenes: a scene file serves too.
   root.expect_keys({"camera", "signatures", "robot", "wheels", "can", "windows", "settings", "format", "seed",
                     "objects", "path", "odometry", "noise"});
@@ -200,7 +202,7 @@ RobotFile read_robot(const nlohmann::json& value) {
   if (const auto wheels = root.find("wheels")) robot.wheels = read_wheels(*wheels);
   if (const auto can = root.find("can")) robot.can = read_can(*can, robot.wheels);
   SettingReader settings;
-  read_settings(value, root, settings);
+  read_settings(root, settings);
   robot.settings = settings.taken();
   return robot;
 }
@@ -238,7 +240,7 @@ odometry::WheelBase WheelNumbers::over(odometry::WheelBase wheels) const {
 
 base::Result<RobotFile, std::string> parse_robot(std::string_view text, const std::string& name) {
   try {
-    return read_robot(parse_json(text, "share/doc/live.md shows a robot file"));
+    return read_robot(JsonText(text, "share/doc/live.md shows a robot file").root());
   } catch (const SceneProblem& problem) {
     return name + ": " + problem.where + ": " + problem.what + "; " + problem.remedy;
   }

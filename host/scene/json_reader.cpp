@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -56,8 +57,6 @@ std::size_t overflowing_number(const std::string& text) {
   return 0;
 }
 
-}  // namespace
-
 nlohmann::json parse_json(std::string_view text, std::string_view example) {
   using nlohmann::json;
   std::vector<std::set<std::string>> open_objects;
@@ -90,8 +89,25 @@ nlohmann::json parse_json(std::string_view text, std::string_view example) {
   }
 }
 
+}  // namespace
+
+JsonText::JsonText(std::string_view text, std::string_view example)
+    : value_(std::make_shared<const nlohmann::json>(parse_json(text, example))) {}
+
 void JsonNode::fail(std::string what, std::string remedy) const {
   throw SceneProblem{pointer_.empty() ? "/" : pointer_, std::move(what), std::move(remedy)};
+}
+
+bool JsonNode::has(std::string_view key) const { return value_->contains(key); }
+bool JsonNode::is_null() const { return value_->is_null(); }
+bool JsonNode::is_array() const { return value_->is_array(); }
+bool JsonNode::is_text() const { return value_->is_string(); }
+std::string JsonNode::written() const { return value_->dump(); }
+
+std::vector<std::string> JsonNode::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, member] : value_->items()) keys.push_back(key);
+  return keys;
 }
 
 void JsonNode::expect_object() const {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/geometry/polygon.hpp"
 
@@ -19,10 +21,6 @@ struct SceneProblem {
   std::string remedy;
 };
 
-/// Parses, and refuses duplicate keys in one object: the second would silently win. `example` is the remedy for
-/// an empty file. errors: SceneProblem
-nlohmann::json parse_json(std::string_view text, std::string_view example);
-
 class JsonNode {
  public:
   JsonNode(const nlohmann::json& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
@@ -32,7 +30,9 @@ class JsonNode {
   void expect_object() const;
   /// Fails unless this is an object with no other keys than `allowed`; names the nearest one.
   void expect_keys(std::initializer_list<std::string_view> allowed) const;
-  [[nodiscard]] bool has(std::string_view key) const { return value_->contains(key); }
+  [[nodiscard]] bool has(std::string_view key) const;
+  /// Of an object.
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// The member; fails when it is missing.
   [[nodiscard]] JsonNode at(std::string_view key) const;
   /// The member, or nothing.
@@ -41,9 +41,9 @@ class JsonNode {
   /// Length of an array of at least `least` items; fails otherwise.
   [[nodiscard]] std::size_t size(std::size_t least, std::string_view items) const;
 
-  [[nodiscard]] bool is_null() const { return value_->is_null(); }
-  [[nodiscard]] bool is_array() const { return value_->is_array(); }
-  [[nodiscard]] bool is_text() const { return value_->is_string(); }
+  [[nodiscard]] bool is_null() const;
+  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_text() const;
   [[nodiscard]] double number(double low, double high, std::string_view unit) const;
   /// Greater than zero.
   [[nodiscard]] double positive(double high, std::string_view unit) const;
@@ -52,6 +52,8 @@ class JsonNode {
   [[nodiscard]] std::string text() const;
   /// true or false.
   [[nodiscard]] bool truth() const;
+  /// The value as JSON.
+  [[nodiscard]] std::string written() const;
   /// [x, y] in metres within the world.
   [[nodiscard]] Point point() const;
 
@@ -62,6 +64,18 @@ class JsonNode {
  private:
   const nlohmann::json* value_;
   std::string pointer_;
+};
+
+/// A parsed text. Its nodes are valid as long as it is.
+class JsonText {
+ public:
+  /// Refuses duplicate keys in one object: the second would silently win. `example` is the remedy for an empty file.
+  /// errors: SceneProblem
+  JsonText(std::string_view text, std::string_view example);
+  [[nodiscard]] JsonNode root() const { return {*value_, ""}; }
+
+ private:
+  std::shared_ptr<const nlohmann::json> value_;
 };
 
 /// Positions lie within this of the origin, m: the record stream's range.

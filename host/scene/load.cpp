@@ -15,8 +15,6 @@ namespace fencepost::host {
 
 namespace {
 
-using nlohmann::json;
-
 void check_signatures(const JsonNode& root, const Scene& scene) {
   for (std::size_t i = 0; i < scene.signatures.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -87,8 +85,7 @@ void check_overlaps(const JsonNode& root, const Scene& scene) {
   }
 }
 
-Scene read_scene(const json& value) {
-  const JsonNode root(value, "");
+Scene read_scene(const JsonNode& root) {
   root.expect_keys({"format", "seed", "camera", "robot", "signatures", "objects", "path", "odometry", "noise"});
   const JsonNode format = root.at("format");
   if (format.integer(0, 1'000'000) != 1) format.fail("this program reads scene format 1", "write 1");
@@ -127,7 +124,7 @@ std::string SceneError::message() const {
 
 LoadedScene parse_scene(std::string_view text, const std::string& name) {
   try {
-    return read_scene(parse_json(text, "share/doc/scene.md shows a whole scene"));
+    return read_scene(JsonText(text, "share/doc/scene.md shows a whole scene").root());
   } catch (const SceneProblem& problem) {
     return SceneError{name, problem.where, problem.what, problem.remedy};
   }

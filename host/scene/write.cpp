@@ -9,16 +9,16 @@ namespace fencepost::host {
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-json camera_json(const Scene& scene) {
+Json camera_json(const Scene& scene) {
   const sensor::CameraIntrinsics& camera = scene.camera;
-  json mount = {{"x", camera.mount.x.to_double()},
+  Json mount = {{"x", camera.mount.x.to_double()},
                 {"y", camera.mount.y.to_double()},
                 {"z", camera.mount.z.to_double()},
                 {"yaw", camera.mount.yaw.to_double()}};
-  mount["pitch"] = camera.mount.pitch ? json(camera.mount.pitch->to_double()) : json(nullptr);
-  json written = {{"model", std::string(camera.model.view())},
+  mount["pitch"] = camera.mount.pitch ? Json(camera.mount.pitch->to_double()) : Json(nullptr);
+  Json written = {{"model", std::string(camera.model.view())},
                   {"width", camera.width},
                   {"height", camera.height},
                   {"fx", camera.fx.to_double()},
@@ -34,13 +34,13 @@ json camera_json(const Scene& scene) {
   return written;
 }
 
-json ring_json(const LinearRing& ring) {
-  json list = json::array();
+Json ring_json(const LinearRing& ring) {
+  Json list = Json::array();
   for (const Point p : closed(ring)) list.push_back({p.x, p.y});
   return list;
 }
 
-json footprint_json(const Polygon& footprint) {
+Json footprint_json(const Polygon& footprint) {
   Point center;
   double radius = 0;
   if (footprint.holes.empty() && is_circle_ring(footprint.outer, center, radius)) {
@@ -48,21 +48,21 @@ json footprint_json(const Polygon& footprint) {
     const auto nanometres = [](double value) { return std::round(value * 1e9) / 1e9; };
     return {{"circle", {nanometres(center.x), nanometres(center.y), nanometres(radius)}}};
   }
-  json rings = json::array({ring_json(footprint.outer)});
+  Json rings = Json::array({ring_json(footprint.outer)});
   for (const LinearRing& hole : footprint.holes) rings.push_back(ring_json(hole));
   return {{"type", "Polygon"}, {"coordinates", rings}};
 }
 
-json robot_json(const RobotBody& body) {
+Json robot_json(const RobotBody& body) {
   if (!body.footprint.empty()) return {{"footprint", ring_json(body.footprint)}};
-  json out = json::object();
+  Json out = Json::object();
   if (body.front) out["front"] = *body.front;
   if (body.rear) out["rear"] = *body.rear;
   out["width"] = body.width.value_or(0.2);
   return out;
 }
 
-json path_json(const ArcPath& arc) {
+Json path_json(const ArcPath& arc) {
   return {{"type", "arc"},
           {"center", {arc.center.x, arc.center.y}},
           {"radius", arc.radius},
@@ -72,10 +72,10 @@ json path_json(const ArcPath& arc) {
           {"look_at", arc.look_outwards ? "outwards" : "center"}};
 }
 
-json path_json(const WaypointPath& path) {
-  json points = json::array();
+Json path_json(const WaypointPath& path) {
+  Json points = Json::array();
   for (const Point p : path.points) points.push_back({p.x, p.y});
-  json out = {{"type", "waypoints"}, {"points", points}, {"speed", path.speed}};
+  Json out = {{"type", "waypoints"}, {"points", points}, {"speed", path.speed}};
   if (path.turn_radius > 0) {
     out["turn_radius"] = path.turn_radius;
   } else {
@@ -86,25 +86,25 @@ json path_json(const WaypointPath& path) {
   return out;
 }
 
-json path_json(const PosesPath& path) {
-  json poses = json::array();
+Json path_json(const PosesPath& path) {
+  Json poses = Json::array();
   for (const TimedPose& p : path.poses) poses.push_back({{"t", p.t}, {"x", p.x}, {"y", p.y}, {"heading", p.heading}});
   return {{"type", "poses"}, {"poses", poses}};
 }
 
-json odometry_json(const SceneOdometry& odometry) {
+Json odometry_json(const SceneOdometry& odometry) {
   const bool gyro = odometry.kind == SceneOdometry::Kind::kGyro;
-  json out = {{"kind", gyro ? "gyro" : "steering"}, {"counts", odometry.counts}};
+  Json out = {{"kind", gyro ? "gyro" : "steering"}, {"counts", odometry.counts}};
   if (odometry.wheelbase > 0) out["wheelbase"] = odometry.wheelbase;
   return out;
 }
 
-json path_json(std::monostate) { return {}; }
+Json path_json(std::monostate) { return {}; }
 
 /// Only what differs from the defaults.
-json noise_json(const SceneNoise& noise) {
+Json noise_json(const SceneNoise& noise) {
   const SceneNoise defaults;
-  json out = json::object();
+  Json out = Json::object();
   const auto put = [&](const char* key, double SceneNoise::*member) {
     if (noise.*member != defaults.*member) out[key] = noise.*member;
   };
@@ -137,8 +137,8 @@ json noise_json(const SceneNoise& noise) {
   return out;
 }
 
-json object_json(const SceneObject& object) {
-  json out = {{"name", object.name}};
+Json object_json(const SceneObject& object) {
+  Json out = {{"name", object.name}};
   if (object.trained) out["signature"] = object.signature;
   out["base"] = object.base;
   out["height"] = object.height_m;
@@ -159,19 +159,19 @@ std::string hex(sensor::Rgb rgb) {
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
-  json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene)}};
+  Json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene)}};
   root["robot"] = robot_json(scene.robot);
-  root["signatures"] = json::array();
+  root["signatures"] = Json::array();
   for (const SceneSignature& s : scene.signatures) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
     if (s.width > 0) root["signatures"].back()["size"] = s.width / 1e3;
   }
-  root["objects"] = json::array();
+  root["objects"] = Json::array();
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));
-  const json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);
+  const Json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);
   if (!path.is_null()) root["path"] = path;
   if (scene.odometry.of_car()) root["odometry"] = odometry_json(scene.odometry);
-  const json noise = noise_json(scene.noise);
+  const Json noise = noise_json(scene.noise);
   if (!noise.empty()) root["noise"] = noise;
   return root.dump(2) + "\n";
 }

@@ -47,8 +47,8 @@ bool is_json(std::string_view text) {
 template <class Read>
 auto from_json(std::string_view text, const std::string& name, Read read) {
   try {
-    const nlohmann::json value = parse_json(text, "share/doc/segment.md shows one");
-    const JsonNode root(value, "");
+    const JsonText json(text, "share/doc/segment.md shows one");
+    const JsonNode root = json.root();
     root.expect_object();
     return read(root);
   } catch (const SceneProblem& problem) {
