@@ -19,7 +19,7 @@ namespace {
 
 using base::Error;
 
-constexpr std::string_view kWhat = "listen on the CAN interface";
+constexpr std::string_view kListen = "listen on the CAN interface";
 
 // A lost arbitration is normal for a sender, not a bus error.
 constexpr can_err_mask_t kErrors = CAN_ERR_MASK & ~static_cast<can_err_mask_t>(CAN_ERR_LOSTARB);
@@ -59,7 +59,7 @@ Opened<Descriptor> open_socket(const CanSettings& settings) {
   Descriptor socket = make_can_socket(error);
   if (error == 0) error = set_options(socket.get(), settings.filters);
   if (error == 0) error = bind_can_if_up(socket.get(), settings.interface);
-  if (error != 0) return can_problem(kWhat, settings.interface, error);
+  if (error != 0) return can_problem(kListen, settings.interface, error);
   return socket;
 }
 

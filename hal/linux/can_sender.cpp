@@ -13,7 +13,7 @@
 namespace fencepost::linux {
 namespace {
 
-constexpr std::string_view kWhat = "send on the CAN interface";
+constexpr std::string_view kSend = "send on the CAN interface";
 
 Opened<Descriptor> open_socket(const std::string& interface) {
   int error = 0;
@@ -21,7 +21,7 @@ Opened<Descriptor> open_socket(const std::string& interface) {
   // Nothing is read here: without filters the kernel keeps nothing for us.
   if (error == 0 && ::setsockopt(socket.get(), SOL_CAN_RAW, CAN_RAW_FILTER, nullptr, 0) != 0) error = errno;
   if (error == 0) error = bind_can_if_up(socket.get(), interface);
-  if (error != 0) return can_problem(kWhat, interface, error);
+  if (error != 0) return can_problem(kSend, interface, error);
   return socket;
 }
 
@@ -50,11 +50,11 @@ bool CanSender::send(const bus::CanFrame& frame) {
   }
   const int error = errno;
   if (error == EAGAIN || error == ENOBUFS) {
-    problem_ = failure(kWhat, interface_, error,
+    problem_ = failure(kSend, interface_, error,
                        "frames wait in vain: is another node on the bus, with the same bit rate and a terminator?")
                    .sentence;
   } else if (error != EINTR) {
-    problem_ = can_problem(kWhat, interface_, error).sentence;
+    problem_ = can_problem(kSend, interface_, error).sentence;
     socket_.close();
   }
   return false;

@@ -12,7 +12,7 @@
 namespace fencepost::linux {
 namespace {
 
-std::string remedy(int error, const std::string& interface) {
+std::string can_remedy(int error, const std::string& interface) {
   switch (error) {
     case ENODEV: return "plug the adapter in; 'ip link show type can' lists what is there";
     case ENETDOWN: return "set it up with 'sudo ip link set " + interface + " up type can bitrate 500000'";
@@ -46,7 +46,7 @@ int bind_can_if_up(int fd, const std::string& interface) {
 }
 
 Problem can_problem(std::string_view what, const std::string& interface, int error) {
-  return failure(what, interface, error, remedy(error, interface));
+  return failure(what, interface, error, can_remedy(error, interface));
 }
 
 }  // namespace fencepost::linux

@@ -11,9 +11,9 @@
 namespace fencepost::linux {
 namespace {
 
-constexpr std::string_view kWhat = "open the I2C adapter";
+constexpr std::string_view kOpenI2c = "open the I2C adapter";
 
-std::string_view remedy(int error) {
+std::string_view i2c_remedy(int error) {
   switch (error) {
     case ENOENT:
     case ENXIO:
@@ -26,7 +26,7 @@ std::string_view remedy(int error) {
   }
 }
 
-Problem problem_with(const std::string& path, int error) { return failure(kWhat, path, error, remedy(error)); }
+Problem i2c_problem(const std::string& path, int error) { return failure(kOpenI2c, path, error, i2c_remedy(error)); }
 
 // The kernel may report an unplug like any other failure (EIO); the device node is gone by then.
 bool still_there(int fd, const std::string& path) {
@@ -39,13 +39,13 @@ bool still_there(int fd, const std::string& path) {
 
 Opened<Descriptor> open_i2c_adapter(const I2cSettings& settings) {
   Descriptor fd(::open(settings.path.c_str(), O_RDWR | O_CLOEXEC));
-  if (!fd.open()) return problem_with(settings.path, errno == EISDIR ? ENOTTY : errno);
+  if (!fd.open()) return i2c_problem(settings.path, errno == EISDIR ? ENOTTY : errno);
   unsigned long functions = 0;
-  if (::ioctl(fd.get(), I2C_FUNCS, &functions) != 0) return problem_with(settings.path, ENOTTY);
-  if ((functions & I2C_FUNC_I2C) == 0) return problem_with(settings.path, EOPNOTSUPP);
+  if (::ioctl(fd.get(), I2C_FUNCS, &functions) != 0) return i2c_problem(settings.path, ENOTTY);
+  if ((functions & I2C_FUNC_I2C) == 0) return i2c_problem(settings.path, EOPNOTSUPP);
   constexpr auto kStep = std::chrono::milliseconds(10);
   const auto steps = static_cast<unsigned long>((settings.timeout + kStep - std::chrono::milliseconds(1)) / kStep);
-  if (::ioctl(fd.get(), I2C_TIMEOUT, steps) != 0) return problem_with(settings.path, errno);
+  if (::ioctl(fd.get(), I2C_TIMEOUT, steps) != 0) return i2c_problem(settings.path, errno);
   return fd;
 }
 

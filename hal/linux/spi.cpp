@@ -11,9 +11,9 @@
 namespace fencepost::linux {
 namespace {
 
-constexpr std::string_view kWhat = "open the SPI device";
+constexpr std::string_view kOpenSpi = "open the SPI device";
 
-std::string_view remedy(int error) {
+std::string_view spi_remedy(int error) {
   switch (error) {
     case ENOENT:
     case ENXIO:
@@ -26,7 +26,7 @@ std::string_view remedy(int error) {
   }
 }
 
-Problem problem_with(const std::string& path, int error) { return failure(kWhat, path, error, remedy(error)); }
+Problem spi_problem(const std::string& path, int error) { return failure(kOpenSpi, path, error, spi_remedy(error)); }
 
 int configure(int fd, const SpiSettings& settings) {
   std::uint8_t mode = settings.mode;
@@ -41,8 +41,8 @@ int configure(int fd, const SpiSettings& settings) {
 
 Opened<Descriptor> open_device(const SpiSettings& settings) {
   Descriptor fd(::open(settings.path.c_str(), O_RDWR | O_CLOEXEC));
-  if (!fd.open()) return problem_with(settings.path, errno == EISDIR ? ENOTTY : errno);
-  if (const int error = configure(fd.get(), settings); error != 0) return problem_with(settings.path, error);
+  if (!fd.open()) return spi_problem(settings.path, errno == EISDIR ? ENOTTY : errno);
+  if (const int error = configure(fd.get(), settings); error != 0) return spi_problem(settings.path, error);
   return fd;
 }
 

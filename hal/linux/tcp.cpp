@@ -17,7 +17,7 @@ constexpr int kPatienceMs = 2'000;
 
 std::string name_of(const TcpSettings& settings) { return settings.host + ":" + std::to_string(settings.port); }
 
-std::string_view remedy(int error) {
+std::string_view tcp_remedy(int error) {
   switch (error) {
     case ECONNREFUSED: return "nobody listens there; start the other program first, and compare the port";
     case ETIMEDOUT:
@@ -27,8 +27,8 @@ std::string_view remedy(int error) {
   }
 }
 
-Problem problem_with(const TcpSettings& settings, int error) {
-  return failure("connect to", name_of(settings), error, remedy(error));
+Problem tcp_problem(const TcpSettings& settings, int error) {
+  return failure("connect to", name_of(settings), error, tcp_remedy(error));
 }
 
 struct FreeAddresses {
@@ -102,7 +102,7 @@ Opened<Tcp> Tcp::open(TcpSettings settings) {
     if (error == 0) return tcp;
     if (error == EINPROGRESS) error = ETIMEDOUT;
   }
-  return problem_with(tcp->settings_, error);
+  return tcp_problem(tcp->settings_, error);
 }
 
 base::Result<std::size_t> Tcp::read(std::span<std::uint8_t> in) {
@@ -153,7 +153,7 @@ void Tcp::fail(int error) {
   fd_.close();
   next_ = (next_ + 1) % addresses_.size();
   connecting_since_.reset();
-  problem_ = problem_with(settings_, error).sentence;
+  problem_ = tcp_problem(settings_, error).sentence;
 }
 
 }  // namespace fencepost::linux

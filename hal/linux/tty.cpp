@@ -12,9 +12,9 @@
 namespace fencepost::linux {
 namespace {
 
-constexpr std::string_view kWhat = "open the serial port";
+constexpr std::string_view kOpenTty = "open the serial port";
 
-std::string_view remedy(int error) {
+std::string_view tty_remedy(int error) {
   switch (error) {
     case ENOENT:
     case ENXIO:
@@ -28,7 +28,7 @@ std::string_view remedy(int error) {
   }
 }
 
-Problem problem_with(const std::string& path, int error) { return failure(kWhat, path, error, remedy(error)); }
+Problem tty_problem(const std::string& path, int error) { return failure(kOpenTty, path, error, tty_remedy(error)); }
 
 Problem wrong_baud(const TtySettings& settings, std::uint32_t actual) {
   return {"cannot set the serial port " + settings.path + " to " + std::to_string(settings.baud) + " baud: it chose " +
@@ -44,11 +44,11 @@ int claim(int fd) {
 // Nothing is flushed: a closed port hears nothing, and a pty may hold what is meant for us.
 Opened<Descriptor> open_line(const TtySettings& settings) {
   Descriptor fd(::open(settings.path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!fd.open()) return problem_with(settings.path, errno == EISDIR ? ENOTTY : errno);
-  if (::isatty(fd.get()) == 0) return problem_with(settings.path, ENOTTY);
-  if (const int error = claim(fd.get()); error != 0) return problem_with(settings.path, error);
+  if (!fd.open()) return tty_problem(settings.path, errno == EISDIR ? ENOTTY : errno);
+  if (::isatty(fd.get()) == 0) return tty_problem(settings.path, ENOTTY);
+  if (const int error = claim(fd.get()); error != 0) return tty_problem(settings.path, error);
   const LineFault fault = set_raw_line(fd.get(), settings.baud);
-  if (fault.error != 0) return problem_with(settings.path, fault.error);
+  if (fault.error != 0) return tty_problem(settings.path, fault.error);
   if (fault.actual_baud != 0) return wrong_baud(settings, fault.actual_baud);
   set_low_latency(fd.get());
   return fd;

@@ -19,7 +19,7 @@ std::string hexadecimal(std::uint16_t value) {
   return text;
 }
 
-std::string remedy(int error, const UsbSettings& settings) {
+std::string usb_remedy(int error, const UsbSettings& settings) {
   switch (error) {
     case LIBUSB_ERROR_ACCESS:
       return "let udev allow it: SUBSYSTEM==\"usb\", ATTR{idVendor}==\"" + hexadecimal(settings.vendor) +
@@ -31,9 +31,9 @@ std::string remedy(int error, const UsbSettings& settings) {
   }
 }
 
-Problem problem_with(const UsbSettings& settings, int error) {
+Problem usb_problem(const UsbSettings& settings, int error) {
   return {"cannot open the USB device " + name_of(settings) + ": " + libusb_strerror(error) + "; " +
-          remedy(error, settings)};
+          usb_remedy(error, settings)};
 }
 
 /// Contexts kept for reuse. Hotplug events queue in them meanwhile, some bytes each.
@@ -95,7 +95,7 @@ int claim(libusb_device_handle* handle, const UsbSettings& settings) {
 }
 
 Opened<UsbDevice> use(UsbHandle handle, const UsbSettings& settings) {
-  if (const int error = claim(handle.get(), settings); error != 0) return problem_with(settings, error);
+  if (const int error = claim(handle.get(), settings); error != 0) return usb_problem(settings, error);
   libusb_device* device = libusb_get_device(handle.get());
   const int in = libusb_get_max_packet_size(device, settings.in_endpoint);
   const int out = libusb_get_max_packet_size(device, settings.out_endpoint);
@@ -135,7 +135,7 @@ Opened<UsbContext> open_usb() {
 Opened<UsbDevice> open_usb_device(libusb_context* context, const UsbSettings& settings) {
   libusb_device** devices = nullptr;
   const ssize_t count = libusb_get_device_list(context, &devices);
-  if (count < 0) return problem_with(settings, static_cast<int>(count));
+  if (count < 0) return usb_problem(settings, static_cast<int>(count));
   const std::unique_ptr<libusb_device*, FreeList> list(devices);
   int failed = LIBUSB_ERROR_NOT_FOUND;
   for (ssize_t i = 0; i < count; ++i) {
@@ -148,7 +148,7 @@ Opened<UsbDevice> open_usb_device(libusb_context* context, const UsbSettings& se
     UsbHandle owned(handle);
     if (has_serial(handle, settings.serial)) return use(std::move(owned), settings);
   }
-  return problem_with(settings, failed);
+  return usb_problem(settings, failed);
 }
 
 }  // namespace fencepost::linux

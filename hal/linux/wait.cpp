@@ -7,8 +7,8 @@ namespace {
 
 timespec as_timespec(base::Duration duration) {
   const std::int64_t ticks = duration.raw < 0 ? 0 : duration.raw;
-  constexpr std::int64_t kNanosecondsPerTick = 1'000'000'000 / base::Duration::kPerUnit;
-  return {ticks / base::Duration::kPerUnit, ticks % base::Duration::kPerUnit * kNanosecondsPerTick};
+  constexpr std::int64_t kTickNs = 1'000'000'000 / base::Duration::kPerUnit;
+  return {ticks / base::Duration::kPerUnit, ticks % base::Duration::kPerUnit * kTickNs};
 }
 
 }  // namespace

@@ -54,9 +54,9 @@ void print(const monitor::Said& said) {
 }
 
 /// Bytes to records; other lines are heard as they are.
-class Feed {
+class ScreenFeed {
  public:
-  explicit Feed(monitor::Believed& believed) : believed_(believed) {}
+  explicit ScreenFeed(monitor::Believed& believed) : believed_(believed) {}
 
   void take(std::string_view bytes) {
     for (const char byte : bytes) {
@@ -93,9 +93,9 @@ class Source {
   virtual void key(char /*typed*/, double /*now*/) {}
 };
 
-class LogSource final : public Source {
+class PlayedSource final : public Source {
  public:
-  LogSource(std::string log, double speed, Feed& feed) : player_(std::move(log)), feed_(feed), speed_(speed) {}
+  PlayedSource(std::string log, double speed, ScreenFeed& feed) : player_(std::move(log)), feed_(feed), speed_(speed) {}
 
   void feed(double now) override {
     if (!paused_) at_ += (now - before_.value_or(now)) * speed_;
@@ -123,7 +123,7 @@ class LogSource final : public Source {
 
  private:
   monitor::LogPlayer player_;
-  Feed& feed_;
+  ScreenFeed& feed_;
   double speed_;
   double at_ = 0;  ///< s of the log
   std::optional<double> before_;
@@ -134,7 +134,8 @@ class LogSource final : public Source {
 /// their port is opened.
 class PortSource final : public Source {
  public:
-  PortSource(std::unique_ptr<BytePort> port, const MonitorRequest& request, monitor::Believed& believed, Feed& feed)
+  PortSource(std::unique_ptr<BytePort> port, const MonitorRequest& request, monitor::Believed& believed,
+             ScreenFeed& feed)
       : port_(std::move(port)),
         ends_(request.what == "-"),
         asks_(!request.no_command && !ends_),
@@ -180,7 +181,7 @@ class PortSource final : public Source {
   int asked_ = 0;
   double asked_at_ = 0;
   monitor::Believed& believed_;
-  Feed& feed_;
+  ScreenFeed& feed_;
 };
 
 bool is_port(const std::string& what) {
@@ -268,12 +269,12 @@ Exit watch(const MonitorRequest& request) {
   const bool port = is_port(request.what);
   StopSignals signals;
   monitor::Believed believed(screen ? std::function<void(const monitor::Said&)>() : print);
-  Feed feed(believed);
+  ScreenFeed feed(believed);
   std::unique_ptr<Source> source;
   if (port) {
     source = std::make_unique<PortSource>(open_monitored(request), request, believed, feed);
   } else {
-    source = std::make_unique<LogSource>(own_log(request), request.speed, feed);
+    source = std::make_unique<PlayedSource>(own_log(request), request.speed, feed);
   }
   if (screen) {
     signals.on_second(monitor::TerminalScreen::give_back);

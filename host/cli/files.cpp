@@ -19,14 +19,6 @@
 #include "host/cli/spool.hpp"
 
 namespace fencepost::host::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr mode_t kNewFileMode = 0666;  ///< narrowed by the umask
-
-std::string reason(int error) { return std::system_category().message(error); }
-
 class OpenFile {
  public:
   explicit OpenFile(int fd) : fd_(fd) {}
@@ -46,6 +38,14 @@ class OpenFile {
  private:
   int fd_;
 };
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr mode_t kNewFileMode = 0666;  ///< narrowed by the umask
+
+std::string reason(int error) { return std::system_category().message(error); }
 
 [[noreturn]] void fail_writing(const std::string& path, int error) {
   std::string remedy = "; choose another place with -o";

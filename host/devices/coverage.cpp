@@ -32,10 +32,6 @@ std::string_view link_name(PlaceKind link) {
   return "";
 }
 
-bool has(const std::vector<PlaceKind>& places, PlaceKind place) {
-  return std::find(places.begin(), places.end(), place) != places.end();
-}
-
 Tried tried_on(const Row& row, PlaceKind link) {
   const auto found = std::ranges::find(row.tried, link, &Tried::link);
   return found == row.tried.end() ? Tried{link} : *found;

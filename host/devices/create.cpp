@@ -15,7 +15,6 @@ using emulate::CreateModel;
 constexpr std::uint32_t kCreate1Baud = 57'600;
 constexpr std::uint32_t kCreate2Baud = 115'200;
 
-constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
 template <create::Model Model>
 constexpr odometry::WheelBase kWheels =
     Model == create::Model::kCreate1 ? odometry::kCreate1Wheels : odometry::kCreate2Wheels;

@@ -33,10 +33,6 @@ std::string patterns(const std::vector<PlaceKind>& places) {
   return listed(words);
 }
 
-bool has(const std::vector<PlaceKind>& places, PlaceKind place) {
-  return std::find(places.begin(), places.end(), place) != places.end();
-}
-
 std::optional<double> real_number(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789.") != std::string::npos) return std::nullopt;
   char* end = nullptr;

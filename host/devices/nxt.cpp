@@ -16,7 +16,6 @@ namespace {
 using enum PlaceKind;
 
 constexpr std::uint32_t kBluetoothBaud = 115'200;  // what a serial port of Bluetooth is set to does not matter
-constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
 // The wheel and the track of the set's first robot.
 constexpr emulate::WheelShape kNxtWheels{metres(odometry::per_count({56.0, 360.0})), 0.112};
 

@@ -19,6 +19,8 @@ inline constexpr base::Duration kLookedAt = base::milliseconds(2);
 /// Wheels send unasked, and a silence is noticed in tenths of a second.
 inline constexpr base::Duration kTalks = base::milliseconds(50);
 
+inline constexpr double metres(std::int64_t picometres) { return static_cast<double>(picometres) * 1e-12; }
+
 /// A driver and its port, for host::PortedDevice.
 template <class Driver, class Port = host::BytePort>
 struct Ported {

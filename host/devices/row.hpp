@@ -1,6 +1,7 @@
 // One row of the catalogue: all that the program knows of a device.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,10 @@
 namespace fencepost::devices {
 
 using host::PlaceKind;
+
+inline bool has(const std::vector<PlaceKind>& places, PlaceKind place) {
+  return std::find(places.begin(), places.end(), place) != places.end();
+}
 
 struct DeviceSpec;
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // Numbers of the specification.
 enum Component : std::uint32_t { kUnsignedInt = 5125, kFloat = 5126 };
 enum Target : std::uint32_t { kVertices = 34962, kIndices = 34963 };
-enum Mode : std::uint32_t { kLineStrip = 3, kTriangles = 4 };
+enum Mode : std::uint32_t { kGltfLines = 3, kGltfTriangles = 4 };
 constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
@@ -52,7 +52,7 @@ class Model {
         {"attributes", {{"POSITION", points(mesh.points, true)}, {"NORMAL", points(mesh.normals, false)}}},
         {"indices", indices(mesh.indices)},
         {"material", material(title, colour)},
-        {"mode", kTriangles}};
+        {"mode", kGltfTriangles}};
     add_node(title, primitive,
              {{"id", object.id},
               {"state", record::name(object.state)},
@@ -75,7 +75,7 @@ class Model {
     add_node("path",
              {{"attributes", {{"POSITION", points(line, true)}}},
               {"material", material("path", {0x30, 0x30, 0x30})},
-              {"mode", kLineStrip}},
+              {"mode", kGltfLines}},
              {{"from", rounded(path.front().t, 4)}, {"to", rounded(path.back().t, 4)}});
   }
 

@@ -14,7 +14,7 @@ using markup::escaped;
 using markup::px;
 
 constexpr double kSize = 300;  // px, of the square
-constexpr double kTop = 26;
+constexpr double kPlanTop = 26;
 constexpr double kBottom = 22;
 constexpr double kLeastScaleBar = 50;
 
@@ -77,8 +77,9 @@ std::string draw_scale_bar(const Frame& frame) {
   const double metres = nice_step(kLeastScaleBar / frame.scale());
   return fmt::format(R"(<path d="M{0} {1}v6h{2}v-6" fill="none" stroke="#1c2733" stroke-width="1.4"/>)"
                      R"(<text x="{3}" y="{4}" text-anchor="end">{5} cm</text>)",
-                     px(kSize - metres * frame.scale() - 2), px(kTop + kSize + 5), px(metres * frame.scale()),
-                     px(kSize - metres * frame.scale() - 8), px(kTop + kSize + 14), markup::figure(100 * metres, 0));
+                     px(kSize - metres * frame.scale() - 2), px(kPlanTop + kSize + 5), px(metres * frame.scale()),
+                     px(kSize - metres * frame.scale() - 8), px(kPlanTop + kSize + 14),
+                     markup::figure(100 * metres, 0));
 }
 
 }  // namespace
@@ -87,9 +88,9 @@ std::string draw_plan(const Plan& plan) {
   const Frame frame{plan};
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" aria-label="{}" font-family="system-ui, -apple-system, 'Segoe UI', Roboto, Arial, sans-serif" font-size="13" fill="#5a6775">)",
-      px(kSize), px(kTop + kSize + kBottom), escaped(plan.title));
+      px(kSize), px(kPlanTop + kSize + kBottom), escaped(plan.title));
   svg += fmt::format(R"(<text x="2" y="17" style="font-weight:600;fill:#1c2733">{}</text>)", escaped(plan.title));
-  svg += fmt::format(R"(<svg y="{}" width="{}" height="{}" overflow="hidden">)", px(kTop), px(kSize), px(kSize));
+  svg += fmt::format(R"(<svg y="{}" width="{}" height="{}" overflow="hidden">)", px(kPlanTop), px(kSize), px(kSize));
   svg += fmt::format(R"(<rect width="{0}" height="{0}" fill="#fafbfc" stroke="#b4bec8"/>)", px(kSize));
   for (const PlanArea& area : plan.areas) svg += draw_area(frame, area);
   for (const PlanPart& part : plan.parts) svg += draw_part(frame, part);

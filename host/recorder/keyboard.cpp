@@ -15,14 +15,14 @@ namespace {
 termios terminal_before{};
 volatile std::sig_atomic_t terminal_taken = 0;
 
-bool in_foreground() { return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
-
 bool something_to_read() {
   pollfd wait{STDIN_FILENO, POLLIN, 0};
   return ::poll(&wait, 1, 0) > 0;
 }
 
 }  // namespace
+
+bool in_foreground() { return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
 
 // Ignored, a read in the background is an error instead of a stop of the whole program.
 Keyboard::Keyboard(bool edits) : edits_(edits) {

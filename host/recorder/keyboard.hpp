@@ -11,6 +11,9 @@
 
 namespace fencepost::host {
 
+/// Whether the terminal's keys are for this program, not for another job of the shell.
+bool in_foreground();
+
 class Keyboard {
  public:
   /// `edits`: a terminal without echo, because the status line shows what is typed; else bytes as they come.

@@ -15,11 +15,9 @@
 namespace fencepost::host {
 namespace {
 
-constexpr std::string_view kEraseLine = "\r\x1b[K";
+constexpr std::string_view kEraseTyped = "\r\x1b[K";
 constexpr std::size_t kPortion = 256;                            // what a terminal takes without waiting
 constexpr base::Duration kBellPause = base::milliseconds(2000);  // one alert is repeated faster than that
-
-bool in_foreground() { return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
 
 bool writable() {
   pollfd wait{STDOUT_FILENO, POLLOUT, 0};
@@ -102,7 +100,7 @@ std::string TypingConsole::shown(std::string line) {
 void TypingConsole::refresh(std::string_view lines) {
   const std::string typing(fitting(keyboard_.typing()));
   if (lines.empty() && typing == drawn_) return;
-  if (!drawn_.empty()) waiting_ += kEraseLine;
+  if (!drawn_.empty()) waiting_ += kEraseTyped;
   waiting_ += lines;
   waiting_ += typing;
   drawn_ = typing;
@@ -130,7 +128,7 @@ std::optional<std::string> TypingConsole::lost() const {
 }
 
 std::uint64_t TypingConsole::finish(std::chrono::milliseconds patience) {
-  if (!drawn_.empty()) waiting_ += kEraseLine;
+  if (!drawn_.empty()) waiting_ += kEraseTyped;
   drawn_.clear();
   const auto end = std::chrono::steady_clock::now() + patience;
   while (!waiting_.empty() && error_ == 0 && std::chrono::steady_clock::now() < end) {
@@ -147,7 +145,7 @@ void TypingConsole::watch(linux::WaitSet& set, bool output_waits) const {
 }
 
 void TypingConsole::without_typed_line(const std::function<void()>& write) {
-  if (!drawn_.empty()) waiting_ += kEraseLine;
+  if (!drawn_.empty()) waiting_ += kEraseTyped;
   drawn_.clear();
   flush();
   write();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLongestGap = 0.2;  // s between poses
 constexpr double kSameTime = 0.001;  // s: names are rounded
-constexpr double kNanoseconds = 1e12;
+constexpr double kInNanoseconds = 1e12;
 constexpr double kMuchPitch = 0.035;  // rad, 2 deg
 
 std::string text_of(const char* form, double value) {
@@ -27,7 +27,7 @@ std::string text_of(const char* form, double value) {
 std::optional<double> time_in_name(const std::string& image) {
   const auto number = number_in(std::filesystem::path(image).stem().string());
   if (!number) return std::nullopt;
-  return *number > kNanoseconds ? 1e-9 * *number : *number;
+  return *number > kInNanoseconds ? 1e-9 * *number : *number;
 }
 
 /// Between two poses the shortest way, at constant speeds.

@@ -8,8 +8,8 @@
 namespace fencepost::recon {
 namespace {
 
-std::size_t next(std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i + 1; }
-std::size_t previous(std::size_t i, std::size_t size) { return i == 0 ? size - 1 : i - 1; }
+std::size_t following(std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i + 1; }
+std::size_t preceding(std::size_t i, std::size_t size) { return i == 0 ? size - 1 : i - 1; }
 
 // Chord between two unit bearings: 2 sin(angle / 2), in [0, 2].
 float chord(const Vec2& a, const Vec2& b) { return (a - b).norm(); }
@@ -85,9 +85,9 @@ EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
 // its line. Only the nearest edge is trusted, and the run of visible ones around it.
 VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2& point) {
   std::size_t nearest = 0;
-  EdgeView best = view_of_edge(v[0], v[next(0, size)], point);
+  EdgeView best = view_of_edge(v[0], v[following(0, size)], point);
   for (std::size_t i = 1; i < size; ++i) {
-    const EdgeView view = view_of_edge(v[i], v[next(i, size)], point);
+    const EdgeView view = view_of_edge(v[i], v[following(i, size)], point);
     const bool nearer = view.distance_squared < best.distance_squared;
     const bool same_vertex = view.distance_squared == best.distance_squared && view.outside_by > best.outside_by;
     if (!nearer && !same_vertex) continue;
@@ -96,12 +96,12 @@ VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2&
   }
   if (!(best.distance_squared > kHullTolerance * kHullTolerance)) return {};
   if (!(best.outside_by > 0)) return {};
-  const auto sees = [&](std::size_t i) { return -cross(v[next(i, size)] - v[i], point - v[i]) > 0; };
+  const auto sees = [&](std::size_t i) { return -cross(v[following(i, size)] - v[i], point - v[i]) > 0; };
   VisibleEdges visible{nearest, 1};
   std::size_t last = nearest;
-  for (; visible.count + 1 < size && sees(next(last, size)); ++visible.count) last = next(last, size);
-  for (; visible.count + 1 < size && sees(previous(visible.first, size)); ++visible.count) {
-    visible.first = previous(visible.first, size);
+  for (; visible.count + 1 < size && sees(following(last, size)); ++visible.count) last = following(last, size);
+  for (; visible.count + 1 < size && sees(preceding(visible.first, size)); ++visible.count) {
+    visible.first = preceding(visible.first, size);
   }
   return visible;
 }
@@ -111,8 +111,8 @@ std::size_t least_vertex(std::span<const Vec2> v, std::size_t size) {
   std::size_t least = 0;
   float least_height = 0;
   for (std::size_t i = 0; i < size; ++i) {
-    const Vec2& before = v[previous(i, size)];
-    const Vec2 base = v[next(i, size)] - before;
+    const Vec2& before = v[preceding(i, size)];
+    const Vec2 base = v[following(i, size)] - before;
     const float height_times_base = cross(base, v[i] - before);
     const float height = height_times_base * height_times_base / base.squared_norm();
     if (i > 0 && !(height < least_height)) continue;

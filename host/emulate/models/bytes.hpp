@@ -11,4 +11,10 @@ using Bytes = std::vector<std::uint8_t>;
 
 inline Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
+/// Low byte first.
+inline void put(Bytes& bytes, unsigned word) {
+  bytes.push_back(static_cast<std::uint8_t>(word & 0xFFU));
+  bytes.push_back(static_cast<std::uint8_t>(word >> 8U & 0xFFU));
+}
+
 }  // namespace fencepost::emulate

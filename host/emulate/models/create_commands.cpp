@@ -6,11 +6,11 @@
 namespace fencepost::emulate {
 namespace {
 
-constexpr unsigned kOne = 1;
-constexpr unsigned kTwo = 2;
-constexpr unsigned kBoth = kOne | kTwo;
+constexpr unsigned kCreate1 = 1;
+constexpr unsigned kCreate2 = 2;
+constexpr unsigned kBoth = kCreate1 | kCreate2;
 
-unsigned bit(CreateModel model) { return model == CreateModel::kOne ? kOne : kTwo; }
+unsigned bit(CreateModel model) { return model == CreateModel::kOne ? kCreate1 : kCreate2; }
 
 struct Opcode {
   int opcode;
@@ -20,45 +20,45 @@ struct Opcode {
 };
 
 constexpr Opcode kOpcodes[] = {
-    {128, kBoth, 0},     // start
-    {129, kBoth, 1},     // baud
-    {130, kBoth, 0},     // control, an older name of safe
-    {131, kBoth, 0},     // safe
-    {132, kBoth, 0},     // full
-    {133, kTwo, 0},      // power
-    {134, kBoth, 0},     // spot
-    {135, kBoth, 0},     // cover, clean
-    {136, kOne, 1},      // demo
-    {136, kTwo, 0},      // max
-    {137, kBoth, 4},     // drive
-    {138, kBoth, 1},     // low side drivers, motors
-    {139, kBoth, 3},     // LEDs
-    {140, kBoth, 2, 2},  // song: number, notes
-    {141, kBoth, 1},     // play
-    {142, kBoth, 1},     // sensors
-    {143, kBoth, 0},     // cover and dock, seek dock
-    {144, kBoth, 3},     // PWM of drivers and motors
-    {145, kBoth, 4},     // drive direct
-    {146, kTwo, 4},      // drive PWM
-    {147, kOne, 1},      // digital outputs
-    {148, kBoth, 1, 1},  // stream
-    {149, kBoth, 1, 1},  // query list
-    {150, kBoth, 1},     // pause or resume the stream
-    {151, kOne, 1},      // send IR
-    {152, kOne, 1, 1},   // script
-    {153, kOne, 0},      // play script
-    {154, kOne, 0},      // show script
-    {155, kOne, 1},      // wait time
-    {156, kOne, 2},      // wait distance
-    {157, kOne, 2},      // wait angle
-    {158, kOne, 1},      // wait event
-    {162, kTwo, 2},      // scheduling LEDs
-    {163, kTwo, 4},      // digits' segments
-    {164, kTwo, 4},      // digits' characters
-    {165, kTwo, 1},      // buttons
-    {167, kTwo, 15},     // schedule
-    {168, kTwo, 3},      // day and time
-    {173, kTwo, 0},      // stop
+    {128, kBoth, 0},        // start
+    {129, kBoth, 1},        // baud
+    {130, kBoth, 0},        // control, an older name of safe
+    {131, kBoth, 0},        // safe
+    {132, kBoth, 0},        // full
+    {133, kCreate2, 0},     // power
+    {134, kBoth, 0},        // spot
+    {135, kBoth, 0},        // cover, clean
+    {136, kCreate1, 1},     // demo
+    {136, kCreate2, 0},     // max
+    {137, kBoth, 4},        // drive
+    {138, kBoth, 1},        // low side drivers, motors
+    {139, kBoth, 3},        // LEDs
+    {140, kBoth, 2, 2},     // song: number, notes
+    {141, kBoth, 1},        // play
+    {142, kBoth, 1},        // sensors
+    {143, kBoth, 0},        // cover and dock, seek dock
+    {144, kBoth, 3},        // PWM of drivers and motors
+    {145, kBoth, 4},        // drive direct
+    {146, kCreate2, 4},     // drive PWM
+    {147, kCreate1, 1},     // digital outputs
+    {148, kBoth, 1, 1},     // stream
+    {149, kBoth, 1, 1},     // query list
+    {150, kBoth, 1},        // pause or resume the stream
+    {151, kCreate1, 1},     // send IR
+    {152, kCreate1, 1, 1},  // script
+    {153, kCreate1, 0},     // play script
+    {154, kCreate1, 0},     // show script
+    {155, kCreate1, 1},     // wait time
+    {156, kCreate1, 2},     // wait distance
+    {157, kCreate1, 2},     // wait angle
+    {158, kCreate1, 1},     // wait event
+    {162, kCreate2, 2},     // scheduling LEDs
+    {163, kCreate2, 4},     // digits' segments
+    {164, kCreate2, 4},     // digits' characters
+    {165, kCreate2, 1},     // buttons
+    {167, kCreate2, 15},    // schedule
+    {168, kCreate2, 3},     // day and time
+    {173, kCreate2, 0},     // stop
 };
 
 struct Group {
@@ -69,9 +69,9 @@ struct Group {
 };
 
 constexpr Group kGroups[] = {
-    {0, kBoth, 7, 26},   {1, kBoth, 7, 16},   {2, kBoth, 17, 20},  {3, kBoth, 21, 26},
-    {4, kBoth, 27, 34},  {5, kBoth, 35, 42},  {6, kBoth, 7, 42},   {100, kTwo, 7, 58},
-    {101, kTwo, 43, 58}, {106, kTwo, 46, 51}, {107, kTwo, 54, 58},
+    {0, kBoth, 7, 26},       {1, kBoth, 7, 16},       {2, kBoth, 17, 20},      {3, kBoth, 21, 26},
+    {4, kBoth, 27, 34},      {5, kBoth, 35, 42},      {6, kBoth, 7, 42},       {100, kCreate2, 7, 58},
+    {101, kCreate2, 43, 58}, {106, kCreate2, 46, 51}, {107, kCreate2, 54, 58},
 };
 
 constexpr int kFirstPacket = 7;

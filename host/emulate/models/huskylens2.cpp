@@ -5,10 +5,10 @@
 namespace fencepost::emulate {
 namespace {
 
-constexpr int kColour = 5;
-constexpr std::size_t kHeader = 5;
+constexpr int kColour2 = 5;
+constexpr std::size_t kHeader2 = 5;
 
-std::uint8_t sum(std::span<const std::uint8_t> bytes) {
+std::uint8_t sum2(std::span<const std::uint8_t> bytes) {
   unsigned total = 0;
   for (const std::uint8_t byte : bytes) total += byte;
   return static_cast<std::uint8_t>(total & 0xFFU);
@@ -21,7 +21,7 @@ void add(Bytes& bytes, const Bytes& more) {
 Bytes framed(std::uint8_t command, int algorithm, const Bytes& data) {
   Bytes bytes = {0x55, 0xAA, command, static_cast<std::uint8_t>(algorithm), static_cast<std::uint8_t>(data.size())};
   add(bytes, data);
-  bytes.push_back(sum(bytes));
+  bytes.push_back(sum2(bytes));
   return bytes;
 }
 
@@ -42,14 +42,14 @@ Bytes named(const std::string& name) {
 }
 
 /// The middle of an even number of pixels is told as the one behind it.
-Bytes block(const sensor::Blob& blob) {
+Bytes block2(const sensor::Blob& blob) {
   constexpr int kConfidence = 90;
   const int width = blob.x2 - blob.x1 + 1;
   const int height = blob.y2 - blob.y1 + 1;
   Bytes data = packet(blob.signature, kConfidence, {blob.x1 + width / 2, blob.y1 + height / 2, width, height});
   add(data, named("Color" + std::to_string(blob.signature)));
   add(data, named(""));
-  return framed(0x43, kColour, data);
+  return framed(0x43, kColour2, data);
 }
 
 }  // namespace
@@ -70,11 +70,11 @@ Bytes HuskyLens2::take(std::uint8_t byte, base::Time now) {
   if (now - power_on_ < kDeaf) return {};
   received_.push_back(byte);
   if (received_[0] != 0x55 || (received_.size() > 1 && received_[1] != 0xAA)) received_.clear();
-  if (received_.size() < kHeader || received_.size() < kHeader + 1U + received_[4]) return {};
+  if (received_.size() < kHeader2 || received_.size() < kHeader2 + 1U + received_[4]) return {};
   const Bytes message = std::exchange(received_, {});
   const std::span<const std::uint8_t> view(message);
-  if (sum(view.first(message.size() - 1)) != message.back()) return {};
-  return answer(message[2], message[3], view.subspan(kHeader, message[4]));
+  if (sum2(view.first(message.size() - 1)) != message.back()) return {};
+  return answer(message[2], message[3], view.subspan(kHeader2, message[4]));
 }
 
 Bytes HuskyLens2::answer(std::uint8_t command, std::uint8_t algorithm, std::span<const std::uint8_t> data) {
@@ -93,14 +93,14 @@ Bytes HuskyLens2::answer(std::uint8_t command, std::uint8_t algorithm, std::span
 }
 
 Bytes HuskyLens2::results() const {
-  const int count = algorithm_ == kColour ? static_cast<int>(blobs_.size()) : 0;
+  const int count = algorithm_ == kColour2 ? static_cast<int>(blobs_.size()) : 0;
   Bytes reply = framed(0x42, algorithm_, packet(learned_, 0, {count, count, count, count}));
-  for (int i = 0; i < count; ++i) add(reply, block(blobs_[static_cast<std::size_t>(i)]));
+  for (int i = 0; i < count; ++i) add(reply, block2(blobs_[static_cast<std::size_t>(i)]));
   return reply;
 }
 
 std::string describe_huskylens2(bool /*from_host*/, std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeader || bytes[0] != 0x55 || bytes[1] != 0xAA) return {};
+  if (bytes.size() < kHeader2 || bytes[0] != 0x55 || bytes[1] != 0xAA) return {};
   switch (bytes[2]) {
     case 0x11: return "knock of a HuskyLens 1";
     case 0x20: return "knock";

@@ -33,7 +33,7 @@ std::optional<std::vector<std::uint8_t>> values_of(const std::string& line) {
   return values;
 }
 
-int area(const sensor::Blob& blob) { return (blob.x2 - blob.x1 + 1) * (blob.y2 - blob.y1 + 1); }
+int box_area(const sensor::Blob& blob) { return (blob.x2 - blob.x1 + 1) * (blob.y2 - blob.y1 + 1); }
 
 }  // namespace
 
@@ -102,7 +102,7 @@ void NxtCam::show(const std::vector<sensor::Blob>& blobs) {
   seen_ = blobs;
   if (!tracking_ || locked_) return;
   std::vector<sensor::Blob> list = blobs;
-  const auto larger = [](const sensor::Blob& a, const sensor::Blob& b) { return area(a) > area(b); };
+  const auto larger = [](const sensor::Blob& a, const sensor::Blob& b) { return box_area(a) > box_area(b); };
   if (sort_by_size_) std::stable_sort(list.begin(), list.end(), larger);
   list.resize(std::min<std::size_t>(list.size(), 8));
   registers_[kCount] = static_cast<std::uint8_t>(list.size());

@@ -11,11 +11,6 @@ constexpr unsigned kCode = 0xAA56;
 
 int area(const sensor::Blob& blob) { return (blob.x2 + 1 - blob.x1) * (blob.y2 + 1 - blob.y1); }
 
-void put(Bytes& bytes, unsigned word) {
-  bytes.push_back(static_cast<std::uint8_t>(word & 0xFFU));
-  bytes.push_back(static_cast<std::uint8_t>(word >> 8U & 0xFFU));
-}
-
 /// Mark, sum, and the words that are summed.
 Bytes block(unsigned mark, std::initializer_list<int> words) {
   unsigned sum = 0;

@@ -7,8 +7,8 @@
 namespace fencepost::emulate {
 namespace {
 
-constexpr std::size_t kTransfer = 64;
-constexpr std::size_t kHeader = 12;
+constexpr std::size_t kUsbTransfer = 64;
+constexpr std::size_t kPixyHeader = 12;
 constexpr std::uint8_t kRun = 5;
 constexpr std::uint8_t kJunk = 0x5A;
 
@@ -43,9 +43,9 @@ class Message {
     for (const int word : words) put(static_cast<std::uint32_t>(word), 2);
   }
   Bytes sealed() {
-    const std::size_t length = bytes_.size() - kHeader;
+    const std::size_t length = bytes_.size() - kPixyHeader;
     for (unsigned i = 0; i < 4; ++i) bytes_[8 + i] = static_cast<std::uint8_t>(length >> 8U * i & 0xFFU);
-    if (bytes_.size() < kTransfer) bytes_.resize(kTransfer, kJunk);
+    if (bytes_.size() < kUsbTransfer) bytes_.resize(kUsbTransfer, kJunk);
     return bytes_;
   }
 
@@ -73,7 +73,7 @@ Bytes Pixy1Usb::power_up(base::Time now) {
 Bytes Pixy1Usb::take(std::uint8_t byte, base::Time now) {
   if (now - power_on_ < kStart) return {};
   received_.push_back(byte);
-  return received_.size() < kTransfer ? Bytes{} : answer(std::exchange(received_, {}));
+  return received_.size() < kUsbTransfer ? Bytes{} : answer(std::exchange(received_, {}));
 }
 
 Bytes Pixy1Usb::answer(const Bytes& transfer) {
@@ -90,7 +90,7 @@ Bytes Pixy1Usb::answer(const Bytes& transfer) {
     }
     case 0xA0: {
       if (!initialised_) return {};
-      const auto* const name = transfer.data() + kHeader + 1;
+      const auto* const name = transfer.data() + kPixyHeader + 1;
       const auto* const end = std::find(name, transfer.data() + transfer.size(), 0);
       return result(0x60, std::string(name, end) == "run" ? kRun : 0xFFFFFFFFU);
     }

@@ -4,21 +4,16 @@
 #include <numeric>
 #include <utility>
 
+#include "host/emulate/models/bytes.hpp"
+
 namespace fencepost::emulate {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 // Room for a program's name and its packet; longer requests are dropped.
 constexpr std::size_t kReceiveBuffer = 64;
 const std::string kBlobs = "color_connected_components";
 // Of the transmit buffer, in blocks: the list is cut before it is sorted.
 constexpr std::size_t kTransmitBlocks = 18;
-
-void put(Bytes& bytes, unsigned word) {
-  bytes.push_back(static_cast<std::uint8_t>(word & 0xFFU));
-  bytes.push_back(static_cast<std::uint8_t>(word >> 8U & 0xFFU));
-}
 
 unsigned width(const sensor::Blob& blob) { return static_cast<unsigned>(blob.x2 + 1 - blob.x1); }
 unsigned height(const sensor::Blob& blob) { return static_cast<unsigned>(blob.y2 - blob.y1); }

@@ -7,7 +7,7 @@
 namespace fencepost::emulate {
 namespace {
 
-std::string sealed(const std::string& body) {
+std::string with_xor(const std::string& body) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   unsigned sum = 0;
   for (const char c : body) sum ^= static_cast<unsigned char>(c);
@@ -34,18 +34,18 @@ std::string XbcDevice::power_up() {
 std::string XbcDevice::feed(std::string_view bytes) {
   std::string replies;
   for (auto questions = std::count(bytes.begin(), bytes.end(), '?'); questions > 0; --questions) {
-    replies += sealed("V XBCL 1");
+    replies += with_xor("V XBCL 1");
   }
   return replies;
 }
 
 std::string XbcDevice::frame(std::span<const XbcBlob> blobs) {
-  std::string lines = sealed("F" + numbers({number_, static_cast<std::int64_t>(blobs.size())}));
+  std::string lines = with_xor("F" + numbers({number_, static_cast<std::int64_t>(blobs.size())}));
   for (const XbcBlob& blob : blobs) {
-    lines += sealed("B" + numbers({blob.channel, blob.index, blob.x, blob.y, blob.size, xbc_confidence(blob), blob.left,
-                                   blob.top, blob.right, blob.bottom, blob.angle}));
+    lines += with_xor("B" + numbers({blob.channel, blob.index, blob.x, blob.y, blob.size, xbc_confidence(blob),
+                                     blob.left, blob.top, blob.right, blob.bottom, blob.angle}));
   }
-  lines += sealed("E" + numbers({number_}));
+  lines += with_xor("E" + numbers({number_}));
   ++number_;
   return lines;
 }

@@ -121,7 +121,7 @@ Json entity(double t, const Shown& shown) {
 }
 
 /// foxglove.Log's own numbers.
-int log_level(record::AlertLevel level) {
+int foxglove_level(record::AlertLevel level) {
   switch (level) {
     case record::AlertLevel::kClear:
     case record::AlertLevel::kNotice: return 2;
@@ -202,7 +202,7 @@ class FoxgloveJson final : public Encoding {
   }
   [[nodiscard]] std::string alert(double t, record::AlertLevel level, std::string_view sentence) const override {
     return text_of({{"timestamp", time(t)},
-                    {"level", log_level(level)},
+                    {"level", foxglove_level(level)},
                     {"message", sentence},
                     {"name", "fencepost"},
                     {"file", ""},

@@ -9,7 +9,7 @@
 namespace fencepost::host::exports {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
 enum Opcode : std::uint8_t {
   kHeader = 0x01,
@@ -77,7 +77,7 @@ std::string packed(std::string_view bytes) {
 
 McapWriter::McapWriter(std::string_view profile, std::string_view library, std::string message_encoding)
     : encoding_(std::move(message_encoding)) {
-  file_ = std::string(kMagic) + record(kHeader, Fields().string(profile).string(library).bytes());
+  file_ = std::string(kMcapMagic) + record(kHeader, Fields().string(profile).string(library).bytes());
 }
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const McapSchema& schema,
@@ -237,7 +237,7 @@ std::string McapWriter::finish() {
   end_chunk();
   file_ += record(kDataEnd, Fields().integer(crc_of(file_)).bytes());
   file_ += summary(file_.size());
-  file_ += kMagic;
+  file_ += kMcapMagic;
   return std::move(file_);
 }
 
