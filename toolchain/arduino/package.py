@@ -66,16 +66,7 @@ def sources_of(root):
     return sorted(headers), sorted(sources)
 
 
-def apart(root):
-    """Sources that the project's unity builds compile alone."""
-    text = (root / "toolchain/cmake/FencepostUnity.cmake").read_text(encoding="utf-8")
-    names = re.search(r"^fencepost_apart\(fencepost_recon ([^)]+)\)", text, re.MULTILINE).group(1).split()
-    return {"firmware/recon/" + name for name in names}
-
-
-def room_of(source, alone):
-    if source in alone:
-        return pathlib.PurePath(source).stem
+def room_of(source):
     return "_".join(source.split("/")[:2])
 
 
@@ -92,7 +83,7 @@ def write_sources(root, to):
         # Not .cpp: Arduino compiles each of those, and would compile it again.
         name = source.removesuffix(".cpp") + ".ipp"
         put(to / "src" / name, (root / source).read_bytes())
-        rooms.setdefault(room_of(source, apart(root)), []).append(name)
+        rooms.setdefault(room_of(source), []).append(name)
     for room, names in rooms.items():
         text = '#include "fencepost_options.h"\n\n' + "".join(f'#include "{name}"\n' for name in names)
         put(to / f"src/fencepost_{room}.cpp", text.encode())
