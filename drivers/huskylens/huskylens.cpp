@@ -109,6 +109,7 @@ void Session::finish_if_whole(base::Time now) {
     frame_.frame = counts_.frames++;
     last_t_ = frame_.t;
     complete_ = frame_;
+    fresh_ = true;
   }
   answered(now, building_number_ ? base::Duration{} : kImage2);
 }
@@ -179,8 +180,6 @@ void Session::lose_link() {
   next_ = {};
   restart();
 }
-
-std::optional<sensor::BlobFrame> Session::take_frame() { return std::exchange(complete_, std::nullopt); }
 
 LinkState Session::link() const {
   if (absent_) return LinkState::kAbsent;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "drivers/huskylens/frames.hpp"
 #include "drivers/serial/outbox.hpp"
@@ -65,8 +66,8 @@ class Session {
   void lose_link();
   void find_link() { absent_ = false; }
 
-  /// The frame that the last bytes brought, once.
-  std::optional<sensor::BlobFrame> take_frame();
+  /// The frame that the last bytes brought, once, where it lies until the next one; nullptr: none.
+  const sensor::BlobFrame* take_frame() { return std::exchange(fresh_, false) ? &complete_ : nullptr; }
   auto& outbox() { return outbox_; }
   [[nodiscard]] sensor::LinkState link() const;
   /// That answered last, or is tried.
@@ -114,7 +115,8 @@ class Session {
   base::Time new_image_;
   std::optional<base::Time> last_t_;
   sensor::BlobFrame frame_;
-  std::optional<sensor::BlobFrame> complete_;
+  sensor::BlobFrame complete_;
+  bool fresh_ = false;  ///< complete_ was not taken yet
   Counts counts_;
 };
 
@@ -130,7 +132,7 @@ class Camera {
     found ? session_.find_link() : session_.lose_link();
     session_.step(now);
     if (!wire::flush(session_.outbox(), link_)) session_.lose_link();
-    if (const std::optional<sensor::BlobFrame> frame = session_.take_frame()) return *frame;
+    if (const sensor::BlobFrame* frame = session_.take_frame()) return *frame;
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return session_.link(); }

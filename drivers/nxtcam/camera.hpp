@@ -26,7 +26,7 @@ class Camera {
   base::Result<sensor::BlobFrame> poll(base::Time now) {
     if (busy_) finish(now);
     if (!busy_) begin(now);
-    if (const std::optional<sensor::BlobFrame> frame = session_.take_frame()) return *frame;
+    if (const sensor::BlobFrame* frame = session_.take_frame()) return *frame;
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return session_.link(); }

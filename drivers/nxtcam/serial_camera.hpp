@@ -29,7 +29,7 @@ class SerialCamera {
   base::Result<sensor::BlobFrame> poll(base::Time now) {
     receive(now);
     send(now);
-    if (const std::optional<sensor::BlobFrame> frame = std::exchange(frame_, std::nullopt)) return *frame;
+    if (std::exchange(fresh_, false)) return frame_;
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return state_; }
@@ -69,6 +69,7 @@ class SerialCamera {
       frame->t = t;
       frame->frame = count_++;
       frame_ = *frame;
+      fresh_ = true;
     } else {
       take_line(line_in(message), now);
     }
@@ -135,7 +136,8 @@ class SerialCamera {
   std::uint32_t stale_ = 0;
   std::optional<base::Time> last_;
   base::FixedString<32> version_;
-  std::optional<sensor::BlobFrame> frame_;
+  sensor::BlobFrame frame_;
+  bool fresh_ = false;  ///< frame_ was not taken yet
 };
 
 }  // namespace fencepost::nxtcam

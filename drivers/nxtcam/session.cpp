@@ -146,6 +146,7 @@ void Session::take_count(std::span<const std::uint8_t> bytes, base::Time t) {
   if (bytes[0] > kMaxObjects) return reject(t);
   expected_ = bytes[0];
   building_ = {};
+  fresh_ = false;
   building_.t = t;
   take_objects(bytes.subspan(1), t);
 }
@@ -162,7 +163,7 @@ void Session::take_objects(std::span<const std::uint8_t> bytes, base::Time t) {
 
 void Session::finish_frame(base::Time t) {
   building_.frame = counters_.frames++;
-  frame_ = building_;
+  fresh_ = true;
   link_ = building_.blobs.empty() ? LinkState::kEmpty : LinkState::kOk;
   if (!building_.blobs.empty()) {
     last_seen_ = t;
@@ -183,7 +184,5 @@ void Session::reject(base::Time t) {
   if (options_.lock_buffer) return advance(Step::kUnlock, {}, t);
   next_frame(t);
 }
-
-std::optional<sensor::BlobFrame> Session::take_frame() { return std::exchange(frame_, std::nullopt); }
 
 }  // namespace fencepost::nxtcam

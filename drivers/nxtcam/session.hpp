@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "drivers/nxtcam/registers.hpp"
 #include "hal/base/fixed.hpp"
@@ -56,8 +57,8 @@ class Session {
   /// It failed. kGone: there is no bus; anything else: nobody answered.
   void fail(base::Error error, base::Time now);
 
-  /// The frame that the last `take` completed, once.
-  std::optional<sensor::BlobFrame> take_frame();
+  /// The frame that the last `take` completed, once, where it lies until the next one; nullptr: none.
+  const sensor::BlobFrame* take_frame() { return std::exchange(fresh_, false) ? &building_ : nullptr; }
 
   [[nodiscard]] sensor::LinkState link() const { return link_; }
   [[nodiscard]] const Counters& counters() const { return counters_; }
@@ -107,7 +108,7 @@ class Session {
   std::uint8_t expected_ = 0;  ///< objects of the frame that is being read
   std::array<std::uint8_t, kColourMapSize> map_{};
   sensor::BlobFrame building_;
-  std::optional<sensor::BlobFrame> frame_;
+  bool fresh_ = false;  ///< building_ was not taken yet
   base::FixedString<8> version_;
   Counters counters_;
 };

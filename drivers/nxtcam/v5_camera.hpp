@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -30,7 +29,7 @@ class V5Camera {
     receive(now);
     session_.step(now);
     if (!wire::flush(session_.outbox(), link_)) session_.lose_link();
-    if (const std::optional<sensor::BlobFrame> frame = session_.take_frame()) return *frame;
+    if (const sensor::BlobFrame* frame = session_.take_frame()) return *frame;
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return session_.link(); }

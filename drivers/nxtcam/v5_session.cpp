@@ -1,7 +1,6 @@
 #include "drivers/nxtcam/v5_session.hpp"
 
 #include <array>
-#include <utility>
 
 #include "drivers/serial/largest_first.hpp"
 
@@ -90,8 +89,9 @@ void V5Session::finish(base::Time now) {
   seen_ = !frame_.blobs.empty();
   blob_at_ = now;
   frame_.frame = counts_.frames++;
-  counts_.stale += complete_ ? 1U : 0U;
+  counts_.stale += fresh_ ? 1U : 0U;
   complete_ = frame_;
+  fresh_ = true;
 }
 
 void V5Session::step(base::Time now) {
@@ -144,8 +144,6 @@ void V5Session::forget_bytes() {
   scanner_.reset();
   unexplained_ = 0;
 }
-
-std::optional<sensor::BlobFrame> V5Session::take_frame() { return std::exchange(complete_, std::nullopt); }
 
 LinkState V5Session::link() const {
   if (absent_) return LinkState::kAbsent;

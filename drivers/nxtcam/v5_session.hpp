@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "drivers/nxtcam/serial.hpp"
 #include "drivers/serial/outbox.hpp"
@@ -55,7 +56,8 @@ class V5Session {
   void step(base::Time now);
   void lose_link();
   void find_link() { absent_ = false; }
-  std::optional<sensor::BlobFrame> take_frame();
+  /// The frame that the last bytes brought, once, where it lies until the next one; nullptr: none.
+  const sensor::BlobFrame* take_frame() { return std::exchange(fresh_, false) ? &complete_ : nullptr; }
 
   auto& outbox() { return outbox_; }
   /// kUnready: heard, and for `start_up` no blob has come.
@@ -92,7 +94,8 @@ class V5Session {
   bool given_ = false;
   std::optional<base::Time> last_t_;
   sensor::BlobFrame frame_;
-  std::optional<sensor::BlobFrame> complete_;
+  sensor::BlobFrame complete_;
+  bool fresh_ = false;  ///< complete_ was not taken yet
   base::FixedString<32> version_;
   V5Counts counts_;
 };

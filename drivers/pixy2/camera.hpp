@@ -32,7 +32,7 @@ class Camera {
   base::Result<sensor::BlobFrame> poll(base::Time now) {
     receive(now);
     send(now);
-    if (const std::optional<sensor::BlobFrame> frame = session_.take_frame()) return *frame;
+    if (const sensor::BlobFrame* frame = session_.take_frame()) return *frame;
     return base::Error::kNotReady;
   }
   [[nodiscard]] sensor::LinkState link() const { return session_.link(); }

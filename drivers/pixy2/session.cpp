@@ -1,7 +1,6 @@
 #include "drivers/pixy2/session.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace fencepost::pixy2 {
 namespace {
@@ -153,6 +152,7 @@ bool Session::take_blocks(const Packet& packet, base::Time first_byte) {
   work_ = frame.blobs.empty() ? LinkState::kEmpty : LinkState::kOk;
   last_frame_ = first_byte;
   frame_ = frame;
+  fresh_ = true;
   pause_ = kFramePause;
   return true;
 }
@@ -175,8 +175,6 @@ void Session::take_error(DeviceError error, base::Time now) {
     restart();
   }
 }
-
-std::optional<sensor::BlobFrame> Session::take_frame() { return std::exchange(frame_, std::nullopt); }
 
 LinkState Session::link() const {
   if (absent_) return LinkState::kAbsent;

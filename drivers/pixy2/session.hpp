@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "drivers/pixy2/protocol.hpp"
 #include "hal/base/units.hpp"
@@ -43,8 +44,8 @@ class Session {
   void lose_link(base::Time now);
   void find_link() { absent_ = false; }
 
-  /// The frame that the last `take` brought, once.
-  std::optional<sensor::BlobFrame> take_frame();
+  /// The frame that the last `take` brought, once, where it lies until the next one; nullptr: none.
+  const sensor::BlobFrame* take_frame() { return std::exchange(fresh_, false) ? &frame_ : nullptr; }
 
   [[nodiscard]] sensor::LinkState link() const;
   [[nodiscard]] bool waiting() const { return waiting_; }
@@ -77,7 +78,8 @@ class Session {
   std::optional<base::Time> next_;  ///< of the next request; empty: at once
   base::Time last_frame_;
   base::Duration pause_;
-  std::optional<sensor::BlobFrame> frame_;
+  sensor::BlobFrame frame_;
+  bool fresh_ = false;  ///< frame_ was not taken yet
   std::optional<Version> version_;
   Counters counters_;
 };
