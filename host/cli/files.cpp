@@ -19,6 +19,7 @@
 #include "host/cli/spool.hpp"
 
 namespace fencepost::host::cli {
+
 class OpenFile {
  public:
   explicit OpenFile(int fd) : fd_(fd) {}

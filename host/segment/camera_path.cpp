@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::size_t kTumColumns = 8;
 constexpr std::size_t kColmapColumns = 10;
-constexpr double kNanoseconds = 1e12;  // no clock in seconds says so much
-constexpr double kUnitLength = 0.01;   // by which a quaternion's may be off: five digits and more are usual
+constexpr double kUnitLength = 0.01;  // by which a quaternion's may be off: five digits and more are usual
 
 bool is_comment(std::string_view line) { return line.starts_with('#'); }
 
@@ -122,7 +121,7 @@ std::vector<CameraStand> parse_tum(std::string_view text, const std::string& fil
     const auto v = numbers<kTumColumns>(words, place, kTumForm);
     CameraStand stand;
     stand.line = number;
-    stand.t = v[0] > kNanoseconds ? 1e-9 * v[0] : v[0];
+    stand.t = seconds_of(v[0]);
     stand.position = {v[1], v[2], v[3]};
     stand.world_r_camera = rotation(v[7], v[4], v[5], v[6], place);
     if (!stands.empty() && stand.t <= stands.back().t) {

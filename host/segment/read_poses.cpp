@@ -8,14 +8,14 @@
 #include <optional>
 
 #include "host/import/text_lines.hpp"
+#include "host/segment/camera_path.hpp"
 #include "host/segment/problem.hpp"
 
 namespace fencepost::host {
 namespace {
 
-constexpr double kLongestGap = 0.2;  // s between poses
-constexpr double kSameTime = 0.001;  // s: names are rounded
-constexpr double kInNanoseconds = 1e12;
+constexpr double kLongestGap = 0.2;   // s between poses
+constexpr double kSameTime = 0.001;   // s: names are rounded
 constexpr double kMuchPitch = 0.035;  // rad, 2 deg
 
 std::string text_of(const char* form, double value) {
@@ -27,7 +27,7 @@ std::string text_of(const char* form, double value) {
 std::optional<double> time_in_name(const std::string& image) {
   const auto number = number_in(std::filesystem::path(image).stem().string());
   if (!number) return std::nullopt;
-  return *number > kInNanoseconds ? 1e-9 * *number : *number;
+  return seconds_of(*number);
 }
 
 /// Between two poses the shortest way, at constant speeds.

@@ -1,5 +1,6 @@
 # cmake -DPROGRAM=... -DTESTS=FILE.cmake "-DPROPERTIES=NAME;VALUE;..." [-DSTAGE=PROGRAM] -P: writes a CTest test for each
-# suite of a GoogleTest program, which STAGE starts. To start a program with sanitizers for each of 3,600 cases costs more than most cases do.
+# suite of a GoogleTest program, which STAGE starts.
+# To start a program with sanitizers for each of 3,600 cases costs more than most cases do.
 execute_process(COMMAND "${PROGRAM}" --gtest_list_tests TIMEOUT 60 OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[][;]" "_" listed "${listed}")  # in values of parameters, which CMake's lists would take apart
 string(REPLACE "\n" ";" lines "${listed}")

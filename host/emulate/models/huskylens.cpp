@@ -8,12 +8,6 @@ namespace {
 constexpr int kColour = 4;
 constexpr int kAny = -1;
 
-std::uint8_t sum(std::span<const std::uint8_t> bytes) {
-  unsigned total = 0;
-  for (const std::uint8_t byte : bytes) total += byte;
-  return static_cast<std::uint8_t>(total & 0xFFU);
-}
-
 Bytes framed(std::uint8_t command, const Bytes& data) {
   Bytes bytes = {0x55, 0xAA, 0x11, static_cast<std::uint8_t>(data.size()), command};
   // One by one: GCC 12 takes a vector's own insert() here for an access out of bounds when it optimises (-O3).

@@ -8,12 +8,6 @@ namespace {
 constexpr int kColour2 = 5;
 constexpr std::size_t kHeader2 = 5;
 
-std::uint8_t sum2(std::span<const std::uint8_t> bytes) {
-  unsigned total = 0;
-  for (const std::uint8_t byte : bytes) total += byte;
-  return static_cast<std::uint8_t>(total & 0xFFU);
-}
-
 void add(Bytes& bytes, const Bytes& more) {
   for (const std::uint8_t byte : more) bytes.push_back(byte);
 }
@@ -21,7 +15,7 @@ void add(Bytes& bytes, const Bytes& more) {
 Bytes framed(std::uint8_t command, int algorithm, const Bytes& data) {
   Bytes bytes = {0x55, 0xAA, command, static_cast<std::uint8_t>(algorithm), static_cast<std::uint8_t>(data.size())};
   add(bytes, data);
-  bytes.push_back(sum2(bytes));
+  bytes.push_back(sum(bytes));
   return bytes;
 }
 
@@ -73,7 +67,7 @@ Bytes HuskyLens2::take(std::uint8_t byte, base::Time now) {
   if (received_.size() < kHeader2 || received_.size() < kHeader2 + 1U + received_[4]) return {};
   const Bytes message = std::exchange(received_, {});
   const std::span<const std::uint8_t> view(message);
-  if (sum2(view.first(message.size() - 1)) != message.back()) return {};
+  if (sum(view.first(message.size() - 1)) != message.back()) return {};
   return answer(message[2], message[3], view.subspan(kHeader2, message[4]));
 }
 

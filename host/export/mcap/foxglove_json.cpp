@@ -18,7 +18,6 @@ constexpr int kDecimals = 4;          ///< of lengths and quaternions
 constexpr double kLineWidth = 2;      ///< px
 constexpr double kFontSize = 12;      ///< px
 constexpr double kLabelAbove = 0.03;  ///< m
-constexpr int kTentativeLife = 2;     ///< s; what is confirmed stays until it is deleted
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 

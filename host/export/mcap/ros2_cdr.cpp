@@ -87,12 +87,11 @@ constexpr int kMarkersAnObject = 3;
 void markers(CdrWriter& cdr, double t, const Shown& shown) {
   constexpr double kLine = 0.005;
   constexpr double kLetter = 0.06;
-  constexpr int kGuessLife = 2;
   const Band band = band_of(shown.object);
   const std::uint32_t id = shown.object.id;
   MarkerBody body;
   body.rgb = shown.colour;
-  body.life = is_solid(shown.object) ? 0 : kGuessLife;
+  body.life = is_solid(shown.object) ? 0 : kTentativeLife;
 
   MarkerBody outline = body;
   outline.size = kLine;
