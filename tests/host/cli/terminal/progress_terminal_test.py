@@ -19,19 +19,25 @@ LONGEST = 120  # s
 
 
 class Progress(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        run = (RECORDINGS / "corridor.log").read_bytes()
+        # Runs one after another, as many as take some seconds. Of one alone most is the start of the program.
+        few = 100
+        with tempfile.NamedTemporaryFile(suffix=".log") as log:
+            log.write(run * few)
+            log.flush()
+            begin = time.monotonic()
+            subprocess.run([FENCEPOST, "replay", log.name], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+            one = (time.monotonic() - begin) / few
+        cls.runs = run * min(4000, max(few, int(2.5 / one)))
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        run = (RECORDINGS / "corridor.log").read_bytes()
-        # Runs one after another, as many as take some seconds. Of one alone most is the start of the program.
         self.log = self.folder / "long.log"
-        few = 100
-        self.log.write_bytes(run * few)
-        begin = time.monotonic()
-        subprocess.run([FENCEPOST, "replay", self.log], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-        one = (time.monotonic() - begin) / few
-        self.log.write_bytes(run * min(4000, max(few, int(4 / one))))
+        self.log.write_bytes(self.runs)
 
     def at_terminal(self, *arguments, until=None, **environment):
         """Exit status and all that the terminal got; `until`: interrupted where that is shown."""
