@@ -1,5 +1,7 @@
 #include "tests/studies/drift/real_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -111,8 +113,24 @@ host::Imported import(const RealRun& run, const RealOptions& options, host::Pose
   return *imported;
 }
 
+// Every signature with the width that the import has given all landmarks.
+std::string with_widths(const std::string& log) {
+  std::string out;
+  for (std::size_t at = 0; at < log.size();) {
+    const std::size_t end = std::min(log.size(), log.find('\n', at) + 1);
+    const std::string line = log.substr(at, end - at);
+    at = end;
+    const bool signature = line.starts_with("$FPSIG,");
+    out += signature ? record::sealed(line.substr(1, line.find('*') - 1) +
+                                      fmt::format(",{:.3f}", host::MrclamOptions{}.diameter)) +
+                           "\n"
+                     : line;
+  }
+  return out;
+}
+
 host::ResultDocument replay(const host::Imported& imported, const RealOptions& options, const std::string& name) {
-  std::string log = imported.log;
+  std::string log = options.widths ? with_widths(imported.log) : imported.log;
   for (const auto& [key, value] : options.settings)
     log = with_setting(log, record::Setting{std::string_view(key), std::string_view(value)});
   host::ReplayOptions replay_options;
@@ -134,6 +152,12 @@ const std::vector<RealRun>& real_runs() {
                         std::string_view(set) == "D1"});
       }
     }
+    for (const char* set : {"D2", "D3"}) {
+      for (int robot = 1; robot <= 2; ++robot) {
+        runs.push_back(
+            {std::string(set) + " robot " + std::to_string(robot), data + "world/mrclam/" + set, robot, false});
+      }
+    }
     runs.push_back({"D6 robot 2", data + "mrclam/D6_R2", 2, false});
     runs.push_back({"D7 robot 2", data + "mrclam/D7_R2", 2, false});
     return runs;
@@ -142,7 +166,9 @@ const std::vector<RealRun>& real_runs() {
 }
 
 bool present(const RealRun& run) { return std::filesystem::exists(run.folder); }
-bool has_survey(const RealRun& run) { return run.folder.find("mrclam_maps") == std::string::npos; }
+bool has_survey(const RealRun& run) {
+  return std::filesystem::exists(run.folder + "/Robot" + std::to_string(run.robot) + "_Groundtruth.dat");
+}
 
 RealResult run_real(const RealRun& run, const RealOptions& options) {
   const host::Imported imported =

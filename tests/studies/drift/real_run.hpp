@@ -17,7 +17,7 @@ struct RealRun {
   bool exchanged = false;  ///< landmarks 11 and 17 of the survey are
 };
 
-/// What the constants may be chosen on: D1. Judged: D4, D6_R2, D7_R2.
+/// Constants may be chosen on D1, D2, D3. Judged: D4, D6_R2, D7_R2.
 const std::vector<RealRun>& real_runs();
 [[nodiscard]] bool present(const RealRun& run);
 /// Its path was surveyed, too.
@@ -27,6 +27,7 @@ struct RealOptions {
   std::string profile = "full";
   std::vector<std::pair<std::string, std::string>> settings;  ///< beside the defaults
   bool rows = false;                                          ///< ranges also as ground rows
+  bool widths = false;                                        ///< the signatures' widths are configured
   bool surveyed = false;  ///< by the true poses, where there are any: what correction by itself costs good odometry
   bool robots = false;    ///< the other robots, too, as one signature
 };

@@ -1,4 +1,4 @@
-// Pose correction on fifteen minutes of each of twelve real robots, which log commanded velocities: the map, the
+// Pose correction on fifteen minutes of each of sixteen real robots, which log commanded velocities. The map, the
 // objects too many, the path where it was surveyed.
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 /// What every run together has to reach.
 constexpr double kMedian = 0.08;      // m
-constexpr double kWorst = 0.20;       // m
+constexpr double kWorst = 0.14;       // m
 constexpr std::size_t kObjects = 18;  // for 15 landmarks
 
 struct Request {
@@ -77,6 +77,7 @@ void options(CLI::App& app, Request& request) {
   app.add_option("--runs", request.only, "first characters of their names: D1, D4, D6, D7")->delimiter(',');
   app.add_option("--set", request.settings, "KEY=VALUE, beside the defaults");
   app.add_flag("--rows", request.options.rows, "ranges also as ground rows; without, widths and bearings");
+  app.add_flag("--widths", request.options.widths, "the widths of things are configured");
   app.add_flag("--surveyed", request.options.surveyed, "by the true poses: what correction costs good odometry");
   app.add_flag("--robots", request.options.robots, "the other robots, too, as one signature");
   add_profile_option(app, request.options.profile);
