@@ -17,7 +17,7 @@ struct RealRun {
   bool exchanged = false;  ///< landmarks 11 and 17 of the survey are
 };
 
-/// Constants may be chosen on D1, D2, D3. Judged: D4, D6_R2, D7_R2.
+/// Constants may be chosen on D1. Judged: D2, D3, D4, D6_R2, D7_R2.
 const std::vector<RealRun>& real_runs();
 [[nodiscard]] bool present(const RealRun& run);
 /// Its path was surveyed, too.
