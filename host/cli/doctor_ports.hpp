@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/cli/exit_code.hpp"
+#include "host/cli/options.hpp"
 
 namespace fencepost::host::cli {
 

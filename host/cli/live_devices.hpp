@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "host/cli/options.hpp"
 #include "host/devices/device_spec.hpp"
 #include "host/live/device.hpp"
 #include "host/live/robot_file.hpp"
