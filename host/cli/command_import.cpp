@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <numbers>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
@@ -52,6 +53,33 @@ Action configure_rings(Options command) {
   return [request] { return run_import_rings(*request); };
 }
 
+Action configure_kitti(Options command) {
+  struct KittiRequest {
+    SetRequest set;
+    KittiOptions options;
+    std::optional<double> pitch;  // deg
+  };
+  const auto request = std::make_shared<KittiRequest>();
+  command.positional("DIR", request->set.source, "a folder with labels.txt, calib.txt and poses.txt of one drive")
+      .required();
+  command.flag("--identity", request->options.identity, "a signature for each car; default: one for all");
+  command
+      .value("--detections", request->options.detections,
+             "boxes of a detector in place of the labels: frame,x1,y1,x2,y2,score")
+      .takes("FILE");
+  command.value("--scale", request->options.scale, "lengths of the log over those of the world; default 0.1")
+      .takes("S")
+      .positive();
+  command.value("--pitch", request->pitch, "deg, configured pitch of the camera; default: unknown, without rows")
+      .takes("P")
+      .within(-45.0, 45.0);
+  add_outputs(command, request->set);
+  return [request] {
+    if (request->pitch) request->options.pitch = *request->pitch * std::numbers::pi / 180;
+    return run_import_kitti(request->set, request->options);
+  };
+}
+
 }  // namespace
 
 Command import_command() {
@@ -68,7 +96,13 @@ Command import_command() {
                          configure_rings,
                          {},
                          true};
-  std::vector<Command> children = {mrclam, rings};
+  const Command kitti = {"kitti",
+                         "cars along the drives of KITTI's tracking data set, at a tenth of their size",
+                         "  fencepost import kitti 0001 --identity --pitch 0 -o kitti.log --truth kitti.json\n",
+                         configure_kitti,
+                         {},
+                         true};
+  std::vector<Command> children = {mrclam, kitti, rings};
   for (Command& command : take_commands()) children.push_back(std::move(command));
   std::string examples;
   for (const Command& command : children) examples += command.examples.substr(0, command.examples.find('\n') + 1);

@@ -12,6 +12,7 @@
 
 namespace fencepost::host {
 struct EvaluateOptions;
+struct KittiOptions;
 struct Scene;
 struct SmoothEvaluation;
 namespace exports {
@@ -52,6 +53,7 @@ struct SetRequest {
 };
 Exit run_import_mrclam(const SetRequest& request);
 Exit run_import_rings(const SetRequest& request);
+Exit run_import_kitti(const SetRequest& request, const KittiOptions& options);
 
 struct MergeRequest {
   std::vector<std::string> logs;

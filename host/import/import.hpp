@@ -61,4 +61,14 @@ struct MrclamOptions {
 /// RobotN_Measurement.dat, Barcodes.dat, Landmark_Groundtruth.dat.
 ImportResult import_mrclam(const std::string& folder, const MrclamOptions& options);
 
+struct KittiOptions {
+  double scale = 0.1;           ///< lengths of the log over those of the world
+  std::optional<double> pitch;  ///< rad, configured; empty: unknown, rows are not used
+  bool identity = false;        ///< a signature for each labelled track; else one for all cars
+  std::string detections;       ///< a file of boxes in place of the labelled ones
+};
+
+/// One drive of KITTI's tracking data set: a folder with labels.txt, calib.txt, poses.txt. The truth is parked cars.
+ImportResult import_kitti(const std::string& folder, const KittiOptions& options);
+
 }  // namespace fencepost::host

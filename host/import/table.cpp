@@ -60,6 +60,17 @@ double to_number(std::string_view field, const std::string& place) {
   return value;
 }
 
+std::vector<std::string> words_in(const std::string& line, std::string_view separators) {
+  std::vector<std::string> words;
+  const std::string_view text = std::string_view(line).substr(0, line.find('#'));
+  for (std::size_t begin = text.find_first_not_of(separators); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    words.emplace_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
 void expect_count(std::size_t found, std::size_t expected, const std::string& names, const std::string& place) {
   if (found == expected) return;
   throw ImportProblem{place, "has " + std::to_string(found) + " columns instead of " + std::to_string(expected),
@@ -72,16 +83,42 @@ Table read_space_table(const std::string& path, std::size_t columns, const std::
   Table table{path, {}};
   const std::vector<std::string> lines = read_lines(path);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::istringstream fields(lines[i].substr(0, lines[i].find('#')));
     TableRow row{i + 1, {}};
     const std::string place = path + ":" + std::to_string(row.line);
-    for (std::string field; fields >> field;) row.values.push_back(to_number(field, place));
+    for (const std::string& word : words_in(lines[i], " \t")) row.values.push_back(to_number(word, place));
     if (row.values.empty()) continue;
     expect_count(row.values.size(), columns, column_names, place);
     table.rows.push_back(std::move(row));
   }
   if (table.rows.empty()) throw ImportProblem{path, "has no rows", "expected: " + column_names};
   return table;
+}
+
+WordTable read_words(const std::string& path) {
+  WordTable table{path, {}};
+  const std::vector<std::string> lines = read_lines(path);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    WordRow row{i + 1, words_in(lines[i], " \t,")};
+    if (!row.words.empty()) table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) throw ImportProblem{path, "has no rows", "check that the copy is complete"};
+  return table;
+}
+
+double WordTable::number(const WordRow& row, std::size_t index) const {
+  return to_number(row.words.at(index), place(row));
+}
+
+int WordTable::whole(const WordRow& row, std::size_t index) const {
+  constexpr double kMaxMagnitude = 1e6;
+  const double value = number(row, index);
+  if (std::abs(value) <= kMaxMagnitude && value == std::floor(value)) return static_cast<int>(value);
+  throw ImportProblem{place(row), "\"" + row.words[index] + "\" is not a whole number",
+                      "correct the line or take it out"};
+}
+
+void WordTable::expect_at_least(const WordRow& row, std::size_t columns, const std::string& column_names) const {
+  if (row.words.size() < columns) expect_count(row.words.size(), columns, column_names, place(row));
 }
 
 Table read_csv_table(const std::string& path, const std::string& header) {

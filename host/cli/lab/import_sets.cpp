@@ -17,12 +17,15 @@ Exit finish(const ImportResult& imported, const SetRequest& request) {
   return finish_import(imported, request.output);
 }
 
+void expect_two_outputs(const SetRequest& request) {
+  if (!is_standard_output(request.output) || !is_standard_output(request.truth)) return;
+  throw Failure(Exit::kUsage, "the log and --truth cannot both be standard output; name a file with -o");
+}
+
 }  // namespace
 
 Exit run_import_mrclam(const SetRequest& request) {
-  if (is_standard_output(request.output) && is_standard_output(request.truth)) {
-    throw Failure(Exit::kUsage, "the log and --truth cannot both be standard output; name a file with -o");
-  }
+  expect_two_outputs(request);
   if (request.from && request.to && *request.from > *request.to) {
     throw Failure(Exit::kUsage, "--from is later than --to; swap them");
   }
@@ -35,6 +38,11 @@ Exit run_import_mrclam(const SetRequest& request) {
   options.rows = request.rows;
   options.include_robots = request.include_robots;
   return finish(import_mrclam(request.source, options), request);
+}
+
+Exit run_import_kitti(const SetRequest& request, const KittiOptions& options) {
+  expect_two_outputs(request);
+  return finish(import_kitti(request.source, options), request);
 }
 
 Exit run_import_rings(const SetRequest& request) { return finish(import_rings(request.source), request); }

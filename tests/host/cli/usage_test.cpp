@@ -15,10 +15,10 @@ using testing::shell;
 using testing::spill;
 
 const std::vector<std::string> kCommands = {
-    "",           "demo",          "replay",        "report",         "simulate",   "evaluate", "paper",
-    "import",     "import mrclam", "import rings",  "emulate",        "record",     "run",      "segment",
-    "configure",  "calibrate",     "merge",         "smooth",         "doctor",     "help",     "completion",
-    "import csv", "import sketch", "import player", "import candump", "import mcap"};
+    "",           "demo",          "replay",        "report",        "simulate",       "evaluate",   "paper",
+    "import",     "import mrclam", "import kitti",  "import rings",  "emulate",        "record",     "run",
+    "segment",    "configure",     "calibrate",     "merge",         "smooth",         "doctor",     "help",
+    "completion", "import csv",    "import sketch", "import player", "import candump", "import mcap"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;
@@ -108,6 +108,7 @@ INSTANTIATE_TEST_SUITE_P(All, UsageError,
                                            Wrong{"fencepost import mrclam d --poses maybe", "maybe"},
                                            Wrong{"fencepost import sketch t --rate 1e-9", "1e-9 not in range"},
                                            Wrong{"fencepost import sketch t --rate 1001", "1001 not in range"},
+                                           Wrong{"fencepost import kitti d --scale 0", "0 is not a number"},
                                            Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
 
 class Unreadable : public ::testing::TestWithParam<Wrong> {};
@@ -139,6 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"fencepost simulate missing.json -o result", "cannot read missing.json"},
                       Wrong{"fencepost simulate scene.json -o result", "scene.json: line 1"},
                       Wrong{"fencepost import mrclam . -o result", "RobotN_Measurement.dat"},
+                      Wrong{"fencepost import kitti . -o result", "calib.txt"},
                       Wrong{"fencepost import rings missing.csv -o result", "missing.csv"},
                       Wrong{"fencepost import rings foreign -o result", "foreign"},
                       Wrong{"FENCEPOST_SHARE=/nowhere fencepost demo -o result", "set FENCEPOST_SHARE"}));

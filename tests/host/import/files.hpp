@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "host/import/import.hpp"
+
 namespace fencepost::host {
 
 class Files {
@@ -40,5 +42,20 @@ class Files {
  private:
   std::filesystem::path folder_;
 };
+
+/// A file of a folder with another text, and the error that an importer has to give.
+struct Damage {
+  const char* file;
+  const char* text;
+  const char* where;  ///< what follows the folder
+  const char* what;
+};
+
+inline void expect_refused(const ImportResult& result, const Files& files, const Damage& damage) {
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().where, files.folder() + damage.where);
+  EXPECT_NE(result.error().what.find(damage.what), std::string::npos) << result.error().message();
+  EXPECT_FALSE(result.error().remedy.empty());
+}
 
 }  // namespace fencepost::host

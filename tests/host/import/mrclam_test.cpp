@@ -195,23 +195,13 @@ TEST(ImportMrclam, TruthIsAReadableSceneOfCircles) {
   EXPECT_NEAR(scene->objects[0].footprint.outer[0].x, 2.05, 1e-5);
 }
 
-struct Damage {
-  const char* file;
-  const char* text;
-  const char* where;  ///< what follows the folder
-  const char* what;
-};
 class DamagedMrclam : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedMrclam, IsRefusedWithFileAndLine) {
   const Files files;
   put_recording(files);
   files.put(GetParam().file, GetParam().text);
-  const ImportResult result = import_mrclam(files.folder(), {});
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().where, files.folder() + GetParam().where);
-  EXPECT_NE(result.error().what.find(GetParam().what), std::string::npos) << result.error().message();
-  EXPECT_FALSE(result.error().remedy.empty());
+  expect_refused(import_mrclam(files.folder(), {}), files, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
