@@ -1,0 +1,102 @@
+// Boxes, odometry and truth that nobody here made, through the product: host/share/doc/world.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/studies/common/study.hpp"
+#include "tests/studies/world/kitti_run.hpp"
+
+namespace fencepost::test {
+namespace {
+
+struct Request {
+  std::string data = FENCEPOST_SHARED_DIR "/data/world";
+  std::vector<std::string> settings;
+  std::vector<std::string> correct = {"off", "auto", "on"};
+  std::string only;
+
+  /// In force during one row of a table.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_with(const std::string& correction) const {
+    std::vector<std::pair<std::string, std::string>> all = {{"correct.pose", correction}};
+    for (const std::string& setting : settings) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos) throw std::runtime_error("--set " + setting + ": write KEY=VALUE");
+      all.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return all;
+  }
+};
+
+std::string median_percent(std::vector<double> values) {
+  if (values.empty()) return "-";
+  std::ranges::sort(values);
+  return fmt::format("{:.0f}", 100 * values[values.size() / 2]);
+}
+
+/// m, of the world: farther off at the end, a drive counts as lost.
+constexpr double kLost = 2;
+
+struct KittiRow {
+  const char* what;
+  KittiTold told{};
+};
+
+std::string row_of(const KittiRow& row, const std::string& correct, const KittiScore& score) {
+  const auto lost = std::ranges::count_if(score.end_error, [](double error) { return error > kLost; });
+  const double ten_minutes = score.seconds / 600;
+  const std::string moving = row.told.identity ? fmt::format(" ({} moving)", score.moving) : "";
+  return fmt::format("| {} | {} | {} of {} | {}{} | {} of {} | {:.1f} m | {} / {} % | {:.1f} | {:.1f} |\n", row.what,
+                     correct, score.found, score.found + score.missed, score.phantoms, moving, lost, score.drives,
+                     std::ranges::max(score.end_error), median_percent(score.recklessness),
+                     median_percent(score.paranoia), static_cast<double>(score.stops) / ten_minutes,
+                     static_cast<double>(score.empty_stops) / ten_minutes);
+}
+
+void measure_kitti(const Request& request) {
+  const std::vector<std::string> drives = kitti_drives(request.data + "/kitti");
+  if (drives.empty()) {
+    print("NOT MEASURED: " + request.data + "/kitti is not on this machine\n");
+    return;
+  }
+  constexpr double kDegree = std::numbers::pi / 180;
+  const std::vector<KittiRow> rows = {{"identity, pitch 0", {0.0}},
+                                      {"identity, pitch +1 deg", {kDegree}},
+                                      {"identity, pitch -1 deg", {-kDegree}},
+                                      {"identity, pitch unknown", {}},
+                                      {"one signature, pitch 0", {0.0, false}},
+                                      {"one signature, pitch unknown", {std::nullopt, false}},
+                                      {"detector, pitch 0", {0.0, false, true}},
+                                      {"detector, pitch unknown", {std::nullopt, false, true}}};
+  print(
+      "\n| KITTI, configured | `correct.pose` | found | phantoms | lost | worst end | R / P | STOPs | empty |\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
+  for (const KittiRow& row : rows) {
+    if (std::string_view(row.what).find(request.only) == std::string_view::npos) continue;
+    for (const std::string& correct : request.correct)
+      print(row_of(row, correct, run_kitti(drives, row.told, request.settings_with(correct))));
+  }
+}
+
+bool run(const Request& request) {
+  measure_kitti(request);
+  return true;
+}
+
+void options(CLI::App& app, Request& request) {
+  app.add_option("--data", request.data, "the folder with the sources")->capture_default_str();
+  app.add_option("--set", request.settings, "KEY=VALUE, beside the defaults");
+  app.add_option("--correct", request.correct, "off, auto, on")->delimiter(',');
+  app.add_option("--only", request.only, "rows whose first column has this in it");
+}
+
+constexpr Study<Request> kStudy = {"world_study", "Recordings of others through the product.", options, run};
+
+}  // namespace
+}  // namespace fencepost::test
+
+int main(int argc, char** argv) { return fencepost::test::kStudy.main(argc, argv); }
