@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x5beabfcfc57dca91;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0xe71d9b613388ec90;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x2799ae63f7d644e5;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xafe65d9b51c895c1;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x0a6111be94bf9148;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xaaeb5e5bfdefbb30;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -412,8 +412,8 @@ class Pipeline {
     recon::CorrectionOrder correction;
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
     correction.always = correct == config::kCorrectOn;
-    // Widths alone place landmarks too badly to judge odometry by them.
-    const bool may_judge = correct == config::kCorrectAuto && camera.pitch_known;
+    // By ranges of rows or configured widths. Without, landmarks are placed too badly to judge odometry by them.
+    const bool may_judge = correct == config::kCorrectAuto && (camera.pitch_known || widths_told());
     if (correction.always || may_judge) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
     m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction,
                      [this](std::uint8_t signature) { return width_of(signature); });
@@ -451,6 +451,11 @@ class Pipeline {
   [[nodiscard]] std::uint16_t width_of(std::uint8_t signature) const {
     const record::Signature* known = console::find_signature(signature, m_.signatures.view());
     return known != nullptr && !m_.run.testing ? known->width : std::uint16_t{0};
+  }
+
+  [[nodiscard]] bool widths_told() const {
+    const auto told = [](const record::Signature& signature) { return signature.width > 0; };
+    return !m_.run.testing && std::any_of(m_.signatures.begin(), m_.signatures.end(), told);
   }
 
   // The self-test is the same on every robot.

@@ -50,7 +50,10 @@ class Map {
     table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
-    matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, correction_);
+    const auto place_of = [this](const ObjectCore& object, std::size_t slot) {
+      return correction_.place_of(object, slot, table_.exposure());
+    };
+    matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
     matcher_.observe(frame, camera, table_.objects());
     matcher_.tell_widths(width_of);
     outcome.matched = matcher_.match();

@@ -30,22 +30,48 @@ RowDepth foot_depth(const Sighting& seen, const MeasurementNoise& noise) {
   return {true, depth, depth * depth * angle2 / (drop * drop) + noise.position * noise.position};
 }
 
-LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
-  if (!seen.both_edges()) return {};
-  const float half = 0.5F * (seen.left.direction - seen.right.direction).norm();
-  if (!(half * kFarthestLandmark > kTypicalRadius)) return {};
+/// How far away a circle of such a radius is, m.
+struct RangeGuess {
+  float distance = 0;
+  float variance = 0;
+  float with_radius = 0;  ///< covariance
+};
+
+// With a configured radius the half angle between both ends tells the range. A wrong heading does not change that.
+RangeGuess range_of_width(const Sighting& seen, float half, const RadiusPrior& radius, MeasurementNoise noise) {
+  noise.heading = 0;
+  const float distance = radius.mean / half;
+  const float of_radius = radius.sigma / half;
+  const float of_angle = 0.5F * distance / half;
+  const float ends = direction_variance(seen, seen.left, noise) + direction_variance(seen, seen.right, noise);
+  return {distance, of_radius * of_radius + of_angle * of_angle * ends, of_radius * radius.sigma};
+}
+
+RangeGuess range_of_sighting(const Sighting& seen, float half, const MeasurementNoise& noise) {
+  if (seen.known_radius > 0) return range_of_width(seen, half, radius_prior(seen.known_radius), noise);
   const RowDepth row = foot_depth(seen, noise);
   const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
-  const float along = (row.known ? kRowShare : kSizeShare) * distance;
+  const float sigma = (row.known ? kRowShare : kSizeShare) * distance;
+  return {distance, sigma * sigma, 0};
+}
+
+LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& noise) {
+  if (!seen.both_edges()) return {};
+  const RadiusPrior radius = radius_prior(seen.known_radius);
+  const float half = 0.5F * (seen.left.direction - seen.right.direction).norm();
+  if (!(half * kFarthestLandmark > radius.mean)) return {};
+  const RangeGuess range = range_of_sighting(seen, half, noise);
   LandmarkGuess guess;
-  guess.away = seen.lens + distance * seen.center;
-  guess.radius = kTypicalRadius;
+  guess.away = seen.lens + range.distance * seen.center;
+  guess.radius = radius.mean;
   const Vec2& u = seen.center;
   constexpr float kAcross2 = kAcross * kAcross;
-  guess.covariance.xx = along * along * u.x() * u.x() + kAcross2 * u.y() * u.y();
-  guess.covariance.yy = along * along * u.y() * u.y() + kAcross2 * u.x() * u.x();
-  guess.covariance.xy = (along * along - kAcross2) * u.x() * u.y();
-  guess.covariance.rr = kRadiusSigma * kRadiusSigma;
+  guess.covariance.xx = range.variance * u.x() * u.x() + kAcross2 * u.y() * u.y();
+  guess.covariance.yy = range.variance * u.y() * u.y() + kAcross2 * u.x() * u.x();
+  guess.covariance.xy = (range.variance - kAcross2) * u.x() * u.y();
+  guess.covariance.xr = range.with_radius * u.x();
+  guess.covariance.yr = range.with_radius * u.y();
+  guess.covariance.rr = radius.sigma * radius.sigma;
   return guess;
 }
 
@@ -122,7 +148,7 @@ LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const Mea
   const float shape = noise.roundness * guess.radius;
   guess.covariance.xx += shape * shape;
   guess.covariance.yy += shape * shape;
-  guess.covariance.rr += shape * shape;
+  if (!(seen.known_radius > 0)) guess.covariance.rr += shape * shape;
   return guess;
 }
 

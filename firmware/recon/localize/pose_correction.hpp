@@ -78,6 +78,7 @@ class PoseCorrection {
       evidence_.clear();
     }
     running_ = on;
+    guesses_ = order.always;
     corrects_ = on && (corrects_ || order.always);
     looks_ = on && has_gone(odometry, corrects_ ? kPace.corrected : kPace.believed);
     if (looks_) drive_to(filter_.view(), odometry, drift_noise(order.drift));
@@ -102,12 +103,16 @@ class PoseCorrection {
 
   /// For matching: where the object in `slot` is, in its local frame, if it is a landmark. Of that the filter knows how
   /// far the pose has drifted away since it was seen, which closes the loop. What wheels do wrong has no Gaussian's
-  /// short tails, so it may be farther.
-  [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot) {
-    if (!corrects_ || !filter_.landmark(slot).used()) return std::nullopt;
+  /// short tails, so it may be farther. `now`: of the frame. While odometry is believed, the models know better of what
+  /// stays in view.
+  [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot, base::Time now) {
+    if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
+    const MapPose believed = corrected(filter_.at().odometry);
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
-    place.center += offset_from(object.origin, pose().position);
-    place.covariance.scale(kLongTails * kLongTails);
+    place.center =
+        offset_from(object.origin, believed.position) + turned(place.center, believed.heading - pose().heading);
+    if (!corrects_ && now - object.last_seen < kInView && stands_there(object, place)) return std::nullopt;
+    if (corrects_) place.covariance.scale(kLongTails * kLongTails);
     return place;
   }
   [[nodiscard]] MeasurementNoise model_noise(MeasurementNoise noise) const {
@@ -167,6 +172,7 @@ class PoseCorrection {
       // By the pose that the models know, and turned as the filter's is against that.
       const MapPose believed = corrected(filter_.at().odometry);
       const Sighting seen = make_sighting(camera, lens_pose(believed, camera), matcher.observation_of(o));
+      if (!guesses_ && !seen.rows_known && !(seen.known_radius > 0)) continue;
       LandmarkGuess guess = guess_of(object, seen, noise);
       if (!(guess.radius > 0)) continue;
       guess.away = turned(guess.away, pose().heading - believed.heading);
@@ -202,8 +208,9 @@ class PoseCorrection {
   }
 
   void weigh(const SightedCircle::Line& bearing, std::size_t slot, const ObjectCore& object, const MapPose& driven) {
-    const CylinderEstimate& estimate = object.cylinder.estimate();
-    if (!(bearing.variance > 0) || !estimate.ok()) return;
+    if (!(bearing.variance > 0)) return;
+    const CylinderEstimate estimate = object.cylinder.by_edges(object.last_lens);
+    if (!estimate.ok()) return;
     const Vec2 placed = offset_from(driven.position, object.origin) + estimate.center;
     const Vec2 followed = offset_from(pose().position, filter_.landmark(slot).center);
     evidence_.weigh(bearing.equation, bearing.variance, turned(placed, -driven.heading),
@@ -215,6 +222,17 @@ class PoseCorrection {
     const float usual = std::max(1.0F, filter_.gauge().usual);
     return evidence_.enough(kPace.evidence) &&
            distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
+  }
+
+  // The models have it where the filter has it, as far as either knows.
+  [[nodiscard]] static bool stands_there(const ObjectCore& object, const CylinderEstimate& place) {
+    const CylinderEstimate& estimate = object.cylinder.estimate();
+    if (!estimate.ok()) return false;
+    const Vec2 off = place.center - estimate.center;
+    const float distance2 = off.squared_norm();
+    // position_along(off) = distance^2 times the variance along that
+    return distance2 * distance2 <= place.covariance.position_along(off) + estimate.covariance.position_along(off) +
+                                        kAcross * kAcross * distance2;
   }
 
   // The filter looks only as often as there is something new to compare: most frames of a small robot go without.
@@ -243,7 +261,8 @@ class PoseCorrection {
   std::uint8_t looks_taken_ = 0;
   bool running_ = false;
   bool corrects_ = false;
-  bool looks_ = false;  ///< at this frame
+  bool looks_ = false;    ///< at this frame
+  bool guesses_ = false;  ///< how far landmarks are, too, where neither rows nor a configured width tell it
 };
 
 }  // namespace fencepost::recon

@@ -225,9 +225,15 @@ void Cylinder::solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoi
   if (estimate_.ok() && !in_front) estimate_.refusal = CylinderRefusal::kImplausible;
 }
 
-CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) const {
+NormalEquations Cylinder::edges_and_radius() const {
   const bool known = known_radius_ > 0 && edges_.information.rr > 0;
-  const NormalEquations edges = known ? with_radius(edges_, radius_prior(known_radius_)) : edges_;
+  return known ? with_radius(edges_, radius_prior(known_radius_)) : edges_;
+}
+
+CylinderEstimate Cylinder::by_edges(const Vec2& lens) const { return solve_equations(edges_and_radius(), lens); }
+
+CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) const {
+  const NormalEquations edges = edges_and_radius();
   const CylinderEstimate from_edges = solve_equations(edges, lens);
   const NormalEquations rows = believed_rows(noise);
   if (!(rows.information.rr > 0) || (edges_know(from_edges, lens) && !agree(rows, from_edges))) {

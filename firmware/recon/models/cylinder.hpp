@@ -91,6 +91,9 @@ class Cylinder {
   void hash(base::Fnv1a64& hash) const;
 
   [[nodiscard]] const CylinderEstimate& estimate() const { return estimate_; }
+  /// The circle of the edges and the configured radius alone: rows lie with a wrong pitch or a foot in the air. `lens`
+  /// as in solve().
+  [[nodiscard]] CylinderEstimate by_edges(const Vec2& lens) const;
   [[nodiscard]] float row_count() const { return row_count_; }
   /// Whether the object's rows are to be believed.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
@@ -104,6 +107,7 @@ class Cylinder {
   void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, float distance, float novelty,
                 const MeasurementNoise& noise);
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
+  [[nodiscard]] NormalEquations edges_and_radius() const;
   void scale_edges(float factor);
   [[nodiscard]] CylinderEstimate solve(const Vec2& lens, const MeasurementNoise& noise) const;
   /// The edges alone know the distance, and not only because noise looks like parallax.

@@ -23,16 +23,16 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// Where each object should be in the image. `places.place_of(object, slot)`: where it is, in its local frame, if
+  /// Where each object should be in the image. `place_of(object, slot)`: where it is, in its local frame, if
   /// something knows that better than its models. `stands_since`: see Standing.
-  template <class Places>
+  template <class PlaceOf>
   [[gnu::noinline]] void predict(const Objects& objects, base::Time stands_since, const CameraModel& camera,
-                                 const LensPose& lens, const MeasurementNoise& noise, Places& places) {
+                                 const LensPose& lens, const MeasurementNoise& noise, const PlaceOf& place_of) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
       blob_of_[o] = kNoMatch;
       if (!objects[o].used()) continue;
-      predictions_[o] = predict_one(objects[o], camera, lens, places.place_of(objects[o], o), noise);
+      predictions_[o] = predict_one(objects[o], camera, lens, place_of(objects[o], o), noise);
       predictions_[o].signature = objects[o].signature;
       predictions_[o].confirmed = objects[o].confirmed;
       predictions_[o].refuted = objects[o].refuted();

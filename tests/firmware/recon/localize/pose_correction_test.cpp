@@ -184,5 +184,46 @@ TEST(SightedCircle, NoiseDrawsNothingToTheLens) {
   EXPECT_NEAR(mean, 4, 0.2);
 }
 
+// A configured width tells the range: as far as the width may be wrong (5 %) and both ends may be, drawn and counted.
+TEST(LandmarkGuess, AConfiguredWidthTellsTheRange) {
+  MeasurementNoise noise;
+  noise.edge_px = 1;
+  noise.roundness = 0;
+  recon::ObjectCore unplaced;
+  const auto guess = [&](double radius, double off_left, double off_right) {
+    Sighting seen = sighting_of(kX, kY, radius);
+    const double bearing = std::atan2(kY, kX), half = std::asin(radius / 2.5);
+    seen.left.direction = unit(bearing + half + off_left);
+    seen.right.direction = unit(bearing - half + off_right);
+    seen.center = unit(bearing + 0.5 * (off_left + off_right));
+    seen.axis = unit(bearing);
+    seen.known_radius = 0.1F;
+    return guess_of(unplaced, seen, noise);
+  };
+  const recon::LandmarkGuess exact = guess(0.1, 0, 0);
+  EXPECT_NEAR(exact.away.x(), kX, 0.002);
+  EXPECT_NEAR(exact.away.y(), kY, 0.002);
+  EXPECT_FLOAT_EQ(exact.radius, 0.1F);
+
+  const Vec2 along{0.8F, 0.6F};
+  const double known = 0.1 * static_cast<double>(recon::kKnownRadiusSigma);
+  std::mt19937 random(7);
+  std::normal_distribution<double> gauss;
+  constexpr int kDraws = 4000;
+  double range2 = 0, with_radius = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const double off_radius = known * gauss(random);
+    const auto end = [&] { return gauss(random) / static_cast<double>(kFocal); };
+    const Vec2 away = guess(0.1 + off_radius, end(), end()).away;
+    const auto off = static_cast<double>((away - kCenter).dot(along));
+    range2 += off * off / kDraws;
+    with_radius -= off * off_radius / kDraws;  // taken for the configured one
+  }
+  const recon::Symmetric3& covariance = exact.covariance;
+  EXPECT_NEAR(covariance.position_along(along), range2, 0.15 * range2);
+  EXPECT_NEAR(along.dot({covariance.xr, covariance.yr}), with_radius, 0.15 * with_radius);
+  EXPECT_NEAR(std::sqrt(covariance.rr), known, 1e-6);
+}
+
 }  // namespace
 }  // namespace fencepost::test

@@ -184,6 +184,23 @@ TEST(Cylinder, RowsOfAnObjectAboveTheFloorAreDropped) {
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
 }
 
+// Rows read with a wrong pitch move the estimate, but not the circle of the edges.
+TEST(Cylinder, WhatTheEdgesSayKnowsNoRows) {
+  Cylinder cylinder, without;
+  recon::Sighting last;
+  for (int i = 0; i < 8; ++i) {
+    last = view_of_circle(kCenter, kRadius, {0, 0.05 * i}).sighting;
+    add(without, last);
+    stand_on_floor(last, 1.15 * (kCenter.x - kRadius));
+    add(cylinder, last);
+  }
+  const recon::CylinderEstimate by_edges = cylinder.by_edges(last.lens_from({0, 0}));
+  ASSERT_TRUE(by_edges.ok());
+  EXPECT_NEAR(by_edges.center.x(), kCenter.x, 0.03);
+  EXPECT_GT(cylinder.estimate().center.x(), kCenter.x + 0.06);
+  EXPECT_EQ(without.by_edges(last.lens_from({0, 0})).center, without.estimate().center);
+}
+
 TEST(Cylinder, OneWrongViewInTenIsOutvoted) {
   Cylinder cylinder;
   int i = 0;

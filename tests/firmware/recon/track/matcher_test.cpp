@@ -25,8 +25,7 @@ using Matcher = recon::Matcher<Thing, kThings>;
 struct Places {
   std::array<std::optional<recon::CylinderEstimate>, kThings> circles;
 
-  [[nodiscard]] const std::optional<recon::CylinderEstimate>& place_of(const Thing& /*object*/,
-                                                                       std::size_t slot) const {
+  const std::optional<recon::CylinderEstimate>& operator()(const Thing& /*object*/, std::size_t slot) const {
     return circles[slot];
   }
 };
