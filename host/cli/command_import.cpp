@@ -53,6 +53,26 @@ Action configure_rings(Options command) {
   return [request] { return run_import_rings(*request); };
 }
 
+Action configure_dlr(Options command) {
+  struct DlrRequest {
+    SetRequest set;
+    DlrOptions options;
+    std::uint32_t from = 0;
+    std::optional<std::uint32_t> to;
+  };
+  const auto request = std::make_shared<DlrRequest>();
+  command.positional("FILE", request->set.source, "map.circles: lines STEP and LANDMARK_C").required();
+  command.flag("--identity", request->options.identity, "a signature for each disc; default: one for all");
+  command.value("--from", request->from, "first step; default 0").takes("N");
+  command.value("--to", request->to, "step at which it ends").takes("N");
+  add_outputs(command, request->set);
+  return [request] {
+    request->options.from = request->from;
+    if (request->to) request->options.to = *request->to;
+    return run_import_dlr(request->set, request->options);
+  };
+}
+
 Action configure_kitti(Options command) {
   struct KittiRequest {
     SetRequest set;
@@ -102,7 +122,13 @@ Command import_command() {
                          configure_kitti,
                          {},
                          true};
-  std::vector<Command> children = {mrclam, kitti, rings};
+  const Command dlr = {"dlr",
+                       "white discs on the floor of a building, from DLR's spatial cognition data set",
+                       "  fencepost import dlr map.circles --identity --to 100 -o dlr.log\n",
+                       configure_dlr,
+                       {},
+                       true};
+  std::vector<Command> children = {mrclam, kitti, dlr, rings};
   for (Command& command : take_commands()) children.push_back(std::move(command));
   std::string examples;
   for (const Command& command : children) examples += command.examples.substr(0, command.examples.find('\n') + 1);

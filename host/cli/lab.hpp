@@ -11,6 +11,7 @@
 #include "host/cli/exit_code.hpp"
 
 namespace fencepost::host {
+struct DlrOptions;
 struct EvaluateOptions;
 struct KittiOptions;
 struct Scene;
@@ -53,6 +54,7 @@ struct SetRequest {
 };
 Exit run_import_mrclam(const SetRequest& request);
 Exit run_import_rings(const SetRequest& request);
+Exit run_import_dlr(const SetRequest& request, const DlrOptions& options);
 Exit run_import_kitti(const SetRequest& request, const KittiOptions& options);
 
 struct MergeRequest {

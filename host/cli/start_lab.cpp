@@ -65,6 +65,7 @@ std::vector<std::string> command_line() {
 }  // namespace
 
 Exit run_calibrate(const CalibrateRequest&) { start_lab("calibrate"); }
+Exit run_import_dlr(const SetRequest&, const DlrOptions&) { start_lab("import dlr"); }
 Exit run_import_kitti(const SetRequest&, const KittiOptions&) { start_lab("import kitti"); }
 Exit run_import_mrclam(const SetRequest&) { start_lab("import mrclam"); }
 Exit run_import_rings(const SetRequest&) { start_lab("import rings"); }

@@ -68,6 +68,15 @@ struct KittiOptions {
   std::string detections;       ///< a file of boxes in place of the labelled ones
 };
 
+struct DlrOptions {
+  bool identity = false;          ///< a signature for each disc, 31 of them in turn; else one for all
+  std::size_t from = 0;           ///< step; a later one starts at the origin
+  std::optional<std::size_t> to;  ///< step, not included
+};
+
+/// DLR's spatial cognition data set: the file of detected circles. No truth is known.
+ImportResult import_dlr(const std::string& path, const DlrOptions& options);
+
 /// One drive of KITTI's tracking data set: a folder with labels.txt, calib.txt, poses.txt. The truth is parked cars.
 ImportResult import_kitti(const std::string& folder, const KittiOptions& options);
 

@@ -40,6 +40,10 @@ Exit run_import_mrclam(const SetRequest& request) {
   return finish(import_mrclam(request.source, options), request);
 }
 
+Exit run_import_dlr(const SetRequest& request, const DlrOptions& options) {
+  return finish(import_dlr(request.source, options), request);
+}
+
 Exit run_import_kitti(const SetRequest& request, const KittiOptions& options) {
   expect_two_outputs(request);
   return finish(import_kitti(request.source, options), request);

@@ -33,7 +33,8 @@ TEST_F(Alone, SaysWhatIsMissingAndHowToGetIt) {
   const std::string log = recording("stop_pixy2.log");
   for (const std::string& line :
        {"merge " + log, "smooth " + log, "calibrate " + log, std::string("paper"), std::string("import rings x.csv"),
-        std::string("import mrclam x"), std::string("import kitti x"), "export --format png " + log + " -o x.png",
+        std::string("import mrclam x"), std::string("import kitti x"), std::string("import dlr x"),
+        "export --format png " + log + " -o x.png",
         "evaluate --smooth " + log + " --scene " + recording("stop_pixy2.json"),
         std::string("segment photos --camera x.json")}) {
     const Outcome run = this->run("bin/fencepost " + line);
@@ -59,8 +60,8 @@ TEST_F(Alone, SaysInHelpWhatTheOtherDoes) {
   EXPECT_NE(overview.find("\n  paper *     "), std::string::npos) << overview;
   EXPECT_NE(overview.find("\n  replay      "), std::string::npos) << overview;
   EXPECT_NE(overview.find("* by a second program, fencepost-lab"), std::string::npos) << overview;
-  for (const char* command :
-       {"paper", "segment", "merge", "calibrate", "smooth", "import rings", "import mrclam", "import kitti"}) {
+  for (const char* command : {"paper", "segment", "merge", "calibrate", "smooth", "import rings", "import mrclam",
+                              "import kitti", "import dlr"}) {
     EXPECT_NE(run(std::string("bin/fencepost help ") + command).out.find("; by fencepost-lab\n"), std::string::npos)
         << command;
   }

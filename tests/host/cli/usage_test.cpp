@@ -15,10 +15,10 @@ using testing::shell;
 using testing::spill;
 
 const std::vector<std::string> kCommands = {
-    "",           "demo",          "replay",        "report",        "simulate",       "evaluate",   "paper",
-    "import",     "import mrclam", "import kitti",  "import rings",  "emulate",        "record",     "run",
-    "segment",    "configure",     "calibrate",     "merge",         "smooth",         "doctor",     "help",
-    "completion", "import csv",    "import sketch", "import player", "import candump", "import mcap"};
+    "",       "demo",          "replay",       "report",        "simulate",      "evaluate",       "paper",
+    "import", "import mrclam", "import kitti", "import dlr",    "import rings",  "emulate",        "record",
+    "run",    "segment",       "configure",    "calibrate",     "merge",         "smooth",         "doctor",
+    "help",   "completion",    "import csv",   "import sketch", "import player", "import candump", "import mcap"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "tests/studies/common/study.hpp"
+#include "tests/studies/world/dlr_run.hpp"
 #include "tests/studies/world/kitti_run.hpp"
 
 namespace fencepost::test {
@@ -82,8 +84,34 @@ void measure_kitti(const Request& request) {
   }
 }
 
+void measure_dlr(const Request& request) {
+  const std::string file = request.data + "/dlr/map.circles.first_half";
+  if (!std::filesystem::exists(file)) {
+    print("NOT MEASURED: " + file + " is not on this machine\n");
+    return;
+  }
+  constexpr std::size_t kSteps = 100;  // about 15 m
+  constexpr double kWorse = 1.05;      // share of the scatter without correction
+  constexpr const char* kName = "DLR, identity";
+  if (std::string_view(kName).find(request.only) == std::string_view::npos) return;
+  print(
+      "\n| DLR, configured | `correct.pose` | windows | scatter, median | worst | worse than off "
+      "|\n|---|---|---|---|---|---|\n");
+  const std::vector<double> off = run_dlr(file, kSteps, true, request.settings_with("off"));
+  for (const std::string& correct : request.correct) {
+    std::vector<double> windows = run_dlr(file, kSteps, true, request.settings_with(correct));
+    std::size_t worse = 0;
+    for (std::size_t i = 0; i < off.size(); ++i) worse += windows[i] > kWorse * off[i] ? 1U : 0U;
+    std::ranges::sort(windows);
+    print(fmt::format("| {} | {} | {} | {:.2f} m | {:.2f} m | {} of {} |\n", kName, correct, windows.size(),
+                      (windows[windows.size() / 2] + windows[(windows.size() - 1) / 2]) / 2, windows.back(), worse,
+                      windows.size()));
+  }
+}
+
 bool run(const Request& request) {
   measure_kitti(request);
+  measure_dlr(request);
   return true;
 }
 

@@ -1,0 +1,77 @@
+#include "tests/studies/world/dlr_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "host/import/dlr/dlr_files.hpp"
+#include "host/import/import.hpp"
+#include "host/replay/replay.hpp"
+#include "tests/firmware/record/lines.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr std::size_t kMinSightings = 3;  // of a disc that counts
+
+double middle(std::vector<double> values) {
+  std::ranges::sort(values);
+  return (values[values.size() / 2] + values[(values.size() - 1) / 2]) / 2;
+}
+
+double scatter(const std::vector<host::Point>& places) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const host::Point& place : places) x.push_back(place.x), y.push_back(place.y);
+  const double at_x = middle(x);
+  const double at_y = middle(y);
+  double sum = 0;
+  for (const host::Point& place : places) sum += std::hypot(place.x - at_x, place.y - at_y);
+  return sum / static_cast<double>(places.size());
+}
+
+double scatter_of(const std::vector<host::DlrStep>& steps, std::size_t from, const host::ResultDocument& result) {
+  std::map<int, std::vector<host::Point>> places;
+  for (const host::PoseResult& pose : result.path) {
+    const auto step = from + static_cast<std::size_t>(std::lround(pose.t / host::kDlrPeriod));
+    for (const host::DlrDisc& disc : steps.at(step).discs) {
+      if (disc.id < 0) continue;
+      const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+      places[disc.id].push_back({pose.x + c * disc.x - s * disc.y, pose.y + s * disc.x + c * disc.y});
+    }
+  }
+  double sum = 0;
+  std::size_t discs = 0;
+  for (const auto& [id, sightings] : places) {
+    if (sightings.size() < kMinSightings) continue;
+    sum += scatter(sightings);
+    ++discs;
+  }
+  if (discs == 0) throw std::runtime_error("a window of DLR has no disc that was seen three times");
+  return sum / static_cast<double>(discs);
+}
+
+}  // namespace
+
+std::vector<double> run_dlr(const std::string& file, std::size_t steps, bool identity,
+                            const std::vector<std::pair<std::string, std::string>>& settings) {
+  const std::vector<host::DlrStep> all = host::read_dlr(file);
+  std::vector<double> windows;
+  for (std::size_t from = 0; from + steps < all.size(); from += steps) {
+    host::DlrOptions options;
+    options.identity = identity;
+    options.from = from;
+    options.to = from + steps;
+    const host::ImportResult imported = host::import_dlr(file, options);
+    if (!imported.ok()) throw std::runtime_error(imported.error().message());
+    host::ReplayOptions replay;
+    replay.settings = settings;
+    const host::ReplayOutcome outcome = host::replay(imported->log, file, replay);
+    if (outcome.unreadable) throw std::runtime_error(outcome.unreadable->message);
+    windows.push_back(scatter_of(all, from, outcome.result));
+  }
+  return windows;
+}
+
+}  // namespace fencepost::test
