@@ -100,7 +100,8 @@ inline nlohmann::json believed(const Folder& folder, bool boxes) {
   return objects;
 }
 
-/// One confirmed object for each thing, within its bound, and nothing else.
+/// One confirmed object for each thing, within its bound, and nothing else. Without boxes no foot is seen: the place
+/// may be off by a tenth of the way more.
 inline void expect_things(const Folder& folder, const sensor::CameraIntrinsics& camera, double odometry,
                           bool boxes = true) {
   const nlohmann::json objects = believed(folder, boxes);
@@ -114,7 +115,7 @@ inline void expect_things(const Folder& folder, const sensor::CameraIntrinsics& 
     const nlohmann::json& cylinder = (*found)["models"]["cylinder"];
     ASSERT_TRUE(cylinder["x"].is_number()) << thing.name;
     const double error = std::hypot(cylinder["x"].get<double>() - thing.x, cylinder["y"].get<double>() - thing.y);
-    const double bound = bound_of(thing, camera, odometry);
+    const double bound = bound_of(thing, camera, odometry) + (boxes ? 0.0 : 0.1 * thing.x);
     EXPECT_LT(error, bound) << thing.name << " at " << cylinder["x"] << ", " << cylinder["y"];
     ::testing::Test::RecordProperty(thing.name, std::to_string(error) + " of " + std::to_string(bound) + " m");
   }
