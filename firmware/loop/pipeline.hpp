@@ -286,6 +286,7 @@ class Pipeline {
   /// The stream has ended: frames that still wait will never have a pose.
   void finish() {
     while (!m_.waiting.empty()) refuse_waiting();
+    m_.map.finish();
   }
 
   /// The self-test: a run of its own in this memory, of which nothing is reported or counted. Inputs that come

@@ -70,6 +70,9 @@ class Map {
     return outcome;
   }
 
+  /// The stream has ended: outlines know all that was seen. The digest is that of the last frame.
+  void finish() { fitter_.finish(table_); }
+
   /// Frames come with another calibration from now on: what was learned by this one of the camera and
   /// of the floor before the robot may be wrong.
   void recalibrated() {

@@ -33,6 +33,9 @@ bool outgrows(const HybridCore& core, const OutlineView& outline, const Tangent&
   return tangent.line.bound > reach + kOutgrown + tangent.sigma;
 }
 
+// The weight of a view in 1 / kWholeNews, at least one.
+int news_of(float novelty) { return std::max(1, static_cast<int>(kWholeNews * novelty + 0.5F)); }
+
 // Of what a view says `at least`, that which is news by itself.
 unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const ViewTangents& view) {
   unsigned which = 0;
@@ -206,7 +209,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
     add_one(core, clusters, outline, {view.front.line, view.straight, false}, novelty);
   }
   core.used = static_cast<std::uint8_t>(known | edges | limits << ViewTangents::kBits);
-  core.news = true;
+  core.news = static_cast<std::uint8_t>(std::min(255, core.news + news_of(novelty)));
   if (!elsewhere) return;
   core.last_lens = lens;
   if (core.views < 255) ++core.views;
@@ -254,7 +257,8 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
   hash.u8(core.used);
   hash.u8(core.spread);
   hash.u8(static_cast<std::uint8_t>(core.refusal));
-  hash.u8(core.news ? 1 : 0);
+  hash.u8(core.news);
+  hash.u8(core.warm_fits);
   hash.u8(core.fitting ? 1 : 0);
   hash.u8(core.large ? 1 : 0);
   if (core.refusal != HybridRefusal::kNone) return;

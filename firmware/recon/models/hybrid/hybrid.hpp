@@ -41,10 +41,11 @@ struct HybridCore {
   std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
   std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
-  bool news = false;        ///< there are tangents that no fit has begun with
-  bool fitting = false;     ///< a solver works on it
-  bool known_well = false;  ///< OutlineView::known_well() of the outline fitted last: alerts ask in every frame
-  bool large = false;       ///< likewise: it may be longer than the image, and sides of it a guess
+  std::uint8_t news = 0;        ///< weight of the views that no fit has begun with, in 1 / kWholeNews; 0: none
+  std::uint8_t warm_fits = 0;   ///< begun from the outline, since the last one that began from nothing
+  bool fitting = false;         ///< a solver works on it
+  bool known_well : 1 = false;  ///< OutlineView::known_well() of the outline fitted last: alerts ask in every frame
+  bool large : 1 = false;       ///< likewise: it may be longer than the image, and sides of it a guess
 };
 
 /// What a line and an outline have in common, low to high; empty if it passes by.

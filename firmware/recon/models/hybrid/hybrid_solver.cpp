@@ -9,6 +9,7 @@ namespace {
 
 // Floating-point operations, roughly. A series of u unknowns.
 constexpr int work_of_tangent(std::size_t u) { return static_cast<int>(60 + 6 * u + u * (u + 1)); }
+constexpr int work_of_value(std::size_t u) { return static_cast<int>(20 + 8 * u); }
 constexpr int work_of_row(std::size_t i) { return static_cast<int>(10 + 4 * i + i * i); }
 constexpr int work_of_solution(std::size_t u) { return static_cast<int>(4 * u * u); }
 constexpr int work_of_node(std::size_t u) { return static_cast<int>(20 + 6 * u + u * u); }
@@ -44,13 +45,36 @@ void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offse
 
 template <std::size_t kSectors, std::size_t kOrder>
 void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid, float known_radius) {
-  hybrid.news = false;
+  hybrid.news = 0;
   hybrid.fitting = true;
   views_ = hybrid.views;
   low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, radius_prior(known_radius));
   passes_ = kLowOrderPasses.size();
   pass_ = views_ < kViewsToDoubt ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
+  warm_ = false;
+  hybrid.warm_fits = 0;
   begin_low_order_pass();
+}
+
+template <std::size_t kSectors, std::size_t kOrder>
+void HybridSolver<kSectors, kOrder>::begin_warm(HybridType& hybrid, float known_radius) {
+  const auto warm_fits = static_cast<std::uint8_t>(hybrid.warm_fits + 1);
+  begin(hybrid, known_radius);
+  if (!hybrid.ok() || views_ < kViewsForPolygon || warm_fits >= kWholeFitEvery) return;
+  hybrid.warm_fits = warm_fits;
+  warm_ = true;
+  pass_ = static_cast<std::uint8_t>(passes_ - kWarmSeriesPasses);
+  low_order_.clear_series();
+  enter(Stage::kOutline);
+}
+
+// The series of the outline.
+template <std::size_t kSectors, std::size_t kOrder>
+int HybridSolver<kSectors, kOrder>::advance_outline(const HybridType& hybrid) {
+  constexpr float kShare = 1.0F / static_cast<float>(kSectors);
+  low_order_.add_support_value(node_direction(index_, kSectors), hybrid.outline().offset(index_), kShare);
+  if (++index_ == kSectors) begin_low_order_pass();
+  return work_of_value(series_size(kOrder));
 }
 
 template <std::size_t kSectors, std::size_t kOrder>
@@ -63,6 +87,7 @@ template <std::size_t kSectors, std::size_t kOrder>
 int HybridSolver<kSectors, kOrder>::advance(HybridType& hybrid) {
   switch (stage_) {
     case Stage::kDone: return 0;
+    case Stage::kOutline: return advance_outline(hybrid);
     case Stage::kLowOrder: return advance_low_order(hybrid);
     case Stage::kFactorise: return advance_factor(hybrid);
     case Stage::kNodes: return advance_nodes(hybrid);
@@ -107,17 +132,18 @@ int HybridSolver<kSectors, kOrder>::advance_nodes(HybridType& hybrid) {
   const auto [offset, sigma] = low_order_.at(direction);
   sigmas_[index_] = encode_sigma(sigma);
   if constexpr (kPolygon) {
-    support_.set(index_, offset);
+    support_.set(index_, warm_ ? hybrid.outline().offset(index_) : offset);
   } else {
     offsets_[index_] = offset_steps(offset);
   }
   constexpr int kWork = 2 * work_of_node(series_size(kOrder));
   if (++index_ < kSectors) return kWork;
   if constexpr (kPolygon) {
-    support_.begin();
+    const float spread = decode_sigma(hybrid.spread);
+    support_.begin(warm_ ? spread * spread : 1.0F);
     if (views_ >= kViewsForPolygon) {
       passes_ = kSupportPasses.size();
-      pass_ = 0;
+      pass_ = warm_ ? static_cast<std::uint8_t>(passes_ - kWarmRingPasses) : std::uint8_t{0};
       begin_support_pass();
       return kWork;
     }

@@ -24,6 +24,9 @@ class HybridSolver {
 
   /// Starts on `hybrid`, from what it holds now. `known_radius`: of what it is the outline, m; 0: not known.
   void begin(HybridType& hybrid, float known_radius = 0);
+  /// The same from the outline that is there, where it has enough views, with the last passes alone; each
+  /// kWholeFitEvery-th time from nothing. A third of the work.
+  void begin_warm(HybridType& hybrid, float known_radius = 0);
   /// Goes on with the object it was begun with: at least one piece of work, and no more than about kWorkPerStep. Its
   /// outline is replaced when the fit is done. True: done, or refused.
   bool step(HybridType& hybrid) {
@@ -44,7 +47,17 @@ class HybridSolver {
   void abandon() { stage_ = Stage::kDone; }
 
  private:
-  enum class Stage : std::uint8_t { kDone, kLowOrder, kFactorise, kNodes, kTangents, kSides, kEliminate, kSubstitute };
+  enum class Stage : std::uint8_t {
+    kDone,
+    kOutline,
+    kLowOrder,
+    kFactorise,
+    kNodes,
+    kTangents,
+    kSides,
+    kEliminate,
+    kSubstitute
+  };
 
   struct NoSupport {};
   struct NoOffsets {};
@@ -53,6 +66,7 @@ class HybridSolver {
   [[nodiscard]] bool doubts() const { return views_ >= kViewsToDoubt && pass_ > 0; }
   // One piece of work; its cost in floating-point operations.
   int advance(HybridType& hybrid);
+  int advance_outline(const HybridType& hybrid);
   int advance_low_order(HybridType& hybrid);
   int advance_factor(HybridType& hybrid);
   int advance_nodes(HybridType& hybrid);
@@ -83,6 +97,7 @@ class HybridSolver {
   std::uint8_t passes_ = 0;
   std::uint8_t views_ = 0;
   std::uint8_t index_ = 0;
+  bool warm_ = false;
 };
 
 /// Moves the local frame so that `center` becomes its origin, to the next kOffsetStep.

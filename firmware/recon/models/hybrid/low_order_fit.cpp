@@ -50,6 +50,15 @@ void LowOrderFit<kOrder>::begin(std::size_t order, const RadiusPrior& radius) {
 }
 
 template <std::size_t kOrder>
+void LowOrderFit<kOrder>::add_support_value(const Vec2& direction, float offset, float share) {
+  std::array<float, kUnknowns> basis{};
+  const std::span<float> used(basis.data(), unknowns());
+  series_basis(direction, used);
+  x_[0] += share * offset;
+  for (std::size_t i = 1; i < used.size(); ++i) x_[i] += 2.0F * share * offset * used[i];
+}
+
+template <std::size_t kOrder>
 void LowOrderFit<kOrder>::begin_pass(float widening) {
   matrix_.fill(0);
   rhs_.fill(0);

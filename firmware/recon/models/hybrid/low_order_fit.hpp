@@ -51,6 +51,10 @@ class LowOrderFit {
   static constexpr std::size_t kUnknowns = series_size(kOrder);
 
   void begin(std::size_t order, const RadiusPrior& radius);
+  /// After begin(): the series nearest to an outline, of which each support value is added once. `share`: 1 / their
+  /// number.
+  void clear_series() { x_.fill(0); }
+  void add_support_value(const Vec2& direction, float offset, float share);
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
   /// Adds cluster `index`. `trusted`: no tangent is doubted. What says `at least` counts where it is not met, and not

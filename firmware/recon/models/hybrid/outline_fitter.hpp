@@ -12,8 +12,8 @@
 
 namespace fencepost::recon {
 
-/// One solver for all objects of a map. Profile::kHybridSteps steps a frame that is due; 0: every object with news is
-/// fitted at once.
+/// One solver for all objects of a map. Profile::kHybridSteps steps a frame that is due, in warm fits. 0: outlines are
+/// fitted at once and from nothing, one that is known well when its news weigh as much as a whole view.
 template <class Profile>
 class OutlineFitter {
  public:
@@ -27,7 +27,7 @@ class OutlineFitter {
   [[gnu::noinline]] void fit(Table& table, bool due) {
     auto& objects = table.objects();
     if constexpr (Profile::kHybridSteps == 0) {
-      fit_all(objects);
+      fit_all(objects, kWholeNews);
     } else {
       // The object in that slot is not the one that the fit was begun with, or its models began again.
       for (const auto& event : table.events()) {
@@ -41,21 +41,34 @@ class OutlineFitter {
     }
   }
 
+  /// The stream has ended: outlines that wait for more news are fitted. Not where steps are counted.
+  template <class Table>
+  void finish(Table& table) {
+    if constexpr (Profile::kHybridSteps == 0) fit_all(table.objects(), 1);
+  }
+
  private:
   template <class Objects>
-  void fit_all(Objects& objects) {
+  void fit_all(Objects& objects, int least_news) {
     for (auto& object : objects) {
-      if (!object.used() || !object.hybrid().news) continue;
+      if (!is_due(object, least_news)) continue;
       if (base::kLaneVectors && OutlineBatch::takes(object.hybrid())) continue;
       solver_.solve(object.hybrid(), object.cylinder.known_radius());
       object.note_outline();
     }
-    if constexpr (base::kLaneVectors) fit_together(objects);
+    if constexpr (base::kLaneVectors) fit_together(objects, least_news);
+  }
+
+  // Of an outline that is known well a part of a view changes little.
+  template <class Object>
+  static bool is_due(const Object& object, int least_news) {
+    if (!object.used() || object.hybrid().news == 0) return false;
+    return !object.hybrid().known_well || object.hybrid().news >= least_news;
   }
 
   // Those with news that are left, a few at a time.
   template <class Objects>
-  static void fit_together(Objects& objects) {
+  static void fit_together(Objects& objects, int least_news) {
     OutlineBatch batch;
     base::FixedVector<typename Objects::value_type*, kLanes> taken;
     const auto solve = [&] {
@@ -64,7 +77,7 @@ class OutlineFitter {
       taken.clear();
     };
     for (auto& object : objects) {
-      if (!object.used() || !object.hybrid().news) continue;
+      if (!is_due(object, least_news)) continue;
       batch.add(object.hybrid(), object.cylinder.known_radius());
       static_cast<void>(taken.push_back(&object));
       if (taken.full()) solve();
@@ -84,8 +97,8 @@ class OutlineFitter {
   bool begin_next(Objects& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       slot_ = static_cast<std::uint8_t>(slot_ + 1U < objects.size() ? slot_ + 1U : 0U);
-      if (!objects[slot_].used() || !objects[slot_].hybrid().news) continue;
-      solver_.begin(objects[slot_].hybrid(), objects[slot_].cylinder.known_radius());
+      if (!objects[slot_].used() || objects[slot_].hybrid().news == 0) continue;
+      solver_.begin_warm(objects[slot_].hybrid(), objects[slot_].cylinder.known_radius());
       return true;
     }
     return false;

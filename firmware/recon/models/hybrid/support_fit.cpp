@@ -17,8 +17,8 @@ std::size_t previous(std::size_t k) { return (k + kRing - 1) % kRing; }
 
 }  // namespace
 
-void SupportFit::begin() {
-  spread_ = 1;
+void SupportFit::begin(float spread) {
+  spread_ = spread;
   measure();
 }
 

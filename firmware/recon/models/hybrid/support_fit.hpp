@@ -21,7 +21,8 @@ class SupportFit {
  public:
   /// Before the first pass: every support value is set, then begin().
   void set(std::size_t k, float offset) { offsets_[k] = offset; }
-  void begin();
+  /// `spread`: of a fit before, if it goes on from that.
+  void begin(float spread = 1);
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
   /// What says `at least` counts where it is not met.

@@ -128,6 +128,15 @@ inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
+/// Parts of a whole view in which the weight of news is counted. By design: a view has at least kLeastNews.
+inline constexpr int kWholeNews = 32;
+/// Passes of a warm fit's series, the last ones: it begins from the outline that is there. More: outlines of boards are
+/// older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2, seeds 71001 to 71030.
+inline constexpr std::size_t kWarmSeriesPasses = 2;
+/// The same of its support values.
+inline constexpr std::size_t kWarmRingPasses = 2;
+/// Each so manyth fit begins from nothing, for what a warm one cannot leave. Same study.
+inline constexpr std::uint8_t kWholeFitEvery = 8;
 /// m. The middle of the outline may be this far from the local origin before that follows it. algorithms.md sec. 5.2.
 inline constexpr float kRecentre = 0.02F;
 

@@ -394,6 +394,71 @@ TEST(HybridSolver, PutsNothingInPlaceBeforeItIsDoneInMicro) {
   expect_nothing_in_place_before_it_is_done<NarrowFilter>();
 }
 
+// A warm fit begins from the outline of all views but the last two, with the last passes alone. It takes a third of
+// the steps to the same outline within a tenth of its size. The eighth fit is a whole one again, to the same bits.
+template <class FilterType>
+void expect_warm_fits_follow_whole_ones(double most_off) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 32);
+  FilterType filter;
+  filter.see(footprint, {lenses.begin(), lenses.begin() + 30});
+  filter.hybrid.add(view_of(footprint, lenses[30]).sighting, {});
+  filter.hybrid.add(view_of(footprint, lenses[31]).sighting, {});
+  const auto with_news = filter.hybrid;
+  const auto steps_of = [&](auto& hybrid, bool warm) {
+    warm ? filter.solver.begin_warm(hybrid) : filter.solver.begin(hybrid);
+    EXPECT_TRUE(hybrid.fitting);
+    EXPECT_EQ(hybrid.news, 0);
+    int steps = 1;
+    while (!filter.solver.step(hybrid)) ++steps;
+    return steps;
+  };
+  auto whole = with_news;
+  auto warm = with_news;
+  const int steps = steps_of(whole, false);
+  EXPECT_LT(steps_of(warm, true), steps / 2);
+  EXPECT_EQ(warm.warm_fits, 1);
+  EXPECT_NE(warm.offsets, with_news.offsets);
+  EXPECT_LT(worst_offset(whole, footprint), most_off);
+  EXPECT_LT(worst_offset(warm, footprint), most_off);
+
+  auto eighth = with_news;
+  eighth.warm_fits = kWholeFitEvery - 1;
+  EXPECT_EQ(steps_of(eighth, true), steps);
+  EXPECT_EQ(eighth.warm_fits, 0);
+  expect_same(eighth, whole);
+}
+TEST(HybridSolver, GoesOnFromTheOutlineThatIsThere) { expect_warm_fits_follow_whole_ones<WideFilter>(0.01); }
+TEST(HybridSolver, GoesOnFromTheOutlineThatIsThereInMicro) { expect_warm_fits_follow_whole_ones<NarrowFilter>(0.02); }
+
+// Of few views the outline is another one: there is nothing to go on from.
+TEST(HybridSolver, BeginsFromNothingWhileViewsAreFew) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 30);
+  WideFilter filter;
+  filter.see(footprint, {lenses.begin(), lenses.begin() + kViewsForPolygon - 1});
+  filter.solver.begin_warm(filter.hybrid);
+  EXPECT_EQ(filter.hybrid.warm_fits, 0);
+}
+
+// A view from somewhere else counts whole, one from a third of a whole view's way in part; a fit has them all.
+TEST(Hybrid, CountsNewsByTheWeightOfViews) {
+  const host::LinearRing footprint = box(0.20, 0.12);
+  WideFilter filter;
+  filter.see(footprint, circle({0, 0}, 0.9, 12));
+  EXPECT_EQ(filter.hybrid.news, 0);
+  // From the last of the circle, at 0.3 - 30 degrees.
+  const double last = 0.3 - kPi / 6;
+  const double part = 0.35 * static_cast<double>(kNovelShare);
+  const auto lens = [&](double turn) { return host::Point{0.9 * std::cos(last + turn), 0.9 * std::sin(last + turn)}; };
+  filter.hybrid.add(view_of(footprint, lens(part)).sighting, {});
+  EXPECT_NEAR(filter.hybrid.news, 0.35 * kWholeNews, 2);
+  filter.hybrid.add(view_of(footprint, lens(2 * part)).sighting, {});
+  EXPECT_NEAR(filter.hybrid.news, 0.7 * kWholeNews, 3);
+  filter.hybrid.add(view_of(footprint, lens(2)).sighting, {});
+  EXPECT_NEAR(filter.hybrid.news, 1.7 * kWholeNews, 3);
+}
+
 // Wild tangents, thousands of them: every number stays finite and in range.
 TEST(HybridSolver, SurvivesNonsense) {
   std::mt19937 random(99);
@@ -489,7 +554,7 @@ TEST(Hybrid, OfViewsFromALattice) {
     tell_hybrid<Wide, WideSolver>(draw, sweep);
     tell_hybrid<Narrow, NarrowSolver>(draw, sweep);
   }
-  expect_said(sweep, {"news 754 8f4d1552", "guess 840 4c874e98", "digest 1680 6512dd36", "refusal 65 a82e9db0",
+  expect_said(sweep, {"news 754 3fbbcfe7", "guess 840 4c874e98", "digest 1680 1ac9eaaf", "refusal 65 a82e9db0",
                       "contradict 390 519a01ea", "confidence 695 30cf2177", "distance 775 02013625",
                       "nearest 756 ff78d823", "chord 775 1f83fa36", "vertices 769 8aae4df2", "vertex 24403 2d61b708"});
 }
