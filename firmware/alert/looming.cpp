@@ -339,8 +339,8 @@ bool is_over(const LoomingTrack& track) {
 
 // Where a thing is and how it moves against the robot, robot frame.
 struct Meeting {
-  recon::Vec2 place;     // m
-  recon::Vec2 velocity;  // m/s
+  recon::Vec2 place{0, 0};     // m
+  recon::Vec2 velocity{0, 0};  // m/s
 };
 
 Meeting meeting_of(const LoomingTrack& track, const recon::CameraModel& camera, const RobotPath& path, float since,
@@ -440,6 +440,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
   for (std::size_t b = 0; b < frame.blobs.size(); ++b) static_cast<void>(boxes.push_back(see(floor, camera, frame, b)));
   // Each box goes to the thing that it is most like, if no other box is more like that.
   std::array<bool, sensor::kMaxBlobs> taken{};
+  for (std::size_t b = 0; b < boxes.size(); ++b) taken[b] = frame.blobs[b].bearing;  // it has no width that grows
   for (;;) {
     LoomingTrack* best = nullptr;
     std::size_t box = 0;

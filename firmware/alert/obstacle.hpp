@@ -38,7 +38,7 @@ void set_closing(const RobotPath& path, Obstacle& obstacle);
 struct RobotPlace {
   explicit RobotPlace(const recon::MapPose& pose);
   recon::MapPoint position;
-  recon::Vec2 heading;  ///< unit
+  recon::Vec2 heading{1, 0};  ///< unit
 };
 
 /// Alert model: the cylinder.

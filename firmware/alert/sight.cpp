@@ -42,7 +42,7 @@ float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel&
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {
     const recon::Sides cut = recon::cut_by_border(camera, blob.box);
     if (!cut.left || !cut.right) shift = std::max(shift, by.turned * camera.fx);
-    if (cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
+    if (blob.bearing || cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
     const float drop = recon::drop_per_depth(camera, camera.cx, recon::bottom_edge(blob.box));
     if (drop > 0) shift = std::max(shift, by.moved * camera.fy * drop * drop / camera.height);
   }

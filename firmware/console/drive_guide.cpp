@@ -62,6 +62,7 @@ void DriveGuide::count_blobs(const recon::WaitingFrame& frame, const recon::Came
   float nearest = 0;  // rows of feet
   float farthest = camera.rows;
   for (const recon::WaitingBlob& blob : frame.blobs) {
+    if (blob.bearing) continue;
     const recon::Sides cut = recon::cut_by_border(camera, blob.box);
     if (cut.left || cut.right) continue;
     const int twice_middle = blob.box.x1 + blob.box.x2;

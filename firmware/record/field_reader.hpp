@@ -66,6 +66,8 @@ class FieldReader {
       if (!items.push_back(item)) fail(Reject::kRange);
     }
   }
+  /// Is the next field empty? Then it is read.
+  bool left_empty(bool& is_empty) { return is_empty = skip_empty(); }
   /// So many fields with nothing in them.
   void empty(int count) {
     for (int i = 0; i < count; ++i) require(skip_empty());

@@ -59,6 +59,11 @@ class FieldWriter {
     number(static_cast<std::int64_t>(items.size()), {0, static_cast<std::int64_t>(items.capacity()), 0});
     for (const auto& item : items) walk(*this, item);
   }
+  /// Writes an empty field, or nothing.
+  bool left_empty(bool is_empty) {
+    if (is_empty) put(',');
+    return is_empty;
+  }
   /// So many fields with nothing in them.
   void empty(int count) {
     for (int i = 0; i < count; ++i) put(',');

@@ -91,12 +91,21 @@ void walk(Fields& fields, Record& r) {
 template <class Fields, Is<sensor::Blob> Record>
 void walk(Fields& fields, Record& r) {
   fields.number(r.signature, kSignature);
-  fields.number(r.x1, kPixel);
+  // A bearing has no columns: both are empty.
+  const bool bearing = fields.left_empty(r.bearing);
+  if (!bearing) fields.number(r.x1, kPixel);
   fields.number(r.y1, kPixel);
-  fields.number(r.x2, kPixel);
+  if (bearing) {
+    fields.empty(1);
+  } else {
+    fields.number(r.x2, kPixel);
+  }
   fields.number(r.y2, kPixel);
-  fields.require(r.x1 <= r.x2 && r.y1 <= r.y2);
+  fields.require((bearing || r.x1 <= r.x2) && r.y1 <= r.y2);
   fields.number(r.cx.raw, kCentroid);
+  if constexpr (!std::is_const_v<Record>) {
+    if (bearing) sensor::put_at_centre(r);
+  }
   fields.number(r.cy.raw, kCentroid);
   fields.number(r.pixels, kCount);
   fields.colour_or_empty(r.rgb);

@@ -16,7 +16,8 @@ struct Rgb {
   friend constexpr bool operator==(Rgb, Rgb) = default;
 };
 
-/// One box. [x1,x2] x [y1,y2] inclusive, so its continuous edges are x1-0.5, x2+0.5, y1-0.5, y2+0.5.
+/// One box. [x1,x2] x [y1,y2] inclusive, so its continuous edges are x1-0.5, x2+0.5, y1-0.5, y2+0.5. A bearing has a
+/// centre and no width: x1 and x2 are the columns around `cx`, see put_at_centre().
 struct Blob {
   std::uint8_t signature = 0;
   std::int16_t x1 = 0;
@@ -27,8 +28,18 @@ struct Blob {
   base::Pixels1 cy;
   std::uint32_t pixels = 0;  ///< area; 0 where the sensor does not tell
   std::optional<Rgb> rgb;    ///< mean colour; empty where the sensor does not tell
+  bool bearing = false;      ///< the sensor tells the direction to the middle of the thing, not its width
   friend constexpr bool operator==(const Blob&, const Blob&) = default;
 };
+
+/// Gives a bearing its columns: the middle of [x1,x2] is the multiple of half a pixel nearest to `cx`.
+constexpr void put_at_centre(Blob& bearing) {
+  constexpr std::int32_t kPerHalf = base::Pixels1::kPerUnit / 2;
+  constexpr std::int32_t kPositive = 1 << 17;  // more halves than any centre has: divisions round down
+  const std::int32_t halves = (bearing.cx.raw + kPerHalf / 2 + kPositive * kPerHalf) / kPerHalf - kPositive;
+  bearing.x1 = static_cast<std::int16_t>(halves >> 1);
+  bearing.x2 = static_cast<std::int16_t>((halves + 1) >> 1);
+}
 
 inline constexpr std::size_t kMaxBlobs = 16;
 

@@ -102,13 +102,14 @@ class Watcher final : public RunObserver {
     for (const PlacedSighting& sighting : placed.sightings) {
       const recon::WaitingBlob& blob = placed.frame.blobs[sighting.blob];
       taken[sighting.blob] = true;
-      if (blob.moves) continue;
+      if (blob.moves || blob.bearing) continue;
       seen.boxes.push_back(box_of(placed.frame, sighting.blob));
       seen.boxes.back().object = sighting.id;
       count_ends(seen.boxes.back());
     }
     for (std::size_t i = 0; i < taken.size(); ++i) {
-      if (!taken[i] && !placed.frame.blobs[i].moves) seen.others.push_back(box_of(placed.frame, i));
+      const recon::WaitingBlob& blob = placed.frame.blobs[i];
+      if (!taken[i] && !blob.moves && !blob.bearing) seen.others.push_back(box_of(placed.frame, i));
     }
     if (!seen.boxes.empty() || !seen.others.empty()) log_.frames.push_back(std::move(seen));
   }
@@ -127,7 +128,7 @@ class Watcher final : public RunObserver {
     if (box.y1 > 1) seen.top = seen.row_low;
     if (box.y2 < log_.camera.height - 2) seen.foot = seen.row_high;
     for (std::size_t i = 0; i < frame.blobs.size(); ++i) {
-      if (i != index) leave_out_hidden(box, frame.blobs[i].box, seen);
+      if (i != index && !frame.blobs[i].bearing) leave_out_hidden(box, frame.blobs[i].box, seen);
     }
     leave_out_cut(seen);
     return seen;

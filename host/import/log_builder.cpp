@@ -28,21 +28,13 @@ void append_calibration(std::string& log, const LogParts& parts) {
   for (const record::Signature& signature : parts.signatures) append(log, signature);
 }
 
-}  // namespace
-
-std::string build_log(const LogParts& parts) {
+/// Each frame follows the first sample at or past its exposure.
+template <class Sample>
+void append_samples(std::string& log, const LogParts& parts, const std::vector<Sample>& samples) {
   constexpr base::Duration kRepeatPeriod = base::milliseconds(10'000);
-  std::string log;
-  record::Header header;
-  header.product = "fencepost";
-  header.version = kImporterVersion;
-  header.target = std::string_view(parts.target);
-  header.profile = "full";
-  append(log, header);
-  append_calibration(log, parts);
   base::Time repeat{kRepeatPeriod.raw};
   auto frame = parts.frames.begin();
-  for (const sensor::OdometrySample& sample : parts.odometry) {
+  for (const Sample& sample : samples) {
     if (sample.t >= repeat) {
       append_calibration(log, parts);
       while (sample.t >= repeat) repeat = repeat + kRepeatPeriod;
@@ -52,6 +44,25 @@ std::string build_log(const LogParts& parts) {
   }
   // Frames past the last sample have no pose; the reader counts them.
   for (; frame != parts.frames.end(); ++frame) append(log, *frame);
+}
+
+}  // namespace
+
+std::string build_log(const LogParts& parts) {
+  std::string log;
+  record::Header header;
+  header.product = "fencepost";
+  header.version = kImporterVersion;
+  header.target = std::string_view(parts.target);
+  header.profile = "full";
+  append(log, header);
+  for (const record::Setting& setting : parts.settings) append(log, setting);
+  append_calibration(log, parts);
+  if (parts.car.empty()) {
+    append_samples(log, parts, parts.odometry);
+  } else {
+    append_samples(log, parts, parts.car);
+  }
   return log;
 }
 

@@ -16,7 +16,9 @@ struct LogParts {
   std::string target;  ///< FPHDR's target: where the data are from
   sensor::CameraIntrinsics camera;
   std::vector<record::Signature> signatures;
+  std::vector<record::Setting> settings;
   std::vector<sensor::OdometrySample> odometry;  ///< times strictly increasing
+  std::vector<sensor::CarSample> car;            ///< in place of odometry, times strictly increasing
   std::vector<sensor::BlobFrame> frames;         ///< times strictly increasing
 };
 

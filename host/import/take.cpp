@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/import/log_builder.hpp"
 #include "host/import/table.hpp"
@@ -14,8 +15,27 @@ constexpr double kTick = 1e-4;  // s
 constexpr double kStep = 0.02;  // s, between poses of a stationary robot
 constexpr int kMargin = 5;      // such poses before the first frame: 0.1 s, a camera's latency
 constexpr int kLastSignature = 255;
+constexpr double kCounts = 10'000;  // /m, of an imported car's encoder: finer than any real one
+
+// A bearing outside the image is none.
+std::optional<sensor::Blob> bearing_of(const ImportedBlob& taken, const sensor::CameraIntrinsics& camera) {
+  const double u = taken.cx.value_or(NAN);
+  const double v = taken.cy.value_or(NAN);
+  if (!(u >= 0 && v >= 0 && u <= camera.width - 1 && v <= camera.height - 1)) return std::nullopt;
+  sensor::Blob blob;
+  blob.bearing = true;
+  blob.signature = static_cast<std::uint8_t>(taken.signature);
+  blob.cx = base::Pixels1::nearest(u);
+  blob.cy = base::Pixels1::nearest(v);
+  sensor::put_at_centre(blob);
+  blob.y1 = blob.y2 = static_cast<std::int16_t>(std::lround(v));
+  blob.pixels = taken.pixels;
+  blob.rgb = taken.rgb;
+  return blob;
+}
 
 std::optional<sensor::Blob> blob_of(const ImportedBlob& taken, const sensor::CameraIntrinsics& camera) {
+  if (taken.bearing) return bearing_of(taken, camera);
   const double right = camera.width - 1;
   const double bottom = camera.height - 1;
   if (!(taken.x1 <= taken.x2 && taken.y1 <= taken.y2)) return std::nullopt;
@@ -114,24 +134,50 @@ std::vector<record::Signature> signatures_of(const Taken& taken, const std::stri
   return list;
 }
 
+sensor::CarSample sample_of(const TakenCar& car, double zero) {
+  sensor::CarSample sample;
+  sample.t = base::Time::nearest(car.t - zero);
+  sample.count = static_cast<std::int32_t>(std::llround(kCounts * car.driven));
+  if (car.steering) sample.steering = base::Radians::nearest(*car.steering);
+  if (car.yaw_rate) sample.yaw_rate = base::RadiansPerSecond::nearest(*car.yaw_rate);
+  return sample;
+}
+
+void take_settings(const Taken& taken, LogParts& parts) {
+  const auto add = [&](std::string_view key, std::string_view value) { parts.settings.push_back({key, value}); };
+  for (const auto& [key, value] : taken.settings) add(key, value);
+  if (!taken.car.empty()) add("car.counts", "10000.0");
+}
+
+/// s, of the first pose, sample or frame.
+double start_of(const Taken& taken) {
+  double start = std::numeric_limits<double>::infinity();
+  if (!taken.poses.empty()) start = std::min(start, taken.poses.front().t);
+  if (!taken.car.empty()) start = std::min(start, taken.car.front().t);
+  if (!taken.frames.empty()) start = std::min(start, taken.frames.front().t);
+  return start;
+}
+
 }  // namespace
 
 Imported log_of(Taken taken, const TakeSettings& settings, const std::string& source, const std::string& target) {
   if (!settings.poses.empty()) taken.poses = settings.poses;
-  if (taken.frames.empty() && taken.poses.empty()) {
+  if (taken.frames.empty() && taken.poses.empty() && taken.car.empty()) {
     throw ImportProblem{source, "has neither blobs nor poses in a form that is known",
                         "share/doc/import.md shows each; is it the right file?"};
   }
   put_in_order(taken.frames, "frames", taken);
   put_in_order(taken.poses, "poses", taken);
+  put_in_order(taken.car, "odometry samples", taken);
   check_times(taken, source);
   LogParts parts;
   parts.target = target;
   parts.camera = camera_of(taken, settings, source);
   parts.signatures = signatures_of(taken, source);
-  if (taken.poses.empty()) stand_still(taken);
-  const double zero =
-      taken.frames.empty() ? taken.poses.front().t : std::min(taken.poses.front().t, taken.frames.front().t);
+  take_settings(taken, parts);
+  if (taken.poses.empty() && taken.car.empty()) stand_still(taken);
+  const double zero = start_of(taken);
+  for (const TakenCar& car : taken.car) parts.car.push_back(sample_of(car, zero));
   for (const TakenPose& pose : taken.poses) {
     parts.odometry.push_back({base::Time::nearest(pose.t - zero), base::Metres::nearest(pose.x),
                               base::Metres::nearest(pose.y), base::Radians::nearest(pose.heading)});
@@ -146,7 +192,7 @@ Imported log_of(Taken taken, const TakeSettings& settings, const std::string& so
   }
   imported.log = build_log(parts);
   imported.summary.frames = parts.frames.size();
-  imported.summary.odometry = parts.odometry.size();
+  imported.summary.odometry = parts.odometry.size() + parts.car.size();
   imported.summary.skipped.assign(taken.skipped.begin(), taken.skipped.end());
   imported.summary.notes = taken.notes;
   return imported;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/sensor/camera.hpp"
@@ -24,6 +25,7 @@ struct ImportedBlob {
   std::optional<double> cy;
   std::uint32_t pixels = 0;
   std::optional<sensor::Rgb> rgb;
+  bool bearing = false;  ///< no width: `cx` and `cy` have the middle, x1 and x2 mean nothing
 };
 
 struct TakenFrame {
@@ -38,11 +40,21 @@ struct TakenPose {
   double heading = 0;
 };
 
+/// Measurements of a car: its encoder, and its steering angle or its gyro.
+struct TakenCar {
+  double t = 0;
+  double driven = 0;               ///< m, of the middle of the unsteered axle since the start
+  std::optional<double> steering;  ///< rad, left positive
+  std::optional<double> yaw_rate;  ///< rad/s, counter-clockwise positive
+};
+
 struct Taken {
   std::vector<TakenFrame> frames;
   std::vector<TakenPose> poses;
-  std::map<int, std::string> names;          ///< of signatures
-  std::optional<std::pair<int, int>> image;  ///< width and height, where the source tells
+  std::vector<TakenCar> car;                                  ///< in place of poses
+  std::vector<std::pair<std::string, std::string>> settings;  ///< of the robot, as FPCFG
+  std::map<int, std::string> names;                           ///< of signatures
+  std::optional<std::pair<int, int>> image;                   ///< width and height, where the source tells
   std::map<std::string, std::uint64_t> skipped;
   std::vector<std::string> notes;
 };
@@ -55,8 +67,8 @@ struct TakeSettings {
 };
 
 /// Times from zero, each kind in order and strictly increasing; boxes clamped to the image, at most 16 a frame, the
-/// largest first. Without poses the robot stands still, which is said. errors: ImportProblem: no frame and no pose, no
-/// camera, a signature that is none
+/// largest first. Without poses and car the robot stands still, which is said. errors: ImportProblem: no frame and no
+/// pose, no camera, a signature that is none
 Imported log_of(Taken taken, const TakeSettings& settings, const std::string& source, const std::string& target);
 
 }  // namespace fencepost::host

@@ -62,6 +62,7 @@ void check_times(Taken& taken, const std::string& source) {
   const double step = usual_step(frames);
   const bool foreign = step >= kMinForeignStep;
   std::vector<double> all = times_of(taken.poses);
+  for (const TakenCar& car : taken.car) all.push_back(car.t);
   const bool stationary = all.empty();
   all.insert(all.end(), frames.begin(), frames.end());
   std::ranges::sort(all);

@@ -61,7 +61,7 @@ class Evidence {
  private:
   bool known_;
   recon::OutlineView outline_;
-  recon::Vec2 middle_;  ///< the hybrid's origin in the object's frame
+  recon::Vec2 middle_{0, 0};  ///< the hybrid's origin in the object's frame
 };
 
 /// As much room as on profile `full`.

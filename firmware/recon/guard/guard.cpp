@@ -239,7 +239,9 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
   follow(store.first(size_), pose.anchor);
   const Lens lens = lens_of(pose, origin_);
   FootLines feet;
-  for (const WaitingBlob& blob : frame.blobs) static_cast<void>(feet.push_back(foot_line(camera, blob)));
+  for (const WaitingBlob& blob : frame.blobs) {
+    if (!blob.bearing) static_cast<void>(feet.push_back(foot_line(camera, blob)));
+  }
 
   const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));
   // In whole counts: what was supported in the one in which the robot came to stand may have been seen on its way.

@@ -16,6 +16,10 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
   guess.radius = std::min(estimate.radius, kLargestLandmark);
   guess.covariance = estimate.covariance;
   guess.covariance.scale(kOverconfidence);
+  // The filter is linear in the place: what bearings alone have placed begins when the range is known.
+  const Vec2 range = guess.away - seen.lens;
+  const float most = kRowShare * range.squared_norm();
+  if (seen.bearing && guess.covariance.position_along(range) > most * most) return {};
   return guess;
 }
 
@@ -136,6 +140,11 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
   } else if ((view.present & ViewTangents::kRight) != 0) {
     circle.lines[0] = tangent_of(view.right, inwards - across, shape + pose);
   }
+  if (seen.bearing) {
+    const Vec2 normal = left_of(seen.center);
+    const float sigma2 = edge_variance(bearing_variance(seen, ends), distance, ends);
+    circle.lines[1] = {{normal, normal.dot(seen.lens), 0, across}, sigma2 + shape + pose};
+  }
   circle.lines[2] = foot_of(seen, shape + place, noise);
   for (Line& line : circle.lines) line.variance /= novelty;
   return circle;
@@ -143,8 +152,9 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
 
 LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const MeasurementNoise& noise) {
   // Noisy directions have parallax to themselves, and draw towards the lens what only parallax has placed.
-  const bool by_rows = object.cylinder.estimate().ok() && object.cylinder.row_count() > 0;
-  LandmarkGuess guess = by_rows ? guess_of_cylinder(object, seen) : guess_of_sighting(seen, noise);
+  // A bearing has nothing else.
+  const bool placed = object.cylinder.estimate().ok() && (object.cylinder.row_count() > 0 || seen.bearing);
+  LandmarkGuess guess = placed ? guess_of_cylinder(object, seen) : guess_of_sighting(seen, noise);
   const float shape = noise.roundness * guess.radius;
   guess.covariance.xx += shape * shape;
   guess.covariance.yy += shape * shape;

@@ -172,7 +172,7 @@ class PoseCorrection {
       // By the pose that the models know, and turned as the filter's is against that.
       const MapPose believed = corrected(filter_.at().odometry);
       const Sighting seen = make_sighting(camera, lens_pose(believed, camera), matcher.observation_of(o));
-      if (!guesses_ && !seen.rows_known && !(seen.known_radius > 0)) continue;
+      if (!guesses_ && !seen.rows_known && !(seen.known_radius > 0) && !seen.bearing) continue;
       LandmarkGuess guess = guess_of(object, seen, noise);
       if (!(guess.radius > 0)) continue;
       guess.away = turned(guess.away, pose().heading - believed.heading);

@@ -138,6 +138,12 @@ void NormalEquations::add(const Vec2& normal, float bound, float weight) {
   moment_radius += bound * weight;
 }
 
+void NormalEquations::add_through_centre(const Vec2& normal, float bound, float weight) {
+  const Vec2 weighted = weight * normal;
+  information.add({weighted.x() * normal.x(), weighted.x() * normal.y(), weighted.y() * normal.y(), 0, 0, 0});
+  moment += bound * weighted;
+}
+
 void NormalEquations::add(const NormalEquations& other) {
   information.add(other.information);
   moment += other.moment;
@@ -176,6 +182,7 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     add_edge(sighting, sighting.left, left_tangent(sighting, origin), distance, novelty, noise);
   if (is_edge(sighting.right.end))
     add_edge(sighting, sighting.right, right_tangent(sighting, origin), distance, novelty, noise);
+  if (sighting.bearing) add_bearing(sighting, origin, distance, novelty, noise);
   // The foot of a part in the image is not the nearest point of a disc: along a wall its row never changes.
   RowDepth row = sighting.cut_at_side ? RowDepth{} : row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
@@ -213,6 +220,25 @@ void Cylinder::add_edge(const Sighting& sighting, const Ray& ray, const HalfPlan
   if (edges_.information.rr > kMaxInformation) scale_edges(0.5F);
 }
 
+void Cylinder::add_bearing(const Sighting& sighting, MapPoint origin, float distance, float novelty,
+                           const MeasurementNoise& noise) {
+  const Vec2 normal = left_of(sighting.center);
+  const float bound = normal.dot(sighting.lens_from(origin));
+  const float direction = bearing_variance(sighting, noise);
+  const float variance = edge_variance(direction, distance, noise);
+  float weight = novelty / variance;
+  if (estimate_.ok()) {
+    const float residual = bound - normal.dot(estimate_.center);
+    const float expected = variance + estimate_.covariance.position_along(normal);
+    const float inlier = inlier_share(residual, std::sqrt(expected), 1.0F);
+    agreement_ += kAgreementGain * (inlier - agreement_);
+    weight *= inlier;
+  }
+  edges_.add_through_centre(normal, bound, weight);
+  false_depth_ += weight * direction;
+  if (edges_.information.xx + edges_.information.yy > kMaxInformation) scale_edges(0.5F);
+}
+
 void Cylinder::scale_edges(float factor) {
   edges_.scale(factor);
   false_depth_ *= factor;
@@ -226,8 +252,9 @@ void Cylinder::solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoi
 }
 
 NormalEquations Cylinder::edges_and_radius() const {
-  const bool known = known_radius_ > 0 && edges_.information.rr > 0;
-  return known ? with_radius(edges_, radius_prior(known_radius_)) : edges_;
+  const bool any = edges_.information.rr > 0 || only_bearings();
+  if (known_radius_ > 0 && any) return with_radius(edges_, radius_prior(known_radius_));
+  return only_bearings() ? with_radius(edges_, {kPointRadius, kPointRadius}) : edges_;
 }
 
 CylinderEstimate Cylinder::by_edges(const Vec2& lens) const { return solve_equations(edges_and_radius(), lens); }

@@ -68,6 +68,8 @@ struct NormalEquations {
 
   void add(const Vec2& normal, float bound, float weight);
   void add(const NormalEquations& other);
+  /// The same of a line through the centre: it says nothing of the radius.
+  void add_through_centre(const Vec2& normal, float bound, float weight);
   /// The same equations for coordinates taken from a point `shift` away: exact, nothing is forgotten.
   void move_origin(const Vec2& shift);
   void scale(float factor);
@@ -94,6 +96,11 @@ class Cylinder {
   /// The circle of the edges and the configured radius alone: rows lie with a wrong pitch or a foot in the air. `lens`
   /// as in solve().
   [[nodiscard]] CylinderEstimate by_edges(const Vec2& lens) const;
+  /// No end was ever seen: its width is not.
+  [[nodiscard]] bool only_bearings() const {
+    const Symmetric3& edges = edges_.information;
+    return !(edges.rr > 0) && edges.xx + edges.yy > 0;
+  }
   [[nodiscard]] float row_count() const { return row_count_; }
   /// Whether the object's rows are to be believed.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
@@ -106,6 +113,8 @@ class Cylinder {
  private:
   void add_edge(const Sighting& sighting, const Ray& ray, const HalfPlane& tangent, float distance, float novelty,
                 const MeasurementNoise& noise);
+  void add_bearing(const Sighting& sighting, MapPoint origin, float distance, float novelty,
+                   const MeasurementNoise& noise);
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
   [[nodiscard]] NormalEquations edges_and_radius() const;
   void scale_edges(float factor);

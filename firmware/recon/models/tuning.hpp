@@ -43,6 +43,9 @@ constexpr RadiusPrior radius_prior(float known) {
   return {};
 }
 
+/// m, radius of what only bearings have shown, and its sigma: a point, for nothing tells its width. By design.
+inline constexpr float kPointRadius = 0.005F;
+
 // --- novelty ---
 
 /// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view

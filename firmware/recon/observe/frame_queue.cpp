@@ -8,7 +8,8 @@ bool comes_before(const WaitingBlob& a, const WaitingBlob& b) {
   if (a.box.x1 != b.box.x1) return a.box.x1 < b.box.x1;
   if (a.box.y1 != b.box.y1) return a.box.y1 < b.box.y1;
   if (a.box.x2 != b.box.x2) return a.box.x2 < b.box.x2;
-  return a.box.y2 < b.box.y2;
+  if (a.box.y2 != b.box.y2) return a.box.y2 < b.box.y2;
+  return a.bearing < b.bearing;
 }
 
 }  // namespace
@@ -19,7 +20,8 @@ WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
   waiting.frame = frame.frame;
   waiting.camera = camera;
   for (const sensor::Blob& blob : frame.blobs) {
-    static_cast<void>(waiting.blobs.push_back({{blob.x1, blob.y1, blob.x2, blob.y2}, blob.signature}));
+    const Box box{blob.x1, blob.y1, blob.x2, blob.y2};
+    static_cast<void>(waiting.blobs.push_back({box, blob.signature, false, blob.bearing}));
   }
   // Insertion sort: at most 16, usually in few runs.
   for (std::size_t i = 1; i < waiting.blobs.size(); ++i) {

@@ -16,7 +16,8 @@ namespace fencepost::recon {
 struct WaitingBlob {
   Box box;
   std::uint8_t signature = 0;
-  bool moves = false;  ///< by itself: what was found out about it, the camera does not say so
+  bool moves : 1 = false;    ///< by itself: what was found out about it, the camera does not say so
+  bool bearing : 1 = false;  ///< see sensor::Blob: the box has no width and no foot
 };
 
 /// Blobs are in canonical order (signature, x1, y1, x2, y2): the order in which a camera lists them never matters.

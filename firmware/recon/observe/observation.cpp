@@ -27,9 +27,20 @@ Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_
   return observation;
 }
 
+Observation observe_bearing(const CameraModel& camera, const Box& box, std::uint8_t signature) {
+  Observation observation = observe_alone(camera, box, signature);
+  observation.bearing = true;
+  observation.left = observation.right = observation.top = observation.bottom = End::kOccluded;
+  return observation;
+}
+
 void observe(std::span<const WaitingBlob> blobs, const CameraModel& camera, Observations& observations) {
   observations.clear();
   for (std::size_t b = 0; b < blobs.size(); ++b) {
+    if (blobs[b].bearing) {
+      static_cast<void>(observations.push_back(observe_bearing(camera, blobs[b].box, blobs[b].signature)));
+      continue;
+    }
     Observation observation = observe_alone(camera, blobs[b].box, blobs[b].signature);
     const Sides hidden = hidden_sides(blobs, b, camera.rows);
     const Sides beside = hidden_sides(blobs, b, camera.rows, kBesidePixels);

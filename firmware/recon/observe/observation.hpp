@@ -16,7 +16,7 @@ enum class End : std::uint8_t {
   kAmbiguous,   ///< an edge, but so near a neighbour or the border that it may be cut short: the hybrid, which can do
                 ///< without, takes a lower bound; all others an edge
   kLowerBound,  ///< at the border or behind a neighbour: the object reaches at least so far
-  kOccluded,    ///< another object's edge: says nothing of this one
+  kOccluded,    ///< another object's edge, or none: says nothing of this one
 };
 
 constexpr bool is_edge(End end) { return end == End::kSeen || end == End::kAmbiguous; }
@@ -24,7 +24,8 @@ constexpr bool is_edge(End end) { return end == End::kSeen || end == End::kAmbig
 struct Observation {
   Box box;  ///< px, as the camera sent it
   std::uint8_t signature = 0;
-  bool moves = false;  ///< by itself, see WaitingBlob
+  bool moves : 1 = false;    ///< by itself, see WaitingBlob
+  bool bearing : 1 = false;  ///< of the middle alone: all four ends are kOccluded
   End left = End::kLowerBound;
   End right = End::kLowerBound;
   End top = End::kLowerBound;
@@ -42,6 +43,9 @@ using Observations = base::FixedVector<Observation, sensor::kMaxBlobs>;
 
 /// A blob alone in the image: an end on the border is a lower bound, any other one is seen.
 Observation observe_alone(const CameraModel& camera, const Box& box, std::uint8_t signature = 0);
+
+/// A bearing in the image: the object's middle is there, and nothing is known of its ends.
+Observation observe_bearing(const CameraModel& camera, const Box& box, std::uint8_t signature = 0);
 
 /// All blobs of a frame. Ends that a nearer blob may hide are lower bounds; those near one, or near the border, are
 /// ambiguous (occlusion.hpp).

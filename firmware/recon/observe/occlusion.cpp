@@ -25,6 +25,7 @@ Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::i
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     const Box& other = blobs[i].box;
     if (other.x1 > box.x2 + beside_px || other.x2 < box.x1 - beside_px || i == index) continue;  // most of them
+    if (blobs[i].bearing) continue;
     const int reach = blobs[i].signature == blobs[index].signature ? kTouchPixels : beside_px;
     const bool beside = other.y1 <= box.y1 + kTouchPixels && other.y2 >= box.y1;
     if (beside && !clearly_farther(other, box, image_rows)) {

@@ -15,7 +15,7 @@ namespace fencepost::recon {
 /// what of one colour has a gap between was not merged), is as high in the image as this one, and is not clearly
 /// farther. Order: the lower bottom row is the nearer object; a bottom on the image border is nearer than any that is
 /// not; equal rows do not tell, and what may be hidden is not used. The bottom counts as hidden when a nearer blob
-/// overlaps it from below in most of its columns: the foot of a part that is seen is a foot.
+/// overlaps it from below in most of its columns: the foot of a part that is seen is a foot. Bearings hide nothing.
 Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows,
                    int beside_px = kTouchPixels);
 

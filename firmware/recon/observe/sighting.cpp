@@ -33,6 +33,7 @@ Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Ob
   sighting.focal = camera.fx;
   constexpr float kRadiusPerMillimetre = 0.0005F;
   sighting.known_radius = kRadiusPerMillimetre * static_cast<float>(observation.width);
+  sighting.bearing = observation.bearing;
   sighting.equidistant = camera.equidistant;
   const Sides cut = cut_by_border(camera, box);
   sighting.cut_at_side = cut.left || cut.right;

@@ -47,6 +47,7 @@ struct Sighting {
   float focal = 1;           ///< px, for the edge noise
   float lens_height = 0;     ///< m
   float known_radius = 0;    ///< m, of a circle as wide as all things of this colour are known to be; 0: not known
+  bool bearing = false;      ///< of the object's middle alone, by `center`
   bool equidistant = false;  ///< a column is the same angle everywhere
   bool cut_at_side = false;  ///< the image's left or right border cuts the blob
   bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row tells a depth
@@ -87,6 +88,11 @@ HalfPlane right_tangent(const Sighting& sighting, MapPoint origin);
 
 /// Variance (rad^2) of the direction of the ray to an edge.
 float direction_variance(const Sighting& sighting, const Ray& ray, const MeasurementNoise& noise);
+
+/// Variance (rad^2) of the direction `center` of a bearing: that of one edge.
+inline float bearing_variance(const Sighting& sighting, const MeasurementNoise& noise) {
+  return direction_variance(sighting, {sighting.center, End::kSeen}, noise);
+}
 
 /// Variance (m^2) of a tangent's offset at distance `distance` from the lens, non-roundness left out, by that of its
 /// direction.

@@ -72,11 +72,21 @@ std::uint8_t cost_on_bearing(const Prediction& prediction, const Observation& se
   return static_cast<std::uint8_t>(kUnknownCostNear + (kUnknownCost - kUnknownCostNear) / 3 * cost);
 }
 
+// A bearing points at the middle of the object, wherever its ends are.
+std::uint8_t cost_of_middle(const Prediction& prediction, const Observation& seen) {
+  const int twice_off = std::abs(seen.twice_middle() - prediction.left.at - prediction.right.at);
+  const int twice_tolerance = prediction.left_tolerance + prediction.right_tolerance;
+  if (twice_off > twice_tolerance) return kImpossible;
+  const float share = static_cast<float>(twice_off) / static_cast<float>(twice_tolerance);
+  return static_cast<std::uint8_t>(kCostScale / kBoxSides * 2 * (share * share + kCostOfUnknownSide));
+}
+
 }  // namespace
 
 std::uint8_t match_cost(const Prediction& prediction, const Observation& seen) {
   if (!prediction.possible) return kImpossible;
   if (!(prediction.depth > 0)) return cost_on_bearing(prediction, seen);
+  if (seen.bearing) return cost_of_middle(prediction, seen);
   if (seen.no_edge()) return overlaps(prediction, seen) ? kUnknownCost : kImpossible;
   if (!tolerable(prediction, seen) && !all_but_one_agree(prediction, seen)) return kImpossible;
   // In sigmas: decides which pair is better. Rows never forbid a pair: the object may hang in the air.
@@ -126,6 +136,7 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
 }
 
 void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts) {
+  if (seen.bearing) return;
   const bool jumped = stands && object.foot_row > 0 && std::abs(seen.box.y2 - object.foot_row) > kFootJump;
   if (!jumped) {
     object.foot_row = seen.box.y2;
@@ -169,7 +180,7 @@ bool shows_both(const Prediction& left, const Prediction& right, const Observati
 }
 
 bool hides_end(const Prediction& nearer, const Prediction& behind, std::int16_t column, int side) {
-  if (!nearer.confirmed) return false;
+  if (!nearer.hides) return false;
   const PredictedLine& inner = side < 0 ? nearer.right : nearer.left;
   const PredictedLine& outer = side < 0 ? nearer.left : nearer.right;
   const int past_inner = side < 0 ? inner.at - column : column - inner.at;

@@ -35,6 +35,7 @@ class Matcher {
       predictions_[o] = predict_one(objects[o], camera, lens, place_of(objects[o], o), noise);
       predictions_[o].signature = objects[o].signature;
       predictions_[o].confirmed = objects[o].confirmed;
+      predictions_[o].hides = objects[o].confirmed && !objects[o].cylinder.only_bearings();
       predictions_[o].refuted = objects[o].refuted();
       const bool from_here = objects[o].last_seen > stands_since && !objects[o].moving;
       predictions_[o].foot_row = from_here ? objects[o].foot_row : std::int16_t{0};
@@ -212,7 +213,7 @@ class Matcher {
       const Prediction& own = predictions_[object_of_[b]];
       Observation& seen = observations_[b];
       for (std::size_t o = 0; o < kObjects; ++o) {
-        if (!predictions_[o].confirmed || o == object_of_[b]) continue;  // most of them: nobody is there
+        if (!predictions_[o].hides || o == object_of_[b]) continue;  // most of them: nobody is there
         if (hides_end(predictions_[o], own, seen.left_column, -1)) seen.left = End::kLowerBound;
         if (hides_end(predictions_[o], own, seen.right_column, 1)) seen.right = End::kLowerBound;
       }

@@ -151,7 +151,7 @@ class ObjectTable {
   void begin_new(MatcherType& matcher, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
     for (std::size_t b = 0; b < matcher.observations().size(); ++b) {
       const Observation& seen = matcher.observations()[b];
-      if (matcher.taken(b) || seen.no_edge()) continue;
+      if (matcher.taken(b) || (seen.no_edge() && !seen.bearing)) continue;
       const Prediction* divided = matcher.divided_at(seen);
       if (!divided && is_piece(matcher, b)) {
         ++outcome.pieces;

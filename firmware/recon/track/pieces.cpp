@@ -18,7 +18,7 @@ bool fills_gap(const Box& post, const Box& left, const Box& right) {
 
 bool any_post_between(std::span<const Observation> blobs, const Observation& left, const Observation& right) {
   for (const Observation& post : blobs) {
-    if (&post != &left && &post != &right && fills_gap(post.box, left.box, right.box)) return true;
+    if (!post.bearing && &post != &left && &post != &right && fills_gap(post.box, left.box, right.box)) return true;
   }
   return false;
 }
@@ -72,7 +72,9 @@ bool cut_by_post(std::span<const Observation> blobs, const Observation& left, co
 
 PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Prediction> predictions) {
   for (std::size_t a = 0; a < blobs.size(); ++a) {
+    if (blobs[a].bearing) continue;
     for (std::size_t b = 0; b < blobs.size(); ++b) {
+      if (blobs[b].bearing) continue;
       if (a == b || blobs[a].signature != blobs[b].signature || blobs[a].box.x2 >= blobs[b].box.x1) continue;
       if (known_apart(blobs[a], blobs[b], predictions)) continue;
       PiecePair pair{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), true};
@@ -86,6 +88,7 @@ PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Predic
 }
 
 bool are_alike(const Observation& one, const Observation& other) {
+  if (one.bearing || other.bearing) return false;
   const Box& left = one.box.x1 < other.box.x1 ? one.box : other.box;
   const Box& right = one.box.x1 < other.box.x1 ? other.box : one.box;
   const int both = (left.x2 - left.x1) + (right.x2 - right.x1) + 2;

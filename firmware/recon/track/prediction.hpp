@@ -30,12 +30,13 @@ struct Prediction {
   float depth = 0;            ///< m along the axis to its nearest point; 0: the distance is not known
   std::uint8_t signature = 0;
   bool confirmed = false;
+  bool hides = false;     ///< confirmed, and its ends are known: what stands behind it is cut
   bool divided = false;   ///< it turned out to be two objects; nothing matches it
   bool possible = false;  ///< it can be in the image at all
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
-/// Whose prediction it is (signature, confirmed) is left to who asks.
+/// Whose prediction it is (signature, confirmed, hides) is left to who asks.
 /// By the circle `estimate`, in the object's local frame: its cylinder's, unless something knows better; else by the
 /// last bearing.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,

@@ -5,8 +5,9 @@
 namespace fencepost::host::doctor {
 namespace {
 
-/// An end on the image's border hides how wide the blob is.
+/// An end on the image's border hides how wide the blob is; a bearing has no width.
 bool whole(const sensor::Blob& blob, const std::optional<sensor::CameraIntrinsics>& camera) {
+  if (blob.bearing) return false;
   return !camera || (blob.x1 > 1 && blob.x2 < camera->width - 2);
 }
 

@@ -216,7 +216,7 @@ Stamp::Stamp(double t) {
 Box::Box(const sensor::Blob& blob)
     : x((blob.x1 + blob.x2 + 1) / 2.0),
       y((blob.y1 + blob.y2 + 1) / 2.0),
-      width(blob.x2 - blob.x1 + 1),
+      width(blob.bearing ? 0 : blob.x2 - blob.x1 + 1),
       height(blob.y2 - blob.y1 + 1) {}
 
 std::string mcap_of(const Run& run, const Encoding& encoding, double start) {

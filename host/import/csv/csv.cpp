@@ -16,6 +16,7 @@ using Column = std::optional<std::size_t>;
 struct BoxColumns {
   Column x1, y1, x2, y2;                  ///< inclusive pixels
   Column x, y, left, top, width, height;  ///< a centre, or the upper left pixel
+  Column cx, cy;                          ///< the centroid; where there is no width, a bearing
 
   explicit BoxColumns(const CsvReader& csv)
       : x1(csv.find({"x1", "xmin", "x_min"})),
@@ -27,11 +28,14 @@ struct BoxColumns {
         left(csv.find({"left"})),
         top(csv.find({"top"})),
         width(csv.find({"width", "w"})),
-        height(csv.find({"height", "h"})) {
+        height(csv.find({"height", "h"})),
+        cx(csv.find({"cx", "centroid_x"})),
+        cy(csv.find({"cy", "centroid_y"})) {
     if (!x1) x1 = left;
     if (!y1) y1 = top;
     if (x1 && y1 && x2 && y2) return;
     if (left && top && width && height) return;
+    if (cx && cy && !width && !x2) return;
     // The messages are about the form that most programs write.
     static_cast<void>(csv.need({"x", "xcenter", "x_center", "center_x", "x1", "left"}));
     static_cast<void>(csv.need({"y", "ycenter", "y_center", "center_y", "y1", "top"}));
@@ -39,9 +43,19 @@ struct BoxColumns {
     static_cast<void>(csv.need({"height", "h", "y2", "bottom"}));
   }
 
-  [[nodiscard]] std::size_t first() const { return x1 ? *x1 : *x; }
+  [[nodiscard]] bool has_nothing(const CsvRow& row) const { return !has_columns(row) && !has_centroid(row); }
 
   void read(const CsvRow& row, ImportedBlob& blob) const {
+    if (cx && !row.empty(*cx)) blob.cx = row.number(*cx);
+    if (cy && !row.empty(*cy)) blob.cy = row.number(*cy);
+    blob.bearing = !has_columns(row);
+    if (blob.bearing) {
+      if (!blob.cx || !blob.cy) {
+        throw ImportProblem{row.place(), "is a centre of which one number is missing",
+                            "a bearing has cx and cy, and no x1, x2 or width"};
+      }
+      return;
+    }
     if (x1 && y1 && x2 && y2) {
       blob.x1 = row.number(*x1);
       blob.y1 = row.number(*y1);
@@ -58,6 +72,17 @@ struct BoxColumns {
     if (blob.x1 > blob.x2 || blob.y1 > blob.y2) {
       throw ImportProblem{row.place(), "is a box of no size", "x1 is left of x2, y1 above y2; width and height are px"};
     }
+  }
+
+ private:
+  // Does it say where the box is in a row of the image? One of two columns alone is refused where it is read.
+  [[nodiscard]] bool has_columns(const CsvRow& row) const {
+    const auto says = [&](const Column& column) { return column && !row.empty(*column); };
+    if (x1 && x2) return says(x1) || says(x2);
+    return says(left) || (says(x) && width) || says(width);
+  }
+  [[nodiscard]] bool has_centroid(const CsvRow& row) const {
+    return (cx && !row.empty(*cx)) || (cy && !row.empty(*cy));
   }
 };
 
@@ -99,8 +124,6 @@ class BlobTable {
         box_(csv_),
         signature_(csv_.find({"signature", "sig", "id", "class_id", "class"})),
         name_(csv_.find({"name", "colour", "color", "label"})),
-        cx_(csv_.find({"cx", "centroid_x"})),
-        cy_(csv_.find({"cy", "centroid_y"})),
         pixels_(csv_.find({"pixels", "area"})) {}
 
   Taken take() {
@@ -113,12 +136,10 @@ class BlobTable {
   void take_row(const CsvRow& row) {
     const double t = row.number(time_);
     if (taken_.frames.empty() || taken_.frames.back().t != t) taken_.frames.push_back({t, {}});
-    if (row.empty(box_.first())) return;
+    if (box_.has_nothing(row)) return;
     ImportedBlob blob;
     box_.read(row, blob);
     blob.signature = signature_of(row);
-    if (cx_ && !row.empty(*cx_)) blob.cx = row.number(*cx_);
-    if (cy_ && !row.empty(*cy_)) blob.cy = row.number(*cy_);
     if (pixels_ && !row.empty(*pixels_)) blob.pixels = static_cast<std::uint32_t>(std::max(0.0, row.number(*pixels_)));
     taken_.frames.back().blobs.push_back(blob);
   }
@@ -138,7 +159,7 @@ class BlobTable {
   CsvReader csv_;
   std::size_t time_;
   BoxColumns box_;
-  Column signature_, name_, cx_, cy_, pixels_;
+  Column signature_, name_, pixels_;
   std::map<std::string, int> numbers_;
   Taken taken_;
 };

@@ -189,6 +189,11 @@ class McapImport {
       blob.x2 = std::max(blob.x1, std::round(detection.x + detection.width / 2) - 1);
       blob.y1 = std::round(detection.y - detection.height / 2);
       blob.y2 = std::max(blob.y1, std::round(detection.y + detection.height / 2) - 1);
+      blob.bearing = detection.width == 0;
+      if (blob.bearing) {
+        blob.cx = detection.x - 0.5;
+        blob.cy = detection.y - 0.5;
+      }
       frame.blobs.push_back(blob);
     }
     taken_.frames.push_back(std::move(frame));

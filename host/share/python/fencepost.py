@@ -75,11 +75,11 @@ class Car(typing.NamedTuple):
 
 
 class Blob(typing.NamedTuple):
-    """One box of a frame: both ends belong to it."""
+    """One box of a frame: both ends belong to it. A bearing has no width: x1 and x2 are None, cx is its column."""
     signature: int
-    x1: int
+    x1: typing.Optional[int]
     y1: int
-    x2: int
+    x2: typing.Optional[int]
     y2: int
     cx: float
     cy: float
@@ -237,7 +237,8 @@ def _optional(read):
     return lambda field: None if field == "" else read(field)
 
 
-_READ = {int: _integer, float: _float, str: _text, typing.Optional[float]: _optional(_float),
+_READ = {int: _integer, float: _float, str: _text, typing.Optional[int]: _optional(_integer),
+         typing.Optional[float]: _optional(_float),
          typing.Optional[str]: _optional(_text)}
 
 
@@ -253,7 +254,10 @@ def _frame(fields):
     if len(fields) < 3 or len(fields) != 3 + len(Blob._fields) * _integer(fields[2]):
         raise _Bad("fields")
     each = [fields[at:at + len(Blob._fields)] for at in range(3, len(fields), len(Blob._fields))]
-    return Frame(_float(fields[0]), _integer(fields[1]), tuple(_fields(Blob, blob) for blob in each))
+    blobs = tuple(_fields(Blob, blob) for blob in each)
+    if any((blob.x1 is None) != (blob.x2 is None) for blob in blobs):
+        raise _Bad("number")
+    return Frame(_float(fields[0]), _integer(fields[1]), blobs)
 
 
 def _sectors(fields):

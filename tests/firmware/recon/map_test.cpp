@@ -125,6 +125,63 @@ TEST(Map, KeepsObjectsOfOneColourApartByPlace) {
   }
 }
 
+// The same posts, of which the camera tells the middles alone.
+sensor::BlobFrame bearings_of(sensor::BlobFrame frame) {
+  for (sensor::Blob& blob : frame.blobs) {
+    blob.cx.raw = 5 * (blob.x1 + blob.x2);
+    blob.bearing = true;
+    sensor::put_at_centre(blob);
+  }
+  return frame;
+}
+
+TEST(Map, BearingsAlonePlacePointsAndGiveNoOutlineAndNoFoot) {
+  const std::vector<Post> posts = {{1, 1.5, 0.35, 0.04}, {1, 1.4, -0.3, 0.05}, {2, 1.8, 0.0, 0.06}};
+  Drive<config::Small> drive;
+  for (int i = 0; i < 60; ++i) {
+    const double y = 0.3 * std::sin(0.1 * i);
+    drive.take(bearings_of(drive.look(posts, 0.008 * i, y, -0.15 * y)), 0.008 * i, y, -0.15 * y);
+  }
+  EXPECT_TRUE(drive.map->guard().fronts().empty());
+  const auto objects = drive.objects();
+  ASSERT_EQ(objects.size(), posts.size());
+  for (const auto* object : objects) {
+    EXPECT_TRUE(object->confirmed);
+    EXPECT_FALSE(object->hybrid().ok());
+    const auto nearest = std::min_element(posts.begin(), posts.end(), [&](const Post& a, const Post& b) {
+      return error(*object, a) < error(*object, b);
+    });
+    EXPECT_EQ(object->signature, nearest->signature);
+    EXPECT_LT(error(*object, *nearest), 0.06);
+    EXPECT_NEAR(static_cast<double>(object->cylinder.estimate().radius), 0.005, 0.002);
+  }
+}
+
+TEST(Map, ABearingBesideABoxChangesNothingOfTheBox) {
+  const std::vector<Post> box = {{1, 1.5, 0.1, 0.04}};
+  const std::vector<Post> beacon = {{2, 1.2, 0.1, 0.04}};  // in front of it
+  Drive<config::Small> alone;
+  Drive<config::Small> both;
+  for (int i = 0; i < 40; ++i) {
+    const double y = 0.3 * std::sin(0.1 * i);
+    const sensor::BlobFrame seen = alone.look(box, 0, y, 0);
+    sensor::BlobFrame more = both.look(beacon, 0, y, 0);
+    more = bearings_of(more);
+    for (const sensor::Blob& blob : seen.blobs) ASSERT_TRUE(more.blobs.push_back(blob));
+    alone.take(seen, 0, y, 0);
+    both.take(more, 0, y, 0);
+  }
+  const auto of_box = [](const Drive<config::Small>& drive) {
+    for (const auto* object : drive.objects()) {
+      if (object->signature == 1) return object->cylinder.estimate();
+    }
+    return recon::CylinderEstimate{};
+  };
+  ASSERT_TRUE(of_box(alone).ok());
+  ASSERT_EQ(both.objects().size(), 2U);
+  EXPECT_EQ(of_box(both).radius, of_box(alone).radius);
+}
+
 TEST(Map, ConfirmsWithTheSightingThatCompletesKOfN) {
   const std::vector<Post> posts = {{1, 1.0, 0.0, 0.05}};
   Drive<config::Micro> drive;

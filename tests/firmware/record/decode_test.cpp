@@ -95,6 +95,10 @@ TEST(Decode, RejectsWhatCannotBeRead) {
                    {"FPFRM,1,1,", "number"},
                    {"FPFRM,1,a,0", "number"},
                    {"FPFRM,1,1,1,1,0,0,1,1,0,0,,", "number"},
+                   {"FPFRM,1,1,1,1,5,0,,1,5,0,0,", "number"},
+                   {"FPFRM,1,1,1,1,,0,,1,,0,0,", "number"},
+                   {"FPFRM,1,1,1,1,,0,,1,nan,0,0,", "number"},
+                   {"FPFRM,1,1,1,1,,,,,5,0,0,", "number"},
                    {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,d0202", "number"},
                    {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,d0202g", "number"},
                    {"FPSIG,1,,red", "number"},
@@ -124,6 +128,9 @@ TEST(Decode, RejectsWhatCannotBeRead) {
 
 TEST(Decode, RejectsWhatIsOutOfRange) {
   expect_verdicts({{"FPODO,-0.0001,2,3,4", "range"},
+                   {"FPFRM,1,1,1,1,,0,5,1,5,0,0,", "range"},
+                   {"FPFRM,1,1,1,1,,2,,1,5,0,0,", "range"},
+                   {"FPFRM,1,1,1,1,,0,,1,32768,0,0,", "range"},
                    {"FPODO,999999.0001,2,3,4", "range"},
                    {"FPODO,1,1000.0001,3,4", "range"},
                    {"FPODO,1,2,-1000.0001,4", "range"},

@@ -39,6 +39,13 @@ sensor::BlobFrame two_blobs() {
   return frame;
 }
 
+sensor::BlobFrame two_bearings() {
+  sensor::BlobFrame frame{{123'900}, 619, {}};
+  EXPECT_TRUE(frame.blobs.push_back({1, 25, 20, 25, 60, {251}, {400}, 950, sensor::Rgb{0xd0, 0x20, 0x20}, true}));
+  EXPECT_TRUE(frame.blobs.push_back({2, 115, 51, 116, 51, {1'154}, {510}, 0, std::nullopt, true}));
+  return frame;
+}
+
 SectorReport sectors() {
   SectorReport report{{131'000}, {}};
   for (const int raw : {5'000, -1, -1, 12'500}) {
@@ -59,6 +66,7 @@ std::vector<Golden> golden_lines() {
        fisheye()},
       {"$FPODO,12.3450,0.1234,-0.0010,1.5708*0DF3", sensor::OdometrySample{{123'450}, {1'234}, {-10}, {15'708}}},
       {"$FPFRM,12.3600,617,2,1,10,20,40,60,25.0,40.0,950,d02020,2,100,22,131,80,115.5,51.0,0,*1594", two_blobs()},
+      {"$FPFRM,12.3900,619,2,1,,20,,60,25.1,40.0,950,d02020,2,,51,,51,115.4,51.0,0,*C3CD", two_bearings()},
       {"$FPFRM,12.3800,618,0*6329", sensor::BlobFrame{{123'800}, 618, {}}},
       {"$FPALR,12.3800,warn,3,1,0.2094,0.2400,1.1000,0.93*417C",
        AlertReport{{123'800}, AlertLevel::kWarn, 3, 1, {2'094}, {2'400}, base::Duration{11'000}, {93}}},

@@ -162,6 +162,24 @@ TEST(ImportSketch, RefusesATextThatHasNothingKnown) {
   EXPECT_NE(blind.error().remedy.find("--camera"), std::string::npos);
 }
 
+TEST(ImportCsv, CentresWithoutAWidthAreBearings) {
+  const ImportResult result = import_csv("t,sig,cx,cy\n1,3,100.3,50\n1,4,316,50\n1.1,,,\n", "b.csv", settings());
+  const Recorded log = recorded(result);
+  ASSERT_EQ(log.frames.size(), 2U);
+  ASSERT_EQ(log.frames[0].blobs.size(), 1U);
+  EXPECT_TRUE(log.frames[0].blobs[0].bearing);
+  EXPECT_EQ(log.frames[0].blobs[0].cx.raw, 1'003);
+  expect_box(log.frames[0].blobs[0], 3, 100, 50, 101, 50);
+  EXPECT_TRUE(log.frames[1].blobs.empty());
+  EXPECT_EQ(skipped(result, "blobs outside the image"), 1U);
+  const Recorded mixed =
+      recorded(import_csv("t,x1,y1,x2,y2,cx,cy\n1,10,20,30,40,20,30\n1,,,,,200,30\n", "b.csv", settings()));
+  ASSERT_EQ(mixed.frames.size(), 1U);
+  ASSERT_EQ(mixed.frames[0].blobs.size(), 2U);
+  EXPECT_FALSE(mixed.frames[0].blobs[0].bearing);
+  EXPECT_TRUE(mixed.frames[0].blobs[1].bearing);
+}
+
 TEST(ImportCsv, GoesByTheNamesOfColumns) {
   const std::string text = "\xEF\xBB\xBF# from a spreadsheet\r\nWidth;Height;Time;X;Y;Colour;note\r\n20;30;1,5\r\n";
   const ImportResult wrong = import_csv(text, "blobs.csv", settings());
@@ -203,6 +221,10 @@ TEST(ImportCsv, NamesTheColumnOrTheNumberThatIsWrong) {
       error("x,y,width,height\n1,2,3,4\n"),
       "b.csv:1: has no column \"t\"; name it in the first line; known names of it: t, time, timestamp, seconds, sec");
   EXPECT_EQ(error("t,x,y,w,h\n1,2,abc,4,5\n"), "b.csv:2: \"abc\" is not a number; correct the line or take it out");
+  EXPECT_NE(error("t,x1,y1,x2,y2,cx,cy\n1,,,,,5,\n").find("b.csv:2: is a centre of which one number is missing"),
+            std::string::npos);
+  EXPECT_NE(error("t,x1,y1,x2,y2,cx,cy\n1,5,1,,2,5,5\n").find("b.csv:2: \"\" is not a number"), std::string::npos);
+  EXPECT_NE(error("t,cx,cy\n1,nan,5\n").find("b.csv:2: \"nan\" is not a number"), std::string::npos);
   EXPECT_NE(error("t,x1,y1,x2,y2\n1,9,2,3,4\n").find("b.csv:2: is a box of no size"), std::string::npos);
   EXPECT_NE(error("t,sig,x,y,w,h\n1,300,50,50,3,4\n").find("signature 300"), std::string::npos);
   EXPECT_NE(error("\n# nothing\n").find("has no rows"), std::string::npos);
@@ -530,6 +552,13 @@ TEST(ImportMcap, ReadsTheSameAsJson) {
       recorded(import_mcap(file_of(head + message(2, odom) + message(1, boxes)), "run.mcap", {}, settings()));
   ASSERT_EQ(log.frames.size(), 1U);
   expect_box(log.frames[0].blobs[0], 1, 90, 55, 109, 64);
+  std::string middle = boxes;
+  middle.replace(middle.find("\"size_x\":20"), 11, "\"size_x\":0");
+  const Recorded bearing =
+      recorded(import_mcap(file_of(head + message(2, odom) + message(1, middle)), "run.mcap", {}, settings()));
+  ASSERT_EQ(bearing.frames[0].blobs.size(), 1U);
+  EXPECT_TRUE(bearing.frames[0].blobs[0].bearing) << "no width";
+  EXPECT_EQ(bearing.frames[0].blobs[0].cx.raw, 995);
   const ImportResult wrong = import_mcap(file_of(head + message(1, "{\"a\":1}")), "run.mcap", {}, settings());
   ASSERT_FALSE(wrong.ok());
   EXPECT_EQ(wrong.error().where, "run.mcap: message 1 of /boxes");

@@ -20,6 +20,7 @@ struct Recorded {
   std::vector<sensor::CameraIntrinsics> cameras;
   std::vector<record::Signature> signatures;
   std::vector<sensor::OdometrySample> odometry;
+  std::vector<sensor::CarSample> cars;
   std::vector<sensor::BlobFrame> frames;
   std::vector<char> order;  ///< H, C, S, O, F as they came
   record::Counts counts;
@@ -29,7 +30,7 @@ struct Recorded {
   void accept(const record::Signature& r) { signatures.push_back(r), order.push_back('S'); }
   void accept(const sensor::OdometrySample& r) { odometry.push_back(r), order.push_back('O'); }
   void accept(const sensor::BlobFrame& r) { frames.push_back(r), order.push_back('F'); }
-  void accept(const sensor::CarSample&) {}
+  void accept(const sensor::CarSample& r) { cars.push_back(r); }
   void accept(const record::Setting&) {}  // of a car
   template <class Other>
   void accept(const Other&) {

@@ -81,6 +81,18 @@ TEST(SightedCircle, OneEndIsATangent) {
   }
 }
 
+TEST(SightedCircle, ABearingIsItsMiddleAlone) {
+  Sighting seen = sighting_of(kX, kY, 0.5);
+  seen.bearing = true;
+  seen.left.end = seen.right.end = recon::End::kOccluded;
+  const SightedCircle circle = sighted_circle(seen, kCenter, kRadius, 1, {});
+  EXPECT_EQ(circle.lines[kWidth].variance, 0);
+  EXPECT_EQ(circle.lines[kFoot].variance, 0);
+  EXPECT_GT(circle.middle().variance, 0);
+  EXPECT_EQ(circle.middle().equation.radii, 0);
+  EXPECT_NEAR(residual(circle.middle().equation, kCenter, kRadius), 0, 1e-2);
+}
+
 // Straight ahead, so that a pixel is 1 / f rad; 3 m away.
 TEST(SightedCircle, VariancesAreThoseOfTheEndsAndThePose) {
   MeasurementNoise noise;

@@ -31,7 +31,7 @@ Prediction any_prediction(Draw& draw, int left = 100, int right = 118, int off =
   prediction.foot_row = draw.of<std::int16_t>({0, 84, 90, 96, 97});
   prediction.refuted = draw.one_in(4);
   prediction.depth = draw.of({0.0F, recon::kSameDepth, 1.0F, 1.0F});
-  prediction.confirmed = draw.coin();
+  prediction.hides = draw.coin();
   prediction.possible = !draw.one_in(8);
   return prediction;
 }

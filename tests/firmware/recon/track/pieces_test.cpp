@@ -161,7 +161,7 @@ TEST(ShowsBoth, TheFootIsThatOfTheNearerOne) {
 
 Prediction confirmed(std::int16_t left, std::int16_t right, float depth) {
   Prediction prediction = expected(left, right);
-  prediction.confirmed = true;
+  prediction.hides = true;
   prediction.depth = depth;
   return prediction;
 }
@@ -174,7 +174,7 @@ TEST(HidesEnd, OnlyANearerConfirmedObjectThatReachesTheEnd) {
   EXPECT_FALSE(recon::hides_end(post, behind, 110, -1));
   EXPECT_FALSE(recon::hides_end(confirmed(60, 101, 0.99F), behind, 100, -1));
   Prediction tentative = post;
-  tentative.confirmed = false;
+  tentative.hides = false;
   EXPECT_FALSE(recon::hides_end(tentative, behind, 100, -1));
 }
 
