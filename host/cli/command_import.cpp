@@ -100,6 +100,35 @@ Action configure_kitti(Options command) {
   };
 }
 
+Action configure_cycloid(Options command) {
+  struct CycloidRequest {
+    SetRequest set;
+    std::string cones;
+  };
+  const auto request = std::make_shared<CycloidRequest>();
+  command.positional("FILE", request->set.source, "frames \"dt ds gyro n\", each with n bearings").required();
+  command.value("--cones", request->cones, "the surveyed cones, lm.txt; then --truth knows them").takes("FILE");
+  add_outputs(command, request->set);
+  return [request] { return run_import_cycloid(request->set, request->cones); };
+}
+
+Action configure_victoria(Options command) {
+  struct VictoriaRequest {
+    SetRequest set;
+    VictoriaOptions options;
+  };
+  const auto request = std::make_shared<VictoriaRequest>();
+  command.positional("DIR", request->set.source, "a folder with measurements.dat and inputs.dat").required();
+  command.flag("--rows", request->options.rows, "ranges also as ground rows of a level camera 2 m above the ground");
+  command.value("--scale", request->options.scale, "lengths of the log over those of the world; default 0.1")
+      .takes("S")
+      .positive();
+  command.value("--from", request->options.from, "s of the recording's clock").takes("T");
+  command.value("--to", request->options.to, "s of the recording's clock").takes("T");
+  command.value("-o,--output", request->set.output, "where to write the log; default: standard output").takes("LOG");
+  return [request] { return run_import_victoria(request->set, request->options); };
+}
+
 }  // namespace
 
 Command import_command() {
@@ -128,7 +157,19 @@ Command import_command() {
                        configure_dlr,
                        {},
                        true};
-  std::vector<Command> children = {mrclam, kitti, dlr, rings};
+  const Command cycloid = {"cycloid",
+                           "orange cones around a 1:10 car with a gyro, as bearings",
+                           "  fencepost import cycloid 194625.txt --cones lm.txt -o cones.log --truth cones.json\n",
+                           configure_cycloid,
+                           {},
+                           true};
+  const Command victoria = {"victoria",
+                            "trees around the truck of the Victoria Park data set, at a tenth of their size",
+                            "  fencepost import victoria victoria_park --rows -o trees.log\n",
+                            configure_victoria,
+                            {},
+                            true};
+  std::vector<Command> children = {mrclam, kitti, dlr, cycloid, victoria, rings};
   for (Command& command : take_commands()) children.push_back(std::move(command));
   std::string examples;
   for (const Command& command : children) examples += command.examples.substr(0, command.examples.find('\n') + 1);

@@ -14,6 +14,7 @@ namespace fencepost::host {
 struct DlrOptions;
 struct EvaluateOptions;
 struct KittiOptions;
+struct VictoriaOptions;
 struct Scene;
 struct SmoothEvaluation;
 namespace exports {
@@ -54,6 +55,8 @@ struct SetRequest {
 };
 Exit run_import_mrclam(const SetRequest& request);
 Exit run_import_rings(const SetRequest& request);
+Exit run_import_cycloid(const SetRequest& request, const std::string& cones);
+Exit run_import_victoria(const SetRequest& request, const VictoriaOptions& options);
 Exit run_import_dlr(const SetRequest& request, const DlrOptions& options);
 Exit run_import_kitti(const SetRequest& request, const KittiOptions& options);
 

@@ -65,6 +65,8 @@ std::vector<std::string> command_line() {
 }  // namespace
 
 Exit run_calibrate(const CalibrateRequest&) { start_lab("calibrate"); }
+Exit run_import_cycloid(const SetRequest&, const std::string&) { start_lab("import cycloid"); }
+Exit run_import_victoria(const SetRequest&, const VictoriaOptions&) { start_lab("import victoria"); }
 Exit run_import_dlr(const SetRequest&, const DlrOptions&) { start_lab("import dlr"); }
 Exit run_import_kitti(const SetRequest&, const KittiOptions&) { start_lab("import kitti"); }
 Exit run_import_mrclam(const SetRequest&) { start_lab("import mrclam"); }

@@ -77,6 +77,21 @@ struct DlrOptions {
 /// DLR's spatial cognition data set: the file of detected circles. No truth is known.
 ImportResult import_dlr(const std::string& path, const DlrOptions& options);
 
+/// A drive of cycloid, a 1:10 car among orange cones. `drive` has frames "dt ds gyro n" (s, cm, rad/s), each with n
+/// lines of a bearing (rad, right positive). `cones` has their surveyed places (cm); empty: no truth.
+ImportResult import_cycloid(const std::string& drive, const std::string& cones);
+
+struct VictoriaOptions {
+  double scale = 0.1;          ///< lengths of the log over those of the world
+  bool rows = false;           ///< ranges also as ground rows of a camera of known height and pitch
+  std::optional<double> from;  ///< s of the recording's clock
+  std::optional<double> to;
+};
+
+/// Victoria Park: a truck among trees; a folder with measurements.dat (s, range m, bearing rad, diameter m) and
+/// inputs.dat (s, m/s, rad). No truth is known but GPS, which is not read.
+ImportResult import_victoria(const std::string& folder, const VictoriaOptions& options);
+
 /// One drive of KITTI's tracking data set: a folder with labels.txt, calib.txt, poses.txt. The truth is parked cars.
 ImportResult import_kitti(const std::string& folder, const KittiOptions& options);
 

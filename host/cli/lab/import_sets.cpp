@@ -40,6 +40,15 @@ Exit run_import_mrclam(const SetRequest& request) {
   return finish(import_mrclam(request.source, options), request);
 }
 
+Exit run_import_cycloid(const SetRequest& request, const std::string& cones) {
+  expect_two_outputs(request);
+  return finish(import_cycloid(request.source, cones), request);
+}
+
+Exit run_import_victoria(const SetRequest& request, const VictoriaOptions& options) {
+  return finish(import_victoria(request.source, options), request);
+}
+
 Exit run_import_dlr(const SetRequest& request, const DlrOptions& options) {
   return finish(import_dlr(request.source, options), request);
 }

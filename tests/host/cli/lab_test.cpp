@@ -34,7 +34,7 @@ TEST_F(Alone, SaysWhatIsMissingAndHowToGetIt) {
   for (const std::string& line :
        {"merge " + log, "smooth " + log, "calibrate " + log, std::string("paper"), std::string("import rings x.csv"),
         std::string("import mrclam x"), std::string("import kitti x"), std::string("import dlr x"),
-        "export --format png " + log + " -o x.png",
+        std::string("import cycloid x"), std::string("import victoria x"), "export --format png " + log + " -o x.png",
         "evaluate --smooth " + log + " --scene " + recording("stop_pixy2.json"),
         std::string("segment photos --camera x.json")}) {
     const Outcome run = this->run("bin/fencepost " + line);
@@ -61,7 +61,7 @@ TEST_F(Alone, SaysInHelpWhatTheOtherDoes) {
   EXPECT_NE(overview.find("\n  replay      "), std::string::npos) << overview;
   EXPECT_NE(overview.find("* by a second program, fencepost-lab"), std::string::npos) << overview;
   for (const char* command : {"paper", "segment", "merge", "calibrate", "smooth", "import rings", "import mrclam",
-                              "import kitti", "import dlr"}) {
+                              "import kitti", "import dlr", "import cycloid", "import victoria"}) {
     EXPECT_NE(run(std::string("bin/fencepost help ") + command).out.find("; by fencepost-lab\n"), std::string::npos)
         << command;
   }

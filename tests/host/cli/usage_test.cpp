@@ -14,11 +14,36 @@ using testing::recording;
 using testing::shell;
 using testing::spill;
 
-const std::vector<std::string> kCommands = {
-    "",       "demo",          "replay",       "report",        "simulate",      "evaluate",       "paper",
-    "import", "import mrclam", "import kitti", "import dlr",    "import rings",  "emulate",        "record",
-    "run",    "segment",       "configure",    "calibrate",     "merge",         "smooth",         "doctor",
-    "help",   "completion",    "import csv",   "import sketch", "import player", "import candump", "import mcap"};
+const std::vector<std::string> kCommands = {"",
+                                            "demo",
+                                            "replay",
+                                            "report",
+                                            "simulate",
+                                            "evaluate",
+                                            "paper",
+                                            "import",
+                                            "import mrclam",
+                                            "import kitti",
+                                            "import dlr",
+                                            "import rings",
+                                            "import cycloid",
+                                            "import victoria",
+                                            "emulate",
+                                            "record",
+                                            "run",
+                                            "segment",
+                                            "configure",
+                                            "calibrate",
+                                            "merge",
+                                            "smooth",
+                                            "doctor",
+                                            "help",
+                                            "completion",
+                                            "import csv",
+                                            "import sketch",
+                                            "import player",
+                                            "import candump",
+                                            "import mcap"};
 
 TEST(Help, ShowsAnExampleFirst) {
   const Folder folder;

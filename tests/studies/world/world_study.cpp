@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/studies/common/study.hpp"
+#include "tests/studies/world/car_run.hpp"
 #include "tests/studies/world/dlr_run.hpp"
 #include "tests/studies/world/kitti_run.hpp"
 
@@ -109,9 +110,53 @@ void measure_dlr(const Request& request) {
   }
 }
 
+void measure_cycloid(const Request& request) {
+  const std::string folder = request.data + "/cycloid";
+  if (!std::filesystem::exists(folder)) {
+    print("NOT MEASURED: " + folder + " is not on this machine\n");
+    return;
+  }
+  constexpr const char* kName = "cycloid, one signature";
+  if (std::string_view(kName).find(request.only) == std::string_view::npos) return;
+  print(
+      "\n| cycloid, configured | `correct.pose` | cones | of them off, rms | objects | end off |\n"
+      "|---|---|---|---|---|---|\n");
+  for (const std::string& correct : request.correct) {
+    const CycloidScore score = run_cycloid(folder, request.settings_with(correct));
+    print(fmt::format("| {} | {} | {} of 8 | {:.2f} m | {} | {:.2f} m |\n", kName, correct, score.cones, score.rms,
+                      score.objects, score.end_error));
+  }
+}
+
+void measure_victoria(const Request& request) {
+  const std::string folder = request.data + "/victoria";
+  if (!std::filesystem::exists(folder)) {
+    print("NOT MEASURED: " + folder + " is not on this machine\n");
+    return;
+  }
+  bool begun = false;
+  for (const bool rows : {false, true}) {
+    const std::string name = rows ? "Victoria Park, rows" : "Victoria Park, bearings and widths";
+    if (name.find(request.only) == std::string::npos) continue;
+    if (!begun) {
+      print(
+          "\n| Victoria Park, configured | `correct.pose` | path off GPS, rms | worst | objects |\n"
+          "|---|---|---|---|---|\n");
+    }
+    begun = true;
+    for (const std::string& correct : request.correct) {
+      const VictoriaScore score = run_victoria(folder, rows, request.settings_with(correct));
+      print(fmt::format("| {} | {} | {:.1f} m | {:.1f} m | {} |\n", name, correct, score.rms, score.worst,
+                        score.objects));
+    }
+  }
+}
+
 bool run(const Request& request) {
   measure_kitti(request);
   measure_dlr(request);
+  measure_cycloid(request);
+  measure_victoria(request);
   return true;
 }
 
