@@ -183,23 +183,28 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
   if (is_edge(sighting.right.end))
     add_edge(sighting, sighting.right, right_tangent(sighting, origin), distance, novelty, noise);
   if (sighting.bearing) add_bearing(sighting, origin, distance, novelty, noise);
-  // The foot of a part in the image is not the nearest point of a disc: along a wall its row never changes.
-  RowDepth row = sighting.cut_at_side ? RowDepth{} : row_depth(sighting, noise);
+  RowDepth row = row_depth(sighting, noise);
   if (!row.known && !estimate_.ok()) row = hidden_row_depth(sighting);  // better than no distance at all
   if (row.known) {
     const Vec2 normal = -sighting.axis;
     const HalfPlane front{normal, normal.dot(lens) - row.depth};
-    const float weight = novelty / (row.variance + shape_variance(noise));
+    // The nearest point of a cut blob may be outside the image, up to a radius nearer.
+    const float outside = sighting.cut_at_side ? usual_radius() : 0.0F;
+    const float weight = novelty / (row.variance + shape_variance(noise) + outside * outside);
     rows_.add(front.normal, front.bound, weight);
     row_count_ += novelty;
-    if (is_edge(sighting.bottom.end) && std::fabs(cross(sighting.axis, sighting.center)) < kAheadForTrend) {
+    // Along a wall that the border cuts the row never changes.
+    if (!sighting.cut_at_side && is_edge(sighting.bottom.end) &&
+        std::fabs(cross(sighting.axis, sighting.center)) < kAheadForTrend) {
       trend_.add(lens, sighting.center, row.depth / sighting.center.dot(sighting.axis), novelty / row.variance);
     }
   }
 }
 
+float Cylinder::usual_radius() const { return estimate_.ok() ? estimate_.radius : radius_prior(known_radius_).mean; }
+
 float Cylinder::shape_variance(const MeasurementNoise& noise) const {
-  const float shape = noise.roundness * (estimate_.ok() ? estimate_.radius : radius_prior(known_radius_).mean);
+  const float shape = noise.roundness * usual_radius();
   return shape * shape;
 }
 

@@ -115,6 +115,8 @@ class Cylinder {
                 const MeasurementNoise& noise);
   void add_bearing(const Sighting& sighting, MapPoint origin, float distance, float novelty,
                    const MeasurementNoise& noise);
+  /// m, of the estimate, else what is usual.
+  [[nodiscard]] float usual_radius() const;
   [[nodiscard]] float shape_variance(const MeasurementNoise& noise) const;
   [[nodiscard]] NormalEquations edges_and_radius() const;
   void scale_edges(float factor);

@@ -36,9 +36,10 @@ bool foot_inside(const CameraModel& camera, const PredictedLine& bottom) {
   return bottom.sigma == 0 || bottom.at + kFootSigmas * bottom.sigma < camera.rows - 1 - kBorderPixels;
 }
 
-// Sigma of a tangent, rad.
-float sigma_of(const TouchPoint& touch, float heading) {
-  return std::sqrt(touch.variance / touch.at.squared_norm() + heading * heading);
+// Sigma of a seen end around its prediction, px: of the tangent, the heading and the end itself.
+float sigma_of(const TouchPoint& touch, float px_per_radian, const MeasurementNoise& noise) {
+  const float tangent = touch.variance / touch.at.squared_norm() + noise.heading * noise.heading;
+  return std::sqrt(px_per_radian * px_per_radian * tangent + noise.edge_px * noise.edge_px);
 }
 
 Prediction predict_place(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
@@ -49,8 +50,8 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float u_right = column_of(camera, seen.right.at);
   const Vec2 middle = 0.5F * (seen.left.at + seen.right.at);
   const float px_per_radian = columns_per_radian(camera, middle);
-  const float left_sigma = px_per_radian * sigma_of(seen.left, noise.heading);
-  const float right_sigma = px_per_radian * sigma_of(seen.right, noise.heading);
+  const float left_sigma = sigma_of(seen.left, px_per_radian, noise);
+  const float right_sigma = sigma_of(seen.right, px_per_radian, noise);
   float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
   if (object.moving) slack += camera.fx * kMovesBetween / std::max(kNearestExpected, seen.depth);
   const float left_tolerance = slack + kGateSigmas * left_sigma;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "tests/firmware/recon/exact_view.hpp"
@@ -119,17 +121,23 @@ TEST(Cylinder, OneViewIsEnoughWithTheGroundRow) {
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
 }
 
-TEST(Cylinder, TakesNoRowOfABlobThatTheBorderCutsAtASide) {
+TEST(Cylinder, TheFootOfABlobThatTheBorderCutsPlacesItToARadius) {
+  std::array<double, 2> sigmas{};
   for (const bool cut : {false, true}) {
     Cylinder cylinder;
     for (int i = 0; i < 3; ++i) {
       recon::Sighting s = view_of_circle(kCenter, kRadius, {0.02 * i, 0}).sighting;
+      s.right.end = recon::End::kLowerBound;
       s.cut_at_side = cut;
-      stand_on_floor(s, 1.0 - kRadius);  // that of a wall's part in the image: it keeps its row
+      stand_on_floor(s, 1.0 - kRadius - 0.02 * i);
       add(cylinder, s);
     }
-    EXPECT_EQ(cylinder.row_count(), cut ? 0.0F : 3.0F);
+    ASSERT_TRUE(cylinder.estimate().ok()) << name(cylinder.estimate().refusal);
+    EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 0.05F) << cut;
+    sigmas[cut ? 1 : 0] = std::sqrt(static_cast<double>(cylinder.estimate().covariance.along({-1, 0})));
   }
+  EXPECT_GT(sigmas[1], 1.5 * sigmas[0]);
+  EXPECT_LT(sigmas[1], kRadius);
 }
 
 // A neighbour hides one end all the time: an object of the usual size stands there.
