@@ -18,7 +18,7 @@ from sensor_pages import CONSOLE, emulation, kind, unsettled
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from shown_place import shown_place  # noqa: E402
 
-PATIENCE = 90  # s
+PATIENCE = 3600  # s of the stage, whose clock may jump while a program starts
 START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
 
 
