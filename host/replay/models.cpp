@@ -195,12 +195,22 @@ std::vector<Polyline> open_sides(recon::MapPoint origin, std::span<const recon::
   return runs;
 }
 
+// Where fits take turns: an outline that is not known well knows less than the cylinder once a whole view waits.
+bool is_stale(const recon::HybridCore& hybrid) {
+  if (hybrid.refusal != recon::HybridRefusal::kNone) return hybrid.fitting || hybrid.news > 0;
+  return !hybrid.known_well && (hybrid.fitting || hybrid.news >= recon::kWholeNews);
+}
+
 }  // namespace
 
-ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline,
-                         recon::ConstClusters clusters) {
+ModelResult hybrid_model(const recon::ObjectCore& object, const recon::HybridCore& hybrid,
+                         const recon::OutlineView& outline, recon::ConstClusters clusters) {
   ModelResult model;
   model.name = "hybrid";
+  if (is_stale(hybrid) && object.cylinder.estimate().ok()) {
+    model.geometry = cylinder_model(object).geometry;
+    return model;
+  }
   model.reason = std::string(name(hybrid.refusal));
   if (hybrid.refusal != recon::HybridRefusal::kNone) return model;
   std::array<recon::Vec2, recon::kOutlineVertices> vertices;

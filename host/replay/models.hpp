@@ -23,9 +23,10 @@ ModelResult clip_model(const recon::ObjectCore& object, std::string name, std::s
 ModelResult sheaf_model(const recon::ObjectCore& object, std::string name, std::span<const recon::Vec2> hull,
                         recon::SheafRefusal refusal);
 
-/// The fitted outline, moved out where it is uncertain; its sides are open where no edge is among `clusters`.
-ModelResult hybrid_model(const recon::HybridCore& hybrid, const recon::OutlineView& outline,
-                         recon::ConstClusters clusters);
+/// The fitted outline, moved out where it is uncertain; its sides are open where no edge is among `clusters`. While
+/// views wait for a fit that will change it much, the object's cylinder.
+ModelResult hybrid_model(const recon::ObjectCore& object, const recon::HybridCore& hybrid,
+                         const recon::OutlineView& outline, recon::ConstClusters clusters);
 
 /// Outline of the solid cells, holes included; `name` is carve or carve_paper.
 ModelResult carve_model(const recon::ObjectCore& object, std::string name, const recon::GridPlacement& placement,
@@ -65,9 +66,9 @@ void add_results(const recon::Object<Profile>& object, const KeptTangents& kept,
   models.push_back(clip_model(object, "clip", carved.clip.vertices()));
 }
 template <std::size_t kSectors>
-void add_results(const recon::ObjectCore& /*object*/, const recon::Hybrid<kSectors>& hybrid,
+void add_results(const recon::ObjectCore& object, const recon::Hybrid<kSectors>& hybrid,
                  std::vector<ModelResult>& models) {
-  models.push_back(hybrid_model(hybrid, hybrid.outline(), hybrid.clusters));
+  models.push_back(hybrid_model(object, hybrid, hybrid.outline(), hybrid.clusters));
 }
 
 /// All models of the profile, the robot's own and those compared with them, in the order of the result document.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/replay/replay.hpp"
+#include "host/result/lookup.hpp"
 #include "host/result/to_json.hpp"
 
 namespace fencepost::test {
@@ -43,6 +44,51 @@ struct Witness final : host::RunObserver {
     }
   }
 };
+
+// How often the hybrid is the cylinder, an outline, or nothing where there is a cylinder.
+struct Hybrids final : host::RunObserver {
+  int cylinders = 0;
+  int outlines = 0;
+  int missing = 0;
+
+  void run_begins() override {}
+  void frame_placed(const PlacedFrame& placed) override {
+    for (const PlacedSighting& sighting : placed.sightings) {
+      const host::ObjectResult object = placed.outline(sighting.id);
+      const host::MultiPolygon& cylinder = host::find_model(object, "cylinder")->geometry;
+      const host::MultiPolygon& hybrid = host::find_model(object, "hybrid")->geometry;
+      if (cylinder.empty()) continue;
+      if (hybrid.empty()) {
+        ++missing;
+      } else {
+        ++(hybrid.front().outer == cylinder.front().outer ? cylinders : outlines);
+      }
+    }
+  }
+};
+
+Hybrids hybrids_of(const std::string& log, const char* profile) {
+  Hybrids hybrids;
+  host::ReplayOptions options;
+  options.profile = profile;
+  options.observer = &hybrids;
+  EXPECT_FALSE(host::replay(log, "log", options).unreadable);
+  return hybrids;
+}
+
+TEST(Observer, SeesTheCylinderWhereABoardsOutlineIsBehind) {
+  const std::string log = recording("blocks_arc");
+  for (const char* board : {"micro", "small"}) {
+    SCOPED_TRACE(board);
+    const Hybrids hybrids = hybrids_of(log, board);
+    EXPECT_GT(hybrids.cylinders, 10);
+    EXPECT_EQ(hybrids.missing, 0);
+  }
+  EXPECT_GT(hybrids_of(log, "small").outlines, 10) << "known well in time";
+  const Hybrids desk = hybrids_of(log, "full");
+  EXPECT_EQ(desk.cylinders, 0) << "fitted in the same frame";
+  EXPECT_GT(desk.outlines, 10);
+}
 
 TEST(Observer, SeesEveryFrameAndChangesNothing) {
   using Case = std::pair<const char*, const char*>;
