@@ -66,8 +66,9 @@ class Evidence {
 
 /// As much room as on profile `full`.
 struct Carved {
+  static constexpr std::size_t kCells = 128;  ///< along a side of the grid
   recon::ConvexClip<192> clip;
-  recon::CarveGrid<128> grid;
+  recon::CarveGrid<kCells> grid;
 };
 
 /// Carves with the tangents that `evidence` does not contradict, in their order.

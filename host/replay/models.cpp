@@ -213,7 +213,7 @@ ModelResult hybrid_model(const recon::ObjectCore& object, const recon::HybridCor
   }
   model.reason = std::string(name(hybrid.refusal));
   if (hybrid.refusal != recon::HybridRefusal::kNone) return model;
-  std::array<recon::Vec2, recon::kOutlineVertices> vertices;
+  std::array<recon::Vec2, recon::kOutlineVertices> vertices{};
   const std::size_t size = recon::outline_polygon(outline, 0, vertices);
   if (size == 0) {
     model.reason = std::string(name(recon::HybridRefusal::kEmpty));

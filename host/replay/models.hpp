@@ -62,7 +62,7 @@ void add_results(const recon::Object<Profile>& object, const KeptTangents& kept,
   auto hybrid = object.hybrid();
   std::make_unique<recon::HybridSolver<Profile::kHybridSectors, Profile::kHybridOrder>>()->solve(hybrid);
   const Carved carved = carve_with(kept.tangents(), Evidence(hybrid, hybrid.outline(), object.origin));
-  models.push_back(carve_model(object, "carve", carved.grid.placement(), carved.grid.kCells, carved.grid.words()));
+  models.push_back(carve_model(object, "carve", carved.grid.placement(), Carved::kCells, carved.grid.words()));
   models.push_back(clip_model(object, "clip", carved.clip.vertices()));
 }
 template <std::size_t kSectors>
