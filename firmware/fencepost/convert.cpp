@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "firmware/config/devices.hpp"
+#include "firmware/config/settings.hpp"
+#include "firmware/record/decimal.hpp"
 #include "firmware/record/layout.hpp"
 
-namespace fencepost {
-namespace library {
+namespace fencepost::library {
 namespace {
 
 // False for what is no number, too. A tenth of a millimetre is kept up to 400 m.
@@ -19,8 +19,8 @@ template <class Unit>
   return within;
 }
 
-[[nodiscard]] bool put_mount(const Camera& camera, sensor::CameraMount& mount) {
-  if (camera.pitch_known) {
+[[nodiscard]] bool put_mount(const fencepost_camera& camera, sensor::CameraMount& mount) {
+  if (!camera.pitch_unknown) {
     base::Radians pitch;
     if (!put(camera.pitch, record::kPitch, pitch)) return false;
     mount.pitch = pitch;
@@ -29,18 +29,18 @@ template <class Unit>
          put(camera.z, record::kPosition, mount.z) && put(camera.yaw, record::kHeading, mount.yaw);
 }
 
-[[nodiscard]] bool put_optics(const Camera& camera, sensor::CameraIntrinsics& to) {
+[[nodiscard]] bool put_optics(const fencepost_camera& camera, sensor::CameraIntrinsics& to) {
   return put(camera.fx, record::kFocalLength, to.fx) && put(camera.fy, record::kFocalLength, to.fy) &&
          put(camera.cx, record::kPrincipalPoint, to.cx) && put(camera.cy, record::kPrincipalPoint, to.cy) &&
          put(camera.k1, record::kDistortion, to.k1);
 }
 
-std::int32_t area(const Box& box) { return (box.right - box.left + 1) * (box.bottom - box.top + 1); }
+std::int32_t area(const fencepost_box& box) { return (box.right - box.left + 1) * (box.bottom - box.top + 1); }
 
 // Twice the middle, in tenths of a pixel.
 base::Pixels1 middle(std::int16_t low, std::int16_t high) { return {5 * (std::int32_t{low} + high)}; }
 
-sensor::Blob blob_of(const Box& box) {
+sensor::Blob blob_of(const fencepost_box& box) {
   sensor::Blob blob;
   blob.signature = box.signature;
   blob.x1 = box.left;
@@ -54,7 +54,7 @@ sensor::Blob blob_of(const Box& box) {
 
 }  // namespace
 
-base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const Camera& camera) {
+base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const fencepost_camera& camera) {
   const auto usable = [](std::uint16_t size) {
     return size >= record::kImageSize.min && size <= record::kImageSize.max;
   };
@@ -79,14 +79,19 @@ base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose&
   return sample;
 }
 
-sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const Box> boxes) {
-  std::array<const Box*, kMostBoxes> largest{};
+bool are_boxes(std::span<const fencepost_box> boxes) {
+  return std::all_of(boxes.begin(), boxes.end(),
+                     [](const fencepost_box& box) { return box.left <= box.right && box.top <= box.bottom; });
+}
+
+sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const fencepost_box> boxes) {
+  std::array<const fencepost_box*, kMaxBoxes> largest{};
   std::size_t count = 0;
-  for (const Box& box : boxes) {
+  for (const fencepost_box& box : boxes) {
     std::size_t place = count;
     while (place > 0 && area(*largest[place - 1]) < area(box)) --place;
-    if (place == kMostBoxes) continue;
-    if (count < kMostBoxes) ++count;
+    if (place == kMaxBoxes) continue;
+    if (count < kMaxBoxes) ++count;
     for (std::size_t i = count - 1; i > place; --i) largest[i] = largest[i - 1];
     largest[place] = &box;
   }
@@ -95,28 +100,31 @@ sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const B
   return frame;
 }
 
-Camera camera_of(const sensor::CameraIntrinsics& intrinsics) {
-  Camera camera;
-  camera.width = intrinsics.width;
-  camera.height = intrinsics.height;
-  camera.fx = intrinsics.fx.to_float();
-  camera.fy = intrinsics.fy.to_float();
-  camera.cx = intrinsics.cx.to_float();
-  camera.cy = intrinsics.cy.to_float();
-  camera.k1 = intrinsics.k1.to_float();
-  camera.fisheye = intrinsics.lens == sensor::Lens::kEquidistant;
-  camera.latency = static_cast<std::int32_t>(intrinsics.latency.raw * kMicrosPerTick);
-  return camera;
+base::Result<sensor::Text, Answer> setting_of(std::string_view key, float value) {
+  const auto* entry = std::find_if(config::kKeyInfo.begin(), config::kKeyInfo.end(),
+                                   [&](const config::KeyInfo& info) { return info.name == key; });
+  if (entry == config::kKeyInfo.end()) return Answer::kUnknown;
+  if (entry->unit == config::kChoice) return Answer::kRange;
+  float scaled = value;
+  for (std::int32_t i = 0; i < entry->decimals; ++i) scaled *= 10;
+  const bool within =
+      scaled >= static_cast<float>(entry->low) - 0.5F && scaled <= static_cast<float>(entry->high) + 0.5F;
+  if (!within) return Answer::kRange;
+  const auto count = static_cast<std::int32_t>(scaled < 0 ? scaled - 0.5F : scaled + 0.5F);
+  std::array<char, record::kMaxDecimal> digits{};
+  const std::size_t size = record::write_decimal(count, static_cast<unsigned>(entry->decimals), digits);
+  return sensor::Text{std::string_view{digits.data(), size}};
 }
 
 Alert alert_of(const record::AlertReport& report, const char* sentence) {
   Alert alert;
   alert.level = static_cast<Level>(report.level);
+  static_cast<fencepost_alert&>(alert).level = static_cast<fencepost_level>(report.level);
   alert.object = report.id;
   alert.signature = report.signature;
   alert.distance = report.distance.to_float();
   alert.bearing = report.bearing.to_float();
-  if (report.ttc) alert.contact = report.ttc->to_float();
+  alert.contact = report.ttc ? report.ttc->to_float() : -1;
   alert.confidence = report.confidence.to_float();
   alert.time = micros_of(report.t);
   alert.sentence = sentence;
@@ -126,7 +134,7 @@ static_assert(static_cast<Level>(record::AlertLevel::kStop) == Level::kStop);
 static_assert(static_cast<Level>(record::AlertLevel::kBlind) == Level::kBlind);
 
 Object object_of(const record::ObjectReport& report) {
-  Object object;
+  Object object{};
   object.id = report.id;
   object.signature = report.signature;
   object.confirmed = report.state != record::ObjectState::kTentative;
@@ -143,12 +151,4 @@ Object object_of(const record::ObjectReport& report) {
   return object;
 }
 
-}  // namespace library
-
-Camera delivered_camera(const char* name) {
-  const config::CameraId id = config::camera_named(name);
-  if (static_cast<std::size_t>(id) >= config::kCameraIds) return {};
-  return library::camera_of(config::delivered_calibration(id));
-}
-
-}  // namespace fencepost
+}  // namespace fencepost::library

@@ -21,13 +21,17 @@ constexpr base::Time time_of(std::int64_t micros) {
 constexpr std::int64_t micros_of(base::Time time) { return time.raw * kMicrosPerTick; }
 
 /// errors: kRange: what the stream cannot express
-base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const Camera& camera);
+base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const fencepost_camera& camera);
 base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose& pose);
 
+/// Whether the last pixel of each is not before the first.
+bool are_boxes(std::span<const fencepost_box> boxes);
 /// The largest first.
-sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const Box> boxes);
+sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const fencepost_box> boxes);
 
-Camera camera_of(const sensor::CameraIntrinsics& intrinsics);
+/// As the console takes it. errors: kUnknown, kRange
+base::Result<sensor::Text, Answer> setting_of(std::string_view key, float value);
+
 Alert alert_of(const record::AlertReport& report, const char* sentence);
 Object object_of(const record::ObjectReport& report);
 

@@ -67,7 +67,7 @@ template <class Size>
 Core<Size>::Core() {
   static_assert(sizeof(State) <= Size::kBytes && alignof(State) <= 8);
   static_assert(std::is_trivially_destructible_v<State>);
-  static_assert(State::Profile::kObjects == Size::kObjects && recon::kOutlineVertices == kMostCorners);
+  static_assert(State::Profile::kObjects == Size::kObjects && recon::kOutlineVertices == kMaxCorners);
   std::construct_at(static_cast<State*>(static_cast<void*>(bytes_)));
 }
 
@@ -87,8 +87,15 @@ Answer Core<Size>::set(const char* key, const char* value) {
 }
 
 template <class Size>
+Answer Core<Size>::set(const char* key, float value) {
+  const auto text = library::setting_of(key, value);
+  if (!text) return text.error();
+  return state().pipeline().set(key, text->view()) ? Answer::kRange : Answer::kTaken;
+}
+
+template <class Size>
 Answer Core<Size>::set_name(std::uint8_t signature, const char* name) {
-  return state().pipeline().set_signature({signature, {}, name}) ? Answer::kTaken : Answer::kFull;
+  return state().pipeline().set_signature({signature, {}, name}) ? Answer::kTaken : Answer::kNoRoom;
 }
 
 template <class Size>
@@ -113,10 +120,10 @@ Answer Core<Size>::odometry(std::int64_t time, const Pose& pose) {
 }
 
 template <class Size>
-Answer Core<Size>::boxes(std::int64_t time, const Box* first, std::size_t count) {
+Answer Core<Size>::boxes(std::int64_t time, const fencepost_box* first, std::size_t count) {
   State& s = state();
   const base::Time t = library::time_of(time);
-  if (!library::is_time(t)) return Answer::kRange;
+  if (!library::is_time(t) || !library::are_boxes({first, count})) return Answer::kRange;
   if (!s.memory().calibration.known) return Answer::kNoCamera;
   return s.accept(library::frame_of(t, s.next_frame(), {first, count}));
 }
@@ -157,7 +164,7 @@ std::size_t Core<Size>::outline(std::uint32_t id, Point* to, std::size_t most) c
   const auto* object = library::object_with(state().memory(), id);
   if (object == nullptr || !object->hybrid().ok()) return 0;
   const auto& hybrid = object->hybrid();
-  std::array<recon::Vec2, recon::kOutlineVertices> corners;
+  std::array<recon::Vec2, recon::kOutlineVertices> corners{};
   const std::size_t count = std::min(most, recon::outline_polygon(hybrid.outline(), 0, corners));
   for (std::size_t i = 0; i < count; ++i) {
     const recon::MapPoint corner = recon::moved(hybrid.origin, corners[i]);
@@ -165,6 +172,24 @@ std::size_t Core<Size>::outline(std::uint32_t id, Point* to, std::size_t most) c
     to[i].y = static_cast<float>(corner.y) * recon::kMetresPerMapUnit;
   }
   return count;
+}
+
+template <class Size>
+std::size_t Core<Size>::sectors(float* to, std::size_t most) const {
+  if constexpr (State::Profile::kSeesFloor) {
+    static_assert(alert::kSectors == kSectors);
+    const auto& memory = state().memory();
+    if (memory.poses.empty()) return 0;
+    const std::size_t count = std::min(most, kSectors);
+    const record::SectorReport report = sectors_of(memory);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& distance = report.sectors[i].distance;
+      to[i] = distance ? distance->to_float() : -1;
+    }
+    return count;
+  } else {
+    return 0;
+  }
 }
 
 template <class Size>

@@ -28,7 +28,7 @@ def built(build, targets):
     ninja = ("ninja", "-C", build, "-t")
     names = run(*ninja, "inputs", *targets).split() + run(*ninja, "query", *targets).split()
     within = [name for name in names if (build / name).resolve().is_relative_to(build.resolve())]
-    return [name for name in within if name in PROGRAMS or name.endswith(".a")]
+    return [name for name in within if name in PROGRAMS or ".so" in name or name.endswith(".a")]
 
 
 def install(folder, lab):
@@ -39,6 +39,8 @@ def install(folder, lab):
     for name in built(build, targets):
         (build / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy("/bin/true", build / name)
+    for library in build.rglob("lib*.so.*.*.*"):
+        library.with_suffix("").touch()  # the link of its soname
     made = build / "host/cli/made"  # by the program itself, when it is linked
     (made / "man1").mkdir(parents=True)
     for name in ("man1/fencepost.1.gz", "fencepost", "_fencepost", "fencepost.fish"):

@@ -72,6 +72,7 @@ ROOMS = {
     "host/render": "host/metrics",
     "host/result": "firmware/console host/geometry host/text",
     "host/replay": "firmware/loop host/result host/scene",
+    "host/fencepost": "host/replay",
     "host/evaluate": "host/replay host/simulate",
     "host/merge": "host/result",
     "host/report": "host/evaluate",
@@ -98,7 +99,9 @@ ROOMS = {
 COUNTED_AS = {}
 
 ROBOT = {"hal", "drivers", "firmware"}
-DESK = ("hal/linux/",)  # a layer of the robot, a machine of the desk: heap, threads and libraries
+# A layer of the robot, a machine of the desk: heap, threads and libraries. The library has a heap for programs that ask
+# for one, apart from all else.
+DESK = ("hal/linux/", "firmware/fencepost/heap.cpp")
 TOP_LEVEL = {*LAYERS, "toolchain", "CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md",
              "CITATION.cff", "LICENSE"}
 NOT_OURS = {".git", ".cache", "build", "out", "compile_commands.json", "__pycache__"}
@@ -110,8 +113,11 @@ REFUSED_HEADERS = set(
     "iostream istream ostream fstream sstream iomanip cstdio stdio.h functional string vector map unordered_map set "
     "unordered_set deque list queue stack memory new stdexcept exception regex thread mutex future any random locale".split()
 )
-# For std::construct_at, which makes an object in memory that is there.
-ALLOWED_HEADERS = {("firmware/image/one_of.hpp", "memory"), ("firmware/fencepost/core.hpp", "memory")}
+# For std::construct_at and std::align, which make an object in memory that is there.
+ALLOWED_HEADERS = {("firmware/image/one_of.hpp", "memory"), ("firmware/fencepost/core.hpp", "memory"),
+                   ("firmware/fencepost/handle.hpp", "memory"), ("firmware/fencepost/interface.cpp", "memory")}
+# Installed side by side, in a folder that is none of the repository.
+NEIGHBOURS = {("firmware/fencepost/fencepost.hpp", "fencepost.h")}
 REFUSED_WORDS = {
     "virtual destructor": r"\bvirtual\s*~",
     "new": r"\bnew\b",
@@ -214,6 +220,8 @@ def check_includes(tree, path):
             allowed = (str(tree.relative(path)), system) in ALLOWED_HEADERS
             if tree.robot(path) and system in REFUSED_HEADERS and not allowed:
                 tree.fault(path, number, "header", f"<{system}> is refused in {mine}")
+            continue
+        if (tree.relative(path), quoted) in NEIGHBOURS:
             continue
         target = quoted.split("/")[0]
         if target not in LAYERS or ".." in quoted.split("/") or not (tree.root / quoted).is_file():

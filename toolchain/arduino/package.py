@@ -17,7 +17,7 @@ import zipfile
 import check
 
 HERE = pathlib.Path(__file__).parent
-ROOTS = ["firmware/fencepost/convert.cpp", "firmware/fencepost/micro.cpp", "firmware/fencepost/small.cpp"]
+ROOTS = [f"firmware/fencepost/{name}.cpp" for name in ("convert", "interface", "micro", "plain", "small")]
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 FLAGS = ["-std=gnu++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffp-contract=off",
          "-ffunction-sections", "-fdata-sections", "-fno-asynchronous-unwind-tables", "-DNDEBUG"]
@@ -55,7 +55,10 @@ def sources_of(root):
                 first_include.setdefault(match.group(1), []).append(path.relative_to(root).as_posix())
     waiting = list(ROOTS)
     while waiting:
-        for header in INCLUDE.findall((root / waiting.pop()).read_text(encoding="utf-8")):
+        file = waiting.pop()
+        for name in INCLUDE.findall((root / file).read_text(encoding="utf-8")):
+            beside = f"{os.path.dirname(file)}/{name}"
+            header = name if (root / name).is_file() else beside
             if header in headers:
                 continue
             headers.add(header)

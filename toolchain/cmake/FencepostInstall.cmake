@@ -28,27 +28,21 @@ if(FENCEPOST_DESK)
   endif()
   # Where `fencepost` looks for it.
   install(TARGETS fencepost_lab_exe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/fencepost COMPONENT program)
-  set(libraries fencepost_core fencepost_host)
-  set(rooms hal drivers firmware host/geometry host/replay host/result host/scene host/text)
+  set(libraries fencepost_core fencepost_shared fencepost_host)
+  set(headers host/fencepost/replay.hpp)
 else()
-  set(libraries fencepost_core)
-  set(rooms hal drivers firmware)
+  set(libraries fencepost_core fencepost_shared)
+  set(headers "")
 endif()
 
 install(TARGETS ${libraries} EXPORT FencepostTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT FencepostTargets NAMESPACE Fencepost:: DESTINATION ${package_folder} COMPONENT development)
-# The path of an include is that in the repository, below a folder of our own: nobody else's <hal/...> is in its way.
-foreach(room ${rooms})
-  get_filename_component(parent ${room} DIRECTORY)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${room}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost/${parent}
-    COMPONENT development FILES_MATCHING PATTERN "*.hpp"
-    # Not for other programs: headers of boards, of this machine's devices, and one that needs Eigen.
-    PATTERN relocation.hpp EXCLUDE PATTERN boards EXCLUDE PATTERN mcu EXCLUDE PATTERN template EXCLUDE PATTERN linux EXCLUDE PATTERN image EXCLUDE
-    PATTERN fencepost EXCLUDE)
+# All headers are public, and include no other of this project.
+foreach(header firmware/fencepost/fencepost.h firmware/fencepost/fencepost.hpp ${headers})
+  install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost COMPONENT development)
 endforeach()
-install(FILES "${PROJECT_SOURCE_DIR}/firmware/fencepost/fencepost.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost
-  COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libfencepost-dev RENAME copyright
   COMPONENT development)
 

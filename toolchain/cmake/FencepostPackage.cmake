@@ -31,11 +31,12 @@ evaluates it, simulates robots and speaks as their devices.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfencepost-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libfmt-dev, nlohmann-json3-dev, pkg-config, cmake")
+  "libfmt-dev, pkg-config, cmake")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-"The robot's program as a static library without a heap, for programs of one's
-own: odometry and boxes in, alerts, objects and outlines out. Replay at the
-desk is another, which needs the packages that this one suggests.")
+"The robot's program as a library without a heap, for programs of one's own in
+C and C++: odometry and boxes in, alerts, objects and outlines out. Other
+languages load the shared one. Replay at the desk is another, which needs the
+packages that this one suggests.")
 
 # What Debian's policy asks for in /usr/share/doc. The changelog's day is that of the commit, or of SOURCE_DATE_EPOCH.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")

@@ -16,6 +16,19 @@ fencepost::MicroCore& robot() {
   return core;
 }
 fencepost::Answer take(const fencepost::Box* boxes, std::size_t count) {
-  robot().odometry(0, {1.0F, 0.0F, 0.0F});
-  return robot().boxes(0, boxes, count);
+  const fencepost::Answer answer = robot().odometry(0, {1.0F, 0.0F, 0.0F});
+  return answer == fencepost::Answer::kTaken ? robot().boxes(0, boxes, count) : answer;
+}
+fencepost::Answer set_up(const fencepost::Camera& camera) {
+  const fencepost::Answer answer = robot().set_camera(camera);
+  return answer == fencepost::Answer::kTaken ? robot().set("robot.width", 0.18F) : answer;
+}
+fencepost::Answer start() { return set_up(fencepost::Camera::pinhole(640, 480, 62)); }
+fencepost::Answer start_as_delivered() { return set_up(fencepost::delivered_camera("pixy2")); }
+fencepost::Answer take_one() {
+  const fencepost::Box both[] = {{1, 10, 10, 20, 20}, fencepost::Box::centred(2, 100, 80, 12, 30)};
+  return take(both, 2);
+}
+const char* said(const fencepost::Alert& alert) {
+  return alert.level == fencepost::Level::kStop ? alert.sentence : fencepost::text(alert.level);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "host/replay/replay.hpp"
 #include "tests/firmware/fencepost/played_log.hpp"
@@ -62,6 +63,43 @@ TYPED_TEST(LibraryOfSize, ItsLogIsPlayedAgainAtTheDesk) {
   EXPECT_EQ(silent->digest(), this->core_->digest());
 }
 
+template <class Size>
+const fencepost_capacity* kCapacity = fencepost_full();
+template <>
+const fencepost_capacity* kCapacity<Small> = fencepost_small();
+template <>
+const fencepost_capacity* kCapacity<Micro> = fencepost_micro();
+
+// The C interface in the place of a Core.
+struct ByHandle {
+  fencepost_core* core;
+
+  Answer set_camera(const Camera& camera) { return Answer(fencepost_set_camera(core, &camera)); }
+  Answer set(const char* key, const char* value) { return Answer(fencepost_set(core, key, value)); }
+  Answer set_name(std::uint8_t signature, const char* name) {
+    return Answer(fencepost_set_name(core, signature, name));
+  }
+  Answer odometry(std::int64_t time, const Pose& pose) { return Answer(fencepost_odometry(core, time, pose)); }
+  Answer boxes(std::int64_t time, const Box* first, std::size_t count) {
+    return Answer(fencepost_boxes(core, time, first, count));
+  }
+};
+
+TYPED_TEST(LibraryOfSize, DoesTheSameByItsCInterface) {
+  std::vector<std::uint64_t> memory(fencepost_bytes(kCapacity<TypeParam>) / sizeof(std::uint64_t));
+  ByHandle handle{fencepost_init(memory.data(), memory.size() * sizeof(std::uint64_t), kCapacity<TypeParam>)};
+  ASSERT_NE(handle.core, nullptr);
+  const std::string bytes = bundled("corridor.log");
+  const auto mine = play(*this->core_, bytes);
+  const auto theirs = play(handle, bytes);
+  EXPECT_EQ(theirs.inputs, mine.inputs);
+  EXPECT_EQ(theirs.refused, 0);
+  EXPECT_EQ(fencepost_digest(handle.core), this->core_->digest());
+  std::vector<Object> objects(TypeParam::kObjects);
+  EXPECT_EQ(fencepost_objects(handle.core, objects.data(), objects.size()),
+            this->core_->objects(objects.data(), objects.size()));
+}
+
 struct Heard {
   std::vector<Level> levels;
   std::vector<std::string> sentences;
@@ -100,7 +138,7 @@ TYPED_TEST(LibraryOfSize, TellsOfTheBoxAheadAndStops) {
   Pose pose{};
   ASSERT_TRUE(this->core_->pose(pose));
   EXPECT_NEAR(object.distance, std::hypot(object.x - pose.x, object.y - pose.y) - object.radius, 0.03);
-  std::array<Point, kMostCorners> corners{};
+  std::array<Point, kMaxCorners> corners{};
   const std::size_t count = this->core_->outline(object.id, corners.data(), corners.size());
   ASSERT_GE(count, 3U);
   float twice = 0;
@@ -158,7 +196,7 @@ TEST(Library, SaysWhatItDidNotTake) {
   EXPECT_EQ(core->set("robot.width", "wide"), Answer::kRange);
   EXPECT_EQ(core->set("robot.widht", "0.18"), Answer::kUnknown);
   for (std::uint8_t i = 1; i <= Small::kObjects; ++i) EXPECT_EQ(core->set_name(i, "red"), Answer::kTaken);
-  EXPECT_EQ(core->set_name(9, "blue"), Answer::kFull);
+  EXPECT_EQ(core->set_name(9, "blue"), Answer::kNoRoom);
   EXPECT_EQ(core->odometry(-1, {0, 0, 0}), Answer::kRange);
   EXPECT_EQ(core->odometry(100, {1000.1F, 0, 0}), Answer::kRange);
   EXPECT_EQ(core->odometry(100, {INFINITY, 0, 0}), Answer::kRange);
@@ -175,7 +213,7 @@ TEST(Library, SaysWhatItDidNotTake) {
 TEST(Library, UsesTheLargestBoxes) {
   const auto digest = [](bool backwards, std::int16_t count) {
     auto core = std::make_unique<FullCore>();
-    core->set_camera(delivered_camera("pixy2"));
+    EXPECT_EQ(core->set_camera(delivered_camera("pixy2")), Answer::kTaken);
     std::array<Box, 20> boxes{};
     for (std::int16_t i = 0; i < count; ++i) {
       const auto x = static_cast<std::int16_t>(15 * i);
@@ -184,9 +222,9 @@ TEST(Library, UsesTheLargestBoxes) {
     }
     const auto end = boxes.begin() + count;
     if (backwards) std::reverse(boxes.begin(), end);
-    core->odometry(0, {0, 0, 0});
-    core->odometry(100'000, {0, 0, 0});
-    core->boxes(100'000, boxes.data(), static_cast<std::size_t>(count));
+    EXPECT_EQ(core->odometry(0, {0, 0, 0}), Answer::kTaken);
+    EXPECT_EQ(core->odometry(100'000, {0, 0, 0}), Answer::kTaken);
+    EXPECT_EQ(core->boxes(100'000, boxes.data(), static_cast<std::size_t>(count)), Answer::kTaken);
     return core->digest();
   };
   EXPECT_EQ(digest(false, 20), digest(true, 20));
@@ -194,7 +232,92 @@ TEST(Library, UsesTheLargestBoxes) {
   EXPECT_NE(digest(false, 20), digest(false, 15));
 }
 
-TEST(Library, IsOfTheProjectsVersion) { EXPECT_STREQ(kVersion, FENCEPOST_VERSION); }
+TEST(Library, TakesSettingsAsNumbers) {
+  std::string log;
+  auto core = std::make_unique<SmallCore>();
+  core->on_log([](void* to, const char* text, std::size_t size) { static_cast<std::string*>(to)->append(text, size); },
+               &log);
+  EXPECT_EQ(core->set("robot.width", 0.184F), Answer::kTaken);
+  EXPECT_EQ(core->set("confirm.n", 7), Answer::kTaken);
+  EXPECT_EQ(core->set("alert.notice", 1.249F), Answer::kTaken);
+  EXPECT_EQ(core->set("steer.offset", -1.25F), Answer::kTaken);
+  EXPECT_EQ(core->set("steer.offset", -45.1F), Answer::kRange);
+  EXPECT_EQ(core->set("robot.width", 5.1F), Answer::kRange);
+  EXPECT_EQ(core->set("robot.width", NAN), Answer::kRange);
+  EXPECT_EQ(core->set("robot.width", INFINITY), Answer::kRange);
+  EXPECT_EQ(core->set("robot.widht", 0.2F), Answer::kUnknown);
+  EXPECT_EQ(core->set("correct.pose", 1), Answer::kRange) << "its values are words";
+  EXPECT_EQ(core->odometry(0, {0, 0, 0}), Answer::kTaken);
+  core->step(1);
+  for (const char* line : {"$FPCFG,robot.width,0.18*", "$FPCFG,confirm.n,7*", "$FPCFG,alert.notice,1.25*"}) {
+    EXPECT_NE(log.find(line), std::string::npos) << line << " is not in\n" << log;
+  }
+}
+
+// 640 columns at 62 degrees: 320 / tan(31 degrees) = 532.57 px.
+TEST(Library, MakesAPinhole) {
+  const Camera camera = Camera::pinhole(640, 480, 62);
+  EXPECT_EQ(camera.width, 640);
+  EXPECT_EQ(camera.height, 480);
+  EXPECT_NEAR(camera.fx, 532.57, 0.02);
+  EXPECT_EQ(camera.fy, camera.fx);
+  EXPECT_EQ(camera.cx, 319.5F);
+  EXPECT_EQ(camera.cy, 239.5F);
+  EXPECT_FALSE(camera.pitch_unknown);
+  auto core = std::make_unique<MicroCore>();
+  EXPECT_EQ(core->set_camera(camera), Answer::kTaken);
+  for (const float degrees : {0.0F, -62.0F, 171.0F, NAN}) EXPECT_EQ(Camera::pinhole(640, 480, degrees).width, 0);
+}
+
+TEST(Library, MakesABoxOfItsMiddleAndSize) {
+  const auto corners = [](const Box& box) { return std::array{box.left, box.top, box.right, box.bottom}; };
+  using Corners = std::array<std::int16_t, 4>;
+  EXPECT_EQ(corners(Box::centred(3, 20, 30, 9, 1)), (Corners{16, 30, 24, 30}));
+  EXPECT_EQ(corners(Box::centred(3, 19.5F, 30, 10, 0.2F)), (Corners{15, 30, 24, 30}));
+  EXPECT_EQ(corners(Box::centred(3, 2, 2, 10, 10)), (Corners{-2, -2, 7, 7})) << "the core refuses it";
+  EXPECT_EQ(Box::centred(3, 2, 2, 10, 10).signature, 3);
+  auto core = std::make_unique<MicroCore>();
+  ASSERT_EQ(core->set_camera(delivered_camera("pixy2")), Answer::kTaken);
+  for (const float bad : {NAN, -1.0F, 1e30F}) {
+    const Box box = Box::centred(1, 100, 100, bad, 10);
+    EXPECT_LT(box.right, box.left);
+    EXPECT_EQ(core->boxes(0, &box, 1), Answer::kRange);
+  }
+  const Box box = Box::centred(1, 100, 100, 10, 10);
+  EXPECT_EQ(core->boxes(0, &box, 1), Answer::kTaken);
+}
+
+TYPED_TEST(LibraryOfSize, KnowsDistancesAllAround) {
+  std::array<float, kSectors> sectors{};
+  EXPECT_EQ(this->core_->sectors(sectors.data(), sectors.size()), 0U) << "no odometry yet";
+  play(*this->core_, bundled("stop_pixy2.log"));
+  const std::size_t count = this->core_->sectors(sectors.data(), sectors.size());
+  if (TypeParam::kObjects > Micro::kObjects) {
+    const auto desk = at_the_desk(bundled("stop_pixy2.log"), kName<TypeParam>).result.sectors;
+    ASSERT_TRUE(desk);
+    ASSERT_EQ(count, desk->sectors.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& distance = desk->sectors[i].distance;
+      EXPECT_EQ(sectors[i], distance ? distance->to_float() : -1.0F) << i;
+    }
+    EXPECT_EQ(this->core_->sectors(sectors.data(), 5), 5U);
+  } else {
+    EXPECT_EQ(count, 0U);
+  }
+}
+
+TEST(Library, HasWordsForEachAnswerAndLevel) {
+  std::set<std::string> all;
+  for (int i = 0; i <= FENCEPOST_NULL; ++i) all.insert(text(static_cast<Answer>(i)));
+  EXPECT_EQ(all.size(), FENCEPOST_NULL + 1U);
+  EXPECT_STREQ(text(Answer::kNoCamera), "boxes came before a camera was set");
+  EXPECT_STREQ(text(Level::kBlind), "BLIND");
+}
+
+TEST(Library, IsOfTheProjectsVersion) {
+  EXPECT_STREQ(kVersion, FENCEPOST_PROJECT_VERSION);
+  EXPECT_STREQ(fencepost_version(), FENCEPOST_PROJECT_VERSION);
+}
 
 TEST(WideClock, GoesOnWhereTheNarrowOneWraps) {
   WideClock clock;

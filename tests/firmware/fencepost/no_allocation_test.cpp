@@ -45,7 +45,7 @@ TEST(LibraryNoAllocation, FromItsConstructionOn) {
   core.step(played.last + 5'000'000);
   std::array<Object, Small::kObjects> objects{};
   const std::size_t count = core.objects(objects.data(), objects.size());
-  std::array<Point, kMostCorners> corners{};
+  std::array<Point, kMaxCorners> corners{};
   const std::size_t size = core.outline(objects[0].id, corners.data(), corners.size());
   g_armed = false;
   EXPECT_EQ(g_requests, 0U);

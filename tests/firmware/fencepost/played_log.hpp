@@ -44,7 +44,7 @@ struct Player {
     camera.y = from.mount.y.to_float();
     camera.z = from.mount.z.to_float();
     camera.yaw = from.mount.yaw.to_float();
-    camera.pitch_known = from.mount.pitch.has_value();
+    camera.pitch_unknown = !from.mount.pitch;
     if (from.mount.pitch) camera.pitch = from.mount.pitch->to_float();
     camera.latency = static_cast<std::int32_t>(from.latency.raw * 100);
     count(core.set_camera(camera));
@@ -62,7 +62,7 @@ struct Player {
   }
   void accept(const sensor::BlobFrame& frame) {
     ++inputs;
-    std::array<Box, kMostBoxes> boxes{};
+    std::array<Box, kMaxBoxes> boxes{};
     std::size_t size = 0;
     for (const sensor::Blob& blob : frame.blobs) boxes[size++] = {blob.signature, blob.x1, blob.y1, blob.x2, blob.y2};
     count(core.boxes(micros(frame.t), boxes.data(), size));

@@ -10,6 +10,10 @@ unsigned long next = 0;
 int64_t now = 0;  // us, of the pretended drive
 
 void say(void*, const fencepost::Alert& alert) { Serial.println(alert.sentence); }
+// An input that is not taken changes nothing; this is why.
+void check(fencepost::Answer answer) {
+  if (answer != fencepost::Answer::kTaken) Serial.println(fencepost::text(answer));
+}
 
 int16_t pixel(float place) { return constrain(place + 0.5F, 0.0F, 207.0F); }
 
@@ -24,8 +28,8 @@ void setup() {
   Serial.begin(115200);
   camera.z = 0.12;  // m, of the lens above the floor
   camera.latency = 40000;
-  robot.set_camera(camera);
-  robot.set_name(1, "red");
+  check(robot.set_camera(camera));
+  check(robot.set_name(1, "red"));
   robot.on_alert(say);
 }
 
@@ -34,9 +38,9 @@ void loop() {
   next += 40;
   now += 40000;
   const bool may_drive = robot.may_drive(now);
-  robot.odometry(now, {moved, 0, 0});
+  check(robot.odometry(now, {moved, 0, 0}));
   const fencepost::Box box = box_seen();  // of the picture before
-  robot.boxes(now, &box, 1);
+  check(robot.boxes(now, &box, 1));
   robot.step(now);
   seen_from = moved;
   if (may_drive) moved += 0.01F;  // 0.25 m/s

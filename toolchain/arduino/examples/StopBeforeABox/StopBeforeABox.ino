@@ -18,6 +18,10 @@ unsigned long next = 0;
 void left_edge() { left_count = left_count + 1; }
 void right_edge() { right_count = right_count + 1; }
 void say(void*, const fencepost::Alert& alert) { Serial.println(alert.sentence); }
+// An input that is not taken changes nothing; this is why.
+void check(fencepost::Answer answer) {
+  if (answer != fencepost::Answer::kTaken) Serial.println(fencepost::text(answer));
+}
 
 void setup() {
   Serial.begin(115200);
@@ -27,9 +31,9 @@ void setup() {
   pixy.init();
   fencepost::Camera camera = fencepost::delivered_camera("pixy2");
   camera.z = kCameraHeight;
-  robot.set_camera(camera);
-  robot.set("robot.width", "0.18");
-  robot.set_name(1, "red");
+  check(robot.set_camera(camera));
+  check(robot.set("robot.width", 0.18F));
+  check(robot.set_name(1, "red"));
   robot.on_alert(say);
 }
 
@@ -51,10 +55,10 @@ fencepost::Pose wheels() {
 }
 
 void look(int64_t now) {
-  fencepost::Box boxes[fencepost::kMostBoxes];
+  fencepost::Box boxes[fencepost::kMaxBoxes];
   if (pixy.ccc.getBlocks(false) < 0) return;  // no new picture
   size_t count = 0;
-  for (; count < pixy.ccc.numBlocks && count < fencepost::kMostBoxes; ++count) {
+  for (; count < pixy.ccc.numBlocks && count < fencepost::kMaxBoxes; ++count) {
     const Block& block = pixy.ccc.blocks[count];  // its middle and its size
     const int x = block.m_x - block.m_width / 2, y = block.m_y - block.m_height / 2;
     fencepost::Box& box = boxes[count];
@@ -64,7 +68,7 @@ void look(int64_t now) {
     box.right = constrain(x + block.m_width - 1, 0, 315);
     box.bottom = constrain(y + block.m_height - 1, 0, 207);
   }
-  robot.boxes(now, boxes, count);
+  check(robot.boxes(now, boxes, count));
 }
 
 void loop() {
@@ -72,7 +76,7 @@ void loop() {
   look(now);
   if (millis() >= next) {  // 50 times a second
     next = millis() + 20;
-    robot.odometry(now, wheels());
+    check(robot.odometry(now, wheels()));
   }
   robot.step(now);
   for (int pin : kMotors) analogWrite(pin, robot.may_drive(now) ? 120 : 0);
