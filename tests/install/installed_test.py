@@ -72,7 +72,7 @@ class Installed(unittest.TestCase):
         environment = {name: value for name, value in os.environ.items() if name != "FENCEPOST_SHARE"}
         said = run(program, "demo", "-o", self.root / "demo.html", env=environment, cwd=self.root)
         self.assertIn("STOP    red", said)
-        for file in ("doc/embed.md", "schema/result.schema.json", "python/fencepost.py", LOG[16:]):
+        for file in ("doc/embed.md", "schema/result.schema.json", "python/fencepost/stream.py", LOG[16:]):
             self.assertTrue((self.prefix / "share/fencepost" / file).is_file(), file)
         for file in ("share/man/man1/fencepost-replay.1.gz", "share/bash-completion/completions/fencepost",
                      "share/zsh/site-functions/_fencepost", "share/fish/vendor_completions.d/fencepost.fish",

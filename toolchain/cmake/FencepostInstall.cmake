@@ -8,7 +8,7 @@ if(FENCEPOST_DESK)
   install(TARGETS fencepost_exe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   foreach(part blocks can recordings doc examples python schema)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/host/share/${part}" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost
-      COMPONENT program)
+      COMPONENT program PATTERN __pycache__ EXCLUDE)
   endforeach()
   install(FILES "${PROJECT_SOURCE_DIR}/host/web/dist/fencepost.html" DESTINATION ${CMAKE_INSTALL_DATADIR}/fencepost/page
     COMPONENT program)

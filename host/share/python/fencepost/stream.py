@@ -1,4 +1,5 @@
 """Reads Fencepost's record stream: logs, gzipped logs, and a robot's console while it runs. Standard library only.
+This file works alone, beside your script, as a module `stream`.
 
     import fencepost
     log = fencepost.read("run.log")
@@ -12,6 +13,7 @@ In a notebook, pandas.DataFrame(log.odometry) is a table. A live robot:
 import collections
 import gzip
 import json
+import os
 import typing
 
 __all__ = ["Alert", "Blob", "CalibrationDoubt", "Camera", "Car", "Digest", "Frame", "Header", "Heartbeat", "Link", "Log",
@@ -69,7 +71,7 @@ class Odometry(typing.NamedTuple):
 class Car(typing.NamedTuple):
     """FPCAR: what the wheels of a car tell."""
     t: typing.Optional[float]
-    count: int
+    count: int  # type: ignore[assignment]
     steering: typing.Optional[float]
     yaw_rate: typing.Optional[float]
 
@@ -191,13 +193,15 @@ class Sectors(typing.NamedTuple):
 KINDS = {"HDR": Header, "CAM": Camera, "SIG": Signature, "ODO": Odometry, "CAR": Car, "FRM": Frame, "POS": Position,
          "OBJ": Object, "ALR": Alert, "ALV": Heartbeat, "CAL": CalibrationDoubt, "DIG": Digest, "LNK": Link,
          "STA": Status, "CFG": Setting, "SEC": Sectors}
+Record = typing.Union[Header, Camera, Signature, Odometry, Car, Frame, Position, Object, Alert, Heartbeat, CalibrationDoubt,
+                      Digest, Link, Status, Setting, Sectors]
 
 
 class _Bad(Exception):
     """Its argument is the reason, as `log.rejected` counts it."""
 
 
-def crc(text):
+def crc(text: str) -> str:
     """CRC-16/CCITT-FALSE of what stands between `$` and `*`, as it is written."""
     value = 0xFFFF
     for byte in text.encode("latin-1"):
@@ -207,13 +211,13 @@ def crc(text):
     return "%04X" % value
 
 
-def _integer(field):
+def _integer(field: str) -> int:
     if not field.lstrip("-").isdecimal() or not field.isascii() or field.startswith("--"):
         raise _Bad("number")
     return int(field)
 
 
-def _float(field):
+def _float(field: str) -> float:
     whole, point, more = field.partition(".")
     if point and not (more.isdecimal() and more.isascii()):
         raise _Bad("number")
@@ -221,7 +225,7 @@ def _float(field):
     return float(field)
 
 
-def _text(field):
+def _text(field: str) -> str:
     parts = field.split("%")
     try:
         return parts[0] + "".join(chr(int(part[:2], 16)) + part[2:] if len(part) > 1 else _raise() for part in parts[1:])
@@ -229,20 +233,20 @@ def _text(field):
         raise _Bad("number") from None
 
 
-def _raise():
+def _raise() -> typing.NoReturn:
     raise _Bad("number")
 
 
-def _optional(read):
+def _optional(read: typing.Callable[[str], typing.Any]) -> typing.Callable[[str], typing.Any]:
     return lambda field: None if field == "" else read(field)
 
 
-_READ = {int: _integer, float: _float, str: _text, typing.Optional[int]: _optional(_integer),
-         typing.Optional[float]: _optional(_float),
-         typing.Optional[str]: _optional(_text)}
+_READ: typing.Dict[typing.Any, typing.Callable[[str], typing.Any]] = {
+    int: _integer, float: _float, str: _text, typing.Optional[int]: _optional(_integer),
+    typing.Optional[float]: _optional(_float), typing.Optional[str]: _optional(_text)}
 
 
-def _fields(kind, fields):
+def _fields(kind: typing.Any, fields: typing.List[str]) -> typing.Any:
     """The named tuple of these fields; those with a default may be missing."""
     types = list(typing.get_type_hints(kind).values())
     if not len(types) - len(kind._field_defaults) <= len(fields) <= len(types):
@@ -250,7 +254,7 @@ def _fields(kind, fields):
     return kind(*(_READ[of](field) for of, field in zip(types, fields)))
 
 
-def _frame(fields):
+def _frame(fields: typing.List[str]) -> Frame:
     if len(fields) < 3 or len(fields) != 3 + len(Blob._fields) * _integer(fields[2]):
         raise _Bad("fields")
     each = [fields[at:at + len(Blob._fields)] for at in range(3, len(fields), len(Blob._fields))]
@@ -260,13 +264,13 @@ def _frame(fields):
     return Frame(_float(fields[0]), _integer(fields[1]), blobs)
 
 
-def _sectors(fields):
+def _sectors(fields: typing.List[str]) -> Sectors:
     if len(fields) < 2 or len(fields) != 2 + _integer(fields[1]):
         raise _Bad("fields")
     return Sectors(_float(fields[0]), tuple(_READ[typing.Optional[float]](field) for field in fields[2:]))
 
 
-def _record(line):
+def _record(line: str) -> Record:
     """The record of a line that starts with $FP, without its end."""
     body, star, check = line[1:].partition("*")
     if not star or check != crc(body):
@@ -279,7 +283,7 @@ def _record(line):
         raise _Bad("format")
     if kind is Frame:
         return _frame(fields)
-    return _sectors(fields) if kind is Sectors else _fields(kind, fields)
+    return _sectors(fields) if kind is Sectors else typing.cast(Record, _fields(kind, fields))
 
 
 class Reader:
@@ -287,12 +291,12 @@ class Reader:
     in `rejected`; neither ends the reading. Of the rules of a log (order of times, boxes inside the image) it knows
     nothing: `fencepost replay` does."""
 
-    def __init__(self):
-        self.rejected = collections.Counter()
+    def __init__(self) -> None:
+        self.rejected: typing.Counter[str] = collections.Counter()
         self.foreign = 0
         self._rest = b""
 
-    def feed(self, data):
+    def feed(self, data: bytes) -> typing.Iterator[Record]:
         """The records that these bytes complete."""
         lines = (self._rest + data).split(b"\n")
         self._rest = lines.pop()[:LONGEST + 1]
@@ -301,7 +305,7 @@ class Reader:
             if record is not None:
                 yield record
 
-    def finish(self):
+    def finish(self) -> None:
         """There is no more: a last line without its end is not used."""
         if self._rest.startswith(b"$FP"):
             self.rejected["truncated"] += 1
@@ -309,7 +313,7 @@ class Reader:
             self.foreign += 1
         self._rest = b""
 
-    def _take(self, line):
+    def _take(self, line: bytes) -> typing.Optional[Record]:
         if not line.startswith(b"$FP"):
             self.foreign += 1
             return None
@@ -325,33 +329,41 @@ class Reader:
 class Log:
     """All records of a log in order, and by kind: header, camera and signatures are those in force at its end."""
 
-    def __init__(self, all_records, reader):
+    def __init__(self, all_records: typing.List[Record], reader: Reader) -> None:
         self.records = all_records
         self.rejected = dict(reader.rejected)
         self.foreign = reader.foreign
-        by_kind = collections.defaultdict(list)
+        by_kind: typing.Dict[type, typing.List[typing.Any]] = collections.defaultdict(list)
         for record in all_records:
             by_kind[type(record)].append(record)
-        self.headers = by_kind[Header]
-        self.header = by_kind[Header][-1] if by_kind[Header] else None
-        self.camera = by_kind[Camera][-1] if by_kind[Camera] else None
-        self.signatures = {entry.signature: entry for entry in by_kind[Signature]}
-        self.settings = {setting.key: setting.value for setting in by_kind[Setting]}
-        self.odometry, self.car, self.frames = by_kind[Odometry], by_kind[Car], by_kind[Frame]
-        self.positions, self.objects, self.alerts = by_kind[Position], by_kind[Object], by_kind[Alert]
-        self.heartbeats, self.links, self.status = by_kind[Heartbeat], by_kind[Link], by_kind[Status]
-        self.digests, self.doubts, self.sectors = by_kind[Digest], by_kind[CalibrationDoubt], by_kind[Sectors]
+        self.headers: typing.List[Header] = by_kind[Header]
+        self.header: typing.Optional[Header] = by_kind[Header][-1] if by_kind[Header] else None
+        self.camera: typing.Optional[Camera] = by_kind[Camera][-1] if by_kind[Camera] else None
+        self.signatures: typing.Dict[int, Signature] = {entry.signature: entry for entry in by_kind[Signature]}
+        self.settings: typing.Dict[str, str] = {setting.key: setting.value for setting in by_kind[Setting]}
+        self.odometry: typing.List[Odometry] = by_kind[Odometry]
+        self.car: typing.List[Car] = by_kind[Car]
+        self.frames: typing.List[Frame] = by_kind[Frame]
+        self.positions: typing.List[Position] = by_kind[Position]
+        self.objects: typing.List[Object] = by_kind[Object]
+        self.alerts: typing.List[Alert] = by_kind[Alert]
+        self.heartbeats: typing.List[Heartbeat] = by_kind[Heartbeat]
+        self.links: typing.List[Link] = by_kind[Link]
+        self.status: typing.List[Status] = by_kind[Status]
+        self.digests: typing.List[Digest] = by_kind[Digest]
+        self.doubts: typing.List[CalibrationDoubt] = by_kind[CalibrationDoubt]
+        self.sectors: typing.List[Sectors] = by_kind[Sectors]
 
-    def name(self, signature):
-        """What the colour is called; `sig 7` where the log has no name."""
+    def name(self, signature: int) -> str:
+        """The colour's name; `sig 7` where the log has none."""
         return self.signatures[signature].name if signature in self.signatures else "sig %d" % signature
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "<fencepost.Log: %d records, %d frames, %d alerts>" % (len(self.records), len(self.frames),
                                                                      len(self.alerts))
 
 
-def records(stream, reader=None):
+def records(stream: typing.BinaryIO, reader: typing.Optional[Reader] = None) -> typing.Iterator[Record]:
     """The records of a binary stream as they come: an open file, a serial port, a socket's makefile("rb")."""
     reader = reader or Reader()
     for piece in iter(lambda: stream.readline(4 * LONGEST), b""):
@@ -359,19 +371,19 @@ def records(stream, reader=None):
     reader.finish()
 
 
-def read(path):
+def read(path: typing.Union[str, "os.PathLike[str]"]) -> Log:
     """A whole log, gzipped or not."""
     with open(path, "rb") as file:
         zipped = file.read(2) == b"\x1f\x8b"
     reader = Reader()
-    with (gzip.open if zipped else open)(path, "rb") as file:
+    with typing.cast(typing.BinaryIO, gzip.open(path) if zipped else open(path, "rb")) as file:
         return Log(list(records(file, reader)), reader)
 
 
-def result(path):
+def result(path: typing.Union[str, "os.PathLike[str]"]) -> typing.Dict[str, typing.Any]:
     """The document that `fencepost replay --json` writes."""
     with open(path, encoding="utf-8") as file:
-        document = json.load(file)
+        document: typing.Dict[str, typing.Any] = json.load(file)
     if document.get("format") != FORMAT:
         raise ValueError("%s: not a result of format %d: write it with fencepost replay --json LOG" % (path, FORMAT))
     return document

@@ -1,0 +1,4 @@
+"""python -m fencepost: the program."""
+from ._program import main
+
+main()
