@@ -1,5 +1,5 @@
 # cmake --install: the programs with what they read, and, for programs of others, the core and the desk's replay as
-# libraries. Two components, program and development: a package each (FencepostPackage.cmake). Without FENCEPOST_LAB
+# libraries. Three components, program, runtime and development: a package each (FencepostPackage.cmake). Without FENCEPOST_LAB
 # the first program alone, which is all that such a build makes.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fencepost")
@@ -37,14 +37,17 @@ endif()
 
 install(TARGETS ${libraries} EXPORT FencepostTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development)
 install(EXPORT FencepostTargets NAMESPACE Fencepost:: DESTINATION ${package_folder} COMPONENT development)
 # All headers are public, and include no other of this project.
 foreach(header firmware/fencepost/fencepost.h firmware/fencepost/fencepost.hpp ${headers})
   install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fencepost COMPONENT development)
 endforeach()
+set(runtime_package libfencepost${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # by its soname
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libfencepost-dev RENAME copyright
   COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${runtime_package} RENAME copyright
+  COMPONENT runtime)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/FencepostConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/FencepostConfig.cmake" INSTALL_DESTINATION ${package_folder})

@@ -1,4 +1,4 @@
-# cpack: Debian packages, fencepost and libfencepost-dev. `toolchain/package deb` configures for them.
+# cpack: Debian packages, fencepost, libfencepost-dev and the shared library that it needs. `toolchain/package deb` configures for them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fencepost)
 set(CPACK_PACKAGE_VENDOR "The Fencepost authors")
@@ -7,7 +7,7 @@ set(CPACK_PACKAGE_CONTACT "The Fencepost authors <fencepost@users.noreply.github
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_COMPONENTS_ALL program runtime development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -28,6 +28,20 @@ an uncertainty, and warns before the robot hits one.
 This is the desk's program: it runs the robot's loop on a Linux machine's
 cameras and wheels, records what a robot's board says, replays, draws and
 evaluates it, simulates robots and speaks as their devices.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${runtime_package})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+# CPack's own would call ldconfig in scripts, where Debian has a trigger.
+set(control "${PROJECT_BINARY_DIR}/debian_runtime")
+file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
+file(WRITE "${control}/shlibs"
+  "libfencepost ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${runtime_package} (>= ${PROJECT_VERSION})\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${control}/triggers;${control}/shlibs")
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION
+"The C interface of a library without a heap: odometry and coloured blobs in,
+alerts, objects and outlines out. Programs and other languages load it.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "${runtime_package} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfencepost-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
@@ -55,7 +69,7 @@ if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
 ")
   file(COPY_FILE "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${folder}/changelog")
   execute_process(COMMAND ${FENCEPOST_GZIP} -9nf changelog changelog.Debian WORKING_DIRECTORY "${folder}")
-  foreach(component program development)
+  foreach(component program runtime development)
     string(TOUPPER ${component} upper)
     install(FILES "${folder}/changelog.Debian.gz" "${folder}/changelog.gz"
       DESTINATION share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})

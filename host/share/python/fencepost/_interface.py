@@ -107,7 +107,7 @@ def library() -> Library:
             str(inside) if inside.is_file() else ctypes.util.find_library("fencepost"))
         if path is None:
             raise OSError("libfencepost.so is neither in %s nor in the system's folders; install the wheel or the package "
-                          "libfencepost-dev, or set FENCEPOST_LIBRARY to its path" % inside.parent)
+                          "libfencepost0.1, or set FENCEPOST_LIBRARY to its path" % inside.parent)
         _loaded = Library(path)
     return _loaded
 
