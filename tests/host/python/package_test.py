@@ -187,6 +187,18 @@ class Loop(unittest.TestCase):
             core.restart()
             self.assertEqual((core.objects, core.outline(thing.id)), ([], []))
 
+    def test_a_name_that_is_cut_loses_no_alert(self):
+        camera = fencepost.Camera.delivered("pixy2", z=0.12, latency=0)
+        core = fencepost.Core(camera)
+        core.name(1, "r" + 30 * "\N{LATIN SMALL LETTER U WITH DIAERESIS}")  # of 61 bytes the first 32
+        robot, heard = Robot(camera, seconds=3), []
+        for t, x, y, heading, boxes in robot():
+            heard += core.odometry(t, x, y, heading) + core.boxes(t, [fencepost.Box.centred(1, *box) for box in boxes])
+            heard += core.step(t)
+            robot.motors(core.may_drive(t))
+        self.assertTrue(heard)
+        self.assertIn("r\N{LATIN SMALL LETTER U WITH DIAERESIS}", heard[0].sentence)
+
     def test_what_cannot_be_is_refused_in_words(self):
         core = fencepost.Core()
         with self.assertRaisesRegex(fencepost.Refused, "boxes at 0 s: boxes came before a camera was set"):

@@ -134,7 +134,7 @@ class Core:
         alert = pointer.contents
         self._heard.append(Heard(alert.time * 1e-6, c.LEVELS[alert.level], alert.object, alert.signature, alert.bearing,
                                  alert.distance, alert.contact if alert.contact >= 0 else None, alert.confidence,
-                                 alert.sentence.decode()))
+                                 alert.sentence.decode(errors="replace")))
 
     def _take_log(self, _context: typing.Any, text: typing.Any, size: int) -> None:
         self._logged.append(ctypes.string_at(text, size))
@@ -168,7 +168,7 @@ class Core:
         self._done(answer, "%s = %s" % (key, value))
 
     def name(self, signature: int, name: str) -> None:
-        """The name of a colour in sentences, at most 32 characters."""
+        """The name of a colour in sentences, at most 32 bytes of UTF-8."""
         self._done(self._library.set_name(self._core, signature, name.encode()), "name %s" % name)
 
     def odometry(self, t: float, x: float, y: float, heading: float) -> typing.List[Heard]:
