@@ -54,22 +54,36 @@ def needed_glibc(files):
     return glibc
 
 
+def machine_of(file):
+    """As Linux calls it."""
+    elf = re.search(r"Machine: *(.*)", run("readelf", "-hW", file)).group(1)
+    names = {"Advanced Micro Devices X86-64": "x86_64", "AArch64": "aarch64"}
+    if elf not in names:
+        raise SystemExit(f"wheel.py: {file} is for {elf}; wheels are made for {' and '.join(names.values())}")
+    return names[elf]
+
+
 def libraries_beside(files):
     """{name: file} of the libraries that these need, and those that they need, without the system's."""
     found, waiting = {}, list(files)
     while waiting:
         file = waiting.pop()
-        for name, path in re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", file), re.MULTILINE):
-            if name in SYSTEM or name in found or not dynamic(file, "NEEDED"):
+        folder = pathlib.Path(f"/usr/lib/{machine_of(file)}-linux-gnu")
+        for name in dynamic(file, "NEEDED"):
+            if name in SYSTEM or name in found:
                 continue
-            found[name] = pathlib.Path(path).resolve()
-            waiting.append(found[name])
+            places = [folder / name, pathlib.Path(str(folder).removeprefix("/usr")) / name]
+            library = next((place.resolve() for place in places if place.is_file()), None)
+            if library is None:
+                raise SystemExit(f"wheel.py: {file} needs {name}, which is not in {folder}")
+            found[name] = library
+            waiting.append(library)
     return found
 
 
 def licence_of(library):
     """Where Debian keeps it."""
-    for name in (library, str(library).removeprefix("/usr")):
+    for name in (library, str(library).removeprefix("/usr")):  # where packages had it before the two were one
         done = subprocess.run(["dpkg-query", "-S", str(name)], capture_output=True, text=True, check=False)
         if done.returncode == 0:
             package = done.stdout.split(":")[0]
@@ -94,7 +108,7 @@ Description-Content-Type: text/plain
 {text}""".encode()
 
 
-def content(source, build, version, beside):
+def content(source, build, version, machine, beside):
     """{name in the wheel: (bytes, whether it is a program)}"""
     files = {}
 
@@ -103,7 +117,8 @@ def content(source, build, version, beside):
 
     def stripped(file):
         with tempfile.TemporaryDirectory() as folder:
-            run("strip", "--strip-unneeded", "-o", f"{folder}/stripped", file)
+            prefix = "" if machine == platform.machine() else f"{machine}-linux-gnu-"
+            run(f"{prefix}strip", "--strip-unneeded", "-o", f"{folder}/stripped", file)
             return pathlib.Path(folder, "stripped").read_bytes()
 
     package = source / "host/share/python/fencepost"
@@ -156,8 +171,9 @@ def main():
     if BESIDE in dynamic(program, "RPATH"):  # not RUNPATH: what its libraries need is looked for there, too
         beside = libraries_beside([program, library])
         system = "manylinux_%d_%d" % needed_glibc([program, library, *beside.values()])
-    tag = f"py3-none-{system}_{platform.machine()}"
-    files, about = content(source, build, version, beside)
+    machine = machine_of(program)
+    tag = f"py3-none-{system}_{machine}"
+    files, about = content(source, build, version, machine, beside)
     out.mkdir(parents=True, exist_ok=True)
     wheel = out / f"fencepost-{version}-{tag}.whl"
     write(wheel, files, about, tag)
