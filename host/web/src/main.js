@@ -123,7 +123,7 @@ async function goTo(t) {
     const started = performance.now();
     const look = await player.seek(wanted);
     going.cost = performance.now() - started;
-    if (look && state.loaded) show(look, wanted, wanted >= state.end);
+    if (look && state.loaded) show(look, wanted, wanted <= state.begin || wanted >= state.end);
   }
   going.busy = false;
 }
@@ -131,7 +131,7 @@ async function goTo(t) {
 let plays = 0;  // paused and played again within a frame, the first must not go on beside the second
 function play() {
   if (state.live || !state.loaded) return;
-  if (state.t >= state.end - 1e-6) state.t = state.begin;
+  if (state.t >= state.end - 1e-6) goTo(state.begin);
   state.playing = true;
   const mine = ++plays;
   byId("play").textContent = "❚❚";

@@ -77,6 +77,9 @@ await run({
   async "plays its own recording from the start on opening, where motion is welcome"() {
     const playing = await browser.open({ before: { run: frameClock }, reducedMotion: "no-preference" });
     assert.equal(await text(playing, "#title"), `${FIRST}.log`);
+    assert.equal(await shown(playing), "0.00", "before its first frame it shows the beginning");
+    assert.equal(await text(playing, "#now"), "");
+    assert.ok(await playing.locator("#objects tbody tr").count() < 3, "objects of the end are not shown at the beginning");
     await frames(playing, 20, 50);
     await frames(playing, 1, 0);  // a frame later it is drawn
     assert.equal(await text(playing, "#clock"), "1.00 s");
