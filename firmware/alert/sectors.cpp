@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/alert/known_room.hpp"
 #include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "firmware/recon/models/hybrid/sector_store.hpp"
 #include "hal/base/trig.hpp"
@@ -12,25 +13,11 @@ namespace {
 
 using recon::Vec2;
 
-// mm: no cell on a ray's way is passed over by more than its corner.
-constexpr std::int32_t kStep = recon::guard::kFloorCell * 3 / 2;
 constexpr std::int32_t kUnitsPerMm = recon::kMapUnitsPerMetre / 1000;
-// mm before a thing where its foot hides the floor, and around the robot's body, that need not have been seen.
-constexpr std::int32_t kHidden = 200;
-constexpr std::int32_t kBesideBody = 100;
 // m. What reaches no farther from its middle has one range: that of its nearest point.
 constexpr float kSmall = 0.25F;
 // m. What is farther tells nothing, by its nearest point.
 constexpr float kFarthest = 0.001F * static_cast<float>(kLongestRange) + kSmall;
-// m. Half of what is between two points of a front, and some of their noise.
-constexpr float kFrontRadius = 0.05F;
-// m, and how many, of a side of an outline.
-constexpr float kPiece = 0.1F;
-constexpr int kMostPieces = 31;
-// sigmas by which what is known badly is nearer.
-constexpr float kNearer = 2.0F;
-
-float metres(std::int32_t millimetres) { return 0.001F * static_cast<float>(millimetres); }
 
 std::int16_t whole(float range) {
   return static_cast<std::int16_t>(std::clamp(1000.0F * range, 0.0F, static_cast<float>(INT16_MAX)));
@@ -52,17 +39,6 @@ std::size_t sector_of(const Vec2& place) {
   return place.y() < 0 ? (kSectors - in_half) % kSectors : in_half;
 }
 
-// No point is farther from the middle. Every fourth side will do: where two of these meet is farthest.
-float reach_of(const recon::OutlineView& outline) {
-  constexpr std::size_t kApart = 4;
-  const std::size_t sides = outline.offsets.size();
-  std::int16_t most = 0;
-  for (std::size_t k = 0; k < sides; k += kApart) most = std::max(most, outline.offsets[k]);
-  // 1 / cos of half of what is between them.
-  const float farther = sides == recon::kDirections ? 1.019592F : 1.082392F;
-  return recon::kOffsetStep * farther * static_cast<float>(most);
-}
-
 }  // namespace
 
 Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odometry, std::int32_t body) {
@@ -77,7 +53,7 @@ Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odo
   const auto seen_along = [&](const Vec2& axis) {
     const recon::FloorFrame ray{x, y, static_cast<std::int32_t>(recon::kSlopeOne * axis.x()),
                                 static_cast<std::int32_t>(recon::kSlopeOne * axis.y())};
-    return static_cast<std::int16_t>(floor.seen_along(ray, body + kBesideBody, kStep));
+    return static_cast<std::int16_t>(floor.seen_along(ray, body + kBesideBody, kFloorStep));
   };
   for (std::int16_t& middle : free_) {
     middle = seen_along(direction);
@@ -168,7 +144,7 @@ void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, c
     const Vec2 side = corner - before;
     inside = inside && recon::cross(before, side) > 0;
     const float length = std::fabs(side.x()) + std::fabs(side.y());
-    const int pieces = 1 + std::min(kMostPieces, static_cast<int>(length / kPiece));
+    const int pieces = 1 + std::min(kMaxPieces, static_cast<int>(length / kPiece));
     const Vec2 step = side / static_cast<float>(pieces);
     for (int i = 1; i <= pieces; ++i) {
       const Vec2 after = i == pieces ? corner : Vec2(before + step);
@@ -185,7 +161,7 @@ void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, c
 std::optional<std::int32_t> Sectors::range(std::size_t sector) const {
   const std::int32_t free = free_[sector];
   const std::int32_t near = near_[sector];
-  if (near <= kLongestRange && (free == 0 || near <= free + kHidden)) return near;
+  if (near <= kLongestRange && (free == 0 || near <= free + kHiddenFloor)) return near;
   if (free == 0) return std::nullopt;
   return free;
 }

@@ -23,6 +23,7 @@ enum class Verb : std::uint8_t {
   kWatch,
   kNext,
   kSectors,
+  kWays,
   kCalibrate,
   kAlerts,
   kMode,
@@ -36,7 +37,7 @@ enum class Verb : std::uint8_t {
   kVersion,
   kQuit,
 };
-inline constexpr std::size_t kVerbs = 20;
+inline constexpr std::size_t kVerbs = 21;
 
 struct VerbInfo {
   std::string_view name;
@@ -48,7 +49,7 @@ struct VerbInfo {
 
 /// By Verb.
 inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
-    {"help", "", 0, 0, "this list; `?` as well"},
+    {"help", "", 0, 0, "this list of commands; `?` as well"},
     {"settings", "", 0, 0, "all of them: value, range, what it is"},
     {"status", "", 0, 0, "what came in, what was refused, links, robot, digest"},
     {"objects", "", 0, 0, "the objects, the letters are those of the map"},
@@ -56,6 +57,7 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
     {"watch", "", 0, 0, "the map every two seconds, until Enter"},
     {"next", "[ID]", 0, 1, "from where an object would be learnt most"},
     {"sectors", "", 0, 0, "distances all around as a record, $FPSEC"},
+    {"ways", "", 0, 0, "how far and how fast the robot may go, $FPWAY"},
     {"calibrate", "", 0, 0, "what a calibration drive still needs"},
     {"alerts", "on|off", 1, 1, "say alerts (modes text and log)"},
     {"mode", "text|log|plot|quiet", 1, 1, "sentences, records, numbers to plot, only answers"},

@@ -30,6 +30,7 @@ enum class Reply : std::uint8_t {
   kMap,
   kNext,  ///< subject: slot + 1 of the object that was asked for; 0: all
   kSectors,
+  kWays,
   kCalibrate,
   kAllSettings,
   kOneSetting,  ///< subject: Key

@@ -63,8 +63,6 @@ std::size_t write_setting(std::size_t line, const SettingsInForce& in_force, std
 }
 
 std::size_t write_help(std::size_t line, std::span<char> out) {
-  if (line == 0) return Sentence(out).put("commands, each ended with Enter:").end();
-  --line;
   if (line < kVerbs) return write_verb(kVerbInfo[line], out);
   return Sentence(out).put("  $FPODO $FPCAR $FPFRM $FPCAM $FPSIG records are inputs, as in a log").end();
 }

@@ -133,6 +133,11 @@ Alert alert_of(const record::AlertReport& report, const char* sentence) {
 static_assert(static_cast<Level>(record::AlertLevel::kStop) == Level::kStop);
 static_assert(static_cast<Level>(record::AlertLevel::kBlind) == Level::kBlind);
 
+Way way_of(const record::WayReport::Way& way) {
+  return {static_cast<fencepost_motion>(way.motion), way.curvature.to_float(), way.free.to_float(),
+          way.speed.to_float(), static_cast<fencepost_way_end>(way.end)};
+}
+
 Object object_of(const record::ObjectReport& report) {
   Object object{};
   object.id = report.id;

@@ -34,5 +34,6 @@ base::Result<sensor::Text, Answer> setting_of(std::string_view key, float value)
 
 Alert alert_of(const record::AlertReport& report, const char* sentence);
 Object object_of(const record::ObjectReport& report);
+Way way_of(const record::WayReport::Way& way);
 
 }  // namespace fencepost::library

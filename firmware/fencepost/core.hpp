@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <type_traits>
 
 #include "firmware/config/profile.hpp"
@@ -187,6 +188,27 @@ std::size_t Core<Size>::sectors(float* to, std::size_t most) const {
       to[i] = distance ? distance->to_float() : -1;
     }
     return count;
+  } else {
+    return 0;
+  }
+}
+
+template <class Size>
+std::size_t Core<Size>::ways(Way* to, std::size_t most, const PassingRule* rules, std::size_t count) const {
+  if constexpr (State::Profile::kSeesFloor) {
+    const auto& memory = state().memory();
+    if (memory.poses.empty()) return 0;
+    const std::span<const PassingRule> sides(rules, count);
+    const record::WayReport report = ways_of(memory, [&](std::uint8_t signature) {
+      const auto of_it = [&](const PassingRule& rule) { return rule.signature == signature; };
+      const auto rule = std::find_if(sides.begin(), sides.end(), of_it);
+      if (rule == sides.end()) return alert::PassingSide::kAny;
+      return rule->on_the_right ? alert::PassingSide::kRight : alert::PassingSide::kLeft;
+    });
+    static_assert(record::WayReport::kMost == kWays);
+    const std::size_t size = std::min(most, report.ways.size());
+    for (std::size_t i = 0; i < size; ++i) to[i] = library::way_of(report.ways[i]);
+    return size;
   } else {
     return 0;
   }

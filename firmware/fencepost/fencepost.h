@@ -34,6 +34,7 @@
 #define FENCEPOST_MAX_BOXES 16   /* of a frame; of more, the largest are used */
 #define FENCEPOST_MAX_CORNERS 72 /* of an outline */
 #define FENCEPOST_SECTORS 36     /* all around the robot */
+#define FENCEPOST_WAYS 9         /* on from where the robot is */
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,6 +132,30 @@ typedef struct fencepost_object {
   float bearing;     /* rad */
   float confidence;  /* in [0, 1] */
 } fencepost_object;
+
+typedef enum fencepost_motion { FENCEPOST_FORWARD, FENCEPOST_BACK, FENCEPOST_SPIN } fencepost_motion;
+
+/* The end of a way. */
+typedef enum fencepost_way_end {
+  FENCEPOST_END_NOTHING, /* for 1.5 m or half a turn */
+  FENCEPOST_END_THING,
+  FENCEPOST_END_UNKNOWN /* floor that the camera has not seen lately */
+} fencepost_way_end;
+
+/* One way on from where the robot is. */
+typedef struct fencepost_way {
+  fencepost_motion motion;
+  float curvature; /* 1/m, positive to the left; 0: straight, or on the spot */
+  float free;      /* m until the body or its margin touches; on the spot rad */
+  float speed;     /* m/s, the largest at which no STOP is due; on the spot rad/s */
+  fencepost_way_end end;
+} fencepost_way;
+
+/* Things of one colour that have to be passed on one side: a way on the other side ends beside them. */
+typedef struct fencepost_passing_rule {
+  uint8_t signature; /* the colour's number */
+  bool on_the_right; /* the robot drives to the right of them, else to the left */
+} fencepost_passing_rule;
 
 /* A change of an alert, and now and then one that lasts. It runs inside other functions and may call none of them. */
 typedef void (*fencepost_alert_function)(void* context, const fencepost_alert* alert);
@@ -235,6 +260,11 @@ FENCEPOST_API size_t fencepost_outline(const fencepost_core* core, uint32_t id, 
    centred straight ahead, the others follow counter-clockwise. Copies at most `most` and returns how many. 0:
    no odometry yet, a micro core, which does not know the floor, or null pointers. */
 FENCEPOST_API size_t fencepost_sectors(const fencepost_core* core, float* to, size_t most);
+/* How far and how fast the robot may go: on the spot, forward on seven arcs from the left to the right, straight back.
+   `rules`: `count` of them, or null and 0. Copies at most `most` and returns how many. 0: no odometry yet, a micro
+   core, which does not know the floor, or null pointers. */
+FENCEPOST_API size_t fencepost_ways(const fencepost_core* core, fencepost_way* to, size_t most,
+                                    const fencepost_passing_rule* rules, size_t count);
 /* Where the robot is in the map. False: no odometry yet, or null pointers. */
 FENCEPOST_API bool fencepost_where(const fencepost_core* core, fencepost_pose* to);
 /* Of all that the map has been through, as `fencepost replay` prints it. 0 of a null core. */

@@ -16,10 +16,13 @@ constexpr const char* kVersion = FENCEPOST_VERSION;
 constexpr std::size_t kMaxBoxes = FENCEPOST_MAX_BOXES;      ///< of a frame; of more, the largest are used
 constexpr std::size_t kMaxCorners = FENCEPOST_MAX_CORNERS;  ///< of an outline
 constexpr std::size_t kSectors = FENCEPOST_SECTORS;         ///< all around the robot
+constexpr std::size_t kWays = FENCEPOST_WAYS;               ///< on from where the robot is
 
 using Pose = fencepost_pose;
 using Point = fencepost_point;
 using Object = fencepost_object;
+using Way = fencepost_way;
+using PassingRule = fencepost_passing_rule;
 
 struct Camera : fencepost_camera {
   Camera() : fencepost_camera() {}
@@ -132,6 +135,9 @@ class Core {
   /// straight ahead, then counter-clockwise. Returns how many; 0: no odometry yet, or a MicroCore, which knows no
   /// floor.
   std::size_t sectors(float* to, std::size_t most) const;
+  /// How far and how fast the robot may go: on the spot, forward on seven arcs from the left to the right, and straight
+  /// back. Returns how many; 0: no odometry yet, or a MicroCore, which knows no floor.
+  std::size_t ways(Way* to, std::size_t most, const PassingRule* rules = nullptr, std::size_t count = 0) const;
   /// Where the robot is in the map. False: no odometry yet.
   bool pose(Pose& pose) const;
   /// Of all that the map has been through, as `fencepost replay` prints it.

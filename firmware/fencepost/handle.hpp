@@ -22,6 +22,8 @@ struct fencepost_core {
   virtual std::size_t objects(fencepost::Object* to, std::size_t most) const = 0;
   virtual std::size_t outline(std::uint32_t id, fencepost::Point* to, std::size_t most) const = 0;
   virtual std::size_t sectors(float* to, std::size_t most) const = 0;
+  virtual std::size_t ways(fencepost_way* to, std::size_t most, const fencepost_passing_rule* rules,
+                           std::size_t count) const = 0;
   virtual bool pose(fencepost::Pose& to) const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
 
@@ -64,6 +66,10 @@ class SizedCore final : public fencepost_core {
     return core_.outline(id, to, most);
   }
   std::size_t sectors(float* to, std::size_t most) const override { return core_.sectors(to, most); }
+  std::size_t ways(fencepost_way* to, std::size_t most, const fencepost_passing_rule* rules,
+                   std::size_t count) const override {
+    return core_.ways(to, most, rules, count);
+  }
   bool pose(Pose& to) const override { return core_.pose(to); }
   [[nodiscard]] std::uint64_t digest() const override { return core_.digest(); }
 

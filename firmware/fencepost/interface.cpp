@@ -104,6 +104,12 @@ std::size_t fencepost_sectors(const fencepost_core* core, float* to, std::size_t
   return core == nullptr || to == nullptr ? 0 : core->sectors(to, most);
 }
 
+std::size_t fencepost_ways(const fencepost_core* core, fencepost_way* to, std::size_t most,
+                           const fencepost_passing_rule* rules, std::size_t count) {
+  if (core == nullptr || to == nullptr || (rules == nullptr && count > 0)) return 0;
+  return core->ways(to, most, rules, count);
+}
+
 bool fencepost_where(const fencepost_core* core, fencepost_pose* to) {
   return core != nullptr && to != nullptr && core->pose(*to);
 }

@@ -37,6 +37,7 @@ class Answers {
       case Reply::kMap: return write_map(links, out);
       case Reply::kNext: return write_next(links, out);
       case Reply::kSectors: return write_sectors(links, out);
+      case Reply::kWays: return write_ways(links, out);
       case Reply::kCalibrate: return m_.console.guide.write(answer.line, logs(), out);
       default:
         return console::write_answer(answer,
@@ -69,6 +70,14 @@ class Answers {
       return record::encode(sectors_of(m_), out);
     } else {
       return console::Sentence(out).put("sectors: this board has no room for them").end();
+    }
+  }
+  std::size_t write_ways(const console::Links& links, std::span<char> out) {
+    if constexpr (Profile::kSeesFloor) {
+      if (m_.poses.empty()) return console::write_none("ways", status_facts(links), out);
+      return record::encode(ways_of(m_, [](std::uint8_t) { return alert::PassingSide::kAny; }), out);
+    } else {
+      return console::Sentence(out).put("ways: this board has no room for them").end();
     }
   }
   std::size_t write_map(const console::Links& links, std::span<char> out) {

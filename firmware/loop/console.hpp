@@ -165,6 +165,7 @@ class Console {
         return {};
       case Verb::kNext: return next(word);
       case Verb::kSectors: return {Reply::kSectors};
+      case Verb::kWays: return {Reply::kWays};
       case Verb::kCalibrate:
         if (!state().guide.on()) state().guide.begin();
         return {Reply::kCalibrate};

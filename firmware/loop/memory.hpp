@@ -9,6 +9,7 @@
 
 #include "drivers/odometry/car_drive.hpp"
 #include "firmware/alert/camera_doubt.hpp"
+#include "firmware/alert/free_ways.hpp"
 #include "firmware/alert/front_alert.hpp"
 #include "firmware/alert/looming.hpp"
 #include "firmware/alert/sectors.hpp"
@@ -148,6 +149,35 @@ requires(Profile::kSeesFloor) [[gnu::noinline]] record::SectorReport sectors_of(
     record::SectorReport::Sector sector;
     if (const auto range = sectors.range(k)) sector.distance = base::Metres{*range * (base::Metres::kPerUnit / 1000)};
     static_cast<void>(report.sectors.push_back(sector));
+  }
+  return report;
+}
+
+/// The robot's body by its settings; the caller fills in its motion.
+inline alert::RobotPath body_of(const config::Settings& settings) {
+  alert::RobotPath path;
+  path.body_radius = 0.5F * settings.number(config::Key::kRobotWidth);
+  path.half_width = path.body_radius + settings.number(config::Key::kRobotMargin);
+  path.front = settings.number(config::Key::kRobotFront);
+  path.rear = settings.number(config::Key::kRobotRear);
+  return path;
+}
+
+/// The answer of `ways`. `side_of(signature)`: on which side things of that colour have to be passed. Needs odometry.
+template <class Profile, class SideOf>
+requires(Profile::kSeesFloor) [[gnu::noinline]] record::WayReport
+    ways_of(const Memory<Profile>& memory, const SideOf& side_of) {
+  const recon::MapPose pose = memory.poses.latest();
+  const alert::RobotPlace odometry(pose);
+  const alert::RobotPlace robot(memory.map.corrected(pose));
+  alert::FreeWays ways(body_of(memory.settings));
+  ways.add(memory.map.guard().fronts(), memory.map.guard().origin(), odometry);
+  for (const recon::Object<Profile>& object : memory.map.slots()) ways.add(object, robot, side_of(object.signature));
+  const alert::AlertRules rules(memory.settings, memory.camera_doubt.caution());
+  record::WayReport report;
+  report.t = memory.run.time.value_or(base::Time{});
+  for (std::size_t k = 0; k < alert::FreeWays::kWays; ++k) {
+    static_cast<void>(report.ways.push_back(ways.way(k, memory.floor, odometry, rules)));
   }
   return report;
 }

@@ -97,12 +97,8 @@ class PathWatch {
  private:
   // The strip of floor that the robot is about to sweep, by its latest odometry.
   [[nodiscard]] alert::RobotPath path_ahead(const recon::Motion& motion) const {
-    alert::RobotPath path;
+    alert::RobotPath path = body_of(m_.settings);
     path.motion = motion;
-    path.body_radius = 0.5F * m_.settings.number(config::Key::kRobotWidth);
-    path.half_width = path.body_radius + m_.settings.number(config::Key::kRobotMargin);
-    path.front = m_.settings.number(config::Key::kRobotFront);
-    path.rear = m_.settings.number(config::Key::kRobotRear);
     path.last = m_.run.last_way;
     return path;
   }

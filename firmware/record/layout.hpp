@@ -23,6 +23,7 @@ inline constexpr NumberField kLatency{0, 100'000, 4};            // 10 s: more i
 inline constexpr NumberField kDistortion{-100'000, 100'000, 4};  // +-10: lenses have less than 1
 inline constexpr NumberField kConfidence{0, 100, 2};             // 0..1
 inline constexpr NumberField kFactor{1, 10'000, 2};              // 0.01..100
+inline constexpr NumberField kCurvature{-10'000, 10'000, 2};     // 1/m: a radius of 1 cm
 inline constexpr NumberField kPixel{-32'768, 32'767, 0};
 inline constexpr NumberField kCentroid{-327'680, 327'670, 1};
 inline constexpr NumberField kPrincipalPoint{-3'276'800, 3'276'700, 2};
@@ -210,6 +211,21 @@ template <class Fields, Is<SectorReport> Record>
 void walk(Fields& fields, Record& r) {
   fields.number(r.t.raw, kTime);
   fields.list(r.sectors, 1);
+}
+
+template <class Fields, Is<WayReport::Way> Record>
+void walk(Fields& fields, Record& r) {
+  fields.word(r.motion, WayMotion::kSpin);
+  fields.number(r.curvature.raw, kCurvature);
+  fields.number(r.free.raw, kDistance);
+  fields.number(r.speed.raw, kDistance);
+  fields.word(r.end, WayEnd::kUnknown);
+}
+
+template <class Fields, Is<WayReport> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number(r.t.raw, kTime);
+  fields.list(r.ways, 5);
 }
 
 template <class Fields, Is<Setting> Record>

@@ -35,6 +35,7 @@ enum class Kind : std::uint8_t {
   kCalibrationDoubt,
   kCar,
   kSectors,
+  kWays,
 };
 
 /// FPHDR: starts a run; all state resets.
@@ -210,6 +211,38 @@ struct SectorReport {
   base::Time t;
   base::FixedVector<Sector, kMost> sectors;
   friend constexpr bool operator==(const SectorReport&, const SectorReport&) = default;
+};
+
+/// How a robot may move on: along a straight line or an arc, or on the spot.
+enum class WayMotion : std::uint8_t { kForward, kBack, kSpin };
+
+constexpr std::string_view name(WayMotion motion) {
+  constexpr std::string_view kNames[] = {"forward", "back", "spin"};
+  return kNames[static_cast<std::size_t>(motion)];
+}
+
+/// The end of a way: nothing as far as it is followed, a known thing, or floor that was not seen.
+enum class WayEnd : std::uint8_t { kNothing, kThing, kUnknown };
+
+constexpr std::string_view name(WayEnd end) {
+  constexpr std::string_view kNames[] = {"nothing", "thing", "unknown"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+/// FPWAY: how far the robot may go, and how fast, along a few ways from where it is. On request.
+struct WayReport {
+  static constexpr std::size_t kMost = 9;
+  struct Way {
+    WayMotion motion = WayMotion::kForward;
+    base::Ratio2 curvature;  ///< 1/m, positive to the left; 0 on the spot
+    base::Metres free;       ///< along the way of its origin; rad on the spot
+    base::Metres speed;      ///< m/s or rad/s, the largest; never negative
+    WayEnd end = WayEnd::kUnknown;
+    friend constexpr bool operator==(const Way&, const Way&) = default;
+  };
+  base::Time t;
+  base::FixedVector<Way, kMost> ways;
+  friend constexpr bool operator==(const WayReport&, const WayReport&) = default;
 };
 
 /// FPCFG: a setting in force or changed.

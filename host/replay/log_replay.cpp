@@ -177,6 +177,7 @@ ResultDocument LogReplay::now(bool with_path) const {
   result.objects = runner_->objects();
   result.guard = runner_->guard();
   result.sectors = runner_->sectors();
+  result.ways = runner_->ways();
   result.passes = runner_->passes();
   if (with_path) result.path = path_.to_the_end();
   result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));

@@ -32,6 +32,7 @@ struct PlacedFrame {
   std::function<bool(std::uint32_t id)> in_map;
   /// What `sectors` would answer now; nothing of a profile that has none.
   std::function<std::optional<record::SectorReport>()> sectors;
+  std::function<std::optional<record::WayReport>()> ways;  ///< likewise
 };
 
 /// Called by a replay, in order. Observing does not change the result.

@@ -133,6 +133,14 @@ class ProfileRunner final : public Runner {
     }
     return std::nullopt;
   }
+  [[nodiscard]] std::optional<record::WayReport> ways() const override {
+    if constexpr (Profile::kSeesFloor) {
+      if (!memory_->poses.empty()) {
+        return loop::ways_of(*memory_, [](std::uint8_t /*signature*/) { return alert::PassingSide::kAny; });
+      }
+    }
+    return std::nullopt;
+  }
 
  private:
   void step(base::Time now) {
@@ -211,7 +219,8 @@ class ProfileRunner final : public Runner {
     };
     observer_->frame_placed({frame, sightings, [&](std::uint32_t id) { return describe_object(find(id)); },
                              [&](std::uint32_t id) { return outline_object(find(id)); },
-                             [this](std::uint32_t id) { return in_map(id); }, [this] { return sectors(); }});
+                             [this](std::uint32_t id) { return in_map(id); }, [this] { return sectors(); },
+                             [this] { return ways(); }});
   }
 
   [[nodiscard]] ObjectResult describe_object(const recon::Object<Profile>& object) const {

@@ -170,6 +170,19 @@ Json sectors_json(const std::optional<record::SectorReport>& report) {
   return {{"t", rounded(report->t.to_double(), kRecordDecimals)}, {"distances", std::move(distances)}};
 }
 
+Json ways_json(const std::optional<record::WayReport>& report) {
+  if (!report) return nullptr;
+  Json ways = Json::array();
+  for (const record::WayReport::Way& way : report->ways) {
+    ways.push_back({{"motion", record::name(way.motion)},
+                    {"curvature", rounded(way.curvature.to_double(), kRatioDecimals)},
+                    {"free", rounded(way.free.to_double(), kRecordDecimals)},
+                    {"speed", rounded(way.speed.to_double(), kRecordDecimals)},
+                    {"end", record::name(way.end)}});
+  }
+  return {{"t", rounded(report->t.to_double(), kRecordDecimals)}, {"ways", std::move(ways)}};
+}
+
 Json doubt_json(const record::CalibrationDoubt& doubt) {
   return {{"t", rounded(doubt.t.to_double(), kRecordDecimals)},
           {"doubt", record::name(doubt.doubt)},
@@ -206,6 +219,7 @@ void write_json(const ResultDocument& document, const EachAlert& alerts,
                        {"objects", std::move(objects)}};
   const Json after = {{"guard", guard_json(document.guard)},
                       {"sectors", sectors_json(document.sectors)},
+                      {"ways", ways_json(document.ways)},
                       {"calibration", std::move(calibration)},
                       {"passes", std::move(passes)}};
   // One object, with the alerts between its halves: there may be very many.

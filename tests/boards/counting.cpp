@@ -44,6 +44,7 @@ Stages stages_of_a_loop(const Stages& more) {
 Stages with_sectors(Stages more) {
   more.emplace_back("floor", "SeenFloor::look(");
   more.emplace_back("sectors", "::sectors_of<");
+  more.emplace_back("ways", "::ways_of<");
   return more;
 }
 
@@ -167,6 +168,7 @@ void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t obje
   const std::string number = std::to_string(objects);
   bench.play(stream);
   EXPECT_TRUE(bench.obey("sectors", "\r\n")) << bench.said();
+  EXPECT_TRUE(bench.obey("ways", "\r\n")) << bench.said();
   EXPECT_TRUE(bench.obey("status", "objects " + number + " of " + number)) << bench.said();
 }
 

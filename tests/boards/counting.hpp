@@ -34,7 +34,8 @@ using Stages = std::vector<std::pair<std::string, std::string>>;
 /// "line", the console and its records, and the loop's whole "turn". `more` are the board's own.
 Stages stages_of_a_loop(const Stages& more = {});
 
-/// And those of profiles that see the floor: "floor" of the frames that are looked at, "sectors" once a question.
+/// And those of profiles that see the floor: "floor" of the frames that are looked at, "sectors" and "ways" once a
+/// question.
 Stages with_sectors(Stages more);
 
 /// Of a symbol, in hexadecimal digits. Throws std::runtime_error where the image has none of that name.

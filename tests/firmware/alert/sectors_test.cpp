@@ -7,46 +7,14 @@
 
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"
+#include "tests/firmware/alert/known_floor.hpp"
 #include "tests/firmware/alert/known_object.hpp"
-#include "tests/firmware/level_pixy2.hpp"
 
 namespace fencepost::test {
 namespace {
 
 using alert::kSectors;
 using alert::Sectors;
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-recon::MapPose pose_at(double x, double y, double heading) {
-  constexpr double kUnits = recon::kMapUnitsPerMetre;
-  return {{static_cast<std::int32_t>(std::lround(x * kUnits)), static_cast<std::int32_t>(std::lround(y * kUnits))},
-          static_cast<std::int32_t>(std::lround(1e6 * heading))};
-}
-
-// A robot that has looked at empty floor in these directions.
-recon::guard::SeenFloor floor_seen(const recon::MapPose& robot, std::initializer_list<double> degrees) {
-  recon::guard::SeenFloor floor;
-  const recon::CameraModel camera = recon::make_camera_model(level_pixy2());
-  double t = 1;
-  for (const double turned : degrees) {
-    recon::MapPose pose = robot;
-    pose.heading += static_cast<std::int32_t>(std::lround(1e6 * turned * kDegree));
-    floor.look(recon::make_waiting({base::Time::nearest(t), 1, {}}, 0), camera, pose);
-    t += 0.2;
-  }
-  return floor;
-}
-
-recon::guard::Front front_at(double x, double y) {
-  recon::guard::Front front;
-  front.x = static_cast<std::int16_t>(std::lround(1000 * x));
-  front.y = static_cast<std::int16_t>(std::lround(1000 * y));
-  front.frames = 0xFF;
-  return front;
-}
-
-const recon::MapPose kHome = pose_at(0, 0, 0);
 
 TEST(Sectors, WhatWasNotSeenIsUnknown) {
   const Sectors sectors({}, kHome, 150);
@@ -64,7 +32,7 @@ TEST(Sectors, EmptyFloorIsAsFarAsItWasSeen) {
 }
 
 TEST(Sectors, ALookAroundKnowsAllOfThem) {
-  const Sectors sectors(floor_seen(kHome, {0, 40, 80, 120, 160, 200, 240, 280, 320}), kHome, 250);
+  const Sectors sectors(floor_seen_around(kHome), kHome, 250);
   for (std::size_t k = 0; k < kSectors; ++k) EXPECT_GT(sectors.range(k).value_or(0), 1200) << k;
 }
 

@@ -16,8 +16,7 @@ using namespace std::string_literals;
 
 TEST(Console, Help) {
   EXPECT_EQ(Desk<>{}.type_line("help"),
-            "commands, each ended with Enter:\r\n"
-            "  help                      this list; `?` as well\r\n"
+            "  help                      this list of commands; `?` as well\r\n"
             "  settings                  all of them: value, range, what it is\r\n"
             "  status                    what came in, what was refused, links, robot, digest\r\n"
             "  objects                   the objects, the letters are those of the map\r\n"
@@ -25,6 +24,7 @@ TEST(Console, Help) {
             "  watch                     the map every two seconds, until Enter\r\n"
             "  next [ID]                 from where an object would be learnt most\r\n"
             "  sectors                   distances all around as a record, $FPSEC\r\n"
+            "  ways                      how far and how fast the robot may go, $FPWAY\r\n"
             "  calibrate                 what a calibration drive still needs\r\n"
             "  alerts on|off             say alerts (modes text and log)\r\n"
             "  mode text|log|plot|quiet  sentences, records, numbers to plot, only answers\r\n"
@@ -246,11 +246,11 @@ TEST(Console, SaysWhatIsWrongAndWhatIsAllowed) {
   const std::pair<const char*, const char*> cases[] = {
       {"stats", "error: unknown command 'stats', did you mean 'status'? 'help' lists all"},
       {"fly away",
-       "error: unknown command 'fly', there are: help settings status objects map watch next sectors calibrate alerts "
-       "mode set get selftest reset go stop lock version quit"},
+       "error: unknown command 'fly', there are: help settings status objects map watch next sectors ways "
+       "calibrate alerts mode set get selftest reset go stop lock version quit"},
       {"a_word_that_is_far_too_long",
        "error: unknown command 'a_word_that_is..', there are: help settings status objects map watch next sectors "
-       "calibrate alerts mode set get selftest reset go stop lock version quit"},
+       "ways calibrate alerts mode set get selftest reset go stop lock version quit"},
       {"mode", "error: a word is missing: mode text|log|plot|quiet"},
       {"mode loud", "error: 'loud' is not possible: mode text|log|plot|quiet"},
       {"alerts", "error: a word is missing: alerts on|off"},

@@ -96,6 +96,12 @@ static void a_core_in_memory_of_the_caller_stops(void) {
   EXPECT(fencepost_outline(core, object.id + 1, corners, FENCEPOST_MAX_CORNERS) == 0);
   float sectors[FENCEPOST_SECTORS];
   EXPECT(fencepost_sectors(core, sectors, FENCEPOST_SECTORS) == FENCEPOST_SECTORS);
+  fencepost_way ways[FENCEPOST_WAYS];
+  const fencepost_passing_rule rule = {1, true};
+  EXPECT(fencepost_ways(core, ways, FENCEPOST_WAYS, NULL, 0) == FENCEPOST_WAYS);
+  EXPECT(ways[0].motion == FENCEPOST_SPIN && ways[4].end == FENCEPOST_END_THING && ways[4].free < 1.5F - x);
+  EXPECT(fencepost_ways(core, ways, FENCEPOST_WAYS, &rule, 1) == FENCEPOST_WAYS);
+  EXPECT(ways[4].motion == FENCEPOST_FORWARD && ways[8].motion == FENCEPOST_BACK);
   EXPECT(fabsf(sectors[0] - (1.5F - x)) < 0.1F);
   EXPECT(sectors[FENCEPOST_SECTORS / 2] > 0.5F && sectors[FENCEPOST_SECTORS / 2] < 1.3F); /* the floor that it came over */
 
@@ -188,6 +194,9 @@ static void a_null_pointer_is_no_crash(void) {
   EXPECT(fencepost_objects(NULL, &object, 1) == 0 && fencepost_objects(core, NULL, 1) == 0);
   EXPECT(fencepost_outline(NULL, 1, &point, 1) == 0 && fencepost_outline(core, 1, NULL, 1) == 0);
   EXPECT(fencepost_sectors(NULL, &sector, 1) == 0 && fencepost_sectors(core, NULL, 1) == 0);
+  fencepost_way way;
+  EXPECT(fencepost_ways(NULL, &way, 1, NULL, 0) == 0 && fencepost_ways(core, NULL, 1, NULL, 0) == 0);
+  EXPECT(fencepost_ways(core, &way, 1, NULL, 1) == 0);
   EXPECT(!fencepost_where(NULL, &pose) && !fencepost_where(core, NULL));
   EXPECT(fencepost_digest(NULL) == 0);
 }

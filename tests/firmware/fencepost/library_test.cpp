@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <type_traits>
 
 #include "host/replay/replay.hpp"
 #include "tests/firmware/fencepost/played_log.hpp"
@@ -178,6 +179,24 @@ TYPED_TEST(LibraryOfSize, ASilentCameraIsNoticedAndMotorsMayNotRun) {
   EXPECT_EQ(this->core_->level(), Level::kBlind);
   EXPECT_FALSE(this->core_->may_drive(now));
   EXPECT_EQ(heard.sentences.back(), "BLIND   no frame comes from the camera");
+}
+
+TYPED_TEST(LibraryOfSize, SaysWhichWaysAreFree) {
+  std::array<Way, kWays> ways{};
+  EXPECT_EQ(this->core_->ways(ways.data(), kWays), 0U) << "no odometry yet";
+  play(*this->core_, bundled("stop_pixy2.log"));
+  const std::size_t count = this->core_->ways(ways.data(), kWays);
+  if (std::is_same_v<TypeParam, Micro>) {
+    EXPECT_EQ(count, 0U);
+    return;
+  }
+  ASSERT_EQ(count, kWays);
+  EXPECT_EQ(ways[4].motion, FENCEPOST_FORWARD);
+  EXPECT_EQ(ways[4].curvature, 0);
+  EXPECT_EQ(ways[4].end, FENCEPOST_END_THING) << "the box before which it stands";
+  EXPECT_LT(ways[4].free, 0.3F);
+  EXPECT_EQ(ways[8].end, FENCEPOST_END_UNKNOWN) << "it never looked behind";
+  EXPECT_EQ(this->core_->ways(ways.data(), 2), 2U);
 }
 
 TEST(Library, SaysWhatItDidNotTake) {

@@ -63,9 +63,10 @@ TEST(NextCommand, AnswersForEachObjectOrOne) {
   EXPECT_NE(desk.type("next red\n").find("error: 'red' is no object"), std::string::npos);
 }
 
-struct SectorSink {
-  record::SectorReport report;
-  void accept(const record::SectorReport& told) { report = told; }
+template <class Report>
+struct Sink {
+  Report report;
+  void accept(const Report& said) { report = said; }
   template <class Record>
   void accept(const Record& /*record*/) {}
 };
@@ -77,7 +78,7 @@ TEST(SectorsCommand, AnswersWithARecord) {
   desk.link.take_said();
   const std::string said = desk.type("sectors\n");
   ASSERT_EQ(said.rfind("$FPSEC,", 0), 0U) << said;
-  SectorSink sink;
+  Sink<record::SectorReport> sink;
   ASSERT_TRUE(record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok()) << said;
   ASSERT_EQ(sink.report.sectors.size(), alert::kSectors);
   EXPECT_TRUE(sink.report.sectors[0].distance) << "it drives ahead and looks there";
@@ -87,6 +88,25 @@ TEST(SectorsCommand, AnswersWithARecord) {
   micro.turn(1'300);
   micro.link.take_said();
   EXPECT_NE(micro.type("sectors\n").find("no room"), std::string::npos);
+}
+
+TEST(WaysCommand, AnswersWithARecord) {
+  EXPECT_NE(Desk<config::Small>().type("ways\n").find("no ways: "), std::string::npos);
+  Desk<config::Small> desk(Mode::kQuiet, desk_approach(60));
+  desk.turn(1'300);
+  desk.link.take_said();
+  const std::string said = desk.type("ways\n");
+  ASSERT_EQ(said.rfind("$FPWAY,", 0), 0U) << said;
+  Sink<record::WayReport> sink;
+  ASSERT_TRUE(record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok()) << said;
+  ASSERT_EQ(sink.report.ways.size(), alert::FreeWays::kWays);
+  EXPECT_EQ(sink.report.ways[4].end, record::WayEnd::kThing) << "it drives towards one";
+  EXPECT_EQ(sink.report.ways[8].end, record::WayEnd::kUnknown) << "and has never looked behind";
+
+  Desk<> micro(Mode::kQuiet, desk_approach(60));
+  micro.turn(1'300);
+  micro.link.take_said();
+  EXPECT_NE(micro.type("ways\n").find("no room"), std::string::npos);
 }
 
 }  // namespace

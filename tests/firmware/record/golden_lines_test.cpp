@@ -56,6 +56,14 @@ SectorReport sectors() {
   return report;
 }
 
+WayReport ways() {
+  WayReport report{{131'000}, {}};
+  EXPECT_TRUE(report.ways.push_back({WayMotion::kSpin, {0}, {31'416}, {39'270}, WayEnd::kNothing}));
+  EXPECT_TRUE(report.ways.push_back({WayMotion::kForward, {-160}, {4'200}, {5'250}, WayEnd::kThing}));
+  EXPECT_TRUE(report.ways.push_back({WayMotion::kBack, {0}, {0}, {0}, WayEnd::kUnknown}));
+  return report;
+}
+
 std::vector<Golden> golden_lines() {
   return {
       {"$FPHDR,1,fencepost,0.1.0,host,full*34A0", Header{1, "fencepost", "0.1.0", "host", "full"}},
@@ -71,6 +79,9 @@ std::vector<Golden> golden_lines() {
       {"$FPALR,12.3800,warn,3,1,0.2094,0.2400,1.1000,0.93*417C",
        AlertReport{{123'800}, AlertLevel::kWarn, 3, 1, {2'094}, {2'400}, base::Duration{11'000}, {93}}},
       {"$FPSEC,13.1000,4,0.5000,,,1.2500*6F4B", sectors()},
+      {"$FPWAY,13.1000,3,spin,0.00,3.1416,3.9270,nothing,forward,-1.60,0.4200,0.5250,thing,back,0.00,0.0000,0.0000,"
+       "unknown*B233",
+       ways()},
       {"$FPCAL,12.3800,rows,1.31*C903", CalibrationDoubt{{123'800}, Doubt::kRows, {131}}},
   };
 }

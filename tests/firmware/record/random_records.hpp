@@ -78,6 +78,7 @@ class RandomRecords {
       case Kind::kCalibrationDoubt: return CalibrationDoubt{time(), static_cast<Doubt>(below(3)), {i32(1, 10'000)}};
       case Kind::kCar: return car();
       case Kind::kSectors: return sectors();
+      case Kind::kWays: return ways();
     }
     return Header{};
   }
@@ -133,6 +134,19 @@ class RandomRecords {
       SectorReport::Sector sector;
       if (chance(2)) sector.distance = base::Metres{i32(0, 30'000'000)};
       if (!report.sectors.push_back(sector)) break;
+    }
+    return report;
+  }
+
+  WayReport ways() {
+    WayReport report{time(), {}};
+    for (std::size_t i = below(WayReport::kMost + 1); i > 0; --i) {
+      const WayReport::Way way{static_cast<WayMotion>(below(3)),
+                               {i32(-10'000, 10'000)},
+                               {i32(0, 30'000'000)},
+                               {i32(0, 30'000'000)},
+                               static_cast<WayEnd>(below(3))};
+      if (!report.ways.push_back(way)) break;
     }
     return report;
   }

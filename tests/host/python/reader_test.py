@@ -42,7 +42,7 @@ class Lines(unittest.TestCase):
             records, reader = feed(example.encode() + b"\n")
             self.assertEqual((len(records), reader.rejected), (1, {}), example)
             kinds.add(type(records[0]))
-        self.assertGreaterEqual(kinds, set(fencepost.KINDS.values()) - {fencepost.Setting} - {fencepost.Sectors})
+        self.assertGreaterEqual(kinds, set(fencepost.KINDS.values()) - {fencepost.Setting} - {fencepost.Sectors, fencepost.Ways})
 
     def test_a_frame_has_its_blobs(self):
         (frame,), _ = feed(line("FPFRM,12.3600,617,2,1,10,20,40,60,25.0,40.0,950,d02020,2,100,22,131,80,115.5,51.0,0,"))
@@ -57,6 +57,12 @@ class Lines(unittest.TestCase):
     def test_sectors_may_be_unknown(self):
         (sectors,), _ = feed(line("FPSEC,13.1000,4,0.5000,,,1.2500"))
         self.assertEqual(sectors.distances, (0.5, None, None, 1.25))
+
+    def test_ways_have_their_fields(self):
+        (ways,), _ = feed(line("FPWAY,13.1000,2,spin,0.00,3.1416,3.9270,nothing,back,0.00,0.0000,0.0000,unknown"))
+        self.assertEqual(ways.ways[0], fencepost.Way("spin", 0.0, 3.1416, 3.927, "nothing"))
+        self.assertEqual(ways.ways[1].end, "unknown")
+        self.assertEqual(feed(line("FPWAY,13.1000,2,spin,0.00,3.1416,3.9270,nothing"))[1].rejected, {"fields": 1})
 
     def test_text_is_unescaped(self):
         (signature,), _ = feed(line("FPSIG,1,d02020,a%2Cb%25"))

@@ -85,13 +85,14 @@ class Wheel(unittest.TestCase):
 
     def test_structures_are_those_of_the_header(self):
         names = {"camera": _interface.Camera, "pose": _interface.Pose, "point": _interface.Point, "box": _interface.Box,
-                 "alert": _interface.Alert, "object": _interface.Object}
+                 "alert": _interface.Alert, "object": _interface.Object, "way": _interface.Way,
+                 "passing_rule": _interface.PassingRule}
         prints = []
         for name, of in names.items():
             prints.append(f'printf("{name} %zu\\n", sizeof(fencepost_{name}));')
             prints += [f'printf("{name}.{field} %zu %zu\\n", offsetof(fencepost_{name}, {field}), sizeof(((fencepost_{name}*)0)->{field}));'
                        for field, _ in of._fields_]
-        prints.append('printf("%d %d %d %s\\n", FENCEPOST_MAX_BOXES, FENCEPOST_MAX_CORNERS, FENCEPOST_SECTORS, FENCEPOST_VERSION);')
+        prints.append('printf("%d %d %d %d %s\\n", FENCEPOST_MAX_BOXES, FENCEPOST_MAX_CORNERS, FENCEPOST_SECTORS, FENCEPOST_WAYS, FENCEPOST_VERSION);')
         source = self.root / "layout.c"
         source.write_text("#include <fencepost/fencepost.h>\n#include <stdio.h>\nint main(void) {\n" + "\n".join(prints) + "\n}\n")
         run(CC, f"-I{SOURCE / 'firmware'}", source, "-o", self.root / "layout")
@@ -102,7 +103,8 @@ class Wheel(unittest.TestCase):
         *theirs, constants = run(self.root / "layout").splitlines()
         self.assertEqual(theirs, mine)
         *numbers, version = constants.split()
-        self.assertEqual([int(n) for n in numbers], [_interface.MAX_BOXES, _interface.MAX_CORNERS, _interface.SECTORS])
+        self.assertEqual([int(n) for n in numbers], [_interface.MAX_BOXES, _interface.MAX_CORNERS, _interface.SECTORS,
+                                                    _interface.WAYS])
         self.assertTrue(version.startswith(_interface.HEADER + "."))
 
     def test_installed_where_nothing_else_is(self):

@@ -85,6 +85,12 @@ inline ResultDocument small_document() {
     static_cast<void>(sectors.sectors.push_back(sector));
   }
   d.sectors = sectors;
+  record::WayReport ways;
+  ways.t = Time::nearest(1.2);
+  static_cast<void>(
+      ways.ways.push_back({record::WayMotion::kForward, base::Ratio2::nearest(-1.6), base::Metres::nearest(0.42),
+                           base::Metres::nearest(0.5), record::WayEnd::kThing}));
+  d.ways = ways;
   d.calibration = {{Time::nearest(0.9), record::Doubt::kRows, base::Ratio2::nearest(1.31)}};
   return d;
 }

@@ -6,7 +6,9 @@ import pathlib
 import typing
 
 HEADER = "0.1"  # the version whose structures these are; libraries with the same first two numbers have them
-MAX_BOXES, MAX_CORNERS, SECTORS = 16, 72, 36
+MAX_BOXES, MAX_CORNERS, SECTORS, WAYS = 16, 72, 36, 9
+MOTIONS = ("forward", "back", "spin")
+WAY_ENDS = ("nothing", "thing", "unknown")
 LEVELS = ("clear", "notice", "warn", "stop", "blind")
 
 
@@ -41,6 +43,15 @@ class Object(ctypes.Structure):
                                                       "confidence"))]
 
 
+class Way(ctypes.Structure):
+    _fields_ = [("motion", ctypes.c_int), *((name, ctypes.c_float) for name in ("curvature", "free", "speed")),
+                ("end", ctypes.c_int)]
+
+
+class PassingRule(ctypes.Structure):
+    _fields_ = [("signature", ctypes.c_uint8), ("on_the_right", ctypes.c_bool)]
+
+
 AlertFunction = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.POINTER(Alert))
 LogFunction = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.POINTER(ctypes.c_char), ctypes.c_size_t)
 
@@ -72,6 +83,7 @@ _FUNCTIONS: typing.Dict[str, typing.Tuple[typing.Any, ...]] = {  # name: result,
     "objects": (_SIZE, _HANDLE, ctypes.POINTER(Object), _SIZE),
     "outline": (_SIZE, _HANDLE, ctypes.c_uint32, ctypes.POINTER(Point), _SIZE),
     "sectors": (_SIZE, _HANDLE, ctypes.POINTER(ctypes.c_float), _SIZE),
+    "ways": (_SIZE, _HANDLE, ctypes.POINTER(Way), _SIZE, ctypes.POINTER(PassingRule), _SIZE),
     "where": (ctypes.c_bool, _HANDLE, ctypes.POINTER(Pose)),
     "digest": (ctypes.c_uint64, _HANDLE),
 }

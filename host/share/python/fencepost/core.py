@@ -4,6 +4,7 @@ import math
 import typing
 
 from . import _interface as c
+from . import stream
 
 Corners = typing.Sequence[float]  # signature, left, top, right, bottom: what Box is
 
@@ -220,6 +221,16 @@ class Core:
         """36 distances all around, the first straight ahead, counter-clockwise; None: unknown. Empty without odometry."""
         array = (ctypes.c_float * c.SECTORS)()
         return [at if at >= 0 else None for at in array[:self._library.sectors(self._core, array, len(array))]]
+
+    def ways(self, right: typing.Iterable[int] = (), left: typing.Iterable[int] = ()) -> typing.List[stream.Way]:
+        """How far and how fast the robot may go: on the spot, seven arcs forward from the left to the right, back. Colours
+        in `right` have to be passed on their right, those in `left` on their left. Empty without odometry."""
+        sides = [(signature, True) for signature in right] + [(signature, False) for signature in left]
+        rules = (c.PassingRule * len(sides))(*sides)
+        array = (c.Way * c.WAYS)()
+        count = self._library.ways(self._core, array, len(array), rules if sides else None, len(sides))
+        return [stream.Way(c.MOTIONS[way.motion], way.curvature, way.free, way.speed, c.WAY_ENDS[way.end])
+                for way in array[:count]]
 
     @property
     def pose(self) -> typing.Optional[typing.Tuple[float, float, float]]:

@@ -9,7 +9,7 @@ import tempfile
 import typing
 
 from . import _program
-from .stream import Alert
+from .stream import Alert, Way
 
 Ring = typing.List[typing.Tuple[float, float]]
 
@@ -76,6 +76,12 @@ class Run:
         """36 distances all around at the end, the first straight ahead, counter-clockwise; None: unknown."""
         found = self.document["sectors"]
         return list(found["distances"]) if found else []
+
+    @property
+    def ways(self) -> typing.List[Way]:
+        """How far and how fast the robot may go at the end: see Core.ways()."""
+        found = self.document["ways"]
+        return [Way(**way) for way in found["ways"]] if found else []
 
     def grid(self, resolution: float = 0.02) -> Grid:
         """The map in cells of so many metres, as `fencepost export --format nav2` writes it."""

@@ -17,8 +17,8 @@ import os
 import typing
 
 __all__ = ["Alert", "Blob", "CalibrationDoubt", "Camera", "Car", "Digest", "Frame", "Header", "Heartbeat", "Link", "Log",
-           "Object", "Odometry", "Position", "Reader", "Sectors", "Setting", "Signature", "Status", "crc", "read",
-           "records", "result"]
+           "Object", "Odometry", "Position", "Reader", "Sectors", "Setting", "Signature", "Status", "Way",
+           "Ways", "crc", "read", "records", "result"]
 
 LONGEST = 1024  # characters of a line, its end included
 FORMAT = 1
@@ -190,11 +190,26 @@ class Sectors(typing.NamedTuple):
     distances: typing.Tuple[typing.Optional[float], ...]
 
 
+class Way(typing.NamedTuple):
+    """How far (m; on the spot rad) and how fast the robot may go forward, back or in a spin; `end`: what ends it."""
+    motion: str
+    curvature: float
+    free: float
+    speed: float
+    end: str
+
+
+class Ways(typing.NamedTuple):
+    """FPWAY: the ways on from where the robot is: on the spot, forward from the left to the right, back."""
+    t: float
+    ways: typing.Tuple[Way, ...]
+
+
 KINDS = {"HDR": Header, "CAM": Camera, "SIG": Signature, "ODO": Odometry, "CAR": Car, "FRM": Frame, "POS": Position,
          "OBJ": Object, "ALR": Alert, "ALV": Heartbeat, "CAL": CalibrationDoubt, "DIG": Digest, "LNK": Link,
-         "STA": Status, "CFG": Setting, "SEC": Sectors}
+         "STA": Status, "CFG": Setting, "SEC": Sectors, "WAY": Ways}
 Record = typing.Union[Header, Camera, Signature, Odometry, Car, Frame, Position, Object, Alert, Heartbeat, CalibrationDoubt,
-                      Digest, Link, Status, Setting, Sectors]
+                      Digest, Link, Status, Setting, Sectors, Ways]
 
 
 class _Bad(Exception):
@@ -270,6 +285,17 @@ def _sectors(fields: typing.List[str]) -> Sectors:
     return Sectors(_float(fields[0]), tuple(_READ[typing.Optional[float]](field) for field in fields[2:]))
 
 
+def _ways(fields: typing.List[str]) -> Ways:
+    if len(fields) < 2 or len(fields) != 2 + len(Way._fields) * _integer(fields[1]):
+        raise _Bad("fields")
+    each = [fields[at:at + len(Way._fields)] for at in range(2, len(fields), len(Way._fields))]
+    return Ways(_float(fields[0]), tuple(typing.cast(Way, _fields(Way, way)) for way in each))
+
+
+_LISTS: typing.Dict[type, typing.Callable[[typing.List[str]], "Record"]] = {
+    Frame: _frame, Sectors: _sectors, Ways: _ways}
+
+
 def _record(line: str) -> Record:
     """The record of a line that starts with $FP, without its end."""
     body, star, check = line[1:].partition("*")
@@ -281,9 +307,7 @@ def _record(line: str) -> Record:
     fields = body.split(",")[1:]
     if kind is Header and fields and fields[0] != str(FORMAT):
         raise _Bad("format")
-    if kind is Frame:
-        return _frame(fields)
-    return _sectors(fields) if kind is Sectors else typing.cast(Record, _fields(kind, fields))
+    return _LISTS[kind](fields) if kind in _LISTS else typing.cast(Record, _fields(kind, fields))
 
 
 class Reader:
@@ -353,6 +377,7 @@ class Log:
         self.digests: typing.List[Digest] = by_kind[Digest]
         self.doubts: typing.List[CalibrationDoubt] = by_kind[CalibrationDoubt]
         self.sectors: typing.List[Sectors] = by_kind[Sectors]
+        self.ways: typing.List[Ways] = by_kind[Ways]
 
     def name(self, signature: int) -> str:
         """The colour's name; `sig 7` where the log has none."""
