@@ -269,11 +269,16 @@ def _fields(kind: typing.Any, fields: typing.List[str]) -> typing.Any:
     return kind(*(_READ[of](field) for of, field in zip(types, fields)))
 
 
-def _frame(fields: typing.List[str]) -> Frame:
-    if len(fields) < 3 or len(fields) != 3 + len(Blob._fields) * _integer(fields[2]):
+def _items(of: type, fields: typing.List[str], first: int) -> typing.Tuple[typing.Any, ...]:
+    """The list that ends a record: its items begin with field `first`, their count is the field before."""
+    size = len(of._fields)  # type: ignore[attr-defined]
+    if len(fields) < first or len(fields) != first + size * _integer(fields[first - 1]):
         raise _Bad("fields")
-    each = [fields[at:at + len(Blob._fields)] for at in range(3, len(fields), len(Blob._fields))]
-    blobs = tuple(_fields(Blob, blob) for blob in each)
+    return tuple(_fields(of, fields[at:at + size]) for at in range(first, len(fields), size))
+
+
+def _frame(fields: typing.List[str]) -> Frame:
+    blobs = _items(Blob, fields, 3)
     if any((blob.x1 is None) != (blob.x2 is None) for blob in blobs):
         raise _Bad("number")
     return Frame(_float(fields[0]), _integer(fields[1]), blobs)
@@ -286,10 +291,8 @@ def _sectors(fields: typing.List[str]) -> Sectors:
 
 
 def _ways(fields: typing.List[str]) -> Ways:
-    if len(fields) < 2 or len(fields) != 2 + len(Way._fields) * _integer(fields[1]):
-        raise _Bad("fields")
-    each = [fields[at:at + len(Way._fields)] for at in range(2, len(fields), len(Way._fields))]
-    return Ways(_float(fields[0]), tuple(typing.cast(Way, _fields(Way, way)) for way in each))
+    ways = _items(Way, fields, 2)
+    return Ways(_float(fields[0]), ways)
 
 
 _LISTS: typing.Dict[type, typing.Callable[[typing.List[str]], "Record"]] = {
