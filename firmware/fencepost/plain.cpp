@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "firmware/config/devices.hpp"
-#include "firmware/fencepost/fencepost.hpp"
+#include "firmware/fencepost/convert.hpp"
 #include "hal/base/trig.hpp"
 
 namespace {
@@ -57,7 +57,6 @@ fencepost_camera fencepost_delivered_camera(const char* name) {
   const config::CameraId id = config::camera_named(name == nullptr ? "" : name);
   if (static_cast<std::size_t>(id) >= config::kCameraIds) return camera;
   const sensor::CameraIntrinsics delivered = config::delivered_calibration(id);
-  constexpr std::int32_t kMicrosPerTick = 100;
   camera.width = delivered.width;
   camera.height = delivered.height;
   camera.fx = delivered.fx.to_float();
@@ -66,7 +65,7 @@ fencepost_camera fencepost_delivered_camera(const char* name) {
   camera.cy = delivered.cy.to_float();
   camera.k1 = delivered.k1.to_float();
   camera.fisheye = delivered.lens == sensor::Lens::kEquidistant;
-  camera.latency = static_cast<std::int32_t>(delivered.latency.raw * kMicrosPerTick);
+  camera.latency = static_cast<std::int32_t>(delivered.latency.raw * library::kMicrosPerTick);
   return camera;
 }
 
