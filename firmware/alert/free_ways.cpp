@@ -5,7 +5,6 @@
 
 #include "firmware/alert/known_room.hpp"
 #include "firmware/recon/floor_frame.hpp"
-#include "firmware/recon/models/hybrid/node_directions.hpp"
 #include "hal/base/trig.hpp"
 
 namespace fencepost::alert {
@@ -19,7 +18,7 @@ struct WayShape {
   WayMotion motion;
   float curvature;  // 1/m, positive to the left
 };
-// From the left to the right, then back. The sharpest has a radius of 0.31 m: twice what counts as a turn on the spot.
+// On the spot, forward from the left to the right, back. The sharpest radius is twice kTightestArc.
 constexpr std::array<WayShape, FreeWays::kWays> kShapes = {{{WayMotion::kSpin, 0},
                                                             {WayMotion::kForward, 3.2F},
                                                             {WayMotion::kForward, 1.6F},
@@ -32,9 +31,7 @@ constexpr std::array<WayShape, FreeWays::kWays> kShapes = {{{WayMotion::kSpin, 0
 
 // m. No way is followed farther: floor and guard know no more.
 constexpr float kLongest = metres(recon::guard::kFloorReach);
-// Of an outline every fourth side will do.
-constexpr std::size_t kSidesApart = 4;
-// Of put(): every way.
+// A mask of every way.
 constexpr unsigned kAll = ~0U;
 
 // m, or rad: as far as the way is followed, half a turn at most.
@@ -43,16 +40,16 @@ float longest(const WayShape& shape) {
   return shape.curvature == 0 ? kLongest : std::min(kLongest, base::kPi / std::fabs(shape.curvature));
 }
 
-// rad, of a side `opposite` to an angle in a triangle with a right angle; both not negative.
+// rad. The arcsine of opposite / longest, both not negative; a quarter turn where that is 1 or more.
 float arc_sine(float opposite, float longest) {
   if (!(opposite < longest)) return 0.5F * base::kPi;
   return base::atan2_rad(opposite, std::sqrt(longest * longest - opposite * opposite));
 }
 
-// The body's ends along a way: which one leads, m from the origin. A round end reaches as far as the body is wide.
+// m from the origin to the end that leads. A round end is a half circle of the body's width.
 float lead_of(const RobotPath& body, WayMotion motion) {
-  const float told = motion == WayMotion::kBack ? body.rear : body.front;
-  return std::max(told, body.body_radius);
+  const float straight = motion == WayMotion::kBack ? body.rear : body.front;
+  return std::max(straight, body.body_radius);
 }
 
 // m from the origin to the farthest corner.
@@ -184,27 +181,24 @@ void FreeWays::pass(const Vec2& center, PassingSide side) {
 
 void FreeWays::add(std::span<const recon::guard::Front> fronts, recon::MapPoint origin, const RobotPlace& odometry) {
   const Vec2 from = recon::offset_from(odometry.position, origin);
-  const Vec2 back{odometry.heading.x(), -odometry.heading.y()};
   for (const recon::guard::Front& front : fronts) {
     const Vec2 place = Vec2{static_cast<float>(front.x), static_cast<float>(front.y)} / recon::kMillimetresPerMetre;
-    put(recon::rotated(back, from + place), kFrontRadius, kAll);
+    put(odometry.see(from + place), kFrontRadius, kAll);
   }
 }
 
 void FreeWays::add_cylinder(const recon::ObjectCore& object, const RobotPlace& robot, PassingSide side) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return;
-  const Vec2 back{robot.heading.x(), -robot.heading.y()};
   const Vec2 center = recon::offset_from(robot.position, object.origin) + cylinder.center;
-  const Vec2 ahead = recon::rotated(back, center);
+  const Vec2 ahead = robot.see(center);
   put(ahead, cylinder.radius + kNearer * cylinder.outline_sigma(), kAll);
   if (side != PassingSide::kAny) pass(ahead, side);
 }
 
 void FreeWays::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, PassingSide side) {
   const Vec2 center = recon::offset_from(robot.position, outline.origin);
-  const Vec2 back{robot.heading.x(), -robot.heading.y()};
-  const Vec2 ahead = recon::rotated(back, center);
+  const Vec2 ahead = robot.see(center);
   const std::size_t sides = outline.view.offsets.size();
   const float reach = reach_of(outline.view);
   if (ahead.max_norm() - reach > 2 * kLongest) return;
@@ -212,12 +206,12 @@ void FreeWays::add_outline(const recon::PlacedOutline& outline, const RobotPlace
   if (side != PassingSide::kAny) pass(ahead, side);
   const unsigned met = met_by(ahead, reach + nearer);
   if (met == 0) return;
-  Vec2 before = ahead + recon::rotated(back, outline.view.corner(sides - kSidesApart));
+  Vec2 before = ahead + robot.see(outline.view.corner(sides - kSidesApart));
   for (std::size_t k = 0; k < sides; k += kSidesApart) {
-    const Vec2 corner = ahead + recon::rotated(back, outline.view.corner(k));
+    const Vec2 corner = ahead + robot.see(outline.view.corner(k));
     const Vec2 edge = corner - before;
     const float length = edge.norm();
-    const int pieces = 1 + std::min(kMaxPieces, static_cast<int>(length / kPiece));
+    const int pieces = pieces_of(length);
     const Vec2 step = edge / static_cast<float>(pieces);
     for (int i = 0; i < pieces; ++i) {
       put(before + (static_cast<float>(i) + 0.5F) * step, 0.5F * length / static_cast<float>(pieces) + nearer, met);
@@ -232,7 +226,7 @@ float FreeWays::seen_until(std::size_t index, float until, const recon::guard::S
   const WayShape& shape = kShapes[index];
   const bool spins = shape.motion == WayMotion::kSpin;
   const float sign = shape.motion == WayMotion::kBack ? -1.0F : 1.0F;
-  const float lead = spins ? reach_of(body_) : lead_of(body_, shape.motion);
+  const float lead = spins ? reach_ : lead_of(body_, shape.motion);
   const float known = body_.half_width + metres(kBesideBody);
   const float step = spins ? metres(kFloorStep) / lead : metres(kFloorStep);
   const auto turned = static_cast<std::int64_t>(1e6F * step * (spins ? 1.0F : shape.curvature));

@@ -23,7 +23,7 @@ enum class PassingSide : std::uint8_t { kAny, kLeft, kRight };
 
 class FreeWays {
  public:
-  static constexpr std::size_t kWays = record::WayReport::kMost;
+  static constexpr std::size_t kWays = record::WayReport::kMax;
 
   /// `body`: RobotPath without a motion.
   explicit FreeWays(const RobotPath& body);
@@ -47,12 +47,15 @@ class FreeWays {
  private:
   void add_cylinder(const recon::ObjectCore& object, const RobotPlace& robot, PassingSide side);
   void add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, PassingSide side);
-  // A disc, robot frame; for the ways of `mask` alone.
+  // A disc ends the ways that meet it; robot frame. Bit k of `mask`: way k is looked at.
   void put(const recon::Vec2& center, float radius, unsigned mask);
+  // Ways that pass this place on the wrong side end beside it.
   void pass(const recon::Vec2& center, PassingSide side);
-  // Those that would end sooner by something within a disc.
+  // The mask of the ways that a disc would end sooner.
   [[nodiscard]] unsigned met_by(const recon::Vec2& center, float radius) const;
+  // m or rad, from here to where the body meets the disc on that way.
   [[nodiscard]] float until(std::size_t index, const recon::Vec2& center, float radius) const;
+  // m or rad, no more than `until`: as far as the floor of that way was seen.
   [[nodiscard]] float seen_until(std::size_t index, float until, const recon::guard::SeenFloor& floor,
                                  const RobotPlace& odometry) const;
 

@@ -28,13 +28,17 @@ inline constexpr float kNearer = 2.0F;
 
 constexpr float metres(std::int32_t millimetres) { return 0.001F * static_cast<float>(millimetres); }
 
-/// m. No point of the outline is farther from its middle. Every fourth side will do: where two of these meet is
-/// farthest.
+/// Sides of an outline from one that is looked at to the next: every fourth is enough.
+inline constexpr std::size_t kSidesApart = 4;
+
+/// The number of pieces that a side of this length (m) is cut into.
+inline int pieces_of(float length) { return 1 + std::min(kMaxPieces, static_cast<int>(length / kPiece)); }
+
+/// m. No point of the outline is farther from its middle: the farthest is where two of the sides meet.
 inline float reach_of(const recon::OutlineView& outline) {
-  constexpr std::size_t kApart = 4;
   const std::size_t sides = outline.offsets.size();
   std::int16_t most = 0;
-  for (std::size_t k = 0; k < sides; k += kApart) most = std::max(most, outline.offsets[k]);
+  for (std::size_t k = 0; k < sides; k += kSidesApart) most = std::max(most, outline.offsets[k]);
   // 1 / cos of half of the angle between them.
   const float farther = sides == recon::kDirections ? 1.019592F : 1.082392F;
   return recon::kOffsetStep * farther * static_cast<float>(most);

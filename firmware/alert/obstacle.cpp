@@ -51,7 +51,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
   const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
-  const Vec2 center{robot.heading.dot(away), recon::cross(robot.heading, away)};
+  const Vec2 center = robot.see(away);
   const float range = center.norm();
   Obstacle obstacle;
   obstacle.known = true;

@@ -37,6 +37,10 @@ void set_closing(const RobotPath& path, Obstacle& obstacle);
 /// Where the robot is now: its heading as a direction, once for all obstacles.
 struct RobotPlace {
   explicit RobotPlace(const recon::MapPose& pose);
+  /// `away` (m, map axes, from the robot's origin) in the robot frame.
+  [[nodiscard]] recon::Vec2 see(const recon::Vec2& away) const {
+    return {heading.dot(away), recon::cross(heading, away)};
+  }
   recon::MapPoint position;
   recon::Vec2 heading{1, 0};  ///< unit
 };

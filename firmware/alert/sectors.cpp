@@ -41,15 +41,15 @@ std::size_t sector_of(const Vec2& place) {
 
 }  // namespace
 
-Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odometry, std::int32_t body) {
+Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odometry, std::int32_t body)
+    : odometry_(odometry) {
   near_.fill(static_cast<std::int16_t>(kNothing));
   const std::int32_t x = odometry.position.x / kUnitsPerMm;
   const std::int32_t y = odometry.position.y / kUnitsPerMm;
   // Along the middle of each sector and both its borders; no border tells more than the middles beside it.
-  const base::SinCos first = base::sincos_urad(odometry.heading);
   const base::SinCos half = base::sincos_urad(3'141'593 / static_cast<std::int64_t>(kSectors));
   const Vec2 step = recon::rotated({half.cos, half.sin}, Vec2{half.cos, half.sin});
-  Vec2 direction{first.cos, first.sin};
+  Vec2 direction = odometry_.heading;
   const auto seen_along = [&](const Vec2& axis) {
     const recon::FloorFrame ray{x, y, static_cast<std::int32_t>(recon::kSlopeOne * axis.x()),
                                 static_cast<std::int32_t>(recon::kSlopeOne * axis.y())};
@@ -68,8 +68,6 @@ Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odo
   for (std::size_t k = 0; k < kSectors; ++k) {
     free_[k] = std::min({border[(k + kSectors - 1) % kSectors], free_[k], border[k]});
   }
-  position_ = odometry.position;
-  heading_ = {first.cos, first.sin};
 }
 
 // From one place counter-clockwise to the other, less than half a turn.
@@ -93,10 +91,9 @@ void Sectors::put_around(const Vec2& center, float radius, float range) {
 }
 
 void Sectors::add(std::span<const recon::guard::Front> fronts, recon::MapPoint origin) {
-  const Vec2 from = recon::offset_from(position_, origin);
-  const Vec2 back{heading_.x(), -heading_.y()};
+  const Vec2 from = recon::offset_from(odometry_.position, origin);
   for (const recon::guard::Front& front : fronts) {
-    const Vec2 place = recon::rotated(back, from + Vec2{metres(front.x), metres(front.y)});
+    const Vec2 place = odometry_.see(from + Vec2{metres(front.x), metres(front.y)});
     const float square = place.squared_norm();
     if (square > kFarthest * kFarthest) continue;
     const float distance = std::sqrt(square);
@@ -109,10 +106,9 @@ void Sectors::add(std::span<const recon::guard::Front> fronts, recon::MapPoint o
 void Sectors::add_cylinder(const recon::ObjectCore& object, const RobotPlace& robot) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return;
-  const Vec2 back{robot.heading.x(), -robot.heading.y()};
   const Vec2 center = recon::offset_from(robot.position, object.origin) + cylinder.center;
   const float distance = center.norm() - cylinder.radius;
-  put_around(recon::rotated(back, center), cylinder.radius, distance - kNearer * cylinder.outline_sigma());
+  put_around(robot.see(center), cylinder.radius, distance - kNearer * cylinder.outline_sigma());
 }
 
 void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot) {
@@ -121,9 +117,8 @@ void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace&
   const bool far = square > kFarthest * kFarthest;
   const float reach = reach_of(outline.view);
   if (far && reach < kSmall) return;
-  const Vec2 back{robot.heading.x(), -robot.heading.y()};
-  const Vec2 ahead = recon::rotated(back, center);
-  if (reach > kSmall) return add_sides(outline.view, ahead, back, kNearer * outline.view.mean_sigma());
+  const Vec2 ahead = robot.see(center);
+  if (reach > kSmall) return add_sides(outline.view, ahead, robot, kNearer * outline.view.mean_sigma());
   // No part of it is nearer than the line that touches it there.
   const std::size_t sides = outline.view.offsets.size();
   const std::size_t one = recon::place_of(Vec2(-center), sides).sector;
@@ -134,17 +129,17 @@ void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace&
 }
 
 // Each of its sides by the nearer end; long ones in pieces.
-void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, const Vec2& back, float nearer) {
+void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, const RobotPlace& robot, float nearer) {
   const std::size_t sides = outline.offsets.size();
-  Vec2 before = center + recon::rotated(back, outline.corner(sides - 1));
+  Vec2 before = center + robot.see(outline.corner(sides - 1));
   float distance = before.norm();
   bool inside = true;
   for (std::size_t k = 0; k < sides; ++k) {
-    const Vec2 corner = center + recon::rotated(back, outline.corner(k));
+    const Vec2 corner = center + robot.see(outline.corner(k));
     const Vec2 side = corner - before;
     inside = inside && recon::cross(before, side) > 0;
     const float length = std::fabs(side.x()) + std::fabs(side.y());
-    const int pieces = 1 + std::min(kMaxPieces, static_cast<int>(length / kPiece));
+    const int pieces = pieces_of(length);
     const Vec2 step = side / static_cast<float>(pieces);
     for (int i = 1; i <= pieces; ++i) {
       const Vec2 after = i == pieces ? corner : Vec2(before + step);

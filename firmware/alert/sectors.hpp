@@ -47,12 +47,11 @@ class Sectors {
   void add_outline(const recon::PlacedOutline& outline, const RobotPlace& robot);
   void put(const recon::Vec2& right, const recon::Vec2& left, float range);
   void put_around(const recon::Vec2& center, float radius, float range);
-  void add_sides(const recon::OutlineView& outline, const recon::Vec2& center, const recon::Vec2& back, float nearer);
+  void add_sides(const recon::OutlineView& outline, const recon::Vec2& center, const RobotPlace& robot, float nearer);
 
   std::array<std::int16_t, kSectors> free_{};  ///< how far the floor was seen empty; 0: not at all
   std::array<std::int16_t, kSectors> near_{};  ///< the nearest thing
-  recon::MapPoint position_;
-  recon::Vec2 heading_{1, 0};
+  RobotPlace odometry_;
 };
 
 }  // namespace fencepost::alert

@@ -205,7 +205,7 @@ std::size_t Core<Size>::ways(Way* to, std::size_t most, const PassingRule* rules
       if (rule == sides.end()) return alert::PassingSide::kAny;
       return rule->on_the_right ? alert::PassingSide::kRight : alert::PassingSide::kLeft;
     });
-    static_assert(record::WayReport::kMost == kWays);
+    static_assert(record::WayReport::kMax == kWays);
     const std::size_t size = std::min(most, report.ways.size());
     for (std::size_t i = 0; i < size; ++i) to[i] = library::way_of(report.ways[i]);
     return size;

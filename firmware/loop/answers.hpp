@@ -36,8 +36,10 @@ class Answers {
       case Reply::kObjects: return write_objects(links, out);
       case Reply::kMap: return write_map(links, out);
       case Reply::kNext: return write_next(links, out);
-      case Reply::kSectors: return write_sectors(links, out);
-      case Reply::kWays: return write_ways(links, out);
+      case Reply::kSectors:
+        return write_report("sectors", links, out, [](const auto& memory) { return sectors_of(memory); });
+      case Reply::kWays:
+        return write_report("ways", links, out, [](const auto& memory) { return ways_of(memory, kPassAnywhere); });
       case Reply::kCalibrate: return m_.console.guide.write(answer.line, logs(), out);
       default:
         return console::write_answer(answer,
@@ -64,20 +66,15 @@ class Answers {
   }
 
  private:
-  std::size_t write_sectors(const console::Links& links, std::span<char> out) {
+  // `report_of`: makes the record of the memory.
+  template <class ReportOf>
+  std::size_t write_report(std::string_view verb, const console::Links& links, std::span<char> out,
+                           const ReportOf& report_of) {
     if constexpr (Profile::kSeesFloor) {
-      if (m_.poses.empty()) return console::write_none("sectors", status_facts(links), out);
-      return record::encode(sectors_of(m_), out);
+      if (m_.poses.empty()) return console::write_none(verb, status_facts(links), out);
+      return record::encode(report_of(m_), out);
     } else {
-      return console::Sentence(out).put("sectors: this board has no room for them").end();
-    }
-  }
-  std::size_t write_ways(const console::Links& links, std::span<char> out) {
-    if constexpr (Profile::kSeesFloor) {
-      if (m_.poses.empty()) return console::write_none("ways", status_facts(links), out);
-      return record::encode(ways_of(m_, [](std::uint8_t) { return alert::PassingSide::kAny; }), out);
-    } else {
-      return console::Sentence(out).put("ways: this board has no room for them").end();
+      return console::Sentence(out).put(verb).put(": this board has no room for them").end();
     }
   }
   std::size_t write_map(const console::Links& links, std::span<char> out) {

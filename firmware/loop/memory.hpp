@@ -144,7 +144,7 @@ requires(Profile::kSeesFloor) [[gnu::noinline]] record::SectorReport sectors_of(
   for (const recon::Object<Profile>& object : memory.map.slots()) sectors.add(object, robot);
   record::SectorReport report;
   report.t = memory.run.time.value_or(base::Time{});
-  static_assert(alert::kSectors == record::SectorReport::kMost);
+  static_assert(alert::kSectors == record::SectorReport::kMax);
   for (std::size_t k = 0; k < alert::kSectors; ++k) {
     record::SectorReport::Sector sector;
     if (const auto range = sectors.range(k)) sector.distance = base::Metres{*range * (base::Metres::kPerUnit / 1000)};
@@ -162,6 +162,9 @@ inline alert::RobotPath body_of(const config::Settings& settings) {
   path.rear = settings.number(config::Key::kRobotRear);
   return path;
 }
+
+/// Of `ways_of`: things of every colour may be passed on either side.
+inline constexpr auto kPassAnywhere = [](std::uint8_t /*signature*/) { return alert::PassingSide::kAny; };
 
 /// The answer of `ways`. `side_of(signature)`: on which side things of that colour have to be passed. Needs odometry.
 template <class Profile, class SideOf>

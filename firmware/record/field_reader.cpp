@@ -18,8 +18,7 @@ int hex_byte(std::string_view digits) {
 FieldReader::FieldReader(const Line& line, std::optional<base::Time> arrival)
     : rest_(line.fields), left_(line.field_count), arrival_(arrival) {
   const KindInfo& kind = info(line.kind);
-  const bool ends_with_list = line.kind == Kind::kFrame || line.kind == Kind::kSectors || line.kind == Kind::kWays;
-  const bool too_many = !ends_with_list && left_ > std::size_t{kind.fields} + kind.more;
+  const bool too_many = !kind.list && left_ > std::size_t{kind.fields} + kind.more;
   if (left_ < kind.fields || too_many) fail(Reject::kFields);
 }
 

@@ -32,15 +32,16 @@ inline constexpr std::size_t kBlobFields = 9;  ///< fields of one blob within FP
 
 struct KindInfo {
   std::string_view name;  ///< as on the line, without the '$'
-  std::uint8_t fields;    ///< after the name; FPFRM, FPSEC, FPWAY: before the items of their list
+  std::uint8_t fields;    ///< after the name; before the items of a list
   std::uint8_t more = 0;  ///< that may follow, since later versions
+  bool list = false;      ///< items follow, as many as the last of the fields says
 };
 
 /// By Kind.
 inline constexpr KindInfo kKindInfo[kKinds] = {
-    {"FPHDR", 5},  {"FPCAM", 14, 1}, {"FPSIG", 3, 1}, {"FPODO", 4}, {"FPFRM", 3},  {"FPPOS", 6},
-    {"FPOBJ", 13}, {"FPALR", 8},     {"FPDIG", 2},    {"FPLNK", 4}, {"FPSTA", 10}, {"FPCFG", 2},
-    {"FPALV", 4},  {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2}, {"FPWAY", 2}};
+    {"FPHDR", 5},  {"FPCAM", 14, 1}, {"FPSIG", 3, 1}, {"FPODO", 4},          {"FPFRM", 3, 0, true}, {"FPPOS", 6},
+    {"FPOBJ", 13}, {"FPALR", 8},     {"FPDIG", 2},    {"FPLNK", 4},          {"FPSTA", 10},         {"FPCFG", 2},
+    {"FPALV", 4},  {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2, 0, true}, {"FPWAY", 2, 0, true}};
 
 template <class Record>
 concept RecordType = index_in<Record>(AllRecords{})

@@ -203,13 +203,13 @@ struct StatusReport {
 /// FPSEC: nearest distance from the robot's origin in equal sectors, the first centred straight ahead,
 /// counter-clockwise. On request.
 struct SectorReport {
-  static constexpr std::size_t kMost = 36;
+  static constexpr std::size_t kMax = 36;
   struct Sector {
     std::optional<base::Metres> distance;  ///< empty: not known
     friend constexpr bool operator==(const Sector&, const Sector&) = default;
   };
   base::Time t;
-  base::FixedVector<Sector, kMost> sectors;
+  base::FixedVector<Sector, kMax> sectors;
   friend constexpr bool operator==(const SectorReport&, const SectorReport&) = default;
 };
 
@@ -231,7 +231,7 @@ constexpr std::string_view name(WayEnd end) {
 
 /// FPWAY: how far the robot may go, and how fast, along a few ways from where it is. On request.
 struct WayReport {
-  static constexpr std::size_t kMost = 9;
+  static constexpr std::size_t kMax = 9;
   struct Way {
     WayMotion motion = WayMotion::kForward;
     base::Ratio2 curvature;  ///< 1/m, positive to the left; 0 on the spot
@@ -241,7 +241,7 @@ struct WayReport {
     friend constexpr bool operator==(const Way&, const Way&) = default;
   };
   base::Time t;
-  base::FixedVector<Way, kMost> ways;
+  base::FixedVector<Way, kMax> ways;
   friend constexpr bool operator==(const WayReport&, const WayReport&) = default;
 };
 

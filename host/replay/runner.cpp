@@ -136,7 +136,7 @@ class ProfileRunner final : public Runner {
   [[nodiscard]] std::optional<record::WayReport> ways() const override {
     if constexpr (Profile::kSeesFloor) {
       if (!memory_->poses.empty()) {
-        return loop::ways_of(*memory_, [](std::uint8_t /*signature*/) { return alert::PassingSide::kAny; });
+        return loop::ways_of(*memory_, loop::kPassAnywhere);
       }
     }
     return std::nullopt;

@@ -41,7 +41,7 @@ Stages stages_of_a_loop(const Stages& more) {
   return stages;
 }
 
-Stages with_sectors(Stages more) {
+Stages with_floor(Stages more) {
   more.emplace_back("floor", "SeenFloor::look(");
   more.emplace_back("sectors", "::sectors_of<");
   more.emplace_back("ways", "::ways_of<");

@@ -36,7 +36,7 @@ Stages stages_of_a_loop(const Stages& more = {});
 
 /// And those of profiles that see the floor: "floor" of the frames that are looked at, "sectors" and "ways" once a
 /// question.
-Stages with_sectors(Stages more);
+Stages with_floor(Stages more);
 
 /// Of a symbol, in hexadecimal digits. Throws std::runtime_error where the image has none of that name.
 std::string address_of(const std::string& elf, const std::string& symbol);

@@ -15,8 +15,8 @@ namespace {
 // is. 600 frames are shown.
 void count_eight_objects(PoseCorrected corrected) {
   const FullTable table{"netduino_plus_2",
-                        with_sectors({{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}),
-                        eight_boxes(12), 8, 590};
+                        with_floor({{"camera", "::Camera<fencepost::mcu::stm32f4::Uart>::receive("}}), eight_boxes(12),
+                        8, 590};
   expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return netduino_plus_2(arguments); });
 }
 

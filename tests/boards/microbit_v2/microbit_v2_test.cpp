@@ -30,7 +30,7 @@ void count_eight_objects(PoseCorrected corrected) {
   host::Scene scene = eight_boxes(12);
   scene.rate = 25;
   std::get<host::ArcPath>(scene.path).views = 300;
-  const FullTable table{"microbit_v2", with_sectors({}), scene, 8, 290, kMicrobitV2OnMps2};
+  const FullTable table{"microbit_v2", with_floor({}), scene, 8, 290, kMicrobitV2OnMps2};
   expect_full_table_as_committed(table, corrected, [](const auto& arguments) { return microbit_v2(arguments); });
 }
 TEST(MicrobitV2, CountsNoMoreInstructionsForAFullTableThanCommitted) { count_eight_objects(PoseCorrected::kNo); }

@@ -22,6 +22,14 @@ class BoxOutline {
     sigmas_.fill(recon::encode_sigma(sigma));
   }
   [[nodiscard]] recon::OutlineView view() const { return {offsets_, sigmas_}; }
+  /// As a fit that is known well, around `middle`.
+  void put_into(recon::Hybrid<64>& hybrid, recon::MapPoint middle) const {
+    hybrid.refusal = recon::HybridRefusal::kNone;
+    hybrid.known_well = true;
+    hybrid.origin = middle;
+    hybrid.offsets = offsets_;
+    hybrid.sigmas = sigmas_;
+  }
 
  private:
   std::array<std::int16_t, 64> offsets_{};

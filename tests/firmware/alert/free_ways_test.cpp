@@ -82,14 +82,8 @@ TEST(FreeWays, AnObjectCountsByItsOutlineWhereThatIsKnown) {
   EXPECT_NEAR(way_of(by_cylinder, kStraight, floor).free.to_double(), 0.6, 0.03);
 
   // A wall across the way, 1 m wide.
-  const BoxOutline wall(0.04F, 1.0F, 0.002F);
-  auto& hybrid = object.hybrid();
-  std::copy(wall.view().offsets.begin(), wall.view().offsets.end(), hybrid.offsets.begin());
-  std::copy(wall.view().sigmas.begin(), wall.view().sigmas.end(), hybrid.sigmas.begin());
-  hybrid.origin = pose_at(0.8, 0, 0).position;
-  hybrid.refusal = recon::HybridRefusal::kNone;
-  hybrid.known_well = true;
-  ASSERT_TRUE(hybrid.ok());
+  BoxOutline(0.04F, 1.0F, 0.002F).put_into(object.hybrid(), pose_at(0.8, 0, 0).position);
+  ASSERT_TRUE(object.hybrid().ok());
   FreeWays by_outline((alert::RobotPath()));
   by_outline.add(object, alert::RobotPlace(kHome), PassingSide::kAny);
   EXPECT_NEAR(way_of(by_outline, kStraight, floor).free.to_double(), 0.65, 0.04);

@@ -116,12 +116,7 @@ TEST(Sectors, ACylinderReachesOverSectors) {
 TEST(Sectors, AnOutlineHasARangeForEachSector) {
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(0, -0.55, 0.1);
-  object.hybrid().refusal = recon::HybridRefusal::kNone;
-  object.hybrid().known_well = true;
-  object.hybrid().origin = {0, -55'000};
-  const BoxOutline box(2.0F, 0.1F, 0.005F);
-  std::ranges::copy(box.view().offsets, object.hybrid().offsets.begin());
-  std::ranges::copy(box.view().sigmas, object.hybrid().sigmas.begin());
+  BoxOutline(2.0F, 0.1F, 0.005F).put_into(object.hybrid(), {0, -55'000});
   for (const double heading : {0.0, 73.0}) {
     // The same place, the robot turned on: sectors move by whole ones only at multiples of ten degrees.
     const recon::MapPose robot = pose_at(0, 0, heading * kDegree);

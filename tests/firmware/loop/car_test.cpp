@@ -71,42 +71,40 @@ struct Sink {
   void accept(const Record& /*record*/) {}
 };
 
-TEST(SectorsCommand, AnswersWithARecord) {
-  EXPECT_NE(Desk<config::Small>().type("sectors\n").find("no sectors: "), std::string::npos);
-  Desk<config::Small> desk(Mode::kQuiet, desk_approach(60));
-  desk.turn(1'300);
-  desk.link.take_said();
-  const std::string said = desk.type("sectors\n");
-  ASSERT_EQ(said.rfind("$FPSEC,", 0), 0U) << said;
-  Sink<record::SectorReport> sink;
-  ASSERT_TRUE(record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok()) << said;
-  ASSERT_EQ(sink.report.sectors.size(), alert::kSectors);
-  EXPECT_TRUE(sink.report.sectors[0].distance) << "it drives ahead and looks there";
-  EXPECT_FALSE(sink.report.sectors[18].distance) << "and has never looked behind";
-
+// The record that answers a command after a drive towards something. It needs odometry first, and room.
+template <class Report>
+Report answer_to(const std::string& command, const std::string& name) {
+  const std::string typed = command + "\n";
+  EXPECT_NE(Desk<config::Small>().type(typed).find("no " + command + ": "), std::string::npos);
   Desk<> micro(Mode::kQuiet, desk_approach(60));
   micro.turn(1'300);
   micro.link.take_said();
-  EXPECT_NE(micro.type("sectors\n").find("no room"), std::string::npos);
+  EXPECT_NE(micro.type(typed).find(command + ": this board has no room"), std::string::npos);
+
+  Desk<config::Small> desk(Mode::kQuiet, desk_approach(60));
+  desk.turn(1'300);
+  desk.link.take_said();
+  const std::string said = desk.type(typed);
+  Sink<Report> sink;
+  EXPECT_EQ(said.rfind(name, 0), 0U) << said;
+  EXPECT_TRUE(said.ends_with("\r\n") &&
+              record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok())
+      << said;
+  return sink.report;
+}
+
+TEST(SectorsCommand, AnswersWithARecord) {
+  const auto report = answer_to<record::SectorReport>("sectors", "$FPSEC,");
+  ASSERT_EQ(report.sectors.size(), alert::kSectors);
+  EXPECT_TRUE(report.sectors[0].distance) << "it drives ahead and looks there";
+  EXPECT_FALSE(report.sectors[18].distance) << "and has never looked behind";
 }
 
 TEST(WaysCommand, AnswersWithARecord) {
-  EXPECT_NE(Desk<config::Small>().type("ways\n").find("no ways: "), std::string::npos);
-  Desk<config::Small> desk(Mode::kQuiet, desk_approach(60));
-  desk.turn(1'300);
-  desk.link.take_said();
-  const std::string said = desk.type("ways\n");
-  ASSERT_EQ(said.rfind("$FPWAY,", 0), 0U) << said;
-  Sink<record::WayReport> sink;
-  ASSERT_TRUE(record::decode(std::string_view(said).substr(0, said.size() - 2), {}, sink).ok()) << said;
-  ASSERT_EQ(sink.report.ways.size(), alert::FreeWays::kWays);
-  EXPECT_EQ(sink.report.ways[4].end, record::WayEnd::kThing) << "it drives towards one";
-  EXPECT_EQ(sink.report.ways[8].end, record::WayEnd::kUnknown) << "and has never looked behind";
-
-  Desk<> micro(Mode::kQuiet, desk_approach(60));
-  micro.turn(1'300);
-  micro.link.take_said();
-  EXPECT_NE(micro.type("ways\n").find("no room"), std::string::npos);
+  const auto report = answer_to<record::WayReport>("ways", "$FPWAY,");
+  ASSERT_EQ(report.ways.size(), alert::FreeWays::kWays);
+  EXPECT_EQ(report.ways[4].end, record::WayEnd::kThing) << "it drives towards one";
+  EXPECT_EQ(report.ways[8].end, record::WayEnd::kUnknown) << "and has never looked behind";
 }
 
 }  // namespace

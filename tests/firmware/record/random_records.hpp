@@ -130,7 +130,7 @@ class RandomRecords {
 
   SectorReport sectors() {
     SectorReport report{time(), {}};
-    for (std::size_t i = below(SectorReport::kMost + 1); i > 0; --i) {
+    for (std::size_t i = below(SectorReport::kMax + 1); i > 0; --i) {
       SectorReport::Sector sector;
       if (chance(2)) sector.distance = base::Metres{i32(0, 30'000'000)};
       if (!report.sectors.push_back(sector)) break;
@@ -140,7 +140,7 @@ class RandomRecords {
 
   WayReport ways() {
     WayReport report{time(), {}};
-    for (std::size_t i = below(WayReport::kMost + 1); i > 0; --i) {
+    for (std::size_t i = below(WayReport::kMax + 1); i > 0; --i) {
       const WayReport::Way way{static_cast<WayMotion>(below(3)),
                                {i32(-10'000, 10'000)},
                                {i32(0, 30'000'000)},
