@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tests/studies/common/noise_levels.hpp"
@@ -44,6 +46,13 @@ inline void add_levels_option(CLI::App& app, std::vector<std::string>& levels) {
 
 inline void add_profile_option(CLI::App& app, std::string& profile) {
   app.add_option("--profile", profile, "capacities of the robot")->capture_default_str();
+}
+
+/// KEY and VALUE of an option --set KEY=VALUE.
+inline std::pair<std::string, std::string> key_and_value(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) throw std::runtime_error("--set " + setting + ": write KEY=VALUE");
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
 }
 
 /// On standard output at once: a study takes long, and is often piped.

@@ -20,7 +20,7 @@ constexpr double kBody = 0.1;      // m, half the robot's width
 constexpr double kSeconds = 60;    // of a run
 constexpr double kMinWay = 3;      // m; who gets less far is stuck
 constexpr double kSteering = 0.1;  // s, how often it asks
-constexpr double kSlack = 0.01;    // m. A way is wrong if the body touches so much before its end
+constexpr double kSlack = 0.01;    // m. A way is wrong if the body touches that far before its end
 constexpr double kReaction = 0.2;  // s, until the motors have the speed that they are given
 
 struct Request {
@@ -38,10 +38,10 @@ struct Figures {
   unsigned touched = 0;
   unsigned stuck = 0;
   double driven = 0;          ///< m
-  unsigned long told = 0;     ///< ways with anything free
-  unsigned long right = 0;    ///< of them, those along which nothing stands
+  unsigned long ways = 0;     ///< that are free at least a little
+  unsigned long right = 0;    ///< of those, how many have nothing standing on them
   unsigned long asked = 0;    ///< forward ways
-  unsigned long unknown = 0;  ///< of them, those that end at floor that was not seen
+  unsigned long unknown = 0;  ///< of those, how many end at floor that was not seen
 };
 
 bool is_free(const Arena& arena, const host::TimedPose& robot, const Way& way) {
@@ -65,9 +65,8 @@ class Driver {
   Driver(const Arena& arena, const Request& request, Figures& figures)
       : arena_(arena), figures_(figures), show_(request.show), pose_(arena.start) {
     for (const std::string& setting : request.settings) {
-      const std::size_t equals = setting.find('=');
-      if (equals == std::string::npos) throw std::runtime_error("--set " + setting + ": write KEY=VALUE");
-      const Answer answer = core_->set(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str());
+      const auto [key, value] = key_and_value(setting);
+      const Answer answer = core_->set(key.c_str(), value.c_str());
       if (answer != Answer::kTaken) throw std::runtime_error("--set " + setting + ": not taken");
     }
   }
@@ -130,7 +129,7 @@ class Driver {
       figures_.asked += way.motion == FENCEPOST_FORWARD ? 1U : 0U;
       figures_.unknown += way.motion == FENCEPOST_FORWARD && way.end == FENCEPOST_END_UNKNOWN ? 1U : 0U;
       if (way.free <= 0) continue;
-      ++figures_.told;
+      ++figures_.ways;
       const bool right = is_free(arena_, pose_, way);
       figures_.right += right ? 1U : 0U;
       if (!right && show_) {
@@ -174,17 +173,17 @@ bool run(const Request& request) {
     }
     const unsigned runs = request.scenes.scenes;
     print(fmt::format("| {} | {} | {:.1f} % | {} | {} | {:.1f} | {} | {:.2f} | {:.0f} |\n", level.key, runs,
-                      percent(f.whole, runs), f.touched, f.stuck, f.driven / runs, f.told, percent(f.right, f.told),
+                      percent(f.whole, runs), f.touched, f.stuck, f.driven / runs, f.ways, percent(f.right, f.ways),
                       percent(f.unknown, f.asked)));
-    good = good && percent(f.whole, runs) >= request.at_least && percent(f.right, f.told) >= request.right;
+    good = good && percent(f.whole, runs) >= request.at_least && percent(f.right, f.ways) >= request.right;
   }
   return good;
 }
 
 constexpr Study<Request> kStudy{
-    "ways_study", "Random rooms, driven by the example that asks for `ways`.",
+    "ways_study", "Random squares, driven by the example that asks for `ways`.",
     [](CLI::App& app, Request& request) {
-      add_seed_options(app, request.scenes, "rooms for each level");
+      add_seed_options(app, request.scenes, "squares for each level");
       add_levels_option(app, request.levels);
       app.add_option("--set", request.settings, "KEY=VALUE, a setting of the robot");
       app.add_flag("--small", request.small, "profile small in place of full");

@@ -26,11 +26,7 @@ struct Request {
   /// In force during one row of a table.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_with(const std::string& correction) const {
     std::vector<std::pair<std::string, std::string>> all = {{"correct.pose", correction}};
-    for (const std::string& setting : settings) {
-      const std::size_t equals = setting.find('=');
-      if (equals == std::string::npos) throw std::runtime_error("--set " + setting + ": write KEY=VALUE");
-      all.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
-    }
+    for (const std::string& setting : settings) all.push_back(key_and_value(setting));
     return all;
   }
 };
