@@ -230,9 +230,8 @@ void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   }
 }
 
-// What is not surely its own motion stays in the map: to the side only as a robot that stands sees it, for then nobody
-// else has turned; along the axis only as one that drives straight does, of what is whole and ahead: what is passed
-// leaves the image piece by piece, and its nearest point with it.
+// Lateral motion is trusted only while the robot is stationary. Axial motion is trusted only while the robot drives
+// straight and the track is ahead and seen whole. A thing that is passed leaves the image piece by piece.
 void count_moved(LoomingTrack& track, const Robot& robot) {
   const std::int32_t depth = track.depth >> kDepthBits;
   const std::int32_t along = std::abs(std::int32_t{track.speed});

@@ -73,23 +73,31 @@ inline constexpr std::int32_t kStillSigmas = 2;  ///< once it is known to come
 inline constexpr std::int32_t kLeastOwn = 60;
 inline constexpr std::int32_t kOwnShare = 6;
 inline constexpr std::uint8_t kSureFrames = 4;
-/// It moves by itself, so that it is no part of the map, if its own speed along the axis is more than so many sigmas,
-/// or its speed across is known by so many sightings; and if that is more than so many mm/s and so many sixteenths of
-/// the robot's speed, or across by so much more as a power of 1/2 of the depth each second; in so many frames more than
-/// not, and then at most three times as many. The robot does not turn by more than so much (2^-14 rad/s) meanwhile.
-/// More: ghosts; less: what stands has no model.
-inline constexpr std::int32_t kMovedSigmas = 3;  ///< halves
+// Thresholds for calling a track moving, which takes it out of the map. Higher: ghosts; lower: stationary things have
+// no model.
+
+/// Minimum axial speed, in halves of its sigma.
+inline constexpr std::int32_t kMovedSigmas = 3;
+/// Minimum number of sightings before lateral speed is used.
 inline constexpr std::uint8_t kMovedSightings = 6;
+/// mm/s. Minimum axial or lateral speed.
 inline constexpr std::int32_t kLeastMoved = 70;
+/// Minimum axial speed of a track that recedes, in sixteenths of the robot's speed.
 inline constexpr std::int32_t kMovedShare = 10;
-/// The same of what comes nearer: rows that are told wrongly make all that stands do so (a foot at half the lens's
-/// height: at the robot's own speed), and only what stands can tell. Hazard table (bases, cameras).
+/// The same of a track that approaches. Wrong rows make stationary things approach: a foot at half the height of the
+/// lens does so at the robot's own speed. Hazard table (bases, cameras).
 inline constexpr std::int32_t kNearingShare = 24;
+/// log2: lateral speed has to exceed kLeastMoved by depth / 2^this each second.
 inline constexpr int kMovedDepthShareLog2 = 3;
+/// 2^-14 rad/s. Maximum turn rate of a robot that drives straight or is stationary.
 inline constexpr std::int32_t kRobotStraight = 2500;
-inline constexpr std::int32_t kRobotWavers = 60;   ///< mm/s, of a robot that stands: odometry is noisy
-inline constexpr std::int32_t kAheadSlope = 2500;  ///< 2^-14: that is ahead
+/// mm/s. Maximum speed of a stationary robot: odometry is noisy.
+inline constexpr std::int32_t kRobotWavers = 60;
+/// 2^-14. Maximum slope of a track that is ahead.
+inline constexpr std::int32_t kAheadSlope = 2500;
+/// Frames with motion, less those without, that make a track moving. The count ends at three times as many.
 inline constexpr int kMovedFrames = 8;
+
 /// A width tells a distance after so many sightings in a row with both ends. By design.
 inline constexpr std::uint8_t kWholeSightings = 2;
 /// mm/s. A slower robot stands, and what is known but for its scale counts. By design.

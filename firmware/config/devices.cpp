@@ -21,8 +21,7 @@ base::Pixels2 scaled(base::Pixels2 length, float by) {
 // No lens keeps straight lines straight beyond: it is a fisheye.
 constexpr std::int32_t kWidestPinhole = 100;  // degrees across
 
-// The focal length that so many degrees across make of these columns: half of them by the tangent of half the angle, of
-// a fisheye by half the angle.
+// fx = (width / 2) / tan(fov / 2); of a fisheye fx = (width / 2) / (fov / 2).
 void put_lens(sensor::CameraIntrinsics& camera, std::int32_t degrees) {
   constexpr std::int64_t kHalfDegree = 8'727;  // urad: pi / 360
   constexpr float kHalfPerColumn = 50;         // hundredths of a pixel

@@ -16,8 +16,7 @@
 
 namespace fencepost::loop {
 
-/// By so much at most may one input say that the clock that stamps it has fallen behind the robot's: another
-/// controller's may be slower.
+/// Maximum clock-offset correction per input. The sender's clock may run slow.
 inline constexpr base::Duration kMostSlip = base::milliseconds(10);
 
 template <class Profile>
@@ -254,8 +253,8 @@ class Pipeline {
   [[nodiscard]] bool used_input() const { return m_.run.used; }
 
   /// This robot's clock stamps (some of) its inputs: it is `now` by it, and one was just used, or may be. From now on
-  /// time passes without inputs, too. One that is late, since it took long to arrive or lay in a buffer while the loop
-  /// was kept, does not hold stream time back: what is long over would be taken for the present.
+  /// time passes without inputs, too. A delayed input never moves stream time back; otherwise stale data would be
+  /// treated as current.
   void set_clock(base::Time now) {
     base::Duration behind = now - m_.run.time.value_or(now);
     if (m_.run.behind && behind > *m_.run.behind) {

@@ -192,7 +192,7 @@ class Judgement {
   FootLines& feet_;
 };
 
-// How little a point is worth: the farther the less, and less again behind and while few frames have seen it.
+// Eviction score: larger for points that are far, behind the robot, or unconfirmed.
 std::int32_t uselessness(const Place& place, bool confirmed) {
   const std::int32_t aside = place.left < 0 ? -place.left : place.left;
   const std::int32_t along = place.depth < 0 ? -2 * place.depth : place.depth;

@@ -20,10 +20,10 @@ inline constexpr std::int32_t kFarthest = 1500;
 /// mm. What is farther from the robot is forgotten: what odometry drifts on such a way is less than the margin of a
 /// robot. By design.
 inline constexpr std::int32_t kForgotten = 2000;
-/// Sixteenths of the depth at which a foot leaves the image where it might be if it was never seen; the second if the
-/// blob fills the image from side to side. More: late stops at what was never seen whole; less: false ones (14: two
-/// fewer in 81 minutes). Alert study; the second is flat.
+/// Assumed depth of an unseen foot, in 1/16 of the nearest visible depth. Higher: late stops at what was never seen
+/// whole; lower: false ones (14: two fewer in 81 minutes). Alert study.
 inline constexpr std::int32_t kUnseenFoot = 12;
+/// The same of a blob as wide as the image. Flat.
 inline constexpr std::int32_t kUnseenFootOfAll = 10;
 /// mm by which a front goes on beyond the side of the image that cuts it. More: false stops in corridors; less: late
 /// ones at walls. Flat.
@@ -57,8 +57,8 @@ inline constexpr unsigned kUnsureFrames = 8;
 /// A point that fewer than kFrames different frames have supported is forgotten after so long without support. More:
 /// noise below the image adds up; less: slow cameras see nothing. Flat.
 inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
-/// As a power of 1/2, the share of the depth at which feet leave the image by which such a foot may have been farther
-/// when it was seen last. Flat.
+/// log2 of the tolerance, a fraction of the nearest visible depth, for matching an unseen foot to its last position in
+/// the image. Flat.
 inline constexpr std::int32_t kCutReachLog2 = 3;
 /// A foot that was seen so shortly before it left the image is remembered. Flat.
 inline constexpr base::Duration kFootRemembered = base::milliseconds(2000);

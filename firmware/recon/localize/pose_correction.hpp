@@ -194,7 +194,7 @@ class PoseCorrection {
   // The largest surprise.
   float apply(std::size_t slot, const SightedCircle& circle) {
     float surprise = 0;
-    // What tells the distance by itself and what tells the radius take turns, where there is no time for both.
+    // On slow cores the range equation and the width equation alternate.
     const bool both_ends = circle.middle().variance > 0;
     const std::size_t left_out = kPace.in_turns && both_ends ? (looks_taken_ % 2U) * 2U : circle.lines.size();
     for (std::size_t i = 0; i < circle.lines.size(); ++i) {

@@ -46,11 +46,11 @@ inline constexpr float kSmallestLandmark = 0.005F;
 
 // --- drift and models ---
 
-/// How fast the noise of the odometry follows the innovations, as the share by which one of the expected size changes
-/// it; the squared sigmas that count of one; and the factor on variances up to which it grows: a drift of 60 % where 3
-/// % was said. Real runs; the last two by design.
+/// Adaptation gain of the odometry's process noise. Real runs.
 inline constexpr float kDriftGain = 0.03F;
+/// Clamp of a normalised squared innovation. By design.
 inline constexpr float kMostSurprise = 9.0F;
+/// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. By design.
 inline constexpr float kMostDrift = 400.0F;
 /// The filter takes a frame each time the robot has gone (m) or turned (urad) so far.
 struct LookInterval {

@@ -73,9 +73,8 @@ inline constexpr float kFartherOutliers = 0.25F;
 inline constexpr float kIndependentRows = 4.0F;
 /// sigmas by which rows may differ from the edges before the object is taken to stand above the floor. By design.
 inline constexpr float kRowGate = 3.0F;
-/// A noisy direction has parallax to itself and draws the distance towards the lens, all the more on a straight
-/// approach. Edges overrule the rows only if this many times what noise alone would make of it is known of the
-/// distance. On which study was not kept.
+/// Bearing noise biases triangulated range towards the camera, most of all on a straight approach. Edges overrule the
+/// rows only if they know the range this many times better than that bias would. The study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
 /// Rows are judged by how fast their depths shrink while the robot comes nearer: they are true once that is known to
 /// this share. By design.

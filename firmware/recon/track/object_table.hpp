@@ -230,8 +230,8 @@ class ObjectTable {
       }
     }
   }
-  // What moves was taken for something that stands, until it was known to move: what was seen of that colour shortly
-  // before, a few times and now no more, was it.
+  // Deletes short-lived static objects of a mover's colour: they are its earlier positions, from before it was known to
+  // move.
   void end_trails(MatcherType& matcher) {
     for (std::size_t a = 0; a < kObjects; ++a) {
       if (!objects_[a].used() || !objects_[a].moving || !matcher.seen(a)) continue;

@@ -212,7 +212,7 @@ def index_of(devices):
     rows = [["device", "", "page"], *[[f"`{d.name}`", d.about.split(";")[0], f"[{d.name}.md]({d.name}.md)"] for d in devices]]
     return ("# Cameras and wheels, a page each\n\nWhat to set on it, which wire goes where, what to type, what it says when something is wrong, "
             "and its traps. The tables of all\nof them together: [devices](../devices.md). Tables and lines are made of the catalogue, a test runs "
-            "the lines of each emulated device\n(`tests/host/devices`). Nobody has connected the real things: what is told of them is from their "
+            "the lines of each emulated device\n(`tests/host/devices`). Nobody has connected the real things: the facts come from their "
             "makers' documents and\nsources, or from others who used them.\n\n" + table(rows) + "\n")
 
 

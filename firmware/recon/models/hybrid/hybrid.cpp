@@ -36,7 +36,7 @@ bool outgrows(const HybridCore& core, const OutlineView& outline, const Tangent&
 // The weight of a view in 1 / kWholeNews, at least one.
 int news_of(float novelty) { return std::max(1, static_cast<int>(kWholeNews * novelty + 0.5F)); }
 
-// Of what a view says `at least`, that which is news by itself.
+// Lower bounds that exceed the current outline.
 unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const ViewTangents& view) {
   unsigned which = 0;
   const auto look = [&](ViewTangents::Which one, const Tangent& tangent) {

@@ -85,7 +85,7 @@ inline constexpr float kLargestPrior = 0.4F;
 inline constexpr float kFitsAny = 0.2F;
 inline constexpr float kMisfit = 0.1F;
 inline constexpr float kFirstMisfit = 0.04F;
-/// m. That an object reaches so much farther than a fit is never doubted: it is larger than any noise adds to it.
+/// m. Lower bounds this far outside the fit are always treated as inliers: no noise adds as much.
 inline constexpr float kFarBeyond = 0.2F;
 
 // --- the polygon (support_fit) ---
