@@ -2,7 +2,7 @@
 """usage: readme_check.py [ROOT]
 
 Holds what the pages in PAGES say of the code. Each path in their backticks and links exists; each name of a namespace is
-declared. Each test of the paper's table is one, and of robustness.md's tables. The ten minutes of reading open no more
+declared. Each constant that EQUATIONS.md names is declared, too. Each test of the paper's table is one, and of robustness.md's tables. The ten minutes of reading open no more
 other files than they say. The index leads to every page. README.md fits a screen or two, and its pages can be clicked on.
 The sentence of safety.md that must not fail is there.
 Prints one line per fault; exit status 1 if there is any.
@@ -20,7 +20,9 @@ DOCUMENTS = "host/share/doc"
 INDEX = "host/share/doc/README.md"
 ARCHITECTURE = "host/share/doc/architecture.md"
 PAPER = "host/share/doc/paper_to_code.md"
-PAGES = ("README.md", INDEX, ARCHITECTURE, PAPER)
+EQUATIONS = "firmware/recon/EQUATIONS.md"
+PAGES = ("README.md", INDEX, ARCHITECTURE, PAPER, EQUATIONS)
+ESTIMATORS = ("firmware/recon", "firmware/alert")  # whose equations they are
 README_LINES, README_COLUMNS = 80, 120  # at most
 ROBUSTNESS = "host/share/doc/robustness.md"
 SAFETY = "host/share/doc/safety.md"
@@ -130,6 +132,14 @@ def faults_of_page(root, name, text):
     return faults, compared
 
 
+def faults_of_equations(root, text):
+    """(faults, how many constants were looked up)"""
+    headers = [path for folder in ESTIMATORS for path in sorted((root / folder).rglob("*.hpp"))]
+    declared = {name for path in headers for name in re.findall(r"\b(k[A-Z]\w*)\s*[={]", path.read_text(encoding="utf-8"))}
+    named = [(number, name) for number, line in enumerate(text.split("\n"), 1) for name in re.findall(r"\bk[A-Z]\w*", line)]
+    return [f"{EQUATIONS}:{number}: {name} is declared nowhere" for number, name in named if name not in declared], len(named)
+
+
 def faults_of_form(root, texts):
     """README.md is a first screen, the index the way to every page."""
     lines = texts["README.md"].splitlines()
@@ -158,6 +168,9 @@ def check(root):
         found, count = faults_of_page(root, name, texts[name])
         faults += found
         compared += count
+    found, count = faults_of_equations(root, texts[EQUATIONS])
+    faults += found
+    compared += count
     path_fault = fault_of_path(root, texts[ARCHITECTURE])
     if path_fault:
         faults.append(path_fault)

@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from readme_check import ARCHITECTURE, INDEX, PAPER, PROMISE, README_LINES, check
+from readme_check import ARCHITECTURE, EQUATIONS, INDEX, PAPER, PROMISE, README_LINES, check
 
 SAFETY = "host/share/doc/safety.md"
 TREE = {
@@ -30,10 +30,11 @@ See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md). Not a path: `X/Y`
 | zeros | `Carve.Cuts` |
 """,
     SAFETY: PROMISE.replace(" does", "\n  does"),
+    EQUATIONS: "    sigma < kGate, `firmware/recon/models/carve.hpp`\nBelow `kGate`.\n",
     "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
     "host/share/doc/live.md": "",
-    "firmware/recon/models/carve.hpp": "void carve();",
+    "firmware/recon/models/carve.hpp": "void carve();\ninline constexpr float kGate = 3.0F;\n",
     "tests/carve_test.cpp": "TEST(Carve, Cuts) {}\n",
     "tests/CMakeLists.txt": "add_test(NAME table.reaches\n  COMMAND x)\n",
     "toolchain/long": "part_drift() {\n",
@@ -53,6 +54,7 @@ FAULTS = [
     (PAPER, "`Carve.*`", "`Carver.*`", f"{PAPER}:4: no test is called Carver.*"),
     (PAPER, "`table.reaches`", "`table.fails`", f"{PAPER}:4: no test is called table.fails"),
     (PAPER, "long drift", "long walk", f"{PAPER}:4: toolchain/long has no part walk"),
+    (EQUATIONS, "sigma < kGate", "sigma < kFence", f"{EQUATIONS}:1: kFence is declared nowhere"),
     (SAFETY, PROMISE.replace(" does", "\n  does"), "No alert never means that the way is free.", f"{SAFETY}: it does not say: {PROMISE}"),
 ]
 
@@ -68,7 +70,7 @@ class ReadmeCheck(unittest.TestCase):
             path.write_text(text)
 
     def test_true_ones_have_no_faults_and_were_compared(self):
-        self.assertEqual(check(self.root), ([], 18))
+        self.assertEqual(check(self.root), ([], 20))
 
     def test_each_planted_fault_is_found_where_it_is(self):
         for name, there, instead, expected in FAULTS:

@@ -101,7 +101,7 @@ inline constexpr base::Duration kInView = base::milliseconds(500);
 inline constexpr float kDriftPosition = 0.4F;
 inline constexpr float kDriftHeading = 0.67F;
 inline constexpr float kDriftTurning = 1.0F;
-/// rad and m, sigmas of corrected poses for the models: what is left of the pose's error. algorithms.md sec. 7.
+/// rad and m, sigmas of corrected poses for the models: what is left of the pose's error. Prototype.
 inline constexpr float kCorrectedHeading = 0.0105F;
 inline constexpr float kCorrectedPosition = 0.006F;
 

@@ -1,6 +1,6 @@
 // Numbers of the models that were chosen and not derived; the hybrid's own are in hybrid/tuning.hpp, those of the sheaf
-// and of carving, which are the paper's, in sheaf.hpp and carve.hpp. "algorithms.md": the project's equations and
-// measured tables. "By design": no study was made for the value.
+// and of carving, which are the paper's, in sheaf.hpp and carve.hpp. "Prototype": measured with one that is not in
+// the repository. "By design": no study was made for the value. Equations: firmware/recon/EQUATIONS.md.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace fencepost::recon {
 // --- what is known before anything is seen ---
 
 /// m, radius of a typical obstacle and its sigma: the first guess of a distance, and the prior that lets one edge and
-/// the foot make a circle. Too little to matter once both edges are seen from two places. algorithms.md: N(0.08, 0.05).
+/// the foot make a circle. Too little to matter once both edges are seen from two places. Prototype.
 inline constexpr float kTypicalRadius = 0.08F;
 inline constexpr float kRadiusSigma = 0.05F;
 /// m. Where that leaves the distance open or the radius negative, the radius is taken for known to this: a rough place
@@ -49,7 +49,7 @@ inline constexpr float kPointRadius = 0.005F;
 // --- novelty ---
 
 /// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view
-/// counts. More: slow learning; less: a parked robot becomes certain. algorithms.md sec. 5.1.
+/// counts. More: slow learning; less: a parked robot becomes certain. Prototype.
 inline constexpr float kNovelShare = 0.03F;
 inline constexpr float kLeastNovelty = 0.05F;
 /// m. Nearer distances count as this one. By design.
@@ -57,14 +57,13 @@ inline constexpr float kNearestLens = 0.05F;
 
 // --- inliers ---
 
-/// share of tangents that are good, N(0, sigma). algorithms.md sec. 5.3.
+/// share of tangents that are good, N(0, sigma). Prototype.
 inline constexpr float kInlierShare = 0.9F;
-/// m, and sigmas if that is more, within which the others lie, evenly. algorithms.md sec. 5.3.
+/// m, and sigmas if that is more, within which the others lie, evenly. Prototype.
 inline constexpr float kOutlierReach = 0.3F;
 inline constexpr float kOutlierSigmas = 7.52F;
 /// likelihood of an outlier farther out than the model, against one inside it: pieces get lost far more often than
-/// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. algorithms.md
-/// sec. 5.3.
+/// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. Prototype.
 inline constexpr float kFartherOutliers = 0.25F;
 
 // --- the cylinder ---

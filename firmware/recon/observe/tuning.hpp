@@ -1,5 +1,5 @@
-// Numbers of observation that were chosen and not derived. "Contract": section 7 of the stream's contract
-// (host/share/doc/stream.md). "By design": no study was made for the value.
+// Numbers of observation that were chosen and not derived. "Stream": a rule for all readers of a record stream.
+// "Prototype": measured with one that is not in the repository. "By design": no study was made for the value.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace fencepost::recon {
 
 // --- the image ---
 
-/// px. An end so close to the border is on it. Contract.
+/// px. An end so close to the border is on it. Stream.
 inline constexpr std::int16_t kBorderPixels = 1;
 /// Newton steps that invert the distortion: |k1| r^2 < 0.3 converges to float precision in four. Derived, one to spare.
 inline constexpr int kUndistortSteps = 5;
@@ -30,10 +30,10 @@ inline constexpr int kSameRowPixels = 1;
 
 // --- time ---
 
-/// Frames wait for the odometry at their exposure for so long, and so many of them. Contract.
+/// Frames wait for the odometry at their exposure for so long, and so many of them. Stream.
 inline constexpr base::Duration kMaxWait = base::milliseconds(200);
 inline constexpr std::size_t kMaxWaitingFrames = 4;
-/// Between two samples farther apart odometry is not interpolated. Contract.
+/// Between two samples farther apart odometry is not interpolated. Stream.
 inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 
 // --- a robot that stands ---
@@ -64,8 +64,7 @@ inline constexpr float kHeadingNoise = 0.0070F;
 inline constexpr float kPositionNoise = 0.004F;
 /// rad, of the camera's pitch, the same in every view: 0.3 degrees. By design.
 inline constexpr float kPitchNoise = 0.0052F;
-/// share of the radius by which real footprints differ from a circle. algorithms.md sec. 7: half of it is
-/// over-confident.
+/// share of the radius by which real footprints differ from a circle. Half of it is over-confident. Prototype.
 inline constexpr float kRoundness = 0.2F;
 
 // --- ground rows ---

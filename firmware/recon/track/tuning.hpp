@@ -15,7 +15,7 @@ namespace fencepost::recon {
 inline constexpr float kSlackRadians = 0.05F;
 /// sigmas of the prediction. More: swaps; less: objects seen double. By design.
 inline constexpr float kGateSigmas = 3.0F;
-/// share of the predicted width by which a lost or grown piece of a segment moves an end. Contract section 4: segments
+/// share of the predicted width by which a lost or grown piece of a segment moves an end: segments
 /// lose up to half.
 inline constexpr float kGateWidthShare = 0.5F;
 /// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. On which study was not kept.

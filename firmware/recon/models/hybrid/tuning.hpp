@@ -1,5 +1,6 @@
 // Numbers of the hybrid that were chosen and not derived. "Hybrid table": tests/studies/tables, hybrid_table, chosen on
-// its tuning seeds 5001 to 5060 and judged on others. "By design": no study was made for the value.
+// its tuning seeds 5001 to 5060 and judged on others. "Prototype": measured with one that is not in the repository. "By
+// design": no study was made for the value. Equations: firmware/recon/EQUATIONS.md, part 5.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace fencepost::recon {
 /// share of a whole view's move (kNovelShare) by which a view is news. By design.
 inline constexpr float kLeastNews = 0.25F;
 /// views. While so few have come, nothing outvotes a lost piece of a segment, so its probability goes into the sigma of
-/// the edges: a segment loses a piece of this share of its width with this probability. algorithms.md sec. 5.1.
+/// the edges: a segment loses a piece of this share of its width with this probability. Prototype.
 inline constexpr std::uint8_t kFirstViews = 4;
 inline constexpr float kLostShare = 0.3F;
 inline constexpr float kLossProbability = 0.05F;
@@ -34,8 +35,7 @@ inline constexpr float kOutlineSquare = 3.0F;
 inline constexpr float kMostInward = 0.004F;
 /// m, radius to which the sigmas of smaller outlines are compared. By design.
 inline constexpr float kSmallestRadius = 0.02F;
-/// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. algorithms.md
-/// sec. 5.3.
+/// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Prototype.
 inline constexpr float kWellKnownShare = 0.4F;
 
 /// m, sigma by which a foot stands back from the outline above it: real things are narrower below, rounded or not quite
@@ -45,22 +45,21 @@ inline constexpr float kFootSetBack = 0.02F;
 
 // --- clusters of tangents (sector_store) ---
 
-/// sigmas within which a tangent joins a cluster. algorithms.md sec. 5.2.
+/// sigmas within which a tangent joins a cluster. Prototype.
 inline constexpr float kJoinSigmas = 2.5F;
-/// share down to which residuals are smaller than sigmas say. algorithms.md sec. 5.2.
+/// share down to which residuals are smaller than sigmas say. Prototype.
 inline constexpr float kLeastScale = 0.35F;
-/// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. algorithms.md
-/// sec. 5.2.
+/// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. Prototype.
 inline constexpr float kWeakening = 0.5F;
 /// ratio of sigmas beyond which an edge does not speak for a lower bound as far out. By design.
 inline constexpr float kUnsure = 3.0F;
 /// A cluster is overruled by one that is larger by two sigmas and has this share of its views, and this many views at
-/// least; then it counts for this share. More: wrong cuts stay; less: noise adds to the outline. algorithms.md
-/// sec. 5.2, but for kOverruled, 0.15 there: hybrid table.
+/// least; then it counts for this share. More: wrong cuts stay; less: noise adds to the outline. Prototype, but for
+/// kOverruled: hybrid table.
 inline constexpr float kOverrulingShare = 0.35F;
 inline constexpr float kOverrulingViews = 0.9F;
 inline constexpr float kOverruled = 0.5F;
-/// views that a cluster remembers; older ones fade. algorithms.md sec. 5.2.
+/// views that a cluster remembers; older ones fade. Prototype.
 inline constexpr float kMostViews = 30.0F;
 
 // --- solvers (cyclic_band, low_order_fit) ---
@@ -70,7 +69,7 @@ inline constexpr float kLeastPivot = 2e-6F;
 
 // --- the series of low order (low_order_fit) ---
 
-/// m, sigma of the local origin as the centre. algorithms.md sec. 5.3.
+/// m, sigma of the local origin as the centre. Prototype.
 inline constexpr float kCenterSigma = 2.0F;
 /// of r / (m^2 - 1), the prior of order m. Measured on circles and on paths.
 inline constexpr float kShapeShare = 0.7F;
@@ -99,10 +98,10 @@ inline constexpr float kSideSigma = 1.8F;
 inline constexpr float kSharePerTangent = 1.0F / 56.0F;
 inline constexpr float kLeastSideShare = 0.45F;
 /// Weight of a side of length l relative to that of a round outline, D r: D r / (l + kSoftening D r); those above
-/// kLongSide of D r are drawn to D r, the others to nothing. algorithms.md sec. 5.3.
+/// kLongSide of D r are drawn to D r, the others to nothing. Prototype.
 inline constexpr float kSoftening = 0.3F;
 inline constexpr float kLongSide = 0.5F;
-/// relative weight against sides of negative length, which are no sides. algorithms.md sec. 5.3.
+/// relative weight against sides of negative length, which are no sides. Prototype.
 inline constexpr float kStiffness = 100.0F;
 /// m. What neither tangents nor sides tell (where the middle is, if all tangents are parallel) stays as the low order
 /// has it, with this sigma. By design.
@@ -110,10 +109,10 @@ inline constexpr float kHold = 0.15F;
 
 // --- how a fit narrows down (hybrid_solver, inlier) ---
 
-/// Sigmas count so many times in each pass. algorithms.md sec. 5.3.
+/// Sigmas count so many times in each pass. Prototype.
 inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
 inline constexpr std::array<float, 6> kSupportPasses = {4, 2, 1.4F, 1, 1, 1};
-/// pass of the support fit from which sides are weighed. algorithms.md sec. 5.3.
+/// pass of the support fit from which sides are weighed. Prototype.
 inline constexpr std::size_t kPolygonalFrom = 2;
 /// The spread is learnt in passes no wider than this, and from so many tangents on. Hybrid table.
 inline constexpr float kLearningWidening = 1.5F;
@@ -137,7 +136,7 @@ inline constexpr std::size_t kWarmSeriesPasses = 2;
 inline constexpr std::size_t kWarmRingPasses = 2;
 /// Each so manyth fit begins from nothing, for what a warm one cannot leave. Same study.
 inline constexpr std::uint8_t kWholeFitEvery = 8;
-/// m. The middle of the outline may be this far from the local origin before that follows it. algorithms.md sec. 5.2.
+/// m. The middle of the outline may be this far from the local origin before that follows it. Prototype.
 inline constexpr float kRecentre = 0.02F;
 
 }  // namespace fencepost::recon
