@@ -19,6 +19,7 @@
 #include "drivers/pixy1/usb.hpp"
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/pixy2/chirp_link.hpp"
+#include "drivers/segmenter/camera.hpp"
 #include "drivers/wire/i2c_stream.hpp"
 #include "drivers/xbc/xbc.hpp"
 
@@ -61,6 +62,16 @@ struct SomeCan {
     frame.length = static_cast<std::uint8_t>(unknown() % 9);
     for (std::uint8_t& byte : frame.data) byte = static_cast<std::uint8_t>(unknown());
     return frame;
+  }
+};
+
+struct SomePictures {
+  static base::Result<bus::Picture> next() {
+    if (unknown() == 0) return unknown() == 1 ? base::Error::kGone : base::Error::kBadInput;
+    static constexpr std::uint8_t kBytes[64] = {};
+    const auto layout = static_cast<bus::PixelLayout>(unknown() % 3);
+    const auto width = static_cast<std::uint16_t>(unknown());
+    return bus::Picture{layout, width, static_cast<std::uint16_t>(unknown()), unknown(), kBytes, {}};
   }
 };
 
@@ -109,5 +120,8 @@ void stack_root_nxtcam_v5(nxtcam::V5Camera<probe::SomeBytes>& camera, Frame& fra
 void stack_root_pixy2_serial(pixy2::Camera<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_pixy2_i2c(probe::I2cPixy2& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 void stack_root_pixy2_usb(probe::UsbPixy2& camera, Frame& frame) { probe::keep_poll(camera, frame); }
+void stack_root_segmenter(segmenter::Camera<probe::SomePictures>& camera, Frame& frame) {
+  probe::keep_poll(camera, frame);
+}
 void stack_root_xbc(xbc::Xbc<probe::SomeBytes>& camera, Frame& frame) { probe::keep_poll(camera, frame); }
 }
