@@ -1,13 +1,13 @@
-// The state digest: FNV-1a 64 over an explicit little-endian serialisation, chained frame to frame. What is hashed is
-// fixed by stream format 1 (host/share/doc/digest.md):
-//   every frame: previous digest, frame number, exposure, pose, number of objects, next id;
-//   each object seen in the frame: who it is, its views, its estimate;
-//   one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
-//   since which exposure the robot stands;
-//   of the guard beside the map: how many points it has, and four of them in turn;
-//   of the check of the lens: one of its four parts in turn.
-//   in frames that the pose correction takes: the filter's pose and covariance, how far odometry drifts, and one
-//   landmark in turn with all of its covariances.
+// The state digest: FNV-1a 64 over an explicit little-endian serialisation, chained frame to frame. Stream
+// format 1 fixes what is hashed (firmware/recon/DIGEST.md).
+//   - every frame: previous digest, frame number, exposure, pose, number of objects, next id;
+//   - each object seen in the frame: who it is, its views, its estimate;
+//   - one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
+//   - since which exposure the robot stands;
+//   - of the guard beside the map: how many points it has, and four of them in turn;
+//   - of the check of the lens: one of its four parts in turn.
+//   - in frames that the pose correction takes: the filter's pose and covariance, how far odometry drifts.
+//   - in these frames also one landmark in turn, with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
 

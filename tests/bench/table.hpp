@@ -1,4 +1,4 @@
-// What was measured, as host/share/doc/speed.md shows it.
+// Measurements, as tests/results/speed.md shows it.
 #pragma once
 
 #include <string>

@@ -3,7 +3,8 @@
 
 Holds what the pages in PAGES say of the code. Each path in their backticks and links exists; each name of a namespace is
 declared. Each constant that EQUATIONS.md names is declared, too. Each test of the paper's table is one, and of robustness.md's tables. The ten minutes of reading open no more
-other files than they say. The index leads to every page. README.md fits a screen or two, and its pages can be clicked on.
+other files than they say. Links of all pages lead to files and headings that exist. The drawing of the zones has the settings' defaults. The index leads to
+every page. README.md fits a screen or two, and its pages can be clicked on.
 The sentence of safety.md that must not fail is there.
 Prints one line per fault; exit status 1 if there is any.
 """
@@ -24,8 +25,9 @@ EQUATIONS = "firmware/recon/EQUATIONS.md"
 PAGES = ("README.md", INDEX, ARCHITECTURE, PAPER, EQUATIONS)
 ESTIMATORS = ("firmware/recon", "firmware/alert")  # whose equations they are
 README_LINES, README_COLUMNS = 80, 120  # at most
-ROBUSTNESS = "host/share/doc/robustness.md"
+ROBUSTNESS = "tests/results/robustness.md"
 SAFETY = "host/share/doc/safety.md"
+ZONES, SETTINGS = "host/share/doc/zones.svg", "firmware/config/settings.hpp"
 PROMISE = "The absence of an alert does not mean that the way is free."
 NAMESPACES = {"recon": "firmware/recon"}
 GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
@@ -140,6 +142,52 @@ def faults_of_equations(root, text):
     return [f"{EQUATIONS}:{number}: {name} is declared nowhere" for number, name in named if name not in declared], len(named)
 
 
+def headings_of(path):
+    """As a link names them behind its #."""
+    titles = re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.strip().lower()).replace(" ", "-") for title in titles}
+
+
+def links_of(text):
+    """(line number, target) outside of code"""
+    fenced = False
+    for number, line in enumerate(text.split("\n"), 1):
+        fenced = fenced != line.startswith("```")
+        if fenced or line.startswith("    "):
+            continue
+        for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
+            if "://" not in target:
+                yield number, target
+
+
+def faults_of_links(root):
+    """(faults, how many links were followed): of every page of the tree"""
+    pages = [*root.glob("*.md"), *(page for folder in (*LAYERS, ".github") for page in (root / folder).rglob("*.md"))]
+    faults, followed = [], 0
+    for page in sorted(pages):
+        name = page.relative_to(root).as_posix()
+        for number, target in links_of(page.read_text(encoding="utf-8")):
+            followed += 1
+            file, _, heading = target.partition("#")
+            path = page.parent / file if file else page
+            if not path.exists():
+                faults.append(f"{name}:{number}: a link to {target}, which is not there")
+            elif heading and path.suffix == ".md" and heading not in headings_of(path):
+                faults.append(f"{name}:{number}: {file or name} has no heading #{heading}")
+    return faults, followed
+
+
+def faults_of_zones(root):
+    """The defaults of the distances, in metres, as the drawing of the zones has them."""
+    drawing = (root / ZONES).read_text(encoding="utf-8")
+    settings = (root / SETTINGS).read_text(encoding="utf-8")
+    for name in ("alert.stop", "alert.warn", "alert.notice"):
+        centimetres = re.search(rf'"{name}", "m", 2, (\d+)', settings)
+        said = f"{name}: {int(centimetres.group(1)) / 100:g} m" if centimetres else f"{name}: its default"
+        if said not in drawing:
+            yield f"{ZONES}: it does not say: {said}"
+
+
 def faults_of_form(root, texts):
     """README.md is a first screen, the index the way to every page."""
     lines = texts["README.md"].splitlines()
@@ -174,6 +222,9 @@ def check(root):
     path_fault = fault_of_path(root, texts[ARCHITECTURE])
     if path_fault:
         faults.append(path_fault)
+    found, count = faults_of_links(root)
+    faults += [*found, *faults_of_zones(root)]
+    compared += count + 3
     if PROMISE not in " ".join(texts[SAFETY].split()):
         faults.append(f"{SAFETY}: it does not say: {PROMISE}")
     tests = tests_of(root)

@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from readme_check import ARCHITECTURE, EQUATIONS, INDEX, PAPER, PROMISE, README_LINES, check
+from readme_check import ARCHITECTURE, EQUATIONS, INDEX, PAPER, PROMISE, README_LINES, SETTINGS, ZONES, check
 
 SAFETY = "host/share/doc/safety.md"
 TREE = {
@@ -14,7 +14,7 @@ TREE = {
 See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md). Not a path: `X/Y`, `-f a/b`, [far](https://x.y/z.md).
 """,
     INDEX: """# Documentation
-[live](live.md), [code](architecture.md), [paper](paper_to_code.md), [safe](safety.md), [broken](robustness.md), [a](../../../hal/a.hpp)
+[live](live.md), [code](architecture.md), [paper](paper_to_code.md), [safe](safety.md), [a](../../../hal/a.hpp)
 """,
     ARCHITECTURE: """# Code
 ## Ten minutes of reading
@@ -25,7 +25,7 @@ See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md). Not a path: `X/Y`
 |---|---|---|---|
 | II | words | `recon::carve` | `Carve.*`, `table.reaches`, `toolchain/long drift` |
 """,
-    "host/share/doc/robustness.md": """| what was done | test |
+    "tests/results/robustness.md": """| what was done | test |
 |---|---|
 | zeros | `Carve.Cuts` |
 """,
@@ -33,7 +33,9 @@ See `hal/a.hpp`, then `b.hpp`; [more](host/share/doc/live.md). Not a path: `X/Y`
     EQUATIONS: "    sigma < kGate, `firmware/recon/models/carve.hpp`\nBelow `kGate`.\n",
     "hal/a.hpp": '#include "hal/b.hpp"\n',
     "hal/b.hpp": "",
-    "host/share/doc/live.md": "",
+    "host/share/doc/live.md": "# How it `runs`, now\n[up](#how-it-runs-now) [paper](paper_to_code.md#paper) `[code](nowhere)`\n",
+    ZONES: "alert.stop: 0.25 m, alert.warn: 0.5 m, alert.notice: 1 m",
+    SETTINGS: '{"alert.stop", "m", 2, 25}, {"alert.warn", "m", 2, 50}, {"alert.notice", "m", 2, 100}',
     "firmware/recon/models/carve.hpp": "void carve();\ninline constexpr float kGate = 3.0F;\n",
     "tests/carve_test.cpp": "TEST(Carve, Cuts) {}\n",
     "tests/CMakeLists.txt": "add_test(NAME table.reaches\n  COMMAND x)\n",
@@ -55,6 +57,11 @@ FAULTS = [
     (PAPER, "`table.reaches`", "`table.fails`", f"{PAPER}:4: no test is called table.fails"),
     (PAPER, "long drift", "long walk", f"{PAPER}:4: toolchain/long has no part walk"),
     (EQUATIONS, "sigma < kGate", "sigma < kFence", f"{EQUATIONS}:1: kFence is declared nowhere"),
+    ("host/share/doc/live.md", "#paper", "#papers", "host/share/doc/live.md:2: paper_to_code.md has no heading #papers"),
+    ("host/share/doc/live.md", "(#how", "(#now", "host/share/doc/live.md:2: host/share/doc/live.md has no heading #now-it-runs-now"),
+    ("host/share/doc/live.md", "paper_to_code", "code_to_paper", "host/share/doc/live.md:2: a link to code_to_paper.md#paper, which is not there"),
+    (ZONES, "0.5 m", "0.6 m", f"{ZONES}: it does not say: alert.warn: 0.5 m"),
+    (SETTINGS, "100", "80", f"{ZONES}: it does not say: alert.notice: 0.8 m"),
     (SAFETY, PROMISE.replace(" does", "\n  does"), "No alert never means that the way is free.", f"{SAFETY}: it does not say: {PROMISE}"),
 ]
 
@@ -70,7 +77,7 @@ class ReadmeCheck(unittest.TestCase):
             path.write_text(text)
 
     def test_true_ones_have_no_faults_and_were_compared(self):
-        self.assertEqual(check(self.root), ([], 20))
+        self.assertEqual(check(self.root), ([], 30))
 
     def test_each_planted_fault_is_found_where_it_is(self):
         for name, there, instead, expected in FAULTS:

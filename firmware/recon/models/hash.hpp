@@ -1,4 +1,4 @@
-// Geometry in the state digest (host/share/doc/digest.md): field by field, floats by their bits.
+// Geometry in the state digest (firmware/recon/DIGEST.md): field by field, floats by their bits.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Golden runs: the bundled recordings, and random drives, through the whole loop of each profile have to end in the
 // same state and to have said the same lines as when golden_runs.csv was written. The digest of a state may change only
-// where the changelog says so (digest.md), what is said only on purpose: FENCEPOST_GOLDEN=FOLDER writes golden_runs.csv
-// anew there, and beside it all that was said, to be compared.
+// where the changelog says so (firmware/recon/DIGEST.md), the lines only on purpose. FENCEPOST_GOLDEN=FOLDER writes
+// golden_runs.csv anew there, and beside it all lines, to be compared.
 #include <gtest/gtest.h>
 
 #include <cinttypes>

@@ -1,4 +1,4 @@
-// Boxes, odometry and truth that nobody here made, through the product: host/share/doc/world.md.
+// Boxes, odometry and truth that nobody here made, through the product: tests/results/world.md.
 #include <fmt/format.h>
 
 #include <algorithm>
