@@ -13,18 +13,25 @@ bool ImageMemory::put(std::uint32_t address, std::span<const std::uint8_t> bytes
   const std::uint64_t low = first ? address : std::min(begin_, address);
   const std::uint64_t high = std::max(first ? 0 : end(), address + std::uint64_t{bytes.size()});
   if (high - low > kMost) return false;
-  if (low < begin_ && !first) {
-    const auto before = static_cast<std::ptrdiff_t>(begin_ - low);
-    bytes_.insert(bytes_.begin(), static_cast<std::size_t>(before), 0xFF);
-    known_.insert(known_.begin(), static_cast<std::size_t>(before), false);
-  }
+  if (low < begin_ && !first) grow_in_front(begin_ - low);
   begin_ = static_cast<std::uint32_t>(low);
-  bytes_.resize(std::max<std::size_t>(bytes_.size(), high - low), 0xFF);
+  bytes_.resize(std::max<std::size_t>(bytes_.size(), front_ + (high - low)), 0xFF);
   known_.resize(bytes_.size(), false);
-  const auto at = static_cast<std::ptrdiff_t>(address - low);
+  const auto at = static_cast<std::ptrdiff_t>(front_ + (address - low));
   std::copy(bytes.begin(), bytes.end(), bytes_.begin() + at);
   std::fill_n(known_.begin() + at, bytes.size(), true);
   return true;
+}
+
+// Room for as many again, so that a file whose addresses fall costs no more than one whose addresses rise.
+void ImageMemory::grow_in_front(std::size_t count) {
+  if (count > front_) {
+    const std::size_t more = std::max(count - front_, bytes_.size());
+    bytes_.insert(bytes_.begin(), more, 0xFF);
+    known_.insert(known_.begin(), more, false);
+    front_ += more;
+  }
+  front_ -= count;
 }
 
 std::optional<ImageFormat> image_format(std::string_view name) {

@@ -17,13 +17,13 @@ namespace fencepost::host {
 class ImageMemory {
  public:
   [[nodiscard]] std::uint32_t begin() const { return begin_; }
-  [[nodiscard]] std::uint64_t end() const { return begin_ + std::uint64_t{bytes_.size()}; }
+  [[nodiscard]] std::uint64_t end() const { return begin_ + std::uint64_t{bytes().size()}; }
   /// From begin(); erased bytes are 0xFF.
-  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return bytes_; }
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(bytes_).subspan(front_); }
   [[nodiscard]] bool known(std::uint64_t address) const {
-    return address >= begin_ && address < end() && known_[address - begin_];
+    return address >= begin_ && address < end() && known_[front_ + (address - begin_)];
   }
-  [[nodiscard]] std::uint8_t at(std::uint64_t address) const { return bytes_[address - begin_]; }
+  [[nodiscard]] std::uint8_t at(std::uint64_t address) const { return bytes()[address - begin_]; }
 
   /// False: so far from the rest that it would be no microcontroller's memory; nothing changes then.
   [[nodiscard]] bool put(std::uint32_t address, std::span<const std::uint8_t> bytes);
@@ -33,7 +33,10 @@ class ImageMemory {
  private:
   static constexpr std::uint64_t kMost = 32U << 20U;
 
+  void grow_in_front(std::size_t count);
+
   std::uint32_t begin_ = 0;
+  std::size_t front_ = 0;  ///< unused bytes in front of begin()
   std::vector<std::uint8_t> bytes_;
   std::vector<bool> known_;
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <ctime>
 #include <string>
 
 namespace fencepost::host {
@@ -49,6 +50,24 @@ TEST(ImageFile, HexKnowsBothKindsOfAddress) {
   EXPECT_EQ(read->begin(), 0x30U);
   EXPECT_EQ(read->at(0x31), 0x33);
   EXPECT_EQ(read->at(0x1'0000), 0x55);
+}
+
+// Each record in front of the last one: 120,000 insertions in front of what there was took minutes.
+TEST(ImageFile, AddressesMayFall) {
+  constexpr std::uint32_t kRecords = 120'000;
+  const std::clock_t start = std::clock();
+  ImageMemory memory;
+  for (std::uint32_t i = kRecords; i-- > 0;)
+    ASSERT_TRUE(memory.put(0x0800'0000 + 16 * i, std::array<std::uint8_t, 16>{1, static_cast<std::uint8_t>(i)}));
+  EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC) << "processor time; before, a minute";
+  EXPECT_EQ(memory.begin(), 0x0800'0000U);
+  EXPECT_EQ(memory.end(), 0x0800'0000U + 16 * kRecords);
+  for (std::uint32_t i = 0; i < kRecords; i += 997) {
+    EXPECT_EQ(memory.at(0x0800'0000 + 16 * i), 1);
+    EXPECT_EQ(memory.bytes()[16 * i + 1], static_cast<std::uint8_t>(i));
+    EXPECT_TRUE(memory.known(0x0800'0000 + 16 * i + 15));
+  }
+  EXPECT_FALSE(memory.known(0x0800'0000 - 1));
 }
 
 TEST(ImageFile, Uf2ReadsWhatItWrites) {
