@@ -38,6 +38,8 @@ class ViewServer {
   [[nodiscard]] std::string address() const;
 
   static constexpr std::size_t kMostVisitors = 16;
+  /// Beyond them: their request is read, so that they get the answer that there are too many. Then none is heard.
+  static constexpr std::size_t kMaxTurnedAway = 16;
 
  private:
   ViewServer(std::string page, linux::Descriptor listener, std::uint16_t port, linux::SignalFlag stop,

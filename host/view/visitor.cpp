@@ -48,6 +48,7 @@ void Visitor::receive(Time now) {
 
 void Visitor::answer(std::string_view head) {
   const Judgement judgement = judge(head);
+  if (!served_) return refuse(503, "too many browsers show this run; close one of them, and load this page again");
   switch (judgement.what) {
     case Judgement::What::kRefused: return refuse(judgement.status, judgement.because);
     case Judgement::What::kPage:

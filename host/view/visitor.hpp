@@ -17,9 +17,9 @@ class Visitor {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// `page` and `log` are borrowed; `fd` does not block.
-  Visitor(linux::Descriptor fd, std::string_view page, const GrowingLog& log, Time now)
-      : fd_(std::move(fd)), page_(page), log_(&log), moved_(now) {}
+  /// `page` and `log` are borrowed; `fd` does not block. Not `served`: whatever it asks for, there are too many.
+  Visitor(linux::Descriptor fd, std::string_view page, const GrowingLog& log, Time now, bool served)
+      : fd_(std::move(fd)), page_(page), log_(&log), served_(served), moved_(now) {}
 
   /// Reads and writes what can be without waiting.
   void serve(Time now);
@@ -28,6 +28,7 @@ class Visitor {
   /// Nobody has asked for anything yet: browsers connect ahead of time.
   [[nodiscard]] bool idle() const { return state_ == State::kAsking; }
 
+  [[nodiscard]] bool served() const { return served_; }
   [[nodiscard]] int descriptor() const { return fd_.get(); }
   /// There is something to write that the other end does not take now.
   [[nodiscard]] bool waits_to_write() const { return sent_ < out_.size(); }
@@ -50,6 +51,7 @@ class Visitor {
   linux::Descriptor fd_;
   std::string_view page_;
   const GrowingLog* log_;
+  bool served_;
   State state_ = State::kAsking;
   std::string asked_;
   std::string out_;
