@@ -19,15 +19,28 @@ char PrintableBytes::next(char c) {
     high_ = 0xBF;
     --missing_;
     ++begun_;
-    return c;
+    character_ = character_ << 8U | byte;
+    return missing_ == 0 ? ended(c) : c;
   }
   broken_off_ = begun();
   return begin(byte);
 }
 
+// Explicit formatting characters of the bidirectional algorithm (Unicode Standard Annex 9): they would show "exe.log"
+// where "gol.exe" stands.
+char PrintableBytes::ended(char c) {
+  const auto within = [this](std::uint32_t low, std::uint32_t high) { return character_ >= low && character_ <= high; };
+  const bool turns = within(0xE2'80'8E, 0xE2'80'8F) || within(0xE2'80'AA, 0xE2'80'AE) ||
+                     within(0xE2'81'A6, 0xE2'81'A9) || character_ == 0xD8'9C;
+  if (!turns) return c;
+  broken_off_ = begun_ - 1;
+  return kInstead;
+}
+
 // Table 3-7 of the Unicode standard, but for C2 80 to C2 9F: those are the C1 control characters.
 char PrintableBytes::begin(std::uint8_t byte) {
   begun_ = 1;
+  character_ = byte;
   missing_ = 0;
   low_ = 0x80;
   high_ = 0xBF;

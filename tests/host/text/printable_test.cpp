@@ -41,6 +41,14 @@ TEST(Printable, BytesThatAreNoCharacterToo) {
   EXPECT_EQ(printable("\xED\xA0\x80 \xF4\x90\x80\x80 \xFF\xF8"), "??? ???? ??");
 }
 
+// "gol.exe" behind U+202E is shown as "exe.log".
+TEST(Printable, NothingTurnsTheDirectionOfText) {
+  EXPECT_EQ(printable("a\xE2\x80\xAEgol.exe"), "a???gol.exe");
+  EXPECT_EQ(printable("\xE2\x80\xAA\xE2\x80\x8E\xE2\x80\x8F\xE2\x81\xA6\xE2\x81\xA9\xD8\x9C"), std::string(17, '?'));
+  const std::string others = "\xE2\x80\x8D\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA\xD7\xA9\xD8\x9B";
+  EXPECT_EQ(printable(others), others) << "the characters beside them, and those of right-to-left scripts";
+}
+
 // A terminal's portion may end within a character.
 TEST(PrintableBytes, ACharacterMayComeInTwoPortions) {
   PrintableBytes bytes;
