@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: first_alert.py FENCEPOST SOURCES NODE EMULATOR IMAGE.uf2 VERSION [--write|--once]
 
-Goes the way of firmware/FIRST_ALERT.md on an emulated Pico with programs that need no compiler, and compares with what
-host/share/doc/first_alert_shown.md shows; --write replaces what it shows, --once does not try again where the machine was busy. Numbers may
+Goes the way of firmware/FIRST_ALERT.md on an emulated Pico with programs that need no compiler. What it sees is compared
+with what the guide shows; --write replaces that, --once does not try again where the machine was busy. Numbers may
 differ; lines, their order and which levels of alerts come one after the other may not.
 """
 
@@ -281,7 +281,7 @@ def go(fencepost, sources, node, emulator, image, version):
 def main():
     if len(sys.argv) not in (7, 8):
         sys.exit(__doc__.strip())
-    document = pathlib.Path(sys.argv[2]) / "host/share/doc/first_alert_shown.md"
+    document = pathlib.Path(sys.argv[2]) / "firmware/FIRST_ALERT.md"
     text = document.read_text()
     blocks = dict(re.findall(r"<!-- (\w+) -->\n```\n(?:\$ [^\n]*\n)?(.*?)```", text, re.S))
     if set(blocks) != set(STEPS):

@@ -92,12 +92,12 @@ TEST_P(DriverContract, GoesOnWithinASecondOfASilence) {
   EXPECT_LE(recovery.power, limits.own_start + kSecond);
   EXPECT_GE(recovery.power, limits.own_start) << "it starts sooner than it is said to";
   std::ostringstream document;
-  document << std::ifstream(FENCEPOST_SOURCE_DIR "/host/share/doc/emulate.md").rdbuf();
+  document << std::ifstream(FENCEPOST_SOURCE_DIR "/tests/results/emulate.md").rdbuf();
   char row[120];
   std::snprintf(row, sizeof row, "| `%s` | %.1f | %.2f | %.2f | %.2f |\n", std::string(GetParam().name).c_str(),
                 limits.own_start.to_double(), recovery.stall.to_double(), recovery.unplug.to_double(),
                 recovery.power.to_double());
-  EXPECT_NE(document.str().find(row), std::string::npos) << "host/share/doc/emulate.md has no line\n" << row;
+  EXPECT_NE(document.str().find(row), std::string::npos) << "tests/results/emulate.md has no line\n" << row;
 }
 
 TEST_P(DriverContract, DoesNotTakeNoiseForItsDevice) {

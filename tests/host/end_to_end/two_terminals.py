@@ -101,7 +101,7 @@ def blocks_of(section):
 
 
 def main(program, sources, wanted):
-    document = Path(sources) / "host/share/doc/two_terminals.md"
+    document = Path(sources) / "tests/host/end_to_end/two_terminals.md"
     text = document.read_text()
     different = seen = 0
     for section in re.split(r"^(?=## )", text, flags=re.M):
