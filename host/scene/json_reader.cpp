@@ -57,10 +57,23 @@ std::size_t overflowing_number(const std::string& text) {
   return 0;
 }
 
+/// Bytes of a text: four times those of 10,000 objects. A parsed text takes up to forty times as many.
+constexpr std::size_t kMaxText = 16'000'000;
+/// Brackets within brackets; a scene has 6.
+constexpr int kMaxDepth = 32;
+
 nlohmann::json parse_json(std::string_view text, std::string_view example) {
   using nlohmann::json;
+  if (text.size() > kMaxText) {
+    throw SceneProblem{"line 1", "the text has more than " + std::to_string(kMaxText / 1'000'000) + " MB",
+                       "leave out what is not needed"};
+  }
   std::vector<std::set<std::string>> open_objects;
-  const json::parser_callback_t watch = [&](int, json::parse_event_t event, json& parsed) {
+  const json::parser_callback_t watch = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kMaxDepth) {
+      throw SceneProblem{"/", "brackets are nested more than " + std::to_string(kMaxDepth) + " deep",
+                         std::string(example)};
+    }
     if (event == json::parse_event_t::object_start) open_objects.emplace_back();
     if (event == json::parse_event_t::object_end) open_objects.pop_back();
     if (event == json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {

@@ -44,6 +44,9 @@ void check_validity(const JsonNode& node, const Polygon& polygon) {
     node.fail("the outline crosses or touches itself at " + place.str(),
               "list the corners in order around the object, each once");
   }
+  if (invalid->reason == "Too few points") {
+    node.fail("the outline has fewer than three different corners", "give at least three, as [x, y] in metres");
+  }
   if (invalid->reason == "No area") node.fail("the outline encloses no area", "check the corners' coordinates");
   node.fail(invalid->reason + " at " + place.str(), "check the corners' coordinates");
 }

@@ -97,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
               "crosses or touches itself at (1.05, 0.05)", "in order"},
         Fault{kSquare, "[[[1,0],[1.1,0]]]", "/objects/0/footprint/coordinates/0", "2 corners", "at least 3"},
         Fault{kSquare, "[[[1,0],[1.1,0],[1,0]]]", "/objects/0/footprint/coordinates/0", "fewer than three", "three"},
+        Fault{kSquare, "[[[1,0],[1,0],[1.1,0],[1,0]]]", "/objects/0/footprint", "fewer than three different corners",
+              "at least three"},
         Fault{kSquare, "[[[1,0],[1.1,0],[1.2,0]]]", "/objects/0/footprint", "", "corners"},
         Fault{kSquare, "[[[1,0],[1.1,0],[1.1,0.1,0.2]]]", "/objects/0/footprint/coordinates/0/2", "more than two",
               "[x, y]"},
@@ -175,6 +177,16 @@ TEST(BrokenSceneText, EmptyAndCutFilesSaySo) {
   ASSERT_FALSE(cut.ok());
   EXPECT_EQ(cut.error().what, "the JSON ends too early");
   EXPECT_EQ(parse_scene("[1, 2]", "s").error().where, "/");
+}
+
+// A parsed bracket takes eighty times the memory of its text.
+TEST(BrokenSceneText, DeepAndLongTextsAreRefusedBeforeTheyTakeMemory) {
+  const LoadedScene deep = parse_scene(std::string(1'000'000, '['), "s");
+  ASSERT_FALSE(deep.ok());
+  EXPECT_EQ(deep.error().what, "brackets are nested more than 32 deep");
+  const LoadedScene large = parse_scene(std::string(16'000'001, ' '), "s");
+  ASSERT_FALSE(large.ok());
+  EXPECT_EQ(large.error().what, "the text has more than 16 MB");
 }
 
 TEST(BrokenSceneText, MessageIsOneLine) {
