@@ -22,6 +22,7 @@ void LabelImage::clear(std::size_t objects) {
   touched_ = {};
   alone_.assign(objects, PixelBox{});
   apart_.clear();
+  in_view_.clear();
   silhouettes_.resize(std::max(silhouettes_.size(), objects));
 }
 
@@ -38,7 +39,9 @@ void LabelImage::render(const std::vector<SceneObject>& objects, const PixelRays
   prisms.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     prisms.emplace_back(objects[i], camera);
-    if (rays.separable()) silhouettes_[i].find(prisms[i], rays);
+    if (!rays.separable()) continue;
+    silhouettes_[i].find(prisms[i], rays);
+    if (!silhouettes_[i].bounds().empty()) in_view_.push_back(i);
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (prisms[i].behind()) continue;
@@ -54,10 +57,10 @@ void LabelImage::render(const std::vector<SceneObject>& objects, const PixelRays
 
 bool LabelImage::stands_apart(std::size_t object) const {
   if (!silhouettes_[object].whole()) return false;
-  for (std::size_t other = 0; other < alone_.size(); ++other) {
-    if (other != object && silhouettes_[other].bounds().touches(silhouettes_[object].box())) return false;
-  }
-  return true;
+  if (silhouettes_[object].box().empty()) return true;
+  return std::none_of(in_view_.begin(), in_view_.end(), [&](std::size_t other) {
+    return other != object && silhouettes_[other].bounds().touches(silhouettes_[object].box());
+  });
 }
 
 void LabelImage::draw(std::size_t object, const Prism& prism, const PixelRays& rays) {

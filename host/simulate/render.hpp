@@ -64,6 +64,7 @@ class LabelImage {
   std::vector<double> depths_;
   std::vector<PixelBox> alone_;
   std::vector<Silhouette> silhouettes_;  ///< of all objects, without pitch and distortion
+  std::vector<std::size_t> in_view_;     ///< those whose bounds are not empty: a few of thousands
   std::vector<std::size_t> apart_;
   std::vector<Stretch> stretches_;
   std::int16_t label_ = kNothing;  ///< of the object that is drawn
