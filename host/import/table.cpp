@@ -16,17 +16,28 @@ namespace fencepost::host {
 
 namespace {
 
+[[noreturn]] void refuse_long(const std::string& path) {
+  throw ImportProblem{path, "has more than " + std::to_string(kMaxWhole / 1'000'000) + " MB",
+                      "leave out the rows that are not needed"};
+}
+
 std::string read_whole(const std::string& path) {
+  std::error_code none;
+  if (std::filesystem::is_regular_file(path, none) && std::filesystem::file_size(path, none) > kMaxWhole) {
+    refuse_long(path);
+  }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
   // A folder opens but does not read.
-  std::error_code none;
   if (!file || std::filesystem::is_directory(path, none)) {
     throw ImportProblem{path, "cannot be read", "check the name and the permissions"};
   }
   if (!is_gzip(bytes.view())) return std::move(bytes).str();
-  if (std::optional<std::string> unpacked = gunzip(bytes.view())) return std::move(*unpacked);
+  if (std::optional<std::string> unpacked = gunzip(bytes.view())) {
+    if (unpacked->size() > kMaxWhole) refuse_long(path);
+    return std::move(*unpacked);
+  }
   throw ImportProblem{path, "is damaged or cut off", "try 'gzip -t' on it, and copy it again"};
 }
 

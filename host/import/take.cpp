@@ -123,6 +123,11 @@ std::vector<record::Signature> signatures_of(const Taken& taken, const std::stri
     for (const ImportedBlob& blob : frame.blobs)
       all.try_emplace(blob.signature, "signature" + std::to_string(blob.signature));
   }
+  // Names are numbered from 1 on.
+  if (all.size() > kLastSignature && all.rbegin()->first == static_cast<int>(all.size())) {
+    throw ImportProblem{source, "has " + std::to_string(all.size()) + " names of colours; there can be 255",
+                        "give one name to those that belong together"};
+  }
   std::vector<record::Signature> list;
   for (const auto& [number, name] : all) {
     if (number < 0 || number > kLastSignature) {

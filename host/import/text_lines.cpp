@@ -27,14 +27,19 @@ StampedLine without_stamp(std::string_view line) {
   // A line that came without text has lost the blank behind its arrow.
   constexpr std::string_view kBare = "##:##:##.### ->";
   if (!has_form(line, kBare)) return {line, std::nullopt};
-  const double t = 3600 * digits(line.substr(0, 2)) + 60 * digits(line.substr(3, 2)) + digits(line.substr(6, 6));
+  const double hours = digits(line.substr(0, 2));
+  const double minutes = digits(line.substr(3, 2));
+  const double seconds = digits(line.substr(6, 6));
+  if (hours >= 24 || minutes >= 60 || seconds >= 60) return {line, std::nullopt};
+  const double t = 3600 * hours + 60 * minutes + seconds;
   return {line.substr(has_form(line, kStamp) ? kStamp.size() : kBare.size()), t};
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
+  const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t end = std::min(text.find(line_end), text.size());
     std::string_view line = text.substr(0, end);
     while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     lines.push_back(line);

@@ -16,7 +16,7 @@ struct StampedLine {
 };
 StampedLine without_stamp(std::string_view line);
 
-/// Each line without its end, 1-based by position.
+/// Each line without its end: LF, CR LF, or CR where there is no LF at all.
 std::vector<std::string_view> lines_of(std::string_view text);
 
 /// Without blanks around it.

@@ -43,13 +43,16 @@ std::string_view Gunzip::next() {
   return {};
 }
 
-std::optional<std::string> gunzip(std::string_view bytes) {
+std::optional<std::string> gunzip(std::string_view bytes, std::size_t most) {
   Gunzip unpacker;
   std::string out;
   if (bytes.empty()) return std::nullopt;
   for (; !bytes.empty(); bytes.remove_prefix(std::min(kPortion, bytes.size()))) {
     unpacker.feed(bytes.substr(0, kPortion));
-    for (std::string_view part = unpacker.next(); !part.empty(); part = unpacker.next()) out += part;
+    for (std::string_view part = unpacker.next(); !part.empty(); part = unpacker.next()) {
+      out += part;
+      if (out.size() > most) return out;
+    }
     if (unpacker.damaged()) return std::nullopt;
   }
   if (!unpacker.complete()) return std::nullopt;

@@ -44,7 +44,18 @@ CsvReader::CsvReader(std::string_view text, std::string file) : file_(std::move(
     if (header->find(',') == std::string_view::npos && header->find(other) != std::string_view::npos)
       separator_ = other;
   }
-  for (const std::string_view name : fields(*header)) names_.push_back(lower(name));
+  for (const std::string_view name : fields(*header)) {
+    names_.push_back(lower(name));
+    const auto first = std::ranges::find(names_, names_.back());
+    if (!name.empty() && &*first != &names_.back()) refuse_both(names_.size() - 1, names_.size() - 1);
+  }
+}
+
+void CsvReader::refuse_both(std::size_t first, std::size_t second) const {
+  throw ImportProblem{file_ + ":" + std::to_string(header_line_ + 1),
+                      "has columns " + quoted(std::string_view(names_[first])) + " and " +
+                          quoted(std::string_view(names_[second])) + " for one thing",
+                      "rename the one that is not meant"};
 }
 
 std::vector<std::string_view> CsvReader::fields(std::string_view line) const {
@@ -58,11 +69,15 @@ std::vector<std::string_view> CsvReader::fields(std::string_view line) const {
 }
 
 std::optional<std::size_t> CsvReader::find(std::initializer_list<std::string_view> names) const {
+  std::optional<std::size_t> found;
   for (const std::string_view name : names) {
     const auto at = std::ranges::find(names_, name);
-    if (at != names_.end()) return static_cast<std::size_t>(at - names_.begin());
+    if (at == names_.end()) continue;
+    const auto column = static_cast<std::size_t>(at - names_.begin());
+    if (found) refuse_both(*found, column);
+    found = column;
   }
-  return std::nullopt;
+  return found;
 }
 
 std::size_t CsvReader::need(std::initializer_list<std::string_view> names) const {

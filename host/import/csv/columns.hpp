@@ -32,13 +32,16 @@ class CsvRow {
 /// or tabs if the header is.
 class CsvReader {
  public:
-  /// errors: ImportProblem: nothing in it
+  /// errors: ImportProblem: nothing in it, or a name twice
   CsvReader(std::string_view text, std::string file);
 
-  /// Where the first of these names stands, in any case of letters.
+  /// Where one of these names stands, in any case of letters. errors: ImportProblem: two of them are there
   [[nodiscard]] std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
-  /// errors: ImportProblem, which names the first of them
+  /// errors: ImportProblem, which names the first of them, or as `find`
   [[nodiscard]] std::size_t need(std::initializer_list<std::string_view> names) const;
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// Throws ImportProblem: these two columns say one thing.
+  [[noreturn]] void refuse_both(std::size_t first, std::size_t second) const;
   /// Each row. errors: ImportProblem: a row of another width, or what `take` throws
   void each(const std::function<void(const CsvRow&)>& take) const;
 

@@ -33,6 +33,8 @@ struct BoxColumns {
         cy(csv.find({"cy", "centroid_y"})) {
     if (!x1) x1 = left;
     if (!y1) y1 = top;
+    if (x && x1) csv.refuse_both(*x, *x1);
+    if (y && y1) csv.refuse_both(*y, *y1);
     if (x1 && y1 && x2 && y2) return;
     if (left && top && width && height) return;
     if (cx && cy && !width && !x2) return;
@@ -109,6 +111,11 @@ std::vector<TakenPose> parse_tum(std::string_view text, const std::string& file)
       throw ImportProblem{file + ":" + std::to_string(number), "is no pose",
                           "expected: timestamp tx ty tz qx qy qz qw"};
     }
+    constexpr double kRounding = 0.1;  // of a quaternion's length, printed with two decimals
+    if (std::fabs(v[4] * v[4] + v[5] * v[5] + v[6] * v[6] + v[7] * v[7] - 1) > kRounding) {
+      throw ImportProblem{file + ":" + std::to_string(number), "has a quaternion whose length is not 1",
+                          "expected: timestamp tx ty tz qx qy qz qw"};
+    }
     // z up, as a robot's poses are; the heading is that of its x axis.
     poses.push_back(
         {v[0], v[1], v[2], std::atan2(2 * (v[7] * v[6] + v[4] * v[5]), 1 - 2 * (v[5] * v[5] + v[6] * v[6]))});
@@ -128,6 +135,9 @@ class BlobTable {
 
   Taken take() {
     csv_.each([this](const CsvRow& row) { take_row(row); });
+    if (taken_.frames.empty()) {
+      throw ImportProblem{csv_.file(), "has names of columns and no rows", "check that the copy is complete"};
+    }
     for (const auto& [name, number] : numbers_) taken_.names[number] = name;
     return std::move(taken_);
   }

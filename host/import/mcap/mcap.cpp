@@ -129,6 +129,7 @@ class McapImport {
     const bool poses = message.schema.find("Odometry") != std::string_view::npos;
     std::string& wanted = boxes ? topics_.detections : topics_.odometry;
     if (!boxes && !poses) {
+      others_.emplace(message.topic, message.schema);
       ++taken_.skipped["messages of other kinds"];
       return;
     }
@@ -136,6 +137,11 @@ class McapImport {
     if (wanted != message.topic) {
       ++taken_.skipped["messages of " + quoted(message.topic)];
       return;
+    }
+    used_ += message.data.size();
+    if (used_ > kMaxUsed) {
+      throw ImportProblem{file_, "has more than " + std::to_string(kMaxUsed / 1'000'000) + " MB of " + wanted,
+                          "make a part of it with 'mcap filter'"};
     }
     if (message.encoding == "cdr") {
       take_cdr(message, boxes);
@@ -147,6 +153,7 @@ class McapImport {
     }
   }
   Taken finish() {
+    if (taken_.frames.empty() && taken_.poses.empty()) throw nothing();
     for (const auto& [name, number] : numbers_) taken_.names[number] = name;
     return std::move(taken_);
   }
@@ -156,6 +163,17 @@ class McapImport {
     return {file_ + ": message " + std::to_string(number_) + " of " + std::string(message.topic),
             "is not laid out as " + std::string(message.schema) + " of ROS 2 is",
             "vision_msgs 4 and nav_msgs of Humble or later can be read"};
+  }
+  [[nodiscard]] ImportProblem nothing() const {
+    constexpr std::size_t kShown = 6;
+    std::string topics;
+    for (const auto& [topic, schema] : others_) {
+      if (topics.size() > kShown * 40) break;
+      topics +=
+          (topics.empty() ? "" : ", ") + quoted(std::string_view(topic)) + " of " + quoted(std::string_view(schema));
+    }
+    return {file_, "has " + std::to_string(number_) + " messages, none of Detection2DArray or Odometry",
+            topics.empty() ? "record some with 'ros2 bag record'" : "it has " + topics};
   }
   void take_cdr(const McapMessage& message, bool boxes) {
     if (boxes) {
@@ -170,6 +188,8 @@ class McapImport {
     }
   }
   void take_json(const McapMessage& message, bool boxes) {
+    constexpr std::size_t kMaxMessage = 1'000'000;  // bytes; parsed, brackets alone take eighty times as many
+    if (message.data.size() > kMaxMessage) throw unexpected(message);
     try {
       const Json json = Json::parse(message.data);
       if (boxes) return add(detections_in_json(json), message.log_time);
@@ -199,10 +219,15 @@ class McapImport {
     taken_.frames.push_back(std::move(frame));
   }
 
+  /// Bytes of messages that are imported: four hours of odometry at 100 Hz. Chunks of 4 KB can hold as many.
+  static constexpr std::size_t kMaxUsed = 1'000'000'000;
+
   std::string file_;
   McapTopics topics_;
+  std::size_t used_ = 0;
   std::uint64_t number_ = 0;
   std::map<std::string, int> numbers_;
+  std::map<std::string, std::string> others_;  ///< topics of other kinds, with their types
   Taken taken_;
 };
 

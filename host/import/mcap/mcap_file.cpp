@@ -14,7 +14,8 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-constexpr std::uint64_t kLargestChunk = 1ULL << 31U;  // bytes; beyond, a damaged length
+/// Bytes, unpacked: recorders write chunks of 1 to 4 MB. Beyond, a damaged length.
+constexpr std::uint64_t kMaxChunk = 1ULL << 26U;
 
 enum Opcode : std::uint8_t { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
 
@@ -145,8 +146,18 @@ class McapReader {
     static_cast<void>(fields.integer<std::uint32_t>());  // CRC-32 of what is in it
     const std::string compression(fields.string());
     const std::string_view packed = fields.take(fields.integer<std::uint64_t>());
-    if (size > kLargestChunk || fields.ended_early()) throw damaged();
+    // A chunk within a chunk, which the specification does not know, could be within itself.
+    if (in_chunk_ || fields.ended_early()) throw damaged();
+    in_chunk_ = true;
+    read_chunk(compression, packed, size);
+    in_chunk_ = false;
+  }
+  void read_chunk(const std::string& compression, std::string_view packed, std::uint64_t size) {
     if (compression.empty()) return read(packed);
+    if (size > kMaxChunk) {
+      throw ImportProblem{file_, "has a chunk that becomes more than " + std::to_string(kMaxChunk >> 20U) + " MB",
+                          "write it anew: mcap compress --chunk-size 4194304"};
+    }
     if (compression != "lz4" && compression != "zstd") {
       throw ImportProblem{file_, "has chunks compressed by \"" + compression + "\"",
                           "write it anew: mcap compress --compression zstd"};
@@ -163,6 +174,7 @@ class McapReader {
   const std::function<void(const McapMessage&)>& take_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
+  bool in_chunk_ = false;
   bool ended_ = false;
   McapEnd end_;
 };

@@ -110,6 +110,15 @@ TEST(ImportSketch, RefusesAClockThatRunsBackwards) {
             "monitor.txt:2: has an earlier time than a line above it; save each recording to a file of its own");
 }
 
+TEST(ImportSketch, TakesNoStampThatIsNoTime) {
+  const ImportResult result = import_sketch(
+      "25:99:99.999 -> Detected 1\nDetected 1\n  block 0: sig: 1 x: 159 y: 99 "
+      "width: 20 height: 30 index: 3 age: 120\n",
+      "m.txt", settings());
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  EXPECT_EQ(skipped(result, "lines of no known form"), 1U);
+}
+
 TEST(ImportSketch, AllowsAClockThatIsPutBackALittle) {
   const Recorded log =
       recorded(import_sketch("12:00:01.000 -> Detected 0\n12:00:00.500 -> Detected 0\n12:00:01.100 -> Detected 0\n",
@@ -310,6 +319,41 @@ TEST(ImportCsv, StandsStillAtTheTimesOfAClockSince1970) {
   EXPECT_EQ(log.frames[2].t.raw, 21'000);
   ASSERT_EQ(log.odometry.size(), 106U) << "2 s, and 0.1 s before them";
   EXPECT_EQ(log.odometry[1].t.raw, 200);
+}
+
+// Which of two columns is meant nobody can tell.
+TEST(ImportCsv, RefusesTwoColumnsForOneThing) {
+  const auto says = [](const char* header) {
+    const ImportResult result = import_csv(std::string(header) + "\n1,2,3,4,5,6,7\n", "b.csv", settings());
+    return result.ok() ? std::string() : result.error().message();
+  };
+  EXPECT_EQ(says("t,x,x,y,w,h,sig"),
+            "b.csv:1: has columns \"x\" and \"x\" for one thing; rename the one that is not meant");
+  EXPECT_EQ(says("time,T,x,y,w,h,sig"),
+            "b.csv:1: has columns \"t\" and \"time\" for one thing; rename the one that is not meant");
+  EXPECT_NE(says("t,x,y,x1,y1,x2,y2").find("\"x\" and \"x1\""), std::string::npos);
+  EXPECT_EQ(says("t,x,y,w,h,,"), "") << "a spreadsheet's empty columns have no name";
+}
+
+TEST(ImportCsv, SaysWhenThereAreNoRows) {
+  EXPECT_EQ(import_csv("t,x,y,w,h\n", "b.csv", settings()).error().message(),
+            "b.csv: has names of columns and no rows; check that the copy is complete");
+}
+
+TEST(ImportCsv, SaysHowManyNamesThereAre) {
+  std::string text = "t,x,y,w,h,name\n";
+  for (int i = 0; i < 256; ++i) text += std::to_string(i) + ",50,50,9,9,colour " + std::to_string(i) + "\n";
+  EXPECT_EQ(import_csv(text, "b.csv", settings()).error().what, "has 256 names of colours; there can be 255");
+}
+
+// As old Macs end their lines, and some terminals.
+TEST(ImportCsv, ReadsLinesThatEndWithCrAlone) {
+  EXPECT_EQ(recorded(import_csv("t,x,y,w,h\r1,50,50,9,9\r2,51,50,9,9\r", "b.csv", settings())).frames.size(), 2U);
+}
+
+TEST(ImportCsv, RefusesATumPoseThatTurnsNowhere) {
+  EXPECT_THROW((void)parse_pose_table("0 1 2 0 0 0 0 0\n", "p.txt"), ImportError);
+  EXPECT_EQ(parse_pose_table("0 1 2 0 0 0 0.71 0.71\n", "p.txt").size(), 1U) << "rounded";
 }
 
 TEST(ImportPlayer, ReadsPosesAndBlobsOfWritelog) {
@@ -519,6 +563,43 @@ TEST(ImportMcap, ReadsDetectionsAndOdometryWithAnyCompression) {
   const ImportResult other = import_mcap(file_of(chunk("brotli", "x", 1)), "run.mcap", {}, settings());
   ASSERT_FALSE(other.ok());
   EXPECT_EQ(other.error().what, "has chunks compressed by \"brotli\"");
+}
+
+std::string lz4_of(const std::string& bytes) {
+  std::string packed(LZ4F_compressFrameBound(bytes.size(), nullptr), '\0');
+  packed.resize(LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), nullptr));
+  return packed;
+}
+
+// Refused before there is memory for it, whether or not it would become so long.
+TEST(ImportMcap, RefusesAChunkThatBecomesTooLarge) {
+  const std::string records = ros_records();
+  for (const std::size_t size : {std::size_t{70'000'000}, std::size_t{1} << 62U}) {
+    const ImportResult result = import_mcap(file_of(chunk("lz4", lz4_of(records), size)), "run.mcap", {}, settings());
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().what, "has a chunk that becomes more than 64 MB");
+  }
+}
+
+// A hundred thousand within each other would need more stack than there is.
+TEST(ImportMcap, RefusesAChunkWithinAChunk) {
+  std::string nested = ros_records();
+  for (int i = 0; i < 2; ++i) nested = chunk("", nested, nested.size());
+  EXPECT_EQ(import_mcap(file_of(nested), "run.mcap", {}, settings()).error().what, "has a chunk that is damaged");
+}
+
+TEST(ImportMcap, SaysWhatThereIsInstead) {
+  const std::string others = channel(3, "std_msgs/msg/String", "/chatter", "cdr") + message(3, "noise");
+  EXPECT_EQ(import_mcap(file_of(others), "run.mcap", {}, settings()).error().message(),
+            "run.mcap: has 1 messages, none of Detection2DArray or Odometry; it has \"/chatter\" of "
+            "\"std_msgs/msg/String\"");
+}
+
+// Brackets, of which each takes eighty bytes.
+TEST(ImportMcap, RefusesAJsonMessageThatIsTooLong) {
+  const std::string records = channel(1, "vision_msgs/msg/Detection2DArray", "/boxes", "json");
+  EXPECT_FALSE(
+      import_mcap(file_of(records + message(1, std::string(1'100'000, '['))), "run.mcap", {}, settings()).ok());
 }
 
 TEST(ImportMcap, NamesTheGapBehindAMessageWithoutAStamp) {

@@ -30,5 +30,15 @@ TEST(Gzip, InPortionsIsTheSame) {
   EXPECT_EQ(packer.packed().substr(4, 4), std::string(4, '\0')) << "no time: the same log gives the same report";
 }
 
+// A hundred megabytes of zeros are 100 KB packed.
+TEST(Gunzip, StopsBehindItsLimit) {
+  const std::string packed = gzip(std::string(3'000'000, '\0'));
+  const auto cut = gunzip(packed, 1'000'000);
+  ASSERT_TRUE(cut);
+  EXPECT_GT(cut->size(), 1'000'000U) << "there is more";
+  EXPECT_LT(cut->size(), 1'100'000U);
+  EXPECT_EQ(gunzip(packed, 3'000'000)->size(), 3'000'000U);
+}
+
 }  // namespace
 }  // namespace fencepost::host
