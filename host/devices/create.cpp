@@ -72,9 +72,9 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
           .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
                        .options = {baud(delivered_baud),
                                    {"mode", Words{{"passive", "safe", "full"}}, "passive",
-                                    "of the robot; others may drive it in safe and full"},
+                                    "of the robot, which others may drive in safe and full"},
                                    {"drive", Whole{1, 500, true}, "0",
-                                    "mm/s straight on while the robot may drive; mode safe"}},
+                                    "mm/s straight on, in mode safe, while the robot may drive"}},
                        .unready = "what comes is no sensor stream: check the baud and the model",
                        .driver = OdometryDriver{open_create<Model>}},
           .emulated = Emulated{.tells = tells,
@@ -91,10 +91,10 @@ Row row(const char* name, const char* about, std::uint32_t delivered_baud, const
 Rows create() {
   return {row<create::Model::kCreate1, CreateModel::kOne>(
               "create1", "iRobot Create", kCreate1Baud, "requested speeds, whole mm and degrees since the last reading",
-              "libcreate failed; mended since, not tried again"),
+              "libcreate"),
           row<create::Model::kCreate2, CreateModel::kTwo>(
               "create2", "Create 2, Roomba 600", kCreate2Baud, "counts",
-              "counts that others recorded; libcreate and pycreate2 failed, mended since, not tried again")};
+              "counts that others recorded; libcreate, pycreate2, BreezyCreate2, RoombaCI")};
 }
 
 }  // namespace fencepost::devices

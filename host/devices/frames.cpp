@@ -60,7 +60,7 @@ std::unique_ptr<emulate::DeviceModel> make(const DeviceSpec& /*spec*/, const emu
   return std::make_unique<emulate::FramePrinter>(Areas);
 }
 
-Row row(const char* name, const char* about, decltype(openmv)* profile, const char* lens) {
+Row row(const char* name, const char* about, decltype(openmv)* profile, const char* lens, const char* others = "") {
   return {.name = name,
           .about = about,
           .role = Role::kCamera,
@@ -68,7 +68,8 @@ Row row(const char* name, const char* about, decltype(openmv)* profile, const ch
                        .options = {baud(kFramesBaud)},
                        .unready = "what comes is no $FPFRM: start the script on it, and check the baud",
                        .driver = CameraDriver{open_frames, profile, lens}},
-          .emulated = std::nullopt};
+          .emulated = std::nullopt,
+          .tried = {{.others = others}}};
 }
 
 Row emulated(Row row, const char* tells, decltype(make<true>)* model, const Blobs& blobs) {
@@ -86,7 +87,8 @@ Row emulated(Row row, const char* tells, decltype(make<true>)* model, const Blob
 Rows frames() {
   return {
       emulated(row("openmv", "OpenMV, with examples/openmv_frames.py running on it; calibrate", openmv,
-                   "maker: 70.8 degrees of the delivered 2.8 mm lens, its documentation; others can be screwed on"),
+                   "maker: 70.8 degrees of the delivered 2.8 mm lens, its documentation; others can be screwed on",
+                   "its script with OpenMV 4.8.1's blobs, on MicroPython"),
                "lines by a clock of its own", make<true>, {.first_signature = 1, .last_signature = 16}),
       emulated(row("maixcam", "MaixCAM, with examples/maixcam_frames.py running on it; calibrate", maixcam,
                    "assumed: no source tells an angle"),

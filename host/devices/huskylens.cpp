@@ -49,32 +49,35 @@ Row huskylens2() {
                        },
                        .image = image_of(huskylens::kProfile2, {.first_signature = 1, .last_signature = 127}, 30),
                        .asked = true},
-          .images = {"huskylens2", "huskylens2_i2c"}};
+          .images = {"huskylens2", "huskylens2_i2c"},
+          .tried = {{.others = "DFRobot_HuskylensV2, PyHuskyLens"}}};
 }
 
 }  // namespace
 
 Rows huskylens() {
-  return {{.name = "huskylens",
-           .about = "HuskyLens 1; its lens is a guess: calibrate",
-           .role = Role::kCamera,
-           .live = Live{.places = {kTty, kTcp, kI2c},
-                        .options = {baud(kHuskylensBaud), address(huskylens::kAddress)},
-                        .unready = kUnready,
-                        .driver = CameraDriver{open_huskylens<huskylens::Generation::kOne>,
-                                               huskylens_profile<huskylens::kProfile>, kNoAngle}},
-           .emulated = Emulated{.tells = "blocks of learned colours; no arrows",
-                                .options = {line_baud(kHuskylensBaud)},
-                                .describe = emulate::describe_huskylens,
-                                .make = [](const DeviceSpec&,
-                                           const emulate::Colours&) -> std::unique_ptr<emulate::DeviceModel> {
-                                  return std::make_unique<emulate::HuskyLens>();
-                                },
-                                .image = image_of(huskylens::kProfile, {.first_signature = 1}, 30),
-                                .asked = true},
-           .images = {"huskylens", "huskylens_i2c"},
-           .tried = {{kI2c, "HuskyLens.SeesOverI2cWhatItSeesOverSerial"}}},
-          huskylens2()};
+  return {
+      {.name = "huskylens",
+       .about = "HuskyLens 1; its lens is a guess: calibrate",
+       .role = Role::kCamera,
+       .live = Live{.places = {kTty, kTcp, kI2c},
+                    .options = {baud(kHuskylensBaud), address(huskylens::kAddress)},
+                    .unready = kUnready,
+                    .driver = CameraDriver{open_huskylens<huskylens::Generation::kOne>,
+                                           huskylens_profile<huskylens::kProfile>, kNoAngle}},
+       .emulated =
+           Emulated{.tells = "blocks of learned colours; no arrows",
+                    .options = {line_baud(kHuskylensBaud)},
+                    .describe = emulate::describe_huskylens,
+                    .make = [](const DeviceSpec&, const emulate::Colours&) -> std::unique_ptr<emulate::DeviceModel> {
+                      return std::make_unique<emulate::HuskyLens>(base::Time{}, emulate::HuskyLens::kColours);
+                    },
+                    .image = image_of(huskylens::kProfile, {.first_signature = 1}, 30),
+                    .asked = true},
+       .images = {"huskylens", "huskylens_i2c"},
+       .tried = {{.others = "HUSKYLENSArduino, HUSKYLENSPython, PyHuskyLens"},
+                 {kI2c, "HuskyLens.SeesOverI2cWhatItSeesOverSerial"}}},
+      huskylens2()};
 }
 
 }  // namespace fencepost::devices

@@ -49,7 +49,8 @@ Rows jevois() {
                       return std::make_unique<emulate::JeVois>();
                     },
                     .image = image_of(jevois::nominal_intrinsics({}), {.first_signature = 1}, 30)},
-       .images = {"jevois"}}};
+       .images = {"jevois"},
+       .tried = {{.others = "messages of JeVois' own sources, compiled for a PC"}}}};
 }
 
 }  // namespace fencepost::devices

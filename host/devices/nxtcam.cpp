@@ -17,7 +17,7 @@ using enum PlaceKind;
 using Camera = std::unique_ptr<host::CameraDevice>;
 
 constexpr std::uint32_t kNxtcamBaud = 115'200;
-constexpr const char* kViewer = "aNXTCam failed; mended since, not tried again";
+constexpr const char* kViewer = "aNXTCam";
 constexpr const char* kTeach = "teach it colours with the maker's program";
 
 struct NxtcamOnI2c {

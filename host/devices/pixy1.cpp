@@ -49,7 +49,8 @@ Rows pixy1() {
                                 .image = image_of(pixy1::kProfile, {.first_signature = 1, .last_signature = 7}, 50),
                                 .asked = true},
            .images = {"pixy1", "pixy1_i2c"},
-           .tried = {{kI2c, "Pixy1Camera.SeesOverI2cWhatItSeesOverSerial", "RunOnCamera.Pixy1OnI2c"},
+           .tried = {{.others = "Arduino library (UART)"},
+                     {kI2c, "Pixy1Camera.SeesOverI2cWhatItSeesOverSerial", "RunOnCamera.Pixy1OnI2c"},
                      {kUsb, "pixy1:usb", "RunOnCamera.Pixy1OnUsb"}}}};
 }
 

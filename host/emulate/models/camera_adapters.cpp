@@ -28,6 +28,7 @@ class Pixy2Adapter final : public DeviceModel {
     return {};
   }
   [[nodiscard]] bool in_use() const override { return camera_.asked(); }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
  private:
   Pixy2 camera_{base::Time{}};
@@ -65,6 +66,7 @@ class CmuCamAdapter final : public DeviceModel {
     return bytes_of(camera_.frame(spots_));
   }
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::uint32_t baud() const override { return camera_.baud(); }
   [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
  private:

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::array kWholeWindow = {0, 0, 159, 119};  // of a CMUcam4
 constexpr std::size_t kNoCount = 99;                   // of arguments that are no numbers
+constexpr int kLowestBaud = 1'200;
+constexpr int kHighestBaud = 250'000;
 constexpr int kRawOutput = 1;
 constexpr int kNoAck = 2;
 constexpr int kRawInput = 4;
@@ -102,6 +104,7 @@ void CmuCamDevice::reset() {
   std::fill(std::begin(bounds_), std::end(bounds_), 0);
   std::copy_n(kWholeWindow.begin(), 4, window_);
   mode_ = 0;
+  baud_ = 0;
   polled_ = tracking_ = false;
   reports_middle_ = true;
 }
@@ -229,7 +232,11 @@ std::string CmuCamDevice::act(const Command& command) {
     return acknowledged + line_end + (starting_ ? "" : greeting());
   }
   // The old rate's answer; the host goes on at the new one with a CR, which is answered like any.
-  if (command.name == "BM") return "ACK\r";
+  if (command.name == "BM") {
+    if (arguments[0] < kLowestBaud || arguments[0] > kHighestBaud) return answer(false);
+    baud_ = static_cast<std::uint32_t>(arguments[0]);
+    return "ACK\r";
+  }
   if (command.name == "GT") return answer(true, told(bounds_));
   if (command.name == "GW") return answer(true, told(window_));
   if (command.name == "SW" && model_ == CmuCamModel::kFour) {

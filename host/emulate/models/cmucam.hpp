@@ -46,6 +46,8 @@ class CmuCamDevice {
   /// One image has been taken: the packet, if any is due.
   std::string frame(std::span<const ColouredSpot> spots);
   [[nodiscard]] bool tracking() const { return tracking_; }
+  /// That BM has set since the start; 0: as at the start.
+  [[nodiscard]] std::uint32_t baud() const { return baud_; }
   /// Commands that it does not know, and those that it accepts though they change nothing here.
   [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
@@ -75,6 +77,7 @@ class CmuCamDevice {
   int bounds_[6] = {};
   int window_[4] = {0, 0, 159, 119};  ///< of SW on a CMUcam4, as told: it hides nothing
   int mode_ = 0;                      ///< of RM
+  std::uint32_t baud_ = 0;
   bool polled_ = false;
   bool tracking_ = false;
   bool reports_middle_ = true;

@@ -7,6 +7,7 @@
 namespace fencepost::emulate {
 namespace {
 
+constexpr int kReset = 7;
 constexpr int kStart = 128;
 constexpr int kSafe = 131;
 constexpr int kFull = 132;
@@ -149,7 +150,11 @@ void CreateDevice::obey_drive() {
 std::string CreateDevice::feed(std::string_view bytes) {
   std::string replies;
   for (const char byte : bytes) {
-    if (pending_.empty() && static_cast<unsigned char>(byte) < kStart) continue;
+    const bool opcode = pending_.empty() && static_cast<unsigned char>(byte) < kStart;
+    if (opcode && (byte != kReset || model_ == CreateModel::kOne)) {
+      not_emulated_.note("bytes below 128 that are no opcode");
+      continue;
+    }
     pending_ += byte;
     if (pending_.size() < 1 + create_arguments(model_, pending_).value_or(0)) continue;
     replies += obey();
@@ -160,6 +165,10 @@ std::string CreateDevice::feed(std::string_view bytes) {
 
 std::string CreateDevice::obey() {
   const int opcode = at(pending_, 0);
+  if (opcode == kReset) {
+    static_cast<void>(power_up());
+    not_emulated_.note("boot message");
+  }
   if (opcode == kStart) set_mode(kPassive);
   if (mode_ == kOff) return {};
   act(opcode);

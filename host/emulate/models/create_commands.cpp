@@ -20,6 +20,7 @@ struct Opcode {
 };
 
 constexpr Opcode kOpcodes[] = {
+    {7, kCreate2, 0},       // reset
     {128, kBoth, 0},        // start
     {129, kBoth, 1},        // baud
     {130, kBoth, 0},        // control, an older name of safe

@@ -1,12 +1,15 @@
 #include "host/emulate/models/huskylens.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "host/emulate/models/messages.hpp"
 
 namespace fencepost::emulate {
 namespace {
 
-constexpr int kColour = 4;
 constexpr int kAny = -1;
+constexpr int kNone = -2;  ///< no block has this id
 
 Bytes framed(std::uint8_t command, const Bytes& data) {
   Bytes bytes = {0x55, 0xAA, 0x11, static_cast<std::uint8_t>(data.size()), command};
@@ -37,7 +40,7 @@ Bytes block(const sensor::Blob& blob) {
 Bytes HuskyLens::power_up(base::Time now) {
   power_on_ = now;
   received_.clear();
-  algorithm_ = 0;
+  algorithm_ = left_in_;
   images_ = 0;
   return {};
 }
@@ -88,9 +91,26 @@ Bytes HuskyLens::answer(std::uint8_t command, std::span<const std::uint8_t> data
     case 0x24: return answer_blocks(kAny);
     case 0x26:
     case 0x27: return data.size() == 2 ? answer_blocks(data[0] + 256 * data[1]) : Bytes{};
+    case 0x22:
+    case 0x25:
+    case 0x28: return answer_blocks(kNone);
     case 0x3C: return framed(0x3C, {5, '0', '.', '5', '.', '1'});
-    default: return {};
+    case 0x2F:
+    case 0x30:
+    case 0x32:
+    case 0x33:
+    case 0x34:
+    case 0x35:
+    case 0x36:
+    case 0x37:
+    case 0x39: note(command); return framed(0x2E, {});
+    default: note(command); return {};
   }
+}
+
+void HuskyLens::note(std::uint8_t command) {
+  const std::string name = describe_huskylens(true, std::array<std::uint8_t, 6>{0x55, 0xAA, 0x11, 0, command, 0});
+  not_emulated_.note(name.empty() ? "command " + hex_of(Bytes{command}) : name);
 }
 
 Bytes HuskyLens::answer_blocks(int id) {
@@ -98,7 +118,7 @@ Bytes HuskyLens::answer_blocks(int id) {
   Bytes blocks;
   int count = 0;
   for (const sensor::Blob& blob : blobs_) {
-    if (algorithm_ != kColour || (id != kAny && blob.signature != id)) continue;
+    if (algorithm_ != kColours || (id != kAny && blob.signature != id)) continue;
     const Bytes bytes = block(blob);
     blocks.insert(blocks.end(), bytes.begin(), bytes.end());
     ++count;
@@ -113,6 +133,23 @@ std::string describe_huskylens(bool from_host, std::span<const std::uint8_t> byt
   switch (bytes[4]) {
     case 0x20:
     case 0x21: return "ask blocks";
+    case 0x22:
+    case 0x25:
+    case 0x28: return "ask arrows";
+    case 0x2F: return "custom name";
+    case 0x30: return "photo";
+    case 0x32: return "save model";
+    case 0x33: return "load model";
+    case 0x34: return "text";
+    case 0x35: return "clear text";
+    case 0x36: return "learn";
+    case 0x37: return "forget";
+    case 0x39: return "screenshot";
+    case 0x3B: return "is pro";
+    case 0x23:
+    case 0x24:
+    case 0x26:
+    case 0x27: return "ask blocks";
     case 0x29: return "INFO, " + std::to_string(bytes[5]) + " objects";
     case 0x2C: return "knock";
     case 0x2D: return "set algorithm";

@@ -7,22 +7,30 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
-/// Protocol 0.5.1: knock, algorithm, version, and blocks in each of the ways to ask for them; with a bad checksum, and
-/// of what it does not know, it says nothing. Sees coloured blobs while the algorithm is that of colours; signatures
+/// Protocol 0.5.1: knock, algorithm, version, and blocks in each of the ways to ask for them. There are no arrows;
+/// learning, names, texts, photos and models are acknowledged alone. With a bad checksum, and of what it does not know,
+/// it says nothing. Sees coloured blobs while the algorithm is that of colours; signatures
 /// are ids. What it does in its first second is not known: here nothing.
 class HuskyLens final : public DeviceModel {
  public:
   static constexpr base::Duration kDeaf = base::milliseconds(1'000);
 
-  explicit HuskyLens(base::Time power_on = {}) : power_on_(power_on) {}
+  static constexpr int kFaces = 0;
+  static constexpr int kColours = 4;
+
+  /// `function`: what it was left in; a start keeps it.
+  explicit HuskyLens(base::Time power_on = {}, int function = kFaces)
+      : power_on_(power_on), left_in_(function), algorithm_(function) {}
 
   Bytes power_up(base::Time now) override;
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
   /// How many colours it has learned.
   void teach(int colours) { learned_ = colours; }
@@ -33,15 +41,18 @@ class HuskyLens final : public DeviceModel {
  private:
   [[nodiscard]] Bytes answer(std::uint8_t command, std::span<const std::uint8_t> data);
   [[nodiscard]] Bytes answer_blocks(int id);
+  void note(std::uint8_t command);
 
   base::Time power_on_;
   Bytes received_;
   std::vector<sensor::Blob> blobs_;
-  int algorithm_ = 0;
+  int left_in_;
+  int algorithm_;
   int learned_ = 1;
   std::uint16_t images_ = 0;
   bool busy_ = false;
   bool used_ = false;
+  NotEmulated not_emulated_;
 };
 
 /// "ask blocks", "INFO, 2 objects".

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "host/emulate/models/messages.hpp"
+
 namespace fencepost::emulate {
 namespace {
 
@@ -82,7 +84,7 @@ Bytes HuskyLens2::answer(std::uint8_t command, std::uint8_t algorithm, std::span
       used_ = true;
       if (algorithm != 0 && algorithm != algorithm_) return framed(0x41, algorithm, packet(0, 0, {0, 0, 0, 0}));
       return results();
-    default: return {};
+    default: not_emulated_.note("command " + hex_of(Bytes{command})); return {};
   }
 }
 

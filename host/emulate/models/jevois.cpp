@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -12,6 +13,7 @@ namespace fencepost::emulate {
 namespace {
 
 constexpr int kMostDecimals = 10;
+constexpr std::size_t kLongestName = 24;
 
 bool one_of(const std::string& word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -70,6 +72,16 @@ std::string JeVois::obey(const std::string& command) {
     return "OK\r\n";
   }
   if (verb == "setpar" && set(name, value)) return "OK\r\n";
+  const std::string asked = verb == "setpar" ? verb + " " + name : verb;
+  const bool plain = asked.size() < kLongestName && std::all_of(asked.begin(), asked.end(), [](char c) {
+                       return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ';
+                     });
+  not_emulated_.note(plain ? asked : "unreadable bytes");
+  if (asked == "setpar serlog") return "OK\r\n";
+  if (asked == "setmapping2" && !streaming_) {
+    load_module();
+    return "OK\r\n";
+  }
   return "ERR Command error\r\n";
 }
 

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
-/// Commands: `setpar serout|serstyle|serprec|serstamp|sermark|serlimit`, `streamon`, `streamoff`, `ping`; any other
-/// gets an error. Things are called blob1, blob2 ... by their signature. What it says while it boots is not known: here
-/// nothing, for three seconds, in which it does not listen either.
+/// Commands: `setpar serout|serstyle|serprec|serstamp|sermark|serlimit`, `streamon`, `streamoff`, `ping`. `setpar
+/// serlog` changes nothing, `setmapping2` loads the module anew whatever it names; any other gets an error. Things are
+/// called blob1, blob2 ... by their signature. What it says while it boots is not known: here nothing, for three
+/// seconds, in which it does not listen either.
 class JeVois final : public DeviceModel {
  public:
   static constexpr base::Duration kBoot = base::milliseconds(3'000);
@@ -25,6 +27,7 @@ class JeVois final : public DeviceModel {
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
   [[nodiscard]] bool in_use() const override { return used_; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
  private:
   [[nodiscard]] std::string obey(const std::string& command);
@@ -46,6 +49,7 @@ class JeVois final : public DeviceModel {
   bool streaming_ = false;
   bool used_ = false;
   std::uint32_t images_ = 0;
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

@@ -1,6 +1,7 @@
 #include "host/emulate/models/pixy1.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace fencepost::emulate {
 namespace {
@@ -29,6 +30,16 @@ Bytes Pixy1::power_up(base::Time now) {
   list_.clear();
   pulled_.clear();
   sent_ = codes_.size();
+  return {};
+}
+
+// A command is a word FFxx, low byte last here, and its numbers.
+Bytes Pixy1::take(std::uint8_t byte, base::Time /*now*/) {
+  const std::uint8_t before = std::exchange(heard_, byte);
+  if (before != 0) return {};
+  if (byte == 0xFF) not_emulated_.note("servos");
+  if (byte == 0xFE) not_emulated_.note("brightness");
+  if (byte == 0xFD) not_emulated_.note("lamp");
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -24,12 +25,13 @@ class Pixy1 final : public DeviceModel {
   explicit Pixy1(std::uint32_t baud) : baud_(baud) { static_cast<void>(power_up({})); }
 
   Bytes power_up(base::Time now) override;
-  Bytes take(std::uint8_t /*byte*/, base::Time /*now*/) override { return {}; }
+  Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
   [[nodiscard]] std::optional<base::Time> next() const override;
   Bytes step(base::Time now) override;
   [[nodiscard]] bool in_use() const override { return true; }
   [[nodiscard]] bool talks_unasked() const override { return true; }
+  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
   void show(const std::vector<sensor::Blob>& blobs);
   /// A colour code of the next image and those behind it; by its edges. The angle is in degrees.
@@ -60,6 +62,8 @@ class Pixy1 final : public DeviceModel {
   base::Time next_image_;
   base::Time free_;  ///< when the UART has sent all
   std::deque<std::uint8_t> pulled_;
+  std::uint8_t heard_ = 0;  ///< the host's last byte
+  NotEmulated not_emulated_;
 };
 
 /// "3 blocks", "image of 3 blocks", "nothing".

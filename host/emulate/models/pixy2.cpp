@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "host/emulate/models/bytes.hpp"
+#include "host/emulate/models/messages.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -26,6 +28,17 @@ void put_block(Bytes& bytes, const sensor::Blob& blob) {
   put(bytes, height(blob));
   put(bytes, 0);  // angle: of colour codes only
   put(bytes, 0xFF00U);
+}
+
+/// Of a request that is acknowledged alone.
+std::string_view without_effect(std::uint8_t type) {
+  switch (type) {
+    case 0x10: return "brightness";
+    case 0x12: return "servos";
+    case 0x14: return "LED";
+    case 0x16: return "lamp";
+    default: return {};
+  }
 }
 
 bool selected(const sensor::Blob& blob, unsigned map) {
@@ -74,6 +87,7 @@ bool Pixy2::whole() const {
 
 Bytes Pixy2::answer(std::uint8_t type, const Bytes& data, base::Time now) {
   const bool ready = now - power_on_ >= kBusy;
+  if (const std::string_view name = without_effect(type); !name.empty()) not_emulated_.note(std::string(name));
   switch (type) {
     case 0x0E:
       if (!ready) return error(-2);
@@ -89,7 +103,7 @@ Bytes Pixy2::answer(std::uint8_t type, const Bytes& data, base::Time now) {
     case 0x16: return data.size() == 2 ? packet(0x01, {0, 0, 0, 0}) : error(-3);
     case 0x18: return packet(0x01, {61, 0, 0, 0});
     case 0x20: break;
-    default: return error(-4);
+    default: not_emulated_.note("request " + hex_of(Bytes{type})); return error(-4);
   }
   if (button_) return error(-5);
   if (now - changed_ < kProgramChange) return error(-6);

@@ -7,6 +7,7 @@
 
 #include "hal/base/units.hpp"
 #include "hal/sensor/blob_frame.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -35,6 +36,8 @@ class Pixy2 {
   [[nodiscard]] bool asked() const { return asked_; }
   /// Answers to getBlocks that were blocks.
   [[nodiscard]] std::uint32_t frames_sent() const { return frames_sent_; }
+  /// Requests that it does not know, and those that it acknowledges though they change nothing here.
+  [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
  private:
   using Bytes = std::vector<std::uint8_t>;
@@ -56,6 +59,7 @@ class Pixy2 {
   std::vector<sensor::Blob> blobs_;
   Bytes received_;
   std::uint32_t frames_sent_ = 0;
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

@@ -21,7 +21,7 @@ std::optional<base::Time> earliest(std::initializer_list<std::optional<base::Tim
 }  // namespace
 
 Endpoint::Endpoint(EndpointSettings settings, const Feed& feed, base::Time now)
-    : settings_(std::move(settings)), line_(line_of(settings_)) {
+    : settings_(std::move(settings)), line_(line_of(settings_)), baud_(settings_.device.baud) {
   const EmulatedDevice& device = settings_.device;
   model_ = device.make([&feed](std::uint8_t signature) { return feed.colour_of(signature); });
   if (device.image) {
@@ -37,6 +37,14 @@ void Endpoint::connect(bool connected, base::Time now) {
   connected_ = connected;
   (void)line_.to_device(now);
   line_.clear();
+}
+
+// A device changes its rate when its answer is out.
+Bytes Endpoint::to_host(base::Time now) {
+  const std::uint32_t own = settings_.device.baud;
+  const std::uint32_t wanted = own == 0 || model_->baud() == 0 ? own : model_->baud();
+  if (wanted != baud_ && line_.idle()) line_.set_baud(baud_ = wanted);
+  return line_.to_host(now);
 }
 
 bool Endpoint::in_use() const { return connected_ && model_->in_use(); }

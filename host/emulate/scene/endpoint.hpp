@@ -54,6 +54,8 @@ class Endpoint {
 
   [[nodiscard]] const std::string& name() const { return settings_.name; }
   [[nodiscard]] const EmulatedDevice& device() const { return settings_.device; }
+  /// Of the line, as the host has changed it; 0: as fast as it goes.
+  [[nodiscard]] std::uint32_t baud() const { return baud_; }
 
   /// The host has opened or closed its end.
   void connect(bool connected, base::Time now);
@@ -72,7 +74,7 @@ class Endpoint {
   /// When `step` has something to do.
   [[nodiscard]] std::optional<base::Time> next_step() const;
   /// What has come to the host, and when the next byte does.
-  Bytes to_host(base::Time now) { return line_.to_host(now); }
+  Bytes to_host(base::Time now);
   [[nodiscard]] std::optional<base::Time> next_to_host() const { return line_.next_to_host(); }
 
   /// What the host sends has to wait: nothing of it is to be read.
@@ -103,6 +105,7 @@ class Endpoint {
   std::optional<base::Time> next_frame_;
   std::optional<base::Time> next_reboot_;
   std::optional<base::Time> next_plug_;  ///< the next time the line is hung up, or comes back
+  std::uint32_t baud_;
   bool connected_ = false;
   bool unplugged_ = false;
   EndpointCounts counts_;

@@ -99,17 +99,16 @@ void Server::follow_plug(std::size_t index) {
 
 void Server::check_baud(std::size_t index) {
   Place& place = places_[index];
-  const EmulatedDevice& device = playback_.endpoint(index).device();
-  if (device.baud == 0) return;
+  const std::uint32_t own = playback_.endpoint(index).baud();
+  if (own == 0) return;
   const std::uint32_t baud = place.transport->host_baud();
-  if (std::exchange(place.baud, baud) == baud || baud == 0 || baud == device.baud) return;
+  if (std::exchange(place.baud, baud) == baud || baud == 0 || baud == own) return;
   say_(playback_.endpoint(index).name() + ": the host has set " + std::to_string(baud) + " Bd, the device " +
-       std::to_string(device.baud) +
-       "; as on a real cable nothing sensible gets through: set one as the other (--baud)");
+       std::to_string(own) + "; as on a real cable nothing sensible gets through: set one as the other (--baud)");
 }
 
 bool Server::other_baud(std::size_t index) const {
-  const std::uint32_t own = playback_.endpoint(index).device().baud;
+  const std::uint32_t own = playback_.endpoint(index).baud();
   if (own == 0) return false;
   const std::uint32_t host = places_[index].transport->host_baud();
   return host != 0 && host != own;

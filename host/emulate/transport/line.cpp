@@ -14,11 +14,15 @@ std::int64_t ns(base::Duration d) { return d.raw * kNanosecondsPerTick; }
 // Up: a byte is never there before its last bit.
 base::Time tick_at(std::int64_t nanoseconds) { return {(nanoseconds + kNanosecondsPerTick - 1) / kNanosecondsPerTick}; }
 
+std::int64_t byte_time(std::uint32_t baud) { return baud == 0 ? 0 : kBitsAByte * 1'000'000'000 / baud; }
+
 }  // namespace
+
+void Line::set_baud(std::uint32_t baud) { byte_ns_ = byte_time(baud); }
 
 Line::Line(const LineSettings& settings)
     : settings_(settings),
-      byte_ns_(settings.baud == 0 ? 0 : kBitsAByte * 1'000'000'000 / settings.baud),
+      byte_ns_(byte_time(settings.baud)),
       out_(3 * settings.seed),
       in_(3 * settings.seed + 1),
       moods_(3 * settings.seed + 2) {}

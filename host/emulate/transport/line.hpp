@@ -42,6 +42,8 @@ class Line {
   [[nodiscard]] bool idle() const { return to_host_.empty(); }
   /// So much is on its way that a sender has to wait.
   [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMostOnItsWay; }
+  /// From now on; 0: as fast as it goes.
+  void set_baud(std::uint32_t baud);
   /// What is on its way is lost.
   void clear();
 

@@ -119,12 +119,17 @@ TEST(EmulatedCmuCam, ACmucam4ChangesItsBaudRate) {
   EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "ACK\r:ACK\r");
   EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D 52 53 0D")), "") << "starting";
   EXPECT_EQ(four.finish_start(), "\rCMUcam4 v1.02\r:");
+  EXPECT_EQ(four.feed("BM 100\r"), "NCK\r:");
+  EXPECT_EQ(four.baud(), 0U);
   EXPECT_EQ(four.feed("BM 250000\r"), "ACK\r");
+  EXPECT_EQ(four.baud(), 250'000U);
   EXPECT_EQ(four.feed("\r"), "ACK\r:");
   EXPECT_EQ(four.feed("DM 0\r"), "ACK\r:");
   EXPECT_EQ(four.feed(test::hex_text("00 00 00 0D") + "GV\r"), "ACK\r:ACK\rCMUcam4 v1.02\r:") << "before each command";
   EXPECT_EQ(four.feed("AX\bG\t1\r"), "ACK\r:") << "backspace and tab";
   EXPECT_EQ(four.feed("\x80\xFF\x7F\r"), "ACK\r:");
+  (void)four.power_up();
+  EXPECT_EQ(four.baud(), 0U) << "a start forgets it";
   EXPECT_TRUE(four.not_emulated().empty());
 }
 

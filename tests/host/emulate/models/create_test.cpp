@@ -120,6 +120,22 @@ TEST(EmulatedCreate, TellsAllPacketsAtOnce) {
   EXPECT_TRUE(two.not_emulated().empty());
 }
 
+// As if its battery was taken out: off, the stream ended.
+TEST(EmulatedCreate, ResetsAndCountsWhatIsNoOpcode) {
+  CreateDevice two(CreateModel::kTwo, true);
+  (void)two.feed(test::hex_text("80 83 94 01 07"));
+  EXPECT_TRUE(two.streaming());
+  (void)two.feed(test::hex_text("07"));
+  EXPECT_FALSE(two.streaming());
+  EXPECT_EQ(two.mode(), 0);
+  EXPECT_EQ(two.feed(test::hex_text("8E 23")), "") << "before a start";
+  (void)two.feed(test::hex_text("7F"));
+  EXPECT_EQ(two.not_emulated(), (std::vector<std::string>{"boot message", "bytes below 128 that are no opcode"}));
+  CreateDevice one(CreateModel::kOne, true);
+  (void)one.feed(test::hex_text("80 07"));
+  EXPECT_EQ(one.mode(), 1) << "which has no reset";
+}
+
 // A host that counts the bytes of a frame takes no frame that lacks a packet. Its lists, without and with wheel counts.
 TEST(EmulatedCreate, StreamsEveryPacketAskedFor) {
   CreateDevice one(CreateModel::kOne, true);

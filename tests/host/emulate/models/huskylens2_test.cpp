@@ -36,6 +36,13 @@ TEST(HuskyLens2Model, AnswersWithItsFrames) {
                                            "55 AA 43 05 12 01 5A A0 00 78 00 3C 00 28 00 06 43 6F 6C 6F 72 31 00 66"));
 }
 
+TEST(HuskyLens2Model, NamesWhatItDoesNotDo) {
+  HuskyLens2 camera;
+  EXPECT_EQ(tell(camera, hex("55 AA 50 00 00 4F")), Bytes{});
+  EXPECT_EQ(tell(camera, kAskKnock), kOkay);
+  EXPECT_EQ(camera.not_emulated(), (std::vector<std::string>{"command 50"}));
+}
+
 TEST(HuskyLens2Model, WhatTheOtherIsAskedSwallowsWhatFollows) {
   HuskyLens2 camera;
   // A length of 0x2C: with its sum 45 bytes more, of which the last of the knock is the first.

@@ -51,6 +51,30 @@ TEST(HuskyLensModel, IsDeafAtFirstAndForgetsItsAlgorithmWithoutPower) {
   EXPECT_EQ(say(camera, kKnock), Bytes{});
 }
 
+// The vendor's first example sets no algorithm: the function that it was left in is the one that it starts in.
+TEST(HuskyLensModel, StartsInTheFunctionThatItWasLeftIn) {
+  HuskyLens camera({}, HuskyLens::kColours);
+  static_cast<void>(camera.power_up({}));
+  camera.show({{1, 0, 0, 9, 9, {45}, {45}, 0, {}}});
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 20 30"))[5], 1);
+}
+
+// Its libraries get no arrows, and an OK to commands that change nothing.
+TEST(HuskyLensModel, AcknowledgesAndNamesWhatItDoesNotDo) {
+  HuskyLens camera({}, HuskyLens::kColours);
+  camera.show({{1, 0, 0, 9, 9, {45}, {45}, 0, {}}});
+  const Bytes none = hex("55 AA 11 0A 29 00 00 01 00 01 00 00 00 00 00 45");
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 22 32")), none);
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 25 35")), none);
+  EXPECT_TRUE(camera.not_emulated().empty());
+  EXPECT_EQ(say(camera, hex("55 AA 11 02 36 01 00 49")), kOk);
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 37 47")), kOk);
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 30 40")), kOk);
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 3B 4B")), Bytes{});
+  EXPECT_EQ(say(camera, hex("55 AA 11 00 77 87")), Bytes{});
+  EXPECT_EQ(camera.not_emulated(), (std::vector<std::string>{"learn", "forget", "photo", "is pro", "command 77"}));
+}
+
 TEST(HuskyLensModel, SaysNothingToWhatIsDamagedOrUnknown) {
   HuskyLens camera;
   EXPECT_EQ(say(camera, hex("55 AA 11 00 2C 3D")), Bytes{});

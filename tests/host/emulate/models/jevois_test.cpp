@@ -45,6 +45,19 @@ TEST_F(JevoisModel, TheDocumentsMessages) {
       << "its sources repeat the second vertex";
 }
 
+TEST_F(JevoisModel, NamesWhatItDoesNotDo) {
+  EXPECT_EQ(
+      tell(camera, "setpar serstyle Normal\nsetpar serlog Hard\nsetmapping2 YUYV 320 240 30 JeVois ObjectTracker\n"),
+      "OK\r\nOK\r\nOK\r\n");
+  EXPECT_EQ(tell(camera, "setpar serout Hard\nstreamon\n"), "OK\r\nOK\r\n");
+  EXPECT_EQ(text_said(camera.see(seeing(kBall), kUp)).substr(0, 2), "T2") << "the module is loaded anew";
+  EXPECT_EQ(tell(camera, "setmapping2 YUYV 320 240 30 JeVois ObjectTracker\ninfo\n\x01\x02\n"),
+            "ERR Command error\r\nERR Command error\r\nERR Command error\r\n")
+      << "not while it streams";
+  EXPECT_EQ(camera.not_emulated(),
+            (std::vector<std::string>{"setpar serlog", "setmapping2", "info", "unreadable bytes"}));
+}
+
 TEST_F(JevoisModel, MarksStampsAndLimit) {
   (void)tell(camera,
              "setpar serout USB\nstreamon\nsetpar sermark Both\nsetpar serstamp FrameTime\nsetpar serlimit 1\n");

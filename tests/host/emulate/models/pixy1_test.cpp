@@ -31,6 +31,12 @@ TEST(Pixy1Model, ColourCodesCome) {
   EXPECT_EQ(camera.step(kAwake), hex("00 00 55 AA 56 AA 45 01 0A 00 C8 00 50 00 3C 00 14 00 D3 FF"));
 }
 
+TEST(Pixy1Model, NamesWhatItIsTold) {
+  Pixy1 camera(0);
+  for (const std::uint8_t byte : hex("00 FF F4 01 F4 01 00 FE 80 00 FD 10 20 30")) (void)camera.take(byte, kAwake);
+  EXPECT_EQ(camera.not_emulated(), (std::vector<std::string>{"servos", "brightness", "lamp"}));
+}
+
 TEST(Pixy1Model, WithoutBlocksItSendsZeros) {
   Pixy1 camera(19'200);
   EXPECT_EQ(camera.step(kAwake), hex("00 00"));

@@ -36,6 +36,7 @@ TEST(EmulatedPixy2, AnswersAsDocumented) {
   EXPECT_EQ(ask(device, hex("AE C1 20 02 00 FF")), hex("AF C1 03 01 FD 00 FD"));
   EXPECT_EQ(ask(device, hex("AE C1 55 00")), hex("AF C1 03 01 FC 00 FC"));
   EXPECT_EQ(ask(device, hex("AE C1 14 03 01 02 03")), hex("AF C1 01 04 00 00 00 00 00 00"));
+  EXPECT_EQ(device.not_emulated(), (std::vector<std::string>{"request 55", "LED"}));
 }
 
 // Index and age are not modelled: 0 and 255.

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -154,6 +155,35 @@ TEST(EmulateServer, AHostThatFloodsItWaits) {
   }
   EXPECT_GT(sent, std::size_t{1} << 10U);
   EXPECT_LT(sent, std::size_t{1} << 18U) << "it never had to wait";
+  running.stop();
+}
+
+// The answer to BM comes at the old rate; from then on the camera is heard, and hears, at the new one.
+TEST(EmulateServer, FollowsACmucam4ThatChangesItsRate) {
+  const TestFolder folder;
+  Running running(moving_box(316, 208, 1'000));
+  running.add("cmucam4", open_pty(folder.file("camera")));
+  running.start();
+  for (const auto& [baud, command, expected] :
+       {std::tuple(19'200U, "BM 250000\r", "ACK\r"), std::tuple(250'000U, "GV\r", "ACK\rCMUcam4 v1.02\r:")}) {
+    auto tty = linux::Tty::open({folder.file("camera"), baud});
+    ASSERT_TRUE(tty.ok()) << tty.problem();
+    std::string heard;
+    base::Time asked{-10'000};
+    EXPECT_TRUE(eventually(running.clock(),
+                           [&] {
+                             const base::Time now = running.clock().now();
+                             if (now - asked > base::milliseconds(500)) {
+                               asked = now;
+                               (void)tty->write({reinterpret_cast<const std::uint8_t*>(command), std::strlen(command)});
+                             }
+                             std::array<std::uint8_t, 64> in{};
+                             if (const auto got = tty->read(in))
+                               heard.append(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(*got));
+                             return heard.find(expected) != std::string::npos;
+                           }))
+        << baud << ": " << heard;
+  }
   running.stop();
 }
 
