@@ -15,7 +15,7 @@ using Action = std::function<Exit()>;
 struct Command {
   std::string name;
   std::string summary;   ///< one clause, for the list of commands
-  std::string examples;  ///< shown first in --help, one a line, each indented by two blanks
+  std::string examples;  ///< shown last in --help, one a line, each indented by two blanks
   /// Declares the command's options. The action runs after parsing; for a command of commands it is empty.
   std::function<Action(Options)> configure;
   std::vector<Command> children;
@@ -31,6 +31,7 @@ const std::vector<Command>& commands();
 Command completion_command();
 Command configure_command();
 Command demo_command();
+Command devices_command();
 Command doctor_command();
 Command help_command();
 Command record_command();

@@ -2,7 +2,6 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/emulate_run.hpp"
-#include "host/devices/tables.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -11,7 +10,8 @@ Action configure_emulate(Options command) {
   const auto request = std::make_shared<EmulateRequest>();
   command
       .positional("DEVICE... SCENE|LOG", request->words,
-                  "devices, each KIND[:PLACE][,option=value...], then a scene (JSON) or a log; - is standard input")
+                  "devices, each KIND[:PLACE][,option=value...], then a scene (JSON) or a log; - is standard input; "
+                  "fencepost devices lists the kinds")
       .required();
   command.value("--link", request->links, "a link with a stable name to the pty; once for each device, in their order")
       .takes("PATH")
@@ -45,9 +45,7 @@ Command emulate_command() {
           "a camera or wheel base on a pty or TCP port, without hardware",
           "  fencepost emulate pixy2 scene.json --link /tmp/pixy2\n"
           "  fencepost emulate pixy2:/tmp/pixy2 create2:/tmp/create scene.json --fault drop=0.001,unplug=20:3\n"
-          "  fencepost emulate cmucam4:tcp:7000 run.log --verbose\n\n"
-          "Devices (PLACE: nothing or pty; a path, a link to the pty; tcp:[HOST:]PORT; of can an interface):\n" +
-              devices::help_for(devices::Use::kEmulated),
+          "  fencepost emulate cmucam4:tcp:7000 run.log --verbose\n",
           configure_emulate,
           {}};
 }

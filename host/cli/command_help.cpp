@@ -7,6 +7,8 @@
 #include "host/cli/describe.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/manual.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -30,7 +32,7 @@ Exit run(const CommandWords& program, const HelpRequest& request) {
     return Exit::kDone;
   }
   const CommandWords& command = find_command(program, request.words);
-  write_output("-", request.roff ? page_of(command) : command.help);
+  write_output("-", request.roff ? page_of(command) : wrapped(command.help, columns_of_stdout()));
   return Exit::kDone;
 }
 

@@ -12,7 +12,6 @@
 #include "host/cli/page_file.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/devices/tables.hpp"
 #include "host/live/alert_command.hpp"
 #include "host/live/can_alert.hpp"
 #include "host/live/listening_console.hpp"
@@ -222,7 +221,9 @@ Exit run(const RunRequest& request) {
 
 Action configure_run(Options command) {
   const auto request = std::make_shared<RunRequest>();
-  command.value("--camera", request->camera, "which camera, and where: KIND:PLACE[,option=value...]")
+  command
+      .value("--camera", request->camera,
+             "which camera, and where: KIND:PLACE[,option=value...]; fencepost devices lists the kinds")
       .takes("DEV")
       .required();
   command.value("--odometry", request->odometry, "which wheels, and where").takes("DEV").required();
@@ -279,9 +280,7 @@ Command run_command() {
       "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry can:can0 --robot robot.json --stop-gpio gpiochip0:17 "
       "--alert-can can0\n"
       "  fencepost run --camera pixy2:/dev/ttyUSB0 --odometry create2:/dev/ttyUSB1 --view\n"
-      "  fencepost run --camera console --odometry console < run.log\n\n"
-      "Cameras (KIND, then where it is, then options):\n" +
-          devices::help_for(devices::Use::kCamera) + "Odometry:\n" + devices::help_for(devices::Use::kOdometry),
+      "  fencepost run --camera console --odometry console < run.log\n",
       configure_run,
       {}};
 }

@@ -27,7 +27,7 @@ std::string dashed(std::string name) {
   return name;
 }
 
-/// "Options:", "Devices (PLACE: ...):": what stands above indented lines.
+/// "Options:": what stands above indented lines.
 bool is_heading(const std::string& line) {
   return !line.empty() && std::isupper(static_cast<unsigned char>(line[0])) != 0 && line.back() == ':';
 }
@@ -58,7 +58,7 @@ class Page {
                    [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
     section_ = section;
     table_ended_ = false;
-    as_is_ = section == "EXAMPLES" || section.rfind("DEVICES", 0) == 0;
+    as_is_ = section == "EXAMPLES";
     table_ = !as_is_;
     out_ += ".SH \"" + escaped(section) + "\"\n";
     if (as_is_) out_ += ".nf\n";

@@ -13,18 +13,30 @@
 #include "host/cli/describe.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/help.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host::cli {
 namespace {
 
-/// Prints a command's examples (kept as its footer) before everything else; the program's own help is `overview()`.
-class HelpWithExample : public CLI::Formatter {
+/// In the order of a manual page: usage, what it is, options, and last the examples, which are kept as the command's
+/// footer. The program's own help is `overview()`.
+class HelpInOrder : public CLI::Formatter {
  public:
+  HelpInOrder() { label("Positionals", "Arguments"); }
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     if (app->get_parent() == nullptr) return overview();
-    return "Examples:\n" + app->get_footer() + "\n" + CLI::Formatter::make_help(app, std::move(name), mode);
+    return make_usage(app, std::move(name)) + "\n" + make_description(app) + make_positionals(app) +
+           make_subcommands(app, mode) + make_groups(app, mode) + "\nExamples:\n" + app->get_footer();
   }
-  std::string make_footer(const CLI::App*) const override { return {}; }
+  /// Two blanks at least are between a name and its text: by them it is wrapped.
+  std::string make_option(const CLI::Option* option, bool positional) const override {
+    const std::string name = "  " + make_option_name(option, positional) + make_option_opts(option);
+    const std::size_t column = get_column_width();
+    const bool fits = name.size() + 2 <= column;
+    const std::string gap(fits ? column - name.size() : column, ' ');
+    return name + (fits ? "" : "\n") + gap + make_option_desc(option) + "\n";
+  }
 };
 
 /// "fencepost import csv"; nothing of no command.
@@ -200,7 +212,7 @@ CommandWords Options::program() const {
 }
 
 Parser::Parser() : app_(std::make_unique<CLI::App>("", "fencepost")) {
-  app_->formatter(std::make_shared<HelpWithExample>());
+  app_->formatter(std::make_shared<HelpInOrder>());
   app_->set_version_flag("-V,--version", "fencepost " FENCEPOST_VERSION);
   app_->require_subcommand(1);
   for (const Command& command : commands()) add(*app_, command);
@@ -231,7 +243,7 @@ Action Parser::parse(int argc, const char* const* argv) {
     return show(std::string(version.what()) + "\n");
   } catch (const CLI::Success&) {
     const CLI::App& command = parsed(*app_);
-    return show(command.help(name_of(command.get_parent())));
+    return show(wrapped(command.help(name_of(command.get_parent())), columns_of_stdout()));
   } catch (const CLI::ParseError& error) {
     const CLI::App& command = parsed(*app_);
     throw Failure(Exit::kUsage,

@@ -9,9 +9,12 @@
 #include "host/cli/command.hpp"
 #include "host/cli/describe.hpp"
 #include "host/cli/guarded.hpp"
+#include "host/cli/help.hpp"
 #include "host/cli/interrupt.hpp"
 #include "host/cli/parser.hpp"
 #include "host/cli/standard_streams.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -22,6 +25,7 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
   if (argc < 1) return fmt::format("no command given; see {} --help", where);
   const std::string_view word = argv[0];
   const bool of_program = &table == &commands();
+  if (of_program && word == "-v") return "no option -v in fencepost; did you mean -V? See fencepost --help";
   if (word == "-h" || word == "--help" || (of_program && (word == "--version" || word == "-V"))) return std::nullopt;
   std::vector<std::string> names = {"--help"};
   if (of_program) names.emplace_back("--version");
@@ -41,6 +45,10 @@ int run_program(int argc, const char* const* argv) {
   hold_standard_streams();
   handle_interrupts();
   return guarded([&] {
+    if (argc < 2) {
+      say_lines(wrapped(overview(), columns_of_stdout()));
+      return static_cast<int>(Exit::kUsage);
+    }
     if (const auto unknown = unknown_command(commands(), "fencepost", argc - 1, argv + 1)) {
       throw Failure(Exit::kUsage, *unknown);
     }

@@ -1,7 +1,9 @@
 #include "host/cli/terminal.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -22,6 +24,18 @@ bool colour_on_stdout() {
   const char* no_color = std::getenv("NO_COLOR");
   const bool refused = no_color != nullptr && *no_color != '\0';
   return is_terminal(STDOUT_FILENO) && !refused && can_redraw();
+}
+
+std::size_t columns_of_stdout() {
+  constexpr long kMinColumns = 40;
+  constexpr long kMaxColumns = 10'000;
+  constexpr long kColumns = 80;
+  winsize size{};
+  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const char* given = std::getenv("COLUMNS");
+  const long wanted = known || given == nullptr ? 0 : std::strtol(given, nullptr, 10);
+  const long columns = known ? long{size.ws_col} : wanted > 0 ? wanted : kColumns;
+  return static_cast<std::size_t>(std::clamp(columns, kMinColumns, kMaxColumns));
 }
 
 void leave_interrupted_line() {

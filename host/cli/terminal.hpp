@@ -1,6 +1,7 @@
 // Messages for people, and whether the terminal shows colours.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace fencepost::host::cli {
@@ -9,6 +10,9 @@ bool is_terminal(int descriptor);
 
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 bool colour_on_stdout();
+
+/// How wide standard output is: a terminal's columns, else COLUMNS of the environment, else 80. At least 40.
+std::size_t columns_of_stdout();
 
 /// TERM is not "dumb": a line can be erased and rewritten.
 bool can_redraw();

@@ -139,9 +139,10 @@ std::string emulated_table() {
 
 }  // namespace
 
-std::string help_for(Use use) {
+std::string help_for(Use use, std::span<const std::string> kinds) {
   std::string text;
   for (const Row* row : rows_for(use)) {
+    if (!kinds.empty() && std::ranges::find(kinds, *row->name) == kinds.end()) continue;
     std::string about = *row->about;
     std::erase(about, '`');
     text += fmt::format("  {:<10}  {}\n", *row->name, about);
@@ -156,7 +157,7 @@ std::string help_for(Use use) {
 
 std::string devices_document() {
   return "# Devices\n\n"
-         "The catalogue (`host/devices`) as `--help` has it; a test writes this page anew and compares.\n"
+         "The catalogue (`host/devices`) as `fencepost devices` has it; a test writes this page anew and compares.\n"
          "The name leads to the device's [own page](sensors/index.md): wires, lines to type, traps.\n"
          "A device is named `KIND:PLACE[,option=value...]`. An option stands here with what it is without being given, "
          "or\nwith its words, the first being what it is then. On a board it is chosen by `set camera` and `set "

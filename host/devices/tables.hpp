@@ -1,14 +1,15 @@
-// The catalogue for people: --help and share/doc/devices.md.
+// The catalogue for people: `fencepost devices` and share/doc/devices.md.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "host/devices/device_spec.hpp"
 
 namespace fencepost::devices {
 
-/// What --help says of the devices of a use: names, places, options.
-std::string help_for(Use use);
+/// What `fencepost devices` says of the devices of a use: names, places, options. `kinds`: of these alone; none: all.
+std::string help_for(Use use, std::span<const std::string> kinds = {});
 
 /// The whole of share/doc/devices.md.
 std::string devices_document();

@@ -16,6 +16,7 @@ using testing::spill;
 
 const std::vector<std::string> kCommands = {"",
                                             "demo",
+                                            "devices",
                                             "replay",
                                             "report",
                                             "simulate",
@@ -45,17 +46,39 @@ const std::vector<std::string> kCommands = {"",
                                             "import candump",
                                             "import mcap"};
 
-TEST(Help, ShowsAnExampleFirst) {
+TEST(Help, BeginsWithUsageAndEndsWithExamples) {
   const Folder folder;
   for (const std::string& command : kCommands) {
     const Outcome run = shell(folder, "fencepost " + command + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
-    EXPECT_EQ(run.out.rfind("Examples:\n  fencepost " + command, 0), 0U) << command << "\n" << run.out;
+    EXPECT_EQ(run.out.rfind("Usage: fencepost " + command, 0), 0U) << command << "\n" << run.out;
+    const std::size_t options = run.out.find("\nOptions:\n");
+    const std::size_t examples = run.out.find("\nExamples:\n  fencepost " + command);
+    EXPECT_LT(run.out.find("\n\n"), options) << "a sentence on what it does\n" << run.out;
+    EXPECT_LT(options, examples) << run.out;
+    EXPECT_NE(examples, std::string::npos) << run.out;
     EXPECT_EQ(run.err, "") << command;
-    if (!command.empty()) {
-      EXPECT_NE(run.out.find("Usage: fencepost " + command), std::string::npos) << run.out;
-    }
   }
+}
+
+TEST(Help, IsSaidWhereNoCommandIsGiven) {
+  const Folder folder;
+  const Outcome run = shell(folder, "fencepost");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, shell(folder, "fencepost --help").out);
+}
+
+TEST(Devices, AreListedByUse) {
+  const Folder folder;
+  const Outcome all = shell(folder, "fencepost devices");
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  for (const char* part : {"Cameras of run and record", "\n  cognachrome ", "Odometry of run", "Devices of emulate"}) {
+    EXPECT_NE(all.out.find(part), std::string::npos) << part;
+  }
+  const Outcome one = shell(folder, "fencepost devices can");
+  EXPECT_EQ(one.out.find("Cameras"), std::string::npos) << one.out;
+  EXPECT_NE(one.out.find("layout=canopen|talon"), std::string::npos) << one.out;
 }
 
 TEST(Help, ListsEveryCommand) {
@@ -111,14 +134,15 @@ TEST_P(UsageError, ExitsWithTwoAndSaysWhyOnStandardErrorOnly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, UsageError,
-                         ::testing::Values(Wrong{"fencepost", "no command given; see fencepost --help"},
-                                           Wrong{"fencepost import", "see fencepost import --help"},
+                         ::testing::Values(Wrong{"fencepost import", "see fencepost import --help"},
                                            Wrong{"fencepost import --truth x", "--truth"},
                                            Wrong{"fencepost repaly x", "did you mean replay?"},
                                            Wrong{"fencepost sim x", "did you mean simulate?"},
                                            Wrong{"fencepost zzzzzz", "no command \"zzzzzz\""},
                                            Wrong{"fencepost import mclram x", "did you mean mrclam?"},
                                            Wrong{"fencepost --nonsense", "--nonsense"},
+                                           Wrong{"fencepost -v", "did you mean -V?"},
+                                           Wrong{"fencepost devices pixie2", "did you mean pixy2?"},
                                            Wrong{"fencepost replay", "LOG is required; see fencepost replay --help"},
                                            Wrong{"fencepost replay a --nonsense", "see fencepost replay --help"},
                                            Wrong{"fencepost replay a --profile huge", "huge not in"},

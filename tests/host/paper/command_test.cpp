@@ -107,12 +107,13 @@ TEST(PaperCommand, SaysWhatIsWrongWithARun) {
   EXPECT_EQ(run.exit_code, 3);
 }
 
-TEST(PaperCommand, HelpsWithAnExampleFirst) {
+TEST(PaperCommand, HelpsWithOptionsThenAnExample) {
   const Folder folder;
   const Outcome run = shell(folder, "fencepost paper --help");
   EXPECT_EQ(run.exit_code, 0);
   const std::size_t example = run.out.find("fencepost paper -o paper");
-  EXPECT_LT(example, run.out.find("--seed N"));
+  EXPECT_NE(example, std::string::npos);
+  EXPECT_LT(run.out.find("--seed N"), example);
 }
 
 }  // namespace

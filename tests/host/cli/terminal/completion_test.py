@@ -4,12 +4,17 @@
 The manual pages and the completion of shells, against what --help prints. zsh, fish and man are asked where they are.
 """
 
+import fcntl
+import os
 import pathlib
+import pty
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import unittest
 
 PROGRAM = sys.argv[1]
@@ -124,8 +129,57 @@ class Manual(unittest.TestCase):
         self.assertEqual(done.stderr, "", words)
         text = done.stdout.lower().replace(":", "")
         shown = set(text.split())
-        missing = [w for w in help_text.lower().replace(":", "").split() if w not in shown and w not in ("usage",)]
+        missing = [w for w in help_text.lower().replace(":", "").split() if w not in shown and w not in ("usage", "\\")]
         self.assertEqual(missing, [], words)
+
+
+    def test_pages_have_the_usual_order(self):
+        usual = ["NAME", "SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "COMMANDS", "SUBCOMMANDS", "OPTIONS", "NOTES", "EXAMPLES", "SEE ALSO"]
+        for words in ALL:
+            found = re.findall(r'^\.SH "?([A-Z ]+?)"?$', said("help", "--roff", *words), re.MULTILINE)
+            self.assertEqual(found, [name for name in usual if name in found], words)
+            self.assertLessEqual({"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXAMPLES"}, set(found), words)
+
+
+class Width(unittest.TestCase):
+    """Whatever the width, lines keep within it, and are the same words."""
+
+    def compare(self, text, columns, words):
+        bare = lambda help_text: [word for word in help_text.split() if word != "\\"]  # noqa: E731
+        self.assertEqual(bare(text), bare(said("help", *words)), words)
+        for line in text.splitlines():
+            if len(bare(line)) > 2:  # one long word, perhaps behind its name, may stick out
+                self.assertLessEqual(len(line), columns, (words, line))
+
+    def test_of_the_environment(self):
+        for words in ALL:
+            for columns in (40, 80, 100):
+                done = run(PROGRAM, "help", *words, env={"COLUMNS": str(columns)})
+                self.compare(done.stdout, columns, words)
+            self.assertEqual(run(PROGRAM, "help", *words, env={}).stdout, run(PROGRAM, "help", *words, env={"COLUMNS": "80"}).stdout)
+
+    def test_of_a_terminal(self):
+        for columns in (50, 132):
+            ours, theirs = pty.openpty()
+            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+            with subprocess.Popen([PROGRAM, "run", "--help"], stdin=theirs, stdout=theirs, env={"COLUMNS": "200"}):
+                os.close(theirs)
+                text = ""
+                while True:
+                    try:
+                        part = os.read(ours, 65536)
+                    except OSError:  # all of it was read
+                        break
+                    text += part.decode()
+            os.close(ours)
+            self.compare(text.replace("\r\n", "\n"), columns, ["run"])
+
+    def test_commands_can_be_copied(self):
+        text = run(PROGRAM, "help", "run", env={"COLUMNS": "60"}).stdout
+        examples = text[text.index("\nExamples:\n"):]
+        self.assertIn(" \\\n      --", examples)
+        whole = run(PROGRAM, "help", "run", env={"COLUMNS": "999"}).stdout
+        self.assertEqual(re.sub(r" \\\n +", " ", examples), whole[whole.index("\nExamples:\n"):])
 
 
 class Help(unittest.TestCase):

@@ -1,0 +1,16 @@
+// Help at the width of the terminal that shows it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace fencepost::host {
+
+/// `text` without lines longer than `width` columns, as far as its words allow.
+/// A line such as "  --log FILE    what it is" is a name and its text, with two blanks or more between: the text goes
+/// on in its own column. Below "Examples:" lines are shell commands: they go on behind a backslash, so that they can
+/// still be copied.
+std::string wrapped(std::string_view text, std::size_t width);
+
+}  // namespace fencepost::host
