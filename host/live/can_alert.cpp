@@ -61,7 +61,8 @@ base::Result<CanAlertSpec, std::string> parse_can_alert(std::string_view text) {
   const std::size_t colon = text.find(':');
   CanAlertSpec spec;
   spec.interface = std::string(text.substr(0, colon));
-  bool good = !spec.interface.empty();
+  constexpr std::size_t kMaxName = 15;  // IFNAMSIZ, less its end
+  bool good = !spec.interface.empty() && spec.interface.size() <= kMaxName;
   if (good && colon != std::string_view::npos) {
     const std::string_view digits = text.substr(colon + 1);
     const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), spec.id, 16);
@@ -71,7 +72,8 @@ base::Result<CanAlertSpec, std::string> parse_can_alert(std::string_view text) {
   }
   if (good) return spec;
   return "--alert-can " + std::string(text) +
-         ": write INTERFACE[:ID], such as can0 or can0:120; the id is hexadecimal, of three digits up to 7FF, or of "
+         ": write INTERFACE[:ID], such as can0 or can0:120; an interface's name has at most 15 characters; the id is "
+         "hexadecimal, of three digits up to 7FF, or of "
          "eight up to 1FFFFFFF";
 }
 

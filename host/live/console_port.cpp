@@ -62,6 +62,14 @@ std::optional<std::uint32_t> baud_in(std::string_view option) {
 
 constexpr std::string_view kListen = "tcp-listen:";
 
+/// "no such place", or what is wrong with the port of a TCP place.
+std::string_view fault_of(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  const std::string_view port = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+  const bool number = !port.empty() && port.find_first_not_of("0123456789") == std::string_view::npos;
+  return text.starts_with("tcp") && number ? "a port is 1 to 65535" : "no such place";
+}
+
 /// "4000" or "HOST:4000". Whoever reaches a console can silence its alerts: without HOST only this machine does.
 std::optional<Place> listened_at(std::string_view text) {
   const bool host = text.find(':') != std::string_view::npos;
@@ -79,7 +87,7 @@ base::Result<ConsoleSpec, std::string> parse_console(std::string_view text) {
   }
   if (text.starts_with(kListen)) {
     const auto place = listened_at(text.substr(kListen.size()));
-    if (!place) return fmt::format("console \"{}\": no such place; {}", text, kAllowed);
+    if (!place) return fmt::format("console \"{}\": {}; {}", text, fault_of(text), kAllowed);
     spec.kind = ConsoleSpec::Kind::kListen;
     spec.place = *place;
     return spec;
@@ -91,7 +99,9 @@ base::Result<ConsoleSpec, std::string> parse_console(std::string_view text) {
   }
   const std::size_t comma = text.find(',');
   const std::string_view path = text.substr(0, comma);
-  if (path.find('/') == std::string_view::npos) return fmt::format("console \"{}\": no such place; {}", text, kAllowed);
+  if (path.find('/') == std::string_view::npos) {
+    return fmt::format("console \"{}\": {}; {}", text, fault_of(text), kAllowed);
+  }
   spec.place = {PlaceKind::kTty, std::string(path), 0};
   if (comma == std::string_view::npos) return spec;
   const std::string_view option = text.substr(comma + 1);

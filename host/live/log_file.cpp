@@ -2,11 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace fencepost::host {
@@ -30,6 +33,8 @@ std::string_view remedy(int error) {
     case EDQUOT: return "free some space, or choose another disk; what was written before is kept";
     case EFBIG: return "raise 'ulimit -f', or write smaller parts; what was written before is kept";
     case EPIPE: return "its reader has gone; start it again";
+    case ENXIO: return "nobody reads this pipe; start its reader first";
+    case EWOULDBLOCK: return "another run writes it; choose another name";
     default: return "look at the end of 'dmesg', or choose another disk; what was written before is kept";
   }
 }
@@ -42,7 +47,32 @@ bool is_device(const std::string& path) {
 
 int create_flags(const LogFileSettings& settings, const std::string& path) {
   if (is_device(path)) return 0;
-  return O_CREAT | (settings.overwrite ? O_TRUNC : O_EXCL);
+  return O_CREAT | (settings.overwrite ? 0 : O_EXCL);
+}
+
+/// Opened for appending; a pipe's reader is waited for two seconds. The file is this run's alone, and emptied only
+/// then. errors: errno
+Descriptor open_log(const std::string& path, const LogFileSettings& settings) {
+  constexpr int kFlags = O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK;
+  constexpr int kLooks = 100;
+  const auto open = [&] { return ::open(path.c_str(), kFlags | create_flags(settings, path), kNewFileMode); };
+  Descriptor fd(open());
+  for (int look = 0; look < kLooks && !fd.open() && errno == ENXIO; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    fd = Descriptor(open());
+  }
+  struct stat about {};
+  if (!fd.open() || ::fstat(fd.get(), &about) != 0) return {};
+  ::fcntl(fd.get(), F_SETFL, O_APPEND);  // from here on a full pipe is waited for
+  if (!S_ISREG(about.st_mode)) return fd;
+  // Where a file system has no locks, there is none.
+  const bool taken = ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (taken || (about.st_size > 0 && ::ftruncate(fd.get(), 0) != 0)) {
+    const int error = errno;
+    fd.close();
+    errno = error;
+  }
+  return fd;
 }
 
 // A new name is on the disk only when its folder is.
@@ -74,7 +104,7 @@ LogFile::~LogFile() {
 
 LogFile::Fault LogFile::start_part(unsigned number, base::Time now) {
   const std::string path = part_path(settings_.path, number);
-  Descriptor fd(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | create_flags(settings_, path), kNewFileMode));
+  Descriptor fd = open_log(path, settings_);
   if (!fd.open()) return failure("create the log", path, errno, remedy(errno));
   if (Descriptor folder = folder_of(path); folder.open()) syncing_->sync(std::move(folder));
   if (fd_.open()) syncing_->sync(std::move(fd_));

@@ -24,14 +24,15 @@ linux::Opened<RunLog> RunLog::open(const RunLogSettings& settings, base::Time no
   };
   linux::Opened<LogFile> opened = LogFile::open(std::move(file), now);
   if (!opened) return linux::Problem{opened.problem()};
-  return RunLog(std::move(calibration), std::move(*opened), settings.path);
+  const bool parts = settings.part_bytes > 0 || settings.part_age > base::Duration{};
+  return RunLog(std::move(calibration), std::move(*opened), settings.path, parts);
 }
 
-// In portions as large as possible: some disks take a tenth of a second for each. A line of the calibration ends one,
-// so that a part that begins within a portion begins with what was in force there.
+// In portions as large as possible: some disks take more than a second for each. Where there are parts, a line of the
+// calibration ends one. So a part that begins within a portion begins with what was in force there.
 RunLog::Fault RunLog::write(std::string_view lines, base::Time now) {
   std::size_t end = 0;
-  while (end < lines.size()) {
+  while (parts_ && end < lines.size()) {
     const std::size_t begin = end;
     end = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
     const std::string_view line = lines.substr(begin, end - begin);

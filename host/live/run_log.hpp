@@ -36,12 +36,13 @@ class RunLog final : public Sink {
   [[nodiscard]] std::uint64_t bytes() const override { return file_.bytes(); }
 
  private:
-  RunLog(std::unique_ptr<CalibrationLines> calibration, LogFile file, std::string first)
-      : calibration_(std::move(calibration)), file_(std::move(file)), first_(std::move(first)) {}
+  RunLog(std::unique_ptr<CalibrationLines> calibration, LogFile file, std::string first, bool parts)
+      : calibration_(std::move(calibration)), file_(std::move(file)), first_(std::move(first)), parts_(parts) {}
 
   std::unique_ptr<CalibrationLines> calibration_;  ///< the file keeps its address
   LogFile file_;
   std::string first_;
+  bool parts_;  ///< there may be more than one
 };
 
 }  // namespace fencepost::host

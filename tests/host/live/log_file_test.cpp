@@ -1,7 +1,9 @@
 #include "host/live/log_file.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <thread>
@@ -52,6 +54,31 @@ TEST_F(LogFileTest, AnExistingFileIsOverwrittenWhenTold) {
   LogFile log = opened({.path = path, .overwrite = true});
   ASSERT_FALSE(log.write("new\n", at(0)));
   EXPECT_EQ(contents(path), "new\n");
+}
+
+// Before, both said that it was theirs, and the second emptied it.
+TEST_F(LogFileTest, AFileThatAnotherRunWritesIsRefusedAndKept) {
+  LogFile first = opened({.path = path, .overwrite = true});
+  ASSERT_FALSE(first.write("mine\n", at(0)));
+  linux::Opened<LogFile> second = LogFile::open({.path = path, .overwrite = true}, at(0));
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.problem().find("another run writes it; choose another name"), std::string::npos) << second.problem();
+  EXPECT_EQ(contents(path), "mine\n");
+  ASSERT_FALSE(first.close());
+  EXPECT_TRUE(LogFile::open({.path = path, .overwrite = true}, at(0))) << "once it is closed";
+}
+
+// To open it for writing waits until somebody reads.
+TEST_F(LogFileTest, APipeThatNobodyReadsIsSaid) {
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  linux::Opened<LogFile> log = LogFile::open({path}, at(0));
+  ASSERT_FALSE(log);
+  EXPECT_NE(log.problem().find("nobody reads this pipe; start its reader first"), std::string::npos) << log.problem();
+  const linux::Descriptor reader(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  LogFile read = opened({path});
+  ASSERT_FALSE(read.write("line\n", at(0)));
+  char bytes[8] = {};
+  EXPECT_EQ(::read(reader.get(), bytes, sizeof bytes), 5);
 }
 
 TEST_F(LogFileTest, AMissingFolderIsSaid) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/host/live/log_folder.hpp"
 
 namespace fencepost::host {
@@ -33,6 +35,27 @@ RunLog opened(const RunLogSettings& settings) {
   linux::Opened<RunLog> log = RunLog::open(settings, at(0));
   EXPECT_TRUE(log) << log.problem();
   return std::move(*log);
+}
+
+/// Of this process, as the kernel counts them.
+int writes_so_far() {
+  std::ifstream counts("/proc/self/io");
+  for (std::string word; counts >> word;) {
+    if (word == "syscw:" && counts >> word) return std::stoi(word);
+  }
+  return -1;
+}
+
+// Some disks take more than a second for each write: 19 lines of a calibration were 19 of them.
+TEST_F(RunLogTest, APortionIsOneWriteWhereThereAreNoParts) {
+  if (writes_so_far() < 0) GTEST_SKIP() << "this kernel does not count";
+  RunLog log = opened({path, false, 0, {}, "small"});
+  std::string lines;
+  for (int i = 0; i < 19; ++i) lines += "$FPCFG,alert.stop,0." + std::to_string(i) + "*0000\r\n";
+  const int before = writes_so_far();
+  ASSERT_FALSE(log.write(lines, at(1)));
+  EXPECT_EQ(writes_so_far() - before, 1);
+  EXPECT_EQ(contents(path), lines);
 }
 
 // A part of 400 bytes ends with the line that makes it this long: the long one. What was in force then is told in the
