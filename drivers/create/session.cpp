@@ -1,5 +1,6 @@
 #include "drivers/create/session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -49,6 +50,13 @@ StreamLayout layout_of(Model model, bool reading) {
     FENCEPOST_CHECK(layout.push_back(field));
   }
   return layout;
+}
+
+// On the spot its middle has no speed.
+Motion slowed(Motion motion, std::int16_t most) {
+  const bool on_the_spot = motion.radius_mm == Motion::kOnTheSpotLeft || motion.radius_mm == Motion::kOnTheSpotRight;
+  if (!on_the_spot) motion.velocity_mm_s = std::clamp<std::int16_t>(motion.velocity_mm_s, -most, most);
+  return motion;
 }
 
 }  // namespace
@@ -191,7 +199,7 @@ void Session::ask_for_stream(base::Time now) {
 // A robot whose wheels are not heard of is not driven on.
 void Session::steer(base::Time now) {
   if (!motion_) return;
-  const Motion wanted = allowed_ && streaming_ ? *motion_ : Motion{};
+  const Motion wanted = allowed_ && streaming_ ? slowed(*motion_, most_) : Motion{};
   if (steered_ == wanted && now - steered_at_ < kSteerAgain) return;
   if (!put(wanted)) return;
   steered_ = wanted;

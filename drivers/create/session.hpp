@@ -51,6 +51,7 @@ struct Counts {
 class Session {
  public:
   using Sample = sensor::OdometrySample;
+  static constexpr std::int16_t kFastest = 500;  ///< mm/s
 
   explicit Session(const Config& config);
 
@@ -67,8 +68,11 @@ class Session {
   /// From now on the robot is driven, as long as it is allowed to and the stream comes; else it is told to stand. In
   /// mode passive the robot does not obey. Until the first call nothing is ever sent that moves it, or stops it.
   void drive(const Motion& motion) { motion_ = motion; }
-  /// At first it is not allowed.
-  void allow_motion(bool allowed) { allowed_ = allowed; }
+  /// At first it is not allowed. `most`: mm/s that its middle may have.
+  void allow_motion(bool allowed, std::int16_t most = kFastest) {
+    allowed_ = allowed;
+    most_ = most;
+  }
   /// At the end: it stands, and its motors are its own again (mode passive). Needs one more poll to be sent.
   void stand();
 
@@ -105,6 +109,7 @@ class Session {
   std::optional<Motion> steered_;  ///< that was sent last
   base::Time steered_at_;
   bool allowed_ = false;
+  std::int16_t most_ = kFastest;
   bool begun_ = false;
   bool streaming_ = false;
   bool heard_ = false;

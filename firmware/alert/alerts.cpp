@@ -65,6 +65,20 @@ AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float sl
   return AlertLevel::kClear;
 }
 
+float stopping_speed(float free, float ttc_stop, float before_stop) {
+  return std::max(0.0F, std::min(free / (ttc_stop + kSlowsWithin), before_stop / kLookSeconds));
+}
+
+float stopping_speed(const Obstacle& obstacle, const RobotPath& path, const AlertRules& rules) {
+  if (!obstacle.known || !obstacle.in_path || obstacle.unbacked) return kFastest;
+  const float range = obstacle.toward.norm();
+  const float share = range > 0 ? std::fabs(obstacle.toward.x()) / range : 0.0F;
+  if (!(share > 0)) return kFastest;
+  const float margin = margin_of(obstacle, *obstacle.in_path, rules.stop);
+  const float before_stop = obstacle.distance - obstacle.overhang - margin - rules.stop;
+  return stopping_speed(way_to(path, obstacle, share), rules.ttc_stop, before_stop / share);
+}
+
 std::optional<AlertLevel> follow(AlertState& state, AlertLevel due, AlertLevel held, const AlertRules& rules,
                                  base::Time now) {
   if (due > state.level) return change(state, due, now);

@@ -54,6 +54,13 @@ struct AlertRules {
 /// the obstacle's overhang.
 record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
+/// m/s. The largest speed from which the robot still stops: one that slows down as this falls is not stopped by the
+/// time to contact. `free`: m until the body touches; `ttc_stop`: s before it, where STOP is due; `before_stop`: m
+/// until alert.stop.
+[[nodiscard]] float stopping_speed(float free, float ttc_stop, float before_stop);
+/// m/s, the same before an obstacle; kFastest: none before this one.
+[[nodiscard]] float stopping_speed(const Obstacle& obstacle, const RobotPath& path, const AlertRules& rules);
+
 /// Updates a state and returns the level to report now, if any: a rise to `due` at once, a repeat of warn and stop at
 /// most alert.rate times a second (notice: once a second), an easing to `held`, which is `due` with the hysteresis,
 /// once that has lasted.

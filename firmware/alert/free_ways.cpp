@@ -29,8 +29,7 @@ constexpr std::array<WayShape, FreeWays::kWays> kShapes = {{{WayMotion::kSpin, 0
                                                             {WayMotion::kForward, -3.2F},
                                                             {WayMotion::kBack, 0}}};
 
-// m. No way is followed farther: floor and guard know no more.
-constexpr float kLongest = metres(recon::guard::kFloorReach);
+constexpr float kLongest = kFarthestKnown;
 // A mask of every way.
 constexpr unsigned kAll = ~0U;
 
@@ -269,12 +268,9 @@ record::WayReport::Way FreeWays::way(std::size_t index, const recon::guard::Seen
   const bool unknown = seen < needed;
   if (unknown) end = WayEnd::kUnknown;
   const float free = unknown ? (spins ? 0.0F : seen) : until;
-  float speed = free / rules.ttc_stop;
-  if (!spins) {
-    // STOP is due as near as alert.stop, too; the path is watched now and then.
-    const float before_stop = std::max(0.0F, free + body_.body_radius - rules.stop);
-    speed = std::min(speed, before_stop / kLookSeconds);
-  }
+  // A turn on the spot comes no nearer to alert.stop.
+  const float before_stop = spins ? free : free + body_.body_radius - rules.stop;
+  const float speed = stopping_speed(free, rules.ttc_stop, before_stop);
   return {shape.motion,
           {recon::nearest_whole(static_cast<float>(base::Ratio2::kPerUnit) * shape.curvature)},
           {recon::nearest_whole(static_cast<float>(base::Metres::kPerUnit) * free)},

@@ -40,7 +40,7 @@ class FreeWays {
     add_cylinder(object, robot, side);
   }
 
-  /// After all have been added. `floor` in the frame of `odometry`. Its speed is the largest at which no STOP is due.
+  /// After all have been added. `floor` in the frame of `odometry`. For its speed see stopping_speed().
   [[nodiscard]] record::WayReport::Way way(std::size_t index, const recon::guard::SeenFloor& floor,
                                            const RobotPlace& odometry, const AlertRules& rules) const;
 

@@ -58,6 +58,12 @@ struct Limits {
   }
 };
 
+// `square`: of a distance in mm.
+float speed_before(std::int32_t square, float overhang, const RobotPath& path, const AlertRules& rules) {
+  const float distance = std::sqrt(static_cast<float>(square)) / recon::kMillimetresPerMetre - overhang;
+  return stopping_speed(distance - path.body_radius, rules.ttc_stop, distance - kFrontDoubt - rules.stop);
+}
+
 float confidence_of(const Front& front) {
   constexpr float kFramesKept = 8;
   constexpr std::int64_t kCounts = recon::guard::kRefutedAfter.raw / recon::guard::kDoubtTicks;
@@ -81,6 +87,7 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
                                nearest_whole(recon::kSlopeOne * robot.heading.x()),
                                nearest_whole(recon::kSlopeOne * robot.heading.y())};
   const Front* nearest = nullptr;
+  std::array<std::int32_t, 2> met = {2 * kReach * kReach, 2 * kReach * kReach};  // squares, ahead and behind
   std::int32_t nearest_x = 0;
   std::int32_t nearest_y = 0;
   const std::array<std::int32_t, 2> widest = {held.widest(false), held.widest(true)};
@@ -100,6 +107,7 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
     held.add(front, square, behind);
     // A point of a single frame may be noise: the nearest one that several have seen, if there is one.
     const bool enough = recon::guard::enough_frames(front.frames);
+    if (enough) met[behind ? 1 : 0] = std::min(met[behind ? 1 : 0], square);
     if ((confirmed && !enough) || (confirmed == enough && square > least)) continue;
     if (square > widest[behind ? 1 : 0]) continue;
     confirmed = enough;
@@ -112,6 +120,8 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   ahead.due = due.level();
   ahead.held = held.level();
   ahead.something = guessed.level() == AlertLevel::kStop;
+  ahead.speed = std::min(speed_before(met[0], area.overhang().ahead, path, rules),
+                         speed_before(met[1], area.overhang().behind, path, rules));
   if (nearest == nullptr) return ahead;
   Obstacle& obstacle = ahead.nearest;
   obstacle.known = true;

@@ -8,6 +8,7 @@
 
 #include "firmware/alert/alerts.hpp"
 #include "firmware/alert/swept_area.hpp"
+#include "firmware/alert/tuning.hpp"
 #include "firmware/recon/guard/guard.hpp"
 
 namespace fencepost::alert {
@@ -16,6 +17,7 @@ namespace fencepost::alert {
 struct FrontAhead {
   record::AlertLevel due = record::AlertLevel::kClear;   ///< what the thresholds call for
   record::AlertLevel held = record::AlertLevel::kClear;  ///< the same, thresholds widened by the hysteresis
+  float speed = kFastest;                                ///< m/s, see stopping_speed()
   bool something = false;                                ///< so near that an object whose place is a guess may be it
   Obstacle nearest;  ///< the nearest point in the area; not known if there is none near enough to warn
   std::uint8_t signature = 0;

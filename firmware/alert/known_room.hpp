@@ -28,6 +28,9 @@ inline constexpr float kNearer = 2.0F;
 
 constexpr float metres(std::int32_t millimetres) { return 0.001F * static_cast<float>(millimetres); }
 
+/// m. How far ahead the floor is known; no way is followed farther.
+inline constexpr float kFarthestKnown = metres(recon::guard::kFloorReach);
+
 /// Sides of an outline from one that is looked at to the next: every fourth is enough.
 inline constexpr std::size_t kSidesApart = 4;
 

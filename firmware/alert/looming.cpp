@@ -371,6 +371,16 @@ float early_by(const LoomingTrack& track, float ttc, float closing, const AlertR
   return kLookSeconds + std::min(kEarlySigmas * sigma, kMostEarly * rules.ttc_stop);
 }
 
+// m/s, see stopping_speed(): of the way to the thing, what it does not come itself meanwhile.
+float speed_before(const Meeting& meeting, float closing, float ttc_stop, const RobotPath& path) {
+  if (!(meeting.place.x() > 0) || path.motion.forward < -kStanding) return kFastest;
+  const float distance = meeting.place.norm();
+  const float share = meeting.place.x() / distance;
+  const float own = closing - share * path.motion.forward;
+  const float free = (distance - path.body_radius - own * (ttc_stop + kSlowsWithin)) / share;
+  return stopping_speed(free, ttc_stop, free);
+}
+
 FrontAhead judge_track(const LoomingTrack& track, const Meeting& meeting, const RobotPath& path,
                        const AlertRules& rules) {
   FrontAhead front;
@@ -384,7 +394,10 @@ FrontAhead judge_track(const LoomingTrack& track, const Meeting& meeting, const 
   const float ttc = std::max(0.0F, distance - path.body_radius) / closing;
   const float early = early_by(track, ttc, closing, rules);
   front.held = level_of(ttc - early, rules, kHysteresis);
-  if (miss <= path.half_width) front.due = level_of(ttc - early, rules, 1.0F);
+  if (miss <= path.half_width) {
+    front.due = level_of(ttc - early, rules, 1.0F);
+    front.speed = speed_before(meeting, closing, rules.ttc_stop + early, path);
+  }
   if (front.held == record::AlertLevel::kClear) return front;
   Obstacle& obstacle = front.nearest;
   obstacle.known = true;
@@ -485,6 +498,7 @@ FrontAhead more_urgent(const FrontAhead& one, const FrontAhead& other) {
   if (!front.nearest.known && one.nearest.known) front = one;
   front.due = std::max(one.due, other.due);
   front.held = std::max(one.held, other.held);
+  front.speed = std::min(one.speed, other.speed);
   front.something = one.something || other.something;
   return front;
 }

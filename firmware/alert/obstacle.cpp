@@ -11,7 +11,7 @@ namespace {
 
 using recon::Vec2;
 
-// What is straight ahead of a straight end touches when it is at the edge, the rest when it has come so near.
+// way_to() over the speed, but for the last bit: logs hold what this gave.
 void set_time_to_contact(const RobotPath& path, Obstacle& obstacle) {
   if (!obstacle.closing) return;
   const float speed = std::fabs(path.motion.forward);
@@ -44,6 +44,14 @@ RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
 }
 
 float Obstacle::bearing() const { return base::atan2_rad(toward.y(), toward.x()); }
+
+// What is straight ahead of a straight end touches when it is at the edge, the rest when it has come so near.
+float way_to(const RobotPath& path, const Obstacle& obstacle, float share) {
+  const float edge = obstacle.toward.x() > 0 ? path.front : path.rear;
+  const bool flat = edge > 0 && std::fabs(obstacle.toward.y()) <= path.half_width;
+  if (flat) return std::max(0.0F, obstacle.distance * share - edge);
+  return std::max(0.0F, obstacle.distance - (edge > 0 ? edge : path.body_radius)) / share;
+}
 
 void set_closing(const RobotPath& path, Obstacle& obstacle) { set_closing(path, obstacle.toward.norm(), obstacle); }
 

@@ -31,6 +31,9 @@ struct Obstacle {
   [[nodiscard]] float bearing() const;
 };
 
+/// m that the robot drives until its body touches the obstacle, of which it nears `share` > 0 of a metre in a metre.
+float way_to(const RobotPath& path, const Obstacle& obstacle, float share);
+
 /// Fills in how fast the robot nears the obstacle and how soon it is there, by its place.
 void set_closing(const RobotPath& path, Obstacle& obstacle);
 

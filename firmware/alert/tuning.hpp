@@ -13,6 +13,9 @@ namespace fencepost::alert {
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
 inline constexpr float kLookSeconds =
     static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
+/// s from a look at the path until a robot that obeys the speed limit is seen to be slower. More: slow robots; less:
+/// stops of robots that obey. By design: 0.1 s to watch, 0.2 s for the motors, 0.1 s for odometry.
+inline constexpr float kSlowsWithin = 0.4F;
 /// A level eases only when the obstacle is farther than its threshold by this factor, for this long. More: stale
 /// alerts; less: alerts that flicker. By design.
 inline constexpr float kHysteresis = 1.15F;

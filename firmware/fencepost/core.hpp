@@ -146,6 +146,12 @@ bool Core<Size>::may_drive(std::int64_t now) {
 }
 
 template <class Size>
+float Core<Size>::speed_limit() const {
+  const auto speed = state().speed_limit().speed;
+  return speed ? speed->to_float() : -1;
+}
+
+template <class Size>
 std::size_t Core<Size>::objects(Object* to, std::size_t most) const {
   const auto& memory = state().memory();
   if (memory.poses.empty()) return 0;

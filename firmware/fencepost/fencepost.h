@@ -251,6 +251,10 @@ FENCEPOST_API fencepost_level fencepost_level_in_force(const fencepost_core* cor
 /* May the motors run? Not while anything says stop, an input is missing or fencepost_step() was not called for 0.3 s.
    Motors are to follow this one. False of a null core. */
 FENCEPOST_API bool fencepost_may_drive(fencepost_core* core, int64_t now);
+/* m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it drives.
+   0 while anything says stop; 1.5 m / (alert.ttc_stop + 0.4 s) with nothing in its path. Negative: not known, as when
+   blind, and of a null core. For a robot that slows down before it stops. */
+FENCEPOST_API float fencepost_speed_limit(const fencepost_core* core);
 /* Copies the objects of the map, at most `most`, and returns how many; 0 of null pointers. */
 FENCEPOST_API size_t fencepost_objects(const fencepost_core* core, fencepost_object* to, size_t most);
 /* Copies the corners of that object's outline in the map, counter-clockwise, at most `most`, and returns how many. 0:

@@ -126,6 +126,10 @@ class Core {
   /// what motors are to follow.
   bool may_drive(std::int64_t now);
 
+  /// m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it
+  /// drives. 0 while anything says stop. Negative: not known, as when blind. For a robot that slows down before it stops.
+  float speed_limit() const;
+
   /// Copies the objects of the map, at most `most`, and returns how many.
   std::size_t objects(Object* to, std::size_t most) const;
   /// Corners of that object's outline in the map, counter-clockwise; kMaxCorners is always room enough. 0: it is not

@@ -19,6 +19,7 @@ struct fencepost_core {
   virtual void restart() = 0;
   [[nodiscard]] virtual fencepost::Level level() const = 0;
   virtual bool may_drive(std::int64_t now) = 0;
+  [[nodiscard]] virtual float speed_limit() const = 0;
   virtual std::size_t objects(fencepost::Object* to, std::size_t most) const = 0;
   virtual std::size_t outline(std::uint32_t id, fencepost::Point* to, std::size_t most) const = 0;
   virtual std::size_t sectors(float* to, std::size_t most) const = 0;
@@ -61,6 +62,7 @@ class SizedCore final : public fencepost_core {
   void restart() override { core_.restart(); }
   [[nodiscard]] Level level() const override { return core_.level(); }
   bool may_drive(std::int64_t now) override { return core_.may_drive(now); }
+  [[nodiscard]] float speed_limit() const override { return core_.speed_limit(); }
   std::size_t objects(Object* to, std::size_t most) const override { return core_.objects(to, most); }
   std::size_t outline(std::uint32_t id, Point* to, std::size_t most) const override {
     return core_.outline(id, to, most);

@@ -92,6 +92,8 @@ fencepost_level fencepost_level_in_force(const fencepost_core* core) {
 
 bool fencepost_may_drive(fencepost_core* core, std::int64_t now) { return core != nullptr && core->may_drive(now); }
 
+float fencepost_speed_limit(const fencepost_core* core) { return core == nullptr ? -1.0F : core->speed_limit(); }
+
 std::size_t fencepost_objects(const fencepost_core* core, fencepost_object* to, std::size_t most) {
   return core == nullptr || to == nullptr ? 0 : core->objects(to, most);
 }

@@ -64,6 +64,7 @@ class State {
   }
 
   [[nodiscard]] record::Heartbeat in_force() const { return pipeline_.in_force(); }
+  [[nodiscard]] record::SpeedLimit speed_limit() const { return pipeline_.speed_limit(in_force()); }
   bool may_drive(base::Time now) {
     const record::Heartbeat beat = in_force();
     return permit_.judge(beat, {beat.camera, beat.odometry}, now);

@@ -52,10 +52,12 @@ class OdometryChoice {
   [[nodiscard]] console::LinkWords link_words(sensor::LinkState state) const {
     return driver_.visit([state](const auto& driver) { return console::link_words(driver, "odometry", state); });
   }
-  /// Of a wheel base that drives by itself; others are not asked.
-  void allow_motion(bool allowed) {
-    driver_.visit([allowed](auto& driver) {
-      if constexpr (requires { driver.session().allow_motion(allowed); }) driver.session().allow_motion(allowed);
+  /// The speed that a wheel base which drives by itself may have, mm/s; others are not asked.
+  void allow_motion(std::int16_t most) {
+    driver_.visit([most](auto& driver) {
+      if constexpr (requires { driver.session().allow_motion(true, most); }) {
+        driver.session().allow_motion(most > 0, most);
+      }
     });
   }
 

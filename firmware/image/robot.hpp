@@ -16,6 +16,7 @@
 #include "firmware/loop/bumper.hpp"
 #include "firmware/loop/loop.hpp"
 #include "firmware/loop/motion_permit.hpp"
+#include "firmware/loop/throttle.hpp"
 #include FENCEPOST_BOARD
 #include FENCEPOST_DEVICES
 #include FENCEPOST_PANEL
@@ -126,16 +127,18 @@ class Robot {
     motion.may = permit_.judge(beat, loop_.links(), now);
     const bool may_move = motion.may && !motion.held;
     board::allow_motion(may_move);
-    odometry_.allow_motion(drive_.judge(may_move, beat.level));
-    if constexpr (board::kMotors) drive_ahead(may_move, now);
+    const record::SpeedLimit limit = pipeline().speed_limit(beat);
+    odometry_.allow_motion(drive_.judge(may_move, beat.level, limit));
+    if constexpr (board::kMotors) drive_ahead(may_move, loop::most_of(limit), now);
   }
   // Not before the next `go`, once they stand.
-  void drive_ahead(bool may_move, base::Time now) {
+  void drive_ahead(bool may_move, std::int16_t most, base::Time now) {
     std::optional<recon::MapPose> odometry;
     if (!memory_.poses.empty()) odometry = memory_.poses.latest();
     bool& ahead = memory_.console.motion.ahead;
-    ahead = bumper_.judge(ahead, may_move, odometry, now);
-    board::drive_motors(ahead ? memory_.devices.raw(config::DeviceKey::kBumper) : 0);
+    ahead = bumper_.judge(ahead, may_move && most > 0, odometry, now);
+    const std::int32_t wanted = ahead ? memory_.devices.raw(config::DeviceKey::kBumper) : 0;
+    board::drive_motors(throttle_.judge(wanted, most, memory_.poses.motion(loop::kMotionSpan).forward, now));
     if (const auto why = bumper_.take_standstill()) {
       pipeline().reporter().say([&](std::span<char> room) {
         return console::Sentence(room).put("the motors stand: ").put(loop::reason(*why)).end();
@@ -187,6 +190,7 @@ class Robot {
   loop::MotionPermit permit_;
   loop::DrivePermit drive_;
   loop::Bumper bumper_;
+  loop::Throttle throttle_;
   base::Stamp judged_;
   std::uint8_t turns_ = 0;
   std::uint8_t opened_ = 0;  ///< which of the choices

@@ -67,6 +67,7 @@ struct Run {
   bool testing = false;           ///< the inputs are those of the self-test
   bool used = false;              ///< the latest input was
   bool newest = false;            ///< and none before it had a later t
+  std::int16_t speed_limit = -1;  ///< mm/s, by the path as it was watched last; negative: not known
 };
 
 /// Of the map that the console draws: micro has few bytes left.
@@ -192,15 +193,15 @@ inline constexpr bool kFits = sizeof(Memory<Profile>) <= Profile::kBudget &&
                                   600 &&
                               sizeof(recon::PoseCorrection<Profile>) <= Profile::kPoseBytes;
 
-/// Lines that one input may put into the logs, at most: the calibration and what is thought of it, the input, then for
-/// each frame that waited for it digest, pose, alerts and reports of the objects, at last alerts without a frame,
-/// heartbeats, status and links.
+/// Lines that one input may put into the logs, at most. First the calibration, what is thought of it, and the input.
+/// Then for each frame that waited digest, pose, alerts and reports of the objects. At last alerts without a frame,
+/// heartbeat, speed limit, status and links.
 template <class Profile>
 inline constexpr std::size_t kLinesOfOneInput = [] {
   constexpr std::size_t kCalibration = 2 + Profile::kSignatures + config::kKeys + 1;
   // Clears of the ended, an alert and a report of each object; the guard's alert.
   constexpr std::size_t kOfFrame = 2 + 5 * Profile::kObjects + 1;
-  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 1 + 5;
+  return kCalibration + 1 + recon::kMaxWaitingFrames * kOfFrame + Profile::kObjects + 1 + 6;
 }();
 
 static_assert(kFits<config::Micro>);

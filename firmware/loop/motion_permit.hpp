@@ -2,6 +2,9 @@
 // and frame, and of a wheel base that drives. Where anything is not known, the answer is no.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "firmware/console/links.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/base/stamp.hpp"
@@ -45,13 +48,21 @@ class MotionPermit {
   bool begun_ = false;
 };
 
-/// May a base that drives by itself go? One that stopped before something would else creep up to it in jerks, since
-/// what it stands before is not coming closer: it goes on when nothing warns any more.
+/// mm/s that a robot may have by what is known: more than any drives where that is not said.
+constexpr std::int16_t most_of(const record::SpeedLimit& limit) {
+  constexpr std::int32_t kUnits = base::Metres::kPerUnit / 1000;
+  if (!limit.speed) return INT16_MAX;
+  return static_cast<std::int16_t>(std::min<std::int32_t>(limit.speed->raw / kUnits, INT16_MAX));
+}
+
+/// How fast may a base go that drives by itself? One that stopped before something would else creep up to it in jerks,
+/// since what it stands before is not coming closer: it goes on when nothing warns any more.
 class DrivePermit {
  public:
-  [[nodiscard]] bool judge(bool may_move, record::AlertLevel level) {
+  /// mm/s; 0: it has to stand.
+  [[nodiscard]] std::int16_t judge(bool may_move, record::AlertLevel level, const record::SpeedLimit& limit) {
     going_ = may_move && (going_ || level < record::AlertLevel::kWarn);
-    return going_;
+    return going_ ? most_of(limit) : std::int16_t{0};
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "firmware/alert/known_room.hpp"
 #include "firmware/console/map_shape.hpp"
 #include "firmware/console/reports.hpp"
 #include "firmware/loop/memory.hpp"
@@ -41,6 +42,7 @@ class PathWatch {
   /// Judges all objects as the robot sees them now. Without odometry there is only one thing to say.
   [[gnu::noinline]] void watch_path(base::Time now) {
     m_.run.watched_at = base::Stamp(now);
+    m_.run.speed_limit = -1;
     const alert::AlertRules rules(m_.settings, m_.camera_doubt.caution());
     const bool blind = watch_sight(rules, now);
     if (m_.poses.empty()) return plot(std::nullopt, now);
@@ -55,6 +57,7 @@ class PathWatch {
     const alert::FrontAhead front =
         fronts_ahead(corrected ? alert::RobotPlace(m_.poses.latest()) : robot, path, rules, now);
     std::optional<alert::Obstacle> nearest;
+    float speed = front.speed;
     record::AlertLevel highest = record::AlertLevel::kClear;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const recon::Object<Profile>& object = m_.map.slots()[o];
@@ -64,9 +67,11 @@ class PathWatch {
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
       if (level) emit(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
-      const bool nearer = !nearest || obstacle.distance < nearest->distance;
-      if (obstacle.known && alert::credible(object) && nearer) nearest = obstacle;
+      if (!obstacle.known || !alert::credible(object)) continue;
+      if (!nearest || obstacle.distance < nearest->distance) nearest = obstacle;
+      speed = std::min(speed, stopping_speed(obstacle, path, rules));
     }
+    limit_speed(speed, rules);
     if (!blind) watch_fronts(front, rules, highest, now);
     const bool nearer = !nearest || front.nearest.distance < nearest->distance;
     if (front.nearest.known && m_.front_alert.in_force() && nearer) nearest = front.nearest;
@@ -83,6 +88,14 @@ class PathWatch {
   [[nodiscard]] bool turns_blind(base::Time now) const {
     if (m_.front_alert.level == record::AlertLevel::kBlind) return false;
     return blindness(now) != alert::Blindness::kNone;
+  }
+
+  /// How fast the robot may be while that is in force. What can drive at any speed has to stand at STOP.
+  [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const {
+    if (beat.level == record::AlertLevel::kBlind) return {beat.t, std::nullopt};
+    if (beat.level == record::AlertLevel::kStop) return {beat.t, base::Metres{}};
+    if (m_.run.speed_limit < 0) return {beat.t, std::nullopt};
+    return {beat.t, base::Metres{m_.run.speed_limit * (base::Metres::kPerUnit / 1000)}};
   }
 
   /// What is in force now.
@@ -108,6 +121,17 @@ class PathWatch {
     const bool fresh = m_.run.last_frame && now - *m_.run.last_frame < alert::kOverdueLeast;
     if (fresh && m_.map.stands()) return {};
     return m_.poses.motion(kMotionSpan);
+  }
+
+  // With nothing in the path, as before something at the end of what is known. Without the floor nothing is known of
+  // what is no object.
+  void limit_speed(float speed, const alert::AlertRules& rules) {
+    const float farthest = alert::stopping_speed(alert::kFarthestKnown, rules.ttc_stop, alert::kFarthestKnown);
+    const bool sees_floor = m_.calibration.models[m_.calibration.current].floor.usable();
+    if (speed > farthest && !sees_floor) return;
+    speed = std::min(speed, farthest);
+    const float told = speed > alert::kStanding ? speed : 0.0F;
+    m_.run.speed_limit = static_cast<std::int16_t>(recon::kMillimetresPerMetre * told);
   }
 
   void plot(const std::optional<alert::Obstacle>& nearest, base::Time now) {

@@ -274,7 +274,9 @@ class Pipeline {
   void accept_passing(base::Time t) {
     if ((m_.run.time && t <= *m_.run.time) || m_.run.testing) return;
     reporter_.calibration_if_due();
-    if (!loggable(watch_.heartbeat(t))) return;
+    const record::Heartbeat beat = watch_.heartbeat(t);
+    if (!loggable(beat)) return;
+    if (reporter_.logs()) reporter_.report(watch_.speed_limit(beat));
     advance(t);
     m_.run.beat_at = base::Stamp(t);
     watch_.watch_path(t);
@@ -313,6 +315,9 @@ class Pipeline {
     if (m_.run.testing) beat.level = record::AlertLevel::kBlind;
     return beat;
   }
+
+  /// How fast the robot may be while that is in force.
+  [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const { return watch_.speed_limit(beat); }
 
   // What a screen shows, see view::MapSource.
   static constexpr std::size_t kObjects = Profile::kObjects;
@@ -358,7 +363,10 @@ class Pipeline {
   [[nodiscard]] bool beat_due(base::Time t) const { return m_.run.beat_at.since(t) >= kHeartbeatInterval; }
   void beat(base::Time t) {
     m_.run.beat_at = base::Stamp(t);
-    if (reporter_.logs()) reporter_.report(watch_.heartbeat(t));
+    if (!reporter_.logs()) return;
+    const record::Heartbeat beat = watch_.heartbeat(t);
+    reporter_.report(beat);
+    reporter_.report(watch_.speed_limit(beat));
   }
 
   void apply(const sensor::OdometrySample& sample) {

@@ -16,7 +16,7 @@ struct RecordList {};
 /// By Kind. Encoder, decoder and sinks are made from this list.
 using AllRecords = RecordList<Header, sensor::CameraIntrinsics, Signature, sensor::OdometrySample, sensor::BlobFrame,
                               Position, ObjectReport, AlertReport, DigestReport, LinkReport, StatusReport, Setting,
-                              Heartbeat, CalibrationDoubt, sensor::CarSample, SectorReport, WayReport>;
+                              Heartbeat, CalibrationDoubt, sensor::CarSample, SectorReport, WayReport, SpeedLimit>;
 
 /// The length of the list if it is not in there.
 template <class Record, class... Records>
@@ -27,7 +27,7 @@ constexpr std::size_t index_in(RecordList<Records...> /*list*/) {
 }
 
 inline constexpr std::string_view kRecordStart = "$FP";  ///< a line that starts otherwise is foreign
-inline constexpr std::size_t kKinds = 17;
+inline constexpr std::size_t kKinds = 18;
 inline constexpr std::size_t kBlobFields = 9;  ///< fields of one blob within FPFRM
 
 struct KindInfo {
@@ -41,7 +41,7 @@ struct KindInfo {
 inline constexpr KindInfo kKindInfo[kKinds] = {
     {"FPHDR", 5},  {"FPCAM", 14, 1}, {"FPSIG", 3, 1}, {"FPODO", 4},          {"FPFRM", 3, 0, true}, {"FPPOS", 6},
     {"FPOBJ", 13}, {"FPALR", 8},     {"FPDIG", 2},    {"FPLNK", 4},          {"FPSTA", 10},         {"FPCFG", 2},
-    {"FPALV", 4},  {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2, 0, true}, {"FPWAY", 2, 0, true}};
+    {"FPALV", 4},  {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2, 0, true}, {"FPWAY", 2, 0, true}, {"FPSPD", 2}};
 
 template <class Record>
 concept RecordType = index_in<Record>(AllRecords{})
@@ -49,7 +49,7 @@ concept RecordType = index_in<Record>(AllRecords{})
 
 template <RecordType Record>
 inline constexpr Kind kKindOf = static_cast<Kind>(index_in<Record>(AllRecords{}));
-static_assert(kKindOf<Header> == Kind::kHeader && kKindOf<WayReport> == Kind::kWays);
+static_assert(kKindOf<Header> == Kind::kHeader && kKindOf<SpeedLimit> == Kind::kSpeedLimit);
 
 constexpr const KindInfo& info(Kind kind) { return kKindInfo[static_cast<std::size_t>(kind)]; }
 

@@ -167,6 +167,12 @@ void walk(Fields& fields, Record& r) {
   fields.word(r.odometry, sensor::LinkState::kOk);
 }
 
+template <class Fields, Is<SpeedLimit> Record>
+void walk(Fields& fields, Record& r) {
+  fields.number(r.t.raw, kTime);
+  fields.number_or_empty(r.speed, kDistance);
+}
+
 template <class Fields, Is<CalibrationDoubt> Record>
 void walk(Fields& fields, Record& r) {
   fields.number(r.t.raw, kTime);

@@ -36,6 +36,7 @@ enum class Kind : std::uint8_t {
   kCar,
   kSectors,
   kWays,
+  kSpeedLimit,
 };
 
 /// FPHDR: starts a run; all state resets.
@@ -142,6 +143,14 @@ struct Heartbeat {
   sensor::LinkState camera = sensor::LinkState::kAbsent;
   sensor::LinkState odometry = sensor::LinkState::kAbsent;
   friend constexpr bool operator==(const Heartbeat&, const Heartbeat&) = default;
+};
+
+/// FPSPD: the largest speed from which the robot still stops in front of what it knows, on the way that it drives.
+/// After each FPALV.
+struct SpeedLimit {
+  base::Time t;
+  std::optional<base::Metres> speed;  ///< m/s; 0 at level stop; empty: not known
+  friend constexpr bool operator==(const SpeedLimit&, const SpeedLimit&) = default;
 };
 
 /// What of the calibration cannot be right.

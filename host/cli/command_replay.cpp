@@ -167,7 +167,7 @@ Action configure_replay(Options command) {
       .separated_by(',');
   command.flag(
       "--check", request->options.check,
-      "compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own; exit 1 if they differ or are damaged");
+      "compare logged FPOBJ, FPALR, FPALV, FPSPD, FPCAL and FPDIG with our own; exit 1 if they differ or are damaged");
   command.value("--from", request->options.from, "s, stream time; earlier records are not used").takes("T");
   command.value("--to", request->options.to, "s, stream time; later records are not used").takes("T");
   command.value("--frames", request->options.frames, "stop after the N-th frame record").takes("N").positive();

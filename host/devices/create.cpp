@@ -31,8 +31,9 @@ class CreateDevice final : public host::PortedDevice<host::OdometryDevice, Wheel
     if (velocity != 0) stack_.driver.session().drive({velocity, create::Motion::kStraight});
   }
   base::Result<sensor::OdometrySample> poll(base::Time now) override { return stack_.driver.poll(now); }
-  void allow_motion(bool allowed, base::Time now) override {
-    stack_.driver.session().allow_motion(allowed);
+  void allow_motion(std::int16_t most, base::Time now) override {
+    const bool allowed = most > 0;
+    stack_.driver.session().allow_motion(allowed, most);
     if (std::exchange(allowed_, allowed) && !allowed) stack_.driver.push(now);
   }
   void stand(base::Time now) override {

@@ -16,6 +16,7 @@ struct AlertNow {
   /// Before the first input, and after the last one, nothing can be known.
   record::Heartbeat beat{{}, record::AlertLevel::kBlind, sensor::LinkState::kAbsent, sensor::LinkState::kAbsent};
   bool may_move = false;                  ///< by loop::MotionPermit
+  record::SpeedLimit speed_limit;         ///< while it may
   std::optional<record::AlertReport> of;  ///< of those at that level the nearest, where it has a place
   std::string colour;                     ///< the name of its signature, or the signature's number
 };

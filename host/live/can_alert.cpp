@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint16_t kNoDistance = 0xFFFF;
 constexpr std::uint16_t kNoBearing = 0x8000;
 constexpr std::uint8_t kNoTime = 0xFF;
+constexpr std::uint8_t kNoSpeed = 31;
 constexpr std::size_t kShortId = 3;
 constexpr std::size_t kLongId = 8;
 constexpr std::uint32_t kMostShort = 0x7FF;
@@ -37,6 +38,14 @@ std::uint16_t bearing_field(const AlertNow& alert) {
 std::uint8_t time_field(const AlertNow& alert) {
   if (!alert.of || !alert.of->ttc) return kNoTime;
   return static_cast<std::uint8_t>(std::clamp<std::int64_t>(rounded(alert.of->ttc->raw, 1'000), 0, kNoTime - 1));
+}
+
+// 0 while it may not move, whatever else is known.
+std::uint8_t speed_field(const AlertNow& alert) {
+  constexpr std::int32_t kStep = base::Metres::kPerUnit / 20;
+  if (!alert.may_move) return 0;
+  if (!alert.speed_limit.speed) return kNoSpeed;
+  return static_cast<std::uint8_t>(std::clamp<std::int32_t>(alert.speed_limit.speed->raw / kStep, 0, kNoSpeed - 1));
 }
 
 template <class Enum>
@@ -86,7 +95,7 @@ bus::CanFrame alert_frame(const CanAlertSpec& spec, const AlertNow& alert, std::
   frame.length = 8;
   frame.data = {static_cast<std::uint8_t>(byte(alert.beat.level) | (alert.may_move ? 8U : 0U) |
                                           static_cast<unsigned>(byte(alert.beat.camera)) << 4U),
-                byte(alert.beat.odometry),
+                static_cast<std::uint8_t>(byte(alert.beat.odometry) | unsigned{speed_field(alert)} << 3U),
                 static_cast<std::uint8_t>(distance & 0xFFU),
                 static_cast<std::uint8_t>(distance >> 8U),
                 static_cast<std::uint8_t>(bearing & 0xFFU),

@@ -24,8 +24,10 @@ struct CanAlertSpec {
 base::Result<CanAlertSpec, std::string> parse_can_alert(std::string_view text);
 
 /// The eight bytes; numbers of two bytes are little-endian.
-///   0: level (bits 0 to 2), may move (3), camera (4 to 6); 1: odometry (0 to 2); 2, 3: distance, mm, 0xFFFF not known;
-///   4, 5: bearing, mrad, signed, 0x8000 not known; 6: time to contact, 0.1 s, 255 not closing; 7: counter.
+///   0: level (bits 0 to 2), may move (3), camera (4 to 6).
+///   1: odometry (0 to 2), speed limit (3 to 7), in 0.05 m/s rounded down, 31 not known.
+///   2, 3: distance, mm, 0xFFFF not known. 4, 5: bearing, mrad, signed, 0x8000 not known.
+///   6: time to contact, 0.1 s, 255 not closing. 7: counter.
 /// What a field cannot hold is the nearest that it can. Sensors: 0 absent, 1 silent, 2 unready, 3 empty, 4 ok.
 bus::CanFrame alert_frame(const CanAlertSpec& spec, const AlertNow& alert, std::uint8_t counter);
 

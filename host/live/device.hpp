@@ -61,8 +61,8 @@ static_assert(sensor::BlobCamera<CameraDevice>);
 class OdometryDevice : public Device {
  public:
   virtual base::Result<sensor::OdometrySample> poll(base::Time now) = 0;
-  /// Of a base that drives by itself: whether it may, once a turn of the loop; it obeys at once.
-  virtual void allow_motion(bool /*allowed*/, base::Time /*now*/) {}
+  /// Of a base that drives by itself: the speed that it may have, mm/s, once a turn of the loop; it obeys at once.
+  virtual void allow_motion(std::int16_t /*most*/, base::Time /*now*/) {}
   /// The run is over: a base that drives stands.
   virtual void stand(base::Time /*now*/) {}
 };

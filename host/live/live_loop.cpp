@@ -113,6 +113,9 @@ class ProfileLoop final : public LiveLoop {
   }
 
   [[nodiscard]] record::Heartbeat in_force() const override { return loop_.pipeline().in_force(); }
+  [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const override {
+    return loop_.pipeline().speed_limit(beat);
+  }
   [[nodiscard]] bool held() const override { return loop_.pipeline().memory().console.motion.held; }
   [[nodiscard]] const console::Counters& counters() const override { return memory_->counters; }
   [[nodiscard]] std::uint64_t digest() const override { return memory_->map.digest(); }

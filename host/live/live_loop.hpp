@@ -44,6 +44,8 @@ class LiveLoop {
 
   /// What is in force now.
   [[nodiscard]] virtual record::Heartbeat in_force() const = 0;
+  /// How fast the robot may be while that is in force.
+  [[nodiscard]] virtual record::SpeedLimit speed_limit(const record::Heartbeat& beat) const = 0;
   /// Somebody typed `stop`, and not `go` since.
   [[nodiscard]] virtual bool held() const = 0;
   [[nodiscard]] virtual const console::Counters& counters() const = 0;

@@ -103,7 +103,8 @@ class Run {
     alert.beat = loop_->in_force();
     const console::Links links{parts_.devices.camera->link(), parts_.devices.odometry->link()};
     alert.may_move = permit_.judge(alert.beat, links, now) && !loop_->held();
-    parts_.devices.odometry->allow_motion(drive_.judge(alert.may_move, alert.beat.level), now);
+    alert.speed_limit = loop_->speed_limit(alert.beat);
+    parts_.devices.odometry->allow_motion(drive_.judge(alert.may_move, alert.beat.level, alert.speed_limit), now);
     if (parts_.outputs.empty()) return;
     alerts_.complete(alert);
     for (AlertOutput* output : parts_.outputs) output->show(alert, now);

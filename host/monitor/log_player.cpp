@@ -9,8 +9,8 @@ namespace {
 
 /// The first field of those kinds that begin with a time.
 std::optional<double> time_of(std::string_view line) {
-  constexpr std::array<std::string_view, 9> kTimed = {"$FPODO", "$FPFRM", "$FPOBJ", "$FPALR", "$FPALV",
-                                                      "$FPLNK", "$FPSTA", "$FPPOS", "$FPCAL"};
+  constexpr std::array<std::string_view, 10> kTimed = {"$FPODO", "$FPFRM", "$FPOBJ", "$FPALR", "$FPALV",
+                                                       "$FPSPD", "$FPLNK", "$FPSTA", "$FPPOS", "$FPCAL"};
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos || std::ranges::find(kTimed, line.substr(0, comma)) == kTimed.end()) return {};
   double t = 0;

@@ -6,9 +6,9 @@
 namespace fencepost::host {
 namespace {
 
-constexpr std::array<record::Kind, 5> kCompared = {record::Kind::kObject, record::Kind::kAlert,
-                                                   record::Kind::kHeartbeat, record::Kind::kCalibrationDoubt,
-                                                   record::Kind::kDigest};
+constexpr std::array<record::Kind, 6> kCompared = {record::Kind::kObject,           record::Kind::kAlert,
+                                                   record::Kind::kHeartbeat,        record::Kind::kSpeedLimit,
+                                                   record::Kind::kCalibrationDoubt, record::Kind::kDigest};
 
 /// "$FPALR,": the rest of it.
 std::optional<record::Kind> kind_after_prefix(std::string_view start) {

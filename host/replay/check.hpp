@@ -1,4 +1,4 @@
-// Does a log's own FPOBJ, FPALR, FPALV, FPCAL and FPDIG agree with what a replay of its inputs gives?
+// Does a log's own FPOBJ, FPALR, FPALV, FPSPD, FPCAL and FPDIG agree with what a replay of its inputs gives?
 #pragma once
 
 #include <array>
@@ -60,6 +60,7 @@ class Check {
     return "object " + std::to_string(r.t.raw) + " " + std::to_string(r.id);
   }
   static std::string key_of(const record::Heartbeat& r) { return "heartbeat " + std::to_string(r.t.raw); }
+  static std::string key_of(const record::SpeedLimit& r) { return "speed " + std::to_string(r.t.raw); }
   static std::string key_of(const record::CalibrationDoubt& r) { return "doubt " + std::to_string(r.t.raw); }
   static std::string key_of(const record::DigestReport& r) { return "digest " + std::to_string(r.frame); }
 

@@ -25,7 +25,8 @@ LogReplay::LogReplay(const ReplayOptions& options)
     : options_(options),
       own_log_({options.log, [this](const auto& alert) { hear_alert(alert); },
                 [this](const auto& object) { hear(object); }, [this](const auto& digest) { hear(digest); },
-                [this](const auto& beat) { hear(beat); }, [this](const auto& doubt) { hear_doubt(doubt); }}),
+                [this](const auto& beat) { hear(beat); }, [this](const auto& limit) { hear(limit); },
+                [this](const auto& doubt) { hear_doubt(doubt); }}),
       path_(options.most_poses) {}
 
 std::optional<record::LineOutcome> LogReplay::take(std::string_view& bytes) {
@@ -178,6 +179,7 @@ ResultDocument LogReplay::now(bool with_path) const {
   result.guard = runner_->guard();
   result.sectors = runner_->sectors();
   result.ways = runner_->ways();
+  result.speed_limit = runner_->speed_limit().speed;
   result.passes = runner_->passes();
   if (with_path) result.path = path_.to_the_end();
   result.pose = path_.empty() ? std::nullopt : std::optional(runner_->pose_of(last_));

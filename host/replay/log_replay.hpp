@@ -70,6 +70,7 @@ class LogReplay {
   void accept(const record::ObjectReport& report) { compare(report); }
   void accept(const record::AlertReport& report) { compare(report); }
   void accept(const record::DigestReport& report) { compare(report); }
+  void accept(const record::SpeedLimit& report) { compare(report); }
   void accept(const record::CalibrationDoubt& report) { compare(report); }
   template <class Record>
   void accept(const Record&) {}

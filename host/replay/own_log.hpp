@@ -23,6 +23,7 @@ class OwnLog {
     std::function<void(const record::ObjectReport&)> object{};
     std::function<void(const record::DigestReport&)> digest{};
     std::function<void(const record::Heartbeat&)> heartbeat{};
+    std::function<void(const record::SpeedLimit&)> speed_limit{};
     std::function<void(const record::CalibrationDoubt&)> doubt{};  ///< again with each repetition of the calibration
   };
 
@@ -49,6 +50,7 @@ class OwnLog {
   void accept(const record::ObjectReport& object) { tell(listeners_.object, object); }
   void accept(const record::DigestReport& digest) { tell(listeners_.digest, digest); }
   void accept(const record::Heartbeat& beat) { tell(listeners_.heartbeat, beat); }
+  void accept(const record::SpeedLimit& limit) { tell(listeners_.speed_limit, limit); }
   void accept(const record::CalibrationDoubt& doubt) { tell(listeners_.doubt, doubt); }
   template <class Record>
   void accept(const Record&) {}
@@ -59,7 +61,7 @@ class OwnLog {
     using record::Kind;
     const auto is = [&](Kind kind) { return line.substr(1).starts_with(record::name(kind)); };
     return is(Kind::kHeartbeat) || is(Kind::kObject) || is(Kind::kAlert) || is(Kind::kDigest) ||
-           is(Kind::kCalibrationDoubt);
+           is(Kind::kSpeedLimit) || is(Kind::kCalibrationDoubt);
   }
   void hear_line(std::string_view line) {
     std::string_view left = line;

@@ -36,7 +36,7 @@ struct ReplayOptions {
   std::optional<std::uint64_t> frames;                          ///< stop after the N-th accepted frame record
   std::vector<std::pair<std::string, std::string>> settings{};  ///< key, value: in force whatever the log says
   std::optional<PoseNoise> pose_noise;                          ///< default: of a robot that drives, 4 mm and 7 mrad
-  bool check = false;                          ///< compare logged FPOBJ, FPALR, FPALV, FPCAL and FPDIG with our own
+  bool check = false;  ///< compare logged FPOBJ, FPALR, FPALV, FPSPD, FPCAL and FPDIG with our own
   std::function<void(std::string_view)> text;  ///< gets each console sentence, without line end
   std::function<void(std::string_view)> log;   ///< gets each line of the log this run writes, with line end
   RunObserver* observer = nullptr;             ///< called for each frame that the map accepts

@@ -142,6 +142,10 @@ class ProfileRunner final : public Runner {
     return std::nullopt;
   }
 
+  [[nodiscard]] record::SpeedLimit speed_limit() const override {
+    return loop_.pipeline().speed_limit(loop_.pipeline().in_force());
+  }
+
  private:
   void step(base::Time now) {
     loop_.step(now);

@@ -51,6 +51,8 @@ class Runner {
   [[nodiscard]] virtual std::optional<record::SectorReport> sectors() const = 0;
   /// The answer of `ways`, likewise.
   [[nodiscard]] virtual std::optional<record::WayReport> ways() const = 0;
+  /// How fast the robot may be now.
+  [[nodiscard]] virtual record::SpeedLimit speed_limit() const = 0;
   /// Signatures and settings that did not fit or could not be parsed, a doubtful pitch, and each doubt of the robot's
   /// own about its camera, one sentence each.
   [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;

@@ -108,6 +108,7 @@ struct ResultDocument {
   std::vector<record::AlertReport> alerts;            ///< in order of time
   std::vector<GuardPoint> guard;                      ///< at the end: those that enough frames have seen to alert
   std::optional<record::WayReport> ways{};            ///< likewise
+  std::optional<base::Metres> speed_limit{};          ///< m/s, likewise
   std::optional<record::SectorReport> sectors{};      ///< at the end; nothing of a profile that has none
   std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
   std::vector<PassResult> passes;                     ///< in order of time

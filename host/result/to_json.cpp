@@ -183,6 +183,10 @@ Json ways_json(const std::optional<record::WayReport>& report) {
   return {{"t", rounded(report->t.to_double(), kRecordDecimals)}, {"ways", std::move(ways)}};
 }
 
+Json speed_json(const std::optional<base::Metres>& speed) {
+  return speed ? rounded(speed->to_double(), kRecordDecimals) : Json(nullptr);
+}
+
 Json doubt_json(const record::CalibrationDoubt& doubt) {
   return {{"t", rounded(doubt.t.to_double(), kRecordDecimals)},
           {"doubt", record::name(doubt.doubt)},
@@ -217,11 +221,9 @@ void write_json(const ResultDocument& document, const EachAlert& alerts,
                        {"pose", pose_json(document.pose)},
                        {"path", path_json(document.path)},
                        {"objects", std::move(objects)}};
-  const Json after = {{"guard", guard_json(document.guard)},
-                      {"sectors", sectors_json(document.sectors)},
-                      {"ways", ways_json(document.ways)},
-                      {"calibration", std::move(calibration)},
-                      {"passes", std::move(passes)}};
+  const Json after = {{"guard", guard_json(document.guard)},   {"sectors", sectors_json(document.sectors)},
+                      {"ways", ways_json(document.ways)},      {"speed_limit", speed_json(document.speed_limit)},
+                      {"calibration", std::move(calibration)}, {"passes", std::move(passes)}};
   // One object, with the alerts between its halves: there may be very many.
   write(without_last(text_of(before)));
   write(",\"alerts\":[");

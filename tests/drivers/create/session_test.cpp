@@ -321,6 +321,27 @@ TEST_F(Driven, DrivesOnlyWhileItMay) {
   EXPECT_EQ(speeds(), (CreateDevice::Speeds{-200, 200}));
 }
 
+TEST_F(Driven, IsNoFasterThanItMay) {
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true, 120);
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{120, 120}));
+  session().allow_motion(true, 300);
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{200, 200})) << "and no faster than it is asked to";
+  session().drive({-200, Motion::kStraight});
+  session().allow_motion(true, 120);
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{-120, -120}));
+  session().drive({200, Motion::kOnTheSpotLeft});
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{-200, 200})) << "on the spot its middle stands";
+  session().drive({200, Motion::kStraight});
+  session().allow_motion(true, 0);
+  rig.run(20);
+  EXPECT_EQ(speeds(), (CreateDevice::Speeds{0, 0}));
+}
+
 // Every 100 ms, and at once when it changes.
 TEST(CreateDrive, IsSentTenTimesASecond) {
   Session session(config_of(Model::kCreate2, Mode::kSafe));

@@ -75,6 +75,7 @@ static void a_core_in_memory_of_the_caller_stops(void) {
   if (core == NULL) return;
   EXPECT(fencepost_level_in_force(core) == FENCEPOST_BLIND);
   EXPECT(!fencepost_may_drive(core, 0));
+  EXPECT(fencepost_speed_limit(core) < 0);
   EXPECT(fencepost_on_alert(core, hear, &heard) == FENCEPOST_TAKEN);
   EXPECT(fencepost_on_log(core, keep, &heard) == FENCEPOST_TAKEN);
   EXPECT(fencepost_set_camera(core, &camera) == FENCEPOST_TAKEN);
@@ -85,6 +86,7 @@ static void a_core_in_memory_of_the_caller_stops(void) {
   EXPECT(strncmp(heard.sentence, "STOP    red  0.", 15) == 0);
   EXPECT(heard.characters > 10000);
   EXPECT(fencepost_level_in_force(core) == FENCEPOST_STOP);
+  EXPECT(fencepost_speed_limit(core) == 0);
 
   fencepost_object object;
   EXPECT(fencepost_objects(core, &object, 1) == 1);
@@ -198,6 +200,7 @@ static void a_null_pointer_is_no_crash(void) {
   EXPECT(fencepost_ways(NULL, &way, 1, NULL, 0) == 0 && fencepost_ways(core, NULL, 1, NULL, 0) == 0);
   EXPECT(fencepost_ways(core, &way, 1, NULL, 1) == 0);
   EXPECT(!fencepost_where(NULL, &pose) && !fencepost_where(core, NULL));
+  EXPECT(fencepost_speed_limit(NULL) < 0);
   EXPECT(fencepost_digest(NULL) == 0);
 }
 

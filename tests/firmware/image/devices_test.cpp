@@ -61,7 +61,7 @@ TEST_F(DevicesTest, EachIsOpenedAfterEachOther) {
     devices.put(config::DeviceKey::kOdometry, static_cast<std::int32_t>(id));
     odometry.open(opening, base::Time{100});
     EXPECT_EQ(odometry.stamped_here(), static_cast<OdometryId>(id) != OdometryId::kConsole) << id;
-    odometry.allow_motion(true);
+    odometry.allow_motion(100);
     EXPECT_EQ(odometry.poll(base::Time{200}).ok(), static_cast<OdometryId>(id) == OdometryId::kEncoders) << id;
   }
 }

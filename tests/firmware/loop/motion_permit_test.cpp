@@ -87,12 +87,19 @@ TEST(MotionPermit, MayBeAskedSeldom) {
 
 TEST(DrivePermit, WhoStoppedGoesOnWhenNothingWarns) {
   DrivePermit permit;
-  EXPECT_FALSE(permit.judge(false, AlertLevel::kBlind));
-  EXPECT_TRUE(permit.judge(true, AlertLevel::kNotice));
-  EXPECT_TRUE(permit.judge(true, AlertLevel::kWarn)) << "a warning stops nobody";
-  EXPECT_FALSE(permit.judge(false, AlertLevel::kStop));
-  EXPECT_FALSE(permit.judge(true, AlertLevel::kWarn)) << "it stands: no closer, and still there";
-  EXPECT_TRUE(permit.judge(true, AlertLevel::kClear));
+  const record::SpeedLimit limit{{}, base::Metres{4'567}};
+  EXPECT_EQ(permit.judge(false, AlertLevel::kBlind, limit), 0);
+  EXPECT_EQ(permit.judge(true, AlertLevel::kNotice, limit), 456) << "mm/s, rounded down";
+  EXPECT_EQ(permit.judge(true, AlertLevel::kWarn, limit), 456) << "a warning stops nobody";
+  EXPECT_EQ(permit.judge(false, AlertLevel::kStop, limit), 0);
+  EXPECT_EQ(permit.judge(true, AlertLevel::kWarn, limit), 0) << "it stands: no closer, and still there";
+  EXPECT_EQ(permit.judge(true, AlertLevel::kClear, limit), 456);
+}
+
+TEST(DrivePermit, WhatIsNotKnownLimitsNoSpeed) {
+  EXPECT_EQ(most_of({}), INT16_MAX);
+  EXPECT_EQ(most_of({{}, base::Metres{0}}), 0);
+  EXPECT_EQ(most_of({{}, base::Metres{30'000'000}}), INT16_MAX);
 }
 
 }  // namespace

@@ -82,6 +82,8 @@ std::vector<Golden> golden_lines() {
       {"$FPWAY,13.1000,3,spin,0.00,3.1416,3.9270,nothing,forward,-1.60,0.4200,0.5250,thing,back,0.00,0.0000,0.0000,"
        "unknown*B233",
        ways()},
+      {"$FPSPD,12.4000,0.3500*65C3", SpeedLimit{{124'000}, base::Metres{3'500}}},
+      {"$FPSPD,12.5000,*5D36", SpeedLimit{{125'000}, {}}},
       {"$FPCAL,12.3800,rows,1.31*C903", CalibrationDoubt{{123'800}, Doubt::kRows, {131}}},
   };
 }

@@ -17,7 +17,7 @@ namespace fencepost::record {
 
 using AnyRecord = std::variant<Header, sensor::CameraIntrinsics, Signature, sensor::OdometrySample, sensor::BlobFrame,
                                Position, ObjectReport, AlertReport, DigestReport, LinkReport, StatusReport, Setting,
-                               Heartbeat, CalibrationDoubt, sensor::CarSample, SectorReport, WayReport>;
+                               Heartbeat, CalibrationDoubt, sensor::CarSample, SectorReport, WayReport, SpeedLimit>;
 
 /// "FPODO,..." to "$FPODO,...*CRC", without a line end.
 inline std::string sealed(std::string_view body) {

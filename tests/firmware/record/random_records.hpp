@@ -79,6 +79,8 @@ class RandomRecords {
       case Kind::kCar: return car();
       case Kind::kSectors: return sectors();
       case Kind::kWays: return ways();
+      case Kind::kSpeedLimit:
+        return chance(3) ? SpeedLimit{time(), {}} : SpeedLimit{time(), base::Metres{i32(0, 30'000'000)}};
     }
     return Header{};
   }

@@ -13,8 +13,13 @@ void print(const host::AlertNow& alert, std::uint8_t counter) {
   for (const std::uint8_t byte : frame.bytes()) fmt::print("{:02x}", byte);
   const auto& of = alert.of;
   fmt::print(
-      " Level={} MayMove={} Camera={} Odometry={} Distance={:.3f} Bearing={:.3f} TimeToContact={:.1f} Counter={}\n",
+      " Level={} MayMove={} Camera={} Odometry={} SpeedLimit={:.2f} Distance={:.3f} Bearing={:.3f} "
+      "TimeToContact={:.1f} "
+      "Counter={}\n",
       name(alert.beat.level), alert.may_move ? "yes" : "no", name(alert.beat.camera), name(alert.beat.odometry),
+      !alert.may_move           ? 0.0
+      : alert.speed_limit.speed ? alert.speed_limit.speed->to_double()
+                                : 1.55,
       of ? of->distance.to_double() : 65.535, of ? of->bearing.to_double() : -32.768,
       of && of->ttc ? of->ttc->to_double() : 25.5, counter);
 }
@@ -30,6 +35,8 @@ int main() {
       host::AlertNow alert;
       alert.beat = {{}, static_cast<record::AlertLevel>(level), state, kStates[static_cast<std::size_t>(level)]};
       alert.may_move = level == 1;
+      if (state != sensor::LinkState::kEmpty)
+        alert.speed_limit.speed = base::Metres{base::Metres::rep{500 * counter % 15'000}};
       if (level > 0 && level < 4) {
         alert.of.emplace();
         alert.of->distance = base::Metres{base::Metres::rep{1'230 * level}};

@@ -34,7 +34,7 @@ TEST(CanAlert, WhatIsNotKnownAndWhatDoesNotFit) {
   AlertNow clear;
   clear.beat = {{}, AlertLevel::kClear, LinkState::kOk, LinkState::kOk};
   clear.may_move = true;
-  EXPECT_EQ(alert_frame({}, clear, 0).data, (Bytes{0x48, 0x04, 0xFF, 0xFF, 0x00, 0x80, 0xFF, 0x00}));
+  EXPECT_EQ(alert_frame({}, clear, 0).data, (Bytes{0x48, 0xFC, 0xFF, 0xFF, 0x00, 0x80, 0xFF, 0x00}));
   EXPECT_EQ(alert_frame({}, {}, 1).data, (Bytes{0x04, 0x00, 0xFF, 0xFF, 0x00, 0x80, 0xFF, 0x01})) << "blind, absent";
   AlertNow far = stop();
   far.of->distance = base::Metres::nearest(999);
@@ -44,6 +44,26 @@ TEST(CanAlert, WhatIsNotKnownAndWhatDoesNotFit) {
   EXPECT_EQ((std::array{data[2], data[3]}), (std::array<std::uint8_t, 2>{0xFE, 0xFF})) << "65.534 m";
   EXPECT_EQ((std::array{data[4], data[5]}), (std::array<std::uint8_t, 2>{0x01, 0x80})) << "-32.767 rad";
   EXPECT_EQ(data[6], 254) << "25.4 s";
+}
+
+// In steps of 0.05 m/s behind the three bits of the odometry, never more than may be driven.
+TEST(CanAlert, TheSpeedLimitIsRoundedDown) {
+  const auto steps = [](double speed, bool may_move = true) {
+    AlertNow alert;
+    alert.beat = {{}, AlertLevel::kWarn, LinkState::kOk, LinkState::kOk};
+    alert.may_move = may_move;
+    alert.speed_limit.speed = base::Metres::nearest(speed);
+    const std::uint8_t byte = alert_frame({}, alert, 0).data[1];
+    EXPECT_EQ(byte & 7, 4) << "odometry as before";
+    return byte >> 3;
+  };
+  EXPECT_EQ(steps(0), 0);
+  EXPECT_EQ(steps(0.0499), 0);
+  EXPECT_EQ(steps(0.05), 1);
+  EXPECT_EQ(steps(0.3499), 6);
+  EXPECT_EQ(steps(1.5), 30);
+  EXPECT_EQ(steps(4), 30);
+  EXPECT_EQ(steps(0.35, false), 0);
 }
 
 TEST(CanAlert, ReadsWhatTheCommandLineSays) {

@@ -104,6 +104,7 @@ class Replay(unittest.TestCase):
         self.assertEqual(run.path.shape, (len(run.document["path"]), 4))
         self.assertEqual(run.path.tolist()[-1], run.document["path"][-1])
         self.assertEqual(len(run.sectors), 36)
+        self.assertEqual(run.speed_limit, 0)
         self.assertEqual((len(run.ways), run.ways[4].end, run.ways[8].end), (9, "thing", "unknown"))
         grid = run.grid(0.05)
         row, column = int((thing.y - grid.y) / 0.05), int((thing.x - grid.x) / 0.05)
@@ -168,7 +169,7 @@ class Loop(unittest.TestCase):
             camera = fencepost.Camera.delivered("pixy2", z=0.12, latency=0)
             log = io.BytesIO()
             core = fencepost.Core(camera, size=size, log=log)
-            robot, heard = Robot(camera), []
+            robot, heard, limit = Robot(camera), [], core.speed_limit
             for t, x, y, heading, boxes in robot():
                 heard += core.odometry(t, x, y, heading)
                 heard += core.boxes(t, [fencepost.Box.centred(1, *box) for box in boxes])
@@ -180,6 +181,7 @@ class Loop(unittest.TestCase):
             self.assertTrue(thing.confirmed)
             self.assertLess(abs(thing.x - thing.radius - 1.5), 0.1)
             self.assertAlmostEqual(core.pose[0], robot.x, delta=0.01)
+            self.assertEqual((core.speed_limit, limit), (0, None))
             self.assertEqual(len(core.sectors), 0 if size == "micro" else 36)
             ways = core.ways(right=[1])
             self.assertEqual([way.motion for way in ways], [] if size == "micro" else ["spin", *["forward"] * 7, "back"])

@@ -58,6 +58,10 @@ class Lines(unittest.TestCase):
         (sectors,), _ = feed(line("FPSEC,13.1000,4,0.5000,,,1.2500"))
         self.assertEqual(sectors.distances, (0.5, None, None, 1.25))
 
+    def test_a_speed_limit_may_be_unknown(self):
+        limits, _ = feed(line("FPSPD,12.4000,0.3500") + line("FPSPD,12.5000,"))
+        self.assertEqual([limit.speed for limit in limits], [0.35, None])
+
     def test_ways_have_their_fields(self):
         (ways,), _ = feed(line("FPWAY,13.1000,2,spin,0.00,3.1416,3.9270,nothing,back,0.00,0.0000,0.0000,unknown"))
         self.assertEqual(ways.ways[0], fencepost.Way("spin", 0.0, 3.1416, 3.927, "nothing"))

@@ -91,6 +91,7 @@ inline ResultDocument small_document() {
       ways.ways.push_back({record::WayMotion::kForward, base::Ratio2::nearest(-1.6), base::Metres::nearest(0.42),
                            base::Metres::nearest(0.5), record::WayEnd::kThing}));
   d.ways = ways;
+  d.speed_limit = base::Metres::nearest(0.35);
   d.calibration = {{Time::nearest(0.9), record::Doubt::kRows, base::Ratio2::nearest(1.31)}};
   return d;
 }

@@ -37,7 +37,7 @@ TEST(ToJson, WritesTheDocumentOfTheContract) {
       R"({"t":1.0,"level":"warn","id":1,"bearing":0.1,"distance":0.4,"ttc":1.1,"confidence":0.9},)"
       R"({"t":1.1,"level":"stop","id":1,"bearing":-0.2094,"distance":0.24,"ttc":null,"confidence":0.93}],)"
       R"("guard":[{"x":1.0,"y":0.05,"signature":1},{"x":-0.25,"y":2.0,"signature":9}],"sectors":{"t":1.2,"distances":[0.5,null,1.5]},)"
-      R"("ways":{"t":1.2,"ways":[{"motion":"forward","curvature":-1.6,"free":0.42,"speed":0.5,"end":"thing"}]},)"
+      R"("ways":{"t":1.2,"ways":[{"motion":"forward","curvature":-1.6,"free":0.42,"speed":0.5,"end":"thing"}]},"speed_limit":0.35,)"
       R"("calibration":[{"t":0.9,"doubt":"rows","factor":1.31,)"
       R"("says":"check the camera's pitch and height: things are 1.31 times nearer than it tells"}],"passes":[]})"
       "\n";
@@ -49,7 +49,7 @@ TEST(ToJson, GivesTheSameBytesTwice) { EXPECT_EQ(to_json(small_document()), to_j
 TEST(ToJson, AnEmptyDocumentHasEveryKey) {
   const Json json = Json::parse(to_json({}));
   for (const char* key : {"format", "log", "digest", "profile", "camera", "signatures", "pose", "path", "objects",
-                          "alerts", "guard", "sectors", "ways", "calibration", "passes"}) {
+                          "alerts", "guard", "sectors", "ways", "speed_limit", "calibration", "passes"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["pose"].is_null());

@@ -22,20 +22,24 @@ struct Body {
   static Body box(double front, double rear, double width);
 };
 
+/// A brake that is pulled: `reaction` s until it acts, and `full` s from the route's speed to standing. By design, that
+/// of small robots with geared motors.
+struct Brake {
+  double reaction = 0.1;
+  double full = 0.2;
+};
+
 struct Encounter {
   host::Scene scene;  ///< its path is not used
   Route route;
   double seconds = 0;  ///< the run ends then, or at a contact
   bool obeys = false;  ///< stands while it is told stop
+  bool slows = false;  ///< and is no faster than the speed limit
+  Brake brake{};
   Body body;
   std::optional<sensor::CameraIntrinsics> told{};  ///< the calibration that the robot is told, where it is wrong
   std::vector<record::Setting> settings{};         ///< that the robot is told
   Outage outage{};
 };
-
-/// A brake that is pulled: this long until it acts, and this long from full speed to standing (s). By design, those of
-/// small robots with geared motors.
-inline constexpr double kReaction = 0.1;
-inline constexpr double kBraking = 0.2;
 
 }  // namespace fencepost::test

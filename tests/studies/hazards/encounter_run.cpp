@@ -14,7 +14,7 @@ namespace {
 /// How far along its route the robot is. Its brake is the listener.
 class Progress {
  public:
-  Progress(bool obeys, const Listener& listener) : obeys_(obeys), listener_(listener) {}
+  Progress(const Encounter& encounter, const Listener& listener) : encounter_(encounter), listener_(listener) {}
 
   /// Steps up to t, with what has been said by now.
   double at(double t) {
@@ -29,15 +29,27 @@ class Progress {
   static constexpr double kRounding = 1e-6;
 
   void step() {
-    const bool told = obeys_ && listener_.says_stop();
+    const Brake& brake = encounter_.brake;
+    const bool told = encounter_.obeys && listener_.says_stop();
     told_for_ = told == braking_ ? 0 : told_for_ + kTruthStep;
-    if (told_for_ >= kReaction) braking_ = told;
-    pace_ = std::clamp(pace_ + (braking_ ? -1 : 1) * kTruthStep / kBraking, 0.0, 1.0);
+    if (told_for_ >= brake.reaction) braking_ = told;
+    const double wanted = braking_ ? 0 : limited();
+    const double most = kTruthStep / brake.full;
+    pace_ += std::clamp(wanted - pace_, -most, most);
     steps_.push_back(steps_.back() + pace_ * kTruthStep);
   }
+  // The pace that the speed limit allows, by what was said a reaction ago.
+  double limited() {
+    if (!encounter_.slows) return 1;
+    const double speed = encounter_.route.speed(steps_.back());
+    limits_.push_back(speed > 0 ? std::min(1.0, listener_.speed_limit() / speed) : 1);
+    const auto late = static_cast<std::size_t>(encounter_.brake.reaction / kTruthStep + kRounding);
+    return limits_[limits_.size() - 1 - std::min(late, limits_.size() - 1)];
+  }
 
-  bool obeys_;
+  const Encounter& encounter_;
   const Listener& listener_;
+  std::vector<double> limits_;
   bool braking_ = false;
   double told_for_ = 0;  ///< s, the opposite of what the brake does
   double pace_ = 1;      ///< of the route's speed
@@ -50,7 +62,7 @@ History run_encounter(const Encounter& encounter, Listener& listener) {
   History history;
   history.shown.resize(encounter.scene.objects.size());
   history.end = encounter.seconds;
-  Progress progress(encounter.obeys, listener);
+  Progress progress(encounter, listener);
   Truth truth(encounter);
   const std::string told = encounter.told ? line_of(*encounter.told) : "";
   host::Driven driven;

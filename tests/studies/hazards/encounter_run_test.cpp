@@ -22,7 +22,9 @@ class Script final : public Listener {
     for (; next_ < lines_.size() && lines_[next_].t.to_double() <= now_ + 1e-9; ++next_) say(lines_[next_]);
     now_ += 0.02;
   }
+  [[nodiscard]] double speed_limit() const override { return limit; }
   std::string heard;
+  double limit = 1;  ///< m/s
 
  private:
   std::vector<record::AlertReport> lines_;
@@ -54,11 +56,23 @@ TEST(EncounterRun, ARobotThatObeysStandsAndGoesOn) {
   const auto progress = [&](double t) { return history.progress[static_cast<std::size_t>(t / kTruthStep + 0.5)]; };
   // Told at 1 s; it brakes from 1.1 s and stands at 1.3 s, half of that time further on.
   EXPECT_NEAR(progress(1), 1, 1e-9);
-  EXPECT_NEAR(progress(2), 1 + kReaction + kBraking / 2, 0.03);
+  EXPECT_NEAR(progress(2), 1 + met.brake.reaction + met.brake.full / 2, 0.03);
   EXPECT_NEAR(progress(3), progress(2), 1e-9);
-  EXPECT_NEAR(progress(4), progress(2) + 1 - kReaction - kBraking / 2, 0.03);
+  EXPECT_NEAR(progress(4), progress(2) + 1 - met.brake.reaction - met.brake.full / 2, 0.03);
   // The box is 0.9 m away from the body: 4.5 s of driving, and what it stood.
   EXPECT_NEAR(history.end, 4.5 + 2, 0.05);
+}
+
+TEST(EncounterRun, ARobotThatSlowsIsNoFasterThanTheLimit) {
+  Encounter met = towards_a_box();
+  met.obeys = true;
+  met.slows = true;
+  Script script({at(20, record::AlertLevel::kStop)});
+  script.limit = 0.15;
+  // 0.9 m at 0.15 m/s, but for the first moments.
+  EXPECT_NEAR(run_encounter(met, script).end, 6.0, 0.1);
+  Script fast({at(20, record::AlertLevel::kStop)});
+  EXPECT_NEAR(run_encounter(met, fast).end, 4.5, 0.05) << "and no faster than it means to be";
 }
 
 TEST(EncounterRun, OneThatDoesNotDrivesIntoIt) {

@@ -26,6 +26,10 @@ class Robot final : public Listener {
   void finish() override { runner_->finish(); }
   [[nodiscard]] std::vector<host::ObjectResult> objects() const override { return runner_->objects(); }
   [[nodiscard]] std::vector<std::string> complaints() const override { return runner_->complaints(); }
+  [[nodiscard]] double speed_limit() const override {
+    const record::SpeedLimit limit = runner_->speed_limit();
+    return limit.speed ? limit.speed->to_double() : Listener::speed_limit();
+  }
 
   // The sink of the reader.
   void accept(const record::Header& /*simulator*/) {

@@ -1,6 +1,7 @@
 // Who hears the robot's sensors and says stop: Fencepost's own loop, or a rule as users write it.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ class Listener {
   virtual void finish() {}
   /// The map.
   [[nodiscard]] virtual std::vector<host::ObjectResult> objects() const { return {}; }
+  /// m/s that the robot may have; infinite where that is not said.
+  [[nodiscard]] virtual double speed_limit() const { return std::numeric_limits<double>::infinity(); }
   /// What it says about its own input.
   [[nodiscard]] virtual std::vector<std::string> complaints() const { return {}; }
 

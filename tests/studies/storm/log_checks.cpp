@@ -15,7 +15,7 @@ namespace {
 
 using record::AlertLevel;
 
-constexpr std::string_view kOutputs[] = {"$FPALR,", "$FPOBJ,", "$FPDIG,", "$FPPOS,", "$FPALV,"};
+constexpr std::string_view kOutputs[] = {"$FPALR,", "$FPOBJ,", "$FPDIG,", "$FPPOS,", "$FPALV,", "$FPSPD,"};
 
 /// Of a heartbeat: an input may have been on its way for as long.
 constexpr base::Duration kSlack = base::milliseconds(50);

@@ -14,11 +14,12 @@ from ._program import ProgramError, evaluate, recording, recordings, simulate
 from .core import Box, Camera, Core, Heard, Refused, Seen
 from .stream import Camera as CameraRecord
 from .stream import (Alert, Blob, CalibrationDoubt, Car, Digest, Frame, Header, Heartbeat, Link, Log, Object, Odometry,
-                      Position, Reader, Sectors, Setting, Signature, Status, Way, Ways, crc, read, records, result)
+                      Position, Reader, Sectors, Setting, Signature, SpeedLimit, Status, Way, Ways, crc, read, records,
+                      result)
 from .runs import Grid, Mapped, Run, replay
 
 __all__ = ["Alert", "Blob", "Box", "CalibrationDoubt", "Camera", "CameraRecord", "Car", "Core", "Digest", "Frame",
            "Grid", "Header", "Heard", "Heartbeat", "Link", "Log", "Mapped", "Object", "Odometry", "Position",
-           "ProgramError", "Reader", "Refused", "Run", "Sectors", "Seen", "Setting", "Signature", "Status", "Way",
-           "Ways", "crc",
+           "ProgramError", "Reader", "Refused", "Run", "Sectors", "Seen", "Setting", "Signature", "SpeedLimit",
+           "Status", "Way", "Ways", "crc",
            "evaluate", "read", "recording", "recordings", "records", "replay", "result", "simulate", "version"]

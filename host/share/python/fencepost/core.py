@@ -205,6 +205,12 @@ class Core:
         return c.LEVELS[self._library.level_in_force(self._core)]
 
     @property
+    def speed_limit(self) -> typing.Optional[float]:
+        """m/s, the largest speed from which the robot still stops in front of what it knows; None: not known."""
+        limit = self._library.speed_limit(self._core)
+        return limit if limit >= 0 else None
+
+    @property
     def objects(self) -> typing.List[Seen]:
         """The objects of the map."""
         array = (c.Object * self._capacity)()

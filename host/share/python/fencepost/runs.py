@@ -83,6 +83,11 @@ class Run:
         found = self.document["ways"]
         return [Way(**way) for way in found["ways"]] if found else []
 
+    @property
+    def speed_limit(self) -> typing.Optional[float]:
+        """How fast the robot might have been at the end: see Core.speed_limit."""
+        return typing.cast(typing.Optional[float], self.document["speed_limit"])
+
     def grid(self, resolution: float = 0.02) -> Grid:
         """The map in cells of so many metres, as `fencepost export --format nav2` writes it."""
         with tempfile.TemporaryDirectory() as folder:

@@ -17,7 +17,7 @@ import os
 import typing
 
 __all__ = ["Alert", "Blob", "CalibrationDoubt", "Camera", "Car", "Digest", "Frame", "Header", "Heartbeat", "Link", "Log",
-           "Object", "Odometry", "Position", "Reader", "Sectors", "Setting", "Signature", "Status", "Way",
+           "Object", "Odometry", "Position", "Reader", "Sectors", "Setting", "Signature", "SpeedLimit", "Status", "Way",
            "Ways", "crc", "read", "records", "result"]
 
 LONGEST = 1024  # characters of a line, its end included
@@ -143,6 +143,12 @@ class Heartbeat(typing.NamedTuple):
     odometry: str
 
 
+class SpeedLimit(typing.NamedTuple):
+    """FPSPD: the largest speed from which the robot still stops in front of what it knows; None: not known."""
+    t: float
+    speed: typing.Optional[float]
+
+
 class CalibrationDoubt(typing.NamedTuple):
     """FPCAL: what the robot thinks of its camera."""
     t: float
@@ -207,9 +213,9 @@ class Ways(typing.NamedTuple):
 
 KINDS = {"HDR": Header, "CAM": Camera, "SIG": Signature, "ODO": Odometry, "CAR": Car, "FRM": Frame, "POS": Position,
          "OBJ": Object, "ALR": Alert, "ALV": Heartbeat, "CAL": CalibrationDoubt, "DIG": Digest, "LNK": Link,
-         "STA": Status, "CFG": Setting, "SEC": Sectors, "WAY": Ways}
+         "STA": Status, "CFG": Setting, "SEC": Sectors, "WAY": Ways, "SPD": SpeedLimit}
 Record = typing.Union[Header, Camera, Signature, Odometry, Car, Frame, Position, Object, Alert, Heartbeat, CalibrationDoubt,
-                      Digest, Link, Status, Setting, Sectors, Ways]
+                      Digest, Link, Status, Setting, Sectors, Ways, SpeedLimit]
 
 
 class _Bad(Exception):
@@ -381,6 +387,7 @@ class Log:
         self.doubts: typing.List[CalibrationDoubt] = by_kind[CalibrationDoubt]
         self.sectors: typing.List[Sectors] = by_kind[Sectors]
         self.ways: typing.List[Ways] = by_kind[Ways]
+        self.speed_limits: typing.List[SpeedLimit] = by_kind[SpeedLimit]
 
     def name(self, signature: int) -> str:
         """The colour's name; `sig 7` where the log has none."""
