@@ -1,5 +1,5 @@
-// A robot that obeys the speed limit, beside one that obeys STOP alone. How often does each touch something, how fast is
-// it at STOP, where does it stand, and how long does it take?
+// A robot that obeys the speed limit, beside one that obeys STOP alone. How often does each touch something, how fast
+// is it at STOP, where does it stand, and how long does it take?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Eyes {
 const std::vector<Eyes> kEyes = {
     {{43, 0.15, 0}, 10}, {{43, 0.15, 0}, 25}, {{43, 0.15, 0}, 50}, {{60, 0.15, 0}, 25}, {{43, 0.25, 0.3}, 25}};
 constexpr double kSpeeds[] = {0.2, 0.4, 0.6};  // m/s
-/// Geared motors, and a heavy robot: as far as it brakes in alert.ttc_stop at 0.4 m/s, not at 0.6.
+/// Geared motors, and a heavy robot, whose way to brake does not fit into alert.stop: 0.18 m from 0.2 m/s.
 struct Brakes {
   const char* name;
   Brake brake;
@@ -117,7 +117,6 @@ constexpr Scene kScenes[] = {
 struct Figures {
   unsigned runs = 0;
   unsigned contacts = 0;
-  unsigned late = 0;  ///< contacts of things that could be seen for as long as it takes to brake
   unsigned stops = 0;
   double stopped_at = 0;  ///< m/s, sum over the runs with a stop
   double clearance = 0;   ///< m, sum over the runs that end at something without a contact
@@ -215,7 +214,9 @@ bool run(const Request& request) {
           }
           const double whole = std::max(1U, all.runs - all.contacts);
           const std::string name = fmt::format("{}, {} m/s, {} brake", scene.name, speed, brakes.name);
-          const std::string_view mark = tally.look(!slows || all.contacts <= before, name + ": more contacts");
+          const bool quick_at_a_wall = scene.make == wall && brakes.brake.full < 1;
+          const unsigned most = quick_at_a_wall ? 0 : before;
+          const std::string_view mark = tally.look(!slows || all.contacts <= most, name + ": more contacts");
           before = all.contacts;
           const unsigned stopped = std::max(1U, scene.ends ? all.stops : all.runs);
           print(fmt::format("| {} | {} | {} | {} | {} | {}{} | {} | {:.2f} | {:.2f} | {:.1f} |\n", scene.name, speed,
@@ -236,7 +237,8 @@ constexpr Study<Request> kStudy{
       app.add_option("--level", request.level, "of noise")->capture_default_str();
       app.add_option("--scene", request.scene, "one of them: wall, block, ball, beside");
       app.add_option("--set", request.settings, "KEY=VALUE, a setting of the robot");
-      app.add_flag("--judge", request.judge, "fail if a robot that slows down touches more often");
+      app.add_flag("--judge", request.judge,
+                   "fail if a robot that slows down touches more often, or with quick motors a wall");
       app.add_flag("--show", request.show, "each run with a contact");
     },
     run};
