@@ -74,7 +74,7 @@ typedef struct fencepost_camera {
   float fy;           /* focal length in rows, px, positive */
   float cx;           /* principal point, px */
   float cy;           /* principal point, px */
-  float k1;           /* radial distortion: host/share/doc/cameras.md */
+  float k1;           /* radial distortion: host/share/doc/frames.md */
   float x;            /* m, of the lens, forward */
   float y;            /* m, of the lens, left */
   float z;            /* m, of the lens above the floor */

@@ -157,21 +157,30 @@ std::string help_for(Use use, std::span<const std::string> kinds) {
 
 std::string devices_document() {
   return "# Devices\n\n"
-         "The catalogue (`host/devices`) as `fencepost devices` has it; a test writes this page anew and compares.\n"
-         "The name leads to the device's [own page](sensors/index.md): wires, lines to type, traps.\n"
-         "A device is named `KIND:PLACE[,option=value...]`. An option stands here with what it is without being given, "
-         "or\nwith its words, the first being what it is then. On a board it is chosen by `set camera` and `set "
-         "odometry` "
-         "([console](console.md)),\nby the name in the last column. `baud=` is of serial ports; of an emulated "
-         "device's line 0 is as fast as "
-         "it "
-         "goes.\n\n"
-         "## Of `run` and `record`\n" +
-         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry") +
-         "\n## Lenses\nWhat a camera is taken to see until it is [calibrated](calibrate.md) or told (`camera` of the "
-         "robot file, "
-         "`set lens`), and who says so.\nWhere the source is no maker's, or another lens may be screwed on, calibrate. "
-         "None "
+         "The cameras and wheels that Fencepost knows, as `fencepost devices` has them; a test writes this page anew "
+         "and "
+         "compares.\n"
+         "The name leads to the device's own page: settings, wires, lines to type, its lens, what may go wrong, "
+         "traps.\n"
+         "Nobody has connected the real things: the facts come from their makers' "
+         "documents and sources, or from others\nwho used them.\n\n"
+         "A device is named `KIND:PLACE[,option=value...]`. An option stands here with its default, or with its words, "
+         "of "
+         "which the\nfirst is the default. On a board `set camera` and `set odometry` ([console](console.md)) choose "
+         "it by "
+         "the name in the last column.\n`baud=` is of serial ports. `emulate` plays all of them but the console; "
+         "without a "
+         "place it makes a pseudo-terminal\n([emulate](emulate.md)).\n\n" +
+         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry");
+}
+
+std::string devices_results() {
+  return "# Devices: data and what was tried\n\n"
+         "By device, from the catalogue (`host/devices`); each device's page has its own lines, and is made of "
+         "these.\n\n"
+         "## Lenses\nThe assumed lens of each camera, until it is calibrated or given (`camera` of the robot file, "
+         "`set "
+         "lens`), and its source.\nCalibrate where the source is no maker's, or another lens may be screwed on. None "
          "publishes a distortion: k1 is 0.\n\n" +
          lens_table() + "\n## When it answers and is not ready\n" + unready_table() + "\n## Of `emulate`\n" +
          emulated_table() +

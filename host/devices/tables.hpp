@@ -14,4 +14,7 @@ std::string help_for(Use use, std::span<const std::string> kinds = {});
 /// The whole of share/doc/devices.md.
 std::string devices_document();
 
+/// The whole of tests/results/devices.md, for reviewers and for the pages of the devices.
+std::string devices_results();
+
 }  // namespace fencepost::devices

@@ -215,15 +215,19 @@ TEST(Catalogue, EveryLensHasItsSource) {
   EXPECT_GE(lenses, 19U);
 }
 
-TEST(Catalogue, TheDocumentShowsIt) {
+void expect_written(const std::string& page, const std::string& now) {
   std::ostringstream shown;
-  shown << std::ifstream(kSource / "host/share/doc/devices.md").rdbuf();
-  const std::string now = devices_document();
+  shown << std::ifstream(kSource / page).rdbuf();
   if (shown.str() == now) return;
-  const fs::path copy = fs::absolute("devices.md");
+  const fs::path copy = fs::absolute(page);
+  fs::create_directories(copy.parent_path());
   std::ofstream(copy) << now;
-  FAIL() << "the catalogue says otherwise: cp " << copy.string() << " host/share/doc/devices.md";
+  FAIL() << "the catalogue says otherwise: cp " << copy.string() << " " << page;
 }
+
+TEST(Catalogue, TheDocumentShowsIt) { expect_written("host/share/doc/devices.md", devices_document()); }
+
+TEST(Catalogue, TheResultsShowIt) { expect_written("tests/results/devices.md", devices_results()); }
 
 }  // namespace
 }  // namespace fencepost::devices

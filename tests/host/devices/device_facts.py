@@ -1,10 +1,11 @@
-"""What is known of each device: the tables of devices.md (the catalogue's), of PINS.md (the boards') and of firmware/config/devices.hpp."""
+"""Facts of each device, from the tables of PAGES (the catalogue's), of PINS.md (the boards') and of firmware/config/devices.hpp."""
 
 import re
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+PAGES = ("host/share/doc/devices.md", "tests/results/devices.md")
 RP2040 = ("pico", "xrp")
 BOARDS = ("pico", "xrp", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
 
@@ -67,7 +68,9 @@ def on_boards(sources):
 
 def devices_of(sources):
     """{name: Device}, in the catalogue's order; the boards' own encoders last."""
-    tables = tables_of((sources / "host/share/doc/devices.md").read_text(encoding="utf-8"))
+    tables = {}
+    for page in PAGES:
+        tables |= tables_of((sources / page).read_text(encoding="utf-8"))
     images = on_boards(sources)
     devices = {}
     for key, role in (("camera", "camera"), ("odometry", "odometry")):

@@ -208,14 +208,6 @@ def scene_of(device):
     return "{" + ",\n ".join(f'"{key}": {json.dumps(value)}' for key, value in scene.items()) + "}\n"
 
 
-def index_of(devices):
-    rows = [["device", "", "page"], *[[f"`{d.name}`", d.about.split(";")[0], f"[{d.name}.md]({d.name}.md)"] for d in devices]]
-    return ("# Cameras and wheels, a page each\n\nWhat to set on it, which wire goes where, what to type, what it says when something is wrong, "
-            "and its traps. The tables of all\nof them together: [devices](../devices.md). Tables and lines are made of the catalogue, a test runs "
-            "the lines of each emulated device\n(`tests/host/devices`). Nobody has connected the real things: the facts come from their "
-            "makers' documents and\nsources, or from others who used them.\n\n" + table(rows) + "\n")
-
-
 MAKERS = {"facts": facts, "wires": wires, "run": run, "wrong": wrong}
 
 
@@ -243,7 +235,6 @@ def files_of(sources):
         made[page] = text
         if device.lens:
             made[page.with_name(f"{device.name}.json")] = scene_of(device)
-    made[page_of(sources, Device("index", ""))] = index_of(devices.values())
     there = {path for path in (sources / "host/share/doc/sensors").iterdir()}
     faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]
     return made, faults

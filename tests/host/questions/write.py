@@ -14,6 +14,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SOURCES = HERE.parents[2]
+PAGES = ("host/share/doc/devices.md", "tests/results/devices.md")
 
 
 def python(script, *arguments):
@@ -36,10 +37,10 @@ def main(build, compiler="c++"):
     with tempfile.TemporaryDirectory() as folder:
         catalogue = build / "tests/host/devices/devices_test"
         if catalogue.exists():
-            subprocess.run([catalogue, "--gtest_brief=1", "--gtest_filter=Catalogue.TheDocumentShowsIt"], cwd=folder, check=False)
-        written = Path(folder) / "devices.md"
-        if written.exists():
-            shutil.copyfile(written, SOURCES / "host/share/doc/devices.md")
+            subprocess.run([catalogue, "--gtest_brief=1", "--gtest_filter=Catalogue.The*ShowIt:Catalogue.The*ShowsIt"], cwd=folder, check=False)
+        for page in PAGES:
+            if (Path(folder) / page).exists():
+                shutil.copyfile(Path(folder) / page, SOURCES / page)
         python(HERE.parent / "devices/sensor_pages.py", SOURCES)
         python(HERE / "questions.py", program, SOURCES, Path(folder) / "questions")
         write_demo(program, folder)
