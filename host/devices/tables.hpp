@@ -8,7 +8,7 @@
 
 namespace fencepost::devices {
 
-/// What `fencepost devices` says of the devices of a use: names, places, options. `kinds`: of these alone; none: all.
+/// The devices of a use, as `fencepost devices` lists them: names, places, options. `kinds`: of these alone; none: all.
 std::string help_for(Use use, std::span<const std::string> kinds = {});
 
 /// The whole of share/doc/devices.md.

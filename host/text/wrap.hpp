@@ -8,9 +8,8 @@
 namespace fencepost::host {
 
 /// `text` without lines longer than `width` columns, as far as its words allow.
-/// A line such as "  --log FILE    what it is" is a name and its text, with two blanks or more between: the text goes
-/// on in its own column. Below "Examples:" lines are shell commands: they go on behind a backslash, so that they can
-/// still be copied.
+/// A line such as "  --log FILE    what it is" is a name, two blanks or more, and its text. The text goes on in its own
+/// column. Lines below "Examples:" are shell commands. They go on behind a backslash, so that they can be copied.
 std::string wrapped(std::string_view text, std::size_t width);
 
 }  // namespace fencepost::host
