@@ -185,8 +185,7 @@ TEST(Catalogue, CoverageHasALineForEachDeviceAndLink) {
   }
   EXPECT_EQ(lines.size(), 2 + links + 1) << "heading, links, and a board's encoders";
   EXPECT_TRUE(lines.contains("| `nxtcam` | NXT brick | `run` | `emulate` | yes | none | none: emulator only |"));
-  EXPECT_TRUE(
-      lines.contains("| `jevois` | serial | `run` | `emulate` | not needed | `jevois` | none: emulator only |"));
+  EXPECT_TRUE(lines.contains("| `xbc` | serial | `run` | `emulate` | not needed | `xbc` | none: emulator only |"));
   EXPECT_NE(table.find("| `pixy2` | serial | `run` | `emulate` | not needed | `pixy2` | Arduino library"),
             std::string::npos);
   // Every image of a board is in it, once.
