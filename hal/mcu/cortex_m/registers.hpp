@@ -23,7 +23,17 @@ inline constexpr std::uint32_t kVectorTable = 0xE000ED08;                     //
 inline constexpr std::uint32_t kResetControl = 0xE000ED0C;                    // AIRCR, B3.2.6
 inline constexpr std::uint32_t kResetRequest = 0x05FA'0004;                   // the key and SYSRESETREQ
 
-inline constexpr std::uint32_t kProtection = 0xE000ED94;         // MPU_CTRL, Armv7-M B3.5.5
+// Memory protection, Armv7-M B3.5, Armv6-M B3.5; parts without it read zeros.
+inline constexpr std::uint32_t kProtectionType = 0xE000ED90;
+inline constexpr std::uint32_t kProtectionRegions = 0xFFU << 8;  // how many it has
+inline constexpr std::uint32_t kProtection = 0xE000ED94;         // MPU_CTRL
+inline constexpr std::uint32_t kProtectionOn = 1U << 0;
+inline constexpr std::uint32_t kElseAsWithout = 1U << 2;         // whatever is in no region may be used
+inline constexpr std::uint32_t kProtectionBase = 0xE000ED9C;     // MPU_RBAR
+inline constexpr std::uint32_t kProtectionFirst = 1U << 4;       // the address is region 0's
+inline constexpr std::uint32_t kProtectionKind = 0xE000EDA0;     // MPU_RASR; nobody may use it, if it says no more
+inline constexpr std::uint32_t kProtection256 = (7U << 1) | 1U;  // on, 256 bytes
+inline constexpr std::uint32_t kProtectionEighthsOffShift = 8;   // of which these are left out
 inline constexpr std::uint32_t kCoprocessorAccess = 0xE000ED88;  // CPACR, Armv7-M B3.2.20
 inline constexpr std::uint32_t kFullFloatAccess = 0xFU << 20;    // CP10 and CP11
 

@@ -33,6 +33,10 @@ template <std::size_t kInterrupts, std::size_t kVectors>
 consteval VectorTable<kInterrupts> make_vector_table(Handler reset, const Vector (&vectors)[kVectors]) {
   VectorTable<kInterrupts> table{};
   table.fill(unexpected_exception);
+#if __ARM_ARCH < 7
+  // Reserved there. A micro:bit v2 takes an image for that of a v1, and refuses it, if words 4 to 6 are zero (DAPLink).
+  for (const std::size_t reserved : {4U, 5U, 6U, 7U, 8U, 9U, 10U, 12U, 13U}) table[reserved] = nullptr;
+#endif
   table[0] = image_stack_top;
   table[1] = reset;
   for (const Vector& vector : vectors) table[vector.exception] = vector.handler;

@@ -12,6 +12,7 @@ from unicorn import arm_const as arm
 import elf
 
 SYSTICK, SYSTICK_RELOAD, NVIC, ICSR, VTOR, AIRCR = 0xE010, 0xE014, 0xE100, 0xED04, 0xED08, 0xED0C
+MPU_TYPE, MPU_CONTROL, MPU_BASE, MPU_KIND = 0xED90, 0xED94, 0xED9C, 0xEDA0
 RETURN = 0x70000000  # where an interrupt's handler returns to
 NOTHING = b"\x00\xbf"  # stands where the program sleeps: NOP
 STAY = b"\xfe\xe7"  # a branch to itself
@@ -34,7 +35,7 @@ class Core:
 
     def __init__(self, image):
         self.faults = []
-        self.system = {SYSTICK: 0, VTOR: 0}
+        self.system = {SYSTICK: 0, VTOR: 0, MPU_TYPE: 8 << 8 if self.HAS_FLOATS else 0}  # regions
         self.enabled, self.pending = set(), set()
         self.seconds = 0.0
         self.until = self.next_look = 0.0
@@ -124,6 +125,14 @@ class Core:
             self.pending.discard("tick")
         if offset == AIRCR and value & 4:
             self.stop("the program has reset the part")
+
+    def guard(self):
+        """Where the memory protection's only region begins, which nobody may use; None if there is none."""
+        control, base, kind = (self.system.get(offset, 0) for offset in (MPU_CONTROL, MPU_BASE, MPU_KIND))
+        used = [n for n in range(8) if not kind >> (8 + n) & 1]
+        if control & 7 != 5 or kind & ~0xFF00 != 7 << 1 | 1 or len(used) != 1:
+            return None
+        return (base & ~0xFF) + 32 * used[0]
 
     # Running.
     def stop(self, why):

@@ -115,6 +115,17 @@ class Starts(unittest.TestCase):
                 with self.subTest(board=board, start=leave.__name__):
                     self.expect_up(start(board, leave), board)
 
+    # A v2's board takes a file whose words 4 to 6 are zero for that of a v1, and refuses it (DAPLink).
+    def test_a_v2_refuses_the_image_of_a_v1(self):
+        for board, wanted in (("microbit", 0), ("microbit_v2", 3)):
+            words = struct.unpack("<7I", bytes(start(board, seconds=0).uc.mem_read(0, 28)))
+            self.assertEqual(sum(word != 0 for word in words[4:]), wanted, board)
+
+    def test_only_a_v2_can_guard_its_stack(self):
+        self.assertIsNone(start("microbit").guard(), "its core has no memory protection")
+        part = start("microbit_v2")
+        self.assertTrue(0 <= part.guard() - part.symbols["image_stack_bottom"] < 32)
+
     def test_without_its_crystal_it_runs_on_the_oscillator(self):
         for board in PARTS:
             with self.subTest(board=board):
