@@ -6,6 +6,7 @@
 #include "hal/mcu/stm32f4/clocks.hpp"
 #include "hal/mcu/stm32f4/registers.hpp"
 #include "hal/mcu/stm32f4/reset_reason.hpp"
+#include "hal/mcu/stm32f4/supply.hpp"
 #include "hal/mcu/stm32f4/watchdog.hpp"
 #include FENCEPOST_PINS
 
@@ -48,6 +49,7 @@ void serial_interrupt() {
 void start(std::uint32_t console_baud) {
   part::feed_watchdog();  // it may run already: nothing but power stops it
   clocks = part::start_clocks(kWiring.crystals);
+  part::watch_supply();
   kWiring.stop.make_output(false);
   part::start_watchdog();
   if (kWiring.power) kWiring.power->make_output(true);
@@ -78,6 +80,7 @@ mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
 std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
 
 void allow_motion(bool allowed) { kWiring.stop.drive(allowed); }
+bool supply_low() { return part::supply_low(); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s

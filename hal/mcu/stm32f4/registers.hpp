@@ -173,9 +173,13 @@ inline constexpr std::uint32_t kWatchdogStart = 0xCCCC;
 inline constexpr std::uint32_t kWatchdogFeed = 0xAAAA;
 inline constexpr std::uint32_t kWatchdogBy64 = 4;
 
-// Power, RM0090 5.4.1: the regulator's scale 1 is needed above 144 MHz and is the reset value.
-inline constexpr std::uint32_t kPowerControl = 0x4000'7000;
-inline constexpr std::uint32_t kRegulatorScale1 = 1U << 14;
+// Power, RM0090 5.4.
+inline constexpr std::uint32_t kPowerControl = 0x4000'7000;  // 5.4.1
+inline constexpr std::uint32_t kRegulatorScale1 = 1U << 14;  // needed above 144 MHz, and the reset value
+inline constexpr std::uint32_t kWatchSupply = 1U << 4;
+inline constexpr std::uint32_t kSupplyAbove2V7 = 5U << 5;
+inline constexpr std::uint32_t kPowerStatus = 0x4000'7004;  // 5.4.2
+inline constexpr std::uint32_t kSupplyBelow = 1U << 2;
 
 // Interrupt numbers, RM0090 table 61.
 inline constexpr std::uint32_t kInterruptI2c1Event = 31;

@@ -145,6 +145,8 @@ class DirtyStarts(unittest.TestCase):
         self.assertLess(abs(part.timer2_count() / 1e6 / (part.seconds - part.timer2[0]) - 1), 1e-3)
         self.assertGreater(part.interrupts, 50)
         self.assertEqual(stop_pin(part, board), (1, 0), "nothing is seen yet: the motors are held")
+        self.assertTrue(0 <= part.guard() - part.symbols["image_stack_bottom"] < 32)
+        self.assertNotIn("supply", said)
 
     def test_every_start_of_every_board(self):
         for board, (_, _, crystals) in BOARDS.items():
@@ -157,6 +159,15 @@ class DirtyStarts(unittest.TestCase):
         for crystal in (None, 16_000_000):
             with self.subTest(crystal=crystal):
                 self.expect_up("feather_f405", from_reset, crystal)
+
+
+    def test_a_battery_that_sags_is_told_of_once(self):
+        class Sagging(Part):
+            volts = 2.6
+
+        for board, (image, line, crystals) in BOARDS.items():
+            said = start(image, from_reset, crystals[0], part_of=Sagging).lines[line].sent
+            self.assertEqual(said.count(b"error: the supply is too low: nothing moves"), 1, said)
 
 
 class Rules(unittest.TestCase):

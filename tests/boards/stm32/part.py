@@ -40,6 +40,7 @@ class Part(Core):
     FIRST = 0x08000000
     RAM_SIZE = 128 << 10
     MEMORIES = [(0x08000000, 1 << 20), (0x1FFF0000, 1 << 16)]
+    volts = 3.3
     PERIPHERALS = [(0x40000000, 0x80000), (0x50000000, 0x40000)]
 
     def __init__(self, image, crystal_hz=25_000_000):
@@ -83,6 +84,8 @@ class Part(Core):
             return self.clocks.read(register, self.seconds) & 0xFFFFFFFF
         if base in LINES and register == 0:
             return 0xC0
+        if base == PWR and register == 4:  # below 2.7 V, if it is watched for that
+            return 4 if self.words.get(PWR, 0) & 0xF0 == 5 << 5 | 1 << 4 and self.volts < 2.7 else 0
         if base == TIMER2 and register == 0x24:
             return self.timer2_count()
         if base == TIMER11 and register in (0x10, 0x34):
