@@ -104,11 +104,15 @@ class SettingsStore {
       if (!right_) return;
       std::size_t at = end_;
       right_ = program(at, pair(static_cast<std::uint16_t>(line.size())));
-      for (std::size_t i = 0; right_ && i < line.size(); i += kWord) {
+      at += kWord;
+      // Whole words at once: some parts are held up by each call, not by each word.
+      const std::span<const std::uint8_t> bytes = octets(line);
+      const auto whole = bytes.first(bytes.size() / kWord * kWord);
+      right_ = right_ && (whole.empty() || store_.flash_.program(page_, at, whole));
+      if (const auto rest = bytes.subspan(whole.size()); right_ && !rest.empty()) {
         Word word{0xFF, 0xFF, 0xFF, 0xFF};
-        const std::size_t in_word = std::min(kWord, line.size() - i);
-        for (std::size_t k = 0; k < in_word; ++k) word[k] = static_cast<std::uint8_t>(line[i + k]);
-        right_ = program(at += kWord, word);
+        std::ranges::copy(rest, word.begin());
+        right_ = program(at + whole.size(), word);
       }
       check_ = base::crc16(line);
       any_ = true;
@@ -133,6 +137,9 @@ class SettingsStore {
     std::uint16_t check_ = 0;  ///< of the latest
   };
 
+  static std::span<const std::uint8_t> octets(std::string_view line) {
+    return {static_cast<const std::uint8_t*>(static_cast<const void*>(line.data())), line.size()};
+  }
   // A number of 16 bits and its complement: flash that is cut off in writing or erasing has no such thing.
   static Word pair(std::uint16_t value) {
     const auto low = static_cast<std::uint8_t>(value & 0xFF);
