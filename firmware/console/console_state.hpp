@@ -77,7 +77,8 @@ struct Answer {
 
 /// What was typed of the robot's motion, and what is known of it here.
 struct Motion {
-  bool held = false;   ///< `stop`: nothing may move until `go`
+  bool held : 1 = false;       ///< `stop`: nothing may move until `go`
+  bool by_button : 1 = false;  ///< it was the board's button that set `ahead`: it needs no port
   bool ahead = false;  ///< `go`: the board's motors; whatever is typed next ends it, and so does whoever drives them
   bool may = false;    ///< would it be allowed now, by loop::MotionPermit: told by whoever drives them
 };

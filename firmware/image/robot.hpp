@@ -14,6 +14,7 @@
 #include "firmware/image/keeper.hpp"
 #include "firmware/image/unsaid.hpp"
 #include "firmware/loop/bumper.hpp"
+#include "firmware/loop/button.hpp"
 #include "firmware/loop/loop.hpp"
 #include "firmware/loop/motion_permit.hpp"
 #include "firmware/loop/throttle.hpp"
@@ -63,11 +64,11 @@ struct FlashAtRest {
   [[nodiscard]] static std::size_t size() { return board::flash().size(); }
   [[nodiscard]] static std::span<const std::uint8_t> page(std::size_t n) { return board::flash().page(n); }
   static bool program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes) {
-    return board::flash().program(n, offset, bytes);
+    return !board::supply_low() && board::flash().program(n, offset, bytes);
   }
   static bool erase(std::size_t n) {
     board::allow_motion(false);
-    return board::flash().erase(n);
+    return !board::supply_low() && board::flash().erase(n);
   }
 };
 // NOLINTEND(readability-static-accessed-through-instance)
@@ -125,17 +126,29 @@ class Robot {
     const record::Heartbeat beat = pipeline().in_force();
     console::Motion& motion = memory_.console.motion;
     motion.may = permit_.judge(beat, loop_.links(), now);
-    const bool may_move = motion.may && !motion.held;
+    if (board::kMotors && button_.pressed(board::button_held(), now)) loop_.press_button();
+    const bool may_move = !supply_low() && motion.may && !motion.held;
     board::allow_motion(may_move);
     const record::SpeedLimit limit = pipeline().speed_limit(beat);
     odometry_.allow_motion(drive_.judge(may_move, beat.level, limit));
     if constexpr (board::kMotors) drive_ahead(may_move, loop::most_of(limit), now);
   }
+  bool supply_low() {
+    const bool low = board::supply_low();
+    if (low && !supply_was_low_) pipeline().reporter().say([](std::span<char> room) { return charge(room); });
+    supply_was_low_ = low;
+    return low;
+  }
   // Not before the next `go`, once they stand.
   void drive_ahead(bool may_move, std::int16_t most, base::Time now) {
     std::optional<recon::MapPose> odometry;
     if (!memory_.poses.empty()) odometry = memory_.poses.latest();
-    bool& ahead = memory_.console.motion.ahead;
+    console::Motion& motion = memory_.console.motion;
+    if (gone(board::console()) && !motion.by_button) {
+      motion.ahead = false;
+      bumper_.stand(loop::Standstill::kPort);
+    }
+    bool& ahead = motion.ahead;
     ahead = bumper_.judge(ahead, may_move && most > 0, odometry, now);
     const std::int32_t wanted = ahead ? memory_.devices.raw(config::DeviceKey::kBumper) : 0;
     board::drive_motors(throttle_.judge(wanted, most, memory_.poses.motion(loop::kMotionSpan).forward, now));
@@ -167,6 +180,13 @@ class Robot {
     return false;
   }
 
+  /// Who typed there can stop nothing any more.
+  template <class Link>
+  static bool gone([[maybe_unused]] Link& link) {
+    if constexpr (requires { link.take_gone(); }) return link.take_gone();
+    return false;
+  }
+
   /// Turns between two checks for changed settings, which compare some hundred bytes; the loop turns at least a
   /// thousand times a second.
   static constexpr std::uint8_t kKeepEvery = 16;
@@ -176,6 +196,9 @@ class Robot {
 
   static std::size_t not_kept(std::span<char> room) {
     return console::Sentence(room).put("error: the change holds until the next reset: it could not be written").end();
+  }
+  static std::size_t charge(std::span<char> room) {
+    return console::Sentence(room).put("error: the supply is too low: nothing moves, nothing is kept; charge it").end();
   }
   loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
 
@@ -190,10 +213,12 @@ class Robot {
   loop::MotionPermit permit_;
   loop::DrivePermit drive_;
   loop::Bumper bumper_;
+  loop::Button button_;
   loop::Throttle throttle_;
   base::Stamp judged_;
   std::uint8_t turns_ = 0;
   std::uint8_t opened_ = 0;  ///< which of the choices
+  bool supply_was_low_ = false;
 };
 
 }  // namespace fencepost::image

@@ -12,8 +12,10 @@ inline constexpr bool kOneLine = false;            ///< camera and wheel base sh
 inline constexpr std::uint8_t kLowestAddress = 0;  ///< that the two-wire bus can speak to
 inline constexpr bus::PinNames kPinNames;
 inline constexpr int kEncoderBits = 16;
-inline constexpr bool kMotors = false;  ///< two, by drive_motors
+inline constexpr bool kMotors = false;  ///< two, by drive_motors; and a button
 inline void drive_motors(std::int32_t /*percent*/) {}
+inline bool button_held() { return false; }
+inline bool supply_low() { return false; }  ///< below what the part needs for its speed or its flash
 
 }  // namespace unsaid
 

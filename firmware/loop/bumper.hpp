@@ -1,5 +1,5 @@
 // Straight ahead by the board's own motors, until anything speaks against it: what a first robot does. It never sets
-// off by itself, neither after a reset nor after a stop, but by `go` on the console alone.
+// off by itself, neither after a reset nor after a stop: `go` on the console starts it, or the board's button.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,13 @@
 namespace fencepost::loop {
 
 /// Why it stands.
-enum class Standstill : std::uint8_t { kAlert, kLine, kBlocked, kTurned, kBackwards };
+enum class Standstill : std::uint8_t { kAlert, kLine, kPort, kBlocked, kTurned, kBackwards };
 
 constexpr std::string_view reason(Standstill standstill) {
   switch (standstill) {
     case Standstill::kAlert: return "STOP, BLIND or a silent sensor";
     case Standstill::kLine: return "a line was typed";
+    case Standstill::kPort: return "the port was closed, or its cable pulled";
     case Standstill::kBlocked: return "by odometry they have not moved it for a second: is it blocked?";
     case Standstill::kTurned: return "by odometry it has turned: both motors, the same way round?";
     case Standstill::kBackwards: return "by odometry it goes backwards: swap the motors' wires, or wheel.counts' sign";
@@ -36,11 +37,14 @@ class Bumper {
       if (wanted && may_move && odometry) set_off(*odometry, now);
       return going_;
     }
-    if (const auto why = against(wanted, may_move, odometry, now)) {
-      stood_ = why;
-      going_ = false;
-    }
+    if (const auto why = against(wanted, may_move, odometry, now)) stand(*why);
     return going_;
+  }
+
+  /// It stands, for a reason that judge() does not know.
+  void stand(Standstill why) {
+    if (going_) stood_ = why;
+    going_ = false;
   }
 
   /// Once for each time that it stopped.

@@ -49,6 +49,14 @@ class Console {
     console.answer.reply = console::Reply::kMap;
   }
 
+  /// The board's button: `stop` while its motors run, else `go`.
+  [[gnu::noinline]] void press_button() {
+    console::Motion& motion = state().motion;
+    const console::Answer answer = motion.ahead ? hold() : go();
+    motion.by_button = motion.ahead;
+    if (!state().answer.pending()) state().answer = answer;
+  }
+
   /// Acts on the oldest line, which arrived at `now`.
   [[gnu::noinline]] Handled handle_line(base::Time now) {
     const std::optional<console::InputLines::Line> line = state().input.front();
@@ -133,6 +141,7 @@ class Console {
 
   [[gnu::noinline]] void handle_command(std::span<char> text, bool too_long) {
     state().motion.ahead = false;  // whatever was typed, and be it noise
+    state().motion.by_button = false;
     state().watching = false;
     const std::optional<std::string_view> line = console::typed(text);
     if (too_long) {
@@ -181,7 +190,7 @@ class Console {
         return {};
       case Verb::kReset: pipeline_.restart(); return {Reply::kNewRun};
       case Verb::kGo: return go();
-      case Verb::kStop: state().motion.held = true; return {Reply::kHeld};
+      case Verb::kStop: return hold();
       case Verb::kLock: state().locked = true; return {Reply::kLocked};
       case Verb::kVersion: return {Reply::kVersion};
       case Verb::kQuit: return {Reply::kQuit};
@@ -201,6 +210,12 @@ class Console {
     state().motion.held = false;
     state().motion.ahead = true;
     return {Reply::kGoes};
+  }
+
+  console::Answer hold() {
+    state().motion.held = true;
+    state().motion.ahead = false;
+    return {console::Reply::kHeld};
   }
 
   // Of one object, by its number, or of all.

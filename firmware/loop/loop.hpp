@@ -43,6 +43,8 @@ class Loop {
 
   /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { console_.set_note(note); }
+  /// See Console.
+  void press_button() { console_.press_button(); }
   [[nodiscard]] Pipeline<Profile>& pipeline() { return pipeline_; }
   [[nodiscard]] const Pipeline<Profile>& pipeline() const { return pipeline_; }
   [[nodiscard]] const RangedOdometry<Odometry>& odometry() const { return odometry_; }

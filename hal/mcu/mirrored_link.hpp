@@ -58,6 +58,9 @@ class MirroredLink {
   /// Once, after somebody has come to the optional link: what was said before was not heard there.
   [[nodiscard]] bool take_opened() requires requires(Optional& link) { link.take_opened(); }
   { return optional_.take_opened(); }
+  /// Once, after the optional link is gone.
+  [[nodiscard]] bool take_gone() requires requires(Optional& link) { link.take_gone(); }
+  { return optional_.take_gone(); }
 
  private:
   template <class Link>

@@ -32,6 +32,10 @@ constinit part::Uart console_line;
 constinit part::UsbSerial usb_line;
 constinit Console the_console{console_line, usb_line};
 constinit Link camera_line;
+constexpr bool kCameraIsFirst = kWiring.camera.base == part::kUart0;  // of the part's two UARTs
+
+constinit Link& first_line = kCameraIsFirst ? camera_line : console_line;
+constinit Link& second_line = kCameraIsFirst ? console_line : camera_line;
 constinit I2c the_i2c;
 constinit Flash the_flash;
 constinit part::Encoder left;
@@ -50,8 +54,9 @@ void start(std::uint32_t console_baud) {
   the_clock.start(clocks.reference);
   reason = part::read_reset_reason();
   part::start_watchdog();
+  kWiring.button.connect(part::kFunctionSoftware);
   if (kWiring.light) kWiring.light->make_output();
-  console_line.start(kWiring.console, clocks.core, console_baud);
+  if (kWiring.console) console_line.start(*kWiring.console, clocks.core, console_baud);
   if (clocks.usb) usb_line.start();
 }
 
@@ -86,6 +91,7 @@ void drive_motors(std::int32_t percent) {
   if (percent == 0) motors_free = true;
   motors.ahead(motors_free ? percent : 0);
 }
+bool button_held() { return !kWiring.button.high(); }
 void feed_watchdog() {
   part::feed_watchdog();
   constexpr std::uint32_t kFlash = 0xF'0000;  // us: 65 ms of each 1.05 s
@@ -111,7 +117,7 @@ void pins_interrupt() {
   board::left.on_interrupt();
   board::right.on_interrupt();
 }
-void uart0_interrupt() { board::console_line.on_interrupt(); }
-void uart1_interrupt() { board::camera().on_interrupt(); }
+void uart0_interrupt() { board::first_line.on_interrupt(); }
+void uart1_interrupt() { board::second_line.on_interrupt(); }
 void i2c_interrupt() { board::i2c().on_interrupt(); }
 }

@@ -1,6 +1,6 @@
 // Boards with an RP2040, 125 MHz, 264 KB of memory, of whose two cores one is used: Raspberry Pi Pico, XRP. They differ
-// in their pins.hpp alone. What every board offers: hal/boards/README.md. The console is on USB and on a serial line at
-// the same time.
+// in their pins.hpp alone. What every board offers: hal/boards/README.md. The console is on USB, on a Pico on a serial
+// line at the same time.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ void start_i2c();
 
 Clock& clock();
 // Their pins: pins.hpp.
-Console& console();  ///< a serial line, and USB
+Console& console();  ///< USB, and a serial line where there is one
 Link& camera();
 Link& base();  ///< the same line: for a wheel base, where the camera is on the I2C bus
 I2c& i2c();
@@ -61,6 +61,8 @@ void allow_motion(bool allowed);
 /// Both motors ahead by so much of their power, 0 to 90. Once motion was not allowed they stand, until they were given
 /// 0.
 void drive_motors(std::int32_t percent);
+/// The push button is down: `go`, and `stop` while the motors run.
+bool button_held();
 /// The light, if there is one, flashes once a second while the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.

@@ -18,13 +18,14 @@ struct EncoderPins {
 };
 
 struct Wiring {
-  std::string_view target;          ///< in the header of each log
-  mcu::rp2040::UartWiring console;  ///< beside USB
-  mcu::rp2040::UartWiring camera;   ///< or a wheel base
+  std::string_view target;                         ///< in the header of each log
+  std::optional<mcu::rp2040::UartWiring> console;  ///< beside USB
+  mcu::rp2040::UartWiring camera;                  ///< or a wheel base
   mcu::rp2040::I2cWiring i2c;
   EncoderPins left;
   EncoderPins right;
   std::optional<mcu::rp2040::Pin> light;  ///< an LED, on while high
+  mcu::rp2040::Pin button;                ///< to ground, pulled up by the part
   mcu::rp2040::Pin stop;                  ///< low stops the motors; low from reset on by the part itself
   mcu::rp2040::MotorWiring left_motor;
   mcu::rp2040::MotorWiring right_motor;

@@ -9,10 +9,9 @@
 
 namespace fencepost::mcu::rp2040 {
 
-/// Of 2 MB, which the linker script leaves free. By the boot ROM's functions (2.8.3.1.3), from memory and with
-/// interrupts held, since the flash cannot be read meanwhile: 0.7 ms a word, up to 0.4 s for an erasure
-/// (W25Q16JV, 9.6). A serial line overruns its 32 bytes in 2.8 ms at 115200 baud; encoders lose counts in an erasure,
-/// too.
+/// Of 2 MB, which the linker script leaves free. By the boot ROM's functions (2.8.3.1.3), from memory. Interrupts are
+/// held, since the flash cannot be read meanwhile. A call takes 0.4 to 3 ms a page, an erasure up to 0.4 s (W25Q16JV,
+/// 9.6). A serial line overruns its 32 bytes in 2.8 ms at 115200 baud; encoders lose counts in an erasure, too.
 class Flash {
  public:
   static constexpr std::uint32_t kAddress = 0x1000'0000 + 2U * 1024 * 1024 - 2 * 4096;  ///< of the first

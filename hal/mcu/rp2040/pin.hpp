@@ -16,10 +16,11 @@ struct Pin {
     reg(kPad + 4 * number) = pad;
     reg(kPinControl + 8 * number) = function;
   }
+  /// Low; pulled down where nobody drives it.
   void make_output() const {
     drive(false);
     reg(kSioDriveSet) = mask();
-    connect(kFunctionSoftware);
+    connect(kFunctionSoftware, kPadInputPulledDown);
   }
   void drive(bool high) const { reg(high ? kSioOutSet : kSioOutClear) = mask(); }
   /// Open drain, by pull_down(); released at first.

@@ -29,6 +29,10 @@ inline constexpr std::uint32_t kResetUart0 = 1U << 22;
 inline constexpr std::uint32_t kResetUart1 = 1U << 23;
 inline constexpr std::uint32_t kResetUsb = 1U << 24;
 
+// System information, 2.20.2.
+inline constexpr std::uint32_t kChipId = 0x4000'0000;
+inline constexpr std::uint32_t kChipRevisionShift = 28;  // 1 for B0 and B1, 2 for B2
+
 // Crystal oscillator, 2.16.7.
 inline constexpr std::uint32_t kXoscControl = 0x4002'4000;
 inline constexpr std::uint32_t kXoscStatus = 0x4002'4004;
@@ -182,9 +186,12 @@ inline constexpr std::uint32_t kUsbEndpointControl = kUsbMemory + 0x08;  // from
 inline constexpr std::uint32_t kUsbBufferControl = kUsbMemory + 0x80;    // from 0 in, 0 out, 1 in, ...
 inline constexpr std::uint32_t kUsbAddress = 0x5011'0000;
 inline constexpr std::uint32_t kUsbControl = 0x5011'0040;
+inline constexpr std::uint32_t kUsbFrame = 0x5011'0048;  // its number; reading it clears the interrupt
 inline constexpr std::uint32_t kUsbSieControl = 0x5011'004C;
 inline constexpr std::uint32_t kUsbSieStatus = 0x5011'0050;
 inline constexpr std::uint32_t kUsbBufferStatus = 0x5011'0058;
+inline constexpr std::uint32_t kUsbAbort = 0x5011'0060;
+inline constexpr std::uint32_t kUsbAborted = 0x5011'0064;
 inline constexpr std::uint32_t kUsbStallArm = 0x5011'0068;
 inline constexpr std::uint32_t kUsbMux = 0x5011'0074;
 inline constexpr std::uint32_t kUsbPower = 0x5011'0078;
@@ -204,6 +211,7 @@ inline constexpr std::uint32_t kUsbTellBusReset = 1U << 12;
 inline constexpr std::uint32_t kUsbTellSuspend = 1U << 14;
 inline constexpr std::uint32_t kUsbTellResume = 1U << 15;
 inline constexpr std::uint32_t kUsbTellSetup = 1U << 16;
+inline constexpr std::uint32_t kUsbTellFrame = 1U << 17;
 inline constexpr std::uint32_t kEndpointOn = 1U << 31;
 inline constexpr std::uint32_t kEndpointTellEach = 1U << 29;
 inline constexpr std::uint32_t kEndpointBulk = 2U << 26;

@@ -28,6 +28,7 @@ class Uart {
   void start(const UartWiring& wiring, std::uint32_t clock_hz, std::uint32_t baud);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
+  /// Before the start, bytes are discarded: a board may have no such line.
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
   /// Bytes that write() would take now.
   [[nodiscard]] std::size_t room() const { return rings_.room(); }

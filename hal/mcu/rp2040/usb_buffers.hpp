@@ -59,11 +59,24 @@ inline void arm(std::uint32_t endpoint, Direction direction, std::size_t size, b
   asm volatile("nop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop");
   reg(control) = word | kBufferAvailable;
 }
-/// Takes a buffer back; false if the controller has used it already.
+/// Takes a buffer back; false if the controller has used it already. Since B2 it is asked to let go of it first;
+/// before, that register does not work (erratum RP2040-E2).
 inline bool withdraw(std::uint32_t endpoint, Direction direction) {
+  constexpr std::uint32_t kB2 = 2;
+  constexpr std::uint32_t kMaxPolls = 2'000;  // 0.1 ms: longer than a packet and its acknowledgement
+  const bool can_abort = reg(kChipId) >> kChipRevisionShift >= kB2;
   const std::uint32_t control = buffer_control(endpoint, direction);
+  const std::uint32_t bit = buffer_bit(endpoint, direction);
+  if (can_abort) {
+    raise_bits(kUsbAbort, bit);
+    static_cast<void>(await_bits(kUsbAborted, bit, kMaxPolls));
+  }
   const bool unused = (reg(control) & kBufferAvailable) != 0;
   reg(control) = 0;
+  if (can_abort) {
+    lower_bits(kUsbAborted, bit);
+    lower_bits(kUsbAbort, bit);
+  }
   return unused;
 }
 inline void stall(std::uint32_t endpoint) {

@@ -10,16 +10,20 @@ inline constexpr std::uint8_t kNotifyEndpoint = 1;  // in; required by the class
 inline constexpr std::uint8_t kDataEndpoint = 2;    // in and out
 inline constexpr std::uint8_t kPacket = 64;
 
-// USB 2.0 table 9-8. 1209:0001 is the test id of pid.codes: whoever sells boards has to register one.
-inline constexpr std::array<std::uint8_t, 18> kDevice = {18,   1,    0x00, 0x02, 2,    0, 0, kPacket, 0x09,
+// USB 2.0 table 9-8; class, subclass and protocol say that an association follows (its ECN, table 9-Z): Windows then
+// finds its driver for serial lines. 1209:0001 is the test id of pid.codes: whoever sells boards has to register one.
+inline constexpr std::array<std::uint8_t, 18> kDevice = {18,   1,    0x00, 0x02, 0xEF, 2, 1, kPacket, 0x09,
                                                          0x12, 0x01, 0x00, 0x00, 0x01, 1, 2, 0,       1};
 
-// Configuration (table 9-10); control interface with its four descriptors (CDC 5.2.3) and the notify endpoint; data
-// interface with two bulk endpoints.
-inline constexpr std::array<std::uint8_t, 67> kConfiguration = {
-    9,    2,       67,
+// Configuration (table 9-10), then the association of both interfaces. Control interface with its four descriptors (CDC
+// 5.2.3) and the notify endpoint; data interface with two bulk endpoints.
+inline constexpr std::array<std::uint8_t, 75> kConfiguration = {
+    9,    2,       75,
     0,    2,       1,
-    0,    0x80,    50,  // powered by the bus, 100 mA
+    0,    0x80,    150,  // powered by the bus, 300 mA: the board, and a Pixy2 with its lamp at VBUS
+    8,    11,      0,
+    2,    2,       2,
+    0,    0,  // both interfaces are one function
     9,    4,       0,
     0,    1,       2,
     2,    0,       0,  // communication, abstract control model

@@ -5,6 +5,7 @@
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/register.hpp"
 #include "hal/mcu/rp2040/registers.hpp"
+#include "hal/mcu/rp2040/timer_clock.hpp"
 #include "hal/mcu/rp2040/usb_buffers.hpp"
 #include "hal/mcu/rp2040/usb_descriptors.hpp"
 
@@ -15,6 +16,14 @@ namespace {
 constexpr std::size_t kShort = usb::kPacket - 1;
 constexpr std::uint16_t kToHost = 0x80;  // in an endpoint's address
 constexpr std::uint32_t kLoaderBaud = 1200;
+
+// Erratum RP2040-E15: behind some hubs a bulk buffer that is handed over at a frame's end can lock the controller up.
+// An interrupt that was held tells of a frame too late: the one before is too long. All in us.
+
+constexpr std::uint32_t kFrame = 1'000;   // USB 2.0 7.1.12
+constexpr std::uint32_t kFrameEnd = 200;  // in which nothing is handed over
+constexpr std::uint32_t kLate = 50;       // an interrupt, at most
+constexpr std::uint32_t kFilling = 20;    // a buffer, with its handing over
 
 }  // namespace
 
@@ -51,14 +60,25 @@ void UsbSerial::on_interrupt() {
   const std::uint32_t what = reg(kUsbInterruptStatus);
   if ((what & kUsbTellSuspend) != 0) {
     lower_bits(kUsbSieStatus, kUsbSuspended);
+    if (open()) gone_ = true;
     suspended_ = true;
   }
   if ((what & ~kUsbTellSuspend) != 0) suspended_ = false;
   if ((what & kUsbTellResume) != 0) lower_bits(kUsbSieStatus, kUsbResumed);
+  if ((what & kUsbTellFrame) != 0) begin_frame();
   // What is done was done before a request that has come meanwhile: of the one before it.
   take_buffers();
   if ((what & kUsbTellBusReset) != 0) bus_reset();
   if ((what & kUsbTellSetup) != 0) take_setup();
+}
+
+void UsbSerial::begin_frame() {
+  [[maybe_unused]] const std::uint32_t number = reg(kUsbFrame);
+  const std::uint32_t now = TimerClock::microseconds();
+  const std::uint32_t length = now - frame_began_;
+  steady_ = length >= kFrame - kLate && length <= kFrame + kLate;
+  frame_began_ = now;
+  if (waits_) hand_over();
 }
 
 void UsbSerial::take_buffers() {
@@ -81,6 +101,9 @@ void UsbSerial::bus_reset() {
 void UsbSerial::take_setup() {
   lower_bits(kUsbSieStatus, kUsbSetupReceived);
   line_coding_due_ = false;
+  // A host may give a request up: what was to be sent and received of it is not of this one.
+  static_cast<void>(usb::withdraw(0, usb::kIn));
+  static_cast<void>(usb::withdraw(0, usb::kOut));
   const std::uint32_t first = reg(kUsbMemory);
   const std::uint32_t second = reg(kUsbMemory + 4);
   const Setup setup = {static_cast<std::uint8_t>(first & 0xFF), static_cast<std::uint8_t>((first >> 8) & 0xFF),
@@ -131,9 +154,9 @@ bool UsbSerial::describe(const Setup& setup) {
     answer(usb::kDevice, setup.length);
   } else if (kind == 2) {
     answer(usb::kConfiguration, setup.length);
-  } else if (kind == 3 && (setup.value & 0xFF) == 0) {
+  } else if (setup.value == (3U << 8)) {
     answer(usb::kLanguage, setup.length);
-  } else if (kind == 3) {
+  } else if (kind == 3 && (setup.value & 0xFF) <= 2) {  // maker, product
     answer(usb::kName, setup.length);
   } else {
     return false;
@@ -143,6 +166,7 @@ bool UsbSerial::describe(const Setup& setup) {
 
 void UsbSerial::configure() {
   close();
+  static_cast<void>(usb::withdraw(usb::kDataEndpoint, usb::kOut));  // of the configuration before
   second_in_ = second_out_ = false;
   configured_ = true;
   ask_for_data();
@@ -154,16 +178,22 @@ void UsbSerial::set_ready(bool ready) {
                              static_cast<std::uint32_t>(line_coding_[2]) << 16;
   if (!ready && ready_ && baud == kLoaderBaud) loader_wanted_ = true;
   if (!ready) close();
-  if (ready && !ready_) opened_ = true;
+  if (ready && !ready_) {
+    opened_ = true;
+    [[maybe_unused]] const std::uint32_t number = reg(kUsbFrame);  // one of long ago
+    raise_bits(kUsbInterruptEnable, kUsbTellFrame);
+  }
   ready_ = ready;
 }
 
 // The port is closed, or was: a program that opens it starts afresh. A packet that nobody has fetched is taken back,
 // and its number in the sequence is the next one's.
 void UsbSerial::close() {
+  if (ready_) gone_ = true;
   ready_ = false;
   if (sending_ && usb::withdraw(usb::kDataEndpoint, usb::kIn)) second_in_ = !second_in_;
-  sending_ = false;
+  sending_ = waits_ = false;
+  lower_bits(kUsbInterruptEnable, kUsbTellFrame);
   std::uint8_t byte = 0;
   while (rings_.next(byte)) {
   }
@@ -173,8 +203,8 @@ void UsbSerial::close() {
 void UsbSerial::clear_halt(std::uint16_t endpoint) {
   if (endpoint == (kToHost | usb::kDataEndpoint)) {
     const bool again = sending_ && usb::withdraw(usb::kDataEndpoint, usb::kIn);
-    if (again) usb::arm(usb::kDataEndpoint, usb::kIn, packet_, false);
-    second_in_ = again;
+    second_in_ = false;
+    if (again) hand_over();
   } else if (endpoint == usb::kDataEndpoint) {
     const bool again = asking_ && usb::withdraw(usb::kDataEndpoint, usb::kOut);
     if (again) usb::arm(usb::kDataEndpoint, usb::kOut, usb::kPacket, false);
@@ -251,7 +281,15 @@ void UsbSerial::send_data() {
   sending_ = true;
   packet_ = count;
   usb::fill(usb::kDataEndpoint, usb::kIn, std::span(packet).first(count));
-  usb::arm(usb::kDataEndpoint, usb::kIn, count, second_in_);
+  hand_over();
+}
+
+// Now, or when the next frame begins.
+void UsbSerial::hand_over() {
+  const std::uint32_t in_frame = TimerClock::microseconds() - frame_began_;
+  waits_ = !steady_ || in_frame > kFrame - kFrameEnd - kLate - kFilling;
+  if (waits_) return;
+  usb::arm(usb::kDataEndpoint, usb::kIn, packet_, second_in_);
   second_in_ = !second_in_;
 }
 

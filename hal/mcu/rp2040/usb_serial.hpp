@@ -32,6 +32,13 @@ class UsbSerial {
     return opened;
   }
 
+  /// Once, after it was open and no longer is.
+  [[nodiscard]] bool take_gone() {
+    const bool gone = gone_;
+    if (gone) gone_ = false;
+    return gone;
+  }
+
   /// Once, after a program has opened it at 1200 baud and closed it, as Arduino's tools ask for the boot loader.
   [[nodiscard]] bool take_loader_wanted() {
     const bool wanted = loader_wanted_;
@@ -51,6 +58,7 @@ class UsbSerial {
     std::uint16_t length = 0;
   };
 
+  void begin_frame();
   void take_buffers();
   void bus_reset();
   void take_setup();
@@ -71,12 +79,14 @@ class UsbSerial {
   void take_data();
   void ask_for_data();
   void send_data();
+  void hand_over();
 
   Rings<1024, 2048> rings_;
   volatile bool configured_ = false;
   volatile bool ready_ = false;  ///< the other side's program is
   volatile bool suspended_ = false;
   volatile bool opened_ = false;
+  volatile bool gone_ = false;
   volatile bool loader_wanted_ = false;
 
   // Of the control pipe, in one request.
@@ -88,8 +98,11 @@ class UsbSerial {
 
   bool asking_ = false;  ///< for data; else the ring had no room
   bool sending_ = false;
-  std::size_t packet_ = 0;  ///< bytes of what is being sent
-  bool second_in_ = false;  ///< the next packet is a DATA1
+  bool waits_ = false;             ///< the packet, for the next frame
+  bool steady_ = false;            ///< the last two frames were as long as a frame is
+  std::uint32_t frame_began_ = 0;  ///< us
+  std::size_t packet_ = 0;         ///< bytes of what is being sent
+  bool second_in_ = false;         ///< the next packet is a DATA1
   bool second_out_ = false;
   std::array<std::uint8_t, 7> line_coding_ = {0x00, 0xC2, 0x01, 0x00, 0, 0, 8};  ///< 115200 8N1, and of no effect
 };

@@ -76,12 +76,13 @@ class Drawing:
             if more:
                 self.text(inside, self.y(row) + 16, more, anchor, 13, fill="#555555")
 
-    def wire(self, gap, row, kind):
+    def wire(self, gap, row, kind, name=None):
         """In the gap behind the block of that number."""
         colour = COLOURS[kind]
         self.parts.append(f'<line x1="{self.right[gap] + 6}" y1="{self.y(row)}" x2="{self.left[gap + 1] - 6}" y2="{self.y(row)}" '
                           f'stroke="{colour}" stroke-width="4"/>')
-        self.text(self.right[gap] + 12, self.y(row) - 7, kind if kind not in ("there", "back") else "signal", size=12, fill=colour)
+        name = name or ("signal" if kind in ("there", "back") else kind)
+        self.text(self.right[gap] + 12, self.y(row) - 7, name, size=12, fill=colour)
 
     def resistor(self, gap, row, value):
         """From that row's wire to the next one's."""
@@ -148,17 +149,35 @@ def pico_shifter(pins):
     return drawing
 
 
+def pico_battery(pins):
+    """A Pico that drives without a cable."""
+    drawing = Drawing("A Pico on a battery, with a button", [
+        ("Battery", "small", [(0, "right", "+", "fuse, switch"), (1, "right", "-", "")]),
+        ("5 V regulator", "small", [(0, "left", "IN", ""), (1, "left", "GND", ""), (0, "right", "OUT", "1 A"), (1, "right", "GND", "")]),
+        ("Pico", "block", [(0, "left", "VSYS", "pin 39, by the diode"), (1, "left", "GND", "pin 38"),
+                           (0, "right", *pins["button"]), (1, "right", "GND", "pin 28")]),
+        ("Push button", "small", [(0, "left", "one leg", ""), (1, "left", "the other", "")])],
+        ["A Schottky diode (1N5817) from OUT to VSYS, its ring towards the Pico: battery and USB cable may both be there.",
+         "The Pixy2's pin 2 goes to OUT, not to VBUS, which has 5 V from the cable alone. Battery: what motors and regulator bear.",
+         "Press: go. Press again: stop. All grounds are joined."])
+    for gap, kinds in ((0, ("5 V", "ground")), (1, ("5 V", "ground")), (2, ("there", "ground"))):
+        for row, kind in enumerate(kinds):
+            drawing.wire(gap, row, kind, "battery" if gap == 0 and row == 0 else None)
+    return drawing
+
+
 def xrp(pins):
     """A Pixy2 by its serial line, and a light at STOP."""
-    # "GP8, motor 4 encoder A": the names of the controller's plugs are what one looks for.
+    # "GP16, servo 1": the names of the controller's plugs are what one looks for.
     swapped = {signal: (where or name, name if where else "") for signal, (name, where) in pins.items()}
     drawing = Drawing("Pixy2 or Pixy2.1 on an XRP robot", [
         ("Pixy2, I/O port", "block", PIXY2_SERIAL),
         ("XRP controller", "block", [(0, "left", *swapped["camera sends"]), (1, "left", *swapped["camera receives"]),
-                                     (2, "left", "ground", "of motor 4's plug"), (0, "right", *swapped["stop"]), (1, "right", "ground", "of servo 2's plug")]),
+                                     (2, "left", "ground", "of servo 1's plug"), (0, "right", *swapped["stop"]), (1, "right", "ground", "of the range plug")]),
         ("LED with its resistor", "block", [(0, "left", "long leg", "through 330 Ω"), (1, "left", "short leg", "")])],
-        ["The Pixy2 gets its 5 V by its own USB plug, from a power bank. Motor 4's plug carries no motor.",
-         "The light shines while the robot may drive. Fencepost does not turn this robot's motors."])
+        ["The Pixy2 gets its 5 V by its own USB plug, from a power bank: the middle pin of a servo's plug (5 V) stays free.",
+         "The range plug takes the cable of the distance sensor, pulled off the sensor. The light shines while the robot may drive.",
+         "Fencepost turns both wheels after go on the console, or the button USER, alone: lift them first."])
     for row, kind in enumerate(("there", "back", "ground")):
         drawing.wire(0, row, kind)
     drawing.connector(0, {1: "there", 4: "back", 6: "ground"})
@@ -187,7 +206,7 @@ def microbit_v2(_pins):
     return drawing
 
 
-DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "xrp": (xrp, "xrp"), "microbit_v2": (microbit_v2, None)}
+DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "pico_battery": (pico_battery, "pico"), "xrp": (xrp, "xrp"), "microbit_v2": (microbit_v2, None)}
 FILES = [f"wiring_{name}.svg" for name in DRAWINGS]
 
 

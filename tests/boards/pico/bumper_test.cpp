@@ -193,6 +193,65 @@ TEST_F(Motors, FallWhenADebuggerHaltsTheCore) {
   EXPECT_TRUE(bench.await("reset: watchdog", 2)) << bench.said();
 }
 
+// Its cable is out, its program has closed it: nobody there can stop them any more.
+struct MotorsAndAPort : Motors, ::testing::WithParamInterface<const char*> {
+  void type(const std::string& line) {
+    machine->line(EmulatedPico::kUsb).send(line);
+    drive(0.5);
+  }
+};
+TEST_P(MotorsAndAPort, FallWhenItIsGone) {
+  ready();
+  machine->command("usb plug");
+  drive(0.1);
+  type("go\r");
+  ASSERT_TRUE(run_in_the_last(0.1)) << bench.said();
+  const double gone = bench.seconds();
+  machine->command(GetParam());
+  drive(0.3);
+  EXPECT_LE(stood() - gone, 0.03);
+  EXPECT_NE(bench.said().find("the motors stand: the port was closed"), std::string::npos) << bench.said();
+}
+INSTANTIATE_TEST_SUITE_P(InAnyWay, MotorsAndAPort, ::testing::Values("usb close", "usb unplug", "usb plug"));
+
+struct MotorsAndAButton : Motors {
+  void press() {
+    machine->command("button down");
+    drive(0.1);
+    machine->command("button up");
+    drive(0.4);
+  }
+};
+TEST_F(MotorsAndAButton, GoAndStandByIt) {
+  ready();
+  press();
+  ASSERT_TRUE(run_in_the_last(0.1)) << bench.said();
+  const double pressed = bench.seconds();
+  press();
+  EXPECT_LE(stood() - pressed, 0.05);
+  EXPECT_FALSE(high()) << "held, as by `stop`";
+  press();
+  EXPECT_TRUE(run_in_the_last(0.1)) << "and released by the next one";
+}
+TEST_F(MotorsAndAButton, NeedNoPort) {
+  ready();
+  machine->command("usb plug");
+  drive(0.1);
+  press();
+  machine->command("usb unplug");
+  drive(0.3);
+  EXPECT_TRUE(run_in_the_last(0.1)) << bench.said();
+}
+TEST_F(MotorsAndAButton, WaitUntilItIsLetGo) {
+  bench.clear();
+  machine->command("power");
+  machine->command("button down");
+  ASSERT_TRUE(bench.await("READY\r\n"));
+  ready();
+  drive(1.0);
+  EXPECT_TRUE(never_ran()) << "it is stuck, or something hangs at its pin";
+}
+
 TEST_F(XrpMotors, GoAhead) {
   EXPECT_TRUE(never_ran());
   go();

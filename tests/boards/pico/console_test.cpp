@@ -107,6 +107,28 @@ TEST_F(PicoConsole, IsFoundWhenItsInterruptComesLate) {
   EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos);
 }
 
+TEST_F(PicoConsole, AnswersARequestAfterOneThatWasGivenUp) {
+  computer("plug");
+  for (int i = 0; i < 3; ++i) {
+    computer("give-up");
+    EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos) << i;
+  }
+}
+
+// Revisions before B2 have no abort of a buffer (tests/boards/pico/usb_wire.mjs says where one is tried).
+TEST_F(PicoConsole, WorksOnAnOldPart) {
+  bench.clear();
+  machine->command("revision 1");
+  machine->command("power");
+  ASSERT_TRUE(bench.await("READY\r\n"));
+  computer("plug");
+  computer("give-up");
+  EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos);
+  computer("close");
+  computer("open");
+  EXPECT_NE(usb_says("version").find("fencepost 0.1.0 for pico"), std::string::npos);
+}
+
 // Nobody could have heard it when it was said.
 TEST_F(PicoConsole, TellsOfTheLastRunWhenItsPortIsOpened) {
   bench.clear();

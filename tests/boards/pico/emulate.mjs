@@ -4,9 +4,11 @@
 // CONTROL says. It has a command a line.
 //
 //   Time: `run MICROSECONDS`, answered by `at MICROSECONDS` when all that was said until then has been sent.
+//   The part's revision from the next reset on: `revision NUMBER`, 1 for B0 and B1, 2 for B2.
 //   Resets: `power`, `run-pin`. A debugger resets the core alone, or holds it: `probe`, `halt`.
 //   Failures: `fault`, `hang` (lost in a loop).
-//   The cable: `usb plug|unplug|open|close|block|unblock|late|clear-in|clear-out`.
+//   The cable: `usb plug|unplug|open|close|block|unblock|late|give-up|clear-in|clear-out`.
+//   The push button: `button down|up`.
 //   The device on the two-wire bus: `camera gone|back`.
 //   Wheels with encoders, counts and time between two: `turn LEFT RIGHT MICROSECONDS`.
 //   Questions, answered by a line of JSON: `counts`; `stop` and `pin NUMBER`, the changes of an output as pairs of
@@ -44,13 +46,16 @@ function outlet(socket) {
 }
 const out = { console: outlet(consoleSocket), camera: outlet(cameraSocket), usb: outlet(usbSocket) };
 const board = image.includes('xrp') ? 'xrp' : 'pico';
-const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(out.usb) }, counter, undefined, board);
+// An XRP's console is on USB alone: its port is plugged in at each start.
+const said = board === 'xrp' ? 'usb' : 'console';
+const heard = board === 'xrp' ? out.console : out.usb;
+const pico = new Pico({ ...out, usb: (bytes) => bytes.forEach(heard) }, counter, undefined, board);
 loadUf2(readFileSync(image), pico.flash);
 pico.start('power');
 
-consoleSocket.on('data', (bytes) => pico.console.come(bytes));
+consoleSocket.on('data', (bytes) => pico[said].come(bytes));
 usbSocket.on('data', (bytes) => pico.usb.come(bytes));
-cameraSocket.on('data', (bytes) => (pico.asked ?? (pico.mcu.uart[1].enabled ? pico.camera : pico.bus)).come(bytes));
+cameraSocket.on('data', (bytes) => (pico.asked ?? (pico.camera.uart.enabled ? pico.camera : pico.bus)).come(bytes));
 
 const commands = {
   run: (microseconds) => {
@@ -72,9 +77,12 @@ const commands = {
     block: () => pico.usb.block(true),
     unblock: () => pico.usb.block(false),
     late: () => pico.usb.late(),
+    'give-up': () => pico.usb.giveUp(),
     'clear-in': () => pico.usb.clear('in'),
     'clear-out': () => pico.usb.clear('out'),
   })[what](),
+  revision: (number) => (pico.revision = Number(number)),
+  button: (what) => pico.press(what === 'down'),
   camera: (what) => (pico.bus.there = what === 'back'),
   turn: (left, right, microseconds) => turn([Number(left), Number(right)], Number(microseconds)),
   stop: () => commands.pin(kTraced[board][0]),

@@ -7,6 +7,7 @@
 
 #include "tests/boards/bench.hpp"
 #include "tests/boards/pico/pico.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -34,6 +35,18 @@ TEST_F(PicoPart, KeepsSettingsOverResetsAndPowerCuts) {
   restart("power");
   EXPECT_NE(bench.said().find("reset: power on"), std::string::npos) << bench.said();
   EXPECT_TRUE(bench.obey("get alert.stop", "alert.stop = 0.30"));
+}
+
+// Each call of the ROM's holds all interrupts: a line of some 100 bytes is not written word by word.
+TEST_F(PicoPart, HoldsInterruptsFewTimesForALine) {
+  ASSERT_TRUE(bench.obey("set alert.stop 0.30", "alert.stop = 0.30"));
+  bench.run(0.1);
+  const int before = counts()["programmed"].get<int>();
+  bench.console().send(line_of(level_pixy2()));
+  bench.run(0.2);
+  const int calls = counts()["programmed"].get<int>() - before;
+  EXPECT_GE(calls, 3);
+  EXPECT_LE(calls, 6) << "its length, its words, what is left of it, its check, and once more where a page begins";
 }
 
 // Some 36 bytes a change: the page of 4096 is full more than once.

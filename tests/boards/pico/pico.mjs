@@ -11,7 +11,11 @@ const kBoot2 = 0x20041f00; // where the boot ROM copies it (RP2040 datasheet 2.8
 const kRom = 0x20042000; // its stack
 const kCycleNanos = 8; // 125 MHz
 // Outputs of which each change is kept: what stops the motors, and the motors'.
-export const kTraced = { pico: [15, 16, 17], xrp: [17, 6, 7, 14, 15] };
+export const kTraced = { pico: [15, 16, 17], xrp: [20, 6, 7, 14, 15] };
+// Of the console's and the camera's line, which UART.
+const kLines = { pico: [0, 1], xrp: [1, 0] };
+const kPlugNanos = 5e6; // an XRP's cable, after the part begins to listen
+const kButton = 22; // its pin, on both boards
 const kHigh = 1; // of rp2040js' states of a pin; all others are low at the end of a wire with a resistor to ground
 const kWatchdogPauses = 7 << 24; // of its control register (4.7.6)
 const kChipReset = { power: 1 << 8, run: 1 << 16, watchdog: 1 << 8 };
@@ -23,6 +27,8 @@ export class Pico {
    */
   constructor(out, counter = null, Host = UsbHost, board = 'pico') {
     this.out = out;
+    this.board = board;
+    this.revision = 2;
     this.counter = counter;
     this.Host = Host;
     this.past = 0;
@@ -74,6 +80,7 @@ export class Pico {
     const { mcu } = this;
     mcu.core = new mcu.core.constructor(mcu);
     this.rules.watchCore();
+    this.usb.owned.clear(); // the program resets the controller
     this.boot();
   }
 
@@ -84,21 +91,29 @@ export class Pico {
     this.held = true;
   }
 
+  /** The push button connects its pin to ground. */
+  press(down) {
+    this.mcu.gpio[kButton].setInputValue(!down);
+  }
+
   wire(how, oldWatchdog) {
     const { mcu } = this;
+    mcu.peripherals[0x40000].readUint32 = () => ((this.revision << 28) | 0x2927) >>> 0; // only its identity is read
+    this.press(false);
     this.rom = new BootRom(mcu);
     this.rom.onLoader = () => this.onLoader?.();
     for (const pin of this.traces.keys()) mcu.gpio[pin].addListener((state) => this.note(pin, state === kHigh));
-    this.console = new SerialLine(mcu, 0, this.out.console);
+    this.console = new SerialLine(mcu, kLines[this.board][0], this.out.console);
     // The camera is where it was asked last: the socket's bytes go there.
     const asked = (where) => (byte) => {
       this.asked = this[where];
       this.out.camera(byte);
     };
-    this.camera = new SerialLine(mcu, 1, asked('camera'));
+    this.camera = new SerialLine(mcu, kLines[this.board][1], asked('camera'));
     this.bus = new TwoWire(mcu, [0x54, 0x32], asked('bus')); // Pixy2, HuskyLens
     this.asked = undefined;
     this.usb = new this.Host(mcu, this.out.usb);
+    if (this.board === 'xrp') this.usb.stayPlugged(kPlugNanos);
     const watchdog = mcu.peripherals[0x40058];
     if (how !== 'power') watchdog.scratchData.set(oldWatchdog.scratchData);
     if (how === 'watchdog') watchdog.reason = oldWatchdog.reason;
@@ -126,6 +141,7 @@ export class Pico {
       if (!core.waiting && !this.held) {
         if (this.counter !== null) this.counter.see(core);
         const cycles = core.executeInstruction(); // it may let time pass itself: the flash does
+        this.rules.see(core);
         clock.nanosCounter += cycles * kCycleNanos;
         if (clock.nextAlarm !== null && clock.nextAlarm.nanos <= clock.nanosCounter) clock.tick(0);
         this.instructions++;

@@ -7,7 +7,11 @@ const kDebugPause = 0x2c; // of the timer
 const kCrystalEnable = 0xfab << 12; // of its control register
 const kCrystalStartup = 0x0c;
 const kCrystalStarts = 6 * 47; // times 256 / 12 MHz: 6 ms
-const kTable = 0x10000100; // behind the boot stage
+const kProtection = 0xd94; // of the core (Armv6-M B3.5)
+const kProtectionBase = 0xd9c;
+const kProtectionKind = 0xda0;
+const kFlashEnd = 0x20000000; // memory begins
+const kPullUp = 1 << 3; // of a pad
 const kTimerInterrupt = 16;
 
 // Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
@@ -26,11 +30,30 @@ export class Rules {
     this.startup = 0xc4; // of the crystal, after a reset
     this.watch(0x40024, (offset, value) => this.crystal(offset, value));
     this.watch(0x40044, (offset, value) => offset === kTarget && this.target(value & 0x3ff));
+    this.watch(0x4001c, (offset, value) => this.pad(offset / 4 - 1, value));
     this.watch(0x40054, (offset, value) => offset === kDebugPause && (this.paused = value));
     for (const [place, bit] of Object.entries(kGated)) {
       this.watch(place, () => this.expect(!((this.held >>> bit) & 1), `written to 0x${Number(place).toString(16)}000 in reset`));
     }
+    this.watchProtection();
     this.watchCore();
+  }
+
+  // Of the core's memory protection, which rp2040js leaves out: an eighth of a region of 256 bytes is nobody's.
+  watchProtection() {
+    const { ppb } = this.mcu;
+    const write = ppb.writeUint32.bind(ppb);
+    const words = { [kProtection]: 0, [kProtectionBase]: 0, [kProtectionKind]: 0 };
+    this.guard = undefined;
+    ppb.writeUint32 = (offset, value) => {
+      if (!(offset in words)) return write(offset, value);
+      words[offset] = value;
+      const kind = words[kProtectionKind];
+      const eighth = Math.log2(~(kind >>> 8) & 0xff);
+      const right = words[kProtection] === 5 && (kind & 0xff) === 0xf && kind >>> 16 === 0 && Number.isInteger(eighth);
+      this.guard = right ? (words[kProtectionBase] & ~0xff) + 32 * eighth : undefined;
+      return undefined;
+    };
   }
 
   expect(right, what) {
@@ -52,10 +75,28 @@ export class Rules {
     const { core } = this.mcu;
     const enter = core.exceptionEntry.bind(core);
     core.exceptionEntry = (number) => {
-      this.expect(core.VTOR === kTable, `exception ${number} by a vector table at 0x${core.VTOR.toString(16)}`);
+      this.expect(core.VTOR >= kFlashEnd, `exception ${number} by a vector table at 0x${core.VTOR.toString(16)}`);
       this.expect(number !== kTimerInterrupt || this.paused === 0, 'the timer stops while a debugger holds a core');
+      this.expect(number !== kTimerInterrupt || this.guard !== undefined, 'the stack has no guard');
       enter(number);
     };
+  }
+
+  /**
+   * After each instruction: the stack is above its guard, and no interrupt runs from the flash, which cannot be read while
+   * it is written.
+   */
+  see(core) {
+    if (core.registers[13] < this.guard + 32 && core.registers[13] >= kFlashEnd) throw Error('RP2040: the stack has grown into its guard');
+    if (core.IPSR >= kTimerInterrupt && core.registers[15] < kFlashEnd) {
+      throw Error(`RP2040: interrupt ${core.IPSR - kTimerInterrupt} runs at 0x${core.registers[15].toString(16)}`);
+    }
+  }
+
+  // An output that is pulled up is high wherever nothing drives it: STOP must not be.
+  pad(pin, value) {
+    const driven = (this.mcu.sio.gpioOutputEnable >>> pin) & 1;
+    this.expect(pin < 0 || !driven || !(value & kPullUp), `GP${pin} is driven and pulled up`);
   }
 
   // 2.14.2, 2.18: what a clock comes from must not be reset.

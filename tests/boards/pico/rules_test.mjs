@@ -12,6 +12,8 @@ const kSysControl = 0x4000803c;
 const kUsbControl = 0x40008054;
 const kI2cTarget = 0x40044004;
 const kPause = 0x4005402c;
+const kOutputEnable = 0xd0000024;
+const kPads = 0x4001c000;
 const kCrystal = 0x40024000;
 
 // All peripherals out of reset.
@@ -20,6 +22,12 @@ function part() {
   mcu.rules = new Rules(mcu);
   mcu.writeUint32(kResets + kClear, 0x1ffffff);
   return mcu;
+}
+// The bytes from 0x20000100 on.
+function guard(mcu) {
+  mcu.writeUint32(0xe000ed9c, 0x20000110);
+  mcu.writeUint32(0xe000eda0, 0xfe0f);
+  mcu.writeUint32(0xe000ed94, 5);
 }
 const faults = {
   'the crystal is given 47 counts to start': (mcu) => {
@@ -41,9 +49,31 @@ const faults = {
     mcu.writeUint32(kI2cTarget, 0x54);
   },
   'exception 16 by a vector table at 0x0': (mcu) => mcu.core.exceptionEntry(16),
-  'the timer stops while a debugger holds a core': (mcu) => {
-    mcu.core.VTOR = 0x10000100;
+  'the stack has no guard': (mcu) => {
+    mcu.writeUint32(kPause, 0);
+    mcu.core.VTOR = 0x20000000;
     mcu.core.exceptionEntry(16);
+  },
+  'the stack has grown into its guard': (mcu) => {
+    guard(mcu);
+    mcu.core.registers[13] = 0x20000120;
+    mcu.rules.see(mcu.core);
+    mcu.core.registers[13] -= 4;
+    mcu.rules.see(mcu.core);
+  },
+  'the timer stops while a debugger holds a core': (mcu) => {
+    guard(mcu);
+    mcu.core.VTOR = 0x20000000;
+    mcu.core.exceptionEntry(16);
+  },
+  'GP15 is driven and pulled up': (mcu) => {
+    mcu.writeUint32(kOutputEnable, 1 << 15);
+    mcu.writeUint32(kPads + 4 + 4 * 15, 0x5a);
+  },
+  'interrupt 5 runs at 0x10014cec': (mcu) => {
+    mcu.core.IPSR = 21;
+    mcu.core.PC = 0x10014cec;
+    mcu.rules.see(mcu.core);
   },
 };
 for (const [what, fault] of Object.entries(faults)) {
@@ -58,6 +88,10 @@ mcu.writeUint32(kResets + kClear, 1 << 12);
 mcu.writeUint32(kSysControl, 1);
 mcu.writeUint32(kI2cTarget, 0x54);
 mcu.writeUint32(kPause, 0);
-mcu.core.VTOR = 0x10000100;
+mcu.core.VTOR = 0x20000000;
+guard(mcu);
+mcu.writeUint32(kPads + 4, 0x5a);
+mcu.writeUint32(kOutputEnable, 1 << 15);
+mcu.writeUint32(kPads + 4 + 4 * 15, 0x56);
 mcu.core.exceptionEntry(16);
 console.log(`${Object.keys(faults).length} faults found`);

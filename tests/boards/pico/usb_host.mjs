@@ -3,6 +3,7 @@ import { USBCDC } from 'rp2040js';
 import { UsbWire } from './usb_wire.mjs';
 
 const kControlIn = 0x80; // buffer control of endpoint 0, in
+const kControlOut = 0x84;
 const kDataIn = 0x90; // buffer control of endpoint 2, in
 const kDataOut = 0x94; // out
 const kAvailable = 1 << 10;
@@ -10,6 +11,8 @@ const kData1 = 1 << 13;
 const kPacket = 64;
 const kEndpoints = { in: 0x82, out: 0x02 };
 const kLateNanos = 50e3;
+const kPatienceNanos = 200e3;
+const kGetLineCoding = [0xa1, 0x21, 0, 0, 0, 0, 7, 0];
 
 export class UsbHost extends UsbWire {
   constructor(mcu, send) {
@@ -24,24 +27,39 @@ export class UsbHost extends UsbWire {
   }
 
   bufferGiven(offset, value) {
-    if (offset === kDataIn && this.blocked) this.held = value;
+    if (offset === kDataIn && this.blocked) this.keep(offset, value);
     else if (offset === kDataIn) this.fetch(value);
     else if (offset === kDataOut) this.beAsked(value);
+    else if (offset === kControlOut) {
+      this.update(offset, value);
+      this.own(offset, value);
+    } else if (offset === kControlIn && this.deaf) this.own(offset, value);
     else {
       if (offset === kControlIn) this.expectFree(0, value);
       this.update(offset, value);
     }
   }
 
-  // The controller has the buffer until something has come.
+  // The controller has it, until something has come or gone, or it is taken back.
+  own(offset, value) {
+    if (value & kAvailable) this.owned.add(offset);
+    this.usb.rp2040.usbDPRAMView.setUint32(offset, value, true);
+  }
+
+  keep(offset, value) {
+    this.own(offset, value);
+    this.held = value;
+  }
+
   beAsked(value) {
     this.asked = null;
     this.update(kDataOut, value);
-    this.usb.rp2040.usbDPRAMView.setUint32(kDataOut, value, true);
+    this.own(kDataOut, value);
   }
 
   // A packet with the number of the one before is taken for that one again, and thrown away (USB 2.0 8.6).
   fetch(value) {
+    this.owned.delete(kDataIn);
     this.expectFree(2, value);
     if (value & kAvailable) {
       const next = !!(value & kData1) === !!this.sequence.in;
@@ -75,6 +93,17 @@ export class UsbHost extends UsbWire {
     this.usb.sendSetupPacket(Uint8Array.from([0x02, 1, 0, 0, kEndpoints[which], 0, 0, 0]));
   }
 
+  /** It asks for something, and gives up before the answer is fetched, as macOS does; then it asks for something else. */
+  giveUp() {
+    this.deaf = true;
+    this.usb.sendSetupPacket(Uint8Array.from(kGetLineCoding));
+    this.patience ??= this.usb.rp2040.clock.createAlarm(() => {
+      this.deaf = false;
+      this.open(true);
+    });
+    this.patience.schedule(kPatienceNanos);
+  }
+
   plug() {
     this.cdc = new USBCDC(this.usb);
     this.cdc.onSerialData = (bytes) => this.wanted.shift() && this.send(bytes);
@@ -86,6 +115,12 @@ export class UsbHost extends UsbWire {
       this.giveWhatCame();
     };
     this.usb.resetDevice();
+  }
+
+  /** Plugged in so long after the part begins to listen. */
+  stayPlugged(nanos) {
+    const later = this.usb.rp2040.clock.createAlarm(() => this.plug());
+    this.usb.onUSBEnabled = () => later.schedule(nanos);
   }
 
   unplug() {
@@ -111,6 +146,7 @@ export class UsbHost extends UsbWire {
 
   giveWhatCame() {
     if (this.asked === null || !this.coming.length) return;
+    this.owned.delete(kDataOut);
     const control = this.usb.rp2040.usbDPRAMView.getUint32(kDataOut, true);
     this.usb.rp2040.usbDPRAMView.setUint32(kDataOut, control & ~kAvailable, true);
     const expected = control & kData1 ? 1 : 0;

@@ -59,7 +59,7 @@ TEST_F(PicoWheels, CountsItsWheels) {
 TEST(XrpWheels, CountsItsWheels) {
   EmulatedPico* machine = nullptr;
   Bench bench(with_wheels(pico(&machine, "fencepost-xrp")));
-  ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
+  ASSERT_TRUE(bench.await("panic: none\r\n")) << bench.said();
   EXPECT_NE(bench.said().find("fencepost 0.1.0 for xrp"), std::string::npos) << bench.said();
   machine->command("turn 1440 1440 300");
   bench.pump();

@@ -41,6 +41,14 @@ TEST_F(GoingBumper, StandsWhenTheWishIsWithdrawn) {
   EXPECT_EQ(bumper.take_standstill(), Standstill::kLine);
 }
 
+TEST_F(GoingBumper, StandsForAReasonOfItsOwnersAndSaysSoOnce) {
+  bumper.stand(Standstill::kPort);
+  EXPECT_FALSE(bumper.judge(false, true, at(0), at_ms(5)));
+  EXPECT_EQ(bumper.take_standstill(), Standstill::kPort);
+  bumper.stand(Standstill::kPort);
+  EXPECT_FALSE(bumper.take_standstill()) << "it stood already";
+}
+
 TEST_F(GoingBumper, StandsWhenOdometryIsForgotten) {
   EXPECT_FALSE(bumper.judge(true, true, std::nullopt, at_ms(5)));
   EXPECT_EQ(bumper.take_standstill(), Standstill::kAlert);

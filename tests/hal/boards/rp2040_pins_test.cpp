@@ -35,7 +35,7 @@ void add_motor(std::vector<PinUse>& uses, const std::string& side, const rp2040:
 
 std::vector<PinUse> uses_of(const board::Wiring& wiring) {
   std::vector<PinUse> uses;
-  add_line(uses, "console", wiring.console);
+  if (wiring.console) add_line(uses, "console", *wiring.console);
   add_line(uses, "camera", wiring.camera);
   const std::string bus = wiring.i2c.base == rp2040::kI2c0 ? "I2C0" : "I2C1";
   uses.push_back({"bus data", name(wiring.i2c.data), bus + "_SDA", rp2040::kFunctionI2c});
@@ -45,6 +45,7 @@ std::vector<PinUse> uses_of(const board::Wiring& wiring) {
   uses.push_back({"right a", name(wiring.right.a)});
   uses.push_back({"right b", name(wiring.right.b)});
   if (wiring.light) uses.push_back({"light", name(*wiring.light), {}, 0, "led"});
+  uses.push_back({"button", name(wiring.button), {}, 0, wiring.target == "xrp" ? "button" : ""});
   uses.push_back({"stop", name(wiring.stop)});
   add_motor(uses, "left", wiring.left_motor);
   add_motor(uses, "right", wiring.right_motor);

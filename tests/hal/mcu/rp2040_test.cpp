@@ -1,6 +1,10 @@
 // The RP2040 port's decisions that can be tested on the desk; the rest runs in the emulator (tests/boards/pico).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "hal/mcu/rp2040/reset_reason.hpp"
 #include "hal/mcu/rp2040/usb_descriptors.hpp"
 
@@ -35,6 +39,15 @@ TEST(Rp2040, DescriptorsAreAsLongAsTheySay) {
   EXPECT_EQ(at, usb::kConfiguration.size());
   EXPECT_EQ(interfaces, usb::kConfiguration[4]);
   EXPECT_EQ(endpoints, 3);
+}
+
+// Windows then loads its driver for serial lines: EF/02/01, and one association of class 02/02.
+TEST(Rp2040, DescriptorsSayThatBothInterfacesAreOneSerialLine) {
+  EXPECT_EQ(usb::kDevice[4], 0xEF);
+  EXPECT_EQ(usb::kDevice[5], 2);
+  EXPECT_EQ(usb::kDevice[6], 1);
+  const std::array<std::uint8_t, 8> association = {8, 11, 0, 2, 2, 2, 0, 0};
+  EXPECT_TRUE(std::ranges::equal(association, std::span(usb::kConfiguration).subspan(9, 8)));
 }
 
 }  // namespace

@@ -29,12 +29,12 @@ def one_sided(text):
 class Guide(unittest.TestCase):
     def test_drawings_are_as_drawn(self):
         drawings = draw.draw(draw.pins_of(PINS))
-        self.assertEqual(len(drawings), 4)
+        self.assertEqual(len(drawings), 5)
         for name, text in drawings.items():
             self.assertEqual((TOP / "host/share/doc" / name).read_text(encoding="utf-8"), text, f"{name}: draw.py host/share/doc")
 
     def test_drawings_follow_the_pins(self):
-        for board, signal, name in (("pico", "camera sends", "GP4"), ("pico", "stop", "GP15"), ("xrp", "camera receives", "GP9")):
+        for board, signal, name in (("pico", "camera sends", "GP4"), ("pico", "stop", "GP15"), ("xrp", "camera receives", "GP17")):
             self.assertEqual(draw.pins_of(PINS)[board][signal][0], name)
         before, after = (draw.draw(draw.pins_of(text)) for text in (PINS, PINS.replace("| stop | GP15, pin 20 |", "| stop | GP14, pin 19 |")))
         self.assertIn(">GP15<", before["wiring_pico.svg"])
@@ -46,6 +46,13 @@ class Guide(unittest.TestCase):
         self.assertEqual({pathlib.Path(name).name for name in shown}, set(draw.FILES))
         for name in re.findall(r"\]\((?!http)([^)]+)\)", text):
             self.assertTrue((GUIDE.parent / name).is_file(), name)
+
+    def test_the_bench_and_its_form_have_the_same_steps(self):
+        steps = [re.findall(r"^\| (\d+) ", (TOP / name).read_text(encoding="utf-8"), re.M)
+                 for name in ("firmware/BENCH.md", ".github/ISSUE_TEMPLATE/bench.md")]
+        self.assertEqual(steps[0], [str(n + 1) for n in range(len(steps[0]))])
+        self.assertEqual(*steps)
+        self.assertGreaterEqual(len(steps[0]), 20)
 
     def test_each_system_has_its_way(self):
         found, looked_at = one_sided(GUIDE.read_text(encoding="utf-8"))
