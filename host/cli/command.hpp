@@ -47,6 +47,7 @@ Command import_command();
 Command segment_command();
 Command paper_command();
 Command run_command();
+Command train_command();
 Command emulate_command();
 Command export_command();
 

@@ -26,6 +26,7 @@ struct RecordRequest {
   std::string camera;
   std::string odometry;
   std::string robot;
+  std::string colours;
   std::string output;
   std::uint32_t baud = 115'200;
   std::string mode = "log";
@@ -60,8 +61,9 @@ void check_usage(const RecordRequest& request) {
   } else if (request.port.empty()) {
     throw Failure(Exit::kUsage,
                   "name a PORT, such as /dev/ttyACM0, or --camera and --odometry; see fencepost record --help");
-  } else if (!request.robot.empty()) {
-    throw Failure(Exit::kUsage, "--robot goes with --camera and --odometry; a robot at a PORT knows its own numbers");
+  } else if (!request.robot.empty() || !request.colours.empty()) {
+    throw Failure(Exit::kUsage,
+                  "--robot and --colours go with --camera and --odometry; a robot at a PORT knows its own numbers");
   }
   if (is_standard_output(request.output)) {
     throw Failure(Exit::kUsage,
@@ -176,6 +178,7 @@ Exit run(const RecordRequest& request) {
   return record_devices({.camera = request.camera,
                          .odometry = request.odometry,
                          .robot = request.robot,
+                         .colours = request.colours,
                          .log = file_name(request),
                          .part_bytes = request.parts.bytes(),
                          .part_age = request.parts.age(),
@@ -191,6 +194,7 @@ Action configure_record(Options command) {
       .takes("DEV");
   command.value("--odometry", request->odometry, "with --camera: the wheels, as `run` takes them").takes("DEV");
   command.value("--robot", request->robot, "with --camera: the robot's numbers (JSON)").takes("FILE");
+  add_colours(command, request->colours);
   command.value("-o,--output", request->output, "a new file; default: fencepost-YYYYMMDD-HHMMSS.log in this folder")
       .takes("FILE");
   request->parts.add_to(command);

@@ -29,6 +29,7 @@ struct RunRequest {
   std::string odometry;
   std::string console = "-";
   std::string robot;
+  std::string colours;
   std::string log;
   std::string mode;
   std::string profile = "full";
@@ -60,7 +61,7 @@ console::Mode mode_of(const RunRequest& request, const ConsoleSpec& console) {
 
 RunPlan plan_of(const RunRequest& request, const ConsoleSpec& console) {
   RunPlan plan;
-  plan.robot = read_robot(request.robot);
+  plan.robot = read_robot(request.robot, request.colours);
   plan.profile = request.profile;
   plan.mode = mode_of(request, console);
   plan.version = FENCEPOST_VERSION;
@@ -228,6 +229,7 @@ Action configure_run(Options command) {
       .required();
   command.value("--odometry", request->odometry, "which wheels, and where").takes("DEV").required();
   command.value("--robot", request->robot, "the robot's numbers: mount, colours, wheels (JSON)").takes("FILE");
+  add_colours(command, request->colours);
   command
       .value("--console", request->console,
              "- (this terminal, the default), pty, tcp:HOST:PORT, tcp-listen:[HOST:]PORT, or /dev/tty...[,baud=N]")

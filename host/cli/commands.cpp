@@ -4,11 +4,11 @@ namespace fencepost::host::cli {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
-      demo_command(),      run_command(),     configure_command(), doctor_command(),  devices_command(),
-      record_command(),    monitor_command(), replay_command(),    report_command(),  simulate_command(),
-      evaluate_command(),  merge_command(),   calibrate_command(), smooth_command(),  paper_command(),
-      emulate_command(),   import_command(),  export_command(),    segment_command(), help_command(),
-      completion_command()};
+      demo_command(),     run_command(),       train_command(),   configure_command(), doctor_command(),
+      devices_command(),  record_command(),    monitor_command(), replay_command(),    report_command(),
+      simulate_command(), evaluate_command(),  merge_command(),   calibrate_command(), smooth_command(),
+      paper_command(),    emulate_command(),   import_command(),  export_command(),    segment_command(),
+      help_command(),     completion_command()};
   return table;
 }
 

@@ -97,7 +97,7 @@ Findings ask_everybody(const std::string& port) {
   return doctor::examine_port(port, {}, doctor::Identity::own(), {}, stopped);
 }
 
-Findings ask(const std::string& text, devices::Use use, const std::string& robot) {
+Findings ask(const std::string& text, devices::Use use, const RobotFile& robot) {
   const devices::DeviceSpec spec = device_of(text, use);
   if (spec.place.kind == PlaceKind::kNone) {
     throw Failure(Exit::kUsage, "the console has no port of its own; name a device that has");
@@ -106,7 +106,7 @@ Findings ask(const std::string& text, devices::Use use, const std::string& robot
     throw Failure(Exit::kUsage, "a camera behind a brick cannot be asked alone; 'fencepost run' says how its link is");
   }
   try {
-    return doctor::examine_device(spec, read_robot(robot), {}, doctor::Identity::own(), {}, stopped);
+    return doctor::examine_device(spec, robot, {}, doctor::Identity::own(), {}, stopped);
   } catch (const DeviceFailure& failure) {
     throw Failure(Exit::kUsage, failure.message);
   }
@@ -118,6 +118,7 @@ void PortRequestOptions::add_to(Options command) {
   command.value("--camera", camera, "how this camera is, as run names it: KIND:PLACE").takes("DEVICE");
   command.value("--odometry", odometry, "the same of wheels").takes("DEVICE");
   command.value("--robot", robot, "the robot file of run, for wheels that need one").takes("FILE");
+  add_colours(command, colours);
 }
 
 bool names_port(const std::string& subject) {
@@ -130,10 +131,11 @@ PortExamination examine_ports(const std::string& port, const PortRequestOptions&
   const StopSignals signals;
   if (!port.empty()) return finish(start(), ask_everybody(port));
   if (!options.names_devices()) return list_all();
+  const RobotFile robot = read_robot(options.robot, options.colours);
   Findings findings;
-  if (!options.camera.empty()) findings = ask(options.camera, devices::Use::kCamera, options.robot);
+  if (!options.camera.empty()) findings = ask(options.camera, devices::Use::kCamera, robot);
   if (!options.odometry.empty()) {
-    const Findings wheels = ask(options.odometry, devices::Use::kOdometry, options.robot);
+    const Findings wheels = ask(options.odometry, devices::Use::kOdometry, robot);
     findings.insert(findings.end(), wheels.begin(), wheels.end());
   }
   return finish(start(), findings);

@@ -13,6 +13,7 @@ struct PortRequestOptions {
   std::string camera;
   std::string odometry;
   std::string robot;
+  std::string colours;
 
   void add_to(Options command);
   [[nodiscard]] bool names_devices() const { return !camera.empty() || !odometry.empty(); }

@@ -1,5 +1,7 @@
 #include "host/cli/live_devices.hpp"
 
+#include <algorithm>
+
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/log_size.hpp"
@@ -13,11 +15,35 @@ devices::DeviceSpec device_of(const std::string& text, devices::Use use) {
   return *spec;
 }
 
-RobotFile read_robot(const std::string& path) {
-  if (path.empty()) return {};
+namespace {
+
+RobotFile parsed(const std::string& path) {
   const auto robot = parse_robot(read_input(path), input_name(path));
   if (!robot.ok()) throw Failure(Exit::kUnreadable, robot.error());
   return *robot;
+}
+
+}  // namespace
+
+RobotFile read_robot(const std::string& path, const std::string& colours) {
+  RobotFile robot = path.empty() ? RobotFile() : parsed(path);
+  if (colours.empty()) return robot;
+  const RobotFile trained = parsed(colours);
+  if (trained.colours.empty()) {
+    throw Failure(Exit::kUnreadable,
+                  input_name(colours) + ": has no \"colours\"; 'fencepost train' writes such a file");
+  }
+  robot.colours = trained.colours;
+  for (const record::Signature& signature : trained.signatures) {
+    const auto same = [&](const record::Signature& own) { return own.signature == signature.signature; };
+    if (std::none_of(robot.signatures.begin(), robot.signatures.end(), same)) robot.signatures.push_back(signature);
+  }
+  return robot;
+}
+
+void add_colours(Options command, std::string& colours) {
+  command.value("--colours,--colors", colours, "what a v4l2 or video camera looks for: a file of fencepost train")
+      .takes("FILE");
 }
 
 Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::MonotonicClock clock, bool wait) {

@@ -19,8 +19,12 @@ struct DevicePair {
 /// errors: Failure (kUsage)
 devices::DeviceSpec device_of(const std::string& text, devices::Use use);
 
-/// An empty path: no numbers. errors: Failure (kUnreadable)
-RobotFile read_robot(const std::string& path);
+/// Empty paths: no numbers. `colours`: a file of `fencepost train`; its colours replace the robot file's. A signature
+/// that both name keeps the robot file's name and width. errors: Failure (kUnreadable)
+RobotFile read_robot(const std::string& path, const std::string& colours = {});
+
+/// The option that names it.
+void add_colours(Options command, std::string& colours);
 
 /// errors: Failure (kUsage, kDevice)
 Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::MonotonicClock clock, bool wait);

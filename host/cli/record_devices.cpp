@@ -33,7 +33,7 @@ devices::DeviceSpec device(const std::string& text, devices::Use use) {
 
 RunPlan plan_of(const DeviceRecording& recording) {
   RunPlan plan;
-  plan.robot = read_robot(recording.robot);
+  plan.robot = read_robot(recording.robot, recording.colours);
   plan.mode = console::Mode::kQuiet;
   plan.version = FENCEPOST_VERSION;
   if (recording.seconds) plan.duration = base::Duration::nearest(*recording.seconds);

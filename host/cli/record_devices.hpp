@@ -14,6 +14,7 @@ struct DeviceRecording {
   std::string camera;    ///< as `run` takes it
   std::string odometry;  ///< as `run` takes it
   std::string robot;     ///< a file, or empty
+  std::string colours;   ///< likewise
   std::string log;
   std::uint64_t part_bytes = 0;  ///< 0: no limit
   base::Duration part_age{};     ///< 0: no limit

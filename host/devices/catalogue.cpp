@@ -16,12 +16,13 @@ Rows nxtcam();
 Rows pixy1();
 Rows pixy2();
 Rows records();
+Rows video();
 Rows xbc();
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam, xbc,        pixy1,   cognachrome,
-                                   jevois, frames, create,    nxt,    can_wheels, records, console};
+constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam, xbc,        pixy1,   cognachrome, jevois,
+                                   frames, video,  create,    nxt,    can_wheels, records, console};
 
 Rows all_families() {
   Rows all;

@@ -16,7 +16,7 @@ using enum PlaceKind;
 constexpr const char* kNothing = "none";
 
 /// TCP is a serial line over a network: it has no line of its own.
-constexpr PlaceKind kLinks[] = {kTty, kI2c, kSpi, kUsb, kNxt, kCan};
+constexpr PlaceKind kLinks[] = {kTty, kI2c, kSpi, kUsb, kNxt, kCan, kVideo, kFilm};
 
 std::string_view link_name(PlaceKind link) {
   switch (link) {
@@ -27,6 +27,8 @@ std::string_view link_name(PlaceKind link) {
     case kUsb: return "USB";
     case kNxt: return "NXT brick";
     case kCan: return "CAN";
+    case kVideo: return "camera of the kernel";
+    case kFilm: return "film";
     case kNone: break;
   }
   return "";

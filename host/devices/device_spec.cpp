@@ -151,7 +151,7 @@ class Parser {
       return !spec_.place.name.empty() || fail("tcp: needs a port, such as tcp:7000 (0: any free one)");
     }
     const PlaceKind kind = host::place_in(text, false).kind;
-    if (kind == kUsb || kind == kI2c || kind == kSpi || kind == kNxt) {
+    if (kind == kUsb || kind == kI2c || kind == kSpi || kind == kNxt || kind == kVideo) {
       return fail("no {} at {} can be emulated; only on a pty, on tcp, or on CAN", spec_.kind_name(), text);
     }
     spec_.place = {kTty, text == "pty" ? "" : text};
@@ -204,7 +204,9 @@ std::string DeviceSpec::where() const {
     case kTty:
     case kI2c:
     case kSpi:
-    case kCan: break;
+    case kCan:
+    case kVideo:
+    case kFilm: break;
   }
   return fmt::format("{} at {}", kind_name(), place.name);
 }

@@ -37,6 +37,8 @@ emulate::OpenedTransport open_transport(const DeviceSpec& spec) {
     case PlaceKind::kSpi:
     case PlaceKind::kUsb:
     case PlaceKind::kNxt:
+    case PlaceKind::kVideo:
+    case PlaceKind::kFilm:
     case PlaceKind::kNone: break;
   }
   return linux::Problem{"nothing can be emulated there"};

@@ -43,6 +43,8 @@ Camera open_pixy2(const Opening& opening) {
     case kTcp:
     case kNxt:
     case kCan:
+    case kVideo:
+    case kFilm:
     case kNone: break;
   }
   return std::make_unique<host::PortedCamera<Pixy2OnLine>>(kAsked, open_line(opening));

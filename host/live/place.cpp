@@ -19,6 +19,17 @@ std::optional<Place> parse_tcp(std::string_view text) {
   return Place{kTcp, std::string(host), static_cast<std::uint16_t>(*port)};
 }
 
+namespace {
+
+bool is_film(std::string_view text) {
+  for (const std::string_view end : {".y4m", ".mjpeg", ".mjpg", ".jpeg", ".jpg"}) {
+    if (text.ends_with(end)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Place place_in(std::string_view text, bool can) {
   if (const std::optional<Place> tcp = parse_tcp(text)) return *tcp;
   Place place;
@@ -27,6 +38,8 @@ Place place_in(std::string_view text, bool can) {
                : text == "nxt"                       ? kNxt
                : text.starts_with("/dev/i2c-")       ? kI2c
                : text.starts_with("/dev/spidev")     ? kSpi
+               : text.starts_with("/dev/video")      ? kVideo
+               : is_film(text)                       ? kFilm
                : text.find('/') != std::string::npos ? kTty
                : can && !text.starts_with("tcp:")    ? kCan
                                                      : kNone;
@@ -42,6 +55,8 @@ std::string_view place_pattern(PlaceKind kind) {
     case kUsb: return "usb";
     case kNxt: return "nxt";
     case kCan: return "a CAN interface";
+    case kVideo: return "/dev/videoN";
+    case kFilm: return "FILM.y4m";
     case kNone: break;
   }
   return "";
@@ -53,9 +68,11 @@ std::string_view silent_remedy(PlaceKind kind) {
     case kI2c: return "check its power, the wires and the address; 'i2cdetect -y N' lists who answers";
     case kSpi: return "check its power and the wires, and that the camera is set to SPI";
     case kCan: return "check power, termination and bit rate; 'candump' shows what comes";
+    case kVideo: return "check its cable, and that no other program has it";
     case kNxt: return "check the cable between camera and brick, and port=";
     case kTcp:
     case kUsb:
+    case kFilm:
     case kNone: break;
   }
   return "check that it is switched on";

@@ -9,14 +9,16 @@
 namespace fencepost::host {
 
 enum class PlaceKind : std::uint8_t {
-  kTty,   ///< the path of a serial port, with a slash in it; of an emulated device the link to its pty, or empty
-  kTcp,   ///< tcp:HOST:PORT
-  kI2c,   ///< /dev/i2c-N
-  kSpi,   ///< /dev/spidevN.M
-  kUsb,   ///< usb
-  kNxt,   ///< nxt: behind the NXT brick that is the odometry
-  kCan,   ///< a CAN interface, such as can0
-  kNone,  ///< of a device that is no device: the console
+  kTty,    ///< the path of a serial port, with a slash in it; of an emulated device the link to its pty, or empty
+  kTcp,    ///< tcp:HOST:PORT
+  kI2c,    ///< /dev/i2c-N
+  kSpi,    ///< /dev/spidevN.M
+  kUsb,    ///< usb
+  kNxt,    ///< nxt: behind the NXT brick that is the odometry
+  kCan,    ///< a CAN interface, such as can0
+  kVideo,  ///< /dev/videoN
+  kFilm,   ///< a file that ends in .y4m, .mjpeg, .jpg or .jpeg
+  kNone,   ///< of a device that is no device: the console
 };
 
 struct Place {

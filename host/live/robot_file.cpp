@@ -81,9 +81,15 @@ std::vector<record::Signature> read_signatures(const JsonNode& node) {
   return signatures;
 }
 
+/// [least, greatest]
+JsonNode read_pair(const JsonNode& node, std::string_view channel) {
+  JsonNode pair = node.at(channel);
+  if (pair.size(2, "numbers") > 2) pair.fail("has more than two numbers", "give [least, greatest]");
+  return pair;
+}
+
 void read_range(const JsonNode& node, std::string_view channel, std::uint8_t& low, std::uint8_t& high) {
-  const JsonNode range = node.at(channel);
-  if (range.size(2, "numbers") > 2) range.fail("has more than two numbers", "give [least, greatest]");
+  const JsonNode range = read_pair(node, channel);
   low = static_cast<std::uint8_t>(range.at(std::size_t{0}).integer(0, 255));
   high = static_cast<std::uint8_t>(range.at(std::size_t{1}).integer(0, 255));
   if (low > high) range.fail("the least is above the greatest", "swap them");
@@ -105,6 +111,31 @@ std::vector<cmucam::ColourWindow> read_windows(const JsonNode& node) {
     read_range(one, "blue", window.blue_min, window.blue_max);
   }
   return windows;
+}
+
+void read_shares(const JsonNode& node, std::string_view channel, base::Ratio4& low, base::Ratio4& high) {
+  const JsonNode range = read_pair(node, channel);
+  low = base::Ratio4::nearest(range.at(std::size_t{0}).number(0, 1, ""));
+  high = base::Ratio4::nearest(range.at(std::size_t{1}).number(0, 1, ""));
+  if (low > high) range.fail("the least is above the greatest", "swap them");
+}
+
+void read_colours(const JsonNode& node, RobotFile& robot) {
+  const std::size_t count = node.size(1, "colours");
+  if (count > segmenter::kMaxRanges) {
+    node.fail("there are " + std::to_string(count) + " colours",
+              "give at most " + std::to_string(segmenter::kMaxRanges));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonNode one = node.at(i);
+    one.expect_keys({"signature", "red", "green", "brightness"});
+    segmenter::ColourRange range;
+    range.signature = static_cast<std::uint8_t>(one.at("signature").integer(1, 255));
+    read_shares(one, "red", range.red_min, range.red_max);
+    read_shares(one, "green", range.green_min, range.green_max);
+    if (one.find("brightness")) read_range(one, "brightness", range.brightness_min, range.brightness_max);
+    (void)robot.colours.push_back(range);
+  }
 }
 
 std::int64_t read_step(const JsonNode& node) {
@@ -188,8 +219,8 @@ void read_settings(const JsonNode& root, SettingReader& reader) {
 
 RobotFile read_robot(const JsonNode& root) {
   // The last six are of scenes: a scene file serves too.
-  root.expect_keys({"camera", "signatures", "robot", "wheels", "can", "windows", "settings", "format", "seed",
-                    "objects", "path", "odometry", "noise"});
+  root.expect_keys({"camera", "signatures", "robot", "wheels", "can", "windows", "colours", "settings", "format",
+                    "seed", "objects", "path", "odometry", "noise"});
   RobotFile robot;
   if (const auto camera = root.find("camera")) robot.camera = read_camera_numbers(*camera);
   if (const auto signatures = root.find("signatures")) robot.signatures = read_signatures(*signatures);
@@ -199,6 +230,7 @@ RobotFile read_robot(const JsonNode& root) {
     const std::size_t count = std::min(robot.signatures.size(), cmucam::kMaxWindows);
     for (std::size_t i = 0; i < count; ++i) robot.windows.push_back(config::window_around(robot.signatures[i]));
   }
+  if (const auto colours = root.find("colours")) read_colours(*colours, robot);
   if (const auto wheels = root.find("wheels")) robot.wheels = read_wheels(*wheels);
   if (const auto can = root.find("can")) robot.can = read_can(*can, robot.wheels);
   SettingReader settings;

@@ -11,6 +11,7 @@
 #include "drivers/can_wheels/wheels.hpp"
 #include "drivers/cmucam/config.hpp"
 #include "drivers/odometry/wheel_base.hpp"
+#include "drivers/segmenter/camera.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/base/result.hpp"
 #include "hal/sensor/camera.hpp"
@@ -51,6 +52,7 @@ struct RobotFile {
   CameraNumbers camera;
   std::vector<record::Signature> signatures;
   std::vector<cmucam::ColourWindow> windows;  ///< of "windows", else 40 to either side of each signature's colour
+  base::FixedVector<segmenter::ColourRange, segmenter::kMaxRanges> colours;  ///< of cameras that deliver pictures
   std::vector<std::pair<std::string, std::string>> settings;  ///< keys and values as on the console, checked
   WheelNumbers wheels;
   std::optional<can_wheels::Mapping> can;

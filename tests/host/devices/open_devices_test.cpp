@@ -25,7 +25,8 @@ std::variant<Devices, DeviceFailure> open(const std::string& camera, const std::
                       wait);
 }
 
-constexpr const char* kRobot = R"({"signatures": [{"id": 1, "rgb": "d02020"}], "wheels": {"track": 0.2},
+constexpr const char* kRobot = R"({"signatures": [{"id": 1, "rgb": "d02020"}],
+  "colours": [{"signature": 1, "red": [0.6, 0.9], "green": [0.05, 0.2]}], "wheels": {"track": 0.2},
   "can": {"left": {"id": 1, "byte": 0, "scale": 0.001}, "right": {"id": 2, "byte": 0, "scale": 0.001}}})";
 
 /// Names of a row at every place that it can have by itself, though nothing is plugged in.
@@ -39,6 +40,8 @@ std::vector<std::string> names_of(const Row& row, Use use) {
       case PlaceKind::kSpi: names.push_back(*row.name + ":/dev/spidev250.0"); break;
       case PlaceKind::kUsb: names.push_back(*row.name + ":usb,serial=none"); break;
       case PlaceKind::kCan: names.push_back(*row.name + ":nocan0"); break;
+      case PlaceKind::kVideo: names.push_back(*row.name + ":/dev/video250"); break;
+      case PlaceKind::kFilm:  // is there, or is not
       case PlaceKind::kNxt:
       case PlaceKind::kNone: break;
     }
@@ -124,8 +127,11 @@ TEST(OpenDevices, WithoutWaitingAMissingDeviceIsAFailure) {
         std::tuple("pixy2:/dev/i2c-250", "console", "/dev/i2c-250"),
         std::tuple("pixy2:tcp:127.0.0.1:1", "console", "nobody listens there"),
         std::tuple("console", "nxt:usb,serial=none", "0694:0002"),
-        std::tuple("console", "create2:/dev/null", "create2: cannot open the serial port /dev/null")}) {
-    const auto opened = open(camera, odometry, false);
+        std::tuple("console", "create2:/dev/null", "create2: cannot open the serial port /dev/null"),
+        std::tuple("v4l2:/dev/video250", "console", "v4l2: cannot open the camera /dev/video250"),
+        std::tuple("v4l2:/dev/video250", "console", "v4l2-ctl --list-devices"),
+        std::tuple("video:no.y4m", "console", "video: the film no.y4m cannot be read")}) {
+    const auto opened = open(camera, odometry, false, kRobot);
     const auto* failure = std::get_if<DeviceFailure>(&opened);
     ASSERT_NE(failure, nullptr) << camera;
     EXPECT_FALSE(failure->usage);
@@ -139,6 +145,7 @@ TEST(OpenDevices, WhatMakesNoSenseIsUsageWhateverIsPluggedIn) {
         std::tuple("console", "can:can0", "add \"can\" to a --robot file"),
         std::tuple("nxtcam:nxt", "create1:/dev/no", "add --odometry nxt:usb"),
         std::tuple("console", "nxt:/dev/no,left=A,right=A", "the same motor"),
+        std::tuple("v4l2:/dev/video0", "console", "no colour is trained"),
         std::tuple("pixy2:/dev/no", "create2:/dev/no", "cannot both have that port")}) {
     const auto opened = open(camera, odometry, true);
     const auto* failure = std::get_if<DeviceFailure>(&opened);

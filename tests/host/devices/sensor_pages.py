@@ -16,13 +16,15 @@ SECTIONS = ("facts", "wires", "run", "wrong")
 BY_HAND = ("## Set it up", "## Traps")
 SCENE_RATE = 12.5  # pictures a second: what any of them can
 PLACE_SHOWN = {"/dev/tty...": "/dev/ttyUSB0", "/dev/i2c-N": "/dev/i2c-1", "/dev/spidevN.M": "/dev/spidev0.0", "usb": "usb", "nxt": "nxt",
-               "a CAN interface": "can0"}
+               "a CAN interface": "can0", "/dev/videoN": "/dev/video0", "FILM.y4m": "film.y4m"}
 LINK_SHOWN = {
     "/dev/tty...": "a USB serial adapter of 3.3 V, RX to its TX, TX to its RX; on a Raspberry Pi GPIO14 (TX), GPIO15 (RX): `/dev/serial0`",
     "/dev/i2c-N": "a Raspberry Pi's GPIO2 (data), GPIO3 (clock): `/dev/i2c-1`",
     "/dev/spidevN.M": "a Raspberry Pi's GPIO10 (MOSI), GPIO9 (MISO), GPIO11 (clock): `/dev/spidev0.0`",
     "usb": "its own USB port",
     "nxt": "a sensor port of the NXT brick that is the odometry",
+    "/dev/videoN": "a USB port, or the flat cable of a camera module; `v4l2-ctl --list-devices`",
+    "FILM.y4m": "a file",
     "tcp:HOST:PORT": "a serial server, or an emulator",
     "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
 }
@@ -40,7 +42,9 @@ OWN_LINE = {
     "vex": "the Brain's USB port, `/dev/ttyACM1`",
     "records": "the other controller's USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX",
 }
-SILENT = {"/dev/tty...": "power; the wires (its TX to our RX); the baud", "a CAN interface": "power, termination, bit rate: `candump can0`"}
+PICTURES = ("/dev/videoN", "FILM.y4m")  # where a camera gets its colours from us
+SILENT = {"/dev/tty...": "power; the wires (its TX to our RX); the baud", "a CAN interface": "power, termination, bit rate: `candump can0`",
+          "/dev/videoN": "its cable; whether another program has it", "FILM.y4m": "it is over, or has not begun"}
 
 
 def table(rows):
@@ -127,6 +131,10 @@ def unsettled(device):
     return ",settle=0" if any(option.startswith("`settle") for option in device.options) else ""
 
 
+def colours(place):
+    return " --colours colours.json" if place in PICTURES else ""
+
+
 def emulation(device):
     """(emulate, run) lines in two terminals; None where nothing can be emulated without a CAN interface or a console."""
     scene = f"host/share/doc/sensors/{device.name if device.lens else 'pixy2'}.json"
@@ -150,7 +158,7 @@ def places_lines(device):
         spec = f"{device.name}:{shown_place(device, place)}"
         if device.camera:
             wheels = "nxt:usb" if place == "nxt" else "create2:/dev/ttyUSB1"
-            yield f"fencepost run --camera {spec} --odometry {wheels} --robot robot.json --log run.log"
+            yield f"fencepost run --camera {spec} --odometry {wheels} --robot robot.json{colours(place)} --log run.log"
         else:
             yield f"fencepost run --camera pixy2:/dev/ttyUSB1 --odometry {spec} --robot robot.json --log run.log"
 
@@ -164,7 +172,7 @@ def run(device, _pins, _sources):
         parts.append("\n".join("    " + line for line in shown))
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
-    lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json"]
+    lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json{colours(line_of(device))}"]
     lines += ["    " + line for line in places_lines(device)]
     if lines:
         parts.append("With it ([robot file](../live.md)):\n\n" + "\n".join(lines))
@@ -233,7 +241,7 @@ def files_of(sources):
         text, lacks = renewed(page.read_text(encoding="utf-8"), device, pins, sources)
         faults += [f"{page.name} lacks {part}" for part in lacks]
         made[page] = text
-        if device.lens:
+        if device.lens and device.tells:
             made[page.with_name(f"{device.name}.json")] = scene_of(device)
     there = {path for path in (sources / "host/share/doc/sensors").iterdir()}
     faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]

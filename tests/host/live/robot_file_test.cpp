@@ -77,6 +77,16 @@ TEST(RobotFile, WindowsThatWereMeasuredCountInstead) {
   EXPECT_EQ(robot.windows[0].blue_max, 18);
 }
 
+TEST(RobotFile, ReadsTrainedColours) {
+  const RobotFile robot = read(R"({"colours": [
+    {"signature": 2, "red": [0.55, 0.7], "green": [0.2, 0.3125], "brightness": [20, 250]},
+    {"signature": 9, "red": [0, 1], "green": [0.5, 0.5]}]})");
+  ASSERT_EQ(robot.colours.size(), 2U);
+  EXPECT_EQ(robot.colours[0], (segmenter::ColourRange{2, {5'500}, {7'000}, {2'000}, {3'125}, 20, 250}));
+  EXPECT_EQ(robot.colours[1], (segmenter::ColourRange{9, {0}, {10'000}, {5'000}, {5'000}, 0, 255}));
+  EXPECT_TRUE(robot.signatures.empty());
+}
+
 TEST(RobotFile, ReadsWheels) {
   const RobotFile robot = read(R"({"wheels": {"metres_per_tick": 0.000444, "right_metres_per_tick": -0.000445,
                                    "track": 0.235, "counter_bits": 16, "max_speed": 0.6}})");
@@ -214,6 +224,12 @@ TEST(RobotFile, SaysWhatIsWrongWhereAndWhatToDo) {
       {R"({"windows": []})", "/windows: has 0 windows"},
       {R"({"windows": [{"signature": 1, "red": [9, 8], "green": [1, 2], "blue": [1, 2]}]})",
        "/windows/0/red: the least is above the greatest; swap them"},
+      {R"({"colours": []})", "/colours: has 0 colours"},
+      {R"({"colours": [{"signature": 0, "red": [0, 1], "green": [0, 1]}]})", "/colours/0/signature: 0 is out of range"},
+      {R"({"colours": [{"signature": 1, "red": [0.6, 0.5], "green": [0, 1]}]})",
+       "/colours/0/red: the least is above the greatest; swap them"},
+      {R"({"colours": [{"signature": 1, "red": [0, 2], "green": [0, 1]}]})", "/colours/0/red/1: 2 is out of range"},
+      {R"({"colours": [{"signature": 1, "red": [0, 1]}]})", "/colours/0: \"green\" is missing"},
       {R"({"wheels": {"metres_per_tick": 0}})", "/wheels/metres_per_tick: is 0"},
       {R"({"wheels": {"track": 0}})", "/wheels/track: must be greater than 0"},
       {R"({"wheels": {"trakc": 1}})", "did you mean \"track\"?"},
