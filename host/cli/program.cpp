@@ -46,7 +46,9 @@ int run_program(int argc, const char* const* argv) {
   handle_interrupts();
   return guarded([&] {
     if (argc < 2) {
-      say_lines(wrapped(overview(), columns_of_stdout()));
+      std::string help = wrapped(overview(), columns_of_stdout());
+      help.pop_back();  // the last line end, which say_lines() writes itself
+      say_lines(help);
       return static_cast<int>(Exit::kUsage);
     }
     if (const auto unknown = unknown_command(commands(), "fencepost", argc - 1, argv + 1)) {
