@@ -50,7 +50,7 @@ std::vector<double> heights_of(const std::vector<Edge>& edges) {
       if (least <= right && most >= left) add_crossing(edges[i], edges[k], heights);
     }
   }
-  std::ranges::sort(heights);
+  std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   return heights;
 }
@@ -104,7 +104,7 @@ Overlap overlap(const MultiPolygon& a, const MultiPolygon& b) {
       ++part;
     }
   }
-  std::ranges::sort(edges, {}, [](const Edge& edge) { return edge.low.y; });
+  std::sort(edges.begin(), edges.end(), [](const Edge& one, const Edge& other) { return one.low.y < other.low.y; });
   const std::vector<double> heights = heights_of(edges);
   Sweep sweep(a.size(), part);
   std::vector<const Edge*> active;
@@ -116,7 +116,8 @@ Overlap overlap(const MultiPolygon& a, const MultiPolygon& b) {
     const double middle = heights[i] + (heights[i + 1] - heights[i]) / 2;
     crossings.clear();
     for (const Edge* edge : active) crossings.push_back({edge->at(middle), edge->part});
-    std::ranges::sort(crossings, {}, &Crossing::x);
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing& one, const Crossing& other) { return one.x < other.x; });
     sweep.pass(crossings, heights[i + 1] - heights[i]);
   }
   return sweep.found();

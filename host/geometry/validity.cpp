@@ -53,7 +53,7 @@ Contact contact_of(const Side& s, const Side& t) {
   // Ends of one that lie on the other: one place, or both ends of what they have in common.
   std::vector<Point> shared;
   const auto add = [&](int side, Point end, const Side& other) {
-    if (side == 0 && between(end, other.a, other.b) && std::ranges::find(shared, end) == shared.end()) {
+    if (side == 0 && between(end, other.a, other.b) && std::find(shared.begin(), shared.end(), end) == shared.end()) {
       shared.push_back(end);
     }
   };
@@ -75,7 +75,7 @@ class Chain {
     const auto [known, fresh] = places_.try_emplace({place.x, place.y}, parent_.size());
     if (fresh) parent_.push_back(parent_.size());
     const std::pair link{ring, known->second};
-    if (std::ranges::find(links_, link) != links_.end()) return true;
+    if (std::find(links_.begin(), links_.end(), link) != links_.end()) return true;
     links_.push_back(link);
     const std::size_t a = root(ring);
     const std::size_t b = root(known->second);
@@ -131,7 +131,9 @@ class Check {
   std::optional<Invalidity> meetings() {
     std::vector<const Side*> order;
     for (const Side& side : sides_) order.push_back(&side);
-    std::ranges::sort(order, {}, [](const Side* side) { return std::min(side->a.y, side->b.y); });
+    std::sort(order.begin(), order.end(), [](const Side* one, const Side* other) {
+      return std::min(one->a.y, one->b.y) < std::min(other->a.y, other->b.y);
+    });
     for (std::size_t i = 0; i < order.size(); ++i) {
       const double top = std::max(order[i]->a.y, order[i]->b.y);
       for (std::size_t k = i + 1; k < order.size() && std::min(order[k]->a.y, order[k]->b.y) <= top; ++k) {

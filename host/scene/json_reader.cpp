@@ -1,12 +1,13 @@
 #include "host/scene/json_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,6 @@ std::string listed(std::initializer_list<std::string_view> words) {
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
   return list;
-}
-
-std::string plain(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
 }
 
 std::string kind_of(const nlohmann::json& value) {
@@ -162,7 +157,7 @@ std::size_t JsonNode::size(std::size_t least, std::string_view items) const {
 }
 
 double JsonNode::number(double low, double high, std::string_view unit) const {
-  const std::string range = plain(low) + " to " + plain(high) + (unit.empty() ? "" : " " + std::string(unit));
+  const std::string range = fmt::format("{:g} to {:g}{}{}", low, high, unit.empty() ? "" : " ", unit);
   if (!value_->is_number()) fail("must be a number, not " + kind_of(*value_), "allowed: " + range);
   const double value = value_->get<double>();
   if (!(value >= low && value <= high)) fail(value_->dump() + " is out of range", "allowed: " + range);
@@ -171,7 +166,7 @@ double JsonNode::number(double low, double high, std::string_view unit) const {
 
 double JsonNode::positive(double high, std::string_view unit) const {
   const double value = number(0, high, unit);
-  if (value == 0) fail("must be greater than 0", "allowed: up to " + plain(high) + " " + std::string(unit));
+  if (value == 0) fail("must be greater than 0", fmt::format("allowed: up to {:g} {}", high, unit));
   return value;
 }
 

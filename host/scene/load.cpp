@@ -1,10 +1,6 @@
 #include "host/scene/load.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -54,8 +50,8 @@ struct Box {
 };
 
 Box box_of(const LinearRing& ring) {
-  const auto [left, right] = std::ranges::minmax_element(ring, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax_element(ring, {}, &Point::y);
+  const auto [left, right] = std::minmax_element(ring.begin(), ring.end(), [](Point a, Point b) { return a.x < b.x; });
+  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), [](Point a, Point b) { return a.y < b.y; });
   return {left->x, right->x, low->y, high->y};
 }
 
@@ -112,8 +108,6 @@ Scene read_scene(const JsonNode& root) {
   return scene;
 }
 
-std::string name_for_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
-
 }  // namespace
 
 std::string SceneError::message() const {
@@ -128,23 +122,6 @@ LoadedScene parse_scene(std::string_view text, const std::string& name) {
   } catch (const SceneProblem& problem) {
     return SceneError{name, problem.where, problem.what, problem.remedy};
   }
-}
-
-LoadedScene load_scene(const std::string& path) {
-  std::string text;
-  if (path == "-") {
-    text.assign(std::istreambuf_iterator<char>(std::cin), {});
-  } else {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream all;
-    if (file) all << file.rdbuf();
-    // An empty file sets failbit on `all` only; a folder opens but cannot be read.
-    if (!file || file.bad()) {
-      return SceneError{path, "", "cannot be read", "check the name and the permissions"};
-    }
-    text = all.str();
-  }
-  return parse_scene(text, name_for_messages(path));
 }
 
 }  // namespace fencepost::host

@@ -1,4 +1,5 @@
-#include <sstream>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "host/geometry/planar.hpp"
@@ -38,17 +39,16 @@ Polygon read_circle(const JsonNode& node) {
 void check_validity(const JsonNode& node, const Polygon& polygon) {
   const auto invalid = find_invalidity(polygon);
   if (!invalid) return;
-  std::ostringstream place;
-  place << "(" << invalid->where.x << ", " << invalid->where.y << ")";
+  const std::string place = fmt::format("({:g}, {:g})", invalid->where.x, invalid->where.y);
   if (invalid->reason == "Self-intersection" || invalid->reason == "Ring Self-intersection") {
-    node.fail("the outline crosses or touches itself at " + place.str(),
+    node.fail("the outline crosses or touches itself at " + place,
               "list the corners in order around the object, each once");
   }
   if (invalid->reason == "Too few points") {
     node.fail("the outline has fewer than three different corners", "give at least three, as [x, y] in metres");
   }
   if (invalid->reason == "No area") node.fail("the outline encloses no area", "check the corners' coordinates");
-  node.fail(invalid->reason + " at " + place.str(), "check the corners' coordinates");
+  node.fail(invalid->reason + " at " + place, "check the corners' coordinates");
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ void add_false_blobs(const Scene& scene, const LabelImage& image, std::uint64_t 
     piece.sum_u = piece.pixels * (piece.box.x1 + piece.box.x2) / 2;
     piece.sum_v = piece.pixels * (piece.box.y1 + piece.box.y2) / 2;
     Detection detection{to_blob(piece, piece.box), {}};
-    const SceneSignature& signature = scene.signatures[random.below(scene.signatures.size())];
+    const SceneSignature& signature = scene.signatures[static_cast<std::size_t>(random.below(scene.signatures.size()))];
     detection.blob.signature = signature.id;
     detection.blob.rgb = signature.rgb;
     mark_border(detection, image.width());

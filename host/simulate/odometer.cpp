@@ -9,7 +9,6 @@ namespace fencepost::host {
 
 Odometer::Odometer(const Scene& scene, const Trajectory& trajectory) : scene_(scene), trajectory_(trajectory) {
   const SceneNoise& noise = scene.noise;
-  drifts_ = noise.drift_scale != 0 || noise.drift_turn != 0 || noise.drift_walk != 0;
   reported_ = trajectory.at(0);
   if (noise.pose_xy == 0 && noise.pose_heading == 0) return;
   for (int view = 0; view < trajectory.frames(); ++view) {
@@ -25,6 +24,8 @@ Odometer::Odometer(const Scene& scene, const Trajectory& trajectory) : scene_(sc
 sensor::OdometrySample Odometer::next() {
   const base::Time t{step_ * kOdometryPeriod.raw};
   const TimedPose now = trajectory_.at(t.to_double());
+  const SceneNoise& noise = scene_.noise;
+  drifts_ = drifts_ || noise.drift_scale != 0 || noise.drift_turn != 0 || noise.drift_walk != 0;
   if (!drifts_) {
     reported_ = now;
   } else if (step_ > 0) {

@@ -34,7 +34,7 @@ class Odometer {
   const Scene& scene_;
   const Trajectory& trajectory_;
   std::int64_t step_ = 0;
-  bool drifts_;
+  bool drifts_ = false;  ///< has drifted: noise may begin while it drives
   TimedPose reported_;
   std::vector<TimedPose> offsets_;  ///< one a view; empty without per-view noise
 };

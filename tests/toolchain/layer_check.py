@@ -76,7 +76,7 @@ ROOMS = {
     "host/evaluate": "host/replay host/simulate",
     "host/merge": "host/result",
     "host/report": "host/evaluate",
-    "host/web": "host/replay",
+    "host/web": "host/replay host/simulate",
     "host/paper": "host/jobs host/render host/report",
     "host/export": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",

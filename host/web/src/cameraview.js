@@ -43,7 +43,7 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   const { frame } = view.page;
   const ratio = camera ? camera.height / camera.width : 0.65;
   canvas.style.aspectRatio = `${1 / ratio}`;
-  canvas.style.maxWidth = `max(260px, ${(28 / ratio).toFixed(2)}vh)`;
+  canvas.style.maxWidth = `max(240px, ${(21 / ratio).toFixed(2)}vh)`;
   const { g, width, height } = prepare(canvas);
   g.fillStyle = theme === "dark" ? "#0a1016" : "#f6f8fa";
   g.fillRect(0, 0, width, height);

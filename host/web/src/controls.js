@@ -20,6 +20,10 @@ export function bindMap(page) {
     redraw();
   };
   listen(map, {
+    grabbed: (at) => {
+      const holder = state.solid ? null : page.grab(flat.toMap(at));
+      return holder && { moved: (to) => { holder.moved(flat.toMap(to)); redraw(); }, dropped: () => { holder.dropped(); redraw(); } };
+    },
     moved: (du, dv) => {
       byId("follow").checked = false;
       if (state.solid) orbit.drag(du, dv);

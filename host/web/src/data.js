@@ -40,9 +40,10 @@ export async function entriesOf(files) {
         logs.push({ name: file.name, bytes: await unpacked(new Uint8Array(await file.arrayBuffer())), truth: [] });
         continue;
       }
-      const scene = JSON.parse(await file.text());
+      const text = await file.text();
+      const scene = JSON.parse(text);
       if (!Array.isArray(scene?.objects)) throw new Error("no scene: it has no \"objects\"");
-      scenes.push({ name: file.name, truth: truthOf(scene) });
+      scenes.push({ name: file.name, text, truth: truthOf(scene) });
     } catch (error) {
       complaints.push(`${file.name}: ${error.message}`);
     }

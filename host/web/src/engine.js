@@ -1,10 +1,13 @@
-// The loop as WebAssembly: one log at a time, and copies of its memory to come back to.
+// The loop as WebAssembly: one log or one drive at a time, and copies of its memory to come back to.
 
 const BLOCK = 4096;
 const RESULT = 0;
 const STATE = 1;
 const STATE_WITH_ALERTS = 2;
 const PAGE = 3;
+const DRIVEN = 4;
+const TRUTH = 5;
+const SCORE = 6;
 export const PROFILES = ["the log's", "full", "small", "micro"];
 
 // The library asks for a system that is not there; nothing of the loop does.
@@ -42,12 +45,16 @@ export class Engine {
     this.#code = new WebAssembly.Instance(this.#module, importsOf(this.#module)).exports;
   }
 
-  /** Begins a log. `profile`: an index of PROFILES. */
-  open(profile = 0) {
+  #begin() {
     this.#start();
     this.#code._initialize();
-    this.#code.open(profile);
     this.inputSize = this.#code.input_size();
+  }
+
+  /** Begins a log. `profile`: an index of PROFILES. */
+  open(profile = 0) {
+    this.#begin();
+    this.#code.open(profile);
   }
 
   /** Uses bytes of `log` from `offset` on, up to the first input at or after `until` (s) or a new run; how many. */
@@ -67,15 +74,47 @@ export class Engine {
     return new Float64Array(this.#code.memory.buffer, this.#code.path(), 4 * this.#code.path_size()).slice();
   }
 
-  #text(what) {
-    const size = this.#code.write(what);
-    return this.#utf8.decode(new Uint8Array(this.#code.memory.buffer, this.#code.text(), size));
-  }
+  #text(what) { return this.#read(this.#code.write(what)); }
+  #read(size) { return this.#utf8.decode(new Uint8Array(this.#code.memory.buffer, this.#code.text(), size)); }
 
   /** As `fencepost replay --json` writes it. */
   resultText() { return this.#text(RESULT); }
   result(withAlerts) { return JSON.parse(this.#text(withAlerts ? STATE_WITH_ALERTS : STATE)); }
   page() { return JSON.parse(this.#text(PAGE)); }
+
+  /** Begins a drive through `scene`, a scene file's text; throws what is wrong with it. */
+  drive(scene) {
+    this.#begin();
+    this.#give(scene, () => this.#code.drive());
+  }
+  /** The world becomes `scene`. One with a fault ends the drive: try it in another engine first. */
+  change(scene) { this.#give(scene, () => this.#code.change()); }
+  #give(scene, use) {
+    const bytes = new TextEncoder().encode(scene);
+    for (let at = 0; at < bytes.length; at += this.inputSize) {
+      const part = bytes.subarray(at, at + this.inputSize);
+      new Uint8Array(this.#code.memory.buffer, this.#code.input(), part.length).set(part);
+      this.#code.scene(part.length);
+    }
+    try {
+      use();
+    } catch (error) {
+      throw new Error(this.#read(this.#code.text_size()) || error.message);
+    }
+  }
+
+  steer({ forward, turn }) { this.#code.steer(forward, turn); }
+  obey(stops) { this.#code.obey(stops); }
+  advance(seconds) { return Boolean(this.#code.advance(seconds)); }
+  endDrive() { this.#code.end(); }
+  /** Result without path, with the alerts since the last call. */
+  driven() { return JSON.parse(this.#text(DRIVEN)); }
+  /** { pose, speed, held, bumps } */
+  truth() { return JSON.parse(this.#text(TRUTH)); }
+  /** { recklessness, paranoia } */
+  score() { return JSON.parse(this.#text(SCORE)); }
+  /** The log of the drive so far. */
+  log() { return new Uint8Array(this.#code.memory.buffer, this.#code.log(), this.#code.log_size()).slice(); }
 
   /** All memory, in blocks; those that are as in `previous` are not kept twice. */
   snapshot(previous) {

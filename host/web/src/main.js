@@ -1,8 +1,10 @@
-import { inks, LEVELS, theme } from "./colours.js";
+import { inks, theme } from "./colours.js";
 import { drawCamera } from "./cameraview.js";
+import { bindSound, showBanner } from "./banner.js";
 import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
 import { bundled, entriesOf, entryOf, given } from "./data.js";
-import { byId, download, make, plain } from "./dom.js";
+import { byId, download, plain } from "./dom.js";
+import { Driver } from "./drive.js";
 import { Engine, PROFILES } from "./engine.js";
 import { addCard } from "./gallery.js";
 import { Kept } from "./kept.js";
@@ -12,6 +14,7 @@ import { Orbit, drawSolid } from "./map3d.js";
 import { Player } from "./player.js";
 import { bindPort } from "./port.js";
 import { follow } from "./stream.js";
+import { ROOM } from "./room.js";
 import { levelsAt, poseAt } from "./scene.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
@@ -22,7 +25,7 @@ const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [],
 
 const state = {
   entry: { name: "", bytes: new Uint8Array(), truth: [] }, look: NOTHING, whole: NOTHING.path, t: 0, begin: 0, end: 0, rows: [],
-  models: ["hybrid"], layers: new Set(FIRST), selected: null, playing: false, solid: false, live: false, loaded: false,
+  models: ["hybrid"], layers: new Set(FIRST), selected: null, playing: false, solid: false, live: false, loaded: false, trueRobot: null, chosen: null,
 };
 const memory = { flat: new Map(), solid: new Map(), camera: new Map() };  // of where names were
 const flat = new Window();
@@ -31,9 +34,10 @@ const cards = [];
 let engine;
 let replayer;  // of logs, one at a time
 let player;    // it, or what was kept of a log
+let driver;    // of a robot that is driven here
 let ink = inks();
 
-const drawnNow = { pending: false };
+const drawnNow = { pending: false, frame: null, tables: 0 };
 function redraw() {
   if (drawnNow.pending) return;
   drawnNow.pending = true;
@@ -45,7 +49,8 @@ function redraw() {
 
 function viewNow() {
   const whole = state.live ? state.look.path : state.whole;
-  return { ...state.look, t: state.t, pose: poseAt(whole, state.t), truth: state.entry.truth, models: state.models, layers: state.layers };
+  return { ...state.look, t: state.t, pose: poseAt(whole, state.t), truth: state.entry.truth, models: state.models, layers: state.layers,
+    trueRobot: state.trueRobot, chosen: state.chosen };
 }
 
 function draw() {
@@ -56,8 +61,11 @@ function draw() {
   }
   showLegend(byId("legend"), { layers: state.layers, truth: state.entry.truth });
   if (state.solid) drawSolid(byId("map"), orbit, { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
-  byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
-  drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
+  const frame = view.page.frame?.number;
+  if (!driver?.going || frame !== drawnNow.frame) byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
+  drawnNow.frame = frame;
+  if (!driver?.going || shownTables.at !== drawnNow.tables) drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
+  drawnNow.tables = shownTables.at;
   byId("clock").textContent = `${state.t.toFixed(2)} s`;
   if (!state.live) {
     byId("slider").value = state.t;
@@ -74,11 +82,19 @@ function keepingFocus(table, fill) {
 
 const shownTables = { at: 0, alerts: null, rows: [0, 0], count: 0 };
 function fillTables(force) {
-  if (!force && performance.now() - shownTables.at < 200) return;
+  // Of a robot that is driven, pictures come first.
+  const driven = driver?.going;
+  if (!force && performance.now() - shownTables.at < (driven ? 1000 : 200)) return;
   shownTables.at = performance.now();
   const { result, page } = state.look;
   const all = state.live ? result.alerts : player.last?.result.alerts ?? [];
   const levels = levelsAt(all, state.t);
+  const last = state.live ? null : player.last;
+  fillFacts(byId("facts"), factsOf({ name: state.entry.name, result, page, last, took: player.took, duration: player.duration }));
+  if (driven) {
+    state.rows = rowsOf(result, state.t);
+    return;
+  }
   keepingFocus(byId("objects"), () => fillObjects(byId("objects"), { result, levels, theme: theme(), selected: state.selected, select }));
   const count = alertsUntil(all, state.t);
   const [first, end] = shownTables.rows;
@@ -91,21 +107,16 @@ function fillTables(force) {
   }
   shownTables.count = count;
   markAlerts(byId("alerts"), shownTables.rows, count);
-  const worst = [...levels.values()].filter((alert) => alert.level !== "clear");
-  worst.sort((a, b) => LEVELS.indexOf(b.level) - LEVELS.indexOf(a.level));
-  byId("now").replaceChildren(...worst.slice(0, 4).flatMap((alert) => [make("span", { className: `level ${alert.level}` }, alert.level),
-    ` ${alert.id === 0 ? "something" : `${alert.id} ${plain(result.objects.find((o) => o.id === alert.id)?.name ?? "")}`} `]),
-    worst.length > 4 ? `and ${worst.length - 4} more` : "");
-  const last = state.live ? null : player.last;
-  fillFacts(byId("facts"), factsOf({ name: state.entry.name, result, page, last, took: player.took, duration: player.duration }));
 }
 
 /** `t`: of the look; the time that is asked for may be another one by now. */
 function show(look, t, force = false) {
   document.documentElement.dataset.shown = t.toFixed(2);
   state.look = look;
+  const all = state.live ? look.result.alerts : player.last?.result.alerts ?? [];
+  showBanner({ levels: levelsAt(all, state.live ? look.time : t), objects: look.result.objects, moves: state.live || state.playing });
   offerLayers(byId("layer-list"), { state, result: state.entry.kept ? player.last.result : look.result, redraw });
-  fillTables(force || !state.playing);
+  fillTables(force || !(state.playing || driver?.going));
   redraw();
 }
 
@@ -194,12 +205,13 @@ function lineOf(bytes, number) {
 // What is still coming has no end to go back from.
 function setLive(live) {
   state.live = live;
-  for (const id of ["slider", "play", "save-result", "profile"]) byId(id).disabled = live;
+  for (const id of ["slider", "play", "save-result", "save-log", "profile"]) byId(id).disabled = live;
 }
 
 async function openEntry(entry) {
   halt();
-  Object.assign(state, { entry, loaded: false, selected: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
+  driver.leave();
+  Object.assign(state, { entry, loaded: false, selected: null, trueRobot: null, chosen: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
   byId("title").textContent = plain(entry.name);
   document.title = `${plain(entry.name)} · Fencepost`;
   summary("is being replayed …");
@@ -207,7 +219,7 @@ async function openEntry(entry) {
   setLive(false);
   player.stop();
   player = entry.kept ? new Kept(entry.kept) : replayer;
-  for (const id of ["save-result", "profile"]) byId(id).disabled = Boolean(entry.kept);
+  for (const id of ["save-result", "save-log", "profile"]) byId(id).disabled = Boolean(entry.kept);
   byId("thinned").hidden = !entry.kept;
   byId("thinned").textContent = entry.kept ? plain(`Thinned to fit: ${entry.kept.said}. Between those times the map stays as it was; counts and digest are ` +
     "of the whole log. To replay all of it here, drop the log on this page, or write the page with fencepost report --whole.") : "";
@@ -249,6 +261,7 @@ async function openFiles(files) {
   byId("recordings").value = "";
   const { logs, scenes, complaints } = await entriesOf(files);
   if (complaints.length) summary(complaints.join("; "));
+  if (!logs.length && scenes.length && driver.going) return driver.load(scenes[0].name, scenes[0].text);
   if (!logs.length && scenes.length) {
     state.entry.truth = scenes[0].truth;
     return fit();
@@ -280,6 +293,7 @@ function setTheme(name) {
 function bindSaving() {
   const name = () => state.entry.name.replace(/\.(log|txt|gz)$/i, "") || "fencepost";
   byId("save-result").onclick = async () => download(`${name()}.json`, [await player.resultText()], "application/json");
+  byId("save-log").onclick = () => download(`${name()}.log`, [state.entry.bytes], "text/plain");
   byId("save-picture").onclick = () => byId("map").toBlob((blob) => download(`${name()}.png`, [blob], "image/png"));
 }
 
@@ -306,7 +320,7 @@ async function begin() {
   engine = await Engine.create(wasm);
   replayer = new Player(engine);
   player = replayer;
-  const page = { state, flat, orbit, redraw, play, stop, goTo, fit, select, openFiles, openRecording, view: viewNow, last: () => player.last };
+  const page = { state, flat, orbit, redraw, grab: (at) => driver.grab(at), play, stop, goTo, fit, select, openFiles, openRecording, view: viewNow, last: () => player.last };
   bindMap(page);
   bindKeys(page);
   bindTransport(page);
@@ -316,6 +330,7 @@ async function begin() {
   const comingLog = {
     engine: () => new Engine(engine.module), open: (entry) => state.live ? openEntry(entry) : null,
     begin: (name) => {
+      driver.leave();
       halt();
       player.stop();
       player = replayer;
@@ -339,6 +354,23 @@ async function begin() {
     },
   };
   bindPort(comingLog);
+  bindSound();
+  driver = new Driver({
+    engine: comingLog.engine, open: openEntry, redraw, fit,
+    begin: (name) => {
+      comingLog.begin(name);
+      summary("Arrow keys or W A S D, the round pad, or a gamepad. Drag what stands in the room.");
+    },
+    show: (look, trueRobot) => {
+      Object.assign(state, { t: look.time, begin: 0, end: look.time, trueRobot });
+      show(look, look.time);
+    },
+    setTruth: (things, chosen) => {
+      Object.assign(state.entry, { truth: things });
+      state.chosen = chosen;
+      redraw();
+    },
+  }, { "a room": ROOM, ...Object.fromEntries(recordings.map(({ name, scene }) => [name.replace(/\.log$/, ""), scene])) });
   new ResizeObserver(redraw).observe(byId("map"));
   new ResizeObserver(() => markAlerts(byId("alerts"), shownTables.rows, shownTables.count)).observe(byId("alerts").parentElement);
   await openFirst(recordings, comingLog);

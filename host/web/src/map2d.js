@@ -55,24 +55,32 @@ function drawGrid({ g, window, ink, bare }) {
   return numbers;
 }
 
-function drawTruth({ g, window, ink, view }) {
-  g.strokeStyle = ink.soft;
-  g.fillStyle = ink.rule;
-  g.lineWidth = 1;
-  for (const { ring } of view.truth) {
-    g.save();
+const HATCH = 6;  // px
+const hatches = new Map();  // by colour
+
+function hatchOf(g, colour) {
+  if (!hatches.has(colour)) {
+    const tile = new OffscreenCanvas(HATCH, HATCH);
+    const t = tile.getContext("2d");
+    t.strokeStyle = colour;
+    t.beginPath();
+    for (const shift of [-HATCH, 0, HATCH]) { t.moveTo(shift - 1, HATCH + 1); t.lineTo(shift + HATCH + 1, -1); }
+    t.stroke();
+    hatches.set(colour, g.createPattern(tile, "repeat"));
+  }
+  return hatches.get(colour);
+}
+
+function drawTruth({ g, window, ink, theme, view }) {
+  for (const { ring, rgb, signature, index } of view.truth) {
+    const colour = rgb ? colourOf(rgb, signature, theme) : ink.soft;
     g.beginPath();
     trace(g, window, ring);
+    g.fillStyle = hatchOf(g, colour);
+    g.fill();
+    g.strokeStyle = colour;
+    g.lineWidth = view.chosen === index ? 2.5 : 1;
     g.stroke();
-    g.clip();
-    const us = ring.map((p) => window.toPage(p));
-    const [u1, u2] = [Math.min(...us.map((p) => p[0])), Math.max(...us.map((p) => p[0]))];
-    const [v1, v2] = [Math.min(...us.map((p) => p[1])), Math.max(...us.map((p) => p[1]))];
-    g.beginPath();
-    const step = Math.max(6, (u2 - u1 + v2 - v1) / 400);
-    for (let u = u1 - (v2 - v1); u < u2; u += step) { g.moveTo(u, v2); g.lineTo(u + v2 - v1, v1); }
-    g.stroke();
-    g.restore();
   }
 }
 
@@ -157,6 +165,19 @@ function drawRobot({ g, window, ink, view, pose }) {
   g.fill();
 }
 
+// Where the robot is while it takes itself to be elsewhere.
+function drawTrueRobot({ g, window, ink, view }) {
+  const { trueRobot, pose } = view;
+  if (!trueRobot || Math.hypot(trueRobot.x - pose.x, trueRobot.y - pose.y) < 0.01) return;
+  g.beginPath();
+  trace(g, window, bodyOf(view.page.settings).ring.map((p) => placed(trueRobot, p)));
+  g.strokeStyle = ink.soft;
+  g.lineWidth = 1.5;
+  g.setLineDash([4, 3]);
+  g.stroke();
+  g.setLineDash([]);
+}
+
 function drawModel({ g, window, theme }, object, model) {
   const polygons = polygonsOf(object, model);
   if (!polygons.length) return;
@@ -214,10 +235,11 @@ function drawHighlight({ g, window, ink, view, selected }) {
 }
 
 /** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers; `memory`: of
- * where names were. What is named where is `placed` of the canvas, for tests. */
+ * where names were. For tests, what is named where is `placed` of the canvas, and its `toPage` is the window's. */
 export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false, memory }) {
   const { g, width, height } = prepare(canvas);
   window.size(width, height);
+  canvas.toPage = (place) => window.toPage(place);
   g.fillStyle = ink.paper;
   g.fillRect(0, 0, width, height);
   const all = { canvas, g, window, ink, theme, view, whole, selected, bare, memory, pose: view.pose };
@@ -231,7 +253,10 @@ export function drawMap(canvas, window, { view, whole, ink, theme, selected, bar
     for (const model of view.models) drawModel(all, object, model);
     if (view.models.includes("hybrid") && !isDoubtful(object)) drawOpenSides(all, object);
   }
-  if (view.pose) drawRobot(all);
+  if (view.pose) {
+    drawTrueRobot(all);
+    drawRobot(all);
+  }
   drawHighlight(all);
   drawLabels(all);
 }

@@ -1,9 +1,11 @@
 // Dragging, pinching and the wheel on the map.
 
-/** `moved(du, dv)`, `zoomed(factor, at)`, `pointed(at | null)`, `clicked(at)`; places in pixels of the element. */
-export function listen(element, { moved, zoomed, pointed, clicked }) {
+/** `moved(du, dv)`, `zoomed(factor, at)`, `pointed(at | null)`, `clicked(at)`; places in pixels of the element. `grabbed(at)`: null, or who
+ * has the drag from there: { moved(at), dropped() }. */
+export function listen(element, { moved, zoomed, pointed, clicked, grabbed = () => null }) {
   const down = new Map();
   let travelled = 0;
+  let holder = null;
   const place = (event) => {
     const box = element.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -12,6 +14,7 @@ export function listen(element, { moved, zoomed, pointed, clicked }) {
     element.setPointerCapture(event.pointerId);
     down.set(event.pointerId, place(event));
     travelled = 0;
+    if (down.size === 1) holder = grabbed(place(event));
   });
   element.addEventListener("pointermove", (event) => {
     const at = place(event);
@@ -19,7 +22,8 @@ export function listen(element, { moved, zoomed, pointed, clicked }) {
     if (!last) return pointed(at);
     const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
     const span = (p) => Math.hypot(p[0] - other[0], p[1] - other[1]);
-    if (other) zoomed(span(at) / Math.max(1, span(last)), other);
+    if (holder) holder.moved(at);
+    else if (other) zoomed(span(at) / Math.max(1, span(last)), other);
     else moved(at[0] - last[0], at[1] - last[1]);
     travelled += Math.hypot(at[0] - last[0], at[1] - last[1]);
     down.set(event.pointerId, at);
@@ -27,6 +31,8 @@ export function listen(element, { moved, zoomed, pointed, clicked }) {
   });
   const up = (event) => {
     const had = down.delete(event.pointerId);
+    if (had) holder?.dropped();
+    holder = null;
     if (had && event.type === "pointerup" && travelled < 5) clicked(place(event));
   };
   element.addEventListener("pointerup", up);

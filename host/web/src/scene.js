@@ -29,13 +29,13 @@ export const opacityOf = (object) => Math.min(1, 0.25 + (object.confidence ?? 0)
 
 export const nameOf = (object) => `${object.id} ${plain(object.name ?? `signature ${object.signature}`)}`;
 
-/** The truth of a scene file: rings with names. */
+/** The truth of a scene file: rings with names, and their index in it. */
 export function truthOf(scene) {
-  return (scene?.objects ?? []).map((object) => {
+  return (scene?.objects ?? []).map((object, index) => {
     const { circle, coordinates } = object.footprint ?? {};
     const round = (x, y, r) => Array.from({ length: 49 }, (_, i) =>
       [x + r * Math.cos(i * Math.PI / 24), y + r * Math.sin(i * Math.PI / 24)]);
-    return { name: String(object.name ?? ""), ring: circle ? round(...circle) : coordinates?.[0] ?? [], low: object.base ?? 0,
+    return { index, name: String(object.name ?? ""), ring: circle ? round(...circle) : coordinates?.[0] ?? [], low: object.base ?? 0,
       high: (object.base ?? 0) + (object.height ?? 0) };
   }).filter((object) => object.ring.length > 2 && object.ring.every((p) => p.every(Number.isFinite)));
 }

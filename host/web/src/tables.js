@@ -22,16 +22,16 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
     return make("tr", { className: object.id === selected ? "lit" : "" },
       make("td", {}, make("button", { type: "button", onclick: () => select(object.id), "aria-label": `Show object ${object.id}`, "aria-pressed": String(object.id === selected) }, object.id)),
       make("td", { className: "name" }, key(object, theme), name),
-      make("td", {}, object.state), make("td", {}, make("span", { className: `level ${level}` }, level)),
-      make("td", { className: "n" }, object.views), make("td", { className: "n" }, figure(circle.x, 3)),
-      make("td", { className: "n" }, figure(circle.y, 3)), make("td", { className: "n" }, figure(circle.radius, 3)),
-      make("td", { className: "n" }, figure(object.z_max, 3)), make("td", { className: "n" }, area == null ? "–" : figure(area * 1e4, 0)),
-      make("td", { className: "n" }, figure(object.confidence, 2)));
+      make("td", {}, make("span", { className: `level ${level}` }, level)),
+      make("td", { className: "n" }, figure(circle.x, 3)), make("td", { className: "n" }, figure(circle.y, 3)),
+      make("td", { className: "n" }, area == null ? "–" : figure(area * 1e4, 0)), make("td", { className: "n" }, figure(object.confidence, 2)),
+      make("td", {}, object.state), make("td", { className: "n" }, object.views),
+      make("td", { className: "n" }, figure(circle.radius, 3)), make("td", { className: "n" }, figure(object.z_max, 3)));
   });
   if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 11 }, "No objects yet.")));
   const n = "n";
   table.replaceChildren(
-    headed(["id"], ["name"], ["state"], ["alert"], ["views", n], ["x, m", n], ["y, m", n], ["radius, m", n], ["top, m", n], ["area, cm²", n], ["confidence", n]),
+    headed(["id"], ["name"], ["alert"], ["x, m", n], ["y, m", n], ["area, cm²", n], ["confidence", n], ["state"], ["views", n], ["radius, m", n], ["top, m", n]),
     make("tbody", {}, ...rows));
 }
 

@@ -35,7 +35,7 @@ export function extentOf(view) {
   return points;
 }
 
-const inside = (ring, [x, y]) => ring.reduce((is, [xi, yi], i) => {
+export const inside = (ring, [x, y]) => ring.reduce((is, [xi, yi], i) => {
   const [xj, yj] = ring[(i || ring.length) - 1];
   return (yi > y) !== (yj > y) && x < (xj - xi) * (y - yi) / (yj - yi) + xi ? !is : is;
 }, false);

@@ -1,21 +1,33 @@
-// What the page's script calls. One log at a time; texts and the path are read from memory where these say.
+// What the page's script calls. One log or one drive at a time; texts and the path are read from memory where these
+// say.
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "host/scene/json_reader.hpp"
+#include "host/scene/load.hpp"
+#include "host/web/drive.hpp"
 #include "host/web/page_replay.hpp"
 
 namespace fencepost::host {
 namespace {
 
 constexpr std::array<std::string_view, 4> kProfiles = {"", "full", "small", "micro"};
-enum Text : std::uint32_t { kResult, kState, kStateWithAlerts, kPage };
+enum Text : std::uint32_t { kResult, kState, kStateWithAlerts, kPage, kDriven, kTruth, kScore };
 
 std::array<char, 65536> input;
 std::unique_ptr<PageReplay> replayed;
+std::unique_ptr<Drive> driven;
+std::string scene;
 std::string text;
+
+// A scene with a fault ends in __cxa_throw.
+Scene given_scene() { return *parse_scene(std::exchange(scene, {}), "scene"); }
+const PageReplay& shown() { return driven ? driven->page() : *replayed; }
 
 }  // namespace
 }  // namespace fencepost::host
@@ -27,6 +39,7 @@ namespace page = fencepost::host;
 /// `profile`: 0 the log's, 1 full, 2 small, 3 micro.
 FENCEPOST_EXPORT(open)(std::uint32_t profile)->void {
   page::replayed = nullptr;
+  page::driven = nullptr;
   page::replayed = std::make_unique<page::PageReplay>(page::kProfiles.at(profile));
 }
 
@@ -40,20 +53,47 @@ FENCEPOST_EXPORT(feed)(std::size_t size, double until)->std::size_t {
 }
 FENCEPOST_EXPORT(finish)()->void { page::replayed->finish(); }
 FENCEPOST_EXPORT(ended)()->bool { return page::replayed->log().ended(); }
-FENCEPOST_EXPORT(time)()->double { return page::replayed->log().time(); }
+FENCEPOST_EXPORT(time)()->double { return page::shown().log().time(); }
 FENCEPOST_EXPORT(runs)()->std::uint32_t { return page::replayed->log().runs(); }
 
 /// The path so far: poses of four doubles t, x, y, heading.
-FENCEPOST_EXPORT(path)()->const page::PoseResult* { return page::replayed->log().path().data(); }
-FENCEPOST_EXPORT(path_size)()->std::size_t { return page::replayed->log().path().size(); }
+FENCEPOST_EXPORT(path)()->const page::PoseResult* { return page::shown().log().path().data(); }
+FENCEPOST_EXPORT(path_size)()->std::size_t { return page::shown().log().path().size(); }
 static_assert(sizeof(page::PoseResult) == 4 * sizeof(double));
 
-/// Makes a text at `text` and returns its size: 0 the result document, 1 the same without path and alerts, 2 without
-/// path, 3 what else the page shows.
+/// Makes a text at `text` and returns its size. 0: the result document, 1: the same without path and alerts, 2: without
+/// path, 3: what else the page shows. Of a drive, 4: as 1 with the alerts since the last time, 5: the truth, 6: the
+/// score.
 FENCEPOST_EXPORT(write)(std::uint32_t what)->std::size_t {
-  page::text = what == page::kResult ? page::replayed->result()
-               : what == page::kPage ? page::replayed->page()
-                                     : page::replayed->state(what == page::kStateWithAlerts);
+  switch (what) {
+    case page::kResult: page::text = page::shown().result(); break;
+    case page::kPage: page::text = page::shown().page(); break;
+    case page::kDriven: page::text = page::driven->state(); break;
+    case page::kTruth: page::text = page::driven->truth(); break;
+    case page::kScore: page::text = page::driven->score(); break;
+    default: page::text = page::shown().state(what == page::kStateWithAlerts);
+  }
   return page::text.size();
 }
 FENCEPOST_EXPORT(text)()->const char* { return page::text.data(); }
+FENCEPOST_EXPORT(text_size)()->std::size_t { return page::text.size(); }
+
+/// `size` more bytes at `input` of the scene that is given next.
+FENCEPOST_EXPORT(scene)(std::size_t size)->void { page::scene.append(page::input.data(), size); }
+/// A robot is driven through that scene; or the world becomes it. One with a fault traps, and `text` says what it is.
+FENCEPOST_EXPORT(drive)()->void { page::driven = std::make_unique<page::Drive>(page::given_scene()); }
+FENCEPOST_EXPORT(change)()->void { page::driven->change(page::given_scene()); }
+FENCEPOST_EXPORT(steer)(double forward, double turn)->void { page::driven->steer(forward, turn); }
+FENCEPOST_EXPORT(obey)(bool stops)->void { page::driven->obey(stops); }
+FENCEPOST_EXPORT(advance)(double seconds)->bool { return page::driven->advance(seconds); }
+FENCEPOST_EXPORT(end)()->void { page::driven->finish(); }
+FENCEPOST_EXPORT(log)()->const char* { return page::driven->log().data(); }
+FENCEPOST_EXPORT(log_size)()->std::size_t { return page::driven->log().size(); }
+
+// The readers of scenes alone throw, and a SceneProblem alone. There is no catching here: this ends the call.
+extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept { return std::malloc(size); }
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*)) {
+  const auto& problem = *static_cast<const page::SceneProblem*>(thrown);
+  page::text = page::SceneError{"scene", problem.where, problem.what, problem.remedy}.message();
+  __builtin_trap();
+}

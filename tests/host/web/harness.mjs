@@ -28,6 +28,8 @@ export class Tools {
   log(name) { return join(this.shared, "recordings", `${name}.log`); }
   scene(name) { return join(this.shared, "recordings", `${name}.json`); }
   result(log, ...options) { return execFileSync(this.cli, ["replay", "--json", ...options, log], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }).toString(); }
+  /** The output of a command. */
+  says(...words) { return execFileSync(this.cli, words, { stdio: ["ignore", "pipe", "ignore"] }).toString(); }
   digest(log, ...options) { return JSON.parse(this.result(log, ...options)).digest; }
 }
 
@@ -61,6 +63,12 @@ export class Browser {
     await page.goto(`file://${file}`);
     await page.waitForFunction(() => document.documentElement.dataset.ready, null, POLLED);
     return page;
+  }
+  /** The faults of the page that axe finds. */
+  async complaints(page) {
+    await page.evaluate(this.tools.require("axe-core").source);
+    const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+    return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(" | ")}`);
   }
   close() { return this.browser.close(); }
 }

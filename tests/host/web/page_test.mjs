@@ -32,11 +32,7 @@ const tipsOn = async (page) => new Set(await page.locator("#map").evaluate((map)
   return tips;
 }));
 
-async function complaints(page) {
-  await page.evaluate(tools.require("axe-core").source);
-  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-  return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(" | ")}`);
-}
+const complaints = (of) => browser.complaints(of);
 
 let page = await browser.open();
 
@@ -78,7 +74,7 @@ await run({
     const playing = await browser.open({ before: { run: frameClock }, reducedMotion: "no-preference" });
     assert.equal(await text(playing, "#title"), `${FIRST}.log`);
     assert.equal(await shown(playing), "0.00", "before its first frame it shows the beginning");
-    assert.equal(await text(playing, "#now"), "");
+    assert.equal(await text(playing, "#banner"), "No alert");
     assert.ok(await playing.locator("#objects tbody tr").count() < 3, "objects of the end are not shown at the beginning");
     await frames(playing, 20, 50);
     await frames(playing, 1, 0);  // a frame later it is drawn
