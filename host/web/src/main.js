@@ -2,6 +2,7 @@ import { inks, theme } from "./colours.js";
 import { drawCamera } from "./cameraview.js";
 import { bindSound, showBanner } from "./banner.js";
 import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
+import { compare } from "./compare.js";
 import { bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, plain } from "./dom.js";
 import { Driver } from "./drive.js";
@@ -16,6 +17,7 @@ import { bindPort } from "./port.js";
 import { follow } from "./stream.js";
 import { ROOM } from "./room.js";
 import { levelsAt, poseAt } from "./scene.js";
+import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
@@ -31,6 +33,7 @@ const memory = { flat: new Map(), solid: new Map(), camera: new Map() };  // of 
 const flat = new Window();
 const orbit = new Orbit();
 const cards = [];
+const compared = [];
 let engine;
 let replayer;  // of logs, one at a time
 let player;    // it, or what was kept of a log
@@ -277,7 +280,12 @@ async function openAll(logs) {
     if (!look) return null;
     if (logs.length > 1) others.push([entry, look]);
   }
-  for (const [entry, look] of others) cards.push(addCard(entry, look, () => openEntry(entry).then(() => window.scrollTo(0, 0))));
+  for (const [entry, look] of others) {
+    const open = () => openEntry(entry).then(() => window.scrollTo(0, 0));
+    cards.push(addCard(entry, look, open));
+    compared.push({ name: entry.name, look, truth: entry.truth, open });
+  }
+  if (others.length) compare(compared, { ink, theme: theme() });
   return logs.length > 1 ? openEntry(logs[0]) : null;
 }
 
@@ -287,6 +295,7 @@ function setTheme(name) {
   ink = inks();
   if (player) fillTables(true);
   for (const card of cards) card();
+  if (compared.length) compare(compared, { ink, theme: name });
   redraw();
 }
 
@@ -355,6 +364,10 @@ async function begin() {
   };
   bindPort(comingLog);
   bindSound();
+  bindTour({ goTo, begin: async () => {
+    await openEntry(await entryOf(recordings[0]));
+    byId("recordings").value = "0";
+  } });
   driver = new Driver({
     engine: comingLog.engine, open: openEntry, redraw, fit,
     begin: (name) => {

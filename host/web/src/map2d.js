@@ -11,13 +11,13 @@ const DASHES = {
 };
 const WEDGE = 1.5;  // m, how far the camera's wedge is drawn
 
-function trace(g, window, ring, close = true) {
+export function trace(g, window, ring, close = true) {
   ring.forEach((p, i) => g[i ? "lineTo" : "moveTo"](...window.toPage(p)));
   if (close) g.closePath();
 }
 
 // Returns where its numbers are.
-function drawGrid({ g, window, ink, bare }) {
+export function drawGrid({ g, window, ink, bare }) {
   const { width, height } = window;
   const step = niceStep(70 / window.scale);
   const [x1, y1] = window.toMap([0, height]);

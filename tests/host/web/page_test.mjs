@@ -181,7 +181,7 @@ await run({
   async "says what it is, and what its map's signs are; the first screen has all that one plays with"() {
     const opened = await browser.open({ viewport: { width: 1280, height: 800 } });
     assert.match(await text(opened, "#about"), /^See what a small robot knows of the obstacles around it, .* STOP\.$/);
-    for (const part of ["#about", "#map", "#legend", "#play", "#slider", "#camera", "#alerts tr.lit"]) {
+    for (const part of ["#about", "#banner", "#map", "#legend", "#play", "#slider", "#camera", "#alerts tr.lit", "#objects tbody tr:first-child"]) {
       const { y, height } = await opened.locator(part).boundingBox();
       assert.ok(y >= 0 && y + height <= 800, `${part}: ${y} to ${y + height}`);
     }
@@ -207,6 +207,41 @@ await run({
     assert.deepEqual(labels, ["1 red", "2 yellow"]);
     const tips = await tipsOn(page);
     assert.ok([...tips].some((tip) => tip.endsWith("truth: box in the way")), [...tips].join("\n\n"));
+  },
+
+  async "the worst alert stands above the map in words; a tour goes through the page and ends at the wheel"() {
+    const toured = await browser.open();
+    await toured.click("#tour");
+    const seen = new Set();
+    for (let step = 1; step <= 5; ++step) {
+      assert.equal(await text(toured, "#tour-step"), `${step} of 5`);
+      seen.add(await text(toured, "#tour-text"));
+      assert.equal(await toured.locator(".toured").count(), 1);
+      if (step === 4) assert.match(await text(toured, "#banner"), /^STOP: 1 red, 0\.\d\d m ahead/);
+      if (step === 2) assert.deepEqual(await complaints(toured), []);
+      await toured.click("#tour-next");
+    }
+    assert.equal(seen.size, 5);
+    assert.ok(await toured.locator("#tour-card").isHidden());
+    assert.ok(await toured.locator("#driving").isVisible());
+    await toured.context().close();
+  },
+
+  async "sound is heard on request alone"() {
+    const heard = await browser.open({ reducedMotion: "no-preference", before: { run: () => {
+      window.beeps = [];
+      window.AudioContext = class { currentTime = 0; destination = null; close() {} };
+      window.OscillatorNode = class { constructor(_, { frequency }) { window.beeps.push(frequency); } connect() { return this; } start() {} stop() {} };
+      window.GainNode = class { gain = { setTargetAtTime() {} }; connect() { return this; } };
+    } } });
+    await goTo(heard, 5.5);
+    await heard.keyboard.press(" ");
+    await heard.waitForFunction(() => Number(document.documentElement.dataset.shown) > 5.7, null, POLLED);
+    assert.deepEqual(await heard.evaluate(() => window.beeps), []);
+    await heard.click("#sound");
+    await heard.waitForFunction(() => window.beeps.length === 1, null, POLLED);
+    assert.deepEqual(await heard.evaluate(() => window.beeps), [880], "a STOP");
+    await heard.context().close();
   },
 
   async "layers, models, 3-D, zoom and colours change the picture"() {
@@ -298,6 +333,22 @@ await run({
     await page.waitForFunction(() => document.querySelectorAll(".card").length === 3);
     const digests = await page.locator(".card code").allTextContents();
     assert.deepEqual(digests, ["stop_pixy2", "stop_nxtcam", "stop_cmucam2"].map((name) => tools.digest(tools.log(name))));
+    const rows = () => page.locator("#all-table tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const logs = ["stop_pixy2", "stop_nxtcam", "stop_cmucam2"];
+    assert.deepEqual((await rows()).map(([name]) => name), logs.map((name) => `${name}.log`));
+    for (const [name, driven, , stops, first, objects, errors] of await rows()) {
+      const { path, alerts, objects: all } = JSON.parse(tools.result(tools.log(name.replace(/\.log$/, ""))));
+      const way = path.slice(1).reduce((sum, { x, y }, i) => sum + Math.hypot(x - path[i].x, y - path[i].y), 0);
+      assert.ok(Math.abs(Number(driven) - way) < 0.02, `${name}: ${driven} of ${way} m`);
+      const levels = alerts.filter(({ level }, i) => level === "stop" && alerts.slice(0, i).findLast(({ id }) => id === alerts[i].id)?.level !== "stop");
+      assert.equal(Number(stops), levels.length);
+      assert.equal(first, levels.length ? levels[0].t.toFixed(2) : "–");
+      assert.equal(Number(objects), all.filter(({ state }) => state !== "tentative").length);
+      assert.equal(errors, "0");
+    }
+    await page.getByRole("button", { name: "driven, m" }).click();
+    const by = (await rows()).map((row) => Number(row[1]));
+    assert.deepEqual(by, [...by].sort((a, b) => a - b), "sorted by its column");
     await page.getByRole("button", { name: "Open stop_cmucam2.log" }).click();
     await page.waitForFunction(() => document.title.startsWith("stop_cmucam2"));
     assert.deepEqual(await complaints(page), []);

@@ -13,7 +13,7 @@ const SQUARE = 16;       // px
 const DIFFERENT = 24;    // of 255: a square that looks different
 const MOST = 0.01;       // share of the squares that may
 const MOST_BYTES = 60_000;
-const QUALITY = 0.8;     // of 1, as it is kept
+const QUALITY = 0.75;    // of 1, as it is kept
 
 const browser = await Browser.start(tools);
 const page = await browser.open({ viewport: { width: WIDTH, height: HEIGHT } });

@@ -1,0 +1,98 @@
+// Many logs on one map and in one table.
+import { figure, prepare } from "./canvas.js";
+import { colourOf } from "./colours.js";
+import { byId, headed, make, plain } from "./dom.js";
+import { drawGrid, trace } from "./map2d.js";
+import { outlineOf } from "./scene.js";
+import { rowsOf } from "./timeline.js";
+import { Window, extentOf } from "./window.js";
+
+const HUES = ["d02020", "2040c0", "20a040", "c08020", "20a0c0", "a02080", "808080"];
+const DASHES = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
+
+/** The line of the log with that index: no two of the first 28 are alike. */
+const lineOf = (i, theme) => ({ colour: colourOf(HUES[i % HUES.length], 0, theme), dash: DASHES[Math.floor(i / HUES.length) % DASHES.length] });
+
+const sum = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
+
+/** Figures of a run to compare: `nearest` m of all things that it drove past, `stops` times that a STOP began. */
+export function figuresOf({ result, path }) {
+  const way = Array.from({ length: Math.max(0, path.length / 4 - 1) }, (_, i) => Math.hypot(path[4 * i + 5] - path[4 * i + 1], path[4 * i + 6] - path[4 * i + 2]));
+  const spans = rowsOf(result, 0).flatMap((row) => row.spans).filter(({ level }) => level === "stop");
+  return {
+    length: way.reduce((a, b) => a + b, 0), nearest: result.passes?.length ? Math.min(...result.passes.map(({ distance }) => distance)) : null,
+    stops: spans.length, first: spans.length ? Math.min(...spans.map(({ from }) => from)) : null,
+    objects: result.objects.filter(({ state }) => state !== "tentative").length, errors: sum(result.log.rejected) + sum(result.log.refused),
+  };
+}
+
+const COLUMNS = [["driven, m", "length", 2], ["nearest pass, m", "nearest", 2], ["STOPs", "stops", 0], ["first STOP, s", "first", 2], ["objects", "objects", 0], ["errors", "errors", 0]];
+
+function key(line) {
+  const canvas = make("canvas", { className: "key wide", width: 56, height: 20, "aria-hidden": "true" });
+  const g = canvas.getContext("2d");
+  g.scale(2, 2);
+  g.strokeStyle = line.colour;
+  g.lineWidth = 2.5;
+  g.setLineDash(line.dash);
+  g.beginPath();
+  g.moveTo(0, 5);
+  g.lineTo(28, 5);
+  g.stroke();
+  return canvas;
+}
+
+const order = { column: null, up: true };
+
+/** `runs`: [{ name, look, truth, open }]. */
+export function compare(runs, { ink, theme }) {
+  const canvas = byId("all-map");
+  const { g, width, height } = prepare(canvas);
+  const window = new Window();
+  window.size(width, height);
+  window.fit(runs.flatMap(({ look, truth }) => extentOf({ ...look, truth })), 40);
+  g.fillStyle = ink.paper;
+  g.fillRect(0, 0, width, height);
+  drawGrid({ g, window, ink, bare: false });
+  g.strokeStyle = ink.soft;
+  g.lineWidth = 1;
+  for (const { ring } of runs[0].truth) {
+    g.beginPath();
+    trace(g, window, ring);
+    g.stroke();
+  }
+  runs.forEach(({ look }, i) => {
+    const { colour, dash } = lineOf(i, theme);
+    g.strokeStyle = colour;
+    g.lineWidth = 2.2;
+    g.setLineDash(dash);
+    g.beginPath();
+    for (let at = 0; at < look.path.length; at += 4) g[at ? "lineTo" : "moveTo"](...window.toPage([look.path[at + 1], look.path[at + 2]]));
+    g.stroke();
+    g.lineWidth = 1.2;
+    for (const object of look.result.objects) {
+      const ring = object.state === "tentative" ? null : outlineOf(object);
+      if (!ring) continue;
+      g.beginPath();
+      trace(g, window, ring);
+      g.stroke();
+    }
+    g.setLineDash([]);
+  });
+
+  const rows = runs.map((run, i) => ({ run, line: lineOf(i, theme), figures: figuresOf(run.look) }));
+  const value = ({ figures }) => figures[order.column] ?? Infinity;
+  if (order.column) rows.sort((a, b) => (order.up ? 1 : -1) * (value(a) - value(b)));
+  const table = byId("all-table");
+  table.replaceChildren(headed(["log"], ...COLUMNS.map(([text]) => [text, "n"])), make("tbody", {}, ...rows.map(({ run, line, figures }) => make("tr", {},
+    make("td", { className: "name" }, key(line), make("button", { type: "button", onclick: run.open, "aria-label": `Show ${plain(run.name)}` }, plain(run.name))),
+    ...COLUMNS.map(([, name, decimals]) => make("td", { className: "n" }, figure(figures[name], decimals)))))));
+  [...table.tHead.rows[0].cells].slice(1).forEach((cell, i) => {
+    const [text, name] = COLUMNS[i];
+    cell.setAttribute("aria-sort", order.column !== name ? "none" : order.up ? "ascending" : "descending");
+    cell.replaceChildren(make("button", { type: "button", onclick: () => {
+      Object.assign(order, { up: order.column === name ? !order.up : true, column: name });
+      compare(runs, { ink, theme });
+    } }, text));
+  });
+}
