@@ -212,11 +212,13 @@ await run({
   async "the worst alert stands above the map in words; a tour goes through the page and ends at the wheel"() {
     const toured = await browser.open();
     await toured.click("#tour");
+    await toured.waitForSelector("#tour-card:not([hidden])");
     const seen = new Set();
     for (let step = 1; step <= 5; ++step) {
       assert.equal(await text(toured, "#tour-step"), `${step} of 5`);
       seen.add(await text(toured, "#tour-text"));
       assert.equal(await toured.locator(".toured").count(), 1);
+      if (step === 4) await toured.waitForFunction(() => document.documentElement.dataset.shown === "6.00", null, POLLED);
       if (step === 4) assert.match(await text(toured, "#banner"), /^STOP: 1 red, 0\.\d\d m ahead/);
       if (step === 2) assert.deepEqual(await complaints(toured), []);
       await toured.click("#tour-next");
