@@ -15,26 +15,28 @@
 namespace fencepost::host::exports {
 namespace {
 
-/// RFC 4180.
-std::string cell(std::string_view text) {
-  const std::string plain = printable(text);
-  if (plain.find_first_of(",\"\r\n") == std::string::npos) return plain;
-  std::string quoted = "\"";
-  for (const char c : plain) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+/// Text for a cell of RFC 4180 that is JSON, too. AdvantageScope parts rows at each comma and parses values as JSON.
+std::string plain(std::string_view text) {
+  std::string plain = printable(text);
+  std::ranges::replace(plain, ',', ';');
+  std::ranges::replace(plain, '"', '\'');
+  std::ranges::replace(plain, '\\', '/');
+  return plain;
 }
 
 class Table {
  public:
-  void add(double t, std::string_view key, std::string_view value) {
-    text_ += fmt::format("{:.4f},{},{}\n", t, cell(key), cell(value));
-  }
-  void add(double t, std::string_view key, double value) { add(t, key, fmt::format("{:.4f}", value + 0.0)); }
-  void add(double t, std::string_view key, std::uint64_t value) { add(t, key, std::to_string(value)); }
+  void add(double t, std::string_view key, std::string_view text) { row(t, key, "\"" + plain(text) + "\""); }
+  void add(double t, std::string_view key, double value) { row(t, key, fmt::format("{:.4f}", value + 0.0)); }
+  void add(double t, std::string_view key, std::uint64_t value) { row(t, key, std::to_string(value)); }
 
   std::string take() { return std::move(text_); }
 
  private:
+  void row(double t, std::string_view key, const std::string& value) {
+    text_ += fmt::format("{:.4f},{},{}\n", t, plain(key), value);
+  }
+
   std::string text_ = "Timestamp,Key,Value\n";
 };
 

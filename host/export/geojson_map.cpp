@@ -47,7 +47,12 @@ class Projection {
   }
   [[nodiscard]] Json ring(const LinearRing& ring) const {
     Json points = Json::array();
-    for (const Point& p : ring) points.push_back((*this)(p));
+    for (const Point& p : ring) {
+      Json point = (*this)(p);
+      // Corners closer than a tenth of a millimetre, which strict readers refuse.
+      if (points.empty() || points.back() != point) points.push_back(std::move(point));
+    }
+    while (points.size() > 1 && points.back() == points.front()) points.erase(points.size() - 1);
     points.push_back(points.front());
     return points;
   }

@@ -278,6 +278,21 @@ class Export(unittest.TestCase):
         self.assertEqual([int(v) for v in values["camera/blobs"]], [int(f[3]) for f in FRAMES])
         self.assertEqual(values["alerts/level"], [a["level"] for a in RESULT["alerts"]])
         self.assertIn("objects/1 red/x", values)
+        for line in export("run.csv").read_text().splitlines()[1:]:  # as AdvantageScope reads them
+            _, key, value = line.split(",")
+            self.assertNotIn('"', key)
+            json.loads(value)
+
+    def test_geojson_has_no_vertex_twice(self):
+        """Corners closer than the last decimal are one."""
+        blocks = LOG.parent / "blocks_arc.log"
+        for log in (LOG, blocks):
+            document = json.loads(fencepost("export", log, "--format", "geojson", "-o", "-"))
+            polygons = [f["geometry"] for f in document["features"] if f["geometry"]["type"] == "Polygon"]
+            self.assertTrue(polygons)
+            for ring in (ring for polygon in polygons for ring in polygon["coordinates"]):
+                self.assertTrue(all(a != b for a, b in zip(ring, ring[1:])), ring)
+                self.assertEqual(ring[0], ring[-1])
 
     def test_it_comes_back(self):
         """Through either MCAP and our own import, which is also read by its own tests: the same boxes and poses."""
@@ -326,7 +341,7 @@ class Usage(unittest.TestCase):
         features = json.loads(fencepost("export", path, "--format", "geojson", "-o", "-"))["features"]
         self.assertEqual(features[0]["properties"]["name"], name)
         rows = list(csv.reader(io.StringIO(fencepost("export", path, "--format", "csv", "-o", "-").decode())))
-        self.assertTrue(all(len(row) == 3 for row in rows))
+        self.assertTrue(all(len(row) == 3 and row[1].count(",") == 0 for row in rows))
         self.assertNotIn("\x1b", "".join("".join(row) for row in rows))
         fencepost("export", path, "--format", "nav2", "-o", pathlib.Path(FOLDER.name) / "a'b\"c.yaml")
         self.assertEqual(yaml.safe_load((pathlib.Path(FOLDER.name) / "a'b\"c.yaml").read_text())["image"], "a'b\"c.pgm")
