@@ -5,6 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -15,6 +16,9 @@ namespace {
 
 constexpr std::string_view kTake = "\x1b[?1049h\x1b[?25l\x1b[2J";
 constexpr std::string_view kGiveBack = "\x1b[0m\x1b[?25h\x1b[?1049l";
+/// Wider than any screen; some terminals say 65535 columns and rows, whose cells would take 170 GB.
+constexpr unsigned short kMaxColumns = 1'000;
+constexpr unsigned short kMaxRows = 500;  ///< likewise
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 // Plain memory, because a signal handler may touch nothing else.
@@ -71,7 +75,7 @@ void TerminalScreen::give_back() {
 Size TerminalScreen::size() {
   winsize window{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0 || window.ws_row == 0) return {};
-  return {window.ws_col, window.ws_row};
+  return {std::min(window.ws_col, kMaxColumns), std::min(window.ws_row, kMaxRows)};
 }
 
 bool TerminalScreen::show(const Cells& cells, bool bell) {

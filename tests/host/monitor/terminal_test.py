@@ -157,6 +157,14 @@ class OnATerminal(unittest.TestCase):
         self.assertIn("STOP", shown)
         self.assertIn("A 1 red", shown)
 
+    def test_a_terminal_that_says_65535_gets_a_thousand_columns(self):
+        monitor = self.monitor(LOG, "--speed", "0", columns=65535, rows=65535)
+        monitor.until(lambda s: "STOP" in s.text, "drawn")
+        monitor.type("q")
+        self.assertEqual(monitor.wait(), 0)
+        self.assertIn("\x1b[500;1H", monitor.screen.text)
+        self.assertNotIn("\x1b[501;1H", monitor.screen.text)
+
     def test_a_resize_is_followed(self):
         monitor = self.at_the_end()
         for columns, rows in ((40, 12), (132, 50), (20, 4), (80, 24)):
