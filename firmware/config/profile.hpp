@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "firmware/recon/models/carving.hpp"
 #include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/recon/models/model_list.hpp"
 #include "hal/base/units.hpp"
@@ -35,6 +34,7 @@ struct Micro {
   static constexpr std::size_t kPoseBytes = 1024;  ///< of the pose correction, at most: each object may be a landmark
   using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
   using ComparisonModels = recon::NoModels;
+  using OutlineBatch = recon::NoBatch;
 };
 
 /// 64 KB (a Pico or STM32F405 has more: room for drivers and the student's own code).
@@ -57,10 +57,9 @@ struct Small {
   static constexpr int kHybridSteps = 8;
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 1664;
-  /// Nothing on a robot reads a carving, and it was a fifth of a Pico's frame: the desk computes it, of the same
-  /// sightings.
   using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
   using ComparisonModels = recon::NoModels;
+  using OutlineBatch = recon::NoBatch;
 };
 
 /// The desk and Linux brains.
@@ -83,9 +82,9 @@ struct Full {
   static constexpr int kHybridSteps = 0;  ///< all of them
   static constexpr bool kPredictsByOutline = true;
   static constexpr std::size_t kPoseBytes = 18'688;  ///< 32 landmarks; 8 need 1.6 KB
-  /// 75 views of a round object leave a polygon of at most 154 vertices.
-  using Models = recon::ModelList<recon::Cylinder, recon::Carving<128, 192, 64>, recon::Hybrid<kHybridSectors>>;
+  using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
   using ComparisonModels = recon::NoModels;
+  using OutlineBatch = recon::NoBatch;
 };
 
 }  // namespace fencepost::config

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "firmware/recon/localize/constellation.hpp"
 #include "host/merge/relocate.hpp"
+#include "host/relocation/constellation.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {

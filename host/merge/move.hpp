@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "firmware/recon/localize/constellation.hpp"
+#include "host/relocation/constellation.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {

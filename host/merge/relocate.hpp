@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/recon/localize/relocation.hpp"
 #include "hal/sensor/camera.hpp"
+#include "host/relocation/relocation.hpp"
 #include "host/result/result.hpp"
 
 namespace fencepost::host {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "firmware/recon/models/carve.hpp"
 #include "firmware/recon/models/clip.hpp"
 #include "host/geometry/rings.hpp"
+#include "host/models/carve.hpp"
 #include "tests/bench/contender.hpp"
 
 namespace fencepost::bench {

@@ -10,11 +10,11 @@
 
 namespace fencepost::recon {
 
-/// Half the side of the square in which every model of an object lives, around its first estimated centre. m.
-inline constexpr float kArenaHalfSide = 2.0F;
-
 /// Cuts shallower than this are not made (m): they would only breed slivers. The polygon stays on the safe side.
 inline constexpr float kShallowestCut = 1e-6F;
+
+/// Half the side of the square in which every model of an object lives, around its first estimated centre. m.
+inline constexpr float kArenaHalfSide = 2.0F;
 
 /// Of a polygon that clip_convex takes.
 inline constexpr std::size_t kMostVertices = 256;

@@ -14,17 +14,15 @@
 namespace fencepost::recon {
 
 /// What each model is, and all that the map asks of it. Local frame: map axes, origin at the object's first estimated
-/// place. A model takes a sighting in add() and answers nothing; readers know it by its type.
+/// place. A model takes a sighting in add() and answers nothing; readers know it by its type. A robot's model has
+/// kHashParts parts beside, of which hash() takes one a frame.
 template <class M>
-concept Model = requires(M model, const M& known, const ModelView& view, const Sighting& first, MapPoint origin,
-                         const Vec2& shift, base::Fnv1a64& hash, std::size_t part) {
+concept Model = requires(M model, const ModelView& view, const Sighting& first, MapPoint origin, const Vec2& shift) {
   { M::kName } -> std::convertible_to<std::string_view>;
-  { M::kHashParts } -> std::convertible_to<std::size_t>;  ///< of which a frame hashes one
-  model.start(first, origin);                             ///< a new object: forgets everything
+  model.start(first, origin);  ///< a new object: forgets everything
   model.add(view);
   model.move_origin(shift);  ///< the local origin is elsewhere by `shift` (m); the object has not moved
   model.shift(shift);        ///< the object stands elsewhere in the map by `shift` (m), and its origin with it
-  known.hash(hash, part);
 };
 
 template <class First, Model... Others>
@@ -74,5 +72,10 @@ class ModelList<Cylinder, Others...> {
 
 /// Of a robot's comparison models: it has none.
 using NoModels = ModelList<Cylinder>;
+
+/// A robot fits one outline after the other; a desk may fit kMost of them at once, to the same bits.
+struct NoBatch {
+  static constexpr std::size_t kMost = 0;
+};
 
 }  // namespace fencepost::recon

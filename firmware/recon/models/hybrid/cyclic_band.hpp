@@ -5,19 +5,17 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "firmware/recon/models/hybrid/lanes.hpp"
-
 namespace fencepost::recon {
 
-/// Unknowns around the circle.
+/// Unknowns around the circle, and the two that close it.
 inline constexpr std::size_t kRing = 64;
+inline constexpr std::size_t kLastButOne = kRing - 2;
+inline constexpr std::size_t kLast = kRing - 1;
 
 /// L D L' in place; the last two unknowns close the ring and are carried along as two dense columns. About 50 flops an
-/// unknown in all. Rows are eliminated one by one, so that the work can be cut anywhere. Number: float, or Lanes for as
-/// many systems at once.
-template <class Number>
-struct CyclicBandOf {
-  using Column = std::array<Number, kRing>;
+/// unknown in all. Rows are eliminated one by one, so that the work can be cut anywhere.
+struct CyclicBand {
+  using Column = std::array<float, kRing>;
 
   Column diagonal{};      ///< A(k, k)
   Column first{};         ///< A(k, k + 1), indices modulo kRing
@@ -27,29 +25,26 @@ struct CyclicBandOf {
   Column last{};          ///< scratch: column kRing - 1
 
   void clear() {
-    diagonal.fill(Number{});
-    first.fill(Number{});
-    second.fill(Number{});
-    rhs.fill(Number{});
+    diagonal.fill(0);
+    first.fill(0);
+    second.fill(0);
+    rhs.fill(0);
   }
 
   /// Before the first row.
   void begin_elimination();
-  /// Row k = 0 .. kRing - 1, in this order. False, for lanes 0: a pivot is lost to rounding, the system is
+  /// Row k = 0 .. kRing - 1, in this order. False: a pivot is lost to rounding, the system is
   /// ill-conditioned.
-  [[nodiscard]] Kept<Number> eliminate(std::size_t k);
+  [[nodiscard]] bool eliminate(std::size_t k);
   /// Row k = kRing - 1 .. 0, in this order: rhs[k] becomes the unknown.
   void substitute(std::size_t k);
 
  private:
   // Diagonals of the rows ahead before anything is taken from them.
-  Number original_{};
-  Number original_next_{};
-  Number original_last_but_one_{};
-  Number original_last_{};
+  float original_ = 0;
+  float original_next_ = 0;
+  float original_last_but_one_ = 0;
+  float original_last_ = 0;
 };
-
-using CyclicBand = CyclicBandOf<float>;
-extern template struct CyclicBandOf<float>;
 
 }  // namespace fencepost::recon

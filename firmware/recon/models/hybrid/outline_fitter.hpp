@@ -6,9 +6,7 @@
 #include <span>
 
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
-#include "firmware/recon/models/hybrid/outline_batch.hpp"
 #include "hal/base/fixed.hpp"
-#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 
@@ -48,15 +46,19 @@ class OutlineFitter {
   }
 
  private:
+  using Batch = typename Profile::OutlineBatch;
+
   template <class Objects>
   void fit_all(Objects& objects, int least_news) {
     for (auto& object : objects) {
       if (!is_due(object, least_news)) continue;
-      if (base::kLaneVectors && OutlineBatch::takes(object.hybrid())) continue;
+      if constexpr (Batch::kMost > 0) {
+        if (Batch::takes(object.hybrid())) continue;
+      }
       solver_.solve(object.hybrid(), object.cylinder.known_radius());
       object.note_outline();
     }
-    if constexpr (base::kLaneVectors) fit_together(objects, least_news);
+    if constexpr (Batch::kMost > 0) fit_together(objects, least_news);
   }
 
   // Of an outline that is known well a part of a view changes little.
@@ -69,8 +71,8 @@ class OutlineFitter {
   // Those with news that are left, a few at a time.
   template <class Objects>
   static void fit_together(Objects& objects, int least_news) {
-    OutlineBatch batch;
-    base::FixedVector<typename Objects::value_type*, kLanes> taken;
+    Batch batch;
+    base::FixedVector<typename Objects::value_type*, Batch::kMost> taken;
     const auto solve = [&] {
       batch.solve();
       for (auto* object : taken) object->note_outline();

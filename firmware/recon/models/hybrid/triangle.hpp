@@ -1,19 +1,37 @@
 // Cholesky's factor of a small symmetric matrix, of which the lower triangle is kept by rows: (0,0) (1,0) (1,1) ...
-// Number: float, or Lanes for as many matrices at once.
+// Number: float, or a vector of floats for as many matrices at once, of which each lane has the bits of a float.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
+#include <utility>
 
-#include "firmware/recon/models/hybrid/lanes.hpp"
 #include "firmware/recon/models/hybrid/tuning.hpp"
 
 namespace fencepost::recon {
 
+/// Whether a pivot is kept: bool; of vectors, by lane, -1 or 0.
+template <class Number>
+using Kept = decltype(std::declval<Number>() > std::declval<Number>());
+
+/// Square root, by lane.
+template <class Number>
+Number root(Number x) {
+  if constexpr (std::is_same_v<Number, float>) {
+    return std::sqrt(x);
+  } else {
+    for (std::size_t lane = 0; lane < sizeof x / sizeof(float); ++lane) x[lane] = std::sqrt(x[lane]);
+    return x;
+  }
+}
+
 /// Where row i begins.
 constexpr std::size_t row_of(std::size_t i) { return i * (i + 1) / 2; }
 
-/// Row i is replaced by that of the factor; those before it have been. False, for lanes 0: a pivot is lost to rounding.
+/// Row i is replaced by that of the factor; those before it have been. False, of a lane 0: a pivot is lost to rounding.
+/// Lanes always go on: one that is lost has no meaning.
 template <class Number>
 Kept<Number> factorise_triangle_row(std::span<Number> matrix, std::size_t i) {
   Number* row = &matrix[row_of(i)];
@@ -24,8 +42,10 @@ Kept<Number> factorise_triangle_row(std::span<Number> matrix, std::size_t i) {
     row[j] /= other[j];
     row[i] -= row[j] * row[j];
   }
-  const Kept<Number> kept = exceeds(row[i], kLeastPivot * diagonal);
-  if (all_lost(kept)) return kept;
+  const Kept<Number> kept = row[i] > kLeastPivot * diagonal;
+  if constexpr (std::is_same_v<Number, float>) {
+    if (!kept) return kept;
+  }
   row[i] = root(row[i]);
   return kept;
 }
