@@ -76,7 +76,7 @@ struct Full {
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;
-  static constexpr std::size_t kBudget = 320 * 1024;
+  static constexpr std::size_t kBudget = 96 * 1024;
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
   static constexpr int kHybridSteps = 0;  ///< all of them

@@ -158,7 +158,7 @@ Contender our_dense_carving(const Workload& workload, std::size_t cells) {
 }
 
 Contender our_model(const Workload& workload) {
-  return in_turn<Model>("clip and grid, placed anew (profile full)", Kind::kGrid, 128, workload,
+  return in_turn<Model>("clip and grid, placed anew", Kind::kGrid, 128, workload,
                         [](Model& model, const Sides& sides) {
                           for (const recon::HalfPlane* side : {&sides.left, &sides.right}) {
                             model.clip.cut(*side);

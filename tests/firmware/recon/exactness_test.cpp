@@ -8,7 +8,8 @@
 #include "firmware/recon/track/object.hpp"
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
-#include "host/replay/compared.hpp"
+#include "host/models/carving.hpp"
+#include "host/models/cylinder_paper.hpp"
 #include "tests/firmware/recon/exact_view.hpp"
 
 namespace fencepost::test {
@@ -36,10 +37,18 @@ std::vector<Shape> shapes() {
       {"round", placed(host::circle_ring({0, 0}, 0.07), 0)}};
 }
 
+/// A robot whose objects are carved, too.
+template <class Robot, std::size_t kCells = 128, std::size_t kVertices = 192, std::size_t kPending = 64>
+struct Carves : Robot {
+  using ComparisonModels =
+      recon::ModelList<recon::Cylinder, recon::CylinderPaper, recon::Carving<kCells, kVertices, kPending>>;
+};
+using Desk = Carves<config::Full>;
+using Coarse = Carves<config::Full, 64, 96, 16>;
+
 template <class Profile>
 struct Reconstruction {
-  std::unique_ptr<recon::Object<host::Compared<Profile>>> object =
-      std::make_unique<recon::Object<host::Compared<Profile>>>();
+  std::unique_ptr<recon::Object<Profile>> object = std::make_unique<recon::Object<Profile>>();
   std::vector<host::Wedge> wedges;
 
   void add(const ExactView& view) {
@@ -48,14 +57,7 @@ struct Reconstruction {
     object->model(view.sighting, {});
     wedges.push_back(view.wedge);
   }
-  /// The robot's own carving, or the desk's where it has none.
-  [[nodiscard]] const auto& carving() const {
-    if constexpr (host::kCarves<typename Profile::Models>) {
-      return object->models.template get<1>();
-    } else {
-      return object->comparison.template get<4>();
-    }
-  }
+  [[nodiscard]] const auto& carving() const { return object->comparison.template get<2>(); }
   [[nodiscard]] Point origin() const { return {object->origin.x * 1e-5, object->origin.y * 1e-5}; }
   [[nodiscard]] host::MultiPolygon clip() const {
     host::Polygon polygon;
@@ -83,7 +85,7 @@ TEST(Exactness, ClipEnclosesTheFootprintAndEqualsTheWedgeIntersection) {
   for (const Shape& shape : shapes()) {
     for (const int views : kViews) {
       SCOPED_TRACE(std::string(shape.name) + ", " + std::to_string(views) + " views");
-      const auto result = reconstruct<config::Full>(shape.ring, views);
+      const auto result = reconstruct<Desk>(shape.ring, views);
       ASSERT_TRUE(result.object->placed());
       const host::MultiPolygon truth{{shape.ring, {}}};
       const double lost = host::difference_area(truth, result.clip()) / host::area(truth);
@@ -97,13 +99,7 @@ TEST(Exactness, ClipEnclosesTheFootprintAndEqualsTheWedgeIntersection) {
   EXPECT_EQ(compared, 25);
 }
 
-// A robot with less memory may carve, too.
-struct Coarse : config::Full {
-  using Models = recon::ModelList<recon::Cylinder, recon::Carving<64, 96, 16>, recon::Hybrid<kHybridSectors>>;
-};
-
-// Its polygon has fewer vertices: it may be larger than the wedges, never smaller. Small robots have none, and the
-// desk's has enough.
+// A polygon with fewer vertices may be larger than the wedges, never smaller.
 template <class Profile>
 void expect_outer_approximation(double largest_gap) {
   for (const Shape& shape : shapes()) {
@@ -117,8 +113,8 @@ void expect_outer_approximation(double largest_gap) {
   }
 }
 TEST(Exactness, CoarseClipLosesNothing) { expect_outer_approximation<Coarse>(5e-4); }
-TEST(Exactness, SmallClipLosesNothing) { expect_outer_approximation<config::Small>(2e-3); }
-TEST(Exactness, MicroClipLosesNothing) { expect_outer_approximation<config::Micro>(2e-3); }
+TEST(Exactness, SmallClipLosesNothing) { expect_outer_approximation<Carves<config::Small>>(2e-3); }
+TEST(Exactness, MicroClipLosesNothing) { expect_outer_approximation<Carves<config::Micro>>(2e-3); }
 
 // A cell that the footprint touches is never carved.
 template <class Profile>
@@ -163,14 +159,14 @@ void expect_grid_keeps_footprint() {
     }
   }
 }
-TEST(Exactness, FullGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<config::Full>(); }
+TEST(Exactness, FullGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<Desk>(); }
 TEST(Exactness, CoarseGridNeverCarvesTheFootprint) { expect_grid_keeps_footprint<Coarse>(); }
 
 TEST(Exactness, CylinderIsRecoveredWithinAMillimetre) {
   for (const double radius : {0.03, 0.07, 0.2}) {
     for (const int views : kViews) {
       SCOPED_TRACE("radius " + std::to_string(radius) + ", " + std::to_string(views) + " views");
-      recon::Object<host::Compared<config::Full>> object;
+      recon::Object<Desk> object;
       bool first = true;
       for (const Point& lens : arc(kCenter, 1.2, views)) {
         const ExactView view = view_of_circle(kCenter, radius, lens);
@@ -194,8 +190,8 @@ TEST(Exactness, CylinderIsRecoveredWithinAMillimetre) {
 // 100 m from the origin nothing gets worse: models live in a local frame.
 TEST(Exactness, FarFromTheOriginIsAsExact) {
   const LinearRing ring = shapes()[0].ring;
-  Reconstruction<config::Full> near;
-  Reconstruction<config::Full> far;
+  Reconstruction<Desk> near;
+  Reconstruction<Desk> far;
   constexpr std::int32_t kFar = 100 * recon::kMapUnitsPerMetre;
   for (const Point& lens : arc(kCenter, 1.2, 18)) {
     ExactView view = view_of(ring, lens);
