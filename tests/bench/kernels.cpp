@@ -158,14 +158,13 @@ Contender our_dense_carving(const Workload& workload, std::size_t cells) {
 }
 
 Contender our_model(const Workload& workload) {
-  return in_turn<Model>("clip and grid, placed anew", Kind::kGrid, 128, workload,
-                        [](Model& model, const Sides& sides) {
-                          for (const recon::HalfPlane* side : {&sides.left, &sides.right}) {
-                            model.clip.cut(*side);
-                            model.grid.carve(*side);
-                          }
-                          model.grid.refine(model.clip.vertices());
-                        });
+  return in_turn<Model>("clip and grid, placed anew", Kind::kGrid, 128, workload, [](Model& model, const Sides& sides) {
+    for (const recon::HalfPlane* side : {&sides.left, &sides.right}) {
+      model.clip.cut(*side);
+      model.grid.carve(*side);
+    }
+    model.grid.refine(model.clip.vertices());
+  });
 }
 
 Contender limit(const Workload& workload, std::size_t cells) {

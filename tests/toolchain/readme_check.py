@@ -23,13 +23,14 @@ ARCHITECTURE = "host/share/doc/architecture.md"
 PAPER = "host/share/doc/paper_to_code.md"
 EQUATIONS = "firmware/recon/EQUATIONS.md"
 PAGES = ("README.md", INDEX, ARCHITECTURE, PAPER, EQUATIONS)
-ESTIMATORS = ("firmware/recon", "firmware/alert")  # whose equations they are
+DESK_MODELS = ("host/models", "host/relocation")  # of the same namespace: what no board links
+ESTIMATORS = ("firmware/recon", "firmware/alert", *DESK_MODELS)  # whose equations they are
 README_LINES, README_COLUMNS = 80, 120  # at most
 ROBUSTNESS = "tests/results/robustness.md"
 SAFETY = "host/share/doc/safety.md"
 ZONES, SETTINGS = "host/share/doc/zones.svg", "firmware/config/settings.hpp"
 PROMISE = "The absence of an alert does not mean that the way is free."
-NAMESPACES = {"recon": "firmware/recon"}
+NAMESPACES = {"recon": ("firmware/recon", *DESK_MODELS)}
 GTEST = re.compile(r"^(?:TYPED_|INSTANTIATE_TYPED_)?TEST(?:_F|_P|_SUITE_P)?\((\w+),\s*(\w+)", re.MULTILINE)
 CTEST = re.compile(r"add_test\(\s*NAME\s+([\w.]+)")
 
@@ -128,7 +129,7 @@ def faults_of_page(root, name, text):
         if not scoped or scoped.group(1) not in NAMESPACES:
             continue
         compared += 1
-        headers = (root / NAMESPACES[scoped.group(1)]).rglob("*.hpp")
+        headers = [path for folder in NAMESPACES[scoped.group(1)] for path in (root / folder).rglob("*.hpp")]
         if not any(re.search(rf"\b{scoped.group(2)}\b", h.read_text(encoding="utf-8")) for h in headers):
             faults.append(f"{name}:{number}: {word} is declared nowhere")
     return faults, compared
