@@ -7,10 +7,10 @@
 
 namespace fencepost::recon {
 
-/// Unknowns around the circle, and the two that close it.
+/// Unknowns around the circle.
 inline constexpr std::size_t kRing = 64;
-inline constexpr std::size_t kLastButOne = kRing - 2;
-inline constexpr std::size_t kLast = kRing - 1;
+inline constexpr std::size_t kLastButOne = kRing - 2;  ///< the first of the two unknowns that close the ring
+inline constexpr std::size_t kLast = kRing - 1;        ///< the second one
 
 /// L D L' in place; the last two unknowns close the ring and are carried along as two dense columns. About 50 flops an
 /// unknown in all. Rows are eliminated one by one, so that the work can be cut anywhere.

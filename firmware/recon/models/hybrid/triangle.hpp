@@ -1,4 +1,4 @@
-// Cholesky's factor of a small symmetric matrix, of which the lower triangle is kept by rows: (0,0) (1,0) (1,1) ...
+// Cholesky's factor of a small symmetric matrix, of which the lower triangle is kept by rows, (0,0) (1,0) (1,1) and on.
 // Number: float, or a vector of floats for as many matrices at once, of which each lane has the bits of a float.
 #pragma once
 
