@@ -127,7 +127,7 @@ class Core {
   bool may_drive(std::int64_t now);
 
   /// m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it
-  /// drives. 0 while anything says stop. Negative: not known, as when blind. For a robot that slows down before it stops.
+  /// drives. 0 while anything says stop. Negative: not known, as when blind. For a robot that slows before it stops.
   float speed_limit() const;
 
   /// Copies the objects of the map, at most `most`, and returns how many.
