@@ -182,8 +182,14 @@ class Export(unittest.TestCase):
         things = [f for f in features if f["properties"]["kind"] == "object"]
         self.assertEqual([f["properties"]["id"] for f in things], [o["id"] for o in RESULT["objects"] if o["models"]["cylinder"]["geometry"] or o["models"]["hybrid"]["geometry"]])
         for feature, thing in zip(things, RESULT["objects"]):
-            ring = feature["geometry"]["coordinates"][0][:-1]
-            self.same_places(ring, outline(thing))
+            ring = feature["geometry"]["coordinates"][0]
+            self.assertEqual(ring[0], ring[-1])
+            self.assertTrue(all(a != b for a, b in zip(ring, ring[1:])), ring)  # strict readers refuse a repeated corner
+            corners = outline(thing)
+            # One corner may stand for two that its last decimal does not tell apart.
+            nearest = [min(ring[:-1], key=lambda place: math.dist(place, corner)) for corner in corners]
+            self.same_places(nearest, corners)
+            self.assertEqual({tuple(place) for place in nearest}, {tuple(place) for place in ring})
         path = next(f for f in features if f["properties"]["kind"] == "path")["geometry"]
         self.assertEqual(path["type"], "LineString")
         alerts = [f for f in features if f["properties"]["kind"] == "alert"]
@@ -282,17 +288,6 @@ class Export(unittest.TestCase):
             _, key, value = line.split(",")
             self.assertNotIn('"', key)
             json.loads(value)
-
-    def test_geojson_has_no_vertex_twice(self):
-        """Corners closer than the last decimal are one."""
-        blocks = LOG.parent / "blocks_arc.log"
-        for log in (LOG, blocks):
-            document = json.loads(fencepost("export", log, "--format", "geojson", "-o", "-"))
-            polygons = [f["geometry"] for f in document["features"] if f["geometry"]["type"] == "Polygon"]
-            self.assertTrue(polygons)
-            for ring in (ring for polygon in polygons for ring in polygon["coordinates"]):
-                self.assertTrue(all(a != b for a, b in zip(ring, ring[1:])), ring)
-                self.assertEqual(ring[0], ring[-1])
 
     def test_it_comes_back(self):
         """Through either MCAP and our own import, which is also read by its own tests: the same boxes and poses."""
