@@ -340,7 +340,7 @@ await run({
     assert.deepEqual((await rows()).map(([name]) => name), logs.map((name) => `${name}.log`));
     for (const [name, driven, , stops, first, objects, errors] of await rows()) {
       const { path, alerts, objects: all } = JSON.parse(tools.result(tools.log(name.replace(/\.log$/, ""))));
-      const way = path.slice(1).reduce((sum, { x, y }, i) => sum + Math.hypot(x - path[i].x, y - path[i].y), 0);
+      const way = path.slice(1).reduce((sum, [, x, y], i) => sum + Math.hypot(x - path[i][1], y - path[i][2]), 0);
       assert.ok(Math.abs(Number(driven) - way) < 0.02, `${name}: ${driven} of ${way} m`);
       const levels = alerts.filter(({ level }, i) => level === "stop" && alerts.slice(0, i).findLast(({ id }) => id === alerts[i].id)?.level !== "stop");
       assert.equal(Number(stops), levels.length);
