@@ -23,7 +23,7 @@ struct TrainRequest {
   std::vector<std::string> boxes;
   std::string box_file;
   std::string save;
-  std::string output;
+  std::string output = "-";
 };
 
 /// A box and what is painted so.
