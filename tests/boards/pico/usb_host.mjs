@@ -54,7 +54,7 @@ export class UsbHost extends UsbWire {
   beAsked(value) {
     this.asked = null;
     this.update(kDataOut, value);
-    this.own(kDataOut, value);
+    if (this.asked !== null || !(value & kAvailable)) this.own(kDataOut, value); // else what waited has filled it
   }
 
   // A packet with the number of the one before is taken for that one again, and thrown away (USB 2.0 8.6).
