@@ -48,7 +48,7 @@ class ColourTable {
   std::array<std::uint8_t, kEntries> table_{};
 };
 
-/// Bytes that a row of so many pixels has.
+/// Bytes of a row that has `pixels` pixels.
 constexpr std::size_t row_bytes(bus::PixelLayout layout, std::size_t pixels) {
   return layout == bus::PixelLayout::kRgb ? 3 * pixels : (pixels + 1) / 2 * 4;
 }

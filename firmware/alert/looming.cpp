@@ -238,10 +238,10 @@ void count_moved(LoomingTrack& track, const Robot& robot) {
   const std::int32_t across = std::abs(std::int32_t{track.across});
   const std::int32_t share = track.speed > 0 ? kNearingShare : kMovedShare;
   const bool ahead = track.whole >= kWholeSightings && std::abs(std::int32_t{track.slope}) < kAheadSlope;
-  const bool surely_along = ahead && robot.straight && along > std::max(kLeastMoved, share * robot.speed >> 4) &&
+  const bool surely_along = ahead && robot.straight && along > std::max(kMinMoved, share * robot.speed >> 4) &&
                             4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance;
   const bool surely_across =
-      robot.stands && track.sightings >= kMovedSightings && across > kLeastMoved + (depth >> kMovedDepthShareLog2);
+      robot.stands && track.sightings >= kMovedSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
   if (!track.guessed && (surely_along || surely_across)) {
     // What crosses is soon gone.
     track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));

@@ -45,7 +45,7 @@ RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
 
 float Obstacle::bearing() const { return base::atan2_rad(toward.y(), toward.x()); }
 
-// What is straight ahead of a straight end touches when it is at the edge, the rest when it has come so near.
+// A thing straight ahead of a straight end touches at that edge; all others touch at the distance of the edge.
 float way_to(const RobotPath& path, const Obstacle& obstacle, float share) {
   const float edge = obstacle.toward.x() > 0 ? path.front : path.rear;
   const bool flat = edge > 0 && std::fabs(obstacle.toward.y()) <= path.half_width;

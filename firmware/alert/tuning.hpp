@@ -84,13 +84,13 @@ inline constexpr std::int32_t kMovedSigmas = 3;
 /// Minimum number of sightings before lateral speed is used.
 inline constexpr std::uint8_t kMovedSightings = 6;
 /// mm/s. Minimum axial or lateral speed.
-inline constexpr std::int32_t kLeastMoved = 70;
+inline constexpr std::int32_t kMinMoved = 70;
 /// Minimum axial speed of a track that recedes, in sixteenths of the robot's speed.
 inline constexpr std::int32_t kMovedShare = 10;
 /// The same of a track that approaches. Wrong rows make stationary things approach: a foot at half the height of the
 /// lens does so at the robot's own speed. Hazard table (bases, cameras).
 inline constexpr std::int32_t kNearingShare = 24;
-/// log2: lateral speed has to exceed kLeastMoved by depth / 2^this each second.
+/// log2: lateral speed has to exceed kMinMoved by depth / 2^this each second.
 inline constexpr int kMovedDepthShareLog2 = 3;
 /// 2^-14 rad/s. Maximum turn rate of a robot that drives straight or is stationary.
 inline constexpr std::int32_t kRobotStraight = 2500;

@@ -11,6 +11,7 @@
 #include "host/cli/live_devices.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/devices/video.hpp"
+#include "host/import/text_lines.hpp"
 #include "host/live/open_port.hpp"
 #include "host/video/colour_training.hpp"
 #include "host/video/jpeg.hpp"
@@ -62,12 +63,8 @@ std::vector<NamedBox> boxes_of(const TrainRequest& request) {
   for (const std::string& text : request.boxes) boxes.push_back(parse_box(text));
   if (request.box_file.empty()) return boxes;
   const std::string text = read_input(request.box_file);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string line = text.substr(at, end - at);
-    at = end + 1;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!line.empty() && line.front() != '#') boxes.push_back(parse_box(line));
+  for (const std::string_view line : lines_of(text)) {
+    if (!line.empty() && line.front() != '#') boxes.push_back(parse_box(std::string(line)));
   }
   return boxes;
 }

@@ -75,7 +75,7 @@ template <class Number, class Equations>
   const auto row_at = [&](std::size_t k) {
     return BandRow<Number>{diagonal[k], first[k], second[k], rhs[k], nothing, nothing};
   };
-  Kept<Number> kept = diagonal[0] > kLeastPivot * diagonal[0];
+  Kept<Number> kept = diagonal[0] > kMinPivot * diagonal[0];
   // The block that closes the ring.
   Number corner = diagonal[kLastButOne];
   Number side = first[kLastButOne];
@@ -93,7 +93,7 @@ template <class Number, class Equations>
     factors.last_but_one[k] = to_last_but_one;
     factors.last[k] = to_last;
     rhs[k] = row.rhs / row.diagonal;
-    kept &= row.diagonal > kLeastPivot * diagonal[k];
+    kept &= row.diagonal > kMinPivot * diagonal[k];
   };
 
   BandRow<Number> row = row_at(0);
@@ -131,11 +131,11 @@ template <class Number, class Equations>
   take_from_next(row, one, next);
   close(kTail, row, inverse);
   close(kTail + 1, next, 1.0F / next.diagonal);
-  kept &= corner > kLeastPivot * diagonal[kLastButOne];
+  kept &= corner > kMinPivot * diagonal[kLastButOne];
   const Number share = side / corner;
   end -= share * side;
   end_rhs -= share * corner_rhs;
-  kept &= end > kLeastPivot * diagonal[kLast];
+  kept &= end > kMinPivot * diagonal[kLast];
 
   const Number at_last = end_rhs / end;
   const Number at_last_but_one = corner_rhs / corner - share * at_last;

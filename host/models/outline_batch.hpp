@@ -18,7 +18,7 @@ namespace fencepost::recon {
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): each pass writes what it reads; clearing all takes as long
 class OutlineBatch {
  public:
-  static constexpr std::size_t kMost = kLanes;
+  static constexpr std::size_t kCapacity = kLanes;
   /// Of those with fewer views a fit is another one, and soon done.
   static bool takes(const HybridCore& hybrid) { return hybrid.views >= kViewsForPolygon; }
 

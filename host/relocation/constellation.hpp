@@ -91,9 +91,8 @@ bool better(const JoinQuality& a, const JoinQuality& b);
 
 }  // namespace constellation
 
-/// The search, a pair of seen objects a step, so that a robot can spread it over frames. No heap: 44 bytes and 2 a
-/// point. Cost of a step: with n known and m seen objects of one colour n (n - 1) comparisons of distances, and for
-/// each that fits some 6 n m of places.
+/// The search, a pair of seen objects a step. No heap: 44 bytes and 2 a point. Cost of a step: with n known and m seen
+/// objects of one colour n (n - 1) comparisons of distances, and for each that fits some 6 n m of places.
 template <std::size_t kPoints>
 class ConstellationSearch {
   static_assert(kPoints < constellation::kNone);

@@ -124,7 +124,7 @@ void Simulation::write_calibration() {
   if (scene_.odometry.of_car()) write_car();
 }
 
-// What the robot's settings would say of it.
+// The car's numbers, as settings of the robot.
 void Simulation::write_car() {
   const auto setting = [&](std::string_view key, double value, int decimals) {
     std::array<char, 32> text{};

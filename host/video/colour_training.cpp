@@ -16,7 +16,7 @@ constexpr int kLightFalls = 4;
 constexpr double kOutliers = 0.02;
 /// Cells of a histogram to a share of 1.
 constexpr int kCells = 128;
-/// A range grows by at most 0.06: bulbs for daylight, after the camera's white balance, move shares by about so much.
+/// A range grows by at most 0.06: bulbs for daylight, after the camera's white balance, move shares by about as much.
 constexpr int kMaxGrowth = 8;
 /// px around what is connected to a box that are of neither: blurred edges.
 constexpr int kEdge = 4;

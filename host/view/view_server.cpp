@@ -122,12 +122,12 @@ void ViewServer::welcome(Visitor::Time now) {
       if (errno == EMFILE || errno == ENFILE) std::this_thread::sleep_for(kLogInterval);
       return;
     }
-    if (visitors_.size() >= kMostVisitors + kMaxTurnedAway) continue;
+    if (visitors_.size() >= kMaxVisitors + kMaxTurnedAway) continue;
     const int on = 1;
     ::setsockopt(next.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     ::setsockopt(next.get(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
     const auto served = std::ranges::count_if(visitors_, [](const Visitor& visitor) { return visitor.served(); });
-    visitors_.emplace_back(std::move(next), page_, log_, now, static_cast<std::size_t>(served) < kMostVisitors);
+    visitors_.emplace_back(std::move(next), page_, log_, now, static_cast<std::size_t>(served) < kMaxVisitors);
   }
 }
 

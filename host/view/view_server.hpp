@@ -37,7 +37,7 @@ class ViewServer {
   /// "http://127.0.0.1:4321/".
   [[nodiscard]] std::string address() const;
 
-  static constexpr std::size_t kMostVisitors = 16;
+  static constexpr std::size_t kMaxVisitors = 16;
   /// Beyond them: their request is read, so that they get the answer that there are too many. Then none is heard.
   static constexpr std::size_t kMaxTurnedAway = 16;
 

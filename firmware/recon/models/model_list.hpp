@@ -73,9 +73,9 @@ class ModelList<Cylinder, Others...> {
 /// Of a robot's comparison models: it has none.
 using NoModels = ModelList<Cylinder>;
 
-/// A robot fits one outline after the other; a desk may fit kMost of them at once, to the same bits.
+/// A robot fits one outline after the other; a desk may fit kCapacity of them at once, to the same bits.
 struct NoBatch {
-  static constexpr std::size_t kMost = 0;
+  static constexpr std::size_t kCapacity = 0;
 };
 
 }  // namespace fencepost::recon

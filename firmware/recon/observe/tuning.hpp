@@ -30,8 +30,9 @@ inline constexpr int kSameRowPixels = 1;
 
 // --- time ---
 
-/// Frames wait for the odometry at their exposure for so long, and so many of them. Stream.
+/// Maximum time that a frame waits for the odometry at its exposure. Stream.
 inline constexpr base::Duration kMaxWait = base::milliseconds(200);
+/// Maximum number of frames that wait. Stream.
 inline constexpr std::size_t kMaxWaitingFrames = 4;
 /// Between two samples farther apart odometry is not interpolated. Stream.
 inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);

@@ -40,7 +40,7 @@ export class Driver {
   #driven = 0;
   #changed = false;
   #dragging = false;
-  #sound = null;  // the last scene without a fault
+  #faultless = null;  // the last scene without a fault
   #score = { at: 0, recklessness: null, paranoia: null };
 
   constructor(page, rooms) {
@@ -88,7 +88,7 @@ export class Driver {
   start(scene) {
     this.#halt();
     Object.assign(this, { last: null });
-    this.#scene = this.#sound = structuredClone(scene);
+    this.#scene = this.#faultless = structuredClone(scene);
     this.#chosen = null;
     this.#errors = { noise: null, lens: 0, tilt: null, slip: null };
     for (const [name, { of }] of Object.entries(SLIDERS)) {
@@ -183,11 +183,11 @@ export class Driver {
     try {
       this.#page.engine().drive(text);
       this.#engine.change(text);
-      this.#sound = this.#scene;
+      this.#faultless = this.#scene;
       this.#complain("");
     } catch (error) {
       this.#complain(error.message);
-      if (!this.#dragging) this.#scene = this.#sound;
+      if (!this.#dragging) this.#scene = this.#faultless;
     }
     this.#showTruth();
   }

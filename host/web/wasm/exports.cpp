@@ -1,5 +1,5 @@
-// What the page's script calls. One log or one drive at a time; texts and the path are read from memory where these
-// say.
+// The functions that the page's script calls. One log or one drive at a time; texts and the path are read from memory
+// where these say.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -175,7 +175,7 @@ TEST(Render, BorderEndsAreToldInTheTruth) {
   EXPECT_EQ(simulated.truth[0].blobs[0].right, BlobEnd::kEdge);
 }
 
-/// Processor time of ten images with so many boxes, all of them to the left of what the camera sees.
+/// Processor time of ten images with `boxes` boxes, all of them to the left of what the camera sees.
 double seconds_beside(int boxes) {
   Scene scene = empty_scene();
   for (int i = 0; i < boxes; ++i) scene.objects.push_back(box_object(1, 1.0, 5 + 0.02 * i, 1.01, 5.01 + 0.02 * i, 0.1));

@@ -237,7 +237,7 @@ TEST(ViewServer, HasPlacesForSoMany) {
   const auto server = server_of();
   server->add("line\n");
   std::vector<Browser> all;
-  for (std::size_t i = 0; i < ViewServer::kMostVisitors; ++i) {
+  for (std::size_t i = 0; i < ViewServer::kMaxVisitors; ++i) {
     all.emplace_back(*server);
     all.back().ask("/log");
     EXPECT_NE(all.back().read("line\n").find("line\n"), std::string::npos) << i;

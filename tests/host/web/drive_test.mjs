@@ -20,7 +20,7 @@ async function driving(options) {
   return page;
 }
 
-/** The keys held for so many seconds of the drive. */
+/** The keys held for `seconds` of the drive. */
 async function hold(page, seconds, ...keys) {
   for (const key of keys) await page.keyboard.down(key);
   await frames(page, Math.round(1000 * seconds / FRAME), FRAME);

@@ -23,16 +23,16 @@ void CyclicBand::begin_elimination() {
 }
 
 bool CyclicBand::eliminate(std::size_t k) {
-  if (k == kLast) return diagonal[kLast] > kLeastPivot * original_last_;
+  if (k == kLast) return diagonal[kLast] > kMinPivot * original_last_;
   if (k == kLastButOne) {
-    if (!(diagonal[kLastButOne] > kLeastPivot * original_last_but_one_)) return false;
+    if (!(diagonal[kLastButOne] > kMinPivot * original_last_but_one_)) return false;
     const float share = first[kLastButOne] / diagonal[kLastButOne];
     diagonal[kLast] -= share * first[kLastButOne];
     rhs[kLast] -= share * rhs[kLastButOne];
     first[kLastButOne] = share;
     return true;
   }
-  if (!(diagonal[k] > kLeastPivot * original_)) return false;
+  if (!(diagonal[k] > kMinPivot * original_)) return false;
   original_ = original_next_;
   original_next_ = k + 2 < kRing ? diagonal[k + 2] : 0;
   const float inverse = 1.0F / diagonal[k];

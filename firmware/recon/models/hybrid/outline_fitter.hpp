@@ -52,13 +52,13 @@ class OutlineFitter {
   void fit_all(Objects& objects, int least_news) {
     for (auto& object : objects) {
       if (!is_due(object, least_news)) continue;
-      if constexpr (Batch::kMost > 0) {
+      if constexpr (Batch::kCapacity > 0) {
         if (Batch::takes(object.hybrid())) continue;
       }
       solver_.solve(object.hybrid(), object.cylinder.known_radius());
       object.note_outline();
     }
-    if constexpr (Batch::kMost > 0) fit_together(objects, least_news);
+    if constexpr (Batch::kCapacity > 0) fit_together(objects, least_news);
   }
 
   // Of an outline that is known well a part of a view changes little.
@@ -72,7 +72,7 @@ class OutlineFitter {
   template <class Objects>
   static void fit_together(Objects& objects, int least_news) {
     Batch batch;
-    base::FixedVector<typename Objects::value_type*, Batch::kMost> taken;
+    base::FixedVector<typename Objects::value_type*, Batch::kCapacity> taken;
     const auto solve = [&] {
       batch.solve();
       for (auto* object : taken) object->note_outline();

@@ -42,7 +42,7 @@ Kept<Number> factorise_triangle_row(std::span<Number> matrix, std::size_t i) {
     row[j] /= other[j];
     row[i] -= row[j] * row[j];
   }
-  const Kept<Number> kept = row[i] > kLeastPivot * diagonal;
+  const Kept<Number> kept = row[i] > kMinPivot * diagonal;
   if constexpr (std::is_same_v<Number, float>) {
     if (!kept) return kept;
   }

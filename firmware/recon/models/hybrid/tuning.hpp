@@ -65,7 +65,7 @@ inline constexpr float kMostViews = 30.0F;
 // --- solvers (cyclic_band, low_order_fit) ---
 
 /// share of its own diagonal below which a pivot is rounding: float has 24 bits. By design.
-inline constexpr float kLeastPivot = 2e-6F;
+inline constexpr float kMinPivot = 2e-6F;
 
 // --- the series of low order (low_order_fit) ---
 
@@ -109,7 +109,7 @@ inline constexpr float kHold = 0.15F;
 
 // --- how a fit narrows down (hybrid_solver, inlier) ---
 
-/// Sigmas count so many times in each pass. Prototype.
+/// Factor on the sigmas in each pass. Prototype.
 inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
 inline constexpr std::array<float, 6> kSupportPasses = {4, 2, 1.4F, 1, 1, 1};
 /// pass of the support fit from which sides are weighed. Prototype.
