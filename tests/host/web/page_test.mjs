@@ -233,7 +233,7 @@ await run({
     const heard = await browser.open({ reducedMotion: "no-preference", before: { run: () => {
       window.beeps = [];
       window.AudioContext = class { currentTime = 0; destination = null; close() {} };
-      window.OscillatorNode = class { constructor(_, { frequency }) { window.beeps.push(frequency); } connect() { return this; } start() {} stop() {} };
+      window.OscillatorNode = class { constructor(_, { frequency }) { window.beeps.push([document.querySelector("#banner").className.split(" ")[1], frequency]); } connect() { return this; } start() {} stop() {} };
       window.GainNode = class { gain = { setTargetAtTime() {} }; connect() { return this; } };
     } } });
     await goTo(heard, 5.5);
@@ -241,8 +241,10 @@ await run({
     await heard.waitForFunction(() => Number(document.documentElement.dataset.shown) > 5.7, null, POLLED);
     assert.deepEqual(await heard.evaluate(() => window.beeps), []);
     await heard.click("#sound");
-    await heard.waitForFunction(() => window.beeps.length === 1, null, POLLED);
-    assert.deepEqual(await heard.evaluate(() => window.beeps), [880], "a STOP");
+    await heard.waitForFunction(() => window.beeps.length > 0, null, POLLED);
+    const hertz = { notice: 440, warn: 660, stop: 880, blind: 330 };
+    // Which alert is in force when the sound comes on depends on how fast the machine plays.
+    for (const [level, frequency] of await heard.evaluate(() => window.beeps)) assert.equal(frequency, hertz[level], level);
     await heard.context().close();
   },
 
