@@ -59,7 +59,7 @@ export class Browser {
     });
     page.on("pageerror", (error) => this.errors.push(String(error)));
     page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
-    if (before) await page.addInitScript(before.run, before.with);
+    for (const one of [before ?? []].flat()) await page.addInitScript(one.run, one.with);
     await page.goto(`file://${file}`);
     await page.waitForFunction(() => document.documentElement.dataset.ready, null, POLLED);
     return page;
