@@ -168,6 +168,7 @@ ReplayOutcome replay_for_map(const LogSource& source, const ExportRequest& reque
 
 /// `bytes` gets the log where the format has it inside: a run with its history is in memory as a whole.
 exports::Run read_run(const ExportRequest& request, const Format& format, const std::string& name, std::string& bytes) {
+  if (format.history) expect_whole_log(request.log);
   ReplayOptions options = request.options;
   exports::History history(request.interval, format.name != "csv");
   if (format.history) options.observer = &history;
@@ -178,7 +179,7 @@ exports::Run read_run(const ExportRequest& request, const Format& format, const 
     const std::string_view part = progress.next();
     inputs.take(part);
     if (format.history) bytes += part;
-    if (bytes.size() > kMostWhole) refuse_long_log(request.log);
+    if (bytes.size() > kMaxWhole) refuse_long_log(request.log);
     return part;
   };
   ReplayOutcome outcome =

@@ -215,7 +215,7 @@ std::string own_log(const MonitorRequest& request) {
   LogInput input(request.what);
   ReplayProgress progress(input);
   const auto next = [&] {
-    if (log.size() > kMostWhole) refuse_long_log(request.what);
+    if (log.size() > kMaxWhole) refuse_long_log(request.what);
     return progress.next();
   };
   const ReplayOutcome outcome = replay(next, input_name(request.what), options);

@@ -32,6 +32,7 @@ struct ReportRequest {
 struct Report {
   std::string html;
   std::vector<std::string> notes;
+  Exit exit = Exit::kDone;
 };
 
 /// "logs/run.log" is "run": the report goes into the current folder.
@@ -75,7 +76,8 @@ Report still_report(const ReportRequest& request) {
   return report;
 }
 
-// The page shows one that cannot be replayed with its reason, beside others that can.
+// The page shows one that cannot be replayed with its reason, beside others that can. One that cannot be read is left
+// out of it.
 Report page_report(const ReportRequest& request) {
   ReportInputs inputs{request.logs, {}, request.options, request.whole};
   inputs.scenes.resize(request.logs.size());
@@ -84,11 +86,19 @@ Report page_report(const ReportRequest& request) {
     parsed_scene(*inputs.scenes[i], request.scenes[i]);
   }
   std::vector<ReportedLog> logs = read_report_logs(inputs, empty_page_size());
-  const auto unreadable = [](const ReportedLog& log) { return log.outcome.unreadable.has_value(); };
-  if (std::ranges::all_of(logs, unreadable)) throw Failure(Exit::kUnreadable, logs.front().outcome.unreadable->message);
+  const auto unreadable = [](const ReportedLog& log) { return log.failure || log.outcome.unreadable; };
+  if (std::ranges::all_of(logs, unreadable)) {
+    if (logs.front().failure) throw *logs.front().failure;
+    throw Failure(Exit::kUnreadable, logs.front().outcome.unreadable->message);
+  }
   Report report;
   std::vector<GivenLog> given;
   for (ReportedLog& log : logs) {
+    if (log.failure) {
+      report.notes.push_back(std::string("left out: ") + log.failure->what());
+      report.exit = log.failure->code();
+      continue;
+    }
     const std::string name = logs.size() > 1 ? log.given.name : "";
     if (log.outcome.unreadable) report.notes.push_back(log.outcome.unreadable->message);
     if (!log.thinned.empty()) {
@@ -131,7 +141,7 @@ Exit run(ReportRequest request) {
     say(fmt::format("it has {:.1f} MB, more than {}: give fewer logs, or a smaller scene",
                     static_cast<double>(report.html.size()) / 1e6, kMostReport / 1'000'000));
   }
-  return Exit::kDone;
+  return report.exit;
 }
 
 Action configure_report(Options command) {

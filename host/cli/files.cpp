@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -136,10 +137,20 @@ void remember_input(int descriptor) {
   inputs().files.push_back(about);
 }
 
-std::string read_input(const std::string& path) {
+std::string read_input(const std::string& path, std::size_t most) {
   LogInput input(path);
   std::string bytes;
-  for (std::string_view part = input.next(); !part.empty(); part = input.next()) bytes += part;
+  const auto check = [&](std::uint64_t size, std::size_t limit) {
+    if (size <= limit) return;
+    throw Failure(Exit::kUnreadable, input_name(path) + " has more than " + std::to_string(limit / 1'000'000) + " MB" +
+                                         (input.packed() ? " when it is unpacked" : "") +
+                                         "; leave out what is not needed");
+  };
+  check(input.size().value_or(0), most);
+  for (std::string_view part = input.next(); !part.empty(); part = input.next()) {
+    bytes += part;
+    check(bytes.size(), input.packed() ? kMaxWhole : most);
+  }
   return bytes;
 }
 

@@ -25,7 +25,7 @@ int guarded(const std::function<int()>& command) {
   } catch (const Failure& failure) {
     return fail(failure.code(), failure.what());
   } catch (const std::bad_alloc&) {
-    return fail(Exit::kUnreadable, "out of memory; try --from and --to on a part of the input");
+    return fail(Exit::kUnreadable, "out of memory; free some, or give it a part of the input");
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(Exit::kUnreadable,
                 "cannot read " + error.path1().string() + ": " + error.code().message() + "; check the path");

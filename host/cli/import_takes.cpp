@@ -16,6 +16,9 @@
 namespace fencepost::host::cli {
 namespace {
 
+/// Bytes of a recording of others that is no table: an hour of a busy CAN bus has 300 MB.
+constexpr std::size_t kMaxRecording = 1'000'000'000;
+
 struct TakeRequest {
   std::string source;
   std::string camera;
@@ -57,7 +60,7 @@ Exit import_can(const TakeRequest& request) {
   }
   try {
     return finish_import(
-        import_candump(read_input(request.source), input_name(request.source), *robot.can,
+        import_candump(read_input(request.source, kMaxRecording), input_name(request.source), *robot.can,
                        take_csv(read_input(request.blobs), input_name(request.blobs)), settings_of(request)),
         request.output);
   } catch (const ImportError& error) {
@@ -81,11 +84,11 @@ void add_poses(Options command, TakeRequest& request) {
 
 template <class Import>
 Action with(Options command, const std::shared_ptr<TakeRequest>& request, const char* source, const char* about,
-            Import import) {
+            Import import, std::size_t most = kMaxWhole) {
   add_common(command, *request, source, about);
   add_poses(command, *request);
-  return [request, import] {
-    return finish_import(import(read_input(request->source), input_name(request->source), settings_of(*request)),
+  return [request, import, most] {
+    return finish_import(import(read_input(request->source, most), input_name(request->source), settings_of(*request)),
                          request->output);
   };
 }
@@ -113,10 +116,12 @@ Action configure_mcap(Options command) {
   const auto request = std::make_shared<TakeRequest>();
   command.value("--detections", request->topics.detections, "the topic; default: the first of its kind").takes("TOPIC");
   command.value("--odometry", request->topics.odometry, "likewise").takes("TOPIC");
-  return with(command, request, "MCAP", "Detection2DArray and Odometry, as CDR or JSON",
-              [request](const auto& bytes, const auto& file, const auto& settings) {
-                return import_mcap(bytes, file, request->topics, settings);
-              });
+  return with(
+      command, request, "MCAP", "Detection2DArray and Odometry, as CDR or JSON",
+      [request](const auto& bytes, const auto& file, const auto& settings) {
+        return import_mcap(bytes, file, request->topics, settings);
+      },
+      kMaxRecording);
 }
 
 Action configure_candump(Options command) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -57,6 +58,16 @@ std::string_view LogInput::read() {
 }
 
 std::string_view LogInput::next() {
+  const bool first = position_ == 0;
+  const std::string_view bytes = unpacked();
+  const bool utf16 = first && (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"));
+  if (!utf16) return bytes;
+  throw Failure(Exit::kUnreadable, "cannot read " + input_name(path_) +
+                                       ": it is UTF-16, as PowerShell's > writes text; 'iconv -f UTF-16 -t UTF-8' "
+                                       "makes text of it that can be read");
+}
+
+std::string_view LogInput::unpacked() {
   if (!begun_) {
     const std::string_view first = read();
     begun_ = true;
@@ -85,7 +96,7 @@ std::string how_to_make_a_part(const std::string& path) {
 }
 
 void refuse_long_log(const std::string& path) {
-  throw Failure(Exit::kUnreadable, input_name(path) + " has more than " + std::to_string(kMostWhole / 1'000'000) +
+  throw Failure(Exit::kUnreadable, input_name(path) + " has more than " + std::to_string(kMaxWhole / 1'000'000) +
                                        " MB, too much to look at all of it at once; " + how_to_make_a_part(path));
 }
 
@@ -106,9 +117,22 @@ std::string read_log(const std::string& path) {
       }
       part.remove_prefix(std::min(end + 1, part.size()));
     }
-    if (log.size() > kMostWhole) refuse_long_log(path);
+    if (log.size() > kMaxWhole) refuse_long_log(path);
   }
   return log;
+}
+
+void expect_whole_log(const std::string& path) {
+  std::error_code none;
+  if (path == "-" || !std::filesystem::is_regular_file(path, none)) return;
+  LogInput input(path);
+  std::size_t size = 0;
+  while (size <= kMaxWhole) {
+    const std::string_view part = input.next();
+    if (part.empty()) return;
+    size += part.size();
+  }
+  refuse_long_log(path);
 }
 
 std::string read_log_or_scene(const std::string& path) {
@@ -116,7 +140,7 @@ std::string read_log_or_scene(const std::string& path) {
   std::string all;
   for (std::string_view part = input.next(); !part.empty(); part = input.next()) {
     all += part;
-    if (all.size() > kMostWhole) refuse_long_log(path);
+    if (all.size() > kMaxWhole) refuse_long_log(path);
   }
   return all;
 }

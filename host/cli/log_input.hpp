@@ -20,16 +20,19 @@ class LogInput {
   ~LogInput();
 
   /// The bytes that follow, which hold until the next call; none at the end. errors: Failure (kUnreadable): a folder,
-  /// read error, damaged packing
+  /// read error, damaged packing, UTF-16
   std::string_view next();
 
   /// Of the file as it lies there; nothing of a pipe or a terminal.
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
+  /// Whether gzip packed it; known after the first `next`.
+  [[nodiscard]] bool packed() const { return gunzip_ != nullptr; }
   /// So much of it was read.
   [[nodiscard]] std::uint64_t position() const { return position_; }
 
  private:
   std::string_view read();
+  std::string_view unpacked();
 
   std::string path_;
   int file_ = -1;
@@ -40,13 +43,14 @@ class LogInput {
   std::unique_ptr<Gunzip> gunzip_;
 };
 
-/// A log as commands have it that look at all of it at once: at most kMostWhole, and of a line that is longer than any
-/// record its beginning alone, which is counted as the whole would be. errors: Failure (kUnreadable): as LogInput, and
+/// A log for commands that look at all of it at once, at most kMaxWhole. Of a line that is longer than any record the
+/// beginning alone, which is counted as the whole would be. errors: Failure (kUnreadable): as LogInput, and
 /// one that is longer
-inline constexpr std::size_t kMostWhole = 64'000'000;
 std::string read_log(const std::string& path);
 /// The same for what may be a scene: no line is cut.
 std::string read_log_or_scene(const std::string& path);
+/// Before work begins on a log that is read as a whole. Of a pipe nothing is known. errors: as read_log
+void expect_whole_log(const std::string& path);
 [[noreturn]] void refuse_long_log(const std::string& path);
 /// The end of a sentence about a log that is too long.
 std::string how_to_make_a_part(const std::string& path);

@@ -82,6 +82,40 @@ CommandWords words_of(const CLI::App& app, std::vector<std::string> path) {
   return words;
 }
 
+/// The library's check with words of ours. Its own spell out the largest double, and its name stays in the help.
+CLI::Validator reworded(CLI::Validator check, const std::string& words) {
+  const auto judge = check;
+  check.operation([judge, words](std::string& text) {
+    const bool good = judge(text).empty();
+    return good ? std::string() : fmt::format("it takes {}, not {}", words, text);
+  });
+  return check;
+}
+
+/// "--seconds: given twice", "b.log: one word too many"; nothing of any other error.
+std::optional<std::string> plain_words(const CLI::ParseError& error, const CLI::App& command) {
+  const std::string said = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && said.find("At Most 1") != std::string::npos) {
+    return said.substr(0, said.find(':')) + ": given twice";
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || command.remaining().empty()) return std::nullopt;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_name() != "LOG") continue;
+    return command.remaining().front() + ": it takes one LOG; report, merge and evaluate take several";
+  }
+  return command.remaining().front() + ": nothing here takes this word";
+}
+
+/// A shell variable that is not set, mostly.
+void refuse_what_is_empty(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_min() == 0) continue;  // "--view" alone
+    if (std::ranges::find(option->results(), std::string()) == option->results().end()) continue;
+    throw Failure(Exit::kUsage, fmt::format("{}: its value is empty; give one, or leave it out; see {} --help",
+                                            option->get_name(), name_of(&command)));
+  }
+}
+
 /// By what help calls its value, such as "T" or "DEG".
 bool takes_numbers(const CLI::Option& option) {
   constexpr std::array kNames = {"A B", "D",       "DEG", "DEGREES", "F", "HZ", "M", "MM,MRAD",
@@ -140,7 +174,8 @@ Option& Option::required() {
   return *this;
 }
 Option& Option::one_of(std::vector<std::string> words) {
-  option_->check(CLI::IsMember(std::move(words)));
+  const std::string listed = fmt::format("{}", fmt::join(words, ", "));
+  option_->check(reworded(CLI::IsMember(std::move(words)), listed));
   return *this;
 }
 /// With a message that fits on a line: the library's own spells out the largest double.
@@ -155,15 +190,15 @@ Option& Option::positive() {
   return *this;
 }
 Option& Option::not_negative() {
-  option_->check(CLI::NonNegativeNumber);
+  option_->check(reworded(CLI::NonNegativeNumber, "0 or more"));
   return *this;
 }
 Option& Option::within(int least, int most) {
-  option_->check(CLI::Range(least, most));
+  option_->check(reworded(CLI::Range(least, most), fmt::format("{} to {}", least, most)));
   return *this;
 }
 Option& Option::within(double least, double most) {
-  option_->check(CLI::Range(least, most));
+  option_->check(reworded(CLI::Range(least, most), fmt::format("{:g} to {:g}", least, most)));
   return *this;
 }
 Option& Option::count(int least, int most) {
@@ -246,9 +281,11 @@ Action Parser::parse(int argc, const char* const* argv) {
     return show(wrapped(command.help(name_of(command.get_parent())), columns_of_stdout()));
   } catch (const CLI::ParseError& error) {
     const CLI::App& command = parsed(*app_);
-    throw Failure(Exit::kUsage,
-                  unknown_option(command).value_or(fmt::format("{}; see {} --help", error.what(), name_of(&command))));
+    if (const auto words = unknown_option(command)) throw Failure(Exit::kUsage, *words);
+    const std::string words = plain_words(error, command).value_or(error.what());
+    throw Failure(Exit::kUsage, fmt::format("{}; see {} --help", words, name_of(&command)));
   }
+  refuse_what_is_empty(parsed(*app_));
   refuse_what_is_no_number(parsed(*app_));
   return action_;
 }

@@ -115,7 +115,11 @@ std::vector<ReportedLog> read_report_logs(const ReportInputs& inputs, std::size_
   std::size_t left = logs.size();
   for (const std::size_t i : by_size(inputs.logs)) {
     const std::size_t room = std::max(kMostReport - std::min(used, kMostReport), left * kLeastRoom) / left;
-    read_report_log(inputs, inputs.logs[i], room, logs[i]);
+    try {
+      read_report_log(inputs, inputs.logs[i], room, logs[i]);
+    } catch (const Failure& failure) {
+      logs[i].failure = failure;
+    }
     used += base64_of(logs[i].given.log.size());
     --left;
   }

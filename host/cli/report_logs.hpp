@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/cli/exit_code.hpp"
 #include "host/replay/replay.hpp"
 #include "host/web/page.hpp"
 
@@ -24,11 +25,12 @@ struct ReportInputs {
 struct ReportedLog {
   GivenLog given;
   ReplayOutcome outcome;
-  std::string thinned;  ///< how much of it is in there; empty: all
+  std::string thinned;             ///< how much of it is in there; empty: all
+  std::optional<Failure> failure;  ///< why nothing of it could be read
 };
 
 /// In the order given. Short logs are whole; what they leave of the room is the others'. Memory does not grow with a
-/// log. errors: Failure (kUnreadable): cannot be read; with `whole`, longer than a browser can take
+/// log. One that cannot be read, or with `whole` is longer than a browser can take, has its failure.
 std::vector<ReportedLog> read_report_logs(const ReportInputs& inputs, std::size_t page_size);
 
 /// "logs/run.log" is "run.log".

@@ -30,6 +30,7 @@ LogReplay::LogReplay(const ReplayOptions& options)
       path_(options.most_poses) {}
 
 std::optional<record::LineOutcome> LogReplay::take(std::string_view& bytes) {
+  if (reader_.line_number() == 0) returns_ += std::ranges::count(bytes.substr(0, bytes.find('\n')), '\r');
   if (!options_.check) return reader_.take(bytes, *this);
   for (std::size_t i = 0; i < bytes.size() && started_ < start_.size() && bytes[i] != '\n'; ++i) {
     start_[started_++] = bytes[i];
@@ -247,6 +248,9 @@ std::optional<Unreadable> LogReplay::why_unreadable(const std::string& name) con
   }
   if (used_ > 0) return std::nullopt;
   if (reader_.line_number() == 0) return Unreadable{name + ": empty; record a run in console mode log and try again"};
+  if (log.records == 0 && reader_.line_number() == 1 && returns_ > 1) {
+    return Unreadable{name + ": its lines end with CR alone; make them end with LF: tr '\\r' '\\n'"};
+  }
   if (log.records == 0) {
     return Unreadable{name + ": no record in " + std::to_string(reader_.line_number()) +
                       " lines; a log has lines such as $FPODO,... and $FPFRM,... (console mode log)"};

@@ -99,6 +99,7 @@ class LogReplay {
   Check check_;
   std::array<char, Check::kStart> start_{};  ///< of the line that is read, for the check
   std::size_t started_ = 0;
+  std::ptrdiff_t returns_ = 0;  ///< CRs in the first line
   Complaints complaints_;
   std::unique_ptr<Runner> runner_;
   std::string profile_;

@@ -66,15 +66,28 @@ Exit run_merge(const MergeRequest& request) {
   std::vector<RunMap> runs;
   std::vector<std::string> bytes;  // the runs point into them
   std::uint64_t all = 0;
-  for (const std::string& log : request.logs) all += bytes.emplace_back(read_log(log)).size();
+  std::optional<Failure> failure;  // the first
+  const auto or_left_out = [&](const auto& work) {
+    try {
+      work();
+    } catch (const Failure& failed) {
+      if (request.logs.size() > 1) say(std::string("left out: ") + failed.what());
+      if (!failure) failure = failed;
+    }
+  };
+  for (const std::string& log : request.logs) {
+    bytes.emplace_back();
+    or_left_out([&] { all += (bytes.back() = read_log(log)).size(); });
+  }
   std::optional<Progress> progress("merging");
   std::uint64_t done = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    add_runs(request.logs[i], bytes[i], request, options, runs);
+    if (!bytes[i].empty()) or_left_out([&] { add_runs(request.logs[i], bytes[i], request, options, runs); });
     done += bytes[i].size();
     progress->at(static_cast<double>(done), static_cast<double>(all),
                  fmt::format("{} of {} logs", i + 1, bytes.size()));
   }
+  if (runs.empty() && failure) throw Failure(*failure);
   const MergedMap merged = merge(runs);
   progress.reset();
   const bool colour = is_standard_output(request.output) && colour_on_stdout();
@@ -86,6 +99,7 @@ Exit run_merge(const MergeRequest& request) {
     say(join.log + " is not in the map: " + reason(join));
     exit = Exit::kCheckFailed;
   }
+  if (failure) exit = failure->code();
   return exit;
 }
 

@@ -181,6 +181,27 @@ TEST(Report, PutsSeveralLogsSideBySide) {
   EXPECT_EQ(shell(folder, "fencepost report - b.log --scene - </dev/null").exit_code, 2);
 }
 
+// As `evaluate` does it: one log that cannot be read takes nothing from the others.
+TEST(Report, LeavesOutALogThatCannotBeReadAndSaysSo) {
+  const Folder folder;
+  const Outcome run = shell(folder, "cp " + kLog +
+                                        " a.log; gzip -c a.log | head -c 2000 > cut.gz; "
+                                        "fencepost report cut.gz a.log nofile.log . -o r.html");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(holds(run.err, "wrote r.html"));
+  for (const char* left_out :
+       {"left out: cannot read cut.gz", "left out: cannot read nofile.log", "left out: cannot read .:"}) {
+    EXPECT_TRUE(holds(run.err, left_out));
+  }
+  const std::string page = slurp(folder.path() / "r.html");
+  EXPECT_TRUE(holds(page, R"({"name":"a.log")"));
+  EXPECT_FALSE(holds(page, "nofile.log"));
+  const Outcome none = shell(folder, "fencepost report nofile.log cut.gz -o none.html");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_TRUE(holds(none.err, "fencepost: cannot read nofile.log: "));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "none.html"));
+}
+
 TEST(Report, StaticHasNoScriptAndMeasuresTheModels) {
   const Folder folder;
   const Outcome run = shell(folder, "cp " + kLog + " run.log; fencepost report run.log --static --scene " + kScene);

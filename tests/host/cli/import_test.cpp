@@ -76,5 +76,30 @@ TEST(PackedInput, IsReadEverywhereAndRefusedWhereItIsDamaged) {
   EXPECT_NE(cut.err.find("damaged or cut off; try 'gzip -t'"), std::string::npos) << cut.err;
 }
 
+// A few KB that become 70 MB, and a file whose size says enough: none of them is read to its end.
+TEST(PackedInput, HasALimit) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "head -c 70000000 /dev/zero | gzip -1 > zeros.gz; truncate -s 3G huge").exit_code, 0);
+  for (const char* line :
+       {"import csv zeros.gz --camera pixy2", "simulate zeros.gz", "import csv huge --camera pixy2",
+        "configure huge -o x.bin", "replay " FENCEPOST_RECORDINGS "/stop_pixy2.log --camera zeros.gz",
+        "import mcap huge --camera pixy2"}) {
+    const Outcome run = shell(folder, "ulimit -v 1000000; fencepost " + std::string(line));
+    EXPECT_EQ(run.exit_code, 3) << line;
+    EXPECT_NE(run.err.find(" has more than "), std::string::npos) << line << ": " << run.err;
+  }
+}
+
+// At once, not when most of it has been replayed.
+TEST(Export, ALogThatIsTooLongForAHistoryIsRefusedBeforeItIsReplayed) {
+  const Folder folder;
+  ASSERT_EQ(shell(folder, "yes '$FPODO,1,2,3,4*0000' | head -c 65000000 > long.log").exit_code, 0);
+  for (const char* name : {"x.csv", "x.mcap"}) {
+    const Outcome run = shell(folder, "fencepost export long.log -o " + std::string(name));
+    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_NE(run.err.find("has more than 64 MB"), std::string::npos) << run.err;
+  }
+}
+
 }  // namespace
 }  // namespace fencepost::host

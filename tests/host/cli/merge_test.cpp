@@ -115,6 +115,18 @@ TEST_F(Merge, SaysWhereAShortRunBegins) {
       nlohmann::json::parse(shell(folder, "fencepost merge a.log b.log --json").out)["runs"][1]["start"].is_null());
 }
 
+TEST_F(Merge, JoinsTheOthersWhereOneLogCannotBeRead) {
+  const Outcome run =
+      shell(folder, "echo foreign > foreign.log; fencepost merge a.log no.log foreign.log b.log --json");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.err.find("left out: cannot read no.log"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("left out: foreign.log: no record"), std::string::npos) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["runs"].size(), 2U);
+  EXPECT_EQ(json["objects"].size(), 6U);
+  EXPECT_EQ(shell(folder, "fencepost merge no.log foreign.log").exit_code, 3);
+}
+
 TEST_F(Merge, SaysWhatStaysOut) {
   const Outcome run = shell(folder, "head -n 20 b.log > c.log; fencepost merge a.log c.log");
   EXPECT_EQ(run.exit_code, 1) << run.out;

@@ -134,32 +134,36 @@ TEST_P(UsageError, ExitsWithTwoAndSaysWhyOnStandardErrorOnly) {
   EXPECT_LT(run.err.size(), 200U) << "one line a person reads";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, UsageError,
-                         ::testing::Values(Wrong{"fencepost import", "see fencepost import --help"},
-                                           Wrong{"fencepost import --truth x", "--truth"},
-                                           Wrong{"fencepost repaly x", "did you mean replay?"},
-                                           Wrong{"fencepost sim x", "did you mean simulate?"},
-                                           Wrong{"fencepost zzzzzz", "no command \"zzzzzz\""},
-                                           Wrong{"fencepost import mclram x", "did you mean mrclam?"},
-                                           Wrong{"fencepost --nonsense", "--nonsense"},
-                                           Wrong{"fencepost -v", "did you mean -V?"},
-                                           Wrong{"fencepost devices pixie2", "did you mean pixy2?"},
-                                           Wrong{"fencepost replay", "LOG is required; see fencepost replay --help"},
-                                           Wrong{"fencepost replay a --nonsense", "see fencepost replay --help"},
-                                           Wrong{"fencepost replay a --profile huge", "huge not in"},
-                                           Wrong{"fencepost replay a --frames 0", "0 is not a number above 0"},
-                                           Wrong{"fencepost replay a --frames -3", "-3 is not a number above 0"},
-                                           Wrong{"fencepost replay a --pose-noise 1", "--pose-noise"},
-                                           Wrong{"fencepost replay a --pose-noise 1,0", "0 is not a number above 0"},
-                                           Wrong{"fencepost replay a --from soon", "soon"},
-                                           Wrong{"fencepost replay a --from 3 --to 1", "--from is later than --to"},
-                                           Wrong{"fencepost replay - --camera -", "cannot both be standard input"},
-                                           Wrong{"fencepost replay a --write-log -", "cannot both be standard output"},
-                                           Wrong{"fencepost import mrclam d --poses maybe", "maybe"},
-                                           Wrong{"fencepost import sketch t --rate 1e-9", "1e-9 not in range"},
-                                           Wrong{"fencepost import sketch t --rate 1001", "1001 not in range"},
-                                           Wrong{"fencepost import kitti d --scale 0", "0 is not a number"},
-                                           Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, UsageError,
+    ::testing::Values(
+        Wrong{"fencepost import", "see fencepost import --help"}, Wrong{"fencepost import --truth x", "--truth"},
+        Wrong{"fencepost repaly x", "did you mean replay?"}, Wrong{"fencepost sim x", "did you mean simulate?"},
+        Wrong{"fencepost zzzzzz", "no command \"zzzzzz\""}, Wrong{"fencepost import mclram x", "did you mean mrclam?"},
+        Wrong{"fencepost --nonsense", "--nonsense"}, Wrong{"fencepost -v", "did you mean -V?"},
+        Wrong{"fencepost devices pixie2", "did you mean pixy2?"},
+        Wrong{"fencepost replay", "LOG is required; see fencepost replay --help"},
+        Wrong{"fencepost replay a --nonsense", "see fencepost replay --help"},
+        Wrong{"fencepost replay a --profile huge", "--profile: it takes micro, small, full, not huge"},
+        Wrong{"fencepost replay a --frames 0", "0 is not a number above 0"},
+        Wrong{"fencepost replay a --frames -3", "-3 is not a number above 0"},
+        Wrong{"fencepost replay a --pose-noise 1", "--pose-noise"},
+        Wrong{"fencepost replay a --pose-noise 1,0", "0 is not a number above 0"},
+        Wrong{"fencepost replay a --from soon", "soon"},
+        Wrong{"fencepost replay a --from 3 --to 1", "--from is later than --to"},
+        Wrong{"fencepost replay - --camera -", "cannot both be standard input"},
+        Wrong{"fencepost replay a --write-log -", "cannot both be standard output"},
+        Wrong{"fencepost import mrclam d --poses maybe", "maybe"},
+        Wrong{"fencepost import sketch t --rate 1e-9", "--rate: it takes 0.1 to 1000, not 1e-9"},
+        Wrong{"fencepost import sketch t --rate 1001", "--rate: it takes 0.1 to 1000, not 1001"},
+        Wrong{"fencepost export a --every -1", "--every: it takes 0 or more, not -1"},
+        Wrong{"fencepost export a -o ''", "--output: its value is empty"},
+        Wrong{"fencepost replay ''", "LOG: its value is empty"},
+        Wrong{"fencepost replay a --from 1 --from 2", "--from: given twice"},
+        Wrong{"fencepost replay a b", "b: it takes one LOG; report, merge and evaluate take several"},
+        Wrong{"fencepost completion tcsh", "it takes bash, zsh, fish, not tcsh"},
+        Wrong{"fencepost import kitti d --scale 0", "0 is not a number"},
+        Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
 
 class Unreadable : public ::testing::TestWithParam<Wrong> {};
 
@@ -167,6 +171,8 @@ TEST_P(Unreadable, ExitsWithThreeAndWritesNothing) {
   const Folder folder;
   spill(folder.path() / "empty", "");
   spill(folder.path() / "foreign", "hello\nworld\n");
+  spill(folder.path() / "utf16", std::string("\xFF\xFEt\0,\0x\0\r\0\n\0", 12));
+  spill(folder.path() / "cr", "$FPHDR,1\r$FPODO,1\r");
   spill(folder.path() / "scene.json", "{\"format\": 1, }");
   const Outcome run = shell(folder, GetParam().line);
   EXPECT_EQ(run.exit_code, 3) << run.err;
@@ -181,6 +187,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"fencepost replay . -o result", "name a file inside it"},
                       Wrong{"fencepost replay empty -o result", "empty"},
                       Wrong{"fencepost replay foreign -o result", "foreign: no record"},
+                      Wrong{"fencepost replay utf16 -o result", "utf16: it is UTF-16, as PowerShell's > writes text"},
+                      Wrong{"fencepost import csv utf16 --camera pixy2 -o result", "it is UTF-16"},
+                      Wrong{"fencepost replay cr -o result", "cr: its lines end with CR alone"},
                       Wrong{"fencepost replay foreign --json -o result", "foreign: no record"},
                       Wrong{"fencepost replay - -o result", "standard input: empty"},
                       Wrong{"fencepost replay foreign --camera missing -o result", "cannot read missing"},
