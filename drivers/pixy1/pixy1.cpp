@@ -1,5 +1,6 @@
 #include "drivers/pixy1/pixy1.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "drivers/serial/largest_first.hpp"
@@ -10,7 +11,6 @@ namespace {
 
 constexpr std::uint16_t kMark = 0xAA55;
 constexpr std::uint16_t kColourCodeMark = 0xAA56;
-constexpr std::uint16_t kLastSignature = 7;  // beyond are colour codes
 constexpr base::Duration kPatience = base::milliseconds(500);
 
 bool is_mark(std::uint16_t word) { return word == kMark || word == kColourCodeMark; }
@@ -19,6 +19,23 @@ bool sum_is_right(std::span<const std::uint8_t> block) {
   unsigned sum = 0;
   for (std::size_t at = 2 * kWord; at < block.size(); at += kWord) sum += wire::little_u16(block, at);
   return (sum & 0xFFFFU) == wire::little_u16(block, kWord);
+}
+
+// Two boxes of one signature of which the overlap is more than half of the larger: one thing of two images, 20 ms
+// apart. A camera joins such blocks, so the mark between the images was lost.
+bool is_same_thing(const sensor::Blob& a, const sensor::Blob& b) {
+  const auto area = [](std::int32_t x1, std::int32_t y1, std::int32_t x2, std::int32_t y2) {
+    return x1 > x2 || y1 > y2 ? 0 : (x2 - x1 + 1) * (y2 - y1 + 1);
+  };
+  const std::int32_t common =
+      area(std::max(a.x1, b.x1), std::max(a.y1, b.y1), std::min(a.x2, b.x2), std::min(a.y2, b.y2));
+  const std::int32_t larger = std::max(area(a.x1, a.y1, a.x2, a.y2), area(b.x1, b.y1, b.x2, b.y2));
+  return a.signature == b.signature && 2 * common > larger;
+}
+
+bool is_twice(const sensor::BlobFrame& frame, const sensor::Blob& blob) {
+  return std::any_of(frame.blobs.begin(), frame.blobs.end(),
+                     [&blob](const sensor::Blob& one) { return is_same_thing(one, blob); });
 }
 
 }  // namespace
@@ -47,9 +64,10 @@ std::optional<sensor::Blob> blob_of(std::span<const std::uint8_t> block) {
   const std::int32_t left = wire::little_u16(block, 6) - width / 2;
   const std::int32_t top = wire::little_u16(block, 8) - height / 2;
   const std::int32_t right = left + width - 1;
-  const std::int32_t bottom = top + height;
+  const std::int32_t bottom =
+      std::min<std::int32_t>(top + height, kHeight - 1);  // others that speak as a Pixy have 240
   if (signature == 0 || signature > 255 || width == 0) return std::nullopt;
-  if (left < 0 || right >= kWidth || top < 0 || bottom >= kHeight) return std::nullopt;
+  if (left < 0 || right >= kWidth || top < 0 || top >= kHeight) return std::nullopt;
   sensor::Blob blob;
   blob.signature = static_cast<std::uint8_t>(signature);
   blob.x1 = static_cast<std::int16_t>(left);
@@ -76,7 +94,7 @@ bool Images::take(std::span<const std::uint8_t> message, base::Time first_byte) 
 void Images::begin(base::Time first_byte) {
   building_ = true;
   damaged_ = false;
-  signature_ = 0;
+  any_ = false;
   last_ = mark_ = first_byte;
   given_ = true;
 }
@@ -85,7 +103,7 @@ bool Images::end() {
   if (!building_) return false;
   building_ = false;
   // A mark alone is none of an image: the camera announces only those that have blocks.
-  if (!damaged_ && signature_ != 0) return give();
+  if (!damaged_ && any_) return give();
   ++counts_.broken;
   return false;
 }
@@ -103,15 +121,13 @@ bool Images::take_idle(base::Time now) {
 void Images::take_block(std::span<const std::uint8_t> block) {
   if (!building_) return last_.reset();  // its mark was lost
   const std::uint16_t signature = wire::little_u16(block, 4);
-  // Against the order: a mark between two images was lost.
-  if (signature < signature_ && signature <= kLastSignature) damaged_ = true;
-  signature_ = signature;
+  any_ = true;
   if (block.size() == kColourCode && signature > 255) {
     ++counts_.blobs_dropped;
     return;
   }
   const std::optional<sensor::Blob> blob = blob_of(block);
-  if (!blob) {
+  if (!blob || is_twice(frame_, *blob)) {
     damaged_ = true;
   } else if (!serial::insert_largest_first(frame_, *blob)) {
     ++counts_.blobs_dropped;

@@ -40,7 +40,8 @@ wire::Verdict examine(std::span<const std::uint8_t> bytes);
 
 /// A block's box in our convention. The camera tells its middle (rounded down) and size; its columns end one past the
 /// last pixel (run lengths), its rows with the last one, so that x2 = left + width - 1 and y2 = top + height. A colour
-/// code's signature is its octal number. errors: empty if the box is not in the image, or the signature 0 or above 255
+/// code's signature is its octal number. Cut at the last row. errors: empty if the box is not in the image, or the
+/// signature 0 or above 255
 std::optional<sensor::Blob> blob_of(std::span<const std::uint8_t> block);
 
 struct Options {
@@ -82,7 +83,7 @@ class Images {
   bool damaged_ = false;
   bool given_ = false;  ///< frame_ was, and is not yet that of the image that has begun since
   bool saw_ = false;
-  std::uint16_t signature_ = 0;     ///< of the last block: they come in order
+  bool any_ = false;                ///< blocks in the image that is arriving
   std::optional<base::Time> last_;  ///< since then zeros have come alone
   base::Time mark_;
   sensor::BlobFrame frame_;

@@ -13,7 +13,7 @@ FENCEPOST_REVEAL(Pixy1Images, &pixy1::Session::images_);
 FENCEPOST_REVEAL(Pixy1Building, &pixy1::Images::building_);
 FENCEPOST_REVEAL(Pixy1Damaged, &pixy1::Images::damaged_);
 FENCEPOST_REVEAL(Pixy1Given, &pixy1::Images::given_);
-FENCEPOST_REVEAL(Pixy1Signature, &pixy1::Images::signature_);
+FENCEPOST_REVEAL(Pixy1Any, &pixy1::Images::any_);
 FENCEPOST_REVEAL(Pixy1Last, &pixy1::Images::last_);
 FENCEPOST_REVEAL(Pixy1UsbScanner, &pixy1::UsbSession::scanner_);
 FENCEPOST_REVEAL(Pixy1Phase, &pixy1::UsbSession::phase_);
@@ -55,7 +55,7 @@ struct Pixy1Stream : Pixy1Seen {
     key.u8(all.*revealed(Pixy1Given{}));
     const auto& last = all.*revealed(Pixy1Last{});
     if (building && !damaged) {
-      key.u8(boundary(all.*revealed(Pixy1Signature{}), 8));
+      key.u8(all.*revealed(Pixy1Any{}));
       key.u8(static_cast<std::uint8_t>(all.frame().blobs.size()));
     } else if (!building) {
       key.u8(last ? static_cast<std::uint8_t>(std::min<std::int64_t>((now - *last).raw / kByte.raw, 2)) : 3);
@@ -88,14 +88,21 @@ Walked walk_pixy1() {
   const Bytes code = sealed(hex("56 AA 00 00 0A 00 A0 00 64 00 28 00 1E 00 2D 00"), seal_pixy1);
   const Bytes other_code = sealed(hex("56 AA 00 00 01 01 A0 00 64 00 28 00 1E 00 2D 00"), seal_pixy1);
   const Bytes last = sealed(hex("55 AA 00 00 07 00 A0 00 64 00 28 00 1E 00"), seal_pixy1);
+  Bytes others;  // of 17 signatures: one more than a frame holds
+  for (std::uint8_t signature = 1; signature <= 17; ++signature) {
+    Bytes block = kPixy1Block;
+    block[4] = signature;
+    others = others + sealed(block, seal_pixy1);
+  }
   plan.samples = {{mark + kPixy1Block + end},
-                  {mark + repeated(kPixy1Block, 17) + end},
+                  {mark + others + end},
+                  {mark + repeated(kPixy1Block, 2) + end, 0},
                   {kPixy1Block, 0},
                   {last, 0},
                   {code, 0},
                   {other_code, 0},
                   {mark + kPixy1Block + last + code + other_code + end},
-                  {mark + last + kPixy1Block + end, 0},
+                  {mark + last + kPixy1Block + end},
                   {mark + end, 0},
                   {end + end, 1}};
   return walk(Pixy1Stream{}, plan);
