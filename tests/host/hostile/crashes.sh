@@ -1,0 +1,3 @@
+#!/bin/sh
+# Stands for a program that crashes whatever it is given.
+kill -SEGV $$
