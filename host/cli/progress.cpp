@@ -20,20 +20,24 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds kQuiet{1};  ///< what is over sooner needs no words
 constexpr Seconds kBetween{0.1};
+constexpr Seconds kQuietLines{10};
+constexpr Seconds kBetweenLines{60};
 constexpr std::size_t kWidth = 79;
 constexpr double kLeastShare = 0.01;  ///< less tells nothing about the rest
 constexpr std::string_view kErase = "\r\x1b[K";
 
 std::atomic<Progress*> latest = nullptr;
 
-void write_to_terminal(std::string_view text) {
+void write_to_stderr(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
-Progress::Write terminal() {
-  if (!is_terminal(STDERR_FILENO) || !can_redraw()) return {};
-  return write_to_terminal;
+bool is_redrawn() { return is_terminal(STDERR_FILENO) && can_redraw(); }
+
+Progress::Write writer(OffTerminal elsewhere) {
+  if (!is_redrawn() && elsewhere == OffTerminal::kSilent) return {};
+  return write_to_stderr;
 }
 
 Seconds steady() { return std::chrono::steady_clock::now().time_since_epoch(); }
@@ -54,10 +58,11 @@ std::string time_words(double seconds) {
   return minutes % 60 == 0 ? fmt::format("{} h", minutes / 60) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-Progress::Progress(std::string what) : Progress(std::move(what), steady, terminal()) {}
+Progress::Progress(std::string what, OffTerminal elsewhere)
+    : Progress(std::move(what), steady, writer(elsewhere), !is_redrawn()) {}
 
-Progress::Progress(std::string what, Clock clock, Write write)
-    : what_(std::move(what)), clock_(std::move(clock)), write_(std::move(write)), begin_(clock_()) {
+Progress::Progress(std::string what, Clock clock, Write write, bool lines)
+    : what_(std::move(what)), clock_(std::move(clock)), write_(std::move(write)), lines_(lines), begin_(clock_()) {
   if (write_) latest = this;
 }
 
@@ -71,9 +76,11 @@ void Progress::at(double done, double all, std::string_view detail) {
   if (!write_) return;
   const std::lock_guard lock(mutex_);
   const Seconds now = clock_();
-  if (now - begin_ < kQuiet || (shown_at_ && now - *shown_at_ < kBetween)) return;
+  if (now - begin_ < (lines_ ? kQuietLines : kQuiet)) return;
+  if (shown_at_ && now - *shown_at_ < (lines_ ? kBetweenLines : kBetween)) return;
   shown_at_ = now;
   const std::string text = line(done, all, detail, (now - begin_).count());
+  if (lines_) return write_(text + "\n");
   if (text == shown_) return;
   shown_ = text;
   note_progress_line(true);

@@ -14,17 +14,23 @@ namespace fencepost::host::cli {
 /// "8 s", "3 min 20 s", "1 h 5 min": to 10 s from a minute on, to a minute from ten.
 std::string time_words(double seconds);
 
-/// Rewrites one line of standard error, where that is a terminal that can (TERM is not "dumb"), and takes it away at
-/// its end; elsewhere it is silent. Nothing in the first second, then ten times a second at most. Several threads may
-/// tell it. Lines of `say` go above it. One at a time is shown: the latest.
+/// Where progress is shown if standard error is no terminal that can redraw (TERM is not "dumb").
+enum class OffTerminal : unsigned char {
+  kSilent,
+  kLines,  ///< for work of minutes: a line after 10 s, then one a minute, for whoever reads a file or a pipe
+};
+
+/// Rewrites one line of standard error, where that is a terminal that can, and takes it away at its end. Nothing in the
+/// first second, then ten times a second at most. Several threads may tell it. Lines of `say` go above it. One at a
+/// time is shown: the latest.
 class Progress {
  public:
   using Clock = std::function<std::chrono::duration<double>()>;
   using Write = std::function<void(std::string_view)>;
 
-  explicit Progress(std::string what);
+  explicit Progress(std::string what, OffTerminal elsewhere = OffTerminal::kSilent);
   /// For tests. Without `write` it is silent.
-  Progress(std::string what, Clock clock, Write write);
+  Progress(std::string what, Clock clock, Write write, bool lines = false);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -44,6 +50,7 @@ class Progress {
   std::string what_;
   Clock clock_;
   Write write_;
+  bool lines_;
   std::mutex mutex_;
   std::chrono::duration<double> begin_;
   std::optional<std::chrono::duration<double>> shown_at_;

@@ -67,13 +67,15 @@ std::string_view fault_of(std::string_view text) {
   const std::size_t colon = text.rfind(':');
   const std::string_view port = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
   const bool number = !port.empty() && port.find_first_not_of("0123456789") == std::string_view::npos;
-  return text.starts_with("tcp") && number ? "a port is 1 to 65535" : "no such place";
+  if (!text.starts_with("tcp") || !number) return "no such place";
+  return text.starts_with(kListen) ? "a port is 0, which takes any free one, to 65535" : "a port is 1 to 65535";
 }
 
-/// "4000" or "HOST:4000". Whoever reaches a console can silence its alerts: without HOST only this machine does.
+/// "4000" or "HOST:4000"; of 0 the system chooses one. Whoever reaches a console can silence its alerts: without HOST
+/// only this machine does.
 std::optional<Place> listened_at(std::string_view text) {
   const bool host = text.find(':') != std::string_view::npos;
-  return parse_tcp((host ? "tcp:" : "tcp:127.0.0.1:") + std::string(text));
+  return parse_tcp((host ? "tcp:" : "tcp:127.0.0.1:") + std::string(text), 0);
 }
 
 }  // namespace

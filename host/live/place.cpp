@@ -6,7 +6,7 @@ namespace fencepost::host {
 
 using enum PlaceKind;
 
-std::optional<Place> parse_tcp(std::string_view text) {
+std::optional<Place> parse_tcp(std::string_view text, std::uint32_t least) {
   constexpr std::string_view kStart = "tcp:";
   if (!text.starts_with(kStart)) return std::nullopt;
   text.remove_prefix(kStart.size());
@@ -15,7 +15,7 @@ std::optional<Place> parse_tcp(std::string_view text) {
   std::string_view host = text.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   const std::optional<std::uint32_t> port = whole_number(text.substr(colon + 1));
-  if (host.empty() || !port || *port == 0 || *port > 0xFFFF) return std::nullopt;
+  if (host.empty() || !port || *port < least || *port > 0xFFFF) return std::nullopt;
   return Place{kTcp, std::string(host), static_cast<std::uint16_t>(*port)};
 }
 

@@ -28,7 +28,8 @@ struct Place {
 };
 
 /// `tcp:HOST:PORT` ([HOST] for an address of IPv6), or nothing.
-std::optional<Place> parse_tcp(std::string_view text);
+/// `least`: 0 where the system may choose the port.
+std::optional<Place> parse_tcp(std::string_view text, std::uint32_t least = 1);
 
 /// What a text without known name is the place of: "usb", "/dev/i2c-1", any path, and with `can` any other word too.
 Place place_in(std::string_view text, bool can);

@@ -29,7 +29,7 @@ cv::Mat decode_png(std::string_view bytes, const std::string& name) {
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> guard(&png, &png_image_free);
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    throw SegmentProblem{name, std::string("is a damaged PNG (") + png.message + ")", kDamaged};
+    throw SegmentProblem{name, "is a damaged PNG", kDamaged};
   }
   check_size(png.width, png.height, name);
   png.format = PNG_FORMAT_BGR;
@@ -37,7 +37,7 @@ cv::Mat decode_png(std::string_view bytes, const std::string& name) {
   const png_color white{255, 255, 255};
   const int done = png_image_finish_read(&png, &white, image.data, static_cast<png_int_32>(image.step[0]), nullptr);
   if (done == 0) {
-    throw SegmentProblem{name, std::string("is a damaged PNG (") + png.message + ")", kDamaged};
+    throw SegmentProblem{name, "is a damaged PNG", kDamaged};
   }
   return image;
 }
@@ -45,9 +45,7 @@ cv::Mat decode_png(std::string_view bytes, const std::string& name) {
 cv::Mat decode_jpeg(std::string_view bytes, const std::string& name) {
   const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), &tjDestroy);
   const std::vector<unsigned char> data(bytes.begin(), bytes.end());
-  const auto fail = [&] {
-    throw SegmentProblem{name, std::string("is a damaged JPEG (") + tjGetErrorStr2(decoder.get()) + ")", kDamaged};
-  };
+  const auto fail = [&] { throw SegmentProblem{name, "is a damaged JPEG", kDamaged}; };
   int width = 0;
   int height = 0;
   int subsampling = 0;

@@ -107,7 +107,7 @@ Exit run_calibrate(const CalibrateRequest& request) {
   check_usage(request);
   CalibrateOptions options = options_of(request);
   const std::string base = request.robot.empty() ? "" : read_input(request.robot);
-  std::optional<Progress> progress("calibrating");
+  std::optional<Progress> progress(std::in_place, "calibrating", OffTerminal::kLines);
   options.progress = [&](double share) { progress->at(share, 1); };
   const CalibrateOutcome outcome = calibrate(read_log(request.log), input_name(request.log), options);
   progress.reset();

@@ -36,7 +36,7 @@ Exit run_smooth(const SmoothRequest& request) {
   options.to = request.to;
   options.calibrate = request.calibrate;
   if (!request.camera.empty()) options.camera = read_camera(request.camera);
-  std::optional<Progress> progress("smoothing");
+  std::optional<Progress> progress(std::in_place, "smoothing", OffTerminal::kLines);
   options.progress = [&](double share) { progress->at(share, 1); };
   const SmoothOutcome outcome = smooth(read_log(request.log), input_name(request.log), options);
   progress.reset();

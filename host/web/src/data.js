@@ -4,10 +4,27 @@ import { truthOf } from "./scene.js";
 
 const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
-async function unpacked(bytes) {
+const MAX_UNPACKED = 512e6; // bytes; a log of fifty hours, and what a browser holds beside its copies
+
+/** Unpacks gzip, and leaves other bytes as they are. Throws a sentence where it is damaged, cut off or too long. */
+export async function unpacked(bytes, most = MAX_UNPACKED) {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
+  const parts = [];
+  let size = 0;
+  try {
+    for (let part = await reader.read(); !part.done && size <= most; part = await reader.read()) {
+      parts.push(part.value);
+      size += part.value.length;
+    }
+  } catch {
+    throw new Error("what gzip packed is damaged or cut off; try 'gzip -t' on it, and copy it again");
+  }
+  if (size > most) {
+    await reader.cancel();
+    throw new Error(`has more than ${most / 1e6} MB when it is unpacked; drop a part of it`);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 const read = (id) => JSON.parse(byId(id)?.textContent || "null");

@@ -49,6 +49,28 @@ TEST(Progress, TellsTheTimeLeftByTheWorkDone) {
   EXPECT_EQ(screen.written.back(), kErase + "evaluating: 41 s");
 }
 
+// `calibrate 2> words.txt` of an hour: nobody takes it for one that hangs.
+TEST(Progress, InAFileLongWorkIsALineAMinute) {
+  Screen screen;
+  {
+    Progress progress{"smoothing", [&screen] { return std::chrono::duration<double>(screen.now); },
+                      [&screen](std::string_view text) { screen.written.emplace_back(text); }, true};
+    screen.now += 9.9;
+    progress.at(0.05, 1);
+    EXPECT_TRUE(screen.written.empty());
+    screen.now += 0.1;
+    progress.at(0.1, 1);
+    EXPECT_EQ(screen.written, std::vector<std::string>{"smoothing: 10 %, 1 min 30 s left\n"});
+    screen.now += 59;
+    progress.at(0.5, 1);
+    EXPECT_EQ(screen.written.size(), 1U);
+    screen.now += 1;
+    progress.at(0.5, 1);
+    EXPECT_EQ(screen.written.back(), "smoothing: 50 %, 1 min 10 s left\n");
+  }
+  EXPECT_EQ(screen.written.size(), 2U) << "nothing is taken away";
+}
+
 TEST(Progress, OfTooLittleWorkNoTimeIsTold) {
   Screen screen;
   Progress progress = screen.progress("replaying");

@@ -37,6 +37,8 @@ TEST(ConsoleSpec, ReadsEveryPlace) {
   EXPECT_EQ(here->place.port, 4000);
   EXPECT_EQ(parse_console("tcp-listen:0.0.0.0:4000")->place.name, "0.0.0.0");
   EXPECT_EQ(parse_console("tcp-listen:[::1]:4000")->place.name, "::1");
+  EXPECT_EQ(parse_console("tcp-listen:0")->place.port, 0) << "any free one; the run says which";
+  EXPECT_FALSE(parse_console("tcp:desk:0").ok());
 }
 
 TEST(ConsoleSpec, SaysWhatIsAllowed) {

@@ -85,8 +85,8 @@ TEST(ImageFile, CutFilesAreRefused) {
     const auto cut = [&](const std::string& whole) {
       return refusal(whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
     };
-    EXPECT_EQ(cut(png).rfind("it: is a damaged PNG", 0), 0U) << cut(png);
-    EXPECT_EQ(cut(jpeg).rfind("it: is a damaged JPEG", 0), 0U) << cut(jpeg);
+    EXPECT_EQ(cut(png).rfind("it: is a damaged PNG; copy it again", 0), 0U) << cut(png);
+    EXPECT_EQ(cut(jpeg).rfind("it: is a damaged JPEG; copy it again", 0), 0U) << cut(jpeg);
   }
 }
 
