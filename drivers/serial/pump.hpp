@@ -41,6 +41,7 @@ class Pump {
   using Sample = typename Conversation::Sample;
 
   /// The link is borrowed.
+  explicit Pump(Link& link) : link_(link) {}
   template <class Config>
   Pump(Link& link, const Config& config) : link_(link), session_(config) {}
 

@@ -1,13 +1,5 @@
 #include "firmware/config/devices.hpp"
 
-#include "drivers/cmucam/dialect.hpp"
-#include "drivers/cognachrome/session.hpp"
-#include "drivers/huskylens/huskylens.hpp"
-#include "drivers/jevois/session.hpp"
-#include "drivers/nxtcam/camera.hpp"
-#include "drivers/pixy1/pixy1.hpp"
-#include "drivers/pixy2/camera.hpp"
-#include "drivers/xbc/session.hpp"
 #include "firmware/record/decimal.hpp"
 #include "hal/base/trig.hpp"
 
@@ -39,26 +31,12 @@ void put_lens(sensor::CameraIntrinsics& camera, std::int32_t degrees) {
 
 sensor::CameraIntrinsics delivered_calibration(CameraId id) {
   switch (id) {
-    case CameraId::kConsole: return {};
-    case CameraId::kPixy2:
-    case CameraId::kPixy2I2c: return pixy2::kPixy2Profile;
-    case CameraId::kPixy21:
-    case CameraId::kPixy21I2c: return pixy2::kPixy21Profile;
-    case CameraId::kCmucam1: return cmucam::nominal_intrinsics(cmucam::kCmuCam1, {});
-    case CameraId::kCmucam2: return cmucam::nominal_intrinsics(cmucam::kCmuCam2, {});
-    case CameraId::kCmucam3: return cmucam::nominal_intrinsics(cmucam::kCmuCam3, {});
-    case CameraId::kCmucam4: return cmucam::nominal_intrinsics(cmucam::kCmuCam4, {});
-    case CameraId::kHuskylens:
-    case CameraId::kHuskylensI2c: return huskylens::kProfile;
-    case CameraId::kNxtcam:
-    case CameraId::kNxtcamI2c: return nxtcam::kProfile;
-    case CameraId::kXbc: return xbc::nominal_intrinsics({});
-    case CameraId::kJevois: return jevois::nominal_intrinsics({});
-    case CameraId::kPixy1:
-    case CameraId::kPixy1I2c: return pixy1::kProfile;
-    case CameraId::kCognachrome: return cognachrome::kProfile;
-    case CameraId::kHuskylens2:
-    case CameraId::kHuskylens2I2c: return huskylens::kProfile2;
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define FENCEPOST_CALIBRATION(id, name, port, speed, address, calibration) \
+  case CameraId::id: return calibration;
+    FENCEPOST_CAMERAS(FENCEPOST_CALIBRATION)
+#undef FENCEPOST_CALIBRATION
+    // NOLINTEND
   }
   return {};
 }

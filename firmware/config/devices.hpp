@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "drivers/odometry/wheel_base.hpp"
+#include "firmware/config/cameras.hpp"
 #include "firmware/config/settings.hpp"
 #include "hal/bus/pin_names.hpp"
 #include "hal/sensor/camera.hpp"
@@ -18,30 +19,11 @@ namespace fencepost::config {
 /// Where a device is connected.
 enum class Port : std::uint8_t { kConsole, kLine, kTwoWire, kPins };
 
-/// Images carry these numbers: a new camera comes last.
-enum class CameraId : std::uint8_t {
-  kConsole,
-  kPixy2,
-  kPixy21,
-  kPixy2I2c,
-  kPixy21I2c,
-  kCmucam1,
-  kCmucam2,
-  kCmucam3,
-  kCmucam4,
-  kHuskylens,
-  kHuskylensI2c,
-  kNxtcam,
-  kNxtcamI2c,
-  kXbc,
-  kPixy1,
-  kPixy1I2c,
-  kCognachrome,
-  kHuskylens2,
-  kHuskylens2I2c,
-  kJevois,
-};
-inline constexpr std::size_t kCameraIds = 20;
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define FENCEPOST_ID(id, name, port, speed, address, calibration) id,
+enum class CameraId : std::uint8_t { FENCEPOST_CAMERAS(FENCEPOST_ID) };
+#undef FENCEPOST_ID
+// NOLINTEND
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -54,28 +36,12 @@ struct DeviceInfo {
 };
 
 /// By CameraId.
-inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{
-    {"console"},
-    {"pixy2", Port::kLine, 115'200},
-    {"pixy2.1", Port::kLine, 115'200},
-    {"pixy2_i2c", Port::kTwoWire, 0, 0x54},
-    {"pixy2.1_i2c", Port::kTwoWire, 0, 0x54},
-    {"cmucam1", Port::kLine, 115'200},
-    {"cmucam2", Port::kLine, 115'200},
-    {"cmucam3", Port::kLine, 115'200},
-    {"cmucam4", Port::kLine, 19'200},
-    {"huskylens", Port::kLine, 9'600},
-    {"huskylens_i2c", Port::kTwoWire, 0, 0x32},
-    {"nxtcam", Port::kLine, 115'200},
-    {"nxtcam_i2c", Port::kTwoWire, 0, 0x01},
-    {"xbc", Port::kLine, 38'400},
-    {"pixy1", Port::kLine, 115'200},
-    {"pixy1_i2c", Port::kTwoWire, 0, 0x54},
-    {"cognachrome", Port::kLine, 38'400},
-    {"huskylens2", Port::kLine, 115'200},
-    {"huskylens2_i2c", Port::kTwoWire, 0, 0x50},
-    {"jevois", Port::kLine, 115'200},
-}};
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define FENCEPOST_INFO(id, name, port, speed, address, calibration) DeviceInfo{name, Port::port, speed, address},
+inline constexpr std::array kCameras = {FENCEPOST_CAMERAS(FENCEPOST_INFO)};
+#undef FENCEPOST_INFO
+// NOLINTEND
+inline constexpr std::size_t kCameraIds = kCameras.size();
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{
     {"console"},

@@ -1,34 +1,21 @@
 #include "host/devices/catalogue.hpp"
 
+#include <algorithm>
+
 namespace fencepost::devices {
 
-// A family shares a driver; each is in the file of its name.
-Rows can_wheels();
-Rows cmucam();
-Rows cognachrome();
-Rows console();
-Rows create();
-Rows frames();
-Rows huskylens();
-Rows jevois();
-Rows nxt();
-Rows nxtcam();
-Rows pixy1();
-Rows pixy2();
-Rows records();
-Rows video();
-Rows xbc();
+// A family shares a driver; each is in the file of its name. CMakeLists.txt finds them: "cmucam(),create(),...".
+Rows FENCEPOST_FAMILIES;
 
 namespace {
 
-constexpr Rows (*kFamilies[])() = {pixy2,  cmucam, huskylens, nxtcam, xbc,        pixy1,   cognachrome, jevois,
-                                   frames, video,  create,    nxt,    can_wheels, records, console};
-
+/// Cameras first, then wheels; each by its family's name.
 Rows all_families() {
   Rows all;
-  for (Rows (*family)() : kFamilies) {
-    for (Row& row : family()) all.push_back(std::move(row));
+  for (const Rows& family : {FENCEPOST_FAMILIES}) {
+    all.insert(all.end(), family.begin(), family.end());
   }
+  std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) { return *a.role < *b.role; });
   return all;
 }
 

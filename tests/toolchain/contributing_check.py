@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: contributing_check.py [ROOT]
 
-Holds the lists of .github/CONTRIBUTING.md: for every board, setting, ... that exists, each new file of its list is there,
-and each file to edit names it. Prints one line per fault; exit status 1 if there is any.
+Holds the lists of .github/CONTRIBUTING.md. For every board, setting, ... that exists, each new file is there, and each file to
+edit names it. A list has as many as it says. Prints one line per fault; exit status 1 if there is any.
 """
 
 import re
@@ -12,6 +12,9 @@ import command
 
 DOCUMENT = ".github/CONTRIBUTING.md"
 HEADING = re.compile(r"^## Add an? [\w ]+: ([A-Z]+)$")
+COUNT = re.compile(r"^(\w+) files, (\w+) of them edits", re.MULTILINE)
+NUMBERS = ("none one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen "
+           "nineteen twenty").split()
 ROW = re.compile(r"^\| (new|edit) \| ([^|]+) \|")
 
 
@@ -61,6 +64,15 @@ def lists_in(text):
     return lists
 
 
+def counted_wrongly(text):
+    """Lists whose first sentence gives another number of files, or of edits, than they have."""
+    for part in re.split(r"^(?=## )", text, flags=re.MULTILINE):
+        heading, said = HEADING.match(part.split("\n", 1)[0]), COUNT.search(part)
+        rows = [row.group(1) for row in map(ROW.match, part.split("\n")) if row]
+        if heading and said and [NUMBERS.index(word.lower()) for word in said.groups()] != [len(rows), rows.count("edit")]:
+            yield f"{DOCUMENT}: {heading.group(1)}: {len(rows)} files, {rows.count('edit')} of them edits, not '{said.group(0)}'"
+
+
 def is_named_in(text, name):
     """Whether the text has the name, in any of our ways of writing it: cylinder_paper, CylinderPaper."""
     return name in text or name.replace("_", "") in text.replace("_", "").lower()
@@ -79,8 +91,10 @@ def fault_of(root, action, paths, word, name):
 def check(root, kinds=None):
     """(faults, how many rows were compared)"""
     kinds = KINDS if kinds is None else kinds
-    lists = lists_in((root / DOCUMENT).read_text(encoding="utf-8"))
-    faults = [f"{DOCUMENT}: no list for {word}" for word in sorted(set(kinds) - set(lists))]
+    text = (root / DOCUMENT).read_text(encoding="utf-8")
+    lists = lists_in(text)
+    faults = list(counted_wrongly(text))
+    faults += [f"{DOCUMENT}: no list for {word}" for word in sorted(set(kinds) - set(lists))]
     faults += [f"{DOCUMENT}: nothing is known of {word}" for word in sorted(set(lists) - set(kinds))]
     compared = 0
     for word in sorted(set(kinds) & set(lists)):

@@ -87,6 +87,14 @@ class ContributingCheck(unittest.TestCase):
         self.write("other", "using Models = List<Cylinder>;")
         self.assertIn("MODEL cylinder_paper: README.md does not name it", self.faults({"MODEL": models}))
 
+    def test_a_list_has_as_many_files_as_it_says(self):
+        said = "BOARD\nThree files, one of them edits.\n"
+        self.write(".github/CONTRIBUTING.md", DOCUMENT.replace("BOARD\n", said, 1))
+        self.assertEqual(self.faults(), "")
+        for wrong in ("Two files, one of them", "Three files, two of them"):
+            self.write(".github/CONTRIBUTING.md", DOCUMENT.replace("BOARD\n", said.replace("Three files, one of them", wrong), 1))
+            self.assertIn(f"BOARD: 3 files, 1 of them edits, not '{wrong} edits'", self.faults())
+
     def test_a_list_that_names_a_file_that_was_moved_is_found(self):
         self.write(".github/CONTRIBUTING.md", DOCUMENT.replace("settings.hpp", "keys.hpp"))
         self.assertIn("SETTING alert.stop: there is no firmware/config/keys.hpp", self.faults())

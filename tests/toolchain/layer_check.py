@@ -102,6 +102,8 @@ ROOMS = {
 COUNTED_AS = {}
 
 ROBOT = {"hal", "drivers", "firmware"}
+GLOB = re.compile(r"\bfile\s*\(\s*GLOB(?!\s+\w+\s+CONFIGURE_DEPENDS)[^\n]*", re.IGNORECASE)
+SEEN_GLOB = re.compile(r"\bfile\(GLOB \w+ CONFIGURE_DEPENDS [^)\n]*?(\S+\.cpp)\)")
 # A layer of the robot, a machine of the desk: heap, threads and libraries. The library has a heap for programs that ask
 # for one, apart from all else.
 DESK = ("hal/linux/", "firmware/fencepost/heap.cpp")
@@ -301,7 +303,9 @@ def check_cmake(tree):
         if path.name != "CMakeLists.txt" and path.suffix != ".cmake":
             continue
         code = re.sub(r"#[^\n]*", "", text)
-        tree.match_lines(path, code, re.compile(r"\bfile\s*\(\s*GLOB\w*", re.IGNORECASE), "glob", "sources are listed")
+        tree.match_lines(path, code, GLOB, "glob", "a glob of sources has CONFIGURE_DEPENDS, or a new one is not seen: '{}'")
+        for pattern in SEEN_GLOB.findall(code):
+            listed.update(found.resolve() for found in path.parent.glob(re.sub(r"\$\{\w+\}", "*", pattern)))
         for token in re.findall(r'[^\s()"]+\.cpp\b', code):
             token = re.sub(r"^\$\{(?:PROJECT|CMAKE)_SOURCE_DIR\}/", f"{tree.root}/", token)
             token = token.replace("${CMAKE_CURRENT_SOURCE_DIR}/", "")

@@ -151,6 +151,14 @@ class LayerCheck(unittest.TestCase):
         (self.root / "drivers/d/d.cpp").write_text("")
         self.assertEqual(self.found(), [("drivers/d/d.cpp", 1, "unlisted")])
 
+    def test_a_source_may_be_listed_by_a_pattern(self):
+        (self.root / "drivers/d/d.cpp").write_text("")
+        lists = self.root / "drivers/CMakeLists.txt"
+        lists.write_text("file(GLOB s CONFIGURE_DEPENDS RELATIVE \"${CMAKE_CURRENT_SOURCE_DIR}\" ${driver}/*.cpp)\n")
+        self.assertEqual(self.found(), [])
+        lists.write_text("file(GLOB s CONFIGURE_DEPENDS ${driver}/*_test.cpp)\n")
+        self.assertEqual(self.found(), [("drivers/d/d.cpp", 1, "unlisted")])
+
     def test_a_cycle_is_found_though_the_table_allows_each_of_its_edges(self):
         rooms = {**ROOMS, "host/h": "firmware/loop host/j", "host/j": "host/i"}
         self.assertEqual(self.found(rooms), [])

@@ -1,33 +1,20 @@
-// Every driver keeps the contract, with the figures of contract.csv. Only on purpose: FENCEPOST_GOLDEN=FOLDER writes
-// contract.csv anew there.
+// Every driver keeps the contract, with the figures of its table.
 #include "tests/drivers/contract/contract.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cctype>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <map>
 #include <sstream>
 
 #include "tests/drivers/bench/comeback.hpp"
+#include "tests/drivers/bench/figures.hpp"
 
 namespace fencepost::test {
 namespace {
 
 using sensor::LinkState;
-
-/// "driver,case": figures
-std::map<std::string, std::string> figures_of_table() {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/tests/drivers/contract/contract.csv");
-  std::map<std::string, std::string> rows;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t figures = line.find(',', line.find(',') + 1);
-    rows[line.substr(0, figures)] = line.substr(figures + 1);
-  }
-  return rows;
-}
 
 class DriverContract : public testing::TestWithParam<HostileCase> {
  protected:
@@ -41,14 +28,8 @@ class DriverContract : public testing::TestWithParam<HostileCase> {
       EXPECT_TRUE(!sealed || kept.unnoticed == 0) << "it has a checksum";
       std::ostringstream row;
       row << kept.tries << ',' << kept.unnoticed << ',' << kept.longest.raw / 10 << ',' << kept.total.raw / 10;
-      const std::string key = std::string(GetParam().name) + "," + std::string(name);
-      if (const char* folder = std::getenv("FENCEPOST_GOLDEN")) {
-        std::ofstream(std::string(folder) + "/contract.csv", std::ios::app) << key << ',' << row.str() << '\n';
-      }
-      static const auto kTable = figures_of_table();
-      const auto row_of_table = kTable.find(key);
-      EXPECT_EQ(row.str(), row_of_table == kTable.end() ? "" : row_of_table->second)
-          << "contract.csv: tries, samples that the device did not send, ms until two right ones, the longest and all";
+      expect_figures(GetParam().name, name, row.str(),
+                     "tries, samples that the device did not send, ms until two right ones, the longest and all");
       return;
     }
     FAIL() << "no such case";
@@ -91,13 +72,11 @@ TEST_P(DriverContract, GoesOnWithinASecondOfASilence) {
   EXPECT_LE(recovery.unplug, after_silence);
   EXPECT_LE(recovery.power, limits.own_start + kSecond);
   EXPECT_GE(recovery.power, limits.own_start) << "it starts sooner than it is said to";
-  std::ostringstream document;
-  document << std::ifstream(FENCEPOST_SOURCE_DIR "/tests/results/emulate.md").rdbuf();
-  char row[120];
-  std::snprintf(row, sizeof row, "| `%s` | %.1f | %.2f | %.2f | %.2f |\n", std::string(GetParam().name).c_str(),
-                limits.own_start.to_double(), recovery.stall.to_double(), recovery.unplug.to_double(),
-                recovery.power.to_double());
-  EXPECT_NE(document.str().find(row), std::string::npos) << "tests/results/emulate.md has no line\n" << row;
+  std::array<char, 80> figures{};
+  std::snprintf(figures.data(), figures.size(), "%.1f,%.2f,%.2f,%.2f", limits.own_start.to_double(),
+                recovery.stall.to_double(), recovery.unplug.to_double(), recovery.power.to_double());
+  expect_figures(GetParam().name, "silence", figures.data(),
+                 "s: its own start; the longest until a right sample after a stall, an unplug, a power cycle");
 }
 
 TEST_P(DriverContract, DoesNotTakeNoiseForItsDevice) {
@@ -118,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(All, DriverContract, testing::ValuesIn(hostile_cases().
                          });
 
 TEST(DriverContractTable, HasARowForEachDriverAndCase) {
-  EXPECT_EQ(figures_of_table().size(), hostile_cases().size() * contract_cases().size());
+  const std::size_t rows = hostile_cases().size() * (contract_cases().size() + 1);
+  EXPECT_EQ(rows_of_figures() - rows_of_figures("seed "), rows);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // All decoders: from each control state each byte, to a fixed point. What the walks find is compared with walked.csv.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -26,6 +26,16 @@ std::set<std::string> known_rows() {
   return rows;
 }
 
+/// A driver's own tests may walk its decoder.
+bool walks_itself(const std::string& driver) {
+  for (const auto& entry : std::filesystem::directory_iterator(FENCEPOST_SOURCE_DIR "/tests/drivers/" + driver)) {
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    if (text.str().find("test::walk(") != std::string::npos) return true;
+  }
+  return false;
+}
+
 class States : public testing::TestWithParam<NamedWalk> {};
 
 TEST_P(States, EachByteInEachState) {
@@ -44,7 +54,8 @@ TEST(StatesOfAll, NoDriverIsForgotten) {
   for (const NamedWalk& walk : named_walks()) walked.insert(walk.driver);
   std::istringstream drivers(FENCEPOST_DRIVERS);
   std::size_t count = 0;
-  for (std::string driver; drivers >> driver; ++count) EXPECT_TRUE(walked.contains(driver)) << driver;
+  for (std::string driver; drivers >> driver; ++count)
+    EXPECT_TRUE(walked.contains(driver) || walks_itself(driver)) << driver;
   EXPECT_GE(count, 11U);
 }
 

@@ -108,7 +108,7 @@ TEST_P(EmulateError, EndsWithItsCodeAndSaysWhy) {
 INSTANTIATE_TEST_SUITE_P(
     All, EmulateError,
     ::testing::Values(Wrong{"pixi2 scene.json", 2, "did you mean pixy2?"},
-                      Wrong{"lidar360 scene.json", 2, "allowed: pixy2, pixy2.1, cmucam1"},
+                      Wrong{"lidar360 scene.json", 2, "allowed: cmucam1, cmucam2, cmucam3"},
                       Wrong{"scene.json", 2, "a device and a scene or log are needed"},
                       Wrong{"pixy2,baud=x scene.json", 2, "baud=x is not possible"},
                       Wrong{"pixy2:usb scene.json", 2, "only on a pty"},

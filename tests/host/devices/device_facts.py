@@ -57,11 +57,10 @@ def plain(cell):
 
 
 def on_boards(sources):
-    text = (sources / "firmware/config/devices.hpp").read_text(encoding="utf-8").replace("'", "")
+    texts = [(sources / f"firmware/config/{file}.hpp").read_text(encoding="utf-8").replace("'", "") for file in ("cameras", "devices")]
     found = {}
-    for table in ("kCameras", "kOdometries"):
-        body = re.search(table + r" = \{\{\n(.*?)\}\};", text, re.DOTALL).group(1)
-        for name, port, speed, address in re.findall(r'\{"([^"]+)"(?:, Port::(\w+))?(?:, (\d+))?(?:, (0x\w+))?\}', body):
+    for row in (r'X\(\w+, "([^"]+)", (\w+), (\d+), (\w+)', r'\{"([^"]+)"(?:, Port::(\w+))?(?:, (\d+))?(?:, (0x\w+))?\}'):
+        for name, port, speed, address in re.findall(row, "".join(texts)):
             found.setdefault(name, OnBoard(name, port or "kConsole", int(speed or 0), int(address or "0", 16)))
     return found
 

@@ -79,10 +79,10 @@ struct Bad {
 
 TEST(DeviceSpec, SaysWhatIsWrongAndWhatIsAllowed) {
   const Bad kBad[] = {
-      {"", kCamera, "there is no camera \"\"; allowed: pixy2, pixy2.1, cmucam1"},
+      {"", kCamera, "there is no camera \"\"; allowed: cmucam1, cmucam2, cmucam3"},
       {"pixi2:usb", kCamera, "did you mean pixy2?"},
       {"craete2:/dev/x", kOdometry, "did you mean create2?"},
-      {"webcam:/dev/video0", kCamera, "there is no camera \"webcam\"; allowed: pixy2"},
+      {"webcam:/dev/video0", kCamera, "there is no camera \"webcam\"; allowed: cmucam1"},
       {"create2:/dev/x", kCamera, "create2 is for --odometry"},
       {"pixy2", kCamera, "where is it? Write pixy2:PLACE, a place being /dev/tty..., tcp:HOST:PORT"},
       {"pixy2:", kCamera, "where is it?"},
