@@ -3,6 +3,7 @@
 
 #include "drivers/cmucam/dialect.hpp"
 #include "drivers/cognachrome/session.hpp"
+#include "drivers/grove/grove.hpp"
 #include "drivers/huskylens/huskylens.hpp"
 #include "drivers/jevois/session.hpp"
 #include "drivers/nxtcam/camera.hpp"
@@ -34,5 +35,7 @@
   X(kCognachrome, "cognachrome", kLine, 38'400, 0, cognachrome::kProfile)                                  \
   X(kHuskylens2, "huskylens2", kLine, 115'200, 0, huskylens::kProfile2)                                    \
   X(kHuskylens2I2c, "huskylens2_i2c", kTwoWire, 0, 0x50, huskylens::kProfile2)                             \
-  X(kJevois, "jevois", kLine, 115'200, 0, jevois::nominal_intrinsics({}))
+  X(kJevois, "jevois", kLine, 115'200, 0, jevois::nominal_intrinsics({}))                                  \
+  X(kGrove, "grove", kLine, 921'600, 0, grove::kProfile)                                                   \
+  X(kGroveI2c, "grove_i2c", kTwoWire, 0, 0x62, grove::kProfile)
 // clang-format on
