@@ -1,6 +1,5 @@
 #include "host/cli/terminal.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include "host/cli/progress.hpp"
 #include "host/text/printable.hpp"
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host::cli {
 
@@ -30,11 +30,10 @@ std::size_t columns_of_stdout() {
   constexpr long kMinColumns = 40;
   constexpr long kMaxColumns = 10'000;
   constexpr long kColumns = 80;
-  winsize size{};
-  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const long shown = long{terminal_size(STDOUT_FILENO).ws_col};
   const char* given = std::getenv("COLUMNS");
-  const long wanted = known || given == nullptr ? 0 : std::strtol(given, nullptr, 10);
-  const long columns = known ? long{size.ws_col} : wanted > 0 ? wanted : kColumns;
+  const long wanted = given == nullptr ? 0 : std::strtol(given, nullptr, 10);
+  const long columns = shown > 0 ? shown : wanted > 0 ? wanted : kColumns;
   return static_cast<std::size_t>(std::clamp(columns, kMinColumns, kMaxColumns));
 }
 

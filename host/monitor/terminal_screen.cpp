@@ -1,7 +1,6 @@
 #include "host/monitor/terminal_screen.hpp"
 
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -10,6 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <string_view>
+
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host::monitor {
 namespace {
@@ -73,8 +74,8 @@ void TerminalScreen::give_back() {
 }
 
 Size TerminalScreen::size() {
-  winsize window{};
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0 || window.ws_row == 0) return {};
+  const winsize window = terminal_size(STDOUT_FILENO);
+  if (window.ws_col == 0 || window.ws_row == 0) return {};
   return {std::min(window.ws_col, kMaxColumns), std::min(window.ws_row, kMaxRows)};
 }
 

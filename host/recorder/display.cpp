@@ -1,7 +1,6 @@
 #include "host/recorder/display.hpp"
 
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "host/text/printable.hpp"
+#include "host/text/wrap.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -131,9 +131,8 @@ void Display::draw_status() {
 
 // The last column stays free: a character in it makes some terminals wrap.
 std::size_t Display::status_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-  return (known ? size.ws_col : kUsualWidth) - 1;
+  const std::size_t columns = terminal_size(STDERR_FILENO).ws_col;
+  return (columns > 1 ? columns : kUsualWidth) - 1;
 }
 
 }  // namespace fencepost::host
