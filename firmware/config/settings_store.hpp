@@ -111,7 +111,7 @@ class SettingsStore {
       right_ = right_ && (whole.empty() || store_.flash_.program(page_, at, whole));
       if (const auto rest = bytes.subspan(whole.size()); right_ && !rest.empty()) {
         Word word{0xFF, 0xFF, 0xFF, 0xFF};
-        std::ranges::copy(rest, word.begin());
+        std::copy(rest.begin(), rest.end(), word.begin());
         right_ = program(at + whole.size(), word);
       }
       check_ = base::crc16(line);

@@ -48,7 +48,7 @@ ImageFormat format_of(const Request& request, const ConfiguredImage& image) {
   const bool to_output = is_standard_output(request.output);
   const auto format = image_format(to_output ? request.image : request.output);
   const std::string& name = to_output ? request.image : request.output;
-  if (!format) throw Failure(Exit::kUsage, name + ": its name has to end with .uf2, .hex, .bin or .sav");
+  if (!format) throw Failure(Exit::kUsage, name + ": its name has to end with .uf2, .hex, .bin, .dfu or .sav");
   if (image.cartridge != (*format == ImageFormat::kSave)) {
     throw Failure(Exit::kUsage,
                   image.cartridge
@@ -59,6 +59,9 @@ ImageFormat format_of(const Request& request, const ConfiguredImage& image) {
   }
   if (*format == ImageFormat::kUf2 && !image.uf2) {
     throw Failure(Exit::kUsage, fmt::format("{}: {} takes no UF2 files; write .hex or .bin", name, image.board));
+  }
+  if (*format == ImageFormat::kDfu && !image.dfu) {
+    throw Failure(Exit::kUsage, fmt::format("{}: {} takes no DFU files; write .hex or .bin", name, image.board));
   }
   return *format;
 }
@@ -92,7 +95,7 @@ Action configure_command_line(Options command) {
              "a file with an FPCAM line, or a scene: instead of the camera's own")
       .takes("FILE");
   command.value("--set", request->settings, "any other setting; may be repeated").takes("KEY=VALUE");
-  command.value("-o,--output", request->output, "where to write it: .uf2, .hex or .bin; .sav for a Game Boy")
+  command.value("-o,--output", request->output, "where to write it: .uf2, .hex, .bin or .dfu; .sav for a Game Boy")
       .takes("FILE")
       .required();
   return [request] { return run(*request); };

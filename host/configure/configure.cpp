@@ -27,10 +27,7 @@ using mcu::AboutBoard;
 
 constexpr std::string_view kNoImage = "this is no image of Fencepost, or one of a version that cannot be configured";
 
-/// Ends the work; what is wrong.
-struct Wrong {
-  std::string message;
-};
+using Wrong = ConfigureProblem;
 
 /// Fields one after the other, little-endian.
 class Fields {
@@ -248,7 +245,7 @@ struct PagesOnDesk {
     return true;
   }
   bool erase(std::size_t n) {
-    std::ranges::fill(pages.at(n), std::uint8_t{0xFF});
+    std::fill(pages.at(n).begin(), pages.at(n).end(), std::uint8_t{0xFF});
     return true;
   }
 };
@@ -321,6 +318,39 @@ void put_settings(ConfiguredImage& image, const Board& board) {
 }
 
 constexpr std::uint32_t kRp2040Flash = 0x1000'0000;
+constexpr std::uint32_t kStm32Flash = 0x0800'0000;  // a Game Boy's cartridge is there, too
+
+/// `Image`: ConfiguredImage or ImageChoices.
+template <class Image>
+void put_kinds(Image& image, const Board& board) {
+  image.cartridge = board.settings < board.image || board.settings - board.image > 1U << 25U;
+  image.uf2 = board.image == kRp2040Flash;
+  image.dfu = board.image == kStm32Flash && !image.cartridge;
+}
+
+ImageChoices choices_of(const ImageMemory& image) {
+  const Board board = board_of(image);
+  const Program program = program_of(image);
+  ImageChoices choices;
+  put_kinds(choices, board);
+  choices.board = board.name;
+  choices.version = program.version;
+  for (std::size_t c = 0; c < config::kCameraIds; ++c) {
+    const auto camera = static_cast<CameraId>(c);
+    ImageChoices::Camera choice{std::string(info(camera).name), config::delivered_calibration(camera).width > 0, {}};
+    for (std::size_t o = 0; o < config::kOdometryIds; ++o) {
+      const auto odometry = static_cast<OdometryId>(o);
+      const bool possible = refusal(Devices(camera, odometry), program.limits) == config::Refusal::kNone;
+      if (possible) choice.odometries.emplace_back(info(odometry).name);
+    }
+    if (!choice.odometries.empty()) choices.cameras.push_back(std::move(choice));
+  }
+  for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {
+    const auto key = static_cast<DeviceKey>(i);
+    choices.initial.emplace_back(info(key).name, program.limits.initial.text(key).view());
+  }
+  return choices;
+}
 
 ConfiguredImage configured(ImageMemory image, const ConfigureRequest& request) {
   const Board board = board_of(image);
@@ -331,8 +361,7 @@ ConfiguredImage configured(ImageMemory image, const ConfigureRequest& request) {
   robot.expect_possible();
   if (image.begin() == 0) image.move_to(board.image);
   ConfiguredImage result;
-  result.cartridge = board.settings < board.image || board.settings - board.image > 1U << 25U;
-  result.uf2 = board.image == kRp2040Flash;
+  put_kinds(result, board);
   if (!result.cartridge) result.memory = std::move(image);
   result.board = board.name;
   result.version = robot.program().version;
@@ -352,11 +381,19 @@ bool can_be_configured(const ImageMemory& image) {
   return find_mark(image.bytes(), AboutBoard::kMark) && find_mark(image.bytes(), AboutImage::kMark);
 }
 
+base::Result<ImageChoices, std::string> choices(const ImageMemory& image) {
+  try {
+    return choices_of(image);
+  } catch (const ConfigureProblem& problem) {
+    return problem.message;
+  }
+}
+
 base::Result<ConfiguredImage, std::string> configure(const ImageMemory& image, const ConfigureRequest& request) {
   try {
     return configured(image, request);
-  } catch (const Wrong& wrong) {
-    return wrong.message;
+  } catch (const ConfigureProblem& problem) {
+    return problem.message;
   }
 }
 

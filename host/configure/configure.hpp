@@ -27,12 +27,38 @@ struct ConfiguredImage {
   ImageMemory memory;      ///< of the image and its settings; of a cartridge's settings alone
   bool cartridge = false;  ///< the settings are in a memory of their own, which `memory` is
   bool uf2 = false;        ///< its part takes such files
+  bool dfu = false;        ///< likewise
   std::string board;
   std::string version;
   std::vector<std::string> told;  ///< the lines, without their ends
   std::size_t used = 0;           ///< bytes
   std::size_t room = 0;
 };
+
+/// The choices that an image leaves.
+struct ImageChoices {
+  struct Camera {
+    std::string name;
+    bool delivered = false;               ///< resolution and lens are known; it can be mounted
+    std::vector<std::string> odometries;  ///< that this board can have beside it, at least one
+  };
+  std::string board;
+  std::string version;
+  bool cartridge = false;  ///< these three as in ConfiguredImage
+  bool uf2 = false;
+  bool dfu = false;
+  std::vector<Camera> cameras;
+  std::vector<std::pair<std::string, std::string>> initial;  ///< settings of devices, as written on the console
+};
+
+/// A refusal: the reason, and a remedy. It leaves this folder only where nothing catches: in WebAssembly
+/// (host/web/wasm/exports.cpp).
+struct ConfigureProblem {
+  std::string message;
+};
+
+/// errors: as configure() has them, of a file that is no image
+base::Result<ImageChoices, std::string> choices(const ImageMemory& image);
 
 /// Does it say of itself what is needed?
 bool can_be_configured(const ImageMemory& image);

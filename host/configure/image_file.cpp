@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/configure/dfu_file.hpp"
 #include "host/configure/hex_file.hpp"
 #include "host/configure/uf2_file.hpp"
 
@@ -13,11 +14,11 @@ bool ImageMemory::put(std::uint32_t address, std::span<const std::uint8_t> bytes
   const std::uint64_t low = first ? address : std::min(begin_, address);
   const std::uint64_t high = std::max(first ? 0 : end(), address + std::uint64_t{bytes.size()});
   if (high - low > kMost) return false;
-  if (low < begin_ && !first) grow_in_front(begin_ - low);
+  if (low < begin_ && !first) grow_in_front(static_cast<std::size_t>(begin_ - low));
   begin_ = static_cast<std::uint32_t>(low);
-  bytes_.resize(std::max<std::size_t>(bytes_.size(), front_ + (high - low)), 0xFF);
+  bytes_.resize(std::max(bytes_.size(), front_ + static_cast<std::size_t>(high - low)), 0xFF);
   known_.resize(bytes_.size(), false);
-  const auto at = static_cast<std::ptrdiff_t>(front_ + (address - low));
+  const auto at = static_cast<std::ptrdiff_t>(front_ + static_cast<std::size_t>(address - low));
   std::copy(bytes.begin(), bytes.end(), bytes_.begin() + at);
   std::fill_n(known_.begin() + at, bytes.size(), true);
   return true;
@@ -38,6 +39,7 @@ std::optional<ImageFormat> image_format(std::string_view name) {
   if (name.ends_with(".bin") || name.ends_with(".gba")) return ImageFormat::kBin;
   if (name.ends_with(".hex")) return ImageFormat::kHex;
   if (name.ends_with(".uf2")) return ImageFormat::kUf2;
+  if (name.ends_with(".dfu")) return ImageFormat::kDfu;
   if (name.ends_with(".sav")) return ImageFormat::kSave;
   return std::nullopt;
 }
@@ -48,6 +50,7 @@ base::Result<ImageMemory, std::string> read_image(std::string_view file) {
                        "ELF")) {
     return std::string("this is an ELF file; give the .uf2, .hex or .bin that lies beside it");
   }
+  if (looks_like_dfu(file)) return std::string("this is a DFU file; give the .hex or .bin that lies beside it");
   if (looks_like_uf2(file)) return read_uf2(file);
   if (file.starts_with(':')) return read_hex(file);
   ImageMemory memory;
@@ -60,6 +63,7 @@ std::string write_image(const ImageMemory& memory, ImageFormat format) {
   switch (format) {
     case ImageFormat::kHex: return write_hex(memory);
     case ImageFormat::kUf2: return write_uf2(memory);
+    case ImageFormat::kDfu: return write_dfu(memory);
     case ImageFormat::kBin:
     case ImageFormat::kSave: break;
   }

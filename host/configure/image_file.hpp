@@ -21,9 +21,11 @@ class ImageMemory {
   /// From begin(); erased bytes are 0xFF.
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(bytes_).subspan(front_); }
   [[nodiscard]] bool known(std::uint64_t address) const {
-    return address >= begin_ && address < end() && known_[front_ + (address - begin_)];
+    return address >= begin_ && address < end() && known_[front_ + static_cast<std::size_t>(address - begin_)];
   }
-  [[nodiscard]] std::uint8_t at(std::uint64_t address) const { return bytes()[address - begin_]; }
+  [[nodiscard]] std::uint8_t at(std::uint64_t address) const {
+    return bytes()[static_cast<std::size_t>(address - begin_)];
+  }
 
   /// False: so far from the rest that it would be no microcontroller's memory; nothing changes then.
   [[nodiscard]] bool put(std::uint32_t address, std::span<const std::uint8_t> bytes);
@@ -41,15 +43,15 @@ class ImageMemory {
   std::vector<bool> known_;
 };
 
-enum class ImageFormat : std::uint8_t { kBin, kHex, kUf2, kSave };
+enum class ImageFormat : std::uint8_t { kBin, kHex, kUf2, kDfu, kSave };
 
-/// By the end of a file's name: .bin and .gba, .hex, .uf2, .sav.
+/// By the end of a file's name: .bin and .gba, .hex, .uf2, .dfu, .sav.
 std::optional<ImageFormat> image_format(std::string_view name);
 
 /// By what is in the file. A .bin has no addresses: it begins at 0.
 /// errors: what is wrong with it, and what to give instead
 base::Result<ImageMemory, std::string> read_image(std::string_view file);
-/// `memory` of the RP2040 alone as kUf2.
+/// `memory` of the RP2040 alone as kUf2, of an STM32 alone as kDfu.
 std::string write_image(const ImageMemory& memory, ImageFormat format);
 
 /// The places of the first bytes of `mark`.

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"image.bin --set alert.stop -o mine.hex", 2, "--set alert.stop is no KEY=VALUE"},
         Refused{"image.bin -o mine.uf2", 2, "mine.uf2: testboard takes no UF2 files; write .hex or .bin"},
         Refused{"image.bin -o mine.sav", 2, "only a cartridge has a .sav"},
-        Refused{"image.bin -o mine.txt", 2, "mine.txt: its name has to end with .uf2, .hex, .bin or .sav"},
+        Refused{"image.bin -o mine.txt", 2, "mine.txt: its name has to end with .uf2, .hex, .bin, .dfu or .sav"},
         Refused{"image.bin", 2, "--output is required"},
         Refused{"other.bin -o mine.hex", 3, "other.bin: this is no image of Fencepost"},
         Refused{"cut.hex -o mine.hex", 3, "cut.hex: the file is cut off: its last line is missing"},

@@ -97,6 +97,28 @@ TEST(Configure, WritesDevicesSettingsCalibrationAndColours) {
   }
 }
 
+// Of six cameras on a board with one line, one is at an address that is too low for it.
+TEST(Configure, ChoicesAreWhatCanBeConfigured) {
+  const auto found = choices(image(kSettings, 1U << 0U | 1U << 1U | 1U << 3U | 1U << 9U | 1U << 12U | 1U << 19U));
+  ASSERT_TRUE(found.ok()) << found.error();
+  EXPECT_EQ(found->board, "testboard");
+  EXPECT_TRUE(found->dfu && !found->uf2 && !found->cartridge);
+  std::string text;
+  for (const ImageChoices::Camera& camera : found->cameras) {
+    text += camera.name + (camera.delivered ? " delivered:" : ":");
+    for (const std::string& odometry : camera.odometries) text += " " + odometry;
+    text += "\n";
+  }
+  EXPECT_EQ(text,
+            "console: console encoders create1 create2\n"
+            "pixy2 delivered: console encoders\n"
+            "pixy2_i2c delivered: console encoders create1 create2\n"
+            "huskylens delivered: console encoders\n"
+            "jevois delivered: console encoders\n");
+  EXPECT_EQ(found->initial.front(), std::pair(std::string("camera"), std::string("pixy2")));
+  EXPECT_FALSE(choices(ImageMemory()).ok());
+}
+
 TEST(Configure, WheelsAreAWheelWithSuchTicks) {
   ConfigureRequest request;
   request.robot = robot(R"({"wheels": {"metres_per_tick": -0.00012345}})");

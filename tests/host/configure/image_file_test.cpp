@@ -43,6 +43,39 @@ TEST(ImageFile, HexReadsWhatItWrites) {
   expect_same(*read, memory);
 }
 
+// dfuse-pack of dfu-util 0.11 wrote these bytes, its suffix and checksum included.
+TEST(ImageFile, DfuIsWhatOtherProgramsWrite) {
+  ImageMemory memory;
+  ASSERT_TRUE(memory.put(0x0800'0000, std::vector<std::uint8_t>{'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h'}));
+  const std::string file = write_image(memory, ImageFormat::kDfu);
+  const auto hex = [&](std::size_t from, std::size_t size) {
+    std::string text;
+    for (const char c : file.substr(from, size)) {
+      constexpr std::string_view kDigits = "0123456789abcdef";
+      text += kDigits[static_cast<std::uint8_t>(c) >> 4U];
+      text += kDigits[static_cast<std::uint8_t>(c) & 15U];
+    }
+    return text;
+  };
+  ASSERT_EQ(file.size(), 317U);
+  EXPECT_EQ(hex(0, 28),
+            "446675536501"
+            "3d010000"
+            "01"
+            "546172676574"
+            "00"
+            "01000000"
+            "53542e2e2e00");
+  EXPECT_EQ(hex(277, 40),
+            "10000000"
+            "01000000"
+            "00000008"
+            "08000000"
+            "6162636465666768"
+            "000011df83041a01554644103dedc357");
+  EXPECT_FALSE(read_image(file).ok());
+}
+
 // The example of Intel's specification, and a segment address.
 TEST(ImageFile, HexKnowsBothKindsOfAddress) {
   const auto read = read_image(":0300300002337A1E\n:020000021000EC\n:0100000055AA\n:00000001FF\n");
@@ -143,7 +176,8 @@ TEST(ImageFile, FormatsByName) {
   EXPECT_EQ(image_format("mine.uf2"), ImageFormat::kUf2);
   EXPECT_EQ(image_format("mine.gba"), ImageFormat::kBin);
   EXPECT_EQ(image_format("mine.sav"), ImageFormat::kSave);
-  EXPECT_FALSE(image_format("mine.dfu"));
+  EXPECT_EQ(image_format("mine.dfu"), ImageFormat::kDfu);
+  EXPECT_FALSE(image_format("mine.elf"));
   EXPECT_FALSE(image_format("mine"));
 }
 
