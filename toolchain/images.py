@@ -2,9 +2,12 @@
 """usage: images.py SOURCE BUILD OUT VERSION
 
 Builds the image of every board and leaves in OUT: fencepost-VERSION-BOARD.KIND, a page that says what to do with them, the
-guide to a first alert with its drawings and examples, and SHA256SUMS. What was in OUT is gone, if it came from here.
+guide to a first alert with its drawings and examples, and SHA256SUMS. fencepost-boards.html is the page with all images inside. What
+was in OUT is gone, if it came from here.
 """
 
+import base64
+import gzip
 import hashlib
 import html
 import json
@@ -18,6 +21,8 @@ KINDS = ("uf2", "hex", "bin", "dfu", "gba", "elf")
 DOCUMENT = "host/share/doc/boards.md"
 GUIDE = "firmware/FIRST_ALERT.md"
 EXAMPLES = "host/share/examples"
+WEB_PAGE = "host/web/dist/fencepost.html"
+WEB_PLACE = "<!-- given -->"  # a copy of the page has its own data there
 SUMS = "SHA256SUMS"
 ROW = re.compile(r"\| `(\w+)` \|")  # of a board, in a table of boards
 PICTURE = re.compile(r"(!\[[^\]]*\]\()([^)]+)\)")
@@ -139,6 +144,20 @@ def add_guide(source, out, version):
     shutil.copytree(source / EXAMPLES, out / "examples")
 
 
+def page_with_images(page, images):
+    """The page of host/web with images inside, `images`: {board: bytes}; host/web/src/board.js reads them."""
+    if page.count(WEB_PLACE) != 1:
+        raise Fault(f"{WEB_PAGE} has no {WEB_PLACE}: host/web/build makes it")
+    packed = [{"board": board, "image": base64.b64encode(gzip.compress(image, 9, mtime=0)).decode()} for board, image in images.items()]
+    return page.replace(WEB_PLACE, f'<script type="application/json" id="images">{json.dumps(packed)}</script>\n{WEB_PLACE}')
+
+
+def add_page(source, out, collected, version):
+    page = (source / WEB_PAGE).read_text(encoding="utf-8")
+    images = {board: (out / f"fencepost-{version}-{board}.bin").read_bytes() for board in collected}
+    (out / "fencepost-boards.html").write_text(page_with_images(page, images), encoding="utf-8")
+
+
 def add_sums(out):
     lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.relative_to(out).as_posix()}\n"
              for path in sorted(out.rglob("*")) if path.is_file() and path.name != SUMS]
@@ -158,6 +177,7 @@ def make(source, build_folder, out, version, builder=build):
     text = (source / DOCUMENT).read_text(encoding="utf-8")
     (out / "START_HERE.html").write_text(to_html(page(text, version, collected)), encoding="utf-8")
     add_guide(source, out, version)
+    add_page(source, out, collected, version)
     add_sums(out)
     print(f"images: {out}: {len(names)} boards, {sum(map(len, collected.values()))} images")
 

@@ -5,6 +5,8 @@ toolchain/images.py: which boards there are, what it leaves, what it refuses; an
 preset. Nothing is compiled: the build is the test's own.
 """
 
+import base64
+import gzip
 import hashlib
 import json
 import pathlib
@@ -80,7 +82,8 @@ class Images(unittest.TestCase):
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
                 (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md)\n"),
-                ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n")):
+                ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n"),
+                (images.WEB_PAGE, f"<html>{images.WEB_PLACE}<script></script></html>")):
             path = source / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
@@ -96,7 +99,7 @@ class Images(unittest.TestCase):
     def test_leaves_images_pages_and_sums(self):
         self.make()
         names = {path.relative_to(self.out).as_posix() for path in self.out.rglob("*") if path.is_file()}
-        self.assertEqual(names, {"SHA256SUMS", "START_HERE.html", "FIRST_ALERT.html", "wires.svg", "seen.html", "examples/stop.py",
+        self.assertEqual(names, {"SHA256SUMS", "START_HERE.html", "FIRST_ALERT.html", "wires.svg", "seen.html", "examples/stop.py", "fencepost-boards.html",
                                  *(f"fencepost-1.2.3-pico.{kind}" for kind in KINDS_OF["pico"])})
         sums = dict(reversed(line.split("  ")) for line in (self.out / "SHA256SUMS").read_text().splitlines())
         self.assertEqual(set(sums), names - {"SHA256SUMS"})
@@ -109,6 +112,15 @@ class Images(unittest.TestCase):
         self.assertIn('<img src="wires.svg"', guide)
         self.assertIn('<a href="seen.html"', guide)
         self.assertNotIn("VERSION", start + guide)
+
+    def test_the_page_has_the_images_inside(self):
+        self.make()
+        text = (self.out / "fencepost-boards.html").read_text()
+        inside = json.loads(re.search(r'id="images">(.*?)</script>', text).group(1))
+        self.assertEqual([(one["board"], gzip.decompress(base64.b64decode(one["image"]))) for one in inside], [("pico", b"pico bin")])
+        self.assertIn(images.WEB_PLACE, text, "logs can still be put into it")
+        with self.assertRaisesRegex(images.Fault, "host/web/build makes it"):
+            images.page_with_images("<html></html>", {})
 
     def test_is_the_same_again_and_keeps_nothing_of_before(self):
         self.make()

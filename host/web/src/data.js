@@ -2,7 +2,7 @@
 import { byId } from "./dom.js";
 import { truthOf } from "./scene.js";
 
-const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+export const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
 const MAX_UNPACKED = 512e6; // bytes; a log of fifty hours, and what a browser holds beside its copies
 
@@ -40,6 +40,9 @@ export async function entryOf({ name, log, thinned, scene }) {
   if (log !== undefined) return { name, bytes, truth: truthOf(scene) };
   return { name, bytes: new Uint8Array(), kept: JSON.parse(new TextDecoder().decode(bytes)), truth: truthOf(scene) };
 }
+
+/** The boards' programs in this copy of the page: [{ board, image }], packed. */
+export const boardImages = () => read("images") ?? [];
 
 /** What this copy of the page was written for, or null: { logs, profile }, or { stream: { name, path } } of a run that goes on. */
 export const given = () => read("given");

@@ -90,17 +90,43 @@ export class Engine {
   /** The world becomes `scene`. One with a fault ends the drive: try it in another engine first. */
   change(scene) { this.#give(scene, () => this.#code.change()); }
   #give(scene, use) {
-    const bytes = new TextEncoder().encode(scene);
+    this.#put(new TextEncoder().encode(scene), "scene");
+    this.#try(use);
+  }
+  #put(bytes, as) {
     for (let at = 0; at < bytes.length; at += this.inputSize) {
       const part = bytes.subarray(at, at + this.inputSize);
       new Uint8Array(this.#code.memory.buffer, this.#code.input(), part.length).set(part);
-      this.#code.scene(part.length);
+      this.#code[as](part.length);
     }
+  }
+  #try(use) {
     try {
-      use();
+      return use();
     } catch (error) {
       throw new Error(this.#read(this.#code.text_size()) || error.message);
     }
+  }
+
+  /** The choices of a board's image: { board, version, formats, cameras, initial }. Throws what is wrong with the file. */
+  board(image) {
+    this.#begin();
+    this.#put(image, "image");
+    return JSON.parse(this.#read(this.#try(() => this.#code.board())));
+  }
+
+  /** The file that `fencepost configure` writes, and what it says. `robot`: a robot file's text, `settings`: [key, value] in order. */
+  configure(image, { format, robot, settings }) {
+    this.#begin();
+    this.#put(image, "image");
+    for (const word of [format, robot, ...settings.flat()]) {
+      const bytes = new TextEncoder().encode(word);
+      new Uint8Array(this.#code.memory.buffer, this.#code.input(), bytes.length).set(bytes);
+      this.#code.word(bytes.length);
+    }
+    const said = JSON.parse(this.#read(this.#try(() => this.#code.configure())));
+    const file = new Uint8Array(this.#code.memory.buffer, this.#code.image_file(), this.#code.image_file_size()).slice();
+    return { file, said };
   }
 
   steer({ forward, turn }) { this.#code.steer(forward, turn); }

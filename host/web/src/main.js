@@ -1,9 +1,10 @@
 import { inks, theme } from "./colours.js";
 import { drawCamera } from "./cameraview.js";
 import { bindSound, showBanner } from "./banner.js";
+import { BoardPanel, isImage } from "./board.js";
 import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
 import { compare } from "./compare.js";
-import { bundled, entriesOf, entryOf, given } from "./data.js";
+import { boardImages, bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, plain } from "./dom.js";
 import { Driver } from "./drive.js";
 import { Engine, PROFILES } from "./engine.js";
@@ -21,6 +22,7 @@ import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
+import { bindLanguage } from "./words.js";
 
 const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [], signatures: [], camera: null, log: { rejected: {}, refused: {} } },
   page: { settings: {}, frame: null, bad_lines: [], complaints: [], check: {} }, path: new Float64Array(), time: 0 };
@@ -38,6 +40,7 @@ let engine;
 let replayer;  // of logs, one at a time
 let player;    // it, or what was kept of a log
 let driver;    // of a robot that is driven here
+let boards;    // the panel of boards
 let ink = inks();
 
 const drawnNow = { pending: false, frame: null, tables: 0 };
@@ -261,8 +264,12 @@ async function openRecording(recording) {
 }
 
 async function openFiles(files) {
+  const image = files.find(({ name }) => isImage(name));
+  if (image) await boards.load(image.name, new Uint8Array(await image.arrayBuffer()));
+  const others = files.filter(({ name }) => !isImage(name));
+  if (image && !others.length) return null;
   byId("recordings").value = "";
-  const { logs, scenes, complaints } = await entriesOf(files);
+  const { logs, scenes, complaints } = await entriesOf(others);
   if (complaints.length) summary(complaints.join("; "));
   if (!logs.length && scenes.length && driver.going) return driver.load(scenes[0].name, scenes[0].text);
   if (!logs.length && scenes.length) {
@@ -323,6 +330,7 @@ async function openFirst(recordings, comingLog) {
 }
 
 async function begin() {
+  bindLanguage(byId("language"));
   setTheme(window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   byId("theme").onclick = () => setTheme(theme() === "dark" ? "light" : "dark");
   const { wasm, recordings } = await bundled();
@@ -363,6 +371,7 @@ async function begin() {
     },
   };
   bindPort(comingLog);
+  boards = new BoardPanel(comingLog.engine, boardImages());
   bindSound();
   bindTour({ goTo, begin: async () => {
     await openEntry(await entryOf(recordings[0]));

@@ -126,3 +126,29 @@ export class Robot {
     this.listeners.ended();
   }
 }
+
+/** A robot's answers to lines that are typed one after the other, until its `status` has come. */
+export async function ask(serial, lines, patience = SILENT) {
+  const port = await serial.requestPort();
+  await port.open({ baudRate: 115200, bufferSize: 65536 });
+  const reader = port.readable.getReader();
+  const decoder = new TextDecoder();
+  let answer = "";
+  const late = setTimeout(() => reader.cancel().catch(() => {}), patience);
+  try {
+    const writer = port.writable.getWriter();
+    await writer.write(new TextEncoder().encode(lines.map((line) => `\r${line}\r`).join("")));
+    writer.releaseLock();
+    while (!/^camera [^\n]*; odometry [^\n]*\n/m.test(answer)) {
+      const { value, done } = await reader.read();
+      if (done) break;
+      answer += decoder.decode(value, { stream: true });
+    }
+  } finally {
+    clearTimeout(late);
+    await reader.cancel().catch(() => {});
+    reader.releaseLock();
+    await port.close();
+  }
+  return answer.replaceAll("\r", "");
+}

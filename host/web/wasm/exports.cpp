@@ -6,10 +6,14 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <utility>
+#include <vector>
 
+#include "host/configure/configure.hpp"
 #include "host/scene/json_reader.hpp"
 #include "host/scene/load.hpp"
+#include "host/web/board.hpp"
 #include "host/web/drive.hpp"
 #include "host/web/page_replay.hpp"
 
@@ -24,6 +28,8 @@ std::unique_ptr<PageReplay> replayed;
 std::unique_ptr<Drive> driven;
 std::string scene;
 std::string text;
+std::vector<std::string> given;  // the page's words of a request
+std::string board_image;
 
 // A scene with a fault ends in __cxa_throw.
 Scene given_scene() { return *parse_scene(std::exchange(scene, {}), "scene"); }
@@ -90,10 +96,45 @@ FENCEPOST_EXPORT(end)()->void { page::driven->finish(); }
 FENCEPOST_EXPORT(log)()->const char* { return page::driven->log().data(); }
 FENCEPOST_EXPORT(log_size)()->std::size_t { return page::driven->log().size(); }
 
-// The readers of scenes alone throw, and a SceneProblem alone. There is no catching here: this ends the call.
+/// `size` more bytes at `input`: a word of the request, or the next part of an image's file.
+FENCEPOST_EXPORT(word)(std::size_t size)->void { page::given.emplace_back(page::input.data(), size); }
+FENCEPOST_EXPORT(image)(std::size_t size)->void { page::board_image.append(page::input.data(), size); }
+/// Writes the choices of that image as JSON at `text`. One with a fault traps, and `text` says what it is; so does the
+/// next one.
+FENCEPOST_EXPORT(board)()->std::size_t {
+  const auto choices = page::board_choices(page::board_image);
+  page::text = choices.ok() ? choices->json : choices.error();
+  if (!choices.ok()) __builtin_trap();
+  return page::text.size();
+}
+/// The board's file, at `image_file`, and JSON at `text`. Words: format, robot file, then each setting's key and value.
+FENCEPOST_EXPORT(configure)()->std::size_t {
+  page::BoardRequest request;
+  if (page::given.size() < 2) __builtin_trap();
+  request.format = page::given[0];
+  request.robot = page::given[1];
+  for (std::size_t i = 2; i + 1 < page::given.size(); i += 2) {
+    request.settings.emplace_back(page::given[i], page::given[i + 1]);
+  }
+  auto made = page::board_file(page::board_image, request);
+  page::text = made.ok() ? made->said : made.error();
+  if (!made.ok()) __builtin_trap();
+  page::board_image = std::move(made->bytes);
+  return page::text.size();
+}
+FENCEPOST_EXPORT(image_file)()->const char* { return page::board_image.data(); }
+FENCEPOST_EXPORT(image_file_size)()->std::size_t { return page::board_image.size(); }
+
+// Readers of JSON throw a SceneProblem, the work on an image throws a ConfigureProblem, and nothing else throws. There
+// is no catching here: this ends the call.
 extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept { return std::malloc(size); }
-extern "C" [[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*)) {
-  const auto& problem = *static_cast<const page::SceneProblem*>(thrown);
-  page::text = page::SceneError{"scene", problem.where, problem.what, problem.remedy}.message();
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*)(void*)) {
+  if (*type == typeid(page::ConfigureProblem)) {
+    page::text = static_cast<const page::ConfigureProblem*>(thrown)->message;
+  } else {
+    const auto& problem = *static_cast<const page::SceneProblem*>(thrown);
+    const char* file = page::given.empty() ? "scene" : "robot.json";
+    page::text = page::SceneError{file, problem.where, problem.what, problem.remedy}.message();
+  }
   __builtin_trap();
 }
