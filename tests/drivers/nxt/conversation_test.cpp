@@ -19,7 +19,7 @@ const std::vector<std::uint8_t> kBatteryReply = hex("02 0B 00 78 1E");
 const std::vector<std::uint8_t> kStatusReply = hex("02 0E 00 05");
 const std::vector<std::uint8_t> kWriteReply = hex("02 0F 00");
 
-struct Bench {
+struct TalkBench {
   Conversation conversation;
   base::Time now{};
   Exchange exchange;
@@ -49,7 +49,7 @@ struct Bench {
 };
 
 TEST(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
-  Bench bench;
+  TalkBench bench;
   EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
   bench.greet();
   EXPECT_EQ(bench.conversation.link(), LinkState::kOk);
@@ -63,7 +63,7 @@ TEST(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
 }
 
 TEST(NxtConversation, OneRequestIsOutstanding) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   Exchange other;
   other.request = sensor_status(1);
@@ -81,7 +81,7 @@ TEST(NxtConversation, OneRequestIsOutstanding) {
 }
 
 TEST(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
@@ -98,7 +98,7 @@ TEST(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
 }
 
 TEST(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
@@ -112,7 +112,7 @@ TEST(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
 }
 
 TEST(NxtConversation, ALostReplyIsAskedForAgainThreeTimes) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   for (int i = 0; i < 3; ++i) {
@@ -127,7 +127,7 @@ TEST(NxtConversation, ALostReplyIsAskedForAgainThreeTimes) {
 }
 
 TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
@@ -147,7 +147,7 @@ TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
 }
 
 TEST(NxtConversation, UnpluggedIsAbsent) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   bench.conversation.lose_link(bench.now);
@@ -159,7 +159,7 @@ TEST(NxtConversation, UnpluggedIsAbsent) {
 }
 
 TEST(NxtConversation, TooManyAskersAreRefused) {
-  Bench bench;
+  TalkBench bench;
   std::array<Exchange, Conversation::kAskers + 3> many;
   std::size_t taken = 0;
   for (Exchange& exchange : many) {
@@ -171,7 +171,7 @@ TEST(NxtConversation, TooManyAskersAreRefused) {
 
 // Before it was asked: it answers somebody else.
 TEST(NxtConversation, AReplyToWhatWasNotAskedYetIsUnmatched) {
-  Bench bench;
+  TalkBench bench;
   bench.greet();
   bench.exchange.request = keep_alive();
   ASSERT_TRUE(bench.conversation.submit(bench.exchange));

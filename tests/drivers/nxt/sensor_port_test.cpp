@@ -13,7 +13,7 @@ using base::Error;
 using sensor::LinkState;
 using test::hex;
 
-struct Bench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
+struct SensorBench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
   emulate::NxtCam camera_device{base::Time{}};
   SensorPort port{brick.conversation(), 0};
 
@@ -33,7 +33,7 @@ struct Bench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
 };
 
 TEST(NxtSensorPort, ReadsRegisters) {
-  Bench bench;
+  SensorBench bench;
   bench.attach();
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
@@ -45,7 +45,7 @@ TEST(NxtSensorPort, ReadsRegisters) {
 }
 
 TEST(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
-  Bench bench;
+  SensorBench bench;
   bench.attach();
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
@@ -55,7 +55,7 @@ TEST(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
 }
 
 TEST(NxtSensorPort, LimitsAndOverlap) {
-  Bench bench;
+  SensorBench bench;
   bench.attach();
   bench.run(4'000);
   const std::array<std::uint8_t, 16> sixteen{};
@@ -69,7 +69,7 @@ TEST(NxtSensorPort, LimitsAndOverlap) {
 }
 
 TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
-  Bench bench;
+  SensorBench bench;
   bench.attach();
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
@@ -86,7 +86,7 @@ TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
 
 // After a restart the port is an ordinary one again: the first transfer says so, the next sets it up.
 TEST(NxtSensorPort, IsSetUpAgainAfterARestart) {
-  Bench bench;
+  SensorBench bench;
   bench.attach();
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};

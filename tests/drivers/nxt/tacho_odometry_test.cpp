@@ -9,8 +9,8 @@ namespace {
 
 using sensor::LinkState;
 
-struct Bench : test::Bench<test::NxtWheelsRig<test::UsbBrick>> {
-  explicit Bench(const TachoOptions& options = {})
+struct TachoBench : test::Bench<test::NxtWheelsRig<test::UsbBrick>> {
+  explicit TachoBench(const TachoOptions& options = {})
       : test::Bench<test::NxtWheelsRig<test::UsbBrick>>(test::Damage{}, options) {}
   // Degrees a second of both motors.
   void run(std::int64_t ms, double left_degrees, double right_degrees) {
@@ -22,7 +22,7 @@ struct Bench : test::Bench<test::NxtWheelsRig<test::UsbBrick>> {
 
 // 360 degrees of a 56 mm wheel are 175.93 mm.
 TEST(NxtTachoOdometry, DrivesStraight) {
-  Bench bench;
+  TachoBench bench;
   bench.run(4'000, 0, 0);
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   bench.run(5'000, 360, 360);
@@ -35,7 +35,7 @@ TEST(NxtTachoOdometry, DrivesStraight) {
 
 // Both wheels opposite, 360 degrees each: 2 x 175.93 mm on a track of 112 mm are 3.1416 rad.
 TEST(NxtTachoOdometry, TurnsOnTheSpot) {
-  Bench bench;
+  TachoBench bench;
   bench.run(4'000, 0, 0);
   bench.run(500, -360, 360);
   bench.run(200, 0, 0);
@@ -46,7 +46,7 @@ TEST(NxtTachoOdometry, TurnsOnTheSpot) {
 // Driving straight over a slow link: the readings are 40 ms apart, at 360 degrees a second 14 counts; without the
 // interpolation the robot would seem to have turned by 14 x 0.489 mm / 112 mm = 0.06 rad.
 TEST(NxtTachoOdometry, ReadingsAtDifferentTimesAreNoTurn) {
-  Bench bench;
+  TachoBench bench;
   bench.link.delay = base::milliseconds(40);
   bench.run(4'000, 0, 0);
   bench.run(2'000, 360, 360);
@@ -58,7 +58,7 @@ TEST(NxtTachoOdometry, ReadingsAtDifferentTimesAreNoTurn) {
 }
 
 TEST(NxtTachoOdometry, ARestartOfTheBrickIsNoMotion) {
-  Bench bench;
+  TachoBench bench;
   bench.run(4'000, 0, 0);
   bench.run(1'000, 360, 360);
   bench.run(100, 0, 0);
@@ -76,7 +76,7 @@ TEST(NxtTachoOdometry, ARestartOfTheBrickIsNoMotion) {
 }
 
 TEST(NxtTachoOdometry, AWrongPortIsUnready) {
-  Bench bench({.left_port = 7});
+  TachoBench bench({.left_port = 7});
   bench.run(5'000, 0, 0);
   EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
   EXPECT_TRUE(bench.frames.empty());

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> joined(std::initializer_list<std::vector<std::uint8_t>
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
-std::vector<std::uint8_t> text(const std::string& text) { return {text.begin(), text.end()}; }
+std::vector<std::uint8_t> typed(const std::string& text) { return {text.begin(), text.end()}; }
 
 TEST(AvrCam, DocumentedPacket) {
   const Messages messages = avrcam(hex(kTwo));
@@ -49,7 +49,7 @@ TEST(AvrCam, DocumentedPacket) {
 }
 
 TEST(AvrCam, AnswersAreLines) {
-  const Messages messages = avrcam(joined({text("ACK\rAVRcam v1.4\r"), hex(kTwo), text("NCK\r")}));
+  const Messages messages = avrcam(joined({typed("ACK\rAVRcam v1.4\r"), hex(kTwo), typed("NCK\r")}));
   ASSERT_EQ(messages.size(), 4U);
   EXPECT_EQ(line_in(messages[0]), "ACK");
   EXPECT_EQ(line_in(messages[1]), "AVRcam v1.4");
@@ -88,12 +88,12 @@ TEST(AvrCam, WhatItsFirstBytesAre) {
 TEST(AvrCam, LinesHave32CharactersAtMost) {
   for (const std::size_t length : {1U, 32U, 33U}) {
     const std::string line(length, '~');
-    const auto verdict = examine_avrcam(text(line + "\r"));
+    const auto verdict = examine_avrcam(typed(line + "\r"));
     EXPECT_EQ(verdict.front, length <= 32 ? wire::Front::kMessage : wire::Front::kNoise) << length;
     EXPECT_EQ(verdict.size, length <= 32 ? length + 1 : 1U) << length;
   }
-  EXPECT_EQ(examine_avrcam(text(std::string(32, ' '))).front, wire::Front::kIncomplete);
-  EXPECT_EQ(examine_avrcam(text("ab\n")).size, 2U) << "up to what may begin a packet";
+  EXPECT_EQ(examine_avrcam(typed(std::string(32, ' '))).front, wire::Front::kIncomplete);
+  EXPECT_EQ(examine_avrcam(typed("ab\n")).size, 2U) << "up to what may begin a packet";
   EXPECT_EQ(examine_avrcam(hex("41 42 7F 0A")).size, 3U) << "with the byte that is no character";
   EXPECT_EQ(examine_avrcam(hex("1F 41")).size, 1U);
   EXPECT_EQ(examine_avrcam(hex("0D 41")).front, wire::Front::kNoise) << "an empty line";

@@ -13,12 +13,12 @@ namespace {
 using sensor::LinkState;
 using test::bytes_of;
 using test::hex;
-using Bench = test::Bench<test::NxtCam5Rig>;
+using V5Bench = test::Bench<test::NxtCam5Rig>;
 using Script = fake::ScriptedLink<512>;
 
-static_assert(sensor::BlobCamera<V5Camera<Bench::Link>>);
+static_assert(sensor::BlobCamera<V5Camera<V5Bench::Link>>);
 
-const sensor::Blob kRed{2, 100, 60, 139, 89, {1195}, {745}, 0, {}};
+const sensor::Blob kV5Red{2, 100, 60, 139, 89, {1195}, {745}, 0, {}};
 const sensor::Blob kSmall{5, 10, 20, 19, 29, {145}, {245}, 0, {}};
 
 // One byte a millisecond.
@@ -54,7 +54,7 @@ TEST(V5Camera, TheWorkedExampleIsAFrameAfterThePause) {
   reading.pass(8);
   ASSERT_EQ(reading.frames.size(), 1U);
   ASSERT_EQ(reading.frames[0].blobs.size(), 1U);
-  EXPECT_EQ(reading.frames[0].blobs[0], kRed);
+  EXPECT_EQ(reading.frames[0].blobs[0], kV5Red);
   EXPECT_EQ(reading.frames[0].t, base::Time{10'010}) << "its first byte";
 }
 
@@ -65,7 +65,7 @@ TEST(V5Camera, BlobsOfOneCountAreOneFrameTheLargestFirst) {
   reading.bytes(test::NxtCam5::framed(4, {10, 0, 5, 10, 20, 20, 30}));
   ASSERT_EQ(reading.frames.size(), 1U) << "complete with the next one's first blob";
   ASSERT_EQ(reading.frames[0].blobs.size(), 2U);
-  EXPECT_EQ(reading.frames[0].blobs[0], kRed);
+  EXPECT_EQ(reading.frames[0].blobs[0], kV5Red);
   EXPECT_EQ(reading.frames[0].blobs[1], kSmall);
   reading.pass(8);
   EXPECT_EQ(reading.frames.size(), 2U);
@@ -106,7 +106,7 @@ TEST(V5Camera, AsksForTheVersionAndCommandsTracking) {
 }
 
 TEST(V5Camera, LinkStates) {
-  Bench bench;
+  V5Bench bench;
   bench.run(1'000, {});
   EXPECT_EQ(bench.driver.link(), LinkState::kSilent) << "starting";
   bench.run(1'100, {});
@@ -116,26 +116,26 @@ TEST(V5Camera, LinkStates) {
   EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
   ASSERT_FALSE(bench.frames.empty());
   EXPECT_TRUE(bench.frames.back().blobs.empty());
-  bench.run(100, {kRed, kSmall});
+  bench.run(100, {kV5Red, kSmall});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   ASSERT_EQ(bench.frames.back().blobs.size(), 2U);
-  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+  EXPECT_EQ(bench.frames.back().blobs[0], kV5Red);
   EXPECT_EQ(bench.frames.back().blobs[1], kSmall);
   bench.link.unplug();
-  bench.run(10, {kRed});
+  bench.run(10, {kV5Red});
   EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
   bench.link.replug();
-  bench.run(1'500, {kRed});
+  bench.run(1'500, {kV5Red});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   EXPECT_EQ(bench.driver.session().version(), "5.01");
 }
 
 // A camera that takes no questions: heard by its blobs alone.
 TEST(V5Camera, OneThatAnswersNothingIsSilentWithoutBlobs) {
-  Bench bench;
+  V5Bench bench;
   bench.device.set_answers(false);
   bench.restart(bench.clock.now());
-  bench.run(3'000, {kRed});
+  bench.run(3'000, {kV5Red});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   bench.run(3'000, {});
   EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
@@ -143,12 +143,12 @@ TEST(V5Camera, OneThatAnswersNothingIsSilentWithoutBlobs) {
 }
 
 TEST(V5Camera, OrEmptyIfSoTold) {
-  Bench bench(test::Damage{}, V5Options{.ask = false, .silence_is_empty = true});
+  V5Bench bench(test::Damage{}, V5Options{.ask = false, .silence_is_empty = true});
   bench.device.set_answers(false);
   bench.restart(bench.clock.now());
   bench.run(5'000, {});
   EXPECT_EQ(bench.driver.link(), LinkState::kSilent) << "never heard";
-  bench.run(1'000, {kRed});
+  bench.run(1'000, {kV5Red});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   bench.run(5'000, {});
   EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);

@@ -9,7 +9,7 @@
 namespace fencepost::pixy2 {
 namespace {
 
-using Bench = test::Bench<test::Pixy2UsbRig>;
+using UsbBench = test::Bench<test::Pixy2UsbRig>;
 using sensor::LinkState;
 using test::bytes_of;
 using test::hex;
@@ -103,27 +103,27 @@ TEST(Chirp, OtherMessagesAreNone) {
   EXPECT_FALSE(chirp::packet_in(*chirp::message_in(cut)));
 }
 
-const sensor::Blob kRed{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
+const sensor::Blob kUsbRed{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
 
 TEST(ChirpLink, RunsTheCamera) {
-  Bench bench;
-  bench.run(3'000, {kRed});
+  UsbBench bench;
+  bench.run(3'000, {kUsbRed});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
   EXPECT_EQ(bench.driver.session().version()->build, 20);
   ASSERT_FALSE(bench.frames.empty());
-  EXPECT_EQ(bench.frames.back().blobs[0], kRed);
+  EXPECT_EQ(bench.frames.back().blobs[0], kUsbRed);
   const std::size_t before = bench.frames.size();
-  bench.run(1'600, {kRed});
+  bench.run(1'600, {kUsbRed});
   EXPECT_EQ(bench.frames.size() - before, 100U);
 }
 
 TEST(ChirpLink, PushedMessagesPass) {
-  Bench bench;
-  bench.run(3'000, {kRed});
+  UsbBench bench;
+  bench.run(3'000, {kUsbRed});
   bench.frames.clear();
   for (int i = 0; i < 20; ++i) {
     bench.link.inject(emulate::Pixy2Usb::pushed(i % 2 == 0 ? 30 : 5'000));
-    bench.run(100, {kRed});
+    bench.run(100, {kUsbRed});
   }
   EXPECT_GT(bench.frames.size(), 80U);
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
@@ -131,10 +131,10 @@ TEST(ChirpLink, PushedMessagesPass) {
 
 // Reset between the two messages that open the connection: it answers the second one only after the first.
 TEST(ChirpLink, ACameraResetWhileTheConnectionOpensIsOpenedAnew) {
-  Bench bench;
-  while (bench.link.waiting() == 0) bench.run(1, {kRed});  // the answer to the first one is on its way
+  UsbBench bench;
+  while (bench.link.waiting() == 0) bench.run(1, {kUsbRed});  // the answer to the first one is on its way
   bench.usb.restart(bench.clock.now());
-  bench.run(8'000, {kRed});
+  bench.run(8'000, {kUsbRed});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 

@@ -12,10 +12,10 @@ using Bus = fake::ScriptedI2c<8>;
 
 static_assert(bus::ByteLink<I2cStream<Bus>>);
 
-constexpr std::array<std::uint8_t, 3> kBytes = {1, 2, 3};
+constexpr std::array<std::uint8_t, 3> kSent = {1, 2, 3};
 
 TEST(I2cStream, ReadsInChunksOfSixteen) {
-  const std::array<fake::I2cStep, 1> script = {{{kBytes, {}, 1}}};
+  const std::array<fake::I2cStep, 1> script = {{{kSent, {}, 1}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 2> in{};
@@ -30,12 +30,12 @@ TEST(I2cStream, ReadsInChunksOfSixteen) {
 }
 
 TEST(I2cStream, WritesBetweenReadsWithoutLosingBytes) {
-  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 0}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 0}, {{}, {}, 0}, {kSent, {}, 0}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.write(kBytes).value(), 3U);  // takes in the read that was under way
+  EXPECT_EQ(stream.write(kSent).value(), 3U);  // takes in the read that was under way
   EXPECT_EQ(stream.read(in).value(), 3U);
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the write ends
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // a read begins
@@ -46,7 +46,7 @@ TEST(I2cStream, WritesBetweenReadsWithoutLosingBytes) {
 
 // A loop turns: it reads until there is nothing, then it writes. Each transfer ends between two turns.
 TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
-  const std::array<fake::I2cStep, 4> script = {{{kBytes, {}, 1}, {{}, {}, 1}, {kBytes, {}, 1}, {kBytes, {}, 1}}};
+  const std::array<fake::I2cStep, 4> script = {{{kSent, {}, 1}, {{}, {}, 1}, {kSent, {}, 1}, {kSent, {}, 1}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
@@ -55,21 +55,21 @@ TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
     }
   };
   read_all();
-  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.write(kSent).error(), Error::kFull);
   read_all();
-  ASSERT_TRUE(stream.write(kBytes)) << "the reader keeps the bus";
+  ASSERT_TRUE(stream.write(kSent)) << "the reader keeps the bus";
   EXPECT_EQ(bus.transfers().back().out.size(), 3U);
 }
 
 // What a bus says of a write is nothing that was read.
 TEST(I2cStream, AWriteBringsNoBytes) {
-  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 0}, {kBytes, {}, 0}, {kBytes, {}, 0}}};
+  const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 0}, {kSent, {}, 0}, {kSent, {}, 0}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
   EXPECT_EQ(stream.read(in).value(), 3U);
-  EXPECT_TRUE(stream.write(kBytes));
+  EXPECT_TRUE(stream.write(kSent));
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady) << "the write ends";
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
   EXPECT_EQ(stream.read(in).value(), 3U);
@@ -77,14 +77,14 @@ TEST(I2cStream, AWriteBringsNoBytes) {
 
 // A writer that got its turn has no more to wait for: the next read begins as soon as the write is over.
 TEST(I2cStream, AWriterThatHadItsTurnCostsTheReaderNone) {
-  const std::array<fake::I2cStep, 3> script = {{{kBytes, {}, 1}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 1}, {{}, {}, 0}, {kSent, {}, 0}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.write(kSent).error(), Error::kFull);
   EXPECT_EQ(stream.read(in).value(), 3U);
-  ASSERT_TRUE(stream.write(kBytes));
+  ASSERT_TRUE(stream.write(kSent));
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the write ends
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // a read begins
   EXPECT_EQ(stream.read(in).value(), 3U);
@@ -93,14 +93,14 @@ TEST(I2cStream, AWriterThatHadItsTurnCostsTheReaderNone) {
 TEST(I2cStream, AWholeChunkIsGivenInParts) {
   std::array<std::uint8_t, 16> sixteen{};
   for (std::size_t i = 0; i < sixteen.size(); ++i) sixteen[i] = static_cast<std::uint8_t>(i + 1);
-  const std::array<fake::I2cStep, 3> script = {{{sixteen, {}, 0}, {{}, {}, 0}, {kBytes, {}, 0}}};
+  const std::array<fake::I2cStep, 3> script = {{{sixteen, {}, 0}, {{}, {}, 0}, {kSent, {}, 0}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 10> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
   EXPECT_EQ(stream.read(in).value(), 10U);
   EXPECT_EQ(in[9], 10);
-  EXPECT_EQ(stream.write(kBytes).value(), 3U) << "between two parts";
+  EXPECT_EQ(stream.write(kSent).value(), 3U) << "between two parts";
   EXPECT_EQ(stream.read(in).value(), 6U);
   EXPECT_EQ(in[0], 11);
   EXPECT_EQ(in[5], 16);
@@ -112,12 +112,12 @@ TEST(I2cStream, AWholeChunkIsGivenInParts) {
 
 // A writer that does not come back holds nobody up.
 TEST(I2cStream, AWriterHasTheBusForOneTurnOnly) {
-  const std::array<fake::I2cStep, 2> script = {{{kBytes, {}, 1}, {kBytes, {}, 0}}};
+  const std::array<fake::I2cStep, 2> script = {{{kSent, {}, 1}, {kSent, {}, 0}}};
   Bus bus(script);
   I2cStream<Bus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.write(kSent).error(), Error::kFull);
   EXPECT_EQ(stream.read(in).value(), 3U);
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // the writer's turn
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);  // begins
@@ -138,20 +138,20 @@ TEST(I2cStream, NobodyThereIsNotReadyNoBusIsGone) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
   bus.unplug();
   EXPECT_EQ(stream.read(in).error(), Error::kGone);
-  EXPECT_EQ(stream.write(kBytes).error(), Error::kGone);
+  EXPECT_EQ(stream.write(kSent).error(), Error::kGone);
   bus.replug();
-  EXPECT_EQ(stream.write(kBytes).value(), 3U);
+  EXPECT_EQ(stream.write(kSent).value(), 3U);
 }
 
 TEST(I2cStream, ABusThatGoesWithinATransfer) {
   for (const bool writing : {true, false}) {
-    const std::array<fake::I2cStep, 1> script = {{{kBytes, {}, 5}}};
+    const std::array<fake::I2cStep, 1> script = {{{kSent, {}, 5}}};
     Bus bus(script);
     I2cStream<Bus> stream(bus, 0x54);
     std::array<std::uint8_t, 16> in{};
     EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
     bus.unplug();
-    EXPECT_EQ(writing ? stream.write(kBytes).error() : stream.read(in).error(), Error::kGone);
+    EXPECT_EQ(writing ? stream.write(kSent).error() : stream.read(in).error(), Error::kGone);
   }
 }
 
@@ -168,7 +168,7 @@ TEST(I2cStream, ABusThatAnotherHasIsNotReady) {
   I2cStream<TakenBus> stream(bus, 0x54);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.write(kBytes).error(), Error::kFull);
+  EXPECT_EQ(stream.write(kSent).error(), Error::kFull);
 }
 
 }  // namespace

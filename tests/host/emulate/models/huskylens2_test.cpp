@@ -9,14 +9,14 @@ namespace {
 
 using test::hex;
 
-constexpr base::Time kReady = base::Time{} + HuskyLens2::kDeaf;
+constexpr base::Time kHuskylens2Up = base::Time{} + HuskyLens2::kDeaf;
 // Of the vendor's library: header, command, algorithm, length, data, sum.
 const Bytes kAskKnock = hex("55 AA 20 00 0A 00 00 00 00 00 00 00 00 00 00 29");
 const Bytes kAskColour = hex("55 AA 30 00 0A 05 00 00 00 00 00 00 00 00 00 3E");
 const Bytes kAskResults = hex("55 AA 21 05 00 25");
 const Bytes kOkay = hex("55 AA 40 00 0A 00 00 00 00 00 00 00 00 00 00 49");
 
-Bytes tell(HuskyLens2& camera, const Bytes& bytes, base::Time now = kReady) {
+Bytes tell(HuskyLens2& camera, const Bytes& bytes, base::Time now = kHuskylens2Up) {
   Bytes reply;
   for (const std::uint8_t byte : bytes) {
     for (const std::uint8_t said : camera.take(byte, now)) reply.push_back(said);
@@ -55,11 +55,11 @@ TEST(HuskyLens2Model, WhatTheOtherIsAskedSwallowsWhatFollows) {
 
 TEST(HuskyLens2Model, IsDeafAtFirstAndForgetsItsAlgorithm) {
   HuskyLens2 camera;
-  EXPECT_EQ(tell(camera, kAskKnock, kReady - base::milliseconds(1)), Bytes{});
+  EXPECT_EQ(tell(camera, kAskKnock, kHuskylens2Up - base::milliseconds(1)), Bytes{});
   EXPECT_EQ(tell(camera, kAskColour), kOkay);
-  static_cast<void>(camera.power_up(kReady));
-  EXPECT_EQ(tell(camera, kAskResults, kReady + HuskyLens2::kDeaf).at(2), 0x41);
-  EXPECT_EQ(tell(camera, hex("55 AA 20 00 00 20"), kReady + HuskyLens2::kDeaf), Bytes{}) << "a wrong sum";
+  static_cast<void>(camera.power_up(kHuskylens2Up));
+  EXPECT_EQ(tell(camera, kAskResults, kHuskylens2Up + HuskyLens2::kDeaf).at(2), 0x41);
+  EXPECT_EQ(tell(camera, hex("55 AA 20 00 00 20"), kHuskylens2Up + HuskyLens2::kDeaf), Bytes{}) << "a wrong sum";
 }
 
 TEST(HuskyLens2Model, IsDescribed) {

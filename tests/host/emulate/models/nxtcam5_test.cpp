@@ -10,10 +10,11 @@ namespace {
 
 using test::hex;
 
-constexpr base::Time kReady{15'000};
+constexpr base::Time kNxtcam5Up{15'000};
 const sensor::Blob kBlob{2, 60, 40, 81, 70, {}, {}, 0, {}};
 
-std::vector<std::uint8_t> answer(NxtCam5& device, const std::vector<std::uint8_t>& question, base::Time now = kReady) {
+std::vector<std::uint8_t> answer(NxtCam5& device, const std::vector<std::uint8_t>& question,
+                                 base::Time now = kNxtcam5Up) {
   std::vector<std::uint8_t> all;
   for (const std::uint8_t byte : question) {
     const auto part = device.take(byte, now);
@@ -34,22 +35,22 @@ TEST(EmulatedNxtCam5, TellsItsVersion) {
 // 0xFF + 7 + 4 = 0x10A; 1 + 0 + 2 + 60 + 40 + 82 + 71 = 0x100.
 TEST(EmulatedNxtCam5, SendsBlobsOnceToldToTrack) {
   NxtCam5 device(base::Time{});
-  EXPECT_TRUE(device.image({kBlob}, kReady).empty());
+  EXPECT_TRUE(device.image({kBlob}, kNxtcam5Up).empty());
   device.restart(base::Time{});
   answer(device, hex("55 AA 01 03 45 48"));
   EXPECT_TRUE(device.tracking());
-  EXPECT_EQ(device.image({kBlob}, kReady), hex("55 AA 07 04 02 00 02 3C 28 52 47 0B"));
-  EXPECT_TRUE(device.image({}, kReady).empty());
-  device.restart(kReady);
+  EXPECT_EQ(device.image({kBlob}, kNxtcam5Up), hex("55 AA 07 04 02 00 02 3C 28 52 47 0B"));
+  EXPECT_TRUE(device.image({}, kNxtcam5Up).empty());
+  device.restart(kNxtcam5Up);
   EXPECT_FALSE(device.tracking());
-  EXPECT_EQ(answer(device, hex("55 AA 00 01 00"), kReady), hex("")) << "it starts";
+  EXPECT_EQ(answer(device, hex("55 AA 00 01 00"), kNxtcam5Up), hex("")) << "it starts";
 }
 
 TEST(EmulatedNxtCam5, MayBeDeafAndTrackFromTheStart) {
   NxtCam5 device(base::Time{});
   device.set_answers(false);
   EXPECT_EQ(answer(device, hex("55 AA 00 01 00")), hex(""));
-  EXPECT_EQ(device.image({kBlob}, kReady), hex("55 AA 07 04 01 00 02 3C 28 52 47 0A"));
+  EXPECT_EQ(device.image({kBlob}, kNxtcam5Up), hex("55 AA 07 04 01 00 02 3C 28 52 47 0A"));
 }
 
 }  // namespace

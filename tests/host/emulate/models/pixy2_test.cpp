@@ -12,10 +12,10 @@ namespace {
 using test::hex;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr base::Time kReady{100'000};
+constexpr base::Time kPixy2Up{100'000};
 
 template <class Device>
-Bytes ask(Device& device, const Bytes& request, base::Time now = kReady) {
+Bytes ask(Device& device, const Bytes& request, base::Time now = kPixy2Up) {
   Bytes answer;
   for (const std::uint8_t byte : request) {
     for (const std::uint8_t out : device.take(byte, now)) answer.push_back(out);
@@ -75,9 +75,9 @@ TEST(EmulatedPixy2, ChangesProgramWhenAskedForBlocks) {
   Pixy2 device(base::Time{});
   device.set_default_program("line_tracking");
   EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF")), hex("AF C1 03 01 FA 00 FA"));
-  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF"), kReady + base::milliseconds(79)), hex("AF C1 03 01 FA 00 FA"));
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF"), kPixy2Up + base::milliseconds(79)), hex("AF C1 03 01 FA 00 FA"));
   device.show({});
-  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF"), kReady + base::milliseconds(80)), hex("AF C1 21 00 00 00"));
+  EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF"), kPixy2Up + base::milliseconds(80)), hex("AF C1 21 00 00 00"));
 }
 
 // A host that asks for the resolution as soon as the program is said to run must get that program's.
@@ -85,10 +85,11 @@ TEST(EmulatedPixy2, SaysThatAProgramRunsOnceItDoes) {
   Pixy2 device(base::Time{});
   const auto line = hex("AE C1 02 0D 6C 69 6E 65 5F 74 72 61 63 6B 69 6E 67");  // "line_tracking"
   EXPECT_EQ(ask(device, line), hex("AF C1 01 04 00 00 00 00 00 00"));
-  EXPECT_EQ(ask(device, line, kReady + base::milliseconds(79)), hex("AF C1 01 04 00 00 00 00 00 00"));
-  EXPECT_EQ(ask(device, hex("AE C1 0C 01 00"), kReady + base::milliseconds(79)), hex("AF C1 03 01 FA 00 FA"));
-  EXPECT_EQ(ask(device, line, kReady + base::milliseconds(80)), hex("AF C1 01 04 01 00 01 00 00 00"));
-  EXPECT_EQ(ask(device, hex("AE C1 0C 01 00"), kReady + base::milliseconds(80)), hex("AF C1 0D 04 83 00 4F 00 34 00"));
+  EXPECT_EQ(ask(device, line, kPixy2Up + base::milliseconds(79)), hex("AF C1 01 04 00 00 00 00 00 00"));
+  EXPECT_EQ(ask(device, hex("AE C1 0C 01 00"), kPixy2Up + base::milliseconds(79)), hex("AF C1 03 01 FA 00 FA"));
+  EXPECT_EQ(ask(device, line, kPixy2Up + base::milliseconds(80)), hex("AF C1 01 04 01 00 01 00 00 00"));
+  EXPECT_EQ(ask(device, hex("AE C1 0C 01 00"), kPixy2Up + base::milliseconds(80)),
+            hex("AF C1 0D 04 83 00 4F 00 34 00"));
   EXPECT_EQ(ask(device, hex("AE C1 18 00")), hex("AF C1 01 04 3D 00 3D 00 00 00")) << "61 a second";
 }
 
