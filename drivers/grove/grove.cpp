@@ -295,19 +295,16 @@ void Decoder::damage() {
 bool Session::take(std::uint8_t byte, base::Time now) {
   const Event event = decoder_.feed(byte, now);
   if (event == Event::kNone) return false;
-  heard_ = true;
-  heard_at_ = now;
+  hearing_.heard = now;
   if (event == Event::kStarted) next_start_ = now + kLoading;
   if (event != Event::kFrame) return false;
-  framed_ = true;
-  framed_at_ = now;
+  hearing_.framed = now;
   next_start_ = now + kPatience;
   return true;
 }
 
 void Session::step(base::Time now) {
-  if (now - heard_at_ > kPatience) heard_ = false;
-  if (now - framed_at_ > kPatience) framed_ = false;
+  hearing_.step(now, kPatience);
   if (begun_ && now < next_start_) return;
   begun_ = true;
   outbox_.clear();
@@ -317,14 +314,9 @@ void Session::step(base::Time now) {
 
 void Session::link_lost() {
   decoder_.reset();
-  begun_ = heard_ = framed_ = false;
+  begun_ = false;
+  hearing_ = {};
   outbox_.clear();
-}
-
-sensor::LinkState Session::link() const {
-  if (!heard_) return sensor::LinkState::kSilent;
-  if (!framed_) return sensor::LinkState::kUnready;
-  return decoder_.frame().blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
 }
 
 }  // namespace fencepost::grove

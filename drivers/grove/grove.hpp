@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#include "drivers/serial/hearing.hpp"
 #include "drivers/serial/outbox.hpp"
 #include "drivers/serial/pump.hpp"
 #include "hal/base/fixed.hpp"
@@ -147,7 +148,7 @@ class Session {
   auto& outbox() { return outbox_; }
 
   /// kUnready: it answers, and no frame comes: it has no model, or one that finds no boxes.
-  [[nodiscard]] sensor::LinkState link() const;
+  [[nodiscard]] sensor::LinkState link() const { return hearing_.link(decoder_.frame()); }
   [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().dropped; }
   [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
 
@@ -155,11 +156,8 @@ class Session {
   Decoder decoder_;
   serial::Outbox<32> outbox_;
   bool begun_ = false;
-  bool heard_ = false;   ///< a message lately
-  bool framed_ = false;  ///< a frame lately
+  serial::Hearing hearing_;
   base::Time next_start_;
-  base::Time heard_at_;
-  base::Time framed_at_;
 };
 
 /// 921600 Bd 8N1. A frame's t is when the first byte of its message arrived.

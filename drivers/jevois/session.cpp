@@ -19,19 +19,16 @@ constexpr std::string_view kSettings =
 bool Session::take(std::uint8_t byte, base::Time now) {
   const Event event = decoder_.feed(byte, now);
   if (event == Event::kNone) return false;
-  heard_ = true;
-  heard_at_ = now;
+  hearing_.heard = now;
   if (event != Event::kFrame) return false;
-  framed_ = true;
-  framed_at_ = now;
+  hearing_.framed = now;
   as_told_ = decoder_.as_told();
   return true;
 }
 
 void Session::step(base::Time now) {
-  if (now - heard_at_ > kPatience) heard_ = false;
-  if (now - framed_at_ > kPatience) framed_ = false;
-  if (begun_ && ((framed_ && as_told_) || now < next_telling_)) return;
+  hearing_.step(now, kPatience);
+  if (begun_ && ((hearing_.framed && as_told_) || now < next_telling_)) return;
   begun_ = true;
   outbox_.clear();
   (void)outbox_.put(kSettings);
@@ -40,14 +37,9 @@ void Session::step(base::Time now) {
 
 void Session::link_lost() {
   decoder_.reset();
-  begun_ = heard_ = framed_ = false;
+  begun_ = false;
+  hearing_ = {};
   outbox_.clear();
-}
-
-sensor::LinkState Session::link() const {
-  if (!heard_) return sensor::LinkState::kSilent;
-  if (!framed_) return sensor::LinkState::kUnready;
-  return decoder_.frame().blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
 }
 
 sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount) {

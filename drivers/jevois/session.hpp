@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "drivers/jevois/decoder.hpp"
+#include "drivers/serial/hearing.hpp"
 #include "drivers/serial/outbox.hpp"
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
@@ -30,7 +31,7 @@ class Session {
   auto& outbox() { return outbox_; }
 
   /// kUnready: it talks, but for half a second no frame came: no module streams, or it tells no boxes.
-  [[nodiscard]] sensor::LinkState link() const;
+  [[nodiscard]] sensor::LinkState link() const { return hearing_.link(decoder_.frame()); }
   [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().dropped; }
   [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
 
@@ -38,12 +39,9 @@ class Session {
   Decoder decoder_;
   serial::Outbox<128> outbox_;
   bool begun_ = false;
-  bool heard_ = false;   ///< a line of the protocol lately
-  bool framed_ = false;  ///< a good frame lately
+  serial::Hearing hearing_;
   bool as_told_ = false;
   base::Time next_telling_;
-  base::Time heard_at_;
-  base::Time framed_at_;
 };
 
 /// The standard lens, 60 degrees across (JeVois's manual; 65 was published, too), and two frames of 30 /s as latency: a

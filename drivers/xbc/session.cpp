@@ -11,23 +11,20 @@ constexpr base::Duration kPatience = base::milliseconds(1'000);
 bool Session::take(std::uint8_t byte, base::Time now) {
   const Event event = decoder_.feed(byte, now);
   if (event == Event::kNone) return false;
-  heard_ = true;
-  heard_at_ = now;
+  hearing_.heard = now;
   if (event == Event::kVersion) version_ = decoder_.version();
   const bool understood = version_ == 0 || version_ == kOurVersion;
-  if (!understood) framed_ = false;
+  if (!understood) hearing_.framed.reset();
   if (event != Event::kFrame || !understood) return false;
-  framed_ = true;
-  framed_at_ = now;
+  hearing_.framed = now;
   return true;
 }
 
 void Session::step(base::Time now) {
-  if (now - heard_at_ > kPatience) heard_ = false;
-  if (now - framed_at_ > kPatience) framed_ = false;
+  hearing_.step(now, kPatience);
   // Also while it is silent: detects a program started late, and one of another version.
-  if (begun_ && (now < next_question_ || (heard_ && version_ != 0))) return;
-  if (!heard_) version_ = 0;
+  if (begun_ && (now < next_question_ || (hearing_.heard && version_ != 0))) return;
+  if (!hearing_.heard) version_ = 0;
   begun_ = true;
   outbox_.clear();
   (void)outbox_.put("?\n");
@@ -36,15 +33,10 @@ void Session::step(base::Time now) {
 
 void Session::link_lost() {
   decoder_.reset();
-  begun_ = heard_ = framed_ = false;
+  begun_ = false;
+  hearing_ = {};
   version_ = 0;
   outbox_.clear();
-}
-
-sensor::LinkState Session::link() const {
-  if (!heard_) return sensor::LinkState::kSilent;
-  if (!framed_) return sensor::LinkState::kUnready;
-  return decoder_.frame().blobs.empty() ? sensor::LinkState::kEmpty : sensor::LinkState::kOk;
 }
 
 sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "drivers/serial/hearing.hpp"
 #include "drivers/serial/outbox.hpp"
 #include "drivers/xbc/decoder.hpp"
 #include "hal/sensor/blob_frame.hpp"
@@ -31,7 +32,7 @@ class Session {
   auto& outbox() { return outbox_; }
 
   /// kUnready: it answers, but for a second no frame has come, or it speaks another version.
-  [[nodiscard]] sensor::LinkState link() const;
+  [[nodiscard]] sensor::LinkState link() const { return hearing_.link(decoder_.frame()); }
   [[nodiscard]] std::uint32_t dropped() const { return decoder_.counts().dropped; }
   [[nodiscard]] const Counts& counts() const { return decoder_.counts(); }
   /// 0 until received.
@@ -41,12 +42,9 @@ class Session {
   Decoder decoder_;
   serial::Outbox<8> outbox_;
   bool begun_ = false;
-  bool heard_ = false;   ///< a good line in the last second
-  bool framed_ = false;  ///< a good frame in the last second
+  serial::Hearing hearing_;
   std::int32_t version_ = 0;
   base::Time next_question_;
-  base::Time heard_at_;
-  base::Time framed_at_;
 };
 
 /// Nominal calibration. No source tells the XBC's field of view: 45 deg across and square pixels are assumed, and two
