@@ -9,16 +9,16 @@ namespace {
 
 using testing::frame_line;
 
-constexpr base::Time at(double seconds) { return base::Time::nearest(seconds); }
+constexpr base::Time moment(double seconds) { return base::Time::nearest(seconds); }
 
 TEST(Tally, CountsAsReplayDoes) {
-  Tally tally(at(0));
+  Tally tally(moment(0));
   std::string bad = frame_line(1, 1);
   bad[8] = '9';
-  tally.take(frame_line(0.5, 0) + bad + "hello\n\xff\n" + frame_line(2, 4), at(3));
-  tally.take("$FPFRM,3.0", at(4));
+  tally.take(frame_line(0.5, 0) + bad + "hello\n\xff\n" + frame_line(2, 4), moment(3));
+  tally.take("$FPFRM,3.0", moment(4));
   EXPECT_EQ(tally.lines(), 5U);
-  EXPECT_EQ(tally.last_line(), at(3));
+  EXPECT_EQ(tally.last_line(), moment(3));
   tally.finish();
   EXPECT_EQ(tally.counts().records_of(record::Kind::kFrame), 2U);
   EXPECT_EQ(tally.counts().foreign, 2U);
@@ -28,16 +28,16 @@ TEST(Tally, CountsAsReplayDoes) {
 }
 
 TEST(Tally, RatesAreOfTheTimeSinceTheLastMeasurement) {
-  Tally tally(at(0));
-  tally.take("one\ntwo\n", at(0.1));
-  tally.measure(at(2));
+  Tally tally(moment(0));
+  tally.take("one\ntwo\n", moment(0.1));
+  tally.measure(moment(2));
   EXPECT_DOUBLE_EQ(tally.rates().lines, 1);
   EXPECT_DOUBLE_EQ(tally.rates().bytes, 4);
-  tally.take("three\n", at(2.1));
-  tally.measure(at(2.5));
+  tally.take("three\n", moment(2.1));
+  tally.measure(moment(2.5));
   EXPECT_DOUBLE_EQ(tally.rates().lines, 2);
   EXPECT_DOUBLE_EQ(tally.rates().bytes, 12);
-  tally.measure(at(2.5));
+  tally.measure(moment(2.5));
   EXPECT_DOUBLE_EQ(tally.rates().lines, 2);
 }
 

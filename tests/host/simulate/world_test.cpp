@@ -14,11 +14,11 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 TEST(World, AnObjectMovesWithThePointOfItsPath) {
   SceneObject box = box_object(1, 1, -0.1, 1.2, 0.1, 0.2);
-  box.path = {{2, 1, 0, 0}, {4, 3, 0, kPi / 2}};
+  box.path = {{2, 1, 0, 0}, {4, 3, 0, kHalfTurn / 2}};
   // Before its first pose it stands where it was drawn.
   EXPECT_EQ(footprint_at(box, 0).outer[0].x, 1);
   EXPECT_EQ(footprint_at(box, 2).outer[0].y, -0.1);
@@ -38,7 +38,7 @@ TEST(World, HeadingsTurnTheShortWay) {
   SceneObject box = box_object(1, 0, 0, 1, 1, 0.2);
   box.path = {{0, 0, 0, 3}, {1, 0, 0, -3}};
   // From 3 to -3 rad the short way is 0.283 rad on to the left: half of it at 0.5 s.
-  EXPECT_NEAR(footprint_at(box, 0.5).outer[1].y, std::sin(kPi - 3), 1e-12);
+  EXPECT_NEAR(footprint_at(box, 0.5).outer[1].y, std::sin(kHalfTurn - 3), 1e-12);
 }
 
 TEST(World, AStillSceneIsNotCopied) {
