@@ -12,6 +12,7 @@
 #include "host/import/mcap/mcap.hpp"
 #include "host/import/player/player.hpp"
 #include "host/import/sketch/sketch.hpp"
+#include "host/import/wpilog/wpilog.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -124,6 +125,22 @@ Action configure_mcap(Options command) {
       kMaxRecording);
 }
 
+Action configure_wpilog(Options command) {
+  struct WpilogRequest : TakeRequest {
+    WpilogTopics entries;
+  };
+  const auto request = std::make_shared<WpilogRequest>();
+  command.value("--detections", request->entries.detections, "the entry; default: the one that says most")
+      .takes("ENTRY");
+  command.value("--odometry", request->entries.odometry, "likewise").takes("ENTRY");
+  return with(
+      command, request, "WPILOG", "of a robot with WPILib: PhotonVision or a Limelight, and odometry",
+      [request](const auto& bytes, const auto& file, const auto& settings) {
+        return import_wpilog(bytes, file, request->entries, settings);
+      },
+      kMaxRecording);
+}
+
 Action configure_candump(Options command) {
   const auto request = std::make_shared<TakeRequest>();
   add_common(command, *request, "LOG", "of candump -l, or its output with -t a");
@@ -159,6 +176,11 @@ std::vector<Command> take_commands() {
            "detections and odometry of ROS 2",
            "  fencepost import mcap run.mcap --camera camera.json -o run.log\n",
            configure_mcap,
+           {}},
+          {"wpilog",
+           "targets of PhotonVision or a Limelight, and odometry, of WPILib",
+           "  fencepost import wpilog FRC_20260314.wpilog --camera camera.json -o run.log\n",
+           configure_wpilog,
            {}}};
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/import/fields.hpp"
 #include "host/import/table.hpp"
 
 namespace fencepost::host {
@@ -18,40 +19,6 @@ constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::uint64_t kMaxChunk = 1ULL << 26U;
 
 enum Opcode : std::uint8_t { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
-
-/// Little-endian fields of a record; what is beyond its end is an end, not an error.
-class Fields {
- public:
-  explicit Fields(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class Integer>
-  Integer integer() {
-    Integer value = 0;
-    const std::string_view part = take(sizeof(Integer));
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      value = static_cast<Integer>(
-          value | static_cast<Integer>(static_cast<Integer>(static_cast<std::uint8_t>(part[i])) << (8 * i)));
-    }
-    return value;
-  }
-  std::string_view string() { return take(integer<std::uint32_t>()); }
-  std::string_view take(std::uint64_t size) {
-    if (size > bytes_.size()) {
-      short_ = true;
-      bytes_ = {};
-      return {};
-    }
-    const std::string_view part = bytes_.substr(0, size);
-    bytes_.remove_prefix(size);
-    return part;
-  }
-  [[nodiscard]] std::string_view rest() const { return bytes_; }
-  [[nodiscard]] bool ended_early() const { return short_; }
-
- private:
-  std::string_view bytes_;
-  bool short_ = false;
-};
 
 std::string unpack_lz4(std::string_view packed, std::size_t size) {
   LZ4F_dctx* made = nullptr;

@@ -45,6 +45,7 @@ const std::vector<std::string> kCommands = {"",
                                             "import sketch",
                                             "import player",
                                             "import candump",
+                                            "import wpilog",
                                             "import mcap"};
 
 TEST(Help, BeginsWithUsageAndEndsWithExamples) {
