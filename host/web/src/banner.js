@@ -2,11 +2,7 @@
 import { figure } from "./canvas.js";
 import { LEVELS } from "./colours.js";
 import { byId, plain } from "./dom.js";
-
-function where(bearing) {
-  const degrees = Math.round((bearing ?? 0) * 180 / Math.PI);
-  return Math.abs(degrees) < 5 ? "ahead" : `ahead, ${Math.abs(degrees)}° to the ${degrees < 0 ? "right" : "left"}`;
-}
+import { t } from "./words.js";
 
 /** The worst of `levels` (by id the alert in force), of equal ones the nearest; null where there is none. */
 export function worstOf(levels) {
@@ -17,10 +13,12 @@ export function worstOf(levels) {
 
 /** "STOP: 1 red, 0.27 m ahead, contact in 0.9 s" */
 export function sentenceOf(alert, nameOf) {
-  if (!alert) return "No alert";
-  if (alert.level === "blind") return "BLIND: what is ahead cannot be known";
-  const contact = alert.ttc == null ? "" : `, contact in ${figure(alert.ttc, 1)} s`;
-  return `${alert.level.toUpperCase()}: ${nameOf(alert.id)}, ${figure(alert.distance, 2)} m ${where(alert.bearing)}${contact}`;
+  if (!alert) return t("noAlert");
+  if (alert.level === "blind") return t("bannerBlind");
+  const bearing = Math.round((alert.bearing ?? 0) * 180 / Math.PI);
+  const way = Math.abs(bearing) < 5 ? "bannerAhead" : bearing < 0 ? "bannerRight" : "bannerLeft";
+  const values = { level: alert.level.toUpperCase(), name: nameOf(alert.id), distance: figure(alert.distance, 2), degrees: Math.abs(bearing) };
+  return t(way, values) + (alert.ttc == null ? "" : t("bannerContact", { seconds: figure(alert.ttc, 1) }));
 }
 
 const BEEPS = { notice: { hertz: 440, every: 1.2 }, warn: { hertz: 660, every: 0.5 }, stop: { hertz: 880, every: 0.22 }, blind: { hertz: 330, every: 0.7 } };
@@ -65,7 +63,7 @@ const said = { key: "" };
 /** `moves`: the robot drives now, and may be heard. */
 export function showBanner({ levels, objects, moves }) {
   const alert = worstOf(levels);
-  const nameOf = (id) => id === 0 ? "something" : `${id} ${plain(objects.find((o) => o.id === id)?.name ?? "")}`.trim();
+  const nameOf = (id) => id === 0 ? t("something") : `${id} ${plain(objects.find((o) => o.id === id)?.name ?? "")}`.trim();
   const banner = byId("banner");
   const text = sentenceOf(alert, nameOf);
   if (banner.textContent !== text) banner.textContent = text;
@@ -76,5 +74,5 @@ export function showBanner({ levels, objects, moves }) {
   const key = `${alert?.level} ${alert?.id}`;
   if (key === said.key) return;
   said.key = key;
-  byId("said").textContent = alert ? `${alert.level}, ${nameOf(alert.id)}` : "no alert";
+  byId("said").textContent = alert ? `${alert.level}, ${nameOf(alert.id)}` : t("noAlert");
 }

@@ -88,7 +88,7 @@ export class BoardPanel {
   // The board's list, and all that is put together of words.
   #name() {
     const chosen = value("board-image");
-    byId("board-image").replaceChildren(make("option", { value: "" }, t("boardChoose")),
+    byId("board-image").replaceChildren(make("option", { value: "" }, t("choose")),
       ...this.#images.map(({ board }, i) => make("option", { value: i }, BOARDS[board]?.name ?? board)));
     byId("board-image").value = chosen;
     byId("board-which").hidden = !this.#images.length;

@@ -4,6 +4,7 @@ import { colourOf, drawMark, markOf } from "./colours.js";
 import { fitted, Labels } from "./labels.js";
 import { boxOf, ringInImage } from "./lens.js";
 import { isDoubtful, nameOf, outlineOf, poseAt } from "./scene.js";
+import { t } from "./words.js";
 
 function drawSolid(g, camera, pose, object, scale, colour) {
   const ring = outlineOf(object);
@@ -26,7 +27,7 @@ function nameBoxes(g, { width, height, ink, memory }, named) {
   const font = "600 12px system-ui, sans-serif";
   g.font = font;
   const labels = new Labels(g, width, height, memory);
-  const names = fitted(named.map(({ object }) => object ? nameOf(object) : "no object"), (text) => g.measureText(text).width < 0.6 * width);
+  const names = fitted(named.map(({ object }) => object ? nameOf(object) : t("noObject")), (text) => g.measureText(text).width < 0.6 * width);
   named.forEach(({ object, box, colour }, i) => {
     const w = g.measureText(names[i]).width + 4;
     const left = Math.max(0, Math.min(box[0], width - w));
@@ -49,7 +50,7 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   g.fillRect(0, 0, width, height);
   g.strokeStyle = ink.rule;
   g.strokeRect(0.5, 0.5, width - 1, height - 1);
-  if (!camera) return "This log has no camera record yet.";
+  if (!camera) return t("noCameraYet");
   const scale = width / camera.width;
   const pose = frame && poseAt(view.path, frame.exposure);
   const rendered = new Map();
@@ -87,9 +88,9 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
     if (ours && seenWhole(camera, box[2], others)) errors.push(Math.abs(ours[2] - u2));
   }
   canvas.placed = nameBoxes(g, { width, height, ink, memory }, named);
-  if (!frame) return "No frame yet.";
-  const mean = errors.length ? `; whole ends ${(errors.reduce((a, b) => a + b) / errors.length).toFixed(1)} px off on average` : "";
-  return `Frame ${frame.number} at ${frame.t.toFixed(2)} s, ${camera.model}: ${frame.boxes.length} box${frame.boxes.length === 1 ? "" : "es"}${mean}.`;
+  if (!frame) return t("noFrameYet");
+  const mean = errors.length ? t("frameMean", { mean: (errors.reduce((a, b) => a + b) / errors.length).toFixed(1) }) : "";
+  return t(frame.boxes.length === 1 ? "frameSaysOne" : "frameSays", { number: frame.number, time: frame.t.toFixed(2), model: camera.model, boxes: frame.boxes.length, mean });
 }
 
 function drawHorizon(g, camera, width, scale, ink) {

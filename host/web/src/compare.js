@@ -6,6 +6,7 @@ import { drawGrid, trace } from "./map2d.js";
 import { outlineOf } from "./scene.js";
 import { rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
+import { t } from "./words.js";
 
 const HUES = ["d02020", "2040c0", "20a040", "c08020", "20a0c0", "a02080", "808080"];
 const DASHES = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
@@ -26,7 +27,7 @@ export function figuresOf({ result, path }) {
   };
 }
 
-const COLUMNS = [["driven, m", "length", 2], ["nearest pass, m", "nearest", 2], ["STOPs", "stops", 0], ["first STOP, s", "first", 2], ["objects", "objects", 0], ["errors", "errors", 0]];
+const COLUMNS = [["colDriven", "length", 2], ["colNearest", "nearest", 2], ["colStops", "stops", 0], ["colFirst", "first", 2], ["colObjects", "objects", 0], ["colErrors", "errors", 0]];
 
 function key(line) {
   const canvas = make("canvas", { className: "key wide", width: 56, height: 20, "aria-hidden": "true" });
@@ -84,15 +85,15 @@ export function compare(runs, { ink, theme }) {
   const value = ({ figures }) => figures[order.column] ?? Infinity;
   if (order.column) rows.sort((a, b) => (order.up ? 1 : -1) * (value(a) - value(b)));
   const table = byId("all-table");
-  table.replaceChildren(headed(["log"], ...COLUMNS.map(([text]) => [text, "n"])), make("tbody", {}, ...rows.map(({ run, line, figures }) => make("tr", {},
-    make("td", { className: "name" }, key(line), make("button", { type: "button", onclick: run.open, "aria-label": `Show ${plain(run.name)}` }, plain(run.name))),
+  table.replaceChildren(headed([t("colLog")], ...COLUMNS.map(([words]) => [t(words), "n"])), make("tbody", {}, ...rows.map(({ run, line, figures }) => make("tr", {},
+    make("td", { className: "name" }, key(line), make("button", { type: "button", onclick: run.open, "aria-label": t("showLog", { name: plain(run.name) }) }, plain(run.name))),
     ...COLUMNS.map(([, name, decimals]) => make("td", { className: "n" }, figure(figures[name], decimals)))))));
   [...table.tHead.rows[0].cells].slice(1).forEach((cell, i) => {
-    const [text, name] = COLUMNS[i];
+    const [words, name] = COLUMNS[i];
     cell.setAttribute("aria-sort", order.column !== name ? "none" : order.up ? "ascending" : "descending");
     cell.replaceChildren(make("button", { type: "button", onclick: () => {
       Object.assign(order, { up: order.column === name ? !order.up : true, column: name });
       compare(runs, { ink, theme });
-    } }, text));
+    } }, t(words)));
   });
 }

@@ -5,6 +5,7 @@ import { listen } from "./pointer.js";
 import { levelsAt } from "./scene.js";
 import { timeAt } from "./timeline.js";
 import { objectAt, truthAt } from "./window.js";
+import { t } from "./words.js";
 
 /** The map, its buttons and the pointer. */
 export function bindMap(page) {
@@ -39,8 +40,8 @@ export function bindMap(page) {
       const alerts = state.live ? state.look.result.alerts : page.last()?.result.alerts ?? [];
       const [x, y] = flat.toMap(at);
       const thing = view.layers.has("truth") ? truthAt(flat, view.truth, at) : undefined;
-      tip.textContent = object ? describe(object, view.pose, levelsAt(alerts, state.t).get(object.id)) : `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`;
-      if (thing) tip.textContent += `\ntruth: ${plain(thing.name)}`;
+      tip.textContent = object ? describe(object, view.pose, levelsAt(alerts, state.t).get(object.id)) : t("tipPoint", { x: x.toFixed(2), y: y.toFixed(2) });
+      if (thing) tip.textContent += `\n${t("tipTruth", { name: plain(thing.name) })}`;
       tip.style.left = `${Math.max(0, Math.min(at[0] + 14, map.clientWidth - tip.offsetWidth))}px`;
       tip.style.top = `${at[1] + 18 + tip.offsetHeight > map.clientHeight ? Math.max(0, at[1] - tip.offsetHeight - 10) : at[1] + 18}px`;
     },
@@ -93,6 +94,6 @@ export function bindFiles(recordings, { openFiles, openRecording }) {
     openFiles([...event.dataTransfer.files]);
   });
   const list = byId("recordings");
-  list.replaceChildren(make("option", { value: "" }, "choose …"), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
+  list.replaceChildren(make("option", { value: "", "data-t": "choose" }, t("choose")), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
   list.onchange = () => { if (list.value !== "") openRecording(recordings[Number(list.value)]); };
 }

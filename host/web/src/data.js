@@ -1,6 +1,7 @@
 // What is in the page: the loop, recordings, and the logs that `fencepost report` puts there; and files.
 import { byId } from "./dom.js";
 import { truthOf } from "./scene.js";
+import { t } from "./words.js";
 
 export const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
@@ -18,11 +19,11 @@ export async function unpacked(bytes, most = MAX_UNPACKED) {
       size += part.value.length;
     }
   } catch {
-    throw new Error("what gzip packed is damaged or cut off; try 'gzip -t' on it, and copy it again");
+    throw new Error(t("badGzip"));
   }
   if (size > most) {
     await reader.cancel();
-    throw new Error(`has more than ${most / 1e6} MB when it is unpacked; drop a part of it`);
+    throw new Error(t("tooLong", { megabytes: most / 1e6 }));
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
@@ -62,7 +63,7 @@ export async function entriesOf(files) {
       }
       const text = await file.text();
       const scene = JSON.parse(text);
-      if (!Array.isArray(scene?.objects)) throw new Error("no scene: it has no \"objects\"");
+      if (!Array.isArray(scene?.objects)) throw new Error(t("noScene"));
       scenes.push({ name: file.name, text, truth: truthOf(scene) });
     } catch (error) {
       complaints.push(`${file.name}: ${error.message}`);

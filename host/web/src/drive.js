@@ -4,6 +4,7 @@ import { KINDS, ROOM, movedBy, withErrors } from "./room.js";
 import { truthOf } from "./scene.js";
 import { Steering } from "./steering.js";
 import { inside } from "./window.js";
+import { t } from "./words.js";
 
 const LONGEST = 0.1;  // s between two frames: a page that comes back from the background does not leap
 const EVERY = 30;     // ms between two pictures, at least
@@ -14,6 +15,9 @@ const SLIDERS = {     // in the units of the scene file; `worn`: of a room that 
   tilt: { of: (scene) => scene.noise?.pitch_error ?? 0, say: (value) => `${(value * 180 / Math.PI).toFixed(1)}°` },
   slip: { of: (scene) => scene.noise?.drift_scale ?? 0, say: (value) => `${(100 * value).toFixed(0)} %` },
 };
+
+/** The name of the page's own room among `rooms`. */
+export const OWN = "a room";
 
 const percent = (share) => share === null ? "–" : `${Math.round(100 * share)} %`;
 
@@ -48,7 +52,7 @@ export class Driver {
     this.#rooms = rooms;
     this.#steering = new Steering(byId("pad"), () => this.going);
     const list = byId("rooms");
-    list.replaceChildren(...Object.keys(rooms).map((name) => make("option", { value: name }, name)));
+    list.replaceChildren(...Object.keys(rooms).map((name) => make("option", name === OWN ? { value: name, "data-t": "ownRoom" } : { value: name }, name === OWN ? t("ownRoom") : name)));
     list.onchange = () => this.start(rooms[list.value]);
     byId("drive").onclick = () => this.going ? this.end() : this.start(this.#scene);
     byId("again").onclick = () => this.start(this.#scene);
@@ -98,7 +102,7 @@ export class Driver {
     this.#alerts = [];
     this.#driven = 0;
     this.#changed = false;
-    this.#page.begin("Drive");
+    this.#page.begin(t("drive"));
     this.#engine = this.#page.engine();
     this.#engine.drive(JSON.stringify(scene));
     this.#engine.obey(byId("obey").checked);
@@ -169,7 +173,7 @@ export class Driver {
     byId("paranoia").textContent = percent(this.#score.paranoia);
     byId("bumps").textContent = truth.bumps;
     byId("driven").textContent = `${this.#driven.toFixed(1)} m`;
-    byId("held").textContent = truth.held ? "It stops. Turn away or back off." : "";
+    byId("held").textContent = truth.held ? t("held") : "";
     const [x, y, heading] = truth.pose;
     this.#page.show({ result, page: engine.page(), path: engine.path(), time: engine.time }, byId("reveal").checked ? { x, y, heading } : null);
   }
@@ -217,7 +221,7 @@ export class Driver {
   }
 
   #remove() {
-    if (this.#chosen === null) return this.#complain("Choose what to remove first: click on it.");
+    if (this.#chosen === null) return this.#complain(t("chooseFirst"));
     this.#scene = { ...this.#scene, objects: this.#scene.objects.filter((_, i) => i !== this.#chosen) };
     this.#chosen = null;
     this.#changed = true;

@@ -6,7 +6,7 @@ import { bindFiles, bindKeys, bindMap, bindTransport } from "./controls.js";
 import { compare } from "./compare.js";
 import { boardImages, bundled, entriesOf, entryOf, given } from "./data.js";
 import { byId, download, plain } from "./dom.js";
-import { Driver } from "./drive.js";
+import { Driver, OWN } from "./drive.js";
 import { Engine, PROFILES } from "./engine.js";
 import { addCard } from "./gallery.js";
 import { Kept } from "./kept.js";
@@ -22,7 +22,7 @@ import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Window, extentOf } from "./window.js";
-import { bindLanguage } from "./words.js";
+import { bindLanguage, fill, onLanguage, t } from "./words.js";
 
 const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [], signatures: [], camera: null, log: { rejected: {}, refused: {} } },
   page: { settings: {}, frame: null, bad_lines: [], complaints: [], check: {} }, path: new Float64Array(), time: 0 };
@@ -75,7 +75,7 @@ function draw() {
   byId("clock").textContent = `${state.t.toFixed(2)} s`;
   if (!state.live) {
     byId("slider").value = state.t;
-    byId("slider").setAttribute("aria-valuetext", `${state.t.toFixed(2)} seconds`);
+    byId("slider").setAttribute("aria-valuetext", t("sliderSays", { time: state.t.toFixed(2) }));
   }
 }
 
@@ -107,7 +107,7 @@ function fillTables(force) {
   if (shownTables.alerts !== all || (count < first + 10 && first > 0) || (count > end - 10 && end < all.length)) {
     const known = state.live ? result : player.last?.result ?? result;
     keepingFocus(byId("alerts"), () => {
-      shownTables.rows = fillAlerts(byId("alerts"), { result: known, t: state.t, go: (t) => { stop(); goTo(t); } });
+      shownTables.rows = fillAlerts(byId("alerts"), { result: known, at: state.t, go: (time) => { stop(); goTo(time); } });
     });
     shownTables.alerts = all;
   }
@@ -145,14 +145,19 @@ async function goTo(t) {
   going.busy = false;
 }
 
+function showPlay(plays) {
+  byId("play").textContent = plays ? "❚❚" : "▶";
+  byId("play").dataset.tLabel = plays ? "pause" : "play";
+  byId("play").setAttribute("aria-label", t(byId("play").dataset.tLabel));
+}
+
 let plays = 0;  // paused and played again within a frame, the first must not go on beside the second
 function play() {
   if (state.live || !state.loaded) return;
   if (state.t >= state.end - 1e-6) goTo(state.begin);
   state.playing = true;
   const mine = ++plays;
-  byId("play").textContent = "❚❚";
-  byId("play").setAttribute("aria-label", "Pause");
+  showPlay(true);
   let last = performance.now();
   let asked = 0;
   const tick = (now) => {
@@ -172,8 +177,7 @@ function play() {
 
 function halt() {
   state.playing = false;
-  byId("play").textContent = "▶";
-  byId("play").setAttribute("aria-label", "Play");
+  showPlay(false);
 }
 
 function stop() {
@@ -198,7 +202,11 @@ function fit() {
   redraw();
 }
 
-function summary(text) { byId("summary").textContent = plain(text); }
+/** Says it now, and in another language when one is chosen. */
+function summary(words) {
+  state.says = words;
+  byId("summary").textContent = plain(words());
+}
 
 function lineOf(bytes, number) {
   let start = 0;
@@ -220,15 +228,14 @@ async function openEntry(entry) {
   Object.assign(state, { entry, loaded: false, selected: null, trueRobot: null, chosen: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
   byId("title").textContent = plain(entry.name);
   document.title = `${plain(entry.name)} · Fencepost`;
-  summary("is being replayed …");
+  summary(() => t("runReplaying"));
   byId("progress").hidden = false;
   setLive(false);
   player.stop();
   player = entry.kept ? new Kept(entry.kept) : replayer;
   for (const id of ["save-result", "save-log", "profile"]) byId(id).disabled = Boolean(entry.kept);
   byId("thinned").hidden = !entry.kept;
-  byId("thinned").textContent = entry.kept ? plain(`Thinned to fit: ${entry.kept.said}. Between those times the map stays as it was; counts and digest are ` +
-    "of the whole log. To replay all of it here, drop the log on this page, or write the page with fencepost report --whole.") : "";
+  byId("thinned").textContent = entry.kept ? plain(t("thinned", entry.kept)) : "";
   let shown = performance.now();
   let last = null;
   try {
@@ -242,7 +249,7 @@ async function openEntry(entry) {
     });
   } catch (error) {
     byId("progress").hidden = true;
-    summary(`stopped the loop (${error.message}): does fencepost replay read it? Please report it, with the log.`);
+    summary(() => t("runStopped", { detail: error.message }));
   }
   if (!last) return null;
   byId("progress").hidden = true;
@@ -253,8 +260,8 @@ async function openEntry(entry) {
   fit();
   const { objects, log } = last.result;
   const { alerts } = countsOf(last);
-  summary(last.page.unreadable ? "cannot be replayed" :
-    `${player.duration.toFixed(1)} s, ${log.frames} frames, ${objects.length} objects (${objects.filter((o) => o.state !== "tentative").length} confirmed), ${alerts} alerts`);
+  const counts = { time: player.duration.toFixed(1), frames: log.frames, objects: objects.length, confirmed: objects.filter((o) => o.state !== "tentative").length, alerts };
+  summary(() => last.page.unreadable ? t("runUnreadable") : t("runSays", counts));
   return last;
 }
 
@@ -270,7 +277,7 @@ async function openFiles(files) {
   if (image && !others.length) return null;
   byId("recordings").value = "";
   const { logs, scenes, complaints } = await entriesOf(others);
-  if (complaints.length) summary(complaints.join("; "));
+  if (complaints.length) summary(() => complaints.join("; "));
   if (!logs.length && scenes.length && driver.going) return driver.load(scenes[0].name, scenes[0].text);
   if (!logs.length && scenes.length) {
     state.entry.truth = scenes[0].truth;
@@ -306,6 +313,19 @@ function setTheme(name) {
   redraw();
 }
 
+/** All that is put together of words, in the language of now. */
+function sayAgain() {
+  if (!player) return;
+  if (state.says) summary(state.says);
+  if (state.entry.kept) byId("thinned").textContent = plain(t("thinned", state.entry.kept));
+  shownTables.alerts = null;
+  for (const eye of Object.values(memory)) eye.clear();
+  if (state.loaded) fillProblems(byId("problems"), { ...player.last, lines: (n) => lineOf(state.entry.bytes, n) });
+  if (state.loaded || state.live) show(state.look, state.t, true);
+  drawnNow.frame = null;
+  if (compared.length) compare(compared, { ink, theme: theme() });
+}
+
 function bindSaving() {
   const name = () => state.entry.name.replace(/\.(log|txt|gz)$/i, "") || "fencepost";
   byId("save-result").onclick = async () => download(`${name()}.json`, [await player.resultText()], "application/json");
@@ -316,8 +336,9 @@ function bindSaving() {
 async function openFirst(recordings, comingLog) {
   const mine = given();
   if (mine?.stream) {
-    byId("reach").textContent = "Nothing leaves this machine: the page asks the run for its log, and nobody else.";
-    follow(mine.stream, comingLog).catch((error) => summary(`The run cannot be followed: ${error.message}`));
+    byId("reach").dataset.t = "reachStream";
+    fill(byId("reach").parentElement);
+    follow(mine.stream, comingLog).catch((error) => summary(() => t("cannotFollow", { detail: error.message })));
   } else if (mine) {
     byId("profile").value = String(Math.max(0, PROFILES.indexOf(mine.profile)));
     const [first, ...others] = mine.logs;
@@ -331,6 +352,8 @@ async function openFirst(recordings, comingLog) {
 
 async function begin() {
   bindLanguage(byId("language"));
+  onLanguage(sayAgain);
+  summary(() => t("loading"));
   setTheme(window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   byId("theme").onclick = () => setTheme(theme() === "dark" ? "light" : "dark");
   const { wasm, recordings } = await bundled();
@@ -354,7 +377,7 @@ async function begin() {
       byId("thinned").hidden = true;
       setLive(true);
       byId("recordings").value = "";
-      summary("The map is made here, of what the robot sends.");
+      summary(() => t("mapLive"));
       Object.assign(state, { entry: { name, bytes: new Uint8Array(), truth: [] }, look: NOTHING, rows: [], selected: null });
       byId("title").textContent = name;
       document.title = `${name} · Fencepost`;
@@ -381,7 +404,7 @@ async function begin() {
     engine: comingLog.engine, open: openEntry, redraw, fit,
     begin: (name) => {
       comingLog.begin(name);
-      summary("Arrow keys or W A S D, the round pad, or a gamepad. Drag what stands in the room.");
+      summary(() => t("driveKeys"));
     },
     show: (look, trueRobot) => {
       Object.assign(state, { t: look.time, begin: 0, end: look.time, trueRobot });
@@ -392,11 +415,11 @@ async function begin() {
       state.chosen = chosen;
       redraw();
     },
-  }, { "a room": ROOM, ...Object.fromEntries(recordings.map(({ name, scene }) => [name.replace(/\.log$/, ""), scene])) });
+  }, { [OWN]: ROOM, ...Object.fromEntries(recordings.map(({ name, scene }) => [name.replace(/\.log$/, ""), scene])) });
   new ResizeObserver(redraw).observe(byId("map"));
   new ResizeObserver(() => markAlerts(byId("alerts"), shownTables.rows, shownTables.count)).observe(byId("alerts").parentElement);
   await openFirst(recordings, comingLog);
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
 }
 
-begin().catch((error) => { summary(`The page could not start: ${error.message}. It needs a browser with WebAssembly and DecompressionStream (2023 or later).`); });
+begin().catch((error) => { summary(() => t("cannotStart", { detail: error.message })); });

@@ -4,6 +4,7 @@ import { colourOf } from "./colours.js";
 import { halfAngle } from "./lens.js";
 import { drawLabels } from "./maplabels.js";
 import { bodyOf, centreOf, curvatureAt, isDoubtful, nameOf, opacityOf, openSidesOf, outlineOf, placed, polygonsOf, poseIndex, sweptRing } from "./scene.js";
+import { t } from "./words.js";
 
 const DASHES = {
   hybrid: [], cylinder: [7, 4], sheaf: [10, 3, 2, 3], carve: [2, 3], clip: [4, 2], cylinder_paper: [6, 4], sheaf_paper: [2, 4],
@@ -264,15 +265,15 @@ export function drawMap(canvas, window, { view, whole, ink, theme, selected, bar
 /** The numbers of an object, a line each. */
 export function describe(object, pose, alert) {
   const circle = object.models.cylinder;
-  const lines = [nameOf(object), `${object.state}, ${object.views} views, confidence ${figure(object.confidence, 2)}`];
-  if (circle?.x != null) lines.push(`x ${figure(circle.x, 3)} m, y ${figure(circle.y, 3)} m, radius ${figure(circle.radius, 3)} m`);
+  const lines = [nameOf(object), t("tipState", { state: object.state, views: object.views, confidence: figure(object.confidence, 2) })];
+  if (circle?.x != null) lines.push(t("tipCircle", { x: figure(circle.x, 3), y: figure(circle.y, 3), radius: figure(circle.radius, 3) }));
   const area = object.models.hybrid?.area;
-  lines.push(`${figure(object.base, 2)} to ${figure(object.z_max, 2)} m high${area == null ? "" : `, ${figure(area * 1e4, 0)} cm²`}`);
+  lines.push(t("tipHigh", { base: figure(object.base, 2), top: figure(object.z_max, 2) }) + (area == null ? "" : `, ${figure(area * 1e4, 0)} cm²`));
   if (pose && circle?.x != null) {
     const bearing = Math.atan2(circle.y - pose.y, circle.x - pose.x) - pose.heading;
     const degrees = Math.atan2(Math.sin(bearing), Math.cos(bearing)) * 180 / Math.PI;
-    lines.push(`centre ${figure(Math.hypot(circle.x - pose.x, circle.y - pose.y), 2)} m, ${figure(Math.abs(degrees), 0)}° ${degrees < 0 ? "right" : "left"}`);
+    lines.push(t("tipCentre", { distance: figure(Math.hypot(circle.x - pose.x, circle.y - pose.y), 2), degrees: figure(Math.abs(degrees), 0), side: t(degrees < 0 ? "right" : "left") }));
   }
-  if (alert) lines.push(`alert: ${alert.level}${alert.distance == null ? "" : ` at ${figure(alert.distance, 2)} m`}`);
+  if (alert) lines.push(t(alert.distance == null ? "tipAlert" : "tipAlertAt", { level: alert.level, distance: figure(alert.distance, 2) }));
   return lines.join("\n");
 }

@@ -3,6 +3,7 @@ import { niceStep, prepare } from "./canvas.js";
 import { colourOf } from "./colours.js";
 import { fitted, Labels } from "./labels.js";
 import { bodyOf, centreOf, curvatureAt, isDoubtful, nameOf, opacityOf, outlineOf, placed, sweptRing } from "./scene.js";
+import { t } from "./words.js";
 
 const ROBOT_HEIGHT = 0.09;  // m, drawn: nobody tells it
 const NEAR = 0.05;
@@ -94,7 +95,7 @@ function drawFloor(g, orbit, ink) {
   }
   g.fillStyle = ink.soft;
   g.textAlign = "left";
-  g.fillText(`one square: ${step >= 1 ? `${step} m` : `${Math.round(step * 100)} cm`}`, 8, orbit.height - 8);
+  g.fillText(t("oneSquare", { size: step >= 1 ? `${step} m` : `${Math.round(step * 100)} cm` }), 8, orbit.height - 8);
 }
 
 function drawOnFloor(g, orbit, ring, ink, alpha) {

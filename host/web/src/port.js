@@ -1,10 +1,11 @@
 // The panel of a connected robot.
 import { byId, download, make, plain } from "./dom.js";
 import { Live } from "./player.js";
-import { ABSENT, Robot, diagnose, explain } from "./serial.js";
+import { Robot, absent, diagnose, explain } from "./serial.js";
+import { t } from "./words.js";
 
 function complain(problem) {
-  byId("port-error").replaceChildren(...(problem ? [make("p", {}, make("b", {}, plain(problem.says)), ` (${plain(problem.detail)})`), make("p", {}, `Try: ${plain(problem.fix)}`)] : []));
+  byId("port-error").replaceChildren(...(problem ? [make("p", {}, make("b", {}, plain(problem.says)), ` (${plain(problem.detail)})`), make("p", {}, t("portTry", { fix: plain(problem.fix) }))] : []));
 }
 
 /** `page`: engine(), open(entry), begin(name), show(look). */
@@ -31,7 +32,7 @@ export function bindPort(page) {
       page.show(look);
     }
     if (!robot?.open) return;
-    tell(`Connected: ${robot.bytes} bytes, ${records} records. The recording has every byte from the first.`);
+    tell(t("portConnected", { bytes: robot.bytes, records }));
     complain(diagnose({ bytes: robot.bytes, strange: robot.strange, records, quiet: robot.quiet }));
     buttons();
     timer = setTimeout(tick, Math.max(150, 2 * (performance.now() - started)));
@@ -40,7 +41,7 @@ export function bindPort(page) {
   async function whole() { return new Uint8Array(await new Blob(robot.recording).arrayBuffer()); }
 
   async function connect() {
-    if (!navigator.serial) return complain(ABSENT);
+    if (!navigator.serial) return complain(absent());
     complain(null);
     records = 0;
     robot = new Robot({
@@ -50,7 +51,7 @@ export function bindPort(page) {
         clearTimeout(timer);
         live.stop();
         buttons();
-        tell(`Disconnected after ${robot.bytes} bytes.`);
+        tell(t("portEnded", { bytes: robot.bytes }));
         if (robot.bytes) page.open({ name: name(), bytes: await whole(), truth: [] });
       },
     });
@@ -58,10 +59,10 @@ export function bindPort(page) {
     try {
       await robot.connect(navigator.serial, Number(byId("baud").value), byId("ask-log").checked);
     } catch (error) {
-      tell("Not connected.");
+      tell(t("portNot"));
       return complain(explain(error));
     }
-    page.begin("Robot, live");
+    page.begin(t("robotLive"));
     buttons();
     return tick();
   }
@@ -70,7 +71,7 @@ export function bindPort(page) {
     const shown = !byId("port").hidden && !byId("port-row").hidden;
     byId("port").hidden = shown;
     byId("port-row").hidden = false;
-    if (!byId("port").hidden) complain(navigator.serial ? null : ABSENT);
+    if (!byId("port").hidden) complain(navigator.serial ? null : absent());
   };
   byId("port-open").onclick = connect;
   byId("port-close").onclick = () => robot.close();

@@ -1,5 +1,6 @@
 // What a look means in metres: outlines, the robot's body and zones, poses in between. Map frame.
 import { plain } from "./dom.js";
+import { t } from "./words.js";
 
 const ringsOf = (geometry) => !geometry ? [] : geometry.type === "Polygon" ? [geometry.coordinates] : geometry.coordinates;
 
@@ -27,7 +28,7 @@ export const isDoubtful = (object) => !(object.confidence >= DOUBTFUL);
 /** How solid an object is drawn: by its confidence. */
 export const opacityOf = (object) => Math.min(1, 0.25 + (object.confidence ?? 0));
 
-export const nameOf = (object) => `${object.id} ${plain(object.name ?? `signature ${object.signature}`)}`;
+export const nameOf = (object) => `${object.id} ${plain(object.name ?? t("signature", { number: object.signature }))}`;
 
 /** The truth of a scene file: rings with names, and their index in it. */
 export function truthOf(scene) {

@@ -1,47 +1,34 @@
 // A robot on a serial port of this machine, by the browser's Web Serial.
+import { t } from "./words.js";
 
 const ASK_EVERY = 3000;   // ms
 const ASKS = 5;           // many boards restart when their port is opened
 const SILENT = 4000;      // ms
 const STRANGE = 0.2;      // share of bytes that no text has: a wrong speed
 
-const LINUX = "On Linux: sudo usermod -aG dialout $USER, then log in again.";
 const ERRORS = {
-  NotFoundError: ["No port was chosen.", "Plug the robot in and choose it in the list. An empty list: the cable carries power only, or the board's driver is missing."],
-  SecurityError: ["The browser does not let this page use serial ports.", "Open the page itself, not inside another page, and allow serial ports in the browser's site settings; or record with: fencepost record PORT"],
-  InvalidStateError: ["The port is open already.", "Close the other tab of this page that uses it, or unplug the robot and plug it in again."],
-  NetworkError: ["The port could not be opened, or the robot was unplugged.", `Close what else uses it: an Arduino or Mu window, a terminal, fencepost record. ${LINUX}`],
-  NotReadableError: ["The port cannot be read.", `Close what else uses it. ${LINUX}`],
-  FramingError: ["Bytes come at another speed.", "Choose the robot's speed: 115200 for our images, 57600 for the Game Boy Advance."],
-  ParityError: ["Bytes come with parity.", "Set the robot's port to 8N1."],
-  BreakError: ["The line was held down.", "Check the wires: the robot's TX goes to the adapter's RX, and both share ground."],
-  BufferOverrunError: ["The page was too slow and bytes were lost.", "Close other tabs, keep this one in front, and record again."],
+  NotFoundError: ["errNotFound", "fixNotFound"], SecurityError: ["errSecurity", "fixSecurity"], InvalidStateError: ["errOpen", "fixOpen"],
+  NetworkError: ["errNetwork", "fixNetwork"], NotReadableError: ["errRead", "fixRead"], FramingError: ["errFraming", "fixFraming"],
+  ParityError: ["errParity", "fixParity"], BreakError: ["errBreak", "fixBreak"], BufferOverrunError: ["errOverrun", "fixOverrun"],
 };
 
-/** { says, try } for whatever a port throws. */
+/** { says, fix, detail } for whatever a port throws. */
 export function explain(error) {
-  const [says, fix] = ERRORS[error?.name] ?? ["The port failed.", "Unplug the robot, plug it in again and connect anew."];
-  return { says, fix, detail: error?.message ?? String(error) };
+  const [says, fix] = ERRORS[error?.name] ?? ["errPort", "fixPort"];
+  return { says: t(says), fix: t(fix, { linux: t("linuxGroup") }), detail: error?.message ?? String(error) };
 }
 
-export const ABSENT = {
-  says: "This browser has no Web Serial.",
-  fix: "Use Chrome, Edge or Opera on a desk computer; or record with: fencepost record PORT -o run.log, and drop the file here.",
-  detail: "navigator.serial is missing",
-};
+export const absent = () => ({ says: t("errNoSerial"), fix: t("fixNoSerial"), detail: "navigator.serial" });
 
 /** What the bytes up to now suggest; null: all is well. `quiet`: ms since the last one. */
 export function diagnose({ bytes, strange, records, quiet }) {
   if (quiet > SILENT) {
-    return { says: bytes ? "The robot has stopped talking." : "The port is open, but nothing comes.", detail: `silent for ${(quiet / 1000).toFixed(0)} s`,
-      fix: "Is the robot switched on? Is it the right port, and is TX wired to RX? Some cables carry power only." };
+    return { says: t(bytes ? "errStopped" : "errNothing"), detail: t("silentFor", { seconds: (quiet / 1000).toFixed(0) }), fix: t("fixSilent") };
   }
   if (bytes > 200 && strange / bytes > STRANGE) {
-    return { says: "What comes is no text.", fix: "Choose another speed: the robot's console has 115200 unless told otherwise.", detail: `${strange} of ${bytes} bytes` };
+    return { says: t("errNoText"), fix: t("fixNoText"), detail: t("strangeBytes", { strange, bytes }) };
   }
-  if (bytes > 2000 && records === 0) {
-    return { says: "Text comes, but no record.", fix: "Tick 'ask for mode log' and connect again, or type mode log on the robot's console.", detail: `${bytes} bytes` };
-  }
+  if (bytes > 2000 && records === 0) return { says: t("errNoRecord"), fix: t("fixNoRecord"), detail: t("someBytes", { bytes }) };
   return null;
 }
 

@@ -1,6 +1,7 @@
 // The log of a run on this machine, as `fencepost run --view` sends it while it grows.
 import { make, byId, plain } from "./dom.js";
 import { Live } from "./player.js";
+import { t } from "./words.js";
 
 const AGAIN = 2000;  // ms
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -57,9 +58,9 @@ export async function follow({ name, path }, page) {
     live.stop();
     await shown;
     if (came) parts = came.parts;
-    if (came?.whole) say("The run has ended.");
-    else if (came) say("The run's log was cut off: the run was killed, or this page was too slow for it. Trying again.", true);
-    else say(parts.length ? "The run is gone. This is what it sent." : "The run is gone.", true);
+    if (came?.whole) say(t("runEnded"));
+    else if (came) say(t("runCut"), true);
+    else say(parts.length ? t("runGoneSent") : t("runGone"), true);
     if (came && !came.whole) {
       await pause(AGAIN);
       continue;

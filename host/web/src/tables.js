@@ -1,6 +1,7 @@
 import { figure } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
 import { headed, make, plain } from "./dom.js";
+import { t } from "./words.js";
 
 const degrees = (radians) => radians === null || radians === undefined ? "–" : (radians * 180 / Math.PI).toFixed(0).replace(/^-0$/, "0");
 
@@ -18,9 +19,9 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
     const level = levels.get(object.id)?.level ?? "clear";
     const circle = object.models.cylinder ?? {};
     const area = object.models.hybrid?.area;
-    const name = object.name === null ? `signature ${object.signature}` : plain(object.name);
+    const name = object.name === null ? t("signature", { number: object.signature }) : plain(object.name);
     return make("tr", { className: object.id === selected ? "lit" : "" },
-      make("td", {}, make("button", { type: "button", onclick: () => select(object.id), "aria-label": `Show object ${object.id}`, "aria-pressed": String(object.id === selected) }, object.id)),
+      make("td", {}, make("button", { type: "button", onclick: () => select(object.id), "aria-label": t("showObject", { id: object.id }), "aria-pressed": String(object.id === selected) }, object.id)),
       make("td", { className: "name" }, key(object, theme), name),
       make("td", {}, make("span", { className: `level ${level}` }, level)),
       make("td", { className: "n" }, figure(circle.x, 3)), make("td", { className: "n" }, figure(circle.y, 3)),
@@ -28,31 +29,31 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
       make("td", {}, object.state), make("td", { className: "n" }, object.views),
       make("td", { className: "n" }, figure(circle.radius, 3)), make("td", { className: "n" }, figure(object.z_max, 3)));
   });
-  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 11 }, "No objects yet.")));
+  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 11 }, t("noObjects"))));
   const n = "n";
   table.replaceChildren(
-    headed(["id"], ["name"], ["alert"], ["x, m", n], ["y, m", n], ["area, cm²", n], ["confidence", n], ["state"], ["views", n], ["radius, m", n], ["top, m", n]),
+    headed(["id"], [t("colName")], [t("colAlert")], ["x, m", n], ["y, m", n], [t("colArea"), n], [t("colConfidence"), n], [t("colState")], [t("colViews"), n], [t("colRadius"), n], [t("colTop"), n]),
     make("tbody", {}, ...rows));
 }
 
 const ROWS = 300;  // of alerts at a time: a long run has thousands
 
-/** Those around time t. Returns which: [first, end). */
-export function fillAlerts(table, { result, t, go }) {
-  const now = alertsUntil(result.alerts, t);
+/** Those around the time `at`. Returns which: [first, end). */
+export function fillAlerts(table, { result, at, go }) {
+  const now = alertsUntil(result.alerts, at);
   const first = Math.max(0, Math.min(now - ROWS / 2, result.alerts.length - ROWS));
   const shown = result.alerts.slice(first, first + ROWS);
-  const more = (n, when) => n > 0 ? [make("tr", {}, make("td", { colSpan: 6 }, `${n} ${when}: move the slider`))] : [];
-  const nameOf = (id) => id === 0 ? "something" : `${id} ${plain(result.objects.find((o) => o.id === id)?.name ?? "")}`;
+  const more = (n, when) => n > 0 ? [make("tr", {}, make("td", { colSpan: 6 }, t(when, { count: n })))] : [];
+  const nameOf = (id) => id === 0 ? t("something") : `${id} ${plain(result.objects.find((o) => o.id === id)?.name ?? "")}`;
   const rows = shown.map((alert) => make("tr", {},
-    make("td", {}, make("button", { type: "button", onclick: () => go(alert.t), "aria-label": `Go to ${alert.t.toFixed(2)} seconds` }, `${alert.t.toFixed(2)}`)),
+    make("td", {}, make("button", { type: "button", onclick: () => go(alert.t), "aria-label": t("goToTime", { time: alert.t.toFixed(2) }) }, `${alert.t.toFixed(2)}`)),
     make("td", {}, make("span", { className: `level ${alert.level}` }, alert.level)), make("td", { className: "name" }, nameOf(alert.id)),
     make("td", { className: "n" }, figure(alert.distance, 2)), make("td", { className: "n" }, degrees(alert.bearing)),
     make("td", { className: "n" }, figure(alert.ttc, 1))));
-  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 6 }, "No alerts in this run.")));
+  if (!rows.length) rows.push(make("tr", {}, make("td", { colSpan: 6 }, t("noAlerts"))));
   const n = "n";
   table.replaceChildren(
-    headed(["time, s"], ["level"], ["object"], ["away, m", n], ["left, °", n], ["contact, s", n]),
+    headed([t("colTime")], [t("colLevel")], [t("colObject")], [t("colAway"), n], [t("colLeft"), n], [t("colContact"), n]),
     make("tbody", {}, ...more(first, "earlier"), ...rows, ...more(result.alerts.length - first - shown.length, "later")));
   return [first, first + shown.length];
 }
@@ -84,30 +85,24 @@ export function fillFacts(list, facts) {
 export function factsOf({ name, result, page, last, took, duration }) {
   const { log } = result;
   const total = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
-  const facts = [["log", name], ["digest now", make("code", { id: "digest-now" }, result.digest ?? "")]];
-  if (last) facts.push(["digest at the end", make("code", { id: "digest" }, last.result.digest)]);
-  facts.push(["profile", result.profile ?? ""], ["records used", `${log.records ?? 0}: ${log.frames ?? 0} frames, ${log.odometry ?? 0} of odometry`],
-    ["not used", `${total(log.rejected)} bad lines, ${total(log.refused)} frames, ${log.foreign ?? 0} lines that are no records`]);
+  const facts = [[t("factLog"), name], [t("factDigestNow"), make("code", { id: "digest-now" }, result.digest ?? "")]];
+  if (last) facts.push([t("factDigestEnd"), make("code", { id: "digest" }, last.result.digest)]);
+  facts.push([t("factProfile"), result.profile ?? ""],
+    [t("factUsed"), t("factUsedSays", { records: log.records ?? 0, frames: log.frames ?? 0, odometry: log.odometry ?? 0 })],
+    [t("factUnused"), t("factUnusedSays", { lines: total(log.rejected), frames: total(log.refused), foreign: log.foreign ?? 0 })]);
   if (last?.page.check.compared) {
     const { compared, differing, damaged } = last.page.check;
-    facts.push(["the robot's own log", (differing ? `differs in ${differing} of ${compared} records` : `agrees in all ${compared} records compared`) +
-      (damaged ? `; ${damaged} more cannot be read` : "")]);
+    facts.push([t("factOwn"), t(differing ? "factDiffers" : "factAgrees", { differing, compared }) + (damaged ? t("factDamaged", { count: damaged }) : "")]);
   }
-  if (page.runs > 1) facts.push(["runs in it", `${page.runs}; the last is shown, as by fencepost replay`]);
-  if (last && took) facts.push(["replayed here in", `${Math.round(took.busy)} ms, ${(duration * 1000 / Math.max(1, took.busy)).toFixed(0)} times as fast as it was driven`]);
+  if (page.runs > 1) facts.push([t("factRuns"), t("factRunsSays", { count: page.runs })]);
+  if (last && took) facts.push([t("factTook"), t("factTookSays", { ms: Math.round(took.busy), times: (duration * 1000 / Math.max(1, took.busy)).toFixed(0) })]);
   return facts;
 }
 
-const REASONS = {
-  crc: "damaged on its way: a loose cable, a wrong speed, or edited by hand", kind: "a record that this version does not know",
-  fields: "too few or too many fields", number: "a number that is none", range: "a number outside its range",
-  length: "longer than 1024 characters", truncated: "the file ends within the line", time: "not later than the one before",
-  format: "another version of the stream",
-};
-const REFUSED = {
-  no_pose: "no odometry ($FPODO) at their exposure: check latency and clock", odometry_gap: "odometry stopped for more than 0.5 s around them",
-  no_camera: "no calibration ($FPCAM) before them", queue: "the log could not keep up",
-};
+const REASONS = { crc: "whyCrc", kind: "whyKind", fields: "whyFields", number: "whyNumber", range: "whyRange", length: "whyLength",
+  truncated: "whyTruncated", time: "whyTime", format: "whyFormat" };
+const REFUSED = { no_pose: "whyNoPose", odometry_gap: "whyGap", no_camera: "whyNoCamera", queue: "whyQueue" };
+const because = (reasons, reason) => reason in reasons ? t(reasons[reason]) : reason;
 
 /** What a log is short of; nothing and hidden where all is well. `lines(n)`: the text of a line. */
 export function fillProblems(section, { result, page, lines }) {
@@ -115,20 +110,20 @@ export function fillProblems(section, { result, page, lines }) {
   const say = (text) => parts.push(make("p", {}, plain(text)));
   if (page.unreadable) say(page.unreadable);
   for (const [reason, count] of Object.entries(result.log.rejected)) {
-    if (count) say(`${count} line${count === 1 ? "" : "s"} not used, ${reason}: ${REASONS[reason] ?? reason}`);
+    if (count) say(t(count === 1 ? "lineUnused" : "linesUnused", { count, reason, why: because(REASONS, reason) }));
   }
   for (const [reason, count] of Object.entries(result.log.refused)) {
-    if (count) say(`${count} frame${count === 1 ? "" : "s"} not used, ${reason}: ${REFUSED[reason] ?? reason}`);
+    if (count) say(t(count === 1 ? "frameUnused" : "framesUnused", { count, reason, why: because(REFUSED, reason) }));
   }
   page.complaints.forEach(say);
   result.calibration.forEach((doubt) => say(`${doubt.t.toFixed(2)} s: ${doubt.says}`));
-  if (page.check.differing) say(`${page.check.differing} of ${page.check.compared} of the robot's own records differ from this replay: ${page.check.first[0] ?? ""}`);
+  if (page.check.differing) say(t("recordsDiffer", { ...page.check, first: page.check.first[0] ?? "" }));
   if (page.bad_lines.length) {
     const rows = page.bad_lines.map(({ line, reason }) => make("tr", {}, make("td", { className: "n" }, line), make("td", {}, reason),
       make("td", {}, plain(lines(line)))));
-    parts.push(make("details", { open: page.bad_lines.length <= 12 }, make("summary", {}, page.bad_lines.length < 100 ? "By line" : "The first 100, by line"),
-      make("div", { className: "scroll tall", tabIndex: 0, role: "region", "aria-label": "Bad lines" },
-        make("table", {}, headed(["line", "n"], ["reason"], ["text"]), make("tbody", {}, ...rows)))));
+    parts.push(make("details", { open: page.bad_lines.length <= 12 }, make("summary", {}, page.bad_lines.length < 100 ? t("byLine") : t("byLineFirst")),
+      make("div", { className: "scroll tall", tabIndex: 0, role: "region", "aria-label": t("badLines") },
+        make("table", {}, headed([t("colLine"), "n"], [t("colReason")], [t("colText")]), make("tbody", {}, ...rows)))));
   }
   section.replaceChildren(...parts);
   section.hidden = parts.length === 0;

@@ -3,6 +3,7 @@ import { niceStep, prepare } from "./canvas.js";
 import { LEVELS } from "./colours.js";
 import { plain } from "./dom.js";
 import { fitted } from "./labels.js";
+import { t as words } from "./words.js";
 
 const ROW = 17;
 const AXIS = 20;
@@ -74,7 +75,7 @@ export function drawTimeline(canvas, { rows, begin, end, t, ink }) {
   });
   if (!rows.length) {
     g.textAlign = "left";
-    g.fillText("no alerts", INSET, 10);
+    g.fillText(words("noAlertsLine"), INSET, 10);
   }
   g.strokeStyle = ink.accent;
   g.lineWidth = 2;

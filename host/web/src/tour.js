@@ -1,12 +1,13 @@
 // Five steps through the page, by the recording that it opens with.
 import { byId } from "./dom.js";
+import { onLanguage, t } from "./words.js";
 
 const STEPS = [
-  { at: "camera", t: 1.5, text: "The camera reports coloured rectangles, and nothing else. The dashed ones are where the map expects them." },
-  { at: "map", t: 3, text: "From rectangles and wheels the robot makes this map. An outline is an obstacle; the fainter it is, the less sure the robot is." },
-  { at: "map", t: 4.2, text: "The coloured floor is what the robot is about to drive over. What stands in it raises NOTICE, WARN or STOP." },
-  { at: "banner", t: 6, text: "The worst alert stands here in words. This robot obeys: it stops, turns away and goes around. The ♪ above makes alerts heard." },
-  { at: "drive", t: 6, text: "Now you: Drive puts you at the wheel, in a room that you arrange. End and replay shows your own run like this one." },
+  { at: "camera", t: 1.5, words: "tourCamera" },
+  { at: "map", t: 3, words: "tourMap" },
+  { at: "map", t: 4.2, words: "tourZones" },
+  { at: "banner", t: 6, words: "tourBanner" },
+  { at: "drive", t: 6, words: "tourDrive" },
 ];
 
 /** `page`: begin() opens the recording; goTo(t). */
@@ -14,6 +15,13 @@ export function bindTour(page) {
   const card = byId("tour-card");
   let step = -1;
   const mark = (on) => { if (step >= 0) byId(STEPS[step].at).classList.toggle("toured", on); };
+  const say = () => {
+    if (step < 0) return;
+    byId("tour-text").textContent = t(STEPS[step].words);
+    byId("tour-step").textContent = t("tourStep", { step: step + 1, steps: STEPS.length });
+    byId("tour-next").textContent = t(step + 1 === STEPS.length ? "drive" : "next");
+  };
+  onLanguage(say);
   const close = () => {
     mark(false);
     step = -1;
@@ -23,13 +31,11 @@ export function bindTour(page) {
   const show = (next) => {
     mark(false);
     step = next;
-    const { at, t, text } = STEPS[step];
+    const { at, t: time } = STEPS[step];
     mark(true);
-    page.goTo(t);
-    byId("tour-text").textContent = text;
-    byId("tour-step").textContent = `${step + 1} of ${STEPS.length}`;
+    page.goTo(time);
+    say();
     byId("tour-back").disabled = step === 0;
-    byId("tour-next").textContent = step + 1 === STEPS.length ? "Drive" : "Next";
     byId(at).scrollIntoView({ block: "nearest" });
   };
   byId("tour").onclick = async () => {

@@ -412,6 +412,42 @@ await run({
     }
   },
 
+  async "speaks the browser's language, or the chosen one; no English is left, and nothing is cut off"() {
+    const page = await browser.open({ locale: "de-CH" });
+    assert.equal(await page.locator("html").getAttribute("lang"), "de");
+    assert.match(await text(page, "#summary"), /^20\.5 s, 205 Bilder, 3 Objekte \(3 bestätigt\), 45 Warnungen$/);
+    await page.click("#connect");
+    await page.click("#board-open");
+    await page.click("#layers summary");
+    for (const language of ["es", "fr", "zh"]) {
+      await page.selectOption("#language", language);
+      assert.equal(await page.locator("html").getAttribute("lang"), language);
+      for (const width of [400, 1280]) {
+        await page.setViewportSize({ width, height: 800 });
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `${language} at ${width}`);
+      }
+    }
+    // In Chinese each word in Latin letters is the program's, a robot's or a log's.
+    const program = /^(Fencepost|fencepost|BOOTSEL|lost|mode|log|full|small|micro|profile|stop|warn|notice|clear|blind|STOP|WARN|NOTICE|red|yellow|green|pixy2|id|confirmed|tentative|hybrid|cylinder\w*|sheaf\w*|carve\w*|clip\w*|go_around|wro_lap|approach_stop|corridor|boards|html|replay|Shift|Home|End|JSON|PNG|json|Deutsch|English|Español|Français|Web|Serial)$/;
+    await page.evaluate(() => { navigator.getGamepads = () => []; });
+    await page.click("#drive");
+    for (const part of ["shown", "driven"]) {
+      if (part === "driven") await page.click("#drive-end");
+      const texts = await page.evaluate(() => {
+        const found = [];
+        const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT);
+        for (let node = walk.nextNode(); node; node = walk.nextNode()) {
+          if (node.nodeType === Node.ELEMENT_NODE) found.push(...["aria-label", "aria-valuetext"].map((name) => node.getAttribute(name) ?? ""));
+          else if (!node.parentElement.closest("script, style")) found.push(node.data);
+        }
+        return found;
+      });
+      const words = texts.flatMap((one) => one.match(/[A-Za-z][A-Za-zÀ-ÿ_0-9]{2,}/g) ?? []).filter((word) => !program.test(word) && !/^[0-9a-f]{6,}$/.test(word));
+      assert.deepEqual([...new Set(words)], [], part);
+    }
+    await page.context().close();
+  },
+
   async "axe finds what is planted"() {
     const planted = await browser.open();
     await planted.evaluate(() => { document.body.append(document.createElement("button")); });
