@@ -93,6 +93,13 @@ def inputs(bench):
     sketch = "".join(f"Detected 1\n  block 0: sig: 1 x: {100 + i} y: 99 width: 20 height: 30 index: 3 age: {i}\n" for i in range(40)).encode()
     poses = "".join(f"{0.1 * i:.1f},{0.01 * i:.2f},0,0\n" for i in range(40)).encode()
     (bench.folder / "poses.csv").write_bytes(b"t,x,y,heading\n" + poses)
+    field = lambda data: struct.pack("<I", len(data)) + data
+    entry = lambda number, t, data: b"\x7f" + struct.pack("<IIQ", number, len(data), int(1e6 * t)) + data
+    begin = lambda number, name, kind: entry(0, 0, b"\0" + struct.pack("<I", number) + field(name) + field(kind) + field(b""))
+    robot = b"WPILOG\0\1" + field(b"") + begin(1, b"/Odometry/Robot", b"struct:Pose2d") + begin(2, b"NT:/limelight/rawdetections", b"double[]")
+    for i in range(40):
+        robot += entry(1, 0.1 * i, struct.pack("<3d", 0.01 * i, 0, 0))
+        robot += entry(2, 0.1 * i + 0.01, struct.pack("<12d", 1, 0, 0, 0.1, 100, 50, 120 + i, 50, 120 + i, 80, 100, 80))
     log = bench.log.read_bytes()[:30_000]
     scene = bench.log.with_suffix(".json").read_bytes()
     camera = ("--camera", "pixy2", "-o", "out.log")
@@ -106,6 +113,7 @@ def inputs(bench):
         (b"t,x,y,w,h,sig,name\n" + boxes, "b.csv", "import", "csv", "@", "--poses", "poses.csv", *camera),
         (b"t,x,y,heading\n" + poses, "p.csv", "import", "csv", bench.folder / "b.seed", "--poses", "@", *camera),
         (sketch, "m.txt", "import", "sketch", "@", *camera),
+        (robot, "a.wpilog", "import", "wpilog", "@", *camera),
         ((bench.folder / "seed.mcap").read_bytes(), "a.mcap", "import", "mcap", "@", "--camera", bench.log, "-o", "out.log"),
     ):
         (bench.folder / "b.seed").write_bytes(b"t,x,y,w,h,sig,name\n" + boxes)
