@@ -105,8 +105,10 @@ using EndToEndFaults = EndToEnd;
 
 // Of 100 bytes one is lost and one is another; and the camera's plug is out for half a second.
 TEST_F(EndToEndFaults, ARunSurvivesABadCable) {
-  ASSERT_NO_FATAL_FAILURE(
-      drive(drives().front(), {"--fault", "drop=0.01,corrupt=0.01", "--fault", "pixy2:unplug=4:0.5"}));
+  const std::vector<Drive> all = drives();
+  const auto pixy2 =
+      std::find_if(all.begin(), all.end(), [](const Drive& each) { return each.emulated[0] == "pixy2"; });
+  ASSERT_NO_FATAL_FAILURE(drive(*pixy2, {"--fault", "drop=0.01,corrupt=0.01", "--fault", "pixy2:unplug=4:0.5"}));
   expect_replays(folder, err);
   EXPECT_NE(err.find("camera pixy2 at ./a is absent"), std::string::npos) << err;
   EXPECT_NE(err.find("pixy2 at ./a works\n", err.find("is absent")), std::string::npos) << err;
