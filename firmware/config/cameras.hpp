@@ -14,7 +14,6 @@
 // X(CameraId, name, port, baud of a line, address on the two-wire bus, calibration as its maker says it). Images carry
 // the numbers of CameraId: the order stays.
 // clang-format off
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): three tables are made of it, and none is a list of its own.
 #define FENCEPOST_CAMERAS(X)                                                                               \
   X(kConsole, "console", kConsole, 0, 0, sensor::CameraIntrinsics{})                                       \
   X(kPixy2, "pixy2", kLine, 115'200, 0, pixy2::kPixy2Profile)                                              \

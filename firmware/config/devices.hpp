@@ -19,11 +19,9 @@ namespace fencepost::config {
 /// Where a device is connected.
 enum class Port : std::uint8_t { kConsole, kLine, kTwoWire, kPins };
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage)
 #define FENCEPOST_ID(id, name, port, speed, address, calibration) id,
 enum class CameraId : std::uint8_t { FENCEPOST_CAMERAS(FENCEPOST_ID) };
 #undef FENCEPOST_ID
-// NOLINTEND
 
 enum class OdometryId : std::uint8_t { kConsole, kEncoders, kCreate1, kCreate2 };
 inline constexpr std::size_t kOdometryIds = 4;
@@ -36,11 +34,9 @@ struct DeviceInfo {
 };
 
 /// By CameraId.
-// NOLINTBEGIN(cppcoreguidelines-macro-usage)
 #define FENCEPOST_INFO(id, name, port, speed, address, calibration) DeviceInfo{name, Port::port, speed, address},
 inline constexpr std::array kCameras = {FENCEPOST_CAMERAS(FENCEPOST_INFO)};
 #undef FENCEPOST_INFO
-// NOLINTEND
 inline constexpr std::size_t kCameraIds = kCameras.size();
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{
