@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
 namespace fencepost::emulate {
@@ -63,9 +64,11 @@ std::string Grove::invoke(const std::string& arguments) {
   int times = 0;
   int differed = 0;
   int result_only = 0;
-  int read = 0;
-  if (std::sscanf(arguments.c_str(), "%d,%d,%d%n", &times, &differed, &result_only, &read) != 3 ||
-      static_cast<std::size_t>(read) != arguments.size() || times < -1) {
+  char first_comma = 0;
+  char second_comma = 0;
+  std::istringstream words(arguments);
+  words >> times >> first_comma >> differed >> second_comma >> result_only;
+  if (!words || !words.eof() || first_comma != ',' || second_comma != ',' || times < -1) {
     return reply(2, "AT", 5, "\"Arguments\"");
   }
   if (differed != 0) not_emulated_.note("INVOKE of what differs");
