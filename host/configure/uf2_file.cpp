@@ -10,11 +10,20 @@ namespace fencepost::host {
 namespace {
 
 // Microsoft's specification of UF2.
+
 constexpr std::uint32_t kFirstMark = 0x0A324655;
 constexpr std::uint32_t kSecondMark = 0x9E5D5157;
 constexpr std::uint32_t kLastMark = 0x0AB16F30;
 constexpr std::uint32_t kFamilyPresent = 0x2000;
 constexpr std::uint32_t kRp2040 = 0xE48BFF56;
+
+// An RP2350's family: of its Arm cores, secure.
+constexpr std::uint32_t kRp2350 = 0xE48BFF59;
+// The block that an RP2350's boot ROM looks for (its datasheet, 5.9.5.1).
+constexpr std::array<std::uint32_t, 5> kImageDef = {0xFFFF'DED3, 0x1021'0142, 0x0000'01FF, 0, 0xAB12'3579};
+// Bytes of the flash in which it looks.
+constexpr std::size_t kImageDefWithin = 4096;
+
 constexpr std::size_t kBlock = 512;
 constexpr std::size_t kDataAt = 32;
 constexpr std::size_t kMostData = 476;
@@ -32,6 +41,13 @@ void put_word(std::string& out, std::uint32_t value) {
   for (unsigned i = 0; i < 4; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
 }
 
+std::uint32_t family_of(const ImageMemory& memory) {
+  std::string block;
+  for (const std::uint32_t value : kImageDef) put_word(block, value);
+  const auto place = find_mark(memory.bytes().first(std::min(kImageDefWithin, memory.bytes().size())), block);
+  return place ? kRp2350 : kRp2040;
+}
+
 }  // namespace
 
 bool looks_like_uf2(std::string_view file) { return file.starts_with("UF2\n"); }
@@ -46,8 +62,9 @@ base::Result<ImageMemory, std::string> read_uf2(std::string_view file) {
         size > kMostData) {
       return fmt::format("block {} is damaged", n);
     }
-    if ((word(block, 8) & kFamilyPresent) != 0 && word(block, 28) != kRp2040) {
-      return std::string("this UF2 file is not for an RP2040, the only part here that takes such files");
+    const bool known = word(block, 28) == kRp2040 || word(block, 28) == kRp2350;
+    if ((word(block, 8) & kFamilyPresent) != 0 && !known) {
+      return std::string("this UF2 file is for no RP2040 or RP2350, the only parts here that take such files");
     }
     const std::vector<std::uint8_t> data(block.begin() + kDataAt, block.begin() + kDataAt + size);
     if (!memory.put(word(block, 12), data)) return fmt::format("block {} lies too far from the others", n);
@@ -64,11 +81,12 @@ std::string write_uf2(const ImageMemory& memory) {
     const std::uint64_t end = std::min(sector + kSector, memory.end());
     for (std::uint64_t page = sector; page < end; page += kPayload) pages.push_back(static_cast<std::uint32_t>(page));
   }
+  const std::uint32_t family = family_of(memory);
   std::string file;
   for (std::size_t n = 0; n < pages.size(); ++n) {
     for (const std::uint32_t value : std::array<std::uint32_t, 8>{kFirstMark, kSecondMark, kFamilyPresent, pages[n],
                                                                   kPayload, static_cast<std::uint32_t>(n),
-                                                                  static_cast<std::uint32_t>(pages.size()), kRp2040}) {
+                                                                  static_cast<std::uint32_t>(pages.size()), family}) {
       put_word(file, value);
     }
     for (std::uint64_t at = pages[n]; at < pages[n] + kPayload; ++at)

@@ -26,8 +26,8 @@ CONTEXT_WORDS = 27
 LIBGCC = re.compile(r"__(?:aeabi_\w+|popcount\w+|clz\w+|ctz\w+|gnu_\w+|\w*div\w*|\w*mod\w*|[a-z]+[sd]f\w*)$|sqrtf?$")
 LIBGCC_FRAME = 96
 RAM = 0x20000000  # of every Cortex-M (Armv7-M B3.1)
-# The RP2040's boot ROM, through pointers that it tells: an allowance.
-ROM_CALLER = re.compile(r"mcu::rp2040::(?:Flash::|start_boot_loader\()")
+# The boot ROM of an RP2040 or RP2350, through pointers that it gives: an allowance.
+ROM_CALLER = re.compile(r"mcu::rp2\w*::(?:Flash::|start_boot_loader\()")
 ROM_STACK = 256
 # Written in assembly (hal/mcu/division/aeabi.cpp, hal/mcu/soft_float/armv6m.cpp): their own bytes of stack, and what
 # they call.

@@ -64,14 +64,15 @@ def dfu_faults(file, image, address):
 
 
 def uf2_faults(file, image, address):
-    """Blocks of 512 bytes, in order, for the RP2040 (the UF2 specification)."""
+    """Blocks of 512 bytes, in order, for the part (the UF2 specification, the families that picotool has)."""
+    part = 0xE48BFF59 if struct.pack("<I", 0xFFFFDED3) in image[:4096] else 0xE48BFF56  # RP2350, RP2040
     blocks = file.read_bytes()
     count = len(blocks) // 512
     held = b""
     for n in range(count):
         block = blocks[512 * n:512 * (n + 1)]
         first, second, flags, at, size, number, of, family = struct.unpack_from("<8I", block)
-        if (first, second, flags, number, of, family) != (0x0A324655, 0x9E5D5157, 0x2000, n, count, 0xE48BFF56) or \
+        if (first, second, flags, number, of, family) != (0x0A324655, 0x9E5D5157, 0x2000, n, count, part) or \
                 struct.unpack_from("<I", block, 508)[0] != 0x0AB16F30 or at != address + len(held) or size > 476:
             yield f"block {n} is none"
             return

@@ -19,13 +19,14 @@ ROW = re.compile(r"^\| (new|edit) \| ([^|]+) \|")
 
 
 def boards(root):
-    return sorted(p.parent.name for p in root.glob("hal/boards/*/board.hpp") if p.parent.name != "template")
+    """Boards that have memories of their own."""
+    return sorted(p.parent.name for p in root.glob("hal/boards/*/image.ld"))
 
 
 def siblings(root):
     """Boards that have pins alone: the rest is another's."""
     folders = (p.parent for p in root.glob("hal/boards/*/pins.hpp"))
-    return sorted(p.name for p in folders if not (p / "board.hpp").is_file())
+    return sorted(p.name for p in folders if not (p / "image.ld").is_file())
 
 
 def settings(root):

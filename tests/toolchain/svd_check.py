@@ -2,8 +2,8 @@
 """usage: svd_check.py ROOT FOLDER
 
 Compares the constants of hal/mcu/*/registers.hpp with what the vendors publish of their parts: SVD files, which this
-repository does not have. FOLDER has those that there are, each named after its part as its column is in the tables
-tests/hal/mcu/registers (rp2040.svd of the Pico's SDK, stm32f405.svd, nrf51.svd, nrf52833.svd; upper or lower case).
+repository does not have. FOLDER has those that there are. Each is named after its part, as its column is in the tables
+tests/hal/mcu/registers, in upper or lower case. They are rp2040.svd, rp2350.svd (the Pico's SDK), stm32f405.svd, nrf51.svd, nrf52833.svd.
 A table says what each constant is by the vendor's names:
 
   UART0                     a peripheral's address

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: uf2_test.py
 
-toolchain/uf2.py: what it writes, by the UF2 specification, and that it refuses what the RP2040 would not start.
+toolchain/uf2.py: what it writes, by the UF2 specification, and that it refuses what neither part would start.
 """
 
 import pathlib
@@ -49,6 +49,12 @@ class Uf2(unittest.TestCase):
             self.assertEqual(block[32 + 256:508], bytes(508 - 288))
             flash += block[32:32 + 256]
         self.assertEqual(flash, data + b"\xff" * 24)
+
+    def test_an_image_of_an_rp2350_says_so(self):
+        done, blocks = self.convert(bytes(8) + uf2.IMAGE_DEF + bytes(600))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual({struct.unpack_from("<I", blocks, at + 28)[0] for at in range(0, len(blocks), 512)}, {0xE48BFF59})
+        self.assertNotEqual(self.convert(bytes(4096 - 19) + uf2.IMAGE_DEF)[0].returncode, 0, "too far for its boot ROM")
 
     def test_what_would_not_start_is_refused(self):
         wrong = bytearray(image(1000))

@@ -2,12 +2,11 @@
 
 #include "hal/mcu/about_board.hpp"
 #include "hal/mcu/cortex_m/core.hpp"
-#include "hal/mcu/rp2040/clocks.hpp"
-#include "hal/mcu/rp2040/panic.hpp"
-#include "hal/mcu/rp2040/registers.hpp"
-#include "hal/mcu/rp2040/reset_reason.hpp"
-#include "hal/mcu/rp2040/rom.hpp"
-#include "hal/mcu/rp2040/watchdog.hpp"
+#include "hal/mcu/rp2/clocks.hpp"
+#include "hal/mcu/rp2/panic.hpp"
+#include "hal/mcu/rp2/part.hpp"
+#include "hal/mcu/rp2/reset_reason.hpp"
+#include "hal/mcu/rp2/watchdog.hpp"
 #include FENCEPOST_PINS
 
 // Compiled once for each board with this part; FENCEPOST_PINS is the board's pins.hpp, FENCEPOST_BOARD_NAME its folder.
@@ -20,7 +19,7 @@ constinit const bus::PinNames kPinNames = kWiring.names;
 
 namespace {
 
-namespace part = mcu::rp2040;
+namespace part = mcu::rp2;
 
 [[gnu::used, gnu::section(".about")]] constexpr mcu::AboutBoard kAbout =
     mcu::about_board(kWiring.target, part::kFlashBase, Flash::kAddress, Flash::size());

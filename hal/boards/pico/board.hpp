@@ -10,12 +10,12 @@
 #include "hal/bus/pin_names.hpp"
 #include "hal/mcu/mirrored_link.hpp"
 #include "hal/mcu/reset.hpp"
-#include "hal/mcu/rp2040/encoder.hpp"
-#include "hal/mcu/rp2040/flash.hpp"
-#include "hal/mcu/rp2040/i2c.hpp"
-#include "hal/mcu/rp2040/timer_clock.hpp"
-#include "hal/mcu/rp2040/uart.hpp"
-#include "hal/mcu/rp2040/usb_serial.hpp"
+#include "hal/mcu/rp2/encoder.hpp"
+#include "hal/mcu/rp2/flash.hpp"
+#include "hal/mcu/rp2/i2c.hpp"
+#include "hal/mcu/rp2/timer_clock.hpp"
+#include "hal/mcu/rp2/uart.hpp"
+#include "hal/mcu/rp2/usb_serial.hpp"
 
 namespace fencepost::board {
 
@@ -27,11 +27,11 @@ inline constexpr bool kOneLine = true;  ///< for a camera or a wheel base
 inline constexpr std::uint8_t kLowestAddress = 8;
 inline constexpr bool kMotors = true;
 
-using Clock = mcu::rp2040::TimerClock;
-using Link = mcu::rp2040::Uart;
-using Console = mcu::MirroredLink<mcu::rp2040::Uart, mcu::rp2040::UsbSerial>;
-using I2c = mcu::rp2040::I2c;
-using Flash = mcu::rp2040::Flash;
+using Clock = mcu::rp2::TimerClock;
+using Link = mcu::rp2::Uart;
+using Console = mcu::MirroredLink<mcu::rp2::Uart, mcu::rp2::UsbSerial>;
+using I2c = mcu::rp2::I2c;
+using Flash = mcu::rp2::Flash;
 
 /// Before anything else here: clocks, timer, watchdog, console.
 void start(std::uint32_t console_baud);

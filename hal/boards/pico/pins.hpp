@@ -2,11 +2,11 @@
 #pragma once
 
 #include "hal/boards/pico/wiring.hpp"
-#include "hal/mcu/rp2040/registers.hpp"
+#include "hal/mcu/rp2/part.hpp"
 
 namespace fencepost::board::pico {
 
-namespace part = mcu::rp2040;
+namespace part = mcu::rp2;
 
 inline constexpr Wiring kWiring = {
     .target = "pico",

@@ -20,6 +20,10 @@ std::uint32_t address_of(const std::uint32_t* symbol) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(symbol));
 }
 
+#if __ARM_ARCH >= 8
+// A stack that grows below its end faults, and overwrites no variable (Armv8-M B3.21).
+void guard_stack() { asm volatile("msr msplim, %0" ::"r"(address_of(image_stack_bottom))); }
+#else
 // 32 bytes at the stack's end that nobody may use: a stack that grows into them faults, and overwrites no variable. The
 // smallest region of an M0+ has 256 bytes; an eighth of it is in force.
 void guard_stack() {
@@ -35,6 +39,7 @@ void guard_stack() {
   reg(core::kProtection) = core::kProtectionOn | core::kElseAsWithout;
   asm volatile("dsb\n\tisb" ::: "memory");
 }
+#endif
 
 #if __ARM_ARCH >= 7
 // A boot loader that jumps here has reset nothing: its interrupts may be on, pending, and its table in force.
@@ -80,6 +85,9 @@ void prepare_core() {
       "isb\n\t"
       "msr basepri, r0\n\t"
       "cpsie f\n\t"
+#endif
+#if __ARM_ARCH >= 8
+      "msr msplim, r0\n\t"
 #endif
       "ldr r0, =image_stack_top\n\t"
       "mov sp, r0\n\t"

@@ -24,7 +24,7 @@ def pins_of(text):
     columns = []
     for line in text.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
-        names = [(n, re.match(r"`(\w+)`", cell).group(1)) for n, cell in enumerate(cells) if re.match(r"`\w+`", cell)]
+        names = [(n, name) for n, cell in enumerate(cells) if cell.startswith("`") for name in re.findall(r"`(\w+)`", cell)]
         if names:
             columns = names
         elif not cells:

@@ -147,7 +147,7 @@ class Core:
 
     def on_sleep(self, uc, address, _size, _data):
         self.block = address + len(NOTHING)
-        if not self.due():
+        if self.due() is None:
             times = [time for time in (self.next_event(), self.next_tick()) if time is not None]
             if not times:
                 self.stop("the program sleeps, and nothing will wake it")
@@ -173,7 +173,7 @@ class Core:
             self.ticked += period * int((self.seconds - self.ticked) / period)
             if self.system[SYSTICK] & 2:
                 self.pending.add("tick")
-        if self.due() or self.seconds > self.until:
+        if self.due() is not None or self.seconds > self.until:
             self.uc.emu_stop()
 
     def due(self):

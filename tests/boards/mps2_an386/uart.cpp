@@ -1,19 +1,14 @@
 // The micro:bit's serial line by the machine's.
 #include "hal/mcu/nrf51/uart.hpp"
 
-#include "hal/mcu/cortex_m/core.hpp"
-#include "hal/mcu/register.hpp"
-#include "tests/boards/mps2_an386/registers.hpp"
+#include "tests/boards/mps2_an386/line.hpp"
 
 namespace fencepost::mcu::nrf51 {
 
 namespace machine = test::mps2;
 
 void Uart::begin(std::uint32_t /*transmit*/, std::uint32_t /*receive*/, std::uint32_t baud) {
-  reg(machine::kUartDivider) = machine::kCoreHz / baud;
-  reg(machine::kUartControl) = machine::kUartOn;
-  cortex_m::enable_interrupt(machine::kInterruptReceived);
-  cortex_m::enable_interrupt(machine::kInterruptSent);
+  machine::begin_line(machine::uart(0), machine::interrupt_of_uart(0), baud);
 }
 
 base::Result<std::size_t> Uart::write(std::span<const std::uint8_t> out) {
@@ -23,24 +18,7 @@ base::Result<std::size_t> Uart::write(std::span<const std::uint8_t> out) {
   return taken;
 }
 
-void Uart::on_interrupt() {
-  reg(machine::kUartInterrupts) = machine::kUartReceived | machine::kUartSent;
-  while ((reg(machine::kUartState) & machine::kUartReceiveFull) != 0) {
-    rings_.received(static_cast<std::uint8_t>(reg(machine::kUartData)));
-  }
-  go_on_sending();
-}
-
-void Uart::go_on_sending() {
-  sending_ = true;
-  while (sending_ && (reg(machine::kUartState) & machine::kUartSendFull) == 0) sending_ = send_one();
-}
-
-bool Uart::send_one() {
-  std::uint8_t byte = 0;
-  if (!rings_.next(byte)) return false;
-  reg(machine::kUartData) = byte;
-  return true;
-}
+void Uart::on_interrupt() { machine::serve_line(rings_, machine::uart(0)); }
+void Uart::go_on_sending() { machine::send_of(rings_, machine::uart(0)); }
 
 }  // namespace fencepost::mcu::nrf51

@@ -12,8 +12,9 @@ namespace fencepost::test::mps2 {
 using mcu::cortex_m::of_interrupt;
 
 [[gnu::section(".vectors"), gnu::used]] extern constinit const mcu::cortex_m::VectorTable<32> vectors =
-    mcu::cortex_m::make_vector_table<32>(reset_handler, {{mcu::cortex_m::kSysTick, systick_interrupt},
-                                                         of_interrupt(kInterruptReceived, uart_interrupt),
-                                                         of_interrupt(kInterruptSent, uart_interrupt)});
+    mcu::cortex_m::make_vector_table<32>(reset_handler,
+                                         {{mcu::cortex_m::kSysTick, systick_interrupt},
+                                          of_interrupt(kInterruptReceived, uart_interrupt),
+                                          of_interrupt(kInterruptReceived + kSentAfterReceived, uart_interrupt)});
 
 }  // namespace fencepost::test::mps2

@@ -12,7 +12,7 @@ namespace {
 
 // A frame of eight objects, all that it sets in motion.
 void count_eight_objects(PoseCorrected corrected) {
-  const FullTable table{"pico", with_floor({{"camera", "::Camera<fencepost::mcu::rp2040::Uart>::receive("}}),
+  const FullTable table{"pico", with_floor({{"camera", "::Camera<fencepost::mcu::rp2::Uart>::receive("}}),
                         eight_boxes(4), 8, 100};
   expect_full_table_as_committed(table, corrected,
                                  [](const auto& arguments) { return pico(nullptr, "fencepost", arguments.back()); });

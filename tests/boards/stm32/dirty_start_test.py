@@ -6,15 +6,14 @@ Each has to come up at the right speed, by its own vector table, without breakin
 drives no pin that its board reserves. TABLES: tests/hal/boards.
 """
 
-import binascii
 import csv
 import pathlib
-import struct
 import sys
 import unittest
 
 from part import GATES, IWDG, PORTS, RCC, Part
 from core import SYSTICK, SYSTICK_RELOAD, VTOR, Core  # by part's path
+from settings import page_with
 
 BUILD = pathlib.Path(sys.argv.pop(1))
 TABLES = pathlib.Path(sys.argv.pop(1))
@@ -111,16 +110,8 @@ def start(image, leave, crystal, seconds=0.15, part_of=Part):
 
 
 def kept(*settings):
-    """A start with these in the first of the settings' sectors (firmware/config/settings_store.hpp)."""
-    def pair(value):
-        return struct.pack("<HH", value, value ^ 0xFFFF)
-
-    page = pair(1)
-    for setting in settings:
-        body = f"FPCFG,{setting}".encode()
-        line = b"$" + body + b"*%04X" % binascii.crc_hqx(body, 0xFFFF)
-        page += pair(len(line)) + line + b"\xff" * (-len(line) % 4) + pair(binascii.crc_hqx(line, 0xFFFF))
-    return lambda part: part.uc.mem_write(SETTINGS, page)
+    """A start with these in the first of the settings' sectors."""
+    return lambda part: part.uc.mem_write(SETTINGS, page_with(*settings))
 
 
 def stop_pin(part, board):

@@ -5,10 +5,10 @@
 #include <array>
 #include <span>
 
-#include "hal/mcu/rp2040/reset_reason.hpp"
-#include "hal/mcu/rp2040/usb_descriptors.hpp"
+#include "hal/mcu/rp2/reset_reason.hpp"
+#include "hal/mcu/rp2/usb_descriptors.hpp"
 
-namespace fencepost::mcu::rp2040 {
+namespace fencepost::mcu::rp2 {
 namespace {
 
 TEST(Rp2040, TellsWhyItWasReset) {
@@ -51,4 +51,4 @@ TEST(Rp2040, DescriptorsSayThatBothInterfacesAreOneSerialLine) {
 }
 
 }  // namespace
-}  // namespace fencepost::mcu::rp2040
+}  // namespace fencepost::mcu::rp2

@@ -139,6 +139,23 @@ TEST(ImageFile, Uf2NumbersBlocksAsTheirSectorsAre) {
   }
 }
 
+// The RP2350's drive ignores what is not of its family (its datasheet, 5.5.3); its boot ROM looks for the block.
+TEST(ImageFile, Uf2IsForThePartThatWouldStartIt) {
+  const auto family_with_block_at = [](std::size_t at) {
+    constexpr std::array<std::uint8_t, 20> kBlock = {0xD3, 0xDE, 0xFF, 0xFF, 0x42, 0x01, 0x21, 0x10, 0xFF, 0x01,
+                                                     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x79, 0x35, 0x12, 0xAB};
+    ImageMemory memory;
+    EXPECT_TRUE(memory.put(0x1000'0000, std::vector<std::uint8_t>(8192, 0)));
+    EXPECT_TRUE(memory.put(static_cast<std::uint32_t>(0x1000'0000 + at), kBlock));
+    const std::string file = write_image(memory, ImageFormat::kUf2);
+    EXPECT_TRUE(read_image(file).ok());
+    return file.substr(28, 4);
+  };
+  EXPECT_EQ(family_with_block_at(8), "\x59\xFF\x8B\xE4");
+  EXPECT_EQ(family_with_block_at(4096 - 20), "\x59\xFF\x8B\xE4");
+  EXPECT_EQ(family_with_block_at(4096 - 19), "\x56\xFF\x8B\xE4");
+}
+
 TEST(ImageFile, BinIsAllOfItWithErasedHoles) {
   const ImageMemory memory = two_pieces(0);
   const std::string file = write_image(memory, ImageFormat::kBin);
@@ -167,7 +184,7 @@ TEST(ImageFile, SaysWhatIsWrong) {
   std::string file = write_image(memory, ImageFormat::kUf2);
   EXPECT_EQ(wrong(file.substr(0, 500)), "the file is cut off: UF2 has blocks of 512 bytes");
   file[28] = 'x';
-  EXPECT_EQ(wrong(file), "this UF2 file is not for an RP2040, the only part here that takes such files");
+  EXPECT_EQ(wrong(file), "this UF2 file is for no RP2040 or RP2350, the only parts here that take such files");
   file[511] = 'x';
   EXPECT_EQ(wrong(file), "block 0 is damaged");
 }

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 PAGES = ("host/share/doc/devices.md", "tests/results/devices.md")
-RP2040 = ("pico", "xrp")
-BOARDS = ("pico", "xrp", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
+PICOS = ("pico", "xrp", "pico2", "xrp2")
+BOARDS = ("pico", "xrp", "pico2", "xrp2", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
 
 
 @dataclass
@@ -97,7 +97,7 @@ def devices_of(sources):
 
 def lowest_address(sources, board):
     """That the board's two-wire bus can speak to."""
-    if board not in RP2040:
+    if board not in PICOS:
         return 0
     text = (sources / "hal/boards/pico/board.hpp").read_text(encoding="utf-8")
     return int(re.search(r"kLowestAddress = (\d+);", text).group(1))
