@@ -30,7 +30,10 @@ LogReplay::LogReplay(const ReplayOptions& options)
       path_(options.most_poses) {}
 
 std::optional<record::LineOutcome> LogReplay::take(std::string_view& bytes) {
-  if (reader_.line_number() == 0) returns_ += std::ranges::count(bytes.substr(0, bytes.find('\n')), '\r');
+  if (reader_.line_number() == 0) {
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    returns_ += std::count(line.begin(), line.end(), '\r');
+  }
   if (!options_.check) return reader_.take(bytes, *this);
   for (std::size_t i = 0; i < bytes.size() && started_ < start_.size() && bytes[i] != '\n'; ++i) {
     start_[started_++] = bytes[i];
