@@ -39,6 +39,8 @@ const IMAGES = {
   feather_f405: imageOf({ board: "feather_f405", ...F405 }),
   pico: imageOf({ board: "pico", ...RP2040 }),
   xrp: imageOf({ board: "xrp", ...RP2040, odometry: 1, wheels: [600, 5850, 1550] }),
+  pico2: imageOf({ board: "pico2", ...RP2040 }),
+  xrp2: imageOf({ board: "xrp2", ...RP2040, odometry: 1, wheels: [600, 5850, 1550] }),
   microbit: imageOf({ board: "microbit", begin: 0, settings: 0x3f800, room: 0x400, cameras: TWO_WIRE, odometries: 1, camera: 3 }),
   microbit_v2: imageOf({ board: "microbit_v2", begin: 0, settings: 0x7e000, room: 0x1000, cameras: TWO_WIRE, odometries: 1, camera: 3 }),
   gba: imageOf({ board: "gba", begin: 0x08000000, settings: 0x0e000000, room: 0x2000, cameras: 1, odometries: 1, camera: 0 }),
