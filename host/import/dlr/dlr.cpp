@@ -95,8 +95,8 @@ std::vector<DlrStep> read_dlr(const std::string& path) {
   for (const WordRow& row : table.rows) {
     if (row.words[0] == "STEP") {
       table.expect_at_least(row, 5, "STEP image dX dY dPhi");
-      // The file's robot looks along -Y, X is to its right.
-      steps.push_back({-table.number(row, 3), -table.number(row, 2), table.number(row, 4), {}});
+      // The file's robot looks along -Y, X is to its right: its angles, from X to Y, turn to the right.
+      steps.push_back({-table.number(row, 3), -table.number(row, 2), -table.number(row, 4), {}});
     } else if (row.words[0] == "LANDMARK_C") {
       table.expect_at_least(row, 8, "LANDMARK_C pX pY quality cXX cXY cYY ID");
       if (steps.empty()) {

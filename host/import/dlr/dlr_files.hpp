@@ -17,7 +17,7 @@ struct DlrDisc {
 struct DlrStep {
   double forward = 0;  ///< m
   double left = 0;     ///< m
-  double turn = 0;     ///< rad
+  double turn = 0;     ///< rad, left positive
   std::vector<DlrDisc> discs;
 };
 

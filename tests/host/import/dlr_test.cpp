@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "host/import/dlr/dlr_files.hpp"
 #include "tests/host/import/files.hpp"
@@ -14,7 +19,7 @@ namespace {
 std::string put_steps(const Files& files) {
   return files.put("map.circles",
                    "# header\nSTEP a.0 0 -5 0 1 0 1 0 0 1\nLANDMARK_C 0 -2 0.9 1 0 1 7\nLANDMARK_C 3 0 0.9 1 0 1 8\n"
-                   "STEP a.1 0 -1 1.5707963 1 0 1 0 0 1\nLANDMARK_C 0.5 -2 0.9 1 0 1 -1\n"
+                   "STEP a.1 0 -1 -1.5707963 1 0 1 0 0 1\nLANDMARK_C 0.5 -2 0.9 1 0 1 -1\n"
                    "STEP a.2 0 -1 0 1 0 1 0 0 1\nLANDMARK_C 0 -2 0.9 1 0 1 9\n");
 }
 
@@ -83,16 +88,43 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"m", "STEP a 0 0 0\nLANDMARK_C 0 x 0.9 1 0 1 7\n", "/m:2", "not a number"},
                     Damage{"m", "STEP a 0 0 0\nLANDMARK 1 2\n", "/m:2", "neither STEP nor LANDMARK_C"}));
 
-TEST(DlrData, HasItsSteps) {
+/// The file, or nothing, loudly.
+std::optional<std::string> dlr_data() {
   const std::string file = std::string(FENCEPOST_SHARED_DIR) + "/data/world/dlr/map.circles.first_half";
-  if (!std::filesystem::exists(file)) {
-    std::cerr << "\n*** SKIPPED: no DLR data beside the checkout; nothing was compared ***\n";
-    GTEST_SKIP() << "data/world/dlr is not there";
-  }
-  const ImportResult result = import_dlr(file, {});
+  if (std::filesystem::exists(file)) return file;
+  std::cerr << "\n*** SKIPPED: no DLR data beside the checkout; nothing was compared ***\n";
+  return std::nullopt;
+}
+
+TEST(DlrData, HasItsSteps) {
+  const std::optional<std::string> file = dlr_data();
+  if (!file) GTEST_SKIP() << "data/world/dlr is not there";
+  const ImportResult result = import_dlr(*file, {});
   ASSERT_TRUE(result.ok()) << result.error().message();
-  EXPECT_EQ(result->summary.frames, read_dlr(file).size());
+  EXPECT_EQ(result->summary.frames, read_dlr(*file).size());
   EXPECT_GT(result->summary.blobs, 5'000U);
+}
+
+// 1 cm (median). If turns were mirrored it would be 10 cm.
+TEST(DlrData, ADiscStaysWhereItIsWhileTheRobotTurns) {
+  const std::optional<std::string> file = dlr_data();
+  if (!file) GTEST_SKIP() << "data/world/dlr is not there";
+  const std::vector<DlrStep> steps = read_dlr(*file);
+  std::vector<double> off;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const DlrStep& step = steps[i];
+    if (std::abs(step.turn) < 0.05) continue;
+    for (const DlrDisc& before : steps[i - 1].discs) {
+      const auto now = std::ranges::find(step.discs, before.id, &DlrDisc::id);
+      if (before.id < 0 || now == step.discs.end()) continue;
+      const double c = std::cos(step.turn), s = std::sin(step.turn);
+      off.push_back(std::hypot(step.forward + c * now->x - s * now->y - before.x,
+                               step.left + s * now->x + c * now->y - before.y));
+    }
+  }
+  ASSERT_GT(off.size(), 1'000U);
+  std::ranges::nth_element(off, off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2));
+  EXPECT_LT(off[off.size() / 2], 0.05);
 }
 
 }  // namespace
