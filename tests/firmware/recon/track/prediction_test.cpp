@@ -97,7 +97,7 @@ TEST(Prediction, OfPlacesOnALattice) {
               {"left 15049 6f796b68", "left sigma 12066 6b5aea26", "right 15049 15901159", "right sigma 12066 f1f82fd1",
                "top 5703 48c1ded8", "top sigma 5711 79f495ea", "bottom 11046 03bcb32d", "bottom sigma 11046 35191cd4",
                "left tolerance 15054 d612b814", "right tolerance 15054 73c284c7", "depth 12066 60fe6536",
-               "possible 11361 8ff89d25", "expected 3308 79f37ba0"});
+               "possible 11052 e712cdae", "expected 3308 79f37ba0"});
 }
 
 // Nothing is uncertain: a column is where it is. The sides that have to be inside the image are, from the border on.
@@ -121,6 +121,23 @@ TEST(Prediction, IsExpectedInsideTheBorderOnly) {
   EXPECT_TRUE(expected(0.10001F, 0));
   EXPECT_FALSE(expected(2.5F, 0));
   EXPECT_TRUE(expected(2.4999F, 0));
+}
+
+// A normal of 128 px is nowhere denser than one pixel in 320.
+TEST(Prediction, IsNoneWhereAnEndMayBeAnywhere) {
+  Draw none(1);
+  recon::CameraModel camera = lattice_camera(none);
+  camera.equidistant = camera.bent = camera.pitch_known = false;
+  recon::CylinderEstimate circle;
+  circle.refusal = recon::CylinderRefusal::kNone;
+  circle.center = {1, 0};
+  const auto possible = [&](float sigma) {
+    circle.covariance.yy = sigma * sigma;
+    return recon::predict(camera, {}, {}, circle, {1, 0, 0, 1, 0, 0}).possible;
+  };
+  ASSERT_EQ(camera.width, 320);
+  EXPECT_TRUE(possible(127.0F / 256));
+  EXPECT_FALSE(possible(128.0F / 256));
 }
 
 // By the outline where it is known, by the circle where it is not; by neither from inside.
@@ -153,7 +170,7 @@ TEST(Prediction, OfAnOutline) {
               {"left 3288 412fb297", "left sigma 1966 9511e3c9", "right 3288 783597ed", "right sigma 1966 5892db7a",
                "top 1854 77f71744", "top sigma 1854 97969422", "bottom 2199 f7c72003", "bottom sigma 2199 44205ce0",
                "left tolerance 3288 f9da741e", "right tolerance 3288 d2388ce5", "depth 1966 c5c2e680",
-               "possible 3288 f06490b6", "expected 645 82eca6e4"});
+               "possible 3217 1c62880d", "expected 645 82eca6e4"});
 }
 
 }  // namespace
