@@ -4,6 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
 
 #include "firmware/recon/geometry.hpp"
 #include "firmware/recon/localize/landmark_filter.hpp"
@@ -12,24 +15,39 @@
 namespace fencepost::recon {
 
 /// By how much bearings fit the poses of the filter and its landmarks better than the odometry and the map's objects.
+template <std::size_t kLandmarks>
 class DriftEvidence {
  public:
-  void clear() { sum_ = 0; }
-  /// A bearing (`variance` of its bound, m^2), before anybody has learnt from it. From the robot to the object, robot
-  /// axes, m, as the odometry and as the filter has it.
-  void weigh(const CircleEquation& bearing, float variance, const Vec2& by_odometry, const Vec2& by_filter) {
+  void clear() {
+    sum_ = 0;
+    each_.fill(0);
+  }
+  /// The landmark in `slot` is another one from now on.
+  void forget(std::size_t slot) { each_[slot] = 0; }
+  /// A bearing of the landmark in `slot` (`variance` of its bound, m^2), before anybody has learnt from it. From the
+  /// robot to the object, robot axes, m, as the odometry and as the filter has it.
+  void weigh(std::size_t slot, const CircleEquation& bearing, float variance, const Vec2& by_odometry,
+             const Vec2& by_filter) {
     const auto off = [&](const Vec2& away) {
       const float residual = bearing.bound - bearing.normal.dot(away);
       return std::min(kMostEvidence, residual * residual / variance);
     };
-    sum_ = std::max(0.0F, sum_ + off(by_odometry) - off(by_filter) - kEvidenceSlack);
+    const float better = off(by_odometry) - off(by_filter) - kEvidenceSlack;
+    sum_ = std::max(0.0F, sum_ + better);
+    each_[slot] = std::max(0.0F, each_[slot] + better);
   }
-  [[nodiscard]] bool enough(float least) const { return sum_ > least; }
+  /// Drift shows in every landmark, a mix-up of two alike in one: the others have to say enough without it.
+  [[nodiscard]] bool enough(float least) const {
+    const float all = std::accumulate(each_.begin(), each_.end(), 0.0F);
+    return sum_ > least && all - *std::max_element(each_.begin(), each_.end()) > least;
+  }
   /// For the digest.
   [[nodiscard]] float sum() const { return sum_; }
 
  private:
-  float sum_ = 0;  ///< of differences of squared sigmas; begins again where odometry was right all the time
+  // Differences of squared sigmas, which begin again where odometry was right all the time.
+  float sum_ = 0;
+  std::array<float, kLandmarks> each_{};
 };
 
 }  // namespace fencepost::recon

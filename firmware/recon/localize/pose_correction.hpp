@@ -94,7 +94,7 @@ class PoseCorrection {
   /// Odometry is not believed any more.
   [[nodiscard]] bool corrects() const { return corrects_; }
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(at_, odometry); }
-  [[nodiscard]] const DriftEvidence& evidence() const { return evidence_; }
+  [[nodiscard]] const DriftEvidence<kLandmarks>& evidence() const { return evidence_; }
   [[nodiscard]] const Strayers<kLandmarks>& strayers() const { return strayers_; }
   [[nodiscard]] const LandmarkFilter<kLandmarks>& filter() const { return filter_; }
   /// At the last frame.
@@ -143,7 +143,7 @@ class PoseCorrection {
       const SightedCircle circle = circle_of(next_, seen, camera, novelty, noise);
       if (!corrects_) weigh(circle.middle(), next_, objects[next_], driven);
       const float surprise = apply(next_, circle);
-      if (strayers_.look(next_, objects[next_].signature, surprise)) forget_landmark(filter_.view(), next_);
+      if (strayers_.look(next_, objects[next_].signature, surprise)) forget(next_);
       ++turns;
     }
     if (turns > 0 && knows_better_than(driven)) corrects_ = true;
@@ -159,9 +159,7 @@ class PoseCorrection {
     if (!running_) return;
     for (const ObjectEvent& event : table.events()) {
       if (event.kind != EventKind::kMoved) strayers_.forget(event.slot);
-      if (event.kind != EventKind::kBorn && filter_.landmark(event.slot).used()) {
-        forget_landmark(filter_.view(), event.slot);
-      }
+      if (event.kind != EventKind::kBorn && filter_.landmark(event.slot).used()) forget(event.slot);
     }
     if (!looks_) return;
     for (std::size_t o = 0; o < kLandmarks; ++o) {
@@ -191,6 +189,11 @@ class PoseCorrection {
     return sighted_circle(seen, away, landmark.radius, novelty, noise);
   }
 
+  void forget(std::size_t slot) {
+    forget_landmark(filter_.view(), slot);
+    evidence_.forget(slot);
+  }
+
   // The largest surprise.
   float apply(std::size_t slot, const SightedCircle& circle) {
     float surprise = 0;
@@ -213,7 +216,7 @@ class PoseCorrection {
     if (!estimate.ok()) return;
     const Vec2 placed = offset_from(driven.position, object.origin) + estimate.center;
     const Vec2 followed = offset_from(pose().position, filter_.landmark(slot).center);
-    evidence_.weigh(bearing.equation, bearing.variance, turned(placed, -driven.heading),
+    evidence_.weigh(slot, bearing.equation, bearing.variance, turned(placed, -driven.heading),
                     turned(followed, -pose().heading));
   }
 
@@ -255,7 +258,7 @@ class PoseCorrection {
 
   LandmarkFilter<kLandmarks> filter_;
   Strayers<kLandmarks> strayers_;
-  DriftEvidence evidence_;
+  DriftEvidence<kLandmarks> evidence_;
   FilterPose at_;          ///< the last pose that was given out as corrected
   std::uint8_t next_ = 0;  ///< whose turn it was
   std::uint8_t looks_taken_ = 0;

@@ -10,7 +10,7 @@ namespace fencepost::test {
 namespace {
 
 using recon::CircleEquation;
-using recon::DriftEvidence;
+using DriftEvidence = recon::DriftEvidence<4>;
 using recon::Vec2;
 
 constexpr float kSigma = 0.02F;  // m
@@ -20,28 +20,41 @@ constexpr float kBearingVariance = kSigma * kSigma;
 CircleEquation bearing(float aside) { return {{0, 1}, aside, 0, {0, 1}}; }
 Vec2 at(float distance, float aside) { return {distance, aside}; }
 
-// Two sigmas off by the odometry, none by the filter: 3.9 each, and 32 with the ninth.
+// Two sigmas off by the odometry, none by the filter: 3.9 each, and 32 with the ninth of either landmark.
 TEST(DriftEvidence, BearingsThatOnlyTheFilterExplainsAreDrift) {
   DriftEvidence evidence;
-  for (int n = 1; n <= 9; ++n) {
+  for (int n = 1; n <= 18; ++n) {
     EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
-    evidence.weigh(bearing(0), kBearingVariance, at(2, 2 * kSigma), at(2, 0));
+    evidence.weigh(n % 2 == 0 ? 3 : 1, bearing(0), kBearingVariance, at(2, 2 * kSigma), at(2, 0));
   }
   EXPECT_TRUE(evidence.enough(recon::kPaceOfDesks.evidence));
+  evidence.forget(1);
+  EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << "only one is left";
   evidence.clear();
   EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
+}
+
+// The other three stand where odometry has them: that one was mixed up.
+TEST(DriftEvidence, WhatOneLandmarkAloneSaysIsNoDrift) {
+  DriftEvidence evidence;
+  for (int n = 0; n < 1000; ++n) {
+    evidence.weigh(2, bearing(0), kBearingVariance, at(2, 3 * kSigma), at(2, 0));
+    evidence.weigh(n % 2 == 0 ? 0 : 3, bearing(0), kBearingVariance, at(2, 0), at(2, 0));
+    ASSERT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
+  }
+  EXPECT_GT(evidence.sum(), recon::kPaceOfDesks.evidence);
 }
 
 // A row that lies moves the filter's landmark along its bearing, and the robot with it.
 TEST(DriftEvidence, WhereTheRowsPutAnObjectIsNoDrift) {
   DriftEvidence evidence;
-  for (int n = 0; n < 1000; ++n) evidence.weigh(bearing(0), kBearingVariance, at(2, 0), at(3, 0));
+  for (int n = 0; n < 1000; ++n) evidence.weigh(0, bearing(0), kBearingVariance, at(2, 0), at(3, 0));
   EXPECT_EQ(evidence.sum(), 0);
 }
 
 TEST(DriftEvidence, OneOutlierIsNoDrift) {
   DriftEvidence evidence;
-  evidence.weigh(bearing(0), kBearingVariance, at(2, 1), at(2, 0));
+  evidence.weigh(0, bearing(0), kBearingVariance, at(2, 1), at(2, 0));
   EXPECT_LE(evidence.sum(), recon::kMostEvidence);
   EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
 }
@@ -53,7 +66,7 @@ TEST(DriftEvidence, FollowingNoiseIsNoDrift) {
   std::normal_distribution<float> noise(0, 2 * kSigma);
   for (int n = 0; n < 36'000; ++n) {
     const float aside = noise(random);
-    evidence.weigh(bearing(aside), kBearingVariance, at(2, 0), at(2, 0.01F * aside));
+    evidence.weigh(static_cast<std::size_t>(n % 4), bearing(aside), kBearingVariance, at(2, 0), at(2, 0.01F * aside));
     ASSERT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence)) << n;
   }
 }
@@ -69,7 +82,7 @@ TEST(DriftEvidence, OfBearingsOnALattice) {
       const auto place = [&] { return Vec2{draw.steps(-4, 4, 0.125F), draw.steps(-4, 4, 0.125F)}; };
       const Vec2 by_odometry = place();
       const Vec2 by_filter = place();
-      evidence.weigh(seen, draw.of({0.015625F, 0.0625F}), by_odometry, by_filter);
+      evidence.weigh(draw.of<std::size_t>({0, 1, 2, 3}), seen, draw.of({0.015625F, 0.0625F}), by_odometry, by_filter);
       sweep.tell("sum", evidence.sum());
       sweep.tell("enough", evidence.enough(evidence.sum()));
       sweep.tell("more than enough", evidence.enough(draw.of({0.0F, 1.0F, 6.0F})));
@@ -78,7 +91,7 @@ TEST(DriftEvidence, OfBearingsOnALattice) {
     sweep.tell("cleared", evidence.sum());
   }
   expect_said(sweep,
-              {"sum 2770 0724262f", "enough 0 a6894d9b", "more than enough 2045 16295751", "cleared 0 f3600d4f"});
+              {"sum 2850 731d4e28", "enough 0 a6894d9b", "more than enough 1465 e39f4945", "cleared 0 f3600d4f"});
 }
 
 }  // namespace
