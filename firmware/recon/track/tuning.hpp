@@ -20,8 +20,8 @@ inline constexpr float kGateSigmas = 3.0F;
 inline constexpr float kGateWidthShare = 0.5F;
 /// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. On which study was not kept.
 inline constexpr float kHiddenRadians = 0.26F;
-/// share of the image's width, sigma of an end that may be anywhere in it. Even where the end is predicted a blob is then
-/// likelier something new. 1 / sqrt(2 pi): a normal's highest density is that of the whole width there. Derived.
+/// share of the image's width, sigma of an end that may be anywhere in it. Even where the end is predicted a blob is
+/// then likelier something new. 1 / sqrt(2 pi): a normal's highest density is that of the whole width there. Derived.
 inline constexpr float kSomewhere = 0.399F;
 /// m. What moves by itself may be so far from where it was seen last. More: swaps; less: doubles. By design: 1.5 m/s at
 /// 20 frames/s.

@@ -26,7 +26,7 @@ constexpr Known kKnown[] = {
     {0x067B, 0x23A3, UsbKind::kAdapter, "PL2303GC serial adapter"},
     {0x04D8, 0x00DD, UsbKind::kAdapter, "MCP2221 serial adapter"},
     {0x0D28, 0x0204, UsbKind::kBoard, "micro:bit, or another board with DAPLink"},
-    {0x2E8A, 0x0000, UsbKind::kBoard, "board with an RP2040"},
+    {0x2E8A, 0x0000, UsbKind::kBoard, "board with an RP2040 or RP2350"},
     {0x0483, 0x5740, UsbKind::kBoard, "STM32 with a serial port of its own"},
     {0xF055, 0x0000, UsbKind::kBoard, "pyboard under MicroPython"},
     {0x239A, 0x0000, UsbKind::kBoard, "Adafruit board"},

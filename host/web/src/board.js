@@ -13,6 +13,8 @@ const BOARDS = {
   feather_f405: { name: "Feather STM32F405", wire: ["B0 (BOOT0)", "3.3V"], steps: ["stepWire", "stepDfu", "stepUnwire"] },
   pico: { name: "Raspberry Pi Pico, Pico W", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
   xrp: { name: "XRP (2023)", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
+  pico2: { name: "Raspberry Pi Pico 2, Pico 2 W", drive: "RP2350", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
+  xrp2: { name: "XRP (2024)", drive: "RP2350", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
   microbit: { name: "micro:bit v1", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
   microbit_v2: { name: "micro:bit v2", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
   gba: { name: "Game Boy Advance", card: true, steps: ["stepCartridge"] },
@@ -155,7 +157,8 @@ export class BoardPanel {
     const pressed = made !== null;
     for (const id of ["board-download", "board-write", "board-check"]) byId(id).disabled = !pressed;
     byId("board-download").textContent = t("boardDownload", { file: name });
-    byId("board-usb").hidden = !(navigator.usb && format === "uf2");
+    // An RP2350's PICOBOOT was not tried.
+    byId("board-usb").hidden = !(navigator.usb && format === "uf2" && board.drive === "RPI-RP2");
     byId("board-check").hidden = !navigator.serial;
     if (!pressed) return;
     const { lines, used, room } = made.said;
