@@ -11,7 +11,7 @@
 
 namespace fencepost::config {
 
-/// 16 KB of RAM (micro:bit v1): the loop gets 10.25 KB, the rest is stack and start-up.
+/// 16 KB of RAM (micro:bit v1): the loop gets 10 KB, the rest is stack and start-up.
 struct Micro {
   static constexpr std::string_view kName = "micro";
   static constexpr std::size_t kObjects = 4;
@@ -25,8 +25,8 @@ struct Micro {
   static constexpr std::size_t kPoses = 24;          ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
   static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
-  static constexpr std::size_t kBudget = 10 * 1024 + 256;  ///< bytes of Memory, reserves included
-  static constexpr std::size_t kHybridSectors = 32;        ///< of directions: the small version, a series of order 5
+  static constexpr std::size_t kBudget = 10 * 1024 + 16;  ///< bytes of Memory, reserves included
+  static constexpr std::size_t kHybridSectors = 32;       ///< of directions: the small version, a series of order 5
   static constexpr std::size_t kHybridOrder = 5;
   static constexpr int kHybridSteps = 1;  ///< of a fit in a frame
   static constexpr bool kPredictsByOutline =

@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x19a866196bbc3707;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x498fe9ff103631d0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x66a0d556791b9ebc;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x05fc81a924eb0879;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xaaeb5e5bfdefbb30;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x431177ba1d2e3bff;
 
 template <class Profile>
 CannedStream canned_stream() {

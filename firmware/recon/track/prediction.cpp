@@ -62,13 +62,14 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
   predict_rows(camera, object, estimate, pose.axis, middle.y() / middle.x(), noise, prediction);
   const auto columns = static_cast<float>(camera.width);
-  const bool reaches_in = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
-  prediction.possible = reaches_in && std::min(left_sigma, right_sigma) < kSomewhere * columns;
   const float border = kBorderShare * columns;
   const float near_square = middle.squared_norm();
   prediction.expected = foot_inside(camera, prediction.bottom) && u_left > border && u_right < columns - border &&
                         near_square > kNearestExpected * kNearestExpected &&
                         near_square < kFarthestExpected * kFarthestExpected;
+  const bool reaches_in = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
+  const bool somewhere = std::min(left_sigma, right_sigma) >= kSomewhere * columns;
+  prediction.possible = reaches_in && (prediction.expected || !somewhere);
   return prediction;
 }
 

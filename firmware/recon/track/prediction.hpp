@@ -32,7 +32,7 @@ struct Prediction {
   bool confirmed = false;
   bool hides = false;     ///< confirmed, and its ends are known: what stands behind it is cut
   bool divided = false;   ///< it turned out to be two objects; nothing matches it
-  bool possible = false;  ///< it can be in the image at all
+  bool possible = false;  ///< it can be in the image, and is likelier there than something new
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 

@@ -8,6 +8,7 @@
 #include "drivers/nxtcam/registers.hpp"
 #include "drivers/pixy1/pixy1.hpp"
 #include "host/emulate/models/camera_adapters.hpp"
+#include "host/emulate/models/grove.hpp"
 #include "host/emulate/models/huskylens.hpp"
 #include "host/emulate/models/huskylens2.hpp"
 #include "host/emulate/models/nxtcam.hpp"
@@ -74,6 +75,26 @@ class Pixy1OnWires final : public WiredModel {
   emulate::Pixy1 camera_{0};
 };
 
+class GroveOnWires final : public WiredModel {
+ public:
+  Bytes power_up(base::Time now) override {
+    wires_.restart();
+    wires_.say(camera_.power_up(now));
+    return {};
+  }
+  Bytes see(const sensor::BlobFrame& frame, base::Time now) override {
+    wires_.say(camera_.see(frame, now));
+    return {};
+  }
+  std::optional<Bytes> transfer(std::uint8_t address, const Bytes& out, std::size_t expected, base::Time now) override {
+    return wires_.transfer(address, out, expected, now);
+  }
+
+ private:
+  emulate::Grove camera_;
+  emulate::GroveOnI2c wires_{camera_};
+};
+
 class NxtCamOnWires final : public WiredModel {
  public:
   NxtCamOnWires() { camera_.teach(0xFF); }
@@ -137,6 +158,7 @@ std::unique_ptr<emulate::DeviceModel> on_two_wires(const std::string& row) {
   if (row == "huskylens") return stream(std::make_unique<emulate::HuskyLens>(), huskylens::kAddress, 0xFF);
   if (row == "huskylens2") return stream(std::make_unique<emulate::HuskyLens2>(), huskylens::kAddress2, 0xFF);
   if (row == "pixy1") return std::make_unique<Pixy1OnWires>();
+  if (row == "grove") return std::make_unique<GroveOnWires>();
   if (row == "nxtcam") return std::make_unique<NxtCamOnWires>();
   throw std::runtime_error("no model of " + row + " on two wires");
 }

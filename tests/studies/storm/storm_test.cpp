@@ -98,7 +98,7 @@ TEST(StormLinks, AllAreDrawnAndAllBringFrames) {
     EXPECT_GT(outcome.figures.frames, 10U) << describe(plan);
     for (const Fault& fault : outcome.faults) ADD_FAILURE() << describe(plan) << ": " << fault.sentence;
   }
-  EXPECT_EQ(links[kI2c], 6) << "HuskyLens 1 and 2, NXTCam, Pixy, Pixy2 and 2.1";
+  EXPECT_EQ(links[kI2c], 7) << "Grove, HuskyLens 1 and 2, NXTCam, Pixy, Pixy2 and 2.1";
   EXPECT_EQ(links[kSpi], 2);
   EXPECT_EQ(links[kUsb], 3);
   EXPECT_EQ(links[kTty], 1);

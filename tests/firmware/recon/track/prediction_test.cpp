@@ -123,21 +123,23 @@ TEST(Prediction, IsExpectedInsideTheBorderOnly) {
   EXPECT_TRUE(expected(2.4999F, 0));
 }
 
-// A normal of 128 px is nowhere denser than one pixel in 320.
+// 119 and 149 px. A normal of 128 px is nowhere denser than one pixel in 320. What should be well inside the image is
+// seen again even so.
 TEST(Prediction, IsNoneWhereAnEndMayBeAnywhere) {
   Draw none(1);
   recon::CameraModel camera = lattice_camera(none);
   camera.equidistant = camera.bent = camera.pitch_known = false;
   recon::CylinderEstimate circle;
   circle.refusal = recon::CylinderRefusal::kNone;
-  circle.center = {1, 0};
-  const auto possible = [&](float sigma) {
+  const auto possible = [&](float aside, float sigma) {
+    circle.center = {1, aside};
     circle.covariance.yy = sigma * sigma;
     return recon::predict(camera, {}, {}, circle, {1, 0, 0, 1, 0, 0}).possible;
   };
   ASSERT_EQ(camera.width, 320);
-  EXPECT_TRUE(possible(127.0F / 256));
-  EXPECT_FALSE(possible(128.0F / 256));
+  EXPECT_TRUE(possible(0.6F, 0.4F));
+  EXPECT_FALSE(possible(0.6F, 0.5F));
+  EXPECT_TRUE(possible(0, 0.8F));
 }
 
 // By the outline where it is known, by the circle where it is not; by neither from inside.
