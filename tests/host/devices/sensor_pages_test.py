@@ -11,7 +11,8 @@ import sensor_pages
 import sensor_runs
 
 SOURCES = pathlib.Path(sys.argv.pop(1)).resolve()
-READ = (*device_facts.PAGES, "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/devices.hpp", "host/share/wiring/draw.py")
+READ = (*device_facts.PAGES, "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/cameras.hpp",
+        "firmware/config/devices.hpp", "host/share/wiring/draw.py")
 
 
 class Planted(unittest.TestCase):
@@ -43,7 +44,7 @@ class Planted(unittest.TestCase):
             "pixy2 has no page": lambda: (self.pages / "pixy2.md").unlink(),
             "old.md is of no device": lambda: (self.pages / "old.md").write_text(""),
             "pixy2.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
-            "cmucam4.md": lambda: self.edit("firmware/config/devices.hpp", '"cmucam4", Port::kLine, 19\'200', '"cmucam4", Port::kLine, 38\'400'),
+            "cmucam4.md": lambda: self.edit("firmware/config/cameras.hpp", '"cmucam4", kLine, 19\'200', '"cmucam4", kLine, 38\'400'),
             "huskylens.json": lambda: self.edit("tests/results/devices.md", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
             "xbc.md lacks <!-- wires -->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!-- wires -->", ""),
             "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
