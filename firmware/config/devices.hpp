@@ -33,11 +33,13 @@ struct DeviceInfo {
   std::uint8_t address = 0;  ///< on the two-wire bus
 };
 
-/// By CameraId.
-#define FENCEPOST_INFO(id, name, port, speed, address, calibration) DeviceInfo{name, Port::port, speed, address},
-inline constexpr std::array kCameras = {FENCEPOST_CAMERAS(FENCEPOST_INFO)};
+#define FENCEPOST_ONE(id, name, port, speed, address, calibration) +1
+inline constexpr std::size_t kCameraIds = 0 FENCEPOST_CAMERAS(FENCEPOST_ONE);
+#undef FENCEPOST_ONE
+/// By CameraId. With its length: GCC 12 puts an array of a deduced type into RAM.
+#define FENCEPOST_INFO(id, name, port, speed, address, calibration) {name, Port::port, speed, address},
+inline constexpr std::array<DeviceInfo, kCameraIds> kCameras = {{FENCEPOST_CAMERAS(FENCEPOST_INFO)}};
 #undef FENCEPOST_INFO
-inline constexpr std::size_t kCameraIds = kCameras.size();
 /// By OdometryId.
 inline constexpr std::array<DeviceInfo, kOdometryIds> kOdometries = {{
     {"console"},
