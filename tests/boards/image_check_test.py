@@ -56,8 +56,8 @@ class ImageCheck(unittest.TestCase):
             source = pathlib.Path(folder, "x.cpp")
             source.write_text(PROGRAM % body)
             return subprocess.run(["arm-none-eabi-g++", "-mcpu=cortex-m0", "-mthumb", "-nostartfiles", "--specs=nano.specs",
-                                   "--specs=nosys.specs", f"-L{TOP}", f"-T{SCRIPT}", str(source), "-o",
-                                   str(pathlib.Path(folder, "x.elf"))], capture_output=True, text=True, check=False)
+                                   "--specs=nosys.specs", f"-L{TOP}", f"-L{BUILD}/generated", f"-T{SCRIPT}", str(source),
+                                   "-o", str(pathlib.Path(folder, "x.elf"))], capture_output=True, text=True, check=False)
 
     def test_a_heap_does_not_link(self):
         self.assertEqual(self.link("").returncode, 0)
