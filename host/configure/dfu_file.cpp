@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "host/configure/little_endian.hpp"
+
 // ST's UM0391, "DfuSe File Format Specification". The suffix is that of USB's DFU 1.1.
 namespace fencepost::host {
 namespace {
@@ -15,10 +17,6 @@ constexpr std::uint16_t kStMicro = 0x0483;       // USB vendor
 constexpr std::uint16_t kBootLoader = 0xDF11;    // USB product
 constexpr std::uint16_t kDfuSeVersion = 0x011A;  // DFU 1.1a of ST
 constexpr std::uint8_t kSuffix = 16;             // bytes
-
-void put(std::string& out, std::uint32_t value, unsigned bytes) {
-  for (unsigned i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> 8 * i & 0xFFU));
-}
 
 // Of Ethernet, as the remainder is before its last inversion.
 std::uint32_t crc32(std::string_view text) {
@@ -39,27 +37,28 @@ std::string write_dfu(const ImageMemory& memory) {
   const std::span<const std::uint8_t> bytes = memory.bytes();
   const auto size = static_cast<std::uint32_t>(bytes.size());
   std::string file(kMark);
-  put(file, 1, 1);                                                                                  // version
-  put(file, static_cast<std::uint32_t>(kPrefix + kTargetHead + kElementHead + kSuffix) + size, 4);  // of the whole file
-  put(file, 1, 1);                                                                                  // targets
+  put_little_endian(file, 1, 1);  // version
+  put_little_endian(file, static_cast<std::uint32_t>(kPrefix + kTargetHead + kElementHead + kSuffix) + size,
+                    4);           // of the whole file
+  put_little_endian(file, 1, 1);  // targets
   file += "Target";
-  put(file, 0, 1);  // alternate setting: the flash
-  put(file, 1, 4);  // has a name
+  put_little_endian(file, 0, 1);  // alternate setting: the flash
+  put_little_endian(file, 1, 4);  // has a name
   const std::string name = "ST...";
   file += name;
   file.append(kTargetName - name.size(), '\0');
-  put(file, static_cast<std::uint32_t>(kElementHead) + size, 4);
-  put(file, 1, 4);  // elements
-  put(file, memory.begin(), 4);
-  put(file, size, 4);
+  put_little_endian(file, static_cast<std::uint32_t>(kElementHead) + size, 4);
+  put_little_endian(file, 1, 4);  // elements
+  put_little_endian(file, memory.begin(), 4);
+  put_little_endian(file, size, 4);
   file.append(bytes.begin(), bytes.end());
-  put(file, 0, 2);  // the device's version: any
-  put(file, kBootLoader, 2);
-  put(file, kStMicro, 2);
-  put(file, kDfuSeVersion, 2);
+  put_little_endian(file, 0, 2);  // the device's version: any
+  put_little_endian(file, kBootLoader, 2);
+  put_little_endian(file, kStMicro, 2);
+  put_little_endian(file, kDfuSeVersion, 2);
   file += "UFD";
-  put(file, kSuffix, 1);
-  put(file, crc32(file), 4);
+  put_little_endian(file, kSuffix, 1);
+  put_little_endian(file, crc32(file), 4);
   return file;
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "host/configure/little_endian.hpp"
+
 namespace fencepost::host {
 namespace {
 
@@ -37,13 +39,9 @@ std::uint32_t word(std::string_view block, std::size_t at) {
   for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(block[at + i]);
   return value;
 }
-void put_word(std::string& out, std::uint32_t value) {
-  for (unsigned i = 0; i < 4; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-}
-
 std::uint32_t family_of(const ImageMemory& memory) {
   std::string block;
-  for (const std::uint32_t value : kImageDef) put_word(block, value);
+  for (const std::uint32_t value : kImageDef) put_little_endian(block, value);
   const auto place = find_mark(memory.bytes().first(std::min(kImageDefWithin, memory.bytes().size())), block);
   return place ? kRp2350 : kRp2040;
 }
@@ -87,12 +85,12 @@ std::string write_uf2(const ImageMemory& memory) {
     for (const std::uint32_t value : std::array<std::uint32_t, 8>{kFirstMark, kSecondMark, kFamilyPresent, pages[n],
                                                                   kPayload, static_cast<std::uint32_t>(n),
                                                                   static_cast<std::uint32_t>(pages.size()), family}) {
-      put_word(file, value);
+      put_little_endian(file, value);
     }
     for (std::uint64_t at = pages[n]; at < pages[n] + kPayload; ++at)
       file.push_back(static_cast<char>(memory.known(at) ? memory.at(at) : 0xFF));
     file.append(kMostData - kPayload, '\0');
-    put_word(file, kLastMark);
+    put_little_endian(file, kLastMark);
   }
   return file;
 }

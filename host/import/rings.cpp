@@ -41,8 +41,8 @@ RingView to_view(const Table& table, const TableRow& row) {
   if (std::abs(v[1]) > kFarthest || std::abs(v[2]) > kFarthest) {
     throw ImportProblem{place, "cam_x or cam_y is out of range, -1000 to 1000 m", "positions are metres"};
   }
-  constexpr double kMostTurned = 1'000;  // rad, whole turns included
-  if (std::abs(v[3]) > kMostTurned) {
+  constexpr double kMaxTurn = 1'000;  // rad, whole turns included
+  if (std::abs(v[3]) > kMaxTurn) {
     throw ImportProblem{place, "cam_heading is out of range, -1000 to 1000 rad", "headings are radians"};
   }
   if (!(v[4] < v[5])) {

@@ -54,6 +54,13 @@ std::string_view trimmed_text(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+std::string lower(std::string_view text) {
+  std::string word(text);
+  std::ranges::transform(word, word.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return word;
+}
+
 std::optional<double> number_in(std::string_view text) {
   text = trimmed_text(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);

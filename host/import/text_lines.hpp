@@ -22,6 +22,9 @@ std::vector<std::string_view> lines_of(std::string_view text);
 /// Without blanks around it.
 std::string_view trimmed_text(std::string_view text);
 
+/// In lower case; letters beyond ASCII stay.
+std::string lower(std::string_view text);
+
 /// A whole plain number, with nothing behind it.
 std::optional<double> number_in(std::string_view text);
 

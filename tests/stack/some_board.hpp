@@ -9,7 +9,7 @@
 
 namespace fencepost::probe {
 
-// What the optimiser cannot see through, or it would drop the driver's body. The bus's own stack is not the driver's.
+// A bus that the optimiser cannot see through, or it would drop the driver's body. Its own stack is not the driver's.
 [[gnu::noinline]] inline std::uint32_t unknown() {
   static volatile std::uint32_t value = 0;
   return value;

@@ -1,7 +1,6 @@
 #include "host/import/csv/columns.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "host/import/table.hpp"
 #include "host/import/text_lines.hpp"
@@ -12,12 +11,6 @@ namespace {
 bool is_data(std::string_view line) {
   line = trimmed_text(line);
   return !line.empty() && line.front() != '#';
-}
-
-std::string lower(std::string_view text) {
-  std::string word(text);
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
 }
 
 std::string_view unquoted(std::string_view field) {

@@ -38,13 +38,6 @@ std::optional<Boxes> boxes_in(std::string_view name, std::string_view type) {
   return std::nullopt;
 }
 
-std::string lowered(std::string_view text) {
-  std::string low(text);
-  std::ranges::transform(low, low.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return low;
-}
-
 bool has_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
   return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
@@ -52,7 +45,7 @@ bool has_one_of(std::string_view text, std::initializer_list<std::string_view> w
 /// How much a name sounds like where the robot is by its wheels; less is better. A log has poses of other things, too.
 int rank_of_pose(std::string_view name) {
   constexpr int kOther = 10;
-  const std::string low = lowered(name);
+  const std::string low = lower(name);
   int rank = 2;
   if (has_one_of(low, {"odometry"})) {
     rank = 0;
@@ -153,7 +146,7 @@ class Contents {
 
 std::optional<TakenPose> pose_of(Poses kind, const WpilogRecord& record) {
   constexpr double kFarthest = 100'000;  // m
-  constexpr double kMostTurned = 1e6;    // rad
+  constexpr double kMaxTurn = 1e6;       // rad
   Fields fields(record.data);
   TakenPose pose{record.t, fields.real(), fields.real(), 0};
   if (kind == Poses::kPose3d) {
@@ -168,7 +161,7 @@ std::optional<TakenPose> pose_of(Poses kind, const WpilogRecord& record) {
     pose.heading = kind == Poses::kField ? turned * std::numbers::pi / 180 : turned;
   }
   const bool sound = std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest &&
-                     std::abs(pose.heading) <= kMostTurned && !fields.ended_early() && fields.rest().empty();
+                     std::abs(pose.heading) <= kMaxTurn && !fields.ended_early() && fields.rest().empty();
   return sound ? std::optional(pose) : std::nullopt;
 }
 

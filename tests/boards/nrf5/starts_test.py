@@ -292,7 +292,7 @@ class Rules(unittest.TestCase):
                 self.assertIn(table[f"P{n // 32}.{n % 32:02}"], LIGHTS, f"{board}: {n}")
             self.assertGreaterEqual(len(driven), 5, board)
 
-    # What a program leaves out is found: here, what it does is not done.
+    # A program that leaves a step out is found: here each step in turn has no effect.
     def without(self, unheard, leave=from_reset, board="microbit_v2", system=False, seconds=0.05):
         class Deaf(PARTS[board]):
             def write(self, uc, offset, size, value, region):

@@ -213,7 +213,7 @@ class Rules(unittest.TestCase):
         self.assertEqual(limit_of(part), part.symbols["image_stack_bottom"])
         self.assertEqual(limit_of(start("pico2", without, seconds=0.02)), 0)
 
-    # What a program leaves out is found: here, what it does is not done.
+    # A program that leaves a step out is found: here each step in turn has no effect.
     def without(self, unheard, leave=from_reset, system=False, seconds=0.15, board="pico2"):
         class Deaf(Part):
             def write(self, uc, offset, size, value, region):

@@ -200,7 +200,7 @@ class Rules(unittest.TestCase):
         part = start("fencepost.elf", kept("camera,nxtcam_i2c", "odometry,create1"), 25_000_000, 0.1)
         self.assertEqual((part.stop_reason, part.faults), (None, ["the I2C master speaks to the reserved address 1"]))
 
-    # What a program leaves out is found: here, what it does is not done.
+    # A program that leaves a step out is found: here each step in turn has no effect.
     def without(self, leave, unheard, system=False):
         class Deaf(Part):
             def write(self, uc, offset, size, value, region):

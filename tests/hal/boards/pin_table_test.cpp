@@ -101,7 +101,7 @@ TEST(PinTable, FindsAWrongFunctionAndAPinUsedTwice) {
   EXPECT_EQ(faults_of("pyboard", wiring), expected);
 }
 
-// What `status` says of them.
+// `status` names them.
 TEST(PinTable, TheBoardsNameTheirPinsRight) {
   const auto expect = [](const std::string& board, const board::Wiring& wiring) {
     const PinTable table(board, "");

@@ -20,7 +20,7 @@ Faults faults_of(const std::string& table, const board::Wiring& wiring) {
 TEST(Rp2040Pins, PicoHasItsPinsRight) { EXPECT_EQ(faults_of("pico", board::pico::kWiring), Faults{}); }
 TEST(Rp2040Pins, XrpHasItsPinsRight) { EXPECT_EQ(faults_of("xrp", board::xrp::kWiring), Faults{}); }
 
-// What `status` says of them.
+// `status` names them.
 TEST(Rp2040Pins, NamesItsPinsRight) {
   for (const board::Wiring& wiring : {board::pico::kWiring, board::xrp::kWiring}) {
     const std::string line = name(wiring.camera.transmit) + " sends, " + name(wiring.camera.receive) + " receives";

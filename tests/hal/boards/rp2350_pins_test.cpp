@@ -20,7 +20,7 @@ Faults faults_of(const std::string& table, const board::Wiring& wiring) {
 TEST(Rp2350Pins, Pico2HasItsPinsRight) { EXPECT_EQ(faults_of("pico2", board::pico2::kWiring), Faults{}); }
 TEST(Rp2350Pins, Xrp2HasItsPinsRight) { EXPECT_EQ(faults_of("xrp2", board::xrp2::kWiring), Faults{}); }
 
-// What `status` says of them.
+// `status` names them.
 TEST(Rp2350Pins, NamesItsPinsRight) {
   for (const board::Wiring& wiring : {board::pico2::kWiring, board::xrp2::kWiring}) {
     const std::string line = name(wiring.camera.transmit) + " sends, " + name(wiring.camera.receive) + " receives";

@@ -19,7 +19,7 @@ inline void add_line(std::vector<PinUse>& uses, const std::string& what, const m
   uses.push_back({what + " receives", name(line.receive), of + "_RX", mcu::rp2::kFunctionUart});
 }
 
-// What drives a motor of the robot's own is not on the header; another's is beside the board.
+// A motor of the robot's own has no pin on the header; the driver of another one is beside the board.
 inline void add_motor(std::vector<PinUse>& uses, const std::string& side, const mcu::rp2::MotorWiring& motor) {
   const std::string meant = motor.direction ? side + " motor" : "";
   const std::uint32_t n = motor.power.number;

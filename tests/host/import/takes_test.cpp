@@ -14,43 +14,10 @@
 #include "host/import/mcap/mcap.hpp"
 #include "host/import/player/player.hpp"
 #include "host/import/sketch/sketch.hpp"
-#include "tests/host/simulate/recorded.hpp"
+#include "tests/host/import/takes.hpp"
 
 namespace fencepost::host {
 namespace {
-
-TakeSettings settings(int width = 316, int height = 208) {
-  TakeSettings settings;
-  sensor::CameraIntrinsics camera;
-  camera.model = "test";
-  camera.width = static_cast<std::uint16_t>(width);
-  camera.height = static_cast<std::uint16_t>(height);
-  camera.fx = camera.fy = base::Pixels2::nearest(270);
-  camera.cx = base::Pixels2::nearest((width - 1) / 2.0);
-  camera.cy = base::Pixels2::nearest((height - 1) / 2.0);
-  settings.camera = camera;
-  return settings;
-}
-
-Recorded recorded(const ImportResult& result) {
-  EXPECT_TRUE(result.ok()) << result.error().message();
-  return result.ok() ? read_back(result->log) : Recorded();
-}
-
-std::uint64_t skipped(const ImportResult& result, const std::string& what) {
-  for (const auto& [name, count] : result->summary.skipped) {
-    if (name == what) return count;
-  }
-  return 0;
-}
-
-void expect_box(const sensor::Blob& blob, int signature, int x1, int y1, int x2, int y2) {
-  EXPECT_EQ(blob.signature, signature);
-  EXPECT_EQ(blob.x1, x1);
-  EXPECT_EQ(blob.y1, y1);
-  EXPECT_EQ(blob.x2, x2);
-  EXPECT_EQ(blob.y2, y2);
-}
 
 TEST(ImportSketch, ReadsWhatPixy2sExamplePrintsUnderTheMonitorsTimes) {
   const std::string text =

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "tests/host/simulate/recorded.hpp"
+#include "tests/host/import/takes.hpp"
 
 namespace fencepost::host::wpilog {
 namespace {
@@ -72,37 +72,8 @@ std::string photon(const std::vector<PhotonTarget>& targets, std::int64_t latenc
 const std::string kPhotonType = "photonstruct:PhotonPipelineResult:4b2ff16a964b5e2bf01be0c1454d91c4";
 const std::string kPhotonName = "NT:/photonvision/front/rawBytes";
 
-TakeSettings settings() {
-  TakeSettings settings;
-  sensor::CameraIntrinsics camera;
-  camera.model = "test";
-  camera.width = 640;
-  camera.height = 480;
-  camera.fx = camera.fy = base::Pixels2::nearest(500);
-  camera.cx = base::Pixels2::nearest(319.5);
-  camera.cy = base::Pixels2::nearest(239.5);
-  settings.camera = camera;
-  return settings;
-}
 ImportResult imported(const std::string& records, const WpilogTopics& topics = {}) {
-  return import_wpilog(header() + records, "run.wpilog", topics, settings());
-}
-Recorded log_in(const ImportResult& result) {
-  EXPECT_TRUE(result.ok()) << result.error().message();
-  return result.ok() ? read_back(result->log) : Recorded();
-}
-std::uint64_t left_out(const ImportResult& result, const std::string& what) {
-  for (const auto& [name, count] : result->summary.skipped) {
-    if (name == what) return count;
-  }
-  return 0;
-}
-void expect_box(const sensor::Blob& blob, int signature, int x1, int y1, int x2, int y2) {
-  EXPECT_EQ(blob.signature, signature);
-  EXPECT_EQ(blob.x1, x1);
-  EXPECT_EQ(blob.y1, y1);
-  EXPECT_EQ(blob.x2, x2);
-  EXPECT_EQ(blob.y2, y2);
+  return import_wpilog(header() + records, "run.wpilog", topics, settings(640, 480, 500));
 }
 bool noted(const ImportResult& result, const std::string& words) {
   for (const std::string& note : result->summary.notes) {
@@ -124,7 +95,7 @@ TEST(ImportWpilog, TakesPhotonVisionsCornersAtTheTimeOfTheirExposure) {
   const ImportResult result =
       imported(drive() + start(2, kPhotonName, kPhotonType) + long_record(2, 10.08, photon({neural, coloured, tag})) +
                long_record(2, 10.1, photon({}, 30'000, true)));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U);
   ASSERT_EQ(log.frames[0].blobs.size(), 3U);
   EXPECT_EQ(log.frames[0].t.raw, 500) << "0.1 ms; 10.08 s less 30 ms, from the first pose";
@@ -146,7 +117,7 @@ TEST(ImportWpilog, TakesPhotonVisionsCornersAtTheTimeOfTheirExposure) {
 TEST(ImportWpilog, ATargetWithoutCornersIsABearing) {
   const ImportResult result = imported(drive() + start(2, kPhotonName, kPhotonType) +
                                        long_record(2, 10.08, photon({{.yaw = std::atan(0.2) * 180 / M_PI}})));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 1U);
   ASSERT_EQ(log.frames[0].blobs.size(), 1U);
   EXPECT_TRUE(log.frames[0].blobs[0].bearing);
@@ -159,18 +130,18 @@ TEST(ImportWpilog, ResultsOfAnotherLayoutAreCounted) {
                         long_record(2, 10.06, whole + "x") + long_record(2, 10.07, std::string(32, '\0') + "\xFF");
   for (std::size_t size = 0; size < whole.size(); ++size) records += long_record(2, 11, whole.substr(0, size));
   const ImportResult result = imported(records);
-  EXPECT_EQ(log_in(result).frames.size(), 1U);
-  EXPECT_EQ(left_out(result, "results of another layout"), 2 + whole.size());
+  EXPECT_EQ(recorded(result).frames.size(), 1U);
+  EXPECT_EQ(skipped(result, "results of another layout"), 2 + whole.size());
 }
 
 TEST(ImportWpilog, LatenciesThatMakeNoSenseAreNotTaken) {
   const ImportResult result =
       imported(drive() + start(2, kPhotonName, kPhotonType) + long_record(2, 10.02, photon({}, -1)) +
                long_record(2, 10.05, photon({}, std::numeric_limits<std::int64_t>::max() - 1'000'000)));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U);
   EXPECT_EQ(log.frames[1].t.raw, 500);
-  EXPECT_EQ(left_out(result, "latencies of less than 0 or more than 1 s"), 2U);
+  EXPECT_EQ(skipped(result, "latencies of less than 0 or more than 1 s"), 2U);
 }
 
 const std::string kLimelight = "NT:/limelight-front/";
@@ -181,7 +152,7 @@ TEST(ImportWpilog, TakesALimelightsDetectionsWithItsLatency) {
                start(4, kLimelight + "rawdetections", "double[]") + start(5, kLimelight + "tcornxy", "double[]") +
                record(5, 10, "") + record(2, 10.01, real(20)) + record(3, 10.01, real(30)) +
                record(4, 10.08, reals({2, 5, 1, 0.4, 10, 20, 30, 20, 30, 40, 10, 40})) + record(4, 10.1, ""));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U);
   EXPECT_EQ(log.frames[0].t.raw, 300);
   ASSERT_EQ(log.frames[0].blobs.size(), 1U);
@@ -198,14 +169,14 @@ TEST(ImportWpilog, TakesALimelightsJsonOfBothLayouts) {
                                        long_record(2, 10.05, "{" + detector + "," + retro + R"(,"tl":20,"cl":10})") +
                                        long_record(2, 10.08, R"({"Results":{)" + detector + "}}") +
                                        long_record(2, 10.09, "[1]") + long_record(2, 10.09, std::string(5000, '[')));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U);
   EXPECT_EQ(log.frames[0].t.raw, 200);
   ASSERT_EQ(log.frames[0].blobs.size(), 2U);
   expect_box(log.frames[0].blobs[0], 1, 10, 20, 29, 39);
   expect_box(log.frames[0].blobs[1], 2, 50, 60, 69, 79);
   EXPECT_EQ(log.signatures[0].name.view(), "cone");
-  EXPECT_EQ(left_out(result, "results of another layout"), 2U);
+  EXPECT_EQ(skipped(result, "results of another layout"), 2U);
 }
 
 TEST(ImportWpilog, TakesALimelightsAnglesAsBearings) {
@@ -214,7 +185,7 @@ TEST(ImportWpilog, TakesALimelightsAnglesAsBearings) {
                start(4, kLimelight + "tv", "double") + record(4, 10, real(1)) + record(3, 10, real(45)) +
                record(2, 10.02, real(-20)) + record(4, 10.04, real(0)) + record(2, 10.04, real(0)) +
                record(4, 10.05, real(1)) + record(3, 10.05, real(10)) + record(2, 10.05, real(10)));
-  const Recorded log = log_in(result);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 3U);
   EXPECT_EQ(log.frames[0].blobs.size(), 0U) << "45 degrees up is outside of the image";
   EXPECT_EQ(log.frames[1].blobs.size(), 0U);
@@ -232,12 +203,12 @@ TEST(ImportWpilog, TakesTheOdometryAmongOtherPosesAndSaysSo) {
       start(4, "NT:/SmartDashboard/Field/Robot", "double[]") + record(4, 10, reals({3, 4, 90})) +
       start(5, "NT:/Other/Robot", "double[]") + record(5, 10, reals({3, 4, 90}));
   const ImportResult chosen = imported(records);
-  const Recorded drive = log_in(chosen);
+  const Recorded drive = recorded(chosen);
   ASSERT_EQ(drive.odometry.size(), 1U);
   EXPECT_EQ(drive.odometry[0].y.to_double(), 2);
   EXPECT_NEAR(drive.odometry[0].heading.to_double(), 0.5, 1e-4);
   EXPECT_TRUE(noted(chosen, "--odometry takes others: \"NT:/AutoTargetPose\", \"NT:/SmartDashboard/Field/Robot\""));
-  const Recorded field = log_in(imported(records, {"", "NT:/SmartDashboard/Field/Robot"}));
+  const Recorded field = recorded(imported(records, {"", "NT:/SmartDashboard/Field/Robot"}));
   ASSERT_EQ(field.odometry.size(), 1U);
   EXPECT_NEAR(field.odometry[0].heading.to_double(), M_PI / 2, 1e-4);
   const ImportResult missing = imported(records, {"", "NT:/Other/Robot"});
@@ -251,21 +222,21 @@ TEST(ImportWpilog, PosesThatAreNoneAreLeftOut) {
   const ImportResult result =
       imported(drive() + record(1, 11, reals({nan, 0, 0})) + record(1, 12, reals({1e300, 0, 0})) +
                record(1, 13, reals({0, 0, 1e300})) + record(1, 14, reals({0, 0})) + record(1, 15, reals({0, 0, 0, 0})));
-  EXPECT_EQ(log_in(result).odometry.size(), 2U);
-  EXPECT_EQ(left_out(result, "poses that are none"), 5U);
+  EXPECT_EQ(recorded(result).odometry.size(), 2U);
+  EXPECT_EQ(skipped(result, "poses that are none"), 5U);
 }
 
 TEST(ImportWpilog, AnEntryMayEndAndItsNumberBeUsedAgain) {
   const std::string finish = long_record(0, 11, '\1' + bytes_of<std::uint32_t>(1));
   const ImportResult result = imported(drive() + finish + record(1, 12, reals({9, 9, 9})) +
                                        start(1, "speed", "double") + record(1, 13, reals({9, 9, 9})));
-  EXPECT_EQ(log_in(result).odometry.size(), 2U);
-  EXPECT_EQ(left_out(result, "records of entries that were not started"), 1U);
+  EXPECT_EQ(recorded(result).odometry.size(), 2U);
+  EXPECT_EQ(skipped(result, "records of entries that were not started"), 1U);
 }
 
 TEST(ImportWpilog, SaysWhatAFileIsThatHasNothing) {
   const auto error = [](const std::string& bytes) {
-    return import_wpilog(bytes, "run.wpilog", {}, settings()).error().message();
+    return import_wpilog(bytes, "run.wpilog", {}, settings(640, 480, 500)).error().message();
   };
   EXPECT_NE(error("").find("is no WPILOG"), std::string::npos);
   EXPECT_NE(error("WPILOX" + bytes_of<std::uint16_t>(0x0100)).find("is no WPILOG"), std::string::npos);
@@ -291,12 +262,12 @@ TEST(ImportWpilog, ReadsAFileThatWasCutOffAtAnyByte) {
   const std::string whole = header() + drive() + start(2, kPhotonName, kPhotonType) +
                             long_record(2, 10.08, photon({{.kind = 3, .smallest = corners({100, 200, 120, 240})}}));
   for (std::size_t size = header().size(); size < whole.size(); ++size) {
-    const ImportResult result = import_wpilog(whole.substr(0, size), "run.wpilog", {}, settings());
+    const ImportResult result = import_wpilog(whole.substr(0, size), "run.wpilog", {}, settings(640, 480, 500));
     EXPECT_TRUE(!result.ok() || result->summary.frames == 0U);
   }
 }
 
-// Whatever the bytes are: read, or refused with a sentence.
+// Any bytes are read, or refused with a sentence.
 TEST(ImportWpilog, NothingBreaksIt) {
   const std::string whole =
       header() + drive() + start(2, kPhotonName, kPhotonType) +
@@ -313,7 +284,7 @@ TEST(ImportWpilog, NothingBreaksIt) {
     }
     const std::string entry =
         std::array<std::string, 4>{"", kPhotonName, kLimelight + "rawdetections", kLimelight + "json"}[dice() % 4];
-    const ImportResult result = import_wpilog(bytes, "run.wpilog", {entry, ""}, settings());
+    const ImportResult result = import_wpilog(bytes, "run.wpilog", {entry, ""}, settings(640, 480, 500));
     read += result.ok() ? 1 : 0;
     EXPECT_TRUE(result.ok() || !result.error().remedy.empty());
   }
