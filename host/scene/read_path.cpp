@@ -131,24 +131,39 @@ std::vector<TimedPose> read_object_path(const JsonNode& node) {
 }
 
 SceneNoise read_noise(const JsonNode& node) {
-  node.expect_keys({"edge_px",        "loss_probability",
-                    "loss_min",       "loss_max",
-                    "split_share",    "growth_probability",
-                    "growth_max",     "miss_probability",
-                    "false_rate",     "signature_swap_probability",
-                    "pose_xy",        "pose_heading",
-                    "drift_scale",    "drift_turn",
-                    "drift_walk",     "gyro_bias",
-                    "gyro_walk",      "gyro_noise",
-                    "gyro_scale",     "steer_offset",
-                    "steer_scale",    "steer_backlash",
-                    "yaw_error",      "pitch_error",
-                    "latency_jitter", "frame_drop_probability"});
+  node.expect_keys({"edge_px",
+                    "edge_bias_px",
+                    "loss_probability",
+                    "loss_min",
+                    "loss_max",
+                    "split_share",
+                    "growth_probability",
+                    "growth_max",
+                    "miss_probability",
+                    "false_rate",
+                    "signature_swap_probability",
+                    "pose_xy",
+                    "pose_heading",
+                    "drift_scale",
+                    "drift_turn",
+                    "drift_walk",
+                    "gyro_bias",
+                    "gyro_walk",
+                    "gyro_noise",
+                    "gyro_scale",
+                    "steer_offset",
+                    "steer_scale",
+                    "steer_backlash",
+                    "yaw_error",
+                    "pitch_error",
+                    "latency_jitter",
+                    "frame_drop_probability"});
   SceneNoise noise;
   const auto read = [&](std::string_view key, double& value, double low, double high, std::string_view unit) {
     value = node.number_or(key, value, low, high, unit);
   };
   read("edge_px", noise.edge_px, 0, 100, "px");
+  read("edge_bias_px", noise.edge_bias_px, -100, 100, "px");
   read("loss_probability", noise.loss_probability, 0, 1, "");
   read("loss_min", noise.loss_min, 0, 1, "of the width");
   read("loss_max", noise.loss_max, 0, 1, "of the width");

@@ -74,6 +74,7 @@ struct SceneOdometry {
 /// All zero: only integer pixels. Meaning and unit of each key: share/doc/scene.md.
 struct SceneNoise {
   double edge_px = 0;
+  double edge_bias_px = 0;
   double loss_probability = 0;
   double loss_min = 0.1;
   double loss_max = 0.5;

@@ -109,6 +109,7 @@ Json noise_json(const SceneNoise& noise) {
     if (noise.*member != defaults.*member) out[key] = noise.*member;
   };
   put("edge_px", &SceneNoise::edge_px);
+  put("edge_bias_px", &SceneNoise::edge_bias_px);
   put("loss_probability", &SceneNoise::loss_probability);
   put("loss_min", &SceneNoise::loss_min);
   put("loss_max", &SceneNoise::loss_max);

@@ -58,12 +58,13 @@ struct Draws {
 
 /// An end on the image's first or last line stays there: what goes on outside fills the border whatever its edge
 /// does.
-Extent jittered(const PixelBox& box, const LabelImage& image, double sigma, const Draws& draws) {
+Extent moved_edges(const PixelBox& box, const LabelImage& image, const SceneNoise& noise, const Draws& draws) {
   Extent extent{box.x1 - 0.5, box.y1 - 0.5, box.x2 + 0.5, box.y2 + 0.5};
-  if (box.x1 > 0) extent.left += sigma * draws.jitter[0];
-  if (box.x2 < image.width() - 1) extent.right += sigma * draws.jitter[1];
-  if (box.y1 > 0) extent.top += sigma * draws.jitter[2];
-  if (box.y2 < image.height() - 1) extent.bottom += sigma * draws.jitter[3];
+  const double out = noise.edge_bias_px;
+  if (box.x1 > 0) extent.left += noise.edge_px * draws.jitter[0] - out;
+  if (box.x2 < image.width() - 1) extent.right += noise.edge_px * draws.jitter[1] + out;
+  if (box.y1 > 0) extent.top += noise.edge_px * draws.jitter[2] - out;
+  if (box.y2 < image.height() - 1) extent.bottom += noise.edge_px * draws.jitter[3] + out;
   return extent;
 }
 
@@ -179,7 +180,7 @@ void detect_piece(const Scene& scene, const LabelImage& image, const Piece& piec
   const Draws draws(random);
   if (draws.miss < scene.noise.miss_probability) return;
   Candidate whole = as_seen(piece, image);
-  whole.extent = jittered(piece.box, image, scene.noise.edge_px, draws);
+  whole.extent = moved_edges(piece.box, image, scene.noise, draws);
   const double width = whole.extent.width();
   if (width <= 0) return;
   grow(whole, scene.noise, width, draws);

@@ -31,6 +31,7 @@ TEST(Scene, ReadsEveryPart) {
   EXPECT_EQ(arc.views, 75);
   EXPECT_FALSE(arc.look_outwards);
   EXPECT_EQ(scene.noise.edge_px, 1.5);
+  EXPECT_EQ(scene.noise.edge_bias_px, 2);
   EXPECT_EQ(scene.noise.loss_max, 0.5) << "default";
 }
 
@@ -127,6 +128,7 @@ TEST(Scene, WrittenScenesReadBackTheSame) {
     EXPECT_EQ(write_scene(*second), written);
     EXPECT_EQ(second->camera, first->camera);
     EXPECT_EQ(second->noise.edge_px, first->noise.edge_px);
+    EXPECT_EQ(second->noise.edge_bias_px, first->noise.edge_bias_px);
     EXPECT_EQ(second->path.index(), first->path.index());
   }
 }

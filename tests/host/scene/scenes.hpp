@@ -19,7 +19,7 @@ inline std::string valid_scene() {
              {"name": "can", "signature": 2, "height": 0.1, "footprint": {"circle": [2, 0.5, 0.05]}}],
  "path": {"type": "arc", "center": [1.05, 0.05], "radius": 1.2, "start": 0, "sweep": 4.71, "views": 75,
           "look_at": "center"},
- "noise": {"edge_px": 1.5, "loss_probability": 0.1}}
+ "noise": {"edge_px": 1.5, "edge_bias_px": 2, "loss_probability": 0.1}}
 )";
 }
 

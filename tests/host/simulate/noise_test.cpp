@@ -84,10 +84,33 @@ TEST(Noise, EdgeJitterHasItsSigmaOnAllFourEdges) {
   EXPECT_NEAR(product.mean(), 0, 0.5) << "the edges are independent";
 }
 
+TEST(Noise, EdgeBiasMovesAllFourEdgesOutAndKeepsTheDraws) {
+  Scene scene = stare(50);
+  scene.noise.edge_px = 2;
+  const Simulated plain = run(scene);
+  scene.noise.edge_bias_px = 3;
+  const Simulated padded = run(scene);
+  scene.noise.edge_bias_px = -2;
+  const Simulated shrunk = run(scene);
+  ASSERT_EQ(padded.log.frames.size(), plain.log.frames.size());
+  for (std::size_t i = 0; i < plain.log.frames.size(); ++i) {
+    ASSERT_EQ(padded.log.frames[i].blobs.size(), 1U);
+    const auto& a = plain.log.frames[i].blobs[0];
+    for (const auto& [other, out] : {std::pair(&padded, 3), std::pair(&shrunk, -2)}) {
+      const auto& b = other->log.frames[i].blobs[0];
+      EXPECT_EQ(b.x1, a.x1 - out);
+      EXPECT_EQ(b.x2, a.x2 + out);
+      EXPECT_EQ(b.y1, a.y1 - out);
+      EXPECT_EQ(b.y2, a.y2 + out);
+    }
+  }
+}
+
 TEST(Noise, JitterLeavesBorderEndsOnTheBorder) {
   Scene scene = stare(300);
   scene.objects = {box_object(1, 1.0, 0.2, 1.2, 1.0, 0.2)};
   scene.noise.edge_px = 3;
+  scene.noise.edge_bias_px = -8;
   for (const auto& frame : run(scene).log.frames) EXPECT_EQ(frame.blobs[0].x1, 0);
 }
 
