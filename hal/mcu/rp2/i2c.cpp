@@ -33,6 +33,7 @@ void I2c::start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t b
 }
 
 void I2c::set_up() {
+  busy_ = false;  // first: the old transfer's interrupt may come while the part is in reset
   bring_up(wiring_.reset);
   const std::uint32_t period = clock_hz_ / bus_hz_;
   const std::uint32_t low = period * 3 / 5;  // the bus specification wants the low half longer
@@ -47,7 +48,6 @@ void I2c::set_up() {
   reg(wiring_.base + kI2cInterruptEnable) = 0;
   wiring_.data.connect(kFunctionI2c);
   wiring_.clock.connect(kFunctionI2c);
-  busy_ = false;
 }
 
 base::Result<std::size_t> I2c::begin(std::uint8_t address, std::span<const std::uint8_t> out, std::size_t expected) {
@@ -89,6 +89,7 @@ base::Result<std::size_t> I2c::finish(std::span<std::uint8_t> in) {
 }
 
 void I2c::on_interrupt() {
+  if (!busy_) return;
   const std::uint32_t status = reg(wiring_.base + kI2cInterruptStatus);
   while (reg(wiring_.base + kI2cReceiveLevel) > 0) {
     const auto byte = static_cast<std::uint8_t>(reg(wiring_.base + kI2cData) & 0xFF);

@@ -52,7 +52,7 @@ class I2c {
   volatile std::size_t read_ = 0;
   volatile bool stopped_ = false;
   volatile bool refused_ = false;
-  bool busy_ = false;
+  volatile bool busy_ = false;
   std::uint32_t begun_ = 0;  ///< us
 };
 

@@ -13,6 +13,7 @@ const kProtectionKind = 0xda0;
 const kFlashEnd = 0x20000000; // memory begins
 const kPullUp = 1 << 3; // of a pad
 const kTimerInterrupt = 16;
+const kI2cInterrupt = 23;
 
 // Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
 const kGated = {
@@ -109,6 +110,7 @@ export class Rules {
     this.expect(!begins(kPllUsb) || !(clocks.usbCtrl & (1 << 11)), 'PLL_USB is reset while USB runs on it');
     this.held = after;
     if (begins(21)) this.paused = 3;
+    if (begins(3)) this.mcu.setInterrupt(kI2cInterrupt, true); // the last one before the reset, just now
   }
 
   // 2.16.3, STARTUP: the vendor gives a Pico's crystal 6 ms; with less some boards do not start cold.
