@@ -7,33 +7,35 @@ import { timeAt } from "./timeline.js";
 import { objectAt, truthAt } from "./window.js";
 import { t } from "./words.js";
 
+/** Of the map: buttons, in their order. */
+const VIEWS = ["top", "solid", "behind", "eye"];
+
 /** The map, its buttons and the pointer. */
 export function bindMap(page) {
-  const { state, flat, orbit, redraw } = page;
+  const { state, flat, eyes, redraw } = page;
   const map = byId("map");
   const tip = byId("tip");
-  const eye = () => state.solid ? orbit : flat;
-  const solid = (on) => {
-    state.solid = on;
-    byId("top").setAttribute("aria-pressed", String(!on));
-    byId("solid").setAttribute("aria-pressed", String(on));
+  const eye = () => eyes[state.view] ?? flat;
+  const look = (view) => {
+    state.view = view;
+    for (const one of VIEWS) byId(one).setAttribute("aria-pressed", String(one === view));
     tip.hidden = true;
     redraw();
   };
   listen(map, {
     grabbed: (at) => {
-      const holder = state.solid ? null : page.grab(flat.toMap(at));
+      const holder = state.view !== "top" ? null : page.grab(flat.toMap(at));
       return holder && { moved: (to) => { holder.moved(flat.toMap(to)); redraw(); }, dropped: () => { holder.dropped(); redraw(); } };
     },
     moved: (du, dv) => {
-      byId("follow").checked = false;
-      if (state.solid) orbit.drag(du, dv);
+      if (state.view === "top") byId("follow").checked = false;
+      if (state.view !== "top") eye().drag(du, dv);
       else { flat.x -= du / flat.scale; flat.y += dv / flat.scale; }
       redraw();
     },
     zoomed: (factor, at) => { eye().zoom(factor, at); redraw(); },
     pointed: (at) => {
-      tip.hidden = !at || state.solid;
+      tip.hidden = !at || state.view !== "top";
       if (tip.hidden) return;
       const view = page.view();
       const object = objectAt(flat, state.look.result.objects, at);
@@ -46,12 +48,11 @@ export function bindMap(page) {
       tip.style.top = `${at[1] + 18 + tip.offsetHeight > map.clientHeight ? Math.max(0, at[1] - tip.offsetHeight - 10) : at[1] + 18}px`;
     },
     clicked: (at) => {
-      const object = !state.solid && objectAt(flat, state.look.result.objects, at);
+      const object = state.view === "top" && objectAt(flat, state.look.result.objects, at);
       if (object) page.select(object.id);
     },
   });
-  byId("top").onclick = () => solid(false);
-  byId("solid").onclick = () => solid(true);
+  for (const view of VIEWS) byId(view).onclick = () => look(view);
   byId("zoom-in").onclick = () => { eye().zoom(1.3); redraw(); };
   byId("zoom-out").onclick = () => { eye().zoom(1 / 1.3); redraw(); };
   byId("fit").onclick = page.fit;
@@ -67,7 +68,7 @@ export function bindKeys({ state, play, stop, goTo, fit }) {
     const actions = {
       " ": () => state.playing ? stop() : play(), ArrowLeft: () => { stop(); goTo(state.t - step); }, ArrowRight: () => { stop(); goTo(state.t + step); },
       Home: () => { stop(); goTo(state.begin); }, End: () => { stop(); goTo(state.end); }, "+": () => byId("zoom-in").click(), "-": () => byId("zoom-out").click(),
-      0: fit, 3: () => byId(state.solid ? "top" : "solid").click(),
+      0: fit, 3: () => byId(VIEWS[(VIEWS.indexOf(state.view) + 1) % VIEWS.length]).click(),
     };
     const action = actions[event.key];
     if (!action || (state.live && /^( |Arrow|Home|End)/.test(event.key))) return;

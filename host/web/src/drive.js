@@ -7,7 +7,7 @@ import { inside } from "./window.js";
 import { t } from "./words.js";
 
 const LONGEST = 0.1;  // s between two frames: a page that comes back from the background does not leap
-const EVERY = 30;     // ms between two pictures, at least
+const EVERY = 15;     // ms between two pictures, at least: 60 a second
 const SCORED = 500;   // ms between two scores
 const SLIDERS = {     // in the units of the scene file; `worn`: of a room that says nothing
   noise: { of: (scene) => scene.noise?.edge_px ?? 0, say: (value) => `${value.toFixed(1)} px` },

@@ -12,7 +12,7 @@ import { addCard } from "./gallery.js";
 import { Kept } from "./kept.js";
 import { FIRST, offerLayers, showLegend } from "./layers.js";
 import { drawMap } from "./map2d.js";
-import { Orbit, drawSolid } from "./map3d.js";
+import { drawSolid } from "./map3d.js";
 import { Player } from "./player.js";
 import { bindPort } from "./port.js";
 import { follow } from "./stream.js";
@@ -21,6 +21,7 @@ import { levelsAt, poseAt } from "./scene.js";
 import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
+import { Behind, Eye, Orbit } from "./viewpoint.js";
 import { Window, extentOf } from "./window.js";
 import { bindLanguage, fill, onLanguage, t } from "./words.js";
 
@@ -29,11 +30,11 @@ const NOTHING = { result: { objects: [], alerts: [], guard: [], calibration: [],
 
 const state = {
   entry: { name: "", bytes: new Uint8Array(), truth: [] }, look: NOTHING, whole: NOTHING.path, t: 0, begin: 0, end: 0, rows: [],
-  models: ["hybrid"], layers: new Set(FIRST), selected: null, playing: false, solid: false, live: false, loaded: false, trueRobot: null, chosen: null,
+  models: ["hybrid"], layers: new Set(FIRST), selected: null, playing: false, view: "top", live: false, loaded: false, trueRobot: null, chosen: null,
 };
 const memory = { flat: new Map(), solid: new Map(), camera: new Map() };  // of where names were
 const flat = new Window();
-const orbit = new Orbit();
+const eyes = { solid: new Orbit(), behind: new Behind(), eye: new Eye() };  // of 3-D
 const cards = [];
 const compared = [];
 let engine;
@@ -63,10 +64,10 @@ function draw() {
   const view = viewNow();
   const all = { view, whole: state.live ? NOTHING.path : state.whole, ink, theme: theme(), selected: state.selected };
   if (byId("follow").checked && view.pose) {
-    for (const eye of [flat, orbit]) [eye.x, eye.y] = [view.pose.x, view.pose.y];
+    for (const eye of [flat, eyes.solid]) [eye.x, eye.y] = [view.pose.x, view.pose.y];
   }
   showLegend(byId("legend"), { layers: state.layers, truth: state.entry.truth });
-  if (state.solid) drawSolid(byId("map"), orbit, { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
+  if (state.view !== "top") drawSolid(byId("map"), eyes[state.view], { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
   const frame = view.page.frame?.number;
   if (!driver?.going || frame !== drawnNow.frame) byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
   drawnNow.frame = frame;
@@ -196,9 +197,11 @@ function fit() {
   const points = extentOf({ ...(state.live ? state.look : player?.last ?? state.look), truth: state.layers.has("truth") ? state.entry.truth : [] });
   const map = byId("map");
   flat.size(map.clientWidth, map.clientHeight);
-  orbit.size(map.clientWidth, map.clientHeight);
   flat.fit(points);
-  orbit.fit(points);
+  for (const eye of Object.values(eyes)) {
+    eye.size(map.clientWidth, map.clientHeight);
+    eye.fit(points);
+  }
   redraw();
 }
 
@@ -360,7 +363,7 @@ async function begin() {
   engine = await Engine.create(wasm);
   replayer = new Player(engine);
   player = replayer;
-  const page = { state, flat, orbit, redraw, grab: (at) => driver.grab(at), play, stop, goTo, fit, select, openFiles, openRecording, view: viewNow, last: () => player.last };
+  const page = { state, flat, eyes, redraw, grab: (at) => driver.grab(at), play, stop, goTo, fit, select, openFiles, openRecording, view: viewNow, last: () => player.last };
   bindMap(page);
   bindKeys(page);
   bindTransport(page);
