@@ -1,10 +1,10 @@
 // A robot that is driven here: the simulator's senses and the robot's own loop, in a room that can be changed on the way.
 import { byId, download, make, plain } from "./dom.js";
-import { KINDS, ROOM, movedBy, withErrors } from "./room.js";
+import { KINDS, ROOM, middleOf, movedBy, turnedBy, withErrors } from "./room.js";
 import { truthOf } from "./scene.js";
 import { Steering } from "./steering.js";
 import { inside } from "./window.js";
-import { t } from "./words.js";
+import { onLanguage, t } from "./words.js";
 
 const LONGEST = 0.1;  // s between two frames: a page that comes back from the background does not leap
 const EVERY = 15;     // ms between two pictures, at least: 60 a second
@@ -14,6 +14,14 @@ const SLIDERS = {     // in the units of the scene file; `worn`: of a room that 
   lens: { of: () => 0, say: (value) => `${value > 0 ? "+" : ""}${(100 * value).toFixed(0)} cm` },
   tilt: { of: (scene) => scene.noise?.pitch_error ?? 0, say: (value) => `${(value * 180 / Math.PI).toFixed(1)}°` },
   slip: { of: (scene) => scene.noise?.drift_scale ?? 0, say: (value) => `${(100 * value).toFixed(0)} %` },
+};
+
+const STEP = 0.05;           // m, of a thing that is moved by a button
+const TURN = Math.PI / 12;  // rad, of one that is turned
+const EDITS = {             // by button
+  "thing-left": (thing) => movedBy(thing, -STEP, 0), "thing-right": (thing) => movedBy(thing, STEP, 0),
+  "thing-up": (thing) => movedBy(thing, 0, STEP), "thing-down": (thing) => movedBy(thing, 0, -STEP),
+  "thing-turn": (thing) => turnedBy(thing, TURN), "thing-back": (thing) => turnedBy(thing, -TURN),
 };
 
 /** The name of the page's own room among `rooms`. */
@@ -72,6 +80,9 @@ export class Driver {
     }
     for (const kind of Object.keys(KINDS)) byId(`add-${kind}`).onclick = () => this.#add(kind);
     byId("remove").onclick = () => this.#remove();
+    byId("thing").onchange = () => { this.#chosen = byId("thing").value === "" ? null : Number(byId("thing").value); this.#showTruth(); this.#sayPlace(); };
+    for (const [id, edit] of Object.entries(EDITS)) byId(id).onclick = () => this.#edit(edit);
+    onLanguage(() => this.#offerThings());
   }
 
   get going() { return this.#engine !== null; }
@@ -196,7 +207,37 @@ export class Driver {
     this.#showTruth();
   }
 
-  #showTruth() { this.#page.setTruth(byId("reveal").checked ? coloured(this.#scene) : [], this.#chosen); }
+  // Their list has the place of each when it was chosen last: names alone may be alike.
+  #offerThings() {
+    const shown = byId("reveal").checked;
+    for (const control of byId("thing-row").querySelectorAll("select, button")) control.disabled = !shown;
+    const names = this.#scene.objects.map(({ name }, i) => plain(`${i + 1}: ${name ?? ""}`));
+    const list = byId("thing");
+    const offered = [t("choose"), ...names];
+    if ([...list.options].map(({ text }) => text).join("\n") !== offered.join("\n")) {
+      list.replaceChildren(...offered.map((text, i) => make("option", { value: i ? i - 1 : "" }, text)));
+    }
+    list.value = this.#chosen ?? "";
+    if (this.#chosen === null) byId("thing-place").textContent = "";
+  }
+
+  #sayPlace() {
+    const thing = this.#scene.objects[this.#chosen];
+    const [x, y] = thing ? middleOf(thing.footprint) : [];
+    byId("thing-place").textContent = thing ? `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m` : "";
+  }
+
+  #edit(change) {
+    if (this.#chosen === null) return this.#complain(t("chooseFirst"));
+    this.#scene = { ...this.#scene, objects: this.#scene.objects.map((object, i) => i === this.#chosen ? change(object) : object) };
+    this.#apply();
+    return this.#sayPlace();
+  }
+
+  #showTruth() {
+    this.#offerThings();
+    this.#page.setTruth(byId("reveal").checked ? coloured(this.#scene) : [], this.#chosen);
+  }
   #say(name) { byId(`${name}-said`).textContent = SLIDERS[name].say(Number(byId(name).value)); }
   #complain(text) { byId("drive-said").textContent = plain(text); }
 
@@ -208,6 +249,7 @@ export class Driver {
     this.#scene = { ...this.#scene, objects: [...this.#scene.objects, { name: `${signature.name} ${kind}`, signature: signature.id, height, footprint: at(...place) }] };
     this.#chosen = this.#scene.objects.length - 1;
     this.#changed = true;
+    this.#sayPlace();
   }
 
   // Beside what stands there, the nearest place.
@@ -235,6 +277,7 @@ export class Driver {
     const { index } = thing;
     this.#chosen = index;
     this.#showTruth();
+    this.#sayPlace();
     const before = this.#scene.objects[index];
     this.#dragging = true;
     return {
@@ -242,10 +285,12 @@ export class Driver {
         this.#scene = { ...this.#scene, objects: this.#scene.objects.map((object, i) => i === index ? movedBy(before, x - at[0], y - at[1]) : object) };
         this.#changed = true;
         this.#showTruth();
+        this.#sayPlace();
       },
       dropped: () => {
         this.#dragging = false;
         if (this.going) this.#apply();
+        this.#sayPlace();
       },
     };
   }

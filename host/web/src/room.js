@@ -43,6 +43,23 @@ export function shifted(footprint, dx, dy) {
   return { ...footprint, coordinates: footprint.coordinates.map((ring) => ring.map(([x, y]) => [round(x + dx), round(y + dy)])) };
 }
 
+/** The middle of a footprint's corners. */
+export function middleOf({ circle, coordinates }) {
+  if (circle) return circle.slice(0, 2);
+  const corners = coordinates[0].slice(0, -1);
+  return [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length);
+}
+
+/** `object`, turned where it stands, rad to the left. */
+export function turnedBy(object, angle) {
+  const { footprint } = object;
+  if (footprint.circle) return object;
+  const [mx, my] = middleOf(footprint);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const turned = ([x, y]) => [round(mx + c * (x - mx) - s * (y - my)), round(my + s * (x - mx) + c * (y - my))];
+  return { ...object, footprint: { ...footprint, coordinates: footprint.coordinates.map((ring) => ring.map(turned)) } };
+}
+
 /** `object`, elsewhere; one that moves takes its way along. */
 export function movedBy(object, dx, dy) {
   const path = object.path && { ...object.path, poses: object.path.poses.map((pose) => ({ ...pose, x: pose.x + dx, y: pose.y + dy })) };

@@ -167,7 +167,15 @@ export const WORDS = {
   ownRoom: w("a room", "ein Raum", "una sala", "une salle", "一个房间"),
   driveKeys: w("Arrow keys or W A S D, the round pad, or a gamepad. Drag what stands in the room.", "Pfeiltasten oder W A S D, das runde Feld oder ein Gamepad. Ziehen Sie, was im Raum steht.", "Flechas o W A S D, el mando redondo o un mando de juegos. Arrastre lo que hay en la sala.", "Flèches ou W A S D, le rond, ou une manette de jeu. Faites glisser ce qui est dans la salle.", "方向键或 W A S D、圆形方向盘或游戏手柄。可以拖动房间里的物体。"),
   held: w("It stops. Turn away or back off.", "Er hält. Drehen Sie ab oder fahren Sie zurück.", "Se detiene. Gire o retroceda.", "Il s'arrête. Tournez ou reculez.", "它停下了。请转向或后退。"),
-  chooseFirst: w("Choose what to remove first: click on it.", "Wählen Sie zuerst, was entfernt werden soll: Klicken Sie darauf.", "Elija primero qué quitar: haga clic en ello.", "Choisissez d'abord ce qu'il faut enlever : cliquez dessus.", "请先点击要移除的物体。"),
+  thing: w("Thing", "Ding", "Cosa", "Objet", "物品"),
+  changeThing: w("Move, turn or remove a thing", "Ein Ding verschieben, drehen oder entfernen", "Mover, girar o quitar una cosa", "Déplacer, tourner ou enlever un objet", "移动、旋转或移除物品"),
+  moveLeft: w("5 cm to the left on the map", "5 cm nach links auf der Karte", "5 cm a la izquierda en el mapa", "5 cm vers la gauche sur la carte", "在地图上向左 5 厘米"),
+  moveUp: w("5 cm up on the map", "5 cm nach oben auf der Karte", "5 cm hacia arriba en el mapa", "5 cm vers le haut sur la carte", "在地图上向上 5 厘米"),
+  moveDown: w("5 cm down on the map", "5 cm nach unten auf der Karte", "5 cm hacia abajo en el mapa", "5 cm vers le bas sur la carte", "在地图上向下 5 厘米"),
+  moveRight: w("5 cm to the right on the map", "5 cm nach rechts auf der Karte", "5 cm a la derecha en el mapa", "5 cm vers la droite sur la carte", "在地图上向右 5 厘米"),
+  turnLeft: w("15° counterclockwise", "15° gegen den Uhrzeigersinn", "15° en sentido antihorario", "15° dans le sens antihoraire", "逆时针 15°"),
+  turnRight: w("15° clockwise", "15° im Uhrzeigersinn", "15° en sentido horario", "15° dans le sens horaire", "顺时针 15°"),
+  chooseFirst: w("Choose a thing first: click on it, or take it from the list.", "Wählen Sie zuerst ein Ding: Klicken Sie darauf, oder nehmen Sie es aus der Liste.", "Elija primero una cosa: haga clic en ella o tómela de la lista.", "Choisissez d'abord un objet : cliquez dessus ou prenez-le dans la liste.", "请先选择物品：点击它，或从列表中选取。"),
 
   // Tables
   alerts: w("Alerts", "Warnungen", "Avisos", "Alertes", "警报"),

@@ -162,6 +162,45 @@ await run({
     assert.match(await text(page, "#drive-said"), /room\.json: .*\/objects\/0\/signatur.*did you mean "signature"\?/);
   },
 
+  async "things are chosen, moved, turned, placed and removed by the keyboard alone, and what happened is said"() {
+    await begin();
+    const press = async (id, times = 1) => {
+      await page.focus(id);
+      for (let i = 0; i < times; ++i) await page.keyboard.press("Enter");
+      await frames(page, 2, FRAME);
+    };
+    const place = () => text(page, "#thing-place");
+    await press("#thing-left");
+    assert.match(await text(page, "#drive-said"), /^Choose a thing first/);
+    await page.focus("#thing");
+    await page.keyboard.press("ArrowDown");
+    await frames(page, 2, FRAME);
+    assert.equal(await place(), "x 1.45 m, y 0.05 m");
+    assert.equal(await number("#driven"), 0, "the list has the arrow keys");
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.id), "thing-left");
+    await press("#thing-up", 3);
+    await press("#thing-right");
+    assert.equal(await place(), "x 1.50 m, y 0.20 m");
+    await press("#thing-turn", 2);
+    await press("#thing-back");
+    const scene = JSON.parse(readFileSync(await saved("#drive-scene", "keys.json")));
+    const [first, second] = scene.objects[0].footprint.coordinates[0];
+    const before = 0.1 + Math.PI / 12;  // it stood turned by 0.1 rad
+    assert.ok(Math.abs(Math.atan2(second[1] - first[1], second[0] - first[0]) - before) < 0.002);
+    assert.ok(Math.abs(Math.hypot(second[0] - first[0], second[1] - first[1]) - 0.16) < 3e-4, "as large as before");
+    await press("#add-box");
+    assert.equal(await page.locator("#thing option:checked").textContent(), "11: blue box".replace("blue", scene.signatures[scene.objects.length % 4].name));
+    await press("#thing-right", 30);
+    assert.match(await text(page, "#drive-said"), /"red box" overlaps|overlaps "red box"/);
+    assert.match(await place(), /^x 1\.[23]\d m, y 0\.00 m$/, "it stands before the red box, as far as it could go");
+    await press("#remove");
+    assert.equal(await page.locator("#thing option").count(), 1 + scene.objects.length);
+    assert.equal(await place(), "");
+    await page.setChecked("#reveal", false);
+    assert.ok(await page.locator("#thing").isDisabled(), "what is hidden is not in a list either");
+  },
+
   async "switches: by a higher lens the box seems nearer, by a tilted camera farther; wheels that slip report more than they drive"() {
     const seen = {};
     for (const [id, value] of [["#lens", 0], ["#lens", 0.05], ["#tilt", 0.02]]) {
