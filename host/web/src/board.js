@@ -1,23 +1,33 @@
 // A board from the page: choices become a board's file by `configure`, compiled into the page's loop.
+import { Daplink } from "./daplink.js";
 import { fromBase64, unpacked } from "./data.js";
+import { Dfuse } from "./dfuse.js";
 import { byId, download, make, plain } from "./dom.js";
 import { drawBoard } from "./drawing.js";
-import { Differs, Picoboot, Refused } from "./picoboot.js";
+import { Picoboot, RP2040, RP2350 } from "./picoboot.js";
 import { ask } from "./serial.js";
+import { Differs, Refused } from "./usb.js";
 import { onLanguage, t } from "./words.js";
 
 // As they are called by their images; what to press and where the file goes (host/share/doc/boards.md).
 const BOARDS = {
-  netduino_plus_2: { name: "Netduino Plus 2", button: true, steps: ["stepButton", "stepDfu", "stepUnplug"] },
-  pyboard: { name: "pyboard 1.0, 1.1", wire: ["DFU (BOOT0)", "3V3"], steps: ["stepWire", "stepDfu", "stepUnwire"] },
-  feather_f405: { name: "Feather STM32F405", wire: ["B0 (BOOT0)", "3.3V"], steps: ["stepWire", "stepDfu", "stepUnwire"] },
-  pico: { name: "Raspberry Pi Pico, Pico W", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
-  xrp: { name: "XRP (2023)", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
-  pico2: { name: "Raspberry Pi Pico 2, Pico 2 W", drive: "RP2350", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
-  xrp2: { name: "XRP (2024)", drive: "RP2350", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
-  microbit: { name: "micro:bit v1", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
-  microbit_v2: { name: "micro:bit v2", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
+  netduino_plus_2: { name: "Netduino Plus 2", usb: "stm32", button: true, steps: ["stepButton", "stepDfu", "stepUnplug"] },
+  pyboard: { name: "pyboard 1.0, 1.1", usb: "stm32", wire: ["DFU (BOOT0)", "3V3"], steps: ["stepWire", "stepDfu", "stepUnwire"] },
+  feather_f405: { name: "Feather STM32F405", usb: "stm32", wire: ["B0 (BOOT0)", "3.3V"], steps: ["stepWire", "stepDfu", "stepUnwire"] },
+  pico: { name: "Raspberry Pi Pico, Pico W", usb: "rp2040", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
+  xrp: { name: "XRP (2023)", usb: "rp2040", drive: "RPI-RP2", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
+  pico2: { name: "Raspberry Pi Pico 2, Pico 2 W", usb: "rp2350", drive: "RP2350", button: "BOOTSEL", steps: ["stepBootsel", "stepDrag"] },
+  xrp2: { name: "XRP (2024)", usb: "rp2350", drive: "RP2350", button: "BOOTSEL", steps: ["stepXrp", "stepDrag"] },
+  microbit: { name: "micro:bit v1", usb: "daplink", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
+  microbit_v2: { name: "micro:bit v2", usb: "daplink", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
   gba: { name: "Game Boy Advance", card: true, steps: ["stepCartridge"] },
+};
+// By WebUSB: the file that it takes, who writes it, and the device's number for Linux.
+const WRITERS = {
+  rp2040: { format: "uf2", choose: (usb) => Picoboot.choose(usb, RP2040), device: "2e8a:0003" },
+  rp2350: { format: "uf2", choose: (usb) => Picoboot.choose(usb, RP2350), device: "2e8a:000f" },
+  stm32: { format: "dfu", choose: (usb) => Dfuse.choose(usb), device: "0483:df11" },
+  daplink: { format: "hex", choose: (usb) => Daplink.choose(usb), device: "0d28:0204", unread: true },
 };
 const WHEELS = { console: "wheelsConsole", encoders: "wheelsEncoders", create1: "wheelsCreate1", create2: "wheelsCreate2" };
 const SIZES = { "board-diameter": "wheel.diameter", "board-counts": "wheel.counts", "board-track": "wheel.track" };
@@ -27,6 +37,8 @@ export const isImage = (name) => /\.(uf2|hex|bin|gba)$/i.test(name);
 
 const value = (id) => byId(id).value;
 const metres = (id) => Math.round(100 * Number(value(id))) / 10_000;
+
+const centimetres = (length) => String(Math.round(10_000 * length) / 100);
 
 /** The form as the arguments of `fencepost configure`. */
 function requestOf(about) {
@@ -43,12 +55,17 @@ function requestOf(about) {
 /** `$FPCFG` lines that a robot keeps: [[key, value]]. */
 const keptBy = (lines) => lines.map((line) => /^\$FPCFG,([^,]*),([^*]*)\*/.exec(line)).filter(Boolean).map(([, key, wanted]) => [key, wanted]);
 
+const ANSWERED = /^camera [^\n]*; odometry [^\n]*\n/m;
+const CALIBRATED = /^\$FPCAM,[^\n]*\n/m;  // with where it is mounted
+
 /** Settings that the robot says otherwise than was chosen: [{ key, wanted, found }]; null if it answered nothing. */
 export function differences(answer, chosen) {
   const said = new Map([...answer.matchAll(/^([\w.]+) = (\S+)/gm)].map(([, key, found]) => [key, found.replace(/;$/, "")]));
   const status = /^camera (\S+)[^\n]*; odometry (\w+)/m.exec(answer);
   if (!status) return null;
-  const facts = new Map([...said, ["camera", status[1].replace(/,$/, "")], ["odometry", status[2]]]);
+  const [, x, , z] = /^\$FPCAM,(?:[^,]*,){8}([^,]*),([^,]*),([^,]*),/m.exec(answer) ?? [];
+  const facts = new Map([...said, ["camera", status[1].replace(/,$/, "")], ["odometry", status[2]],
+    ...z === undefined ? [] : [[t("boardAhead"), centimetres(x)], [t("boardHeight"), centimetres(z)]]]);
   const same = (a, b) => a === b || (a !== undefined && a !== "" && Number(a) === Number(b));
   return chosen.filter(([key, wanted]) => !same(facts.get(key), wanted)).map(([key, wanted]) => ({ key, wanted, found: facts.get(key) ?? t("checkNothing") }));
 }
@@ -157,8 +174,7 @@ export class BoardPanel {
     const pressed = made !== null;
     for (const id of ["board-download", "board-write", "board-check"]) byId(id).disabled = !pressed;
     byId("board-download").textContent = t("boardDownload", { file: name });
-    // An RP2350's PICOBOOT was not tried.
-    byId("board-usb").hidden = !(navigator.usb && format === "uf2" && board.drive === "RPI-RP2");
+    byId("board-usb").hidden = !(navigator.usb && WRITERS[board.usb]?.format === format);
     byId("board-check").hidden = !navigator.serial;
     if (!pressed) return;
     const { lines, used, room } = made.said;
@@ -175,29 +191,33 @@ export class BoardPanel {
 
   async #write() {
     const button = byId("board-write");
+    const writer = WRITERS[BOARDS[this.#about.board].usb];
     this.#complain("");
     button.disabled = true;
     try {
-      const board = await Picoboot.choose(navigator.usb);
+      const board = await writer.choose(navigator.usb);
       const bytes = await board.flash(this.#made.file, (step, share) => this.#tell(t(step, { percent: Math.round(100 * share) })));
-      this.#tell(t("usbDone", { bytes }));
+      this.#tell(t(writer.unread ? "usbHanded" : "usbDone", { bytes }));
     } catch (error) {
       this.#tell("");
       this.#complain(error instanceof Refused ? t("usbRefused", error)
         : error instanceof Differs ? t("usbDiffers", { address: `0x${error.address.toString(16)}` })
-          : error.name === "NotFoundError" ? t("usbNotChosen") : t("usbFailed", { detail: error.message }));
+          : error.name === "NotFoundError" ? t("usbNotChosen", writer) : t("usbFailed", { detail: error.message }));
     }
     button.disabled = false;
   }
 
   async #check() {
     const button = byId("board-check");
-    const chosen = [...new Map([...this.#made.request.settings, ...keptBy(this.#made.said.lines)])];
+    const settings = [...new Map([...this.#made.request.settings, ...keptBy(this.#made.said.lines)])];
+    const mounted = this.#about.cameras.some(({ name, delivered }) => delivered && name === value("board-camera"));
+    const chosen = [...settings, ...mounted ? [[t("boardHeight"), centimetres(metres("board-height"))], [t("boardAhead"), centimetres(metres("board-ahead"))]] : []];
     this.#complain("");
     this.#tell(t("checkAsking"));
     button.disabled = true;
     try {
-      const answer = await ask(navigator.serial, ["mode text", ...chosen.map(([key]) => `get ${key}`), "status"]);
+      const answer = await ask(navigator.serial, ["mode text", ...settings.map(([key]) => `get ${key}`), "status", ...mounted ? ["mode log"] : []],
+        (said) => ANSWERED.test(said) && (!mounted || CALIBRATED.test(said)));
       const wrong = differences(answer, chosen);
       this.#tell(wrong?.length === 0 ? t("checkSame", { count: chosen.length }) : "");
       if (!wrong) this.#complain(t("checkSilent"));

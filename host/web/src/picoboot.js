@@ -1,30 +1,20 @@
-// Flashes an RP2040 that waits with BOOTSEL: PICOBOOT of its boot ROM (RP2040 datasheet, 2.8.5), by the browser's WebUSB.
+// Flashes an RP2040 or RP2350 that waits with BOOTSEL, by the browser's WebUSB: PICOBOOT of its boot ROM (RP2040 datasheet, 2.8.5; RP2350
+// datasheet, 5.6).
+import { Differs, Refused } from "./usb.js";
 
 const VENDOR = 0x2e8a;
-const PRODUCT = 0x0003;
+export const RP2040 = 0x0003;  // products
+export const RP2350 = 0x000f;
 const MAGIC = 0x431fd10b;
 export const SECTOR = 4096;
 const RESTART = 500;  // ms until it starts, so that the answer still gets here
-const COMMANDS = { exclusive: 0x01, reboot: 0x02, erase: 0x03, read: 0x84, write: 0x05, leave: 0x06 };
+const COMMANDS = { exclusive: 0x01, reboot: 0x02, erase: 0x03, read: 0x84, write: 0x05, leave: 0x06, restart: 0x0a };
 const INTERFACE_RESET = 0x41;
 const COMMAND_STATUS = 0x42;
 const REASONS = ["ok", "unknown command", "invalid length of the command", "invalid length of the transfer", "invalid address", "bad alignment",
-  "interleaved write", "rebooting", "unknown error"];
-
-/** The board refused: `command`, `reason`. */
-export class Refused extends Error {
-  constructor(command, reason) {
-    super(`${command}: ${reason}`);
-    Object.assign(this, { command, reason });
-  }
-}
-/** The board has other bytes than were written. */
-export class Differs extends Error {
-  constructor(address) {
-    super(`differs at ${address}`);
-    this.address = address;
-  }
-}
+  "interleaved write", "rebooting", "unknown error", "invalid state", "not permitted", "invalid argument", "buffer too small", "precondition not met",
+  "modified data", "invalid data", "not found", "unsupported modification"];
+const UNKNOWN = 8;
 
 /** The sectors of a UF2 file: [{ address, bytes }]. Unknown bytes are erased ones. */
 export function sectorsOf(uf2) {
@@ -47,7 +37,7 @@ export class Picoboot {
   #token = 0;
 
   /** The one that the user chooses. */
-  static async choose(usb) { return new Picoboot(await usb.requestDevice({ filters: [{ vendorId: VENDOR, productId: PRODUCT }] })); }
+  static async choose(usb, product) { return new Picoboot(await usb.requestDevice({ filters: [{ vendorId: VENDOR, productId: product }] })); }
   constructor(device) { this.#device = device; }
 
   async #open() {
@@ -55,7 +45,7 @@ export class Picoboot {
     await device.open();
     if (!device.configuration) await device.selectConfiguration(1);
     const own = device.configuration.interfaces.find(({ alternate }) => alternate.interfaceClass === 0xff);
-    if (!own) throw new Error("it has no PICOBOOT interface");
+    if (!own) throw new Refused("PICOBOOT", "it has no such interface");
     this.#interface = own.interfaceNumber;
     const endpoint = (direction) => own.alternate.endpoints.find((one) => one.direction === direction).endpointNumber;
     [this.#in, this.#out] = [endpoint("in"), endpoint("out")];
@@ -66,7 +56,7 @@ export class Picoboot {
   async #refusal(name) {
     for (const [direction, endpoint] of [["in", this.#in], ["out", this.#out]]) await this.#device.clearHalt(direction, endpoint);
     const { data } = await this.#device.controlTransferIn({ requestType: "vendor", recipient: "interface", request: COMMAND_STATUS, value: 0, index: this.#interface }, 16);
-    return new Refused(name, REASONS[data.getUint32(4, true)] ?? REASONS.at(-1));
+    return new Refused(name, REASONS[data.getUint32(4, true)] ?? REASONS[UNKNOWN]);
   }
 
   /** `words`: its arguments; `bytes` go to the board, or as many come back as `wanted`. The answer to either is an empty packet. */
@@ -116,7 +106,9 @@ export class Picoboot {
         if (wrong >= 0) throw new Differs(address + wrong);
         progress("usbVerifying", (i + 1) / sectors.length);
       }
-      await this.#command("reboot", { words: [0, 0, RESTART] });
+      // An RP2350 has a command of its own: an ordinary start, then the wait, then two words that it does not use.
+      if (this.#device.productId === RP2350) await this.#command("restart", { words: [0, RESTART, 0, 0] });
+      else await this.#command("reboot", { words: [0, 0, RESTART] });
     } finally {
       await this.#device.close().catch(() => { /* it is gone */ });
     }

@@ -114,23 +114,27 @@ export class Robot {
   }
 }
 
-/** A robot's answers to lines that are typed one after the other, until its `status` has come. */
-export async function ask(serial, lines, patience = SILENT) {
+/** A robot's answers to lines that are typed one after the other, until they are `whole`. It is in mode text then. */
+export async function ask(serial, lines, whole, patience = SILENT) {
   const port = await serial.requestPort();
   await port.open({ baudRate: 115200, bufferSize: 65536 });
   const reader = port.readable.getReader();
   const decoder = new TextDecoder();
   let answer = "";
   const late = setTimeout(() => reader.cancel().catch(() => {}), patience);
-  try {
+  const type = async (words) => {
     const writer = port.writable.getWriter();
-    await writer.write(new TextEncoder().encode(lines.map((line) => `\r${line}\r`).join("")));
+    await writer.write(new TextEncoder().encode(words.map((line) => `\r${line}\r`).join("")));
     writer.releaseLock();
-    while (!/^camera [^\n]*; odometry [^\n]*\n/m.test(answer)) {
+  };
+  try {
+    await type(lines);
+    while (!whole(answer)) {
       const { value, done } = await reader.read();
       if (done) break;
       answer += decoder.decode(value, { stream: true });
     }
+    await type(["mode text"]);
   } finally {
     clearTimeout(late);
     await reader.cancel().catch(() => {});

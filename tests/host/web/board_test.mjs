@@ -8,6 +8,8 @@ import { join } from "node:path";
 import { gunzipSync, gzipSync } from "node:zlib";
 import { Engine } from "../../../host/web/src/engine.js";
 import { Browser, POLLED, Tools, run, text } from "./harness.mjs";
+import { standInDaplink } from "./stand_in_daplink.mjs";
+import { standInDfu } from "./stand_in_dfu.mjs";
 import { standInUsb } from "./stand_in_usb.mjs";
 
 const tools = new Tools(process.argv.slice(2));
@@ -100,6 +102,8 @@ function standInConsole() {
           const key = /^get (.*)/.exec(line)?.[1];
           if (robot.mute) continue;
           if (key) say(key in robot ? `${key} = ${robot[key]} (0..9), some help` : `error: unknown setting '${key}'`);
+          if (line === "mode log" && robot.mount) say(`$FPHDR,1,fencepost*0000\r\n$FPCAM,${robot.camera},316,208,273.60,273.60,157.50,103.50,0.0000,${robot.mount},0.0000,0.0000,0.0500*0000`);
+          if (line === "mode text") window.robot.mode = "text";
           if (line === "status") say(`profile small, mode text\r\ncamera ${robot.camera} at 115200 baud (GP4 sends, GP5 receives), lens 80 deg; odometry ${robot.odometry} (GP10 and 11)\r\nobjects 0`);
         }
       } });
@@ -110,8 +114,8 @@ function standInConsole() {
 }
 
 const browser = await Browser.start(tools);
-const open = async (options) => {
-  const opened = await browser.open({ file: PAGE, before: [{ run: standInUsb }, { run: standInConsole }], ...options });
+const open = async ({ usb = [{ run: standInUsb, with: {} }], ...options } = {}) => {
+  const opened = await browser.open({ file: PAGE, before: [...usb, { run: standInConsole }], ...options });
   await opened.click("#board-open");
   return opened;
 };
@@ -176,7 +180,7 @@ await run({
       await choose(opened, board);
       assert.equal((await downloaded(opened)).name, file);
       assert.match(await text(opened, "#board-steps"), said);
-      assert.equal(await opened.locator("#board-usb").isHidden(), true, "only an RP2040 has PICOBOOT");
+      assert.equal(await opened.locator("#board-usb").isHidden(), board === "gba", "a cartridge has no USB");
     }
     await opened.context().close();
   },
@@ -230,6 +234,70 @@ await run({
     await opened.context().close();
   },
 
+  async "an RP2350 has a command of its own to start"() {
+    const opened = await open({ usb: [{ run: standInUsb, with: { rp2350: true } }] });
+    await choose(opened, "pico2");
+    await asked(opened, "#board-write");
+    assert.match(await text(opened, "#board-state"), /^Written and compared: \d+ bytes/, await text(opened, "#board-error"));
+    const { bytes } = await downloaded(opened);
+    const chip = await opened.evaluate(() => ({ started: window.chip.started, flash: [...window.chip.flash.subarray(0, 256)] }));
+    assert.deepEqual(chip.started, [0, 500, 0, 0]);
+    assert.deepEqual(chip.flash, [...bytes.subarray(32, 288)]);
+    await choose(opened, "pico");
+    await asked(opened, "#board-write");
+    assert.match(await text(opened, "#board-error"), /No board was chosen.*2e8a:0003/, "an RP2040's program is not for it");
+    await opened.context().close();
+  },
+
+  async "an STM32 in its boot loader is erased, written, compared and started; what goes wrong is said"() {
+    const opened = await open({ usb: [{ run: standInUsb, with: {} }, { run: standInDfu }] });
+    await choose(opened, "pyboard");
+    await opened.selectOption("#board-format", "dfu");
+    await asked(opened, "#board-write");
+    assert.match(await text(opened, "#board-state"), /^Written and compared: \d+ bytes/, await text(opened, "#board-error"));
+    const { bytes } = await downloaded(opened);
+    const size = bytes.readUInt32LE(11 + 274 + 4);
+    const found = await opened.evaluate((length) => ({ ...window.stm32, flash: [...window.stm32.flash.subarray(0, length + 1)], far: window.stm32.flash[(1 << 20) - 1] }), size);
+    assert.deepEqual(found.flash.slice(0, size), [...bytes.subarray(11 + 274 + 8, 11 + 274 + 8 + size)]);
+    assert.equal(found.far, 0x5a, "sectors that the file does not have stay");
+    assert.equal(found.started, 0x08000000);
+    assert.ok(found.closed && new Set(found.erased).size === found.erased.length && found.erased[0] === 0x08000000);
+    for (const [fault, says] of [["none", /No board was chosen.*0483:df11/], ["bits", /differs at address 0x8000807/], ["old", /differs at address 0x8000009/], ["protected", /refused erase: it is read-protected/]]) {
+      await opened.evaluate((what) => { Object.assign(window, { usbFault: what }); window.stm32.started = null; }, fault);
+      await asked(opened, "#board-write");
+      assert.match(await text(opened, "#board-error"), says);
+      assert.equal(await opened.evaluate(() => window.stm32.started), null, "what is not right is not started");
+      assert.ok(await opened.evaluate(() => window.stm32.closed));
+    }
+    await opened.evaluate(() => { Object.assign(window, { usbFault: "gone" }); });
+    await asked(opened, "#board-write");
+    assert.match(await text(opened, "#board-error"), /did not answer \(The device was disconnected/);
+    await opened.context().close();
+  },
+
+  async "a micro:bit's debug chip is handed the file, by reports or by bulk; what goes wrong is said"() {
+    for (const [board, bulk] of [["microbit", false], ["microbit_v2", true]]) {
+      const opened = await open({ usb: [{ run: standInUsb, with: {} }, { run: standInDaplink, with: { bulk } }] });
+      await choose(opened, board);
+      await asked(opened, "#board-write");
+      assert.match(await text(opened, "#board-state"), /^Handed over: \d+ bytes of the file.*Nothing was read back/, await text(opened, "#board-error"));
+      const bin = await opened.selectOption("#board-format", "bin").then(() => downloaded(opened));
+      const found = await opened.evaluate(() => ({ flash: [...window.microbit.flash], started: window.microbit.started, closed: window.microbit.closed }));
+      assert.ok(found.flash.length > 9000 && found.closed);
+      assert.deepEqual(found.flash.filter(([at, byte]) => bin.bytes[at] !== byte), [], "each byte is where the .bin has it");
+      assert.equal(found.started, 1);
+      assert.ok(await opened.locator("#board-usb").isHidden(), "it takes no .bin");
+      await opened.selectOption("#board-format", "hex");
+      for (const [fault, says] of [["sum", /refused write: DAPLink 12/], ["none", /No board was chosen.*0d28:0204/], ["gone", /did not answer \(The device was disconnected/]]) {
+        await opened.evaluate((what) => { Object.assign(window, { usbFault: what }); window.microbit.packets = 0; }, fault);
+        await asked(opened, "#board-write");
+        assert.match(await text(opened, "#board-error"), says);
+        assert.equal(await opened.evaluate(() => window.microbit.started), 1, "what is not right is not started");
+      }
+      await opened.context().close();
+    }
+  },
+
   async "the robot is asked, and what it says is compared with what was chosen"() {
     const opened = await open();
     await choose(opened, "pico");
@@ -237,13 +305,17 @@ await run({
     await opened.selectOption("#board-odometry", "encoders");
     await opened.fill("#board-width", "18");
     await settled(opened, "robot.width,0.18");
-    const robot = { camera: "pixy2.1", odometry: "encoders", "wheel.diameter": "65.0 mm", "wheel.counts": "1440.0", "wheel.track": "130.0 mm", "robot.width": "0.18 m" };
+    const robot = { camera: "pixy2.1", odometry: "encoders", "wheel.diameter": "65.0 mm", "wheel.counts": "1440.0", "wheel.track": "130.0 mm", "robot.width": "0.18 m", mount: "0.0000,0.0000,0.1200" };
     await opened.evaluate((now) => { window.robot = now; }, robot);
     await asked(opened, "#board-check");
-    assert.match(await text(opened, "#board-state"), /^The robot has what you chose: 6 settings compared\.$/, await text(opened, "#board-error"));
+    assert.match(await text(opened, "#board-state"), /^The robot has what you chose: 8 settings compared\.$/, await text(opened, "#board-error"));
     await opened.evaluate((now) => { window.robot = now; }, { ...robot, camera: "pixy2", "robot.width": "0.20 m" });
     await asked(opened, "#board-check");
+    assert.equal(await opened.evaluate(() => window.robot.mode), "text", "its console is left as people read it");
     assert.equal(await text(opened, "#board-error"), "camera: you chose pixy2.1, the robot says pixy2. robot.width: you chose 0.18, the robot says 0.20.");
+    await opened.evaluate((now) => { window.robot = now; }, { ...robot, mount: "0.0200,0.0000,0.1530" });
+    await asked(opened, "#board-check");
+    assert.equal(await text(opened, "#board-error"), "Lens above the floor, cm: you chose 12, the robot says 15.3. Lens ahead of the axle, cm: you chose 0, the robot says 2.");
     await opened.evaluate(() => { window.robot = { mute: true }; });
     await asked(opened, "#board-check");
     assert.match(await text(opened, "#board-error"), /did not answer/);

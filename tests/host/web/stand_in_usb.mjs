@@ -1,11 +1,13 @@
 // Runs in the page: a navigator.usb with an RP2040 that waits with BOOTSEL, after the RP2040's datasheet, 2.8.5 (PICOBOOT).
+// `rp2350`: its successor instead (RP2350 datasheet, 5.6). Further devices: window.usbDevices.
 // window.usbFault: "none" (nothing is chosen), "old" (a bit of the flash stays), "bits" (a bit is read wrong), "gone" (unplugged while it is written).
-export function standInUsb() {
+export function standInUsb({ rp2350 = false } = {}) {
   const FLASH = 0x10000000;
   const SIZE = 2 << 20;
   const chip = { flash: new Uint8Array(SIZE).fill(0x5a), exclusive: false, mapped: true, started: null, erased: 0, commands: [] };
   window.chip = chip;
   window.usbFault = null;
+  window.usbDevices = [];
   let phase = null;    // the next transfer: { to } | { from } | { answer } | { answered }
   let status = [0, 0]; // token, code
   let halted = false;
@@ -22,7 +24,7 @@ export function standInUsb() {
   };
   const COMMANDS = {
     0x01: { size: 1, run: ([what]) => { chip.exclusive = (what & 0xff) > 0; return 0; } },
-    0x02: { size: 12, run: (words) => { chip.started = words; return 0; } },
+    ...rp2350 ? { 0x0a: { size: 16, run: (words) => { chip.started = words; return 0; } } } : { 0x02: { size: 12, run: (words) => { chip.started = words; return 0; } } },
     0x03: { size: 8, run: ([address, size]) => {
       const wrong = within(address, size, 4096) || (chip.mapped ? 8 : 0);
       if (!wrong) chip.flash.fill(0xff, address - FLASH, address - FLASH + size);
@@ -42,7 +44,7 @@ export function standInUsb() {
     chip.commands.push(id);
     if (!command) return stall(1);
     if (size !== command.size) return stall(2);
-    const words = [0, 1, 2].map((i) => view.getUint32(16 + 4 * i, true));
+    const words = [0, 1, 2, 3].slice(0, Math.max(3, size / 4)).map((i) => view.getUint32(16 + 4 * i, true));
     if ((command.to || command.from) ? length !== words[1] : length !== 0) return stall(3);
     const wrong = command.run(words);
     if (wrong) return stall(wrong);
@@ -57,7 +59,7 @@ export function standInUsb() {
     return ok;
   };
   const device = {
-    configuration: null,
+    vendorId: 0x2e8a, productId: rp2350 ? 0x000f : 0x0003, configuration: null,
     async open() {},
     async close() { chip.closed = true; },
     async selectConfiguration() {
@@ -105,9 +107,10 @@ export function standInUsb() {
     },
   };
   const usb = { async requestDevice({ filters }) {
-    const fits = filters.some(({ vendorId, productId }) => vendorId === 0x2e8a && productId === 0x0003);
-    if (!fits || window.usbFault === "none") throw new DOMException("No device selected.", "NotFoundError");
-    return device;
+    const fitting = window.usbDevices.find((one) => filters.some(({ vendorId, productId }) => vendorId === one.vendorId && productId === one.productId));
+    if (!fitting || window.usbFault === "none") throw new DOMException("No device selected.", "NotFoundError");
+    return fitting;
   } };
+  window.usbDevices.push(device);
   Object.defineProperty(navigator, "usb", { value: usb, configurable: true });
 }
