@@ -1,6 +1,6 @@
 // Registers of the nRF51822. Sources: nRF51 Series Reference Manual v3.0, chapters as given; addresses: its memory map.
 // The nRF52833 has them, too, at the same addresses; what differs there is in hal/mcu/nrf52. A peripheral's interrupt
-// has the number that its address has in bits 12 to 16 (chapter 10.1).
+// has the number that its address has in bits 12 to 17 (chapter 10.1); this part's all have less than 32.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,17 @@ namespace fencepost::mcu::nrf51 {
 
 inline constexpr std::uint32_t kTrigger = 1;  ///< written to a task (10.1.4)
 
-constexpr std::uint32_t interrupt_of(std::uint32_t peripheral) { return (peripheral >> 12) & 0x1FU; }
+constexpr std::uint32_t interrupt_of(std::uint32_t peripheral) { return (peripheral >> 12) & 0x3FU; }
 
 // Power and clock share an address; chapters 12 and 13.
 inline constexpr std::uint32_t kPower = 0x4000'0000;
 inline constexpr std::uint32_t kStartCrystal = kPower + 0x000;    // HFCLKSTART
 inline constexpr std::uint32_t kCrystalStarted = kPower + 0x100;  // event
-inline constexpr std::uint32_t kResetReason = kPower + 0x400;     // RESETREAS; a bit is cleared by writing it
+inline constexpr std::uint32_t kSupplyFell = kPower + 0x108;      // POFWARN, event
+inline constexpr std::uint32_t kSupplyWatch = kPower + 0x510;     // POFCON
+inline constexpr std::uint32_t kWatchSupply = 1U << 0;
+inline constexpr std::uint32_t kSupplyAbove2V1 = 0U << 1;
+inline constexpr std::uint32_t kResetReason = kPower + 0x400;  // RESETREAS; a bit is cleared by writing it
 inline constexpr std::uint32_t kResetByPin = 1U << 0;
 inline constexpr std::uint32_t kResetByWatchdog = 1U << 1;
 inline constexpr std::uint32_t kResetBySoftware = 1U << 2;

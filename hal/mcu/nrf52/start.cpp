@@ -6,6 +6,7 @@
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/nrf51/flash.hpp"
 #include "hal/mcu/nrf52/registers.hpp"
+#include "hal/mcu/nrf52/uart.hpp"
 #include "hal/mcu/register.hpp"
 
 namespace fencepost::mcu::nrf52 {
@@ -19,6 +20,8 @@ void start_part() {
   reg(nrf51::kUartEnable) = kUartOff;
   reg(nrf51::kTwi0 + nrf51::kTwiInterruptsOff) = kAll;
   reg(nrf51::kTwi0 + nrf51::kTwiEnable) = 0;
+  stop_line();
+  reg(kEdgeInterruptsOff) = kAll;
   reg(kInstructionCache) = kCacheOn;
 }
 

@@ -5,8 +5,8 @@
 
 namespace fencepost::mcu::nrf52 {
 
-/// Timer, serial line and I2C master stopped, which a program that a debugger ended without a reset left running; the
-/// cache of instructions on.
+/// Timer, serial lines, I2C master and watched edges stopped; the cache of instructions on. A program that a debugger
+/// ended without a reset left them running.
 void start_part();
 
 /// The pin with this number resets the part: written to its configuration where nothing is there, which a mass erasure

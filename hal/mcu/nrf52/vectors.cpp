@@ -7,6 +7,8 @@ extern "C" {
 void uart_interrupt();
 void twi_interrupt();
 void timer_interrupt();
+void line_interrupt();
+void edge_interrupt();
 }
 
 namespace fencepost::mcu::nrf52 {
@@ -17,6 +19,8 @@ using nrf51::interrupt_of;
 [[gnu::section(".vectors"), gnu::used]] extern constinit const cortex_m::VectorTable<48> vectors =
     cortex_m::make_vector_table<48>(reset_handler, {of_interrupt(interrupt_of(nrf51::kUart), uart_interrupt),
                                                     of_interrupt(interrupt_of(nrf51::kTwi0), twi_interrupt),
-                                                    of_interrupt(interrupt_of(nrf51::kTimer), timer_interrupt)});
+                                                    of_interrupt(interrupt_of(nrf51::kTimer), timer_interrupt),
+                                                    of_interrupt(interrupt_of(kLine), line_interrupt),
+                                                    of_interrupt(interrupt_of(kEdges), edge_interrupt)});
 
 }  // namespace fencepost::mcu::nrf52

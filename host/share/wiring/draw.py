@@ -32,7 +32,8 @@ def pins_of(text):
         elif not cells[0].startswith("-"):
             for n, board in columns:
                 first, _, rest = cells[n].partition(", ")
-                boards.setdefault(board, {})[cells[0]] = (first, rest)
+                if first:  # a board has what another of its table has not
+                    boards.setdefault(board, {})[cells[0]] = (first, rest)
     return boards
 
 
@@ -186,27 +187,24 @@ def xrp(pins):
     return drawing
 
 
-def microbit_v2(_pins):
-    """A Pixy2 by its two-wire bus, whose pull-ups go to 5 V."""
+def microbit_v2(pins):
+    """A Pixy2 by its serial line, from rings that crocodile clips reach."""
+    board = [(0, "left", *pins["camera sends"]), (1, "left", *pins["camera receives"]), (2, "left", "GND", "ring"),
+             (0, "right", *pins["stop"]), (1, "right", "GND", "the same")]
     drawing = Drawing("Pixy2 or Pixy2.1 on a micro:bit v2", [
-        ("Pixy2, I/O port", "block", [(0, "right", "5", "I2C clock"), (1, "right", "9", "I2C data"), (2, "right", "6", "ground"),
-                                      (3, "right", "2", "5 V")]),
-        ("Level shifter", "small", [(0, "left", "HV1", ""), (1, "left", "HV2", ""), (2, "left", "GND", ""), (3, "left", "HV", ""),
-                                    (0, "right", "LV1", ""), (1, "right", "LV2", ""), (2, "right", "GND", ""), (3, "right", "LV", "")]),
-        ("micro:bit v2, edge", "block", [(0, "left", "19", "SCL"), (1, "left", "20", "SDA"), (2, "left", "GND", ""), (3, "left", "3V", ""),
-                                         (0, "right", "ring 1", "STOP"), (1, "right", "GND", "")]),
-        ("Motor driver", "block", DRIVER)],
-        ["The Pixy2's bus is pulled up to 5 V: never without a level shifter. The Pixy2 gets its 5 V by its own USB plug, from a power bank.",
-         "19 and 20 are small contacts: an edge connector breakout reaches them. The motor driver's other pins are the driving program's."])
-    for gap, kinds in ((0, ("there", "back", "ground", "5 V")), (1, ("there", "back", "ground", "3.3 V")), (2, ("stop", "ground"))):
-        for row, kind in enumerate(kinds):
-            drawing.wire(gap, row, kind)
-    drawing.connector(0, {5: "there", 9: "back", 6: "ground", 2: "5 V"})
-    drawing.resistor(2, 0, "10 kΩ")
+        ("Pixy2, I/O port", "block", PIXY2_SERIAL), ("micro:bit v2", "block", board), ("Motor driver", "block", DRIVER)],
+        ["Five crocodile clips. The Pixy2 gets its 5 V by its own USB plug, from a power bank: the micro:bit has none to give.",
+         "STOP is high while the robot may drive; the resistor holds it low in a reset. The motor driver's other pins are the driving program's."])
+    for row, kind in enumerate(("there", "back", "ground")):
+        drawing.wire(0, row, kind)
+    drawing.connector(0, {1: "there", 4: "back", 6: "ground"})
+    drawing.wire(1, 0, "stop")
+    drawing.wire(1, 1, "ground")
+    drawing.resistor(1, 0, "10 kΩ")
     return drawing
 
 
-DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "pico_battery": (pico_battery, "pico"), "xrp": (xrp, "xrp"), "microbit_v2": (microbit_v2, None)}
+DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "pico_battery": (pico_battery, "pico"), "xrp": (xrp, "xrp"), "microbit_v2": (microbit_v2, "microbit_v2")}
 FILES = [f"wiring_{name}.svg" for name in DRAWINGS]
 
 

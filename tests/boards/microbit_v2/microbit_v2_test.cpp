@@ -2,8 +2,11 @@
 // its image starts there, and what it does to the part, is tests/boards/nrf5.
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <variant>
 
+#include "drivers/pixy2/camera.hpp"
+#include "host/emulate/models/wheel_adapters.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/boards/counting.hpp"
 #include "tests/boards/microbit_v2/microbit_v2.hpp"
@@ -22,6 +25,44 @@ TEST(MicrobitV2, PassesItsSelfTest) {
 TEST(MicrobitV2, ReplaysAnApproach) { expect_scene_replays(microbit_v2(), "small", recorded_scene("approach_stop")); }
 TEST(MicrobitV2, ReplaysACorrectedPose) {
   expect_scene_replays(microbit_v2(), "small", minute_scene(8, 20), 0.08, PoseCorrected::kYes);
+}
+
+TEST(MicrobitV2, ReplaysAnApproachSeenOnItsSecondLine) {
+  BoardUnderTest board = microbit_v2();
+  board.told = {"camera pixy2"};
+  board.camera = kMicrobitV2Line;
+  expect_scene_replays(board, "small", recorded_scene("approach_stop"));
+}
+
+// Open Interface specification of the Create 2: wheels of 72 mm, 508.8 counts a revolution.
+TEST(MicrobitV2, ReplaysABoxBesideTheWayOfACreate) {
+  BoardUnderTest board = microbit_v2();
+  board.told.emplace_back("odometry create2");
+  board.base = kMicrobitV2Line;
+  board.base_device = [] {
+    return emulate::make_create_model(emulate::CreateModel::kTwo, {0.072 * std::numbers::pi / 508.8, 0.235});
+  };
+  sensor::CameraMount mount;
+  mount.x = base::Metres::nearest(0.05);
+  mount.z = base::Metres::nearest(0.12);
+  mount.pitch = base::Radians{0};
+  sensor::CameraIntrinsics camera = pixy2::kPixy2Profile;
+  camera.mount = mount;
+  expect_scene_replays(board, "small", box_beside_the_way(camera));
+}
+
+TEST(MicrobitV2, HasOneLineForACameraOrABase) {
+  BoardUnderTest board = microbit_v2();
+  board.told = {"camera pixy2"};
+  board.camera = kMicrobitV2Line;
+  Bench bench(board);
+  ASSERT_TRUE(bench.await_camera()) << bench.said();
+  EXPECT_TRUE(bench.obey("set odometry create2", "share the board's one serial line")) << bench.said();
+  EXPECT_TRUE(bench.obey("set odometry encoders", "odometry = encoders; a new run")) << bench.said();
+  EXPECT_TRUE(bench.obey("status",
+                         "camera pixy2 at 115200 baud (ring 2 sends, ring 0 receives), lens 60 deg; odometry encoders "
+                         "(13 and 14, 15 and 16)\r\n"))
+      << bench.said();
 }
 
 // A frame of eight objects, all that it sets in motion, 25 frames a second, which the console's line can bring. At 50,

@@ -12,8 +12,11 @@ from unicorn import arm_const as arm
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cortex"))
 from core import Core  # noqa: E402
+from uarte import LINE, DmaLine  # noqa: E402
+import uarte  # noqa: E402
 
 POWER, UART, TWI, TIMER, WATCHDOG, FLASH = 0x40000000, 0x40002000, 0x40003000, 0x40008000, 0x40010000, 0x4001E000
+EDGES, EDGE_CHANNELS, EDGE_CHANNEL = 0x40006000, 8, 0x510  # GPIOTE
 PINS, PORT_STRIDE = 0x50000000, 0x300
 OUT, OUT_SET, OUT_CLEAR, IN, PIN_CONFIG = 0x504, 0x508, 0x50C, 0x510, 0x700
 INTERRUPTS_ON, INTERRUPTS_OFF, SHORTS = 0x304, 0x308, 0x200
@@ -30,7 +33,9 @@ FOOD = 0x6E524635
 WORD = 1 << 32
 # Events that the program is interrupted by: bit n of a peripheral's interrupts is its event 0x100 + 4 n.
 ASKING = {base: [(event - 0x100 >> 2, base + event) for event in events]
-          for base, events in ((UART, (RECEIVED, SENT, ERROR)), (TWI, (STOPPED, RECEIVED, SENT, ERROR)), (TIMER, (0x140,)))}
+          for base, events in ((UART, (RECEIVED, SENT, ERROR)), (TWI, (STOPPED, RECEIVED, SENT, ERROR)), (TIMER, (0x140,)),
+                               (LINE, (uarte.RECEIVED, uarte.SENT, uarte.ERROR)),
+                               (EDGES, range(0x100, 0x100 + 4 * EDGE_CHANNELS, 4)))}
 
 
 def number_of(peripheral):
@@ -60,11 +65,13 @@ class Nrf5(Core):
     HZ = FLASH_SIZE = PAGE = 0
     ERASE_SECONDS = WRITE_SECONDS = 0.0
 
-    def __init__(self, image, has_crystal=True, device=None):
-        """`device`: on the bus; `address`, `write(byte, seconds)`, `read(seconds)`."""
+    def __init__(self, image, has_crystal=True, device=None, line_device=None):
+        """`device`: on the bus; `address`, `write(byte, seconds)`, `read(seconds)`. `line_device`: on the second line."""
         self.words = {}
         self.line = Line()
         self.device = device
+        self.second = DmaLine(self, line_device)
+        self.low = set()  # pins that somebody else holds low
         self.crystal_since = None
         self.has_crystal = has_crystal
         self.timer = None  # since when, count then
@@ -136,19 +143,23 @@ class Nrf5(Core):
     def write(self, _uc, offset, _size, value, region):
         address = region + offset
         base, register = address & ~0xFFF, address & 0xFFF
-        if register == INTERRUPTS_ON and base in (UART, TWI, TIMER):
+        if register == INTERRUPTS_ON and base in ASKING:
             value |= self.words.get(address, 0)
-        if register == INTERRUPTS_OFF and base in (UART, TWI, TIMER):
+        if register == INTERRUPTS_OFF and base in ASKING:
             address = base + INTERRUPTS_ON
             value = self.words.get(address, 0) & ~value
-        if base in (UART, TWI) and 0x508 <= register < 0x518 and self.words.get(base + ENABLE, 0):
+        if base in (UART, TWI, LINE) and 0x508 <= register < 0x518 and self.words.get(base + ENABLE, 0):
             self.fault(f"pins chosen at {address:08x} while the peripheral is on")
-        writes = {POWER: self.write_power, UART: self.write_uart, TWI: self.write_bus, TIMER: self.write_timer,
-                  WATCHDOG: self.write_watchdog, FLASH: self.write_flash, PINS: self.write_pins}
+        writes = self.writes()
         if base not in writes:
             self.fault(f"write of {address:08x}, where nothing is known")
-        elif writes[base](address & 0xFFF, value) is None:
+        elif writes[base](register, value) is None:
             self.words[address] = value
+
+    def writes(self):
+        """{peripheral: what a write of one of its registers does}"""
+        return {POWER: self.write_power, UART: self.write_uart, TWI: self.write_bus, TIMER: self.write_timer,
+                WATCHDOG: self.write_watchdog, FLASH: self.write_flash, PINS: self.write_pins}
 
     def crystal_runs(self):
         return self.has_crystal and self.crystal_since is not None and self.seconds - self.crystal_since >= CRYSTAL_SECONDS
@@ -160,6 +171,12 @@ class Nrf5(Core):
             self.words[POWER + 0x400] = self.words.get(POWER + 0x400, 0) & ~value
             return True
         return None
+
+    def sag(self):
+        """The supply falls for a moment; 2.1 V have the parts in common."""
+        watch = self.words.get(POWER + 0x510, 0)
+        if watch == 1 | self.FALLS_BELOW_2V1 << 1:
+            self.words[POWER + 0x108] = 1
 
     def write_flash(self, register, value):
         if register in (0x504, 0x508) and self.seconds < self.flash_until:
@@ -182,7 +199,9 @@ class Nrf5(Core):
         port = PINS + PORT_STRIDE * (register >= 0x800)
         if register - (port - PINS) != IN:
             return self.words.get(PINS + register, 0)
-        low = sum(1 << n for n in range(32) if self.is_output(n, port) and not self.words.get(port + OUT, 0) >> n & 1)
+        first = 32 * (port != PINS)
+        low = sum(1 << n for n in range(32)
+                  if (not self.words.get(port + OUT, 0) >> n & 1 if self.is_output(n, port) else first + n in self.low))
         return WORD - 1 & ~low
 
     def is_output(self, n, port):
@@ -362,6 +381,7 @@ class Nrf5(Core):
     # Time.
     def look_at_part(self):
         self.receive()
+        self.second.move()
         if self.line.sent_at is not None and self.line.sent_at <= self.seconds:
             self.line.sent_at = None
             self.words[UART + SENT] = 1
@@ -375,7 +395,7 @@ class Nrf5(Core):
 
     def next_event(self):
         bus = self.next_of_bus and self.next_of_bus[0]
-        times = [self.line.sent_at, self.line.next_byte if self.line.coming else None, self.alarm, bus]
+        times = [self.line.sent_at, self.line.next_byte if self.line.coming else None, self.alarm, bus, *self.second.next_times()]
         return min((time for time in times if time is not None), default=None)
 
     def raise_interrupts(self):
@@ -393,6 +413,7 @@ class Nrf51(Nrf5):
     MEMORIES = [(0, 256 << 10)]
     ERASE_SECONDS, WRITE_SECONDS = 0.0223, 46e-6
     STOP = 2  # the board's: ring 1
+    FALLS_BELOW_2V1 = 0
 
 
 class Nrf52(Nrf5):
@@ -400,6 +421,7 @@ class Nrf52(Nrf5):
     MEMORIES = [(0, 512 << 10), (0x10000000, 0x2000)]
     ERASE_SECONDS, WRITE_SECONDS = 0.085, 41e-6
     STOP = 3
+    FALLS_BELOW_2V1 = 8
     reset_pin = 18  # what is written there; None: nothing, since all was erased
 
     def prepare_memories(self):
@@ -409,5 +431,19 @@ class Nrf52(Nrf5):
             self.uc.mem_write(RESET_PINS[0], struct.pack("<II", self.reset_pin, self.reset_pin))
         self.uc.hook_add(UC_HOOK_MEM_WRITE, self.on_flash, None, 0x10000000, 0x10001FFF)
 
+    def writes(self):
+        return super().writes() | {LINE: self.second.write, EDGES: lambda *_: None}
+
     def reset_pins(self):
         return struct.unpack("<II", self.uc.mem_read(RESET_PINS[0], 8))
+
+    def turn_pin(self, number, level):
+        """Somebody outside does; a channel that watches the pin sees an edge."""
+        if (number not in self.low) == level:
+            return
+        self.low ^= {number}
+        for n in range(EDGE_CHANNELS):
+            config = self.words.get(EDGES + EDGE_CHANNEL + 4 * n, 0)
+            watches = config & 3 == 1 and config >> 8 & 0x3F == number
+            if watches and (config >> 16 & 3) & (1 if level else 2):
+                self.words[EDGES + 0x100 + 4 * n] = 1

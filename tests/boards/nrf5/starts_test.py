@@ -7,13 +7,16 @@ motors until it may drive. IMAGES: the folder of the presets' folders. TABLES: t
 """
 
 import csv
+import math
 import pathlib
+import re
 import struct
 import sys
 import unittest
 
-from nrf5 import (ERROR, INTERRUPTS_ON, PINS, POWER, RECEIVED, RESET_PINS, SENT, TIMER, TWI, UART, WATCHDOG, ENABLE, Nrf51, Nrf52,
-                  number_of)
+from nrf5 import (EDGES, ERROR, INTERRUPTS_ON, PINS, POWER, RECEIVED, RESET_PINS, SENT, TIMER, TWI, UART, WATCHDOG, ENABLE, Nrf51,
+                  Nrf52, number_of)
+import uarte
 from core import SYSTICK, SYSTICK_RELOAD, VTOR, Core  # by nrf5's path
 from huskylens import HuskyLens
 from pixy2 import Pixy2
@@ -73,15 +76,32 @@ def bus_on(part):
     part.words.update({TWI + ENABLE: 5, TWI + INTERRUPTS_ON: 1 << 2 | 1 << 7, TWI + RECEIVED: 1, TWI + SENT: 1})
 
 
+def second_line_on(part):
+    """It goes on writing what comes to somewhere in memory."""
+    line, words = part.second, part.words
+    words.update({uarte.LINE + uarte.ENABLE: uarte.ENABLED, uarte.LINE + INTERRUPTS_ON: 1 << 4 | 1 << 8 | 1 << 17, uarte.LINE + 0x200: 1 << 5,
+                  uarte.LINE + uarte.RECEIVES_TO: LEFT_ON_AT, uarte.LINE + uarte.RECEIVES_BYTES: 4, uarte.LINE + uarte.BAUD: 0x0F000000})
+    line.receives = line.transfers = True
+    line.feed(b"left" * 1000, 0)
+
+
+def edges_on(part):
+    part.words.update({EDGES + 0x510: 1 | 3 << 16, EDGES + INTERRUPTS_ON: 1, EDGES + 0x100: 1})
+
+
 def everything(part):
-    for leave in (other_table, interrupts_on, ticks_on, Core.use_other_stack, watchdog_on, crystal_on, timer_on, line_on, bus_on):
+    for leave in (other_table, interrupts_on, ticks_on, Core.use_other_stack, watchdog_on, crystal_on, timer_on, line_on, bus_on,
+                  second_line_on, edges_on):
         leave(part)
 
 
 WATCHDOG_LEFT_ON = 32_767  # a second
+LEFT_ON_AT = 0x20000400
+LEFT, RIGHT = (17, 1), (13, 34)  # pins of encoders
+FASTEST = 1 / 10_000  # s from an edge to the next, as hal/boards/README.md says
 STARTS = {"microbit": [from_reset, crystal_on, Core.mask_interrupts],
           "microbit_v2": [from_reset, other_table, interrupts_on, ticks_on, Core.mask_interrupts, Core.use_other_stack, watchdog_on, crystal_on,
-                          timer_on, line_on, bus_on, everything]}
+                          timer_on, line_on, bus_on, second_line_on, edges_on, everything]}
 
 
 def start(board, leave=from_reset, seconds=0.05, part_of=None, **facts):
@@ -183,7 +203,7 @@ class Lens:
         return [(1, int(u - 0.05 * scale), int(v - 3), int(u + 0.05 * scale), int(min(self.rows - 1, v + 0.12 * scale)))]
 
 
-LENSES = {"pixy2_i2c": Lens(Pixy2, 273.6, (157.5, 103), 208), "pixy2.1_i2c": Lens(Pixy2, 188.3, (157.5, 103), 208),
+LENSES = {"pixy2": Lens(Pixy2, 273.6, (157.5, 103), 208), "pixy2_i2c": Lens(Pixy2, 273.6, (157.5, 103), 208), "pixy2.1_i2c": Lens(Pixy2, 188.3, (157.5, 103), 208),
           "huskylens_i2c": Lens(HuskyLens, 277.13, (159.5, 119.5), 240)}
 
 
@@ -193,10 +213,12 @@ class Drive:
     SPEED, FRONT = 0.25, 0.5
 
     def __init__(self, board, camera="pixy2_i2c"):
+        """A v2 begins with `pixy2`, a v1 with `pixy2_i2c`."""
         self.lens, self.begin = LENSES[camera], float("inf")
-        self.part = PARTS[board](IMAGES / board / "fencepost.elf", device=self.lens.device(self.view))
+        place = "device" if camera.endswith("_i2c") else "line_device"
+        self.part = PARTS[board](IMAGES / board / "fencepost.elf", **{place: self.lens.device(self.view)})
         self.part.run(0.05)
-        if camera != "pixy2_i2c":
+        if camera != ("pixy2_i2c" if board == "microbit" else "pixy2"):
             self.part.line.feed(f"set camera {camera}\r".encode(), self.part.seconds)
             self.part.run(0.3)
         self.begin = self.part.seconds + 0.15
@@ -240,10 +262,43 @@ class Driving(unittest.TestCase):
     def test_the_stop_pin_follows_the_alert(self):
         for board in PARTS:
             for camera, lens in LENSES.items():
+                if not camera.endswith("_i2c"):
+                    continue
                 with self.subTest(board=board, camera=camera):
                     part = self.follows_the_alert(board, camera)
                     self.assertIn(lens.device.address, part.targets)
                     self.assertLessEqual(part.targets, {0x54, lens.device.address})
+
+    def test_the_stop_pin_follows_a_camera_on_the_second_line(self):
+        part = self.follows_the_alert("microbit_v2", "pixy2")
+        self.assertEqual(part.targets, set(), "nothing is asked on the bus any more")
+        (baud,) = part.second.bauds
+        self.assertLess(abs(baud / 115_200 - 1), 0.005)
+
+    def turn(self, part, counts, seconds=0.0005):
+        """An edge of each so often. Wheels whose A leads, or B where the count is negative: {(A's pin, B's pin): how many edges}."""
+        for n in range(max(map(abs, counts.values()))):
+            for (a, b), count in counts.items():
+                if n < abs(count):
+                    first, second = (a, b) if count > 0 else (b, a)
+                    part.turn_pin(first if n % 2 == 0 else second, n % 4 > 1)
+            part.run(seconds)
+        part.run(0.05)
+        return [float(word) for word in re.findall(r"\$FPODO,([^*]*)\*", said(part))[-1].split(",")[1:4]]
+
+    # Both wheels one turn ahead, then the right one back alone.
+    def test_it_counts_the_edges_of_wheels(self):
+        part = start("microbit_v2", seconds=0.05)
+        for line in (b"set odometry encoders", b"set wheel.diameter 100", b"set wheel.counts 100", b"set wheel.track 200", b"mode log"):
+            part.line.feed(line + b"\r", part.seconds)
+            part.run(0.3)
+        x, y, heading = self.turn(part, {LEFT: 100, RIGHT: 100}, FASTEST)
+        self.assertAlmostEqual(x, math.pi * 0.1, delta=1e-3)
+        self.assertAlmostEqual(y, 0, delta=1e-3)
+        self.assertAlmostEqual(heading, 0, delta=0.02)
+        heading = self.turn(part, {RIGHT: -50})[2]
+        self.assertAlmostEqual(heading, -math.pi * 0.1 / 2 / 0.2, delta=1e-3)
+        self.assertEqual((part.stop_reason, part.faults), (None, []), said(part))
 
     def test_the_stop_pin_falls_when_the_odometry_does(self):
         drive = Drive("microbit_v2")
@@ -251,6 +306,24 @@ class Driving(unittest.TestCase):
         self.assertEqual(drive.part.pin(drive.part.STOP), (True, 1), said(drive.part))
         drive.run(0.4, hears=False)
         self.assertEqual(drive.part.pin(drive.part.STOP), (True, 0), said(drive.part))
+
+    def test_a_supply_that_fell_holds_the_motors_and_keeps_the_flash(self):
+        for board in PARTS:
+            with self.subTest(board=board):
+                drive = Drive(board)
+                part = drive.part
+                drive.run(0.5)
+                self.assertEqual(part.pin(part.STOP), (True, 1), said(part))
+                part.sag()
+                drive.run(0.04)
+                self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
+                self.assertEqual(said(part).count("error: the supply is too low: nothing moves"), 1, said(part))
+                before = bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE))
+                part.line.feed(b"set alert.stop 0.41\r", part.seconds)
+                drive.run(0.3)
+                self.assertIn("could not be written", said(part))
+                self.assertEqual(bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE)), before)
+                self.assertEqual([level for _, level in part.stop_levels], [0, 1, 0])
 
     # Hangs in the middle of a turn: the watchdog is fed at its end.
     def test_the_watchdog_bites_in_time(self):
@@ -317,6 +390,12 @@ class Rules(unittest.TestCase):
         part = self.without(lambda address, value: address == UART + ENABLE and value == 0, line_on)
         self.assertIn("pins chosen at 4000250c while the peripheral is on", part.faults)
 
+    def test_a_second_line_that_is_left_on_is_found(self):
+        part = self.without(lambda address, _: address in (uarte.LINE + uarte.STOP_RECEIVING, uarte.LINE + uarte.ENABLE), second_line_on)
+        self.assertTrue(part.second.receives, "it still writes to memory")
+        part = self.without(lambda address, _: address == uarte.LINE + uarte.STOP_RECEIVING, second_line_on)
+        self.assertIn("the second line is switched off while it works", part.faults)
+
     def test_a_timer_that_is_left_on_is_found(self):
         part = self.without(lambda address, _: address == TIMER + 0x004, timer_on)
         self.assertIn("the timer is set up while it runs", part.faults)
@@ -340,17 +419,18 @@ class Rules(unittest.TestCase):
         self.assertEqual(part.pin(part.STOP)[0], False)
 
     def test_a_bus_that_drives_both_ways_is_found(self):
-        part = self.without(lambda address, value: address == PINS + 0x700 + 4 * 26 and value >> 8 & 7 == 6)
+        clock = 0
+        part = self.without(lambda address, value: address == PINS + 0x700 + 4 * clock and value >> 8 & 7 == 6, board="microbit")
         self.assertIn("the bus's clock is not set up to be pulled down only", part.faults)
 
     def test_flash_that_is_not_open_and_a_reserved_address_are_found(self):
-        part = start("microbit_v2", seconds=0.05)
-        part.on_flash(part.uc, 0, 0x7E000, 4, 0, None)
-        part.erase(0x7E000)
+        part = start("microbit", seconds=0.05)
+        part.on_flash(part.uc, 0, 0x3F800, 4, 0, None)
+        part.erase(0x3F800)
         part.words[TWI + 0x588] = 1
         part.write(None, 0x3000, 4, 1, 0x40000000)
-        self.assertEqual(part.faults, ["write of 0007e000 in flash that is not open for it, or busy",
-                                       "a page is erased at 0007e000 in flash that is not open for it",
+        self.assertEqual(part.faults, ["write of 0003f800 in flash that is not open for it, or busy",
+                                       "a page is erased at 0003f800 in flash that is not open for it",
                                        "the I2C master speaks to the reserved address 1"])
 
 

@@ -167,6 +167,12 @@ std::vector<PinUse> uses_of_microbit_v2() {
                               {"held's row", name(pins::kHeldRow), {}, 0, "light of the display"},
                               {"lit column", name(pins::kLitColumn), {}, 0, "light of the display"},
                               {"reset", name(pins::kReset), {}, 0, "reset button"},
+                              {"camera sends", name(pins::kLineSends)},
+                              {"camera receives", name(pins::kLineReceives)},
+                              {"left a", name(pins::kLeftA)},
+                              {"left b", name(pins::kLeftB)},
+                              {"right a", name(pins::kRightA)},
+                              {"right b", name(pins::kRightB)},
                               {"stop", name(pins::kStop)}};
   for (const mcu::nrf52::Pin column : pins::kDarkColumns) {
     uses.push_back({"dark column", name(column), {}, 0, "light of the display"});
@@ -201,6 +207,21 @@ TEST(PinTable, TheDocumentHasThePinsOfTheMicrobits) {
                                   row("bus data", first, v1::kBusData, second, v2::kBusData)}) {
     EXPECT_TRUE(document_has(line)) << line;
   }
+  const auto second_alone = [&second](const std::string& what, const std::string& kind, mcu::nrf52::Pin pin) {
+    return "| " + what + " | | " + kind + second.header(name(pin)) + ", " + name(pin) + " |";
+  };
+  for (const std::string& line : {second_alone("camera sends", "ring ", v2::kLineSends),
+                                  second_alone("camera receives", "ring ", v2::kLineReceives),
+                                  second_alone("left a", "", v2::kLeftA), second_alone("left b", "", v2::kLeftB),
+                                  second_alone("right a", "", v2::kRightA), second_alone("right b", "", v2::kRightB)}) {
+    EXPECT_TRUE(document_has(line)) << line;
+  }
+  const bus::PinNames& names = v2::kNames;
+  EXPECT_EQ(names.line, "ring " + second.header(name(v2::kLineSends)) + " sends, ring " +
+                            second.header(name(v2::kLineReceives)) + " receives");
+  EXPECT_EQ(names.base, names.line);
+  EXPECT_EQ(names.encoders, second.header(name(v2::kLeftA)) + " and " + second.header(name(v2::kLeftB)) + ", " +
+                                second.header(name(v2::kRightA)) + " and " + second.header(name(v2::kRightB)));
   const std::string stop = "| stop | ring 1, " + name(v1::kStop) + " | ring 1, " + name(v2::kStop) + " |";
   EXPECT_TRUE(document_has(stop)) << stop;
 }
