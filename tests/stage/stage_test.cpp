@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/select.h>
+#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -101,6 +103,29 @@ TEST(Stage, BytesOnAPtyTakeNoTime) {
 TEST(Stage, ProgramsShareItsClock) {
   test::Child child("sh", {"sh", "-c", "sleep 2; (sleep 3) & sleep 1; wait"});
   EXPECT_EQ(duration_of([&] { child.wait(); }), milliseconds(5'000));
+}
+
+// A child has its number before it is in its parent's list.
+TEST(Stage, TimeStandsStillWhileAChildBegins) {
+  constexpr int kChildren = 300;
+  int late = 0;
+  for (int i = 0; i < kChildren; ++i) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (std::atomic<int> turn = 0; turn < 30'000; ++turn) {
+      }
+      ::_exit(::write(ends[1], "x", 1) == 1 ? 0 : 1);
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+    pollfd told{ends[0], POLLIN, 0};
+    late += ::poll(&told, 1, 0) == 1 ? 0 : 1;
+    ::waitpid(child, nullptr, 0);
+    ::close(ends[0]);
+    ::close(ends[1]);
+  }
+  EXPECT_EQ(late, 0) << "children still worked when the clock went on";
 }
 
 TEST(Stage, AStoppedProgramHoldsNobodyUp) {

@@ -60,20 +60,31 @@ class Tasks {
  public:
   /// None works. New ones are found by the number that the system gave last.
   bool rest() {
+    if (any_works()) return false;
     const std::string last = last_number();
-    if (last != seen_) find_all();
+    if (last == seen_) return true;
+    // A fork gives the number before the child is in its parent's list. Only a parent that rests has all of its
+    // children there: so the list must be the same when it is read again.
+    find_all();
+    const std::vector<pid_t> found = numbers_;
+    if (any_works()) return false;
+    find_all();
+    if (numbers_ != found || any_works() || last_number() != last) return false;
     seen_ = last;
-    const auto works = [](const Task& task) { return task.works(); };
-    return std::none_of(tasks_.begin(), tasks_.end(), works) && last_number() == last;
+    return true;
   }
 
  private:
+  [[nodiscard]] bool any_works() const {
+    return std::any_of(tasks_.begin(), tasks_.end(), [](const Task& task) { return task.works(); });
+  }
   [[nodiscard]] std::string last_number() const {
     const std::string text = load_.text();
     return text.substr(text.rfind(' ') + 1);
   }
   void find_all() {
     tasks_.clear();
+    numbers_.clear();
     std::vector<pid_t> processes = {::getpid()};
     for (std::size_t i = 0; i < processes.size(); ++i) {
       DIR* folder = ::opendir(("/proc/" + std::to_string(processes[i]) + "/task").c_str());
@@ -85,7 +96,10 @@ class Tasks {
     }
   }
   void add(pid_t process, pid_t thread, std::vector<pid_t>& processes) {
-    if (process != ::getpid()) tasks_.emplace_back(process, thread);
+    if (process != ::getpid()) {
+      tasks_.emplace_back(process, thread);
+      numbers_.push_back(thread);
+    }
     const std::string children = ProcFile(Task::folder(process, thread) + "/children").text();
     for (std::size_t at = 0; at + 1 < children.size(); at = children.find(' ', at) + 1) {
       processes.push_back(std::atoi(&children[at]));
@@ -95,6 +109,7 @@ class Tasks {
   ProcFile load_{"/proc/loadavg"};
   std::string seen_;
   std::vector<Task> tasks_;
+  std::vector<pid_t> numbers_;  ///< of tasks_, in their order
 };
 
 }  // namespace fencepost::stage
