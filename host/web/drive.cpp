@@ -74,6 +74,15 @@ MapScore map_score(const std::vector<ObjectResult>& objects, const Scene& scene,
   return score;
 }
 
+std::string to_json(const MapScore& score) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  const nlohmann::ordered_json json = {{"recklessness", number(score.recklessness)},
+                                       {"paranoia", number(score.paranoia)}};
+  return json.dump();
+}
+
 Drive::Drive(Scene scene)
     : scene_(std::move(scene)),
       page_([this] {
@@ -200,14 +209,6 @@ std::string Drive::truth() const {
   return json.dump();
 }
 
-std::string Drive::score() const {
-  const auto number = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-  };
-  const MapScore score = map_score(page_.log().now(false).objects, scene_, knots_.back().t);
-  const nlohmann::ordered_json json = {{"recklessness", number(score.recklessness)},
-                                       {"paranoia", number(score.paranoia)}};
-  return json.dump();
-}
+std::string Drive::score() const { return to_json(map_score(page_.log().now(false).objects, scene_, knots_.back().t)); }
 
 }  // namespace fencepost::host

@@ -21,6 +21,7 @@ struct MapScore {
 };
 /// Of all outlines of the hybrid but tentative ones, against the footprints at `t` that the camera can report.
 MapScore map_score(const std::vector<ObjectResult>& objects, const Scene& scene, double t);
+std::string to_json(const MapScore& score);
 
 class Drive final : private AlertSink {
  public:

@@ -16,18 +16,21 @@ const lineOf = (i, theme) => ({ colour: colourOf(HUES[i % HUES.length], 0, theme
 
 const sum = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
 
-/** Figures of a run to compare: `nearest` m of all things that it drove past, `stops` times that a STOP began. */
-export function figuresOf({ result, path }) {
+/** Figures of a run to compare: `nearest` m of all things that it drove past, `stops` times that a STOP began. `score`: of its map, where truth is known. */
+export function figuresOf({ result, path }, score) {
+  const percent = (share) => share === null || share === undefined ? null : 100 * share;
   const way = Array.from({ length: Math.max(0, path.length / 4 - 1) }, (_, i) => Math.hypot(path[4 * i + 5] - path[4 * i + 1], path[4 * i + 6] - path[4 * i + 2]));
   const spans = rowsOf(result, 0).flatMap((row) => row.spans).filter(({ level }) => level === "stop");
   return {
     length: way.reduce((a, b) => a + b, 0), nearest: result.passes?.length ? Math.min(...result.passes.map(({ distance }) => distance)) : null,
     stops: spans.length, first: spans.length ? Math.min(...spans.map(({ from }) => from)) : null,
-    objects: result.objects.filter(({ state }) => state !== "tentative").length, errors: sum(result.log.rejected) + sum(result.log.refused),
+    objects: result.objects.filter(({ state }) => state !== "tentative").length, errors: sum(result.log.rejected) + sum(result.log.refused), reckless: percent(score?.recklessness), paranoid: percent(score?.paranoia),
   };
 }
 
-const COLUMNS = [["colDriven", "length", 2], ["colNearest", "nearest", 2], ["colStops", "stops", 0], ["colFirst", "first", 2], ["colObjects", "objects", 0], ["colErrors", "errors", 0]];
+const COLUMNS = [["colDriven", "length", 2], ["colNearest", "nearest", 2], ["colStops", "stops", 0], ["colFirst", "first", 2], ["colObjects", "objects", 0], ["recklessness", "reckless", 0, ", %"], ["paranoia", "paranoid", 0, ", %"], ["colErrors", "errors", 0]];
+
+const headOf = ([words, , , unit = ""]) => `${t(words)}${unit}`;
 
 function key(line) {
   const canvas = make("canvas", { className: "key wide", width: 56, height: 20, "aria-hidden": "true" });
@@ -45,7 +48,7 @@ function key(line) {
 
 const order = { column: null, up: true };
 
-/** `runs`: [{ name, look, truth, open }]. */
+/** `runs`: [{ name, look, score, truth, open }]. */
 export function compare(runs, { ink, theme }) {
   const canvas = byId("all-map");
   const { g, width, height } = prepare(canvas);
@@ -81,19 +84,19 @@ export function compare(runs, { ink, theme }) {
     g.setLineDash([]);
   });
 
-  const rows = runs.map((run, i) => ({ run, line: lineOf(i, theme), figures: figuresOf(run.look) }));
+  const rows = runs.map((run, i) => ({ run, line: lineOf(i, theme), figures: figuresOf(run.look, run.score) }));
   const value = ({ figures }) => figures[order.column] ?? Infinity;
   if (order.column) rows.sort((a, b) => (order.up ? 1 : -1) * (value(a) - value(b)));
   const table = byId("all-table");
-  table.replaceChildren(headed([t("colLog")], ...COLUMNS.map(([words]) => [t(words), "n"])), make("tbody", {}, ...rows.map(({ run, line, figures }) => make("tr", {},
+  table.replaceChildren(headed([t("colLog")], ...COLUMNS.map((column) => [headOf(column), "n"])), make("tbody", {}, ...rows.map(({ run, line, figures }) => make("tr", {},
     make("td", { className: "name" }, key(line), make("button", { type: "button", onclick: run.open, "aria-label": t("showLog", { name: plain(run.name) }) }, plain(run.name))),
     ...COLUMNS.map(([, name, decimals]) => make("td", { className: "n" }, figure(figures[name], decimals)))))));
   [...table.tHead.rows[0].cells].slice(1).forEach((cell, i) => {
-    const [words, name] = COLUMNS[i];
+    const [, name] = COLUMNS[i];
     cell.setAttribute("aria-sort", order.column !== name ? "none" : order.up ? "ascending" : "descending");
     cell.replaceChildren(make("button", { type: "button", onclick: () => {
       Object.assign(order, { up: order.column === name ? !order.up : true, column: name });
       compare(runs, { ink, theme });
-    } }, t(words)));
+    } }, headOf(COLUMNS[i])));
   });
 }

@@ -35,10 +35,10 @@ export async function bundled() {
   return { wasm: await unpacked(fromBase64(wasm)), recordings };
 }
 
-/** { name, bytes, truth } of a recording as it is in the page; of one that was too long for it { kept } instead of bytes. */
+/** { name, bytes, truth, scene: its text or null } of a recording as it is in the page; of one that was too long for it { kept } instead of bytes. */
 export async function entryOf({ name, log, thinned, scene }) {
   const bytes = await unpacked(fromBase64(log ?? thinned));
-  if (log !== undefined) return { name, bytes, truth: truthOf(scene) };
+  if (log !== undefined) return { name, bytes, truth: truthOf(scene), scene: scene ? JSON.stringify(scene) : null };
   return { name, bytes: new Uint8Array(), kept: JSON.parse(new TextDecoder().decode(bytes)), truth: truthOf(scene) };
 }
 
@@ -50,7 +50,7 @@ export const given = () => read("given");
 
 const stem = (name) => name.replace(/(\.(log|txt|json|gz))+$/i, "");
 
-/** Logs with the scenes among `files` that belong to them: by name, or the only one. `scenes` left over come back. */
+/** Logs with the scenes among `files` that belong to them: by name, or one of all. `scenes` left over come back. */
 export async function entriesOf(files) {
   const scenes = [];
   const logs = [];
@@ -58,7 +58,7 @@ export async function entriesOf(files) {
   for (const file of files) {
     try {
       if (!/\.json$/i.test(file.name)) {
-        logs.push({ name: file.name, bytes: await unpacked(new Uint8Array(await file.arrayBuffer())), truth: [] });
+        logs.push({ name: file.name, bytes: await unpacked(new Uint8Array(await file.arrayBuffer())), truth: [], scene: null });
         continue;
       }
       const text = await file.text();
@@ -69,9 +69,11 @@ export async function entriesOf(files) {
       complaints.push(`${file.name}: ${error.message}`);
     }
   }
+  // One that is of none by its name is the room of all: a class has one.
+  const ofAll = scenes.length === 1 && !logs.some(({ name }) => stem(name) === stem(scenes[0].name)) ? scenes[0] : null;
   for (const log of logs) {
-    const scene = scenes.find((s) => stem(s.name) === stem(log.name)) ?? (scenes.length === 1 && logs.length === 1 ? scenes[0] : null);
-    if (scene) log.truth = scene.truth;
+    const scene = scenes.find((s) => stem(s.name) === stem(log.name)) ?? ofAll;
+    if (scene) Object.assign(log, { truth: scene.truth, scene: scene.text });
   }
   return { logs, scenes, complaints };
 }

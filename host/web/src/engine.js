@@ -108,6 +108,13 @@ export class Engine {
     }
   }
 
+  /** { recklessness, paranoia } of the log's map of now, by a scene file's text. Throws what is wrong with it. */
+  scoreBy(scene) {
+    let size = 0;
+    this.#give(scene, () => { size = this.#code.score(); });
+    return JSON.parse(this.#read(size));
+  }
+
   /** The choices of a board's image: { board, version, formats, cameras, initial }. Throws what is wrong with the file. */
   board(image) {
     this.#begin();

@@ -19,6 +19,7 @@ export class Kept {
   get duration() { return this.end - this.begin; }
   async load() { return this.last; }
   stop() {}
+  async score() { return null; }
 
   /** What was kept of `t`, or of the time before it that is nearest. */
   async seek(t) {

@@ -295,12 +295,12 @@ async function openAll(logs) {
   for (const entry of logs) {
     const look = await openEntry(entry);
     if (!look) return null;
-    if (logs.length > 1) others.push([entry, look]);
+    if (logs.length > 1) others.push([entry, look, entry.scene ? await player.score(entry.scene) : null]);
   }
-  for (const [entry, look] of others) {
+  for (const [entry, look, score] of others) {
     const open = () => openEntry(entry).then(() => window.scrollTo(0, 0));
     cards.push(addCard(entry, look, open));
-    compared.push({ name: entry.name, look, truth: entry.truth, open });
+    compared.push({ name: entry.name, look, score, truth: entry.truth, open });
   }
   if (others.length) compare(compared, { ink, theme: theme() });
   return logs.length > 1 ? openEntry(logs[0]) : null;

@@ -97,6 +97,17 @@ export class Player {
     return this.#engine.resultText();
   }
 
+  /** How good the map at the end is by a scene's text: { recklessness, paranoia }, null where the scene has a fault. */
+  async score(scene) {
+    await this.seek(Infinity);
+    try {
+      return this.#engine.scoreBy(scene);
+    } catch {
+      this.#restore(this.#checkpoints.at(-1));
+      return null;
+    }
+  }
+
   #restore(checkpoint) {
     this.#engine.restore(checkpoint);
     this.#offset = checkpoint.offset;

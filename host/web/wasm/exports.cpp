@@ -81,6 +81,13 @@ FENCEPOST_EXPORT(write)(std::uint32_t what)->std::size_t {
   }
   return page::text.size();
 }
+/// The score of the log's map of now against the scene that was given, as JSON at `text`. A fault in it traps as in
+/// `drive`.
+FENCEPOST_EXPORT(score)()->std::size_t {
+  const fencepost::host::LogReplay& log = page::replayed->log();
+  page::text = page::to_json(page::map_score(log.now(false).objects, page::given_scene(), log.time()));
+  return page::text.size();
+}
 FENCEPOST_EXPORT(text)()->const char* { return page::text.data(); }
 FENCEPOST_EXPORT(text_size)()->std::size_t { return page::text.size(); }
 

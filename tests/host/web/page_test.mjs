@@ -340,7 +340,8 @@ await run({
     const rows = () => page.locator("#all-table tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
     const logs = ["stop_pixy2", "stop_nxtcam", "stop_cmucam2"];
     assert.deepEqual((await rows()).map(([name]) => name), logs.map((name) => `${name}.log`));
-    for (const [name, driven, , stops, first, objects, errors] of await rows()) {
+    for (const [name, driven, , stops, first, objects, reckless, paranoid, errors] of await rows()) {
+      assert.deepEqual([reckless, paranoid], ["–", "–"], "no truth came along");
       const { path, alerts, objects: all } = JSON.parse(tools.result(tools.log(name.replace(/\.log$/, ""))));
       const way = path.slice(1).reduce((sum, [, x, y], i) => sum + Math.hypot(x - path[i][1], y - path[i][2]), 0);
       assert.ok(Math.abs(Number(driven) - way) < 0.02, `${name}: ${driven} of ${way} m`);
@@ -350,10 +351,26 @@ await run({
       assert.equal(Number(objects), all.filter(({ state }) => state !== "tentative").length);
       assert.equal(errors, "0");
     }
+    // With the room of each log: its share that is missed, and what is in vain, as `evaluate` has them for its one object.
+    await drop(page, ...["stop_pixy2", "stop_nxtcam"].flatMap((name) => [tools.log(name), tools.scene(name)]));
+    await page.waitForFunction(() => document.querySelectorAll(".card").length === 5);
+    for (const [name, , , , , , reckless, paranoid] of (await rows()).slice(3)) {
+      const own = name.replace(/\.log$/, "");
+      const [, r, p] = /hybrid .* (\d+)\/(\d+)\/\d+$/m.exec(tools.says("evaluate", tools.log(own), "--scene", tools.scene(own)));
+      assert.deepEqual([reckless, paranoid], [r, p], name);
+    }
+    // One scene that is of none by its name is the room of all.
+    const room = { name: "room.json", bytes: readFileSync(tools.scene("stop_pixy2")) };
+    await drop(page, tools.log("stop_pixy2"), tools.log("stop_cmucam2"), room);
+    await page.waitForFunction(() => document.querySelectorAll(".card").length === 7);
+    assert.ok((await rows()).slice(5).every(([, , , , , , reckless]) => /^\d+$/.test(reckless)));
+    await page.getByRole("button", { name: "recklessness, %" }).click();
+    const reckless = (await rows()).map((row) => row[6]);
+    assert.deepEqual(reckless.slice(-3), ["–", "–", "–"], "sorted; what is not known is last");
     await page.getByRole("button", { name: "driven, m" }).click();
     const by = (await rows()).map((row) => Number(row[1]));
     assert.deepEqual(by, [...by].sort((a, b) => a - b), "sorted by its column");
-    await page.getByRole("button", { name: "Open stop_cmucam2.log" }).click();
+    await page.getByRole("button", { name: "Open stop_cmucam2.log" }).first().click();
     await page.waitForFunction(() => document.title.startsWith("stop_cmucam2"));
     assert.deepEqual(await complaints(page), []);
   },
