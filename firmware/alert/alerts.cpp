@@ -106,8 +106,11 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   if (object.refuted() && state.in_force()) return change(state, AlertLevel::kClear, now);
   const bool believed = credible(object);
   const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
+  // What the guard has lost below the image is still there.
+  Obstacle still = obstacle;
+  still.unbacked = false;
   const bool may_hold = believed && state.in_force();
-  const AlertLevel held = may_hold ? level_for(obstacle, rules, kHysteresis) : AlertLevel::kClear;
+  const AlertLevel held = may_hold ? level_for(still, rules, kHysteresis) : AlertLevel::kClear;
   return follow(state, due, held, rules, now);
 }
 

@@ -79,10 +79,10 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   using recon::nearest_whole;
   constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1000;
   const SweptArea area(path, kUnsureMargin);
-  const SweptArea beside(path, -kGuessedMargin);
+  const SweptArea whole(path, 0);
   Limits due(rules, path, area.overhang(), 1.0F);
   Limits held(rules, path, area.overhang(), kHysteresis);
-  Limits guessed(rules, path, area.overhang(), 1 + kCutOff.most);
+  Limits backs(rules, path, area.overhang(), 1 + kCutOff.most);
   const recon::FloorFrame here{(robot.position.x - origin.x) / kUnits, (robot.position.y - origin.y) / kUnits,
                                nearest_whole(recon::kSlopeOne * robot.heading.x()),
                                nearest_whole(recon::kSlopeOne * robot.heading.y())};
@@ -98,10 +98,10 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
     const std::int32_t dy = front.y - here.y;
     if (dx > kReach || dx < -kReach || dy > kReach || dy < -kReach) continue;
     const auto [x, y] = here.see(front.x, front.y);
-    if (!beside.contains(x, y)) continue;
+    if (!whole.contains(x, y)) continue;
     const std::int32_t square = x * x + y * y;
     const bool behind = x < 0;
-    guessed.add(front, square, behind);
+    backs.add(front, square, behind);
     if (!area.contains(x, y)) continue;
     due.add(front, square, behind);
     held.add(front, square, behind);
@@ -119,7 +119,7 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   FrontAhead ahead;
   ahead.due = due.level();
   ahead.held = held.level();
-  ahead.something = guessed.level() == AlertLevel::kStop;
+  ahead.something = backs.level() == AlertLevel::kStop;
   ahead.speed = std::min(speed_before(met[0], area.overhang().ahead, path, rules),
                          speed_before(met[1], area.overhang().behind, path, rules));
   if (nearest == nullptr) return ahead;
@@ -133,6 +133,18 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   ahead.signature = nearest->signature;
   ahead.confidence = confidence_of(*nearest);
   return ahead;
+}
+
+bool front_within(std::span<const Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
+                  const recon::Vec2& place, float reach) {
+  const recon::Vec2 from = recon::offset_from(robot.position, origin);
+  const float square = (reach + kFrontRadius) * (reach + kFrontRadius);
+  unsigned frames = 0;
+  for (const Front& front : fronts) {
+    const recon::Vec2 at = robot.see(from + recon::Vec2{metres(front.x), metres(front.y)});
+    if ((at - place).squared_norm() < square) frames |= front.frames;
+  }
+  return recon::guard::enough_frames(frames);
 }
 
 std::optional<AlertLevel> judge(AlertState& state, const FrontAhead& front, AlertLevel others, const AlertRules& rules,

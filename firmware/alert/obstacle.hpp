@@ -20,7 +20,7 @@ struct Obstacle {
   float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
   bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
   bool guessed = false;      ///< it was never surely seen whole: a side of a corridor is no disc in the middle of it
-  bool unbacked = false;     ///< and the guard knows nothing there: worth no more than a notice
+  bool unbacked = false;     ///< the guard should know it and does not: worth no more than a notice
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing

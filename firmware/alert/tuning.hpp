@@ -41,11 +41,6 @@ inline constexpr Margin kCutOff{4.0F, 0.4F};
 /// ones (0.02: 5 more false in 81 minutes; 0.04: 4 fewer). Alert study.
 inline constexpr float kFrontDoubt = 0.012F;
 inline constexpr float kUnsureMargin = 0.03F;
-/// m. An object that was never surely seen whole counts as in the path only while the guard knows something there, so
-/// much wider, and nearer than the stop distance with kCutOff's margin. More: false stops in corridors (0.04: 16 in 10
-/// min at 0.3 m to either side); less: late ones in tight turns (0: 3 of 750). Hazard table (corridors, seeds 1 to 20;
-/// approaches, 1 to 800).
-inline constexpr float kGuessedMargin = 0.02F;
 
 // --- what comes closer by itself (looming); hazard table, families movers and approaches, seeds 1 to 200, where
 // nothing else is said ---

@@ -54,8 +54,8 @@ class PathWatch {
     const alert::RobotPlace robot(pose);
     m_.trail.push(console::millimetres(pose.position));
     const bool corrected = pose != m_.poses.latest();
-    const alert::FrontAhead front =
-        fronts_ahead(corrected ? alert::RobotPlace(m_.poses.latest()) : robot, path, rules, now);
+    const alert::RobotPlace by_odometry = corrected ? alert::RobotPlace(m_.poses.latest()) : robot;
+    const alert::FrontAhead front = fronts_ahead(by_odometry, path, rules, now);
     std::optional<alert::Obstacle> nearest;
     float speed = front.speed;
     record::AlertLevel highest = record::AlertLevel::kClear;
@@ -63,7 +63,7 @@ class PathWatch {
       const recon::Object<Profile>& object = m_.map.slots()[o];
       if (!object.used()) continue;
       alert::Obstacle obstacle = see_obstacle(object, robot, swept);
-      obstacle.unbacked = obstacle.guessed && !front.something;
+      obstacle.unbacked = sees_floor() && unbacked(object, obstacle, front, by_odometry);
       const auto level = judge(m_.alerts[o], object, obstacle, rules, now);
       if (level) emit(m_.alerts[o], console::report_alert(object, obstacle, *level, now));
       highest = std::max(highest, m_.alerts[o].level);
@@ -108,6 +108,8 @@ class PathWatch {
   }
 
  private:
+  [[nodiscard]] bool sees_floor() const { return m_.calibration.models[m_.calibration.current].floor.usable(); }
+
   // The strip of floor that the robot is about to sweep, by its latest odometry.
   [[nodiscard]] alert::RobotPath path_ahead(const recon::Motion& motion) const {
     alert::RobotPath path = body_of(m_.settings);
@@ -127,8 +129,7 @@ class PathWatch {
   // what is no object.
   void limit_speed(float speed, const alert::AlertRules& rules) {
     const float farthest = alert::stopping_speed(alert::kFarthestKnown, rules.ttc_stop, alert::kFarthestKnown);
-    const bool sees_floor = m_.calibration.models[m_.calibration.current].floor.usable();
-    if (speed > farthest && !sees_floor) return;
+    if (speed > farthest && !sees_floor()) return;
     speed = std::min(speed, farthest);
     const float told = speed > alert::kStanding ? speed : 0.0F;
     m_.run.speed_limit = static_cast<std::int16_t>(recon::kMillimetresPerMetre * told);
@@ -164,15 +165,26 @@ class PathWatch {
     return true;
   }
 
+  // The guard, which sees the feet of all that stands on the floor, knows nothing where the object should be. What was
+  // never seen whole may be anywhere in the path. What stands above the floor it cannot know, nor what is too far.
+  [[nodiscard]] bool unbacked(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
+                              const alert::FrontAhead& front, const alert::RobotPlace& by_odometry) const {
+    if (obstacle.guessed) return !front.something;
+    if (!obstacle.in_path || obstacle.distance >= alert::kGuardReach) return false;
+    if (object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar) return false;
+    const auto& guard = m_.map.guard();
+    const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
+    const float reach = cylinder.radius + alert::kSeenWhole.sigmas * cylinder.outline_sigma();
+    return !front_within(guard.fronts(), guard.origin(), by_odometry, obstacle.toward, reach);
+  }
+
   // What stands, by the guard, which knows odometry's frame only, and what comes by itself.
   [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPlace& robot, const alert::RobotPath& path,
                                                const alert::AlertRules& rules, base::Time now) const {
     const auto& guard = m_.map.guard();
     const recon::CameraModel& camera = m_.calibration.models[m_.calibration.current];
-    alert::FrontAhead front = more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
-                                          m_.looming.ahead(camera, path, rules, now));
-    if (!camera.floor.usable()) front.something = true;  // the guard sees nothing then, and contradicts nothing
-    return front;
+    return more_urgent(see_fronts(guard.fronts(), guard.origin(), robot, path, rules),
+                       m_.looming.ahead(camera, path, rules, now));
   }
 
   // A robot that was blind judges anew, and says so if there is nothing else to say.

@@ -172,6 +172,17 @@ TEST_F(Judge, EasesOnlyBeyondTheHysteresisAndOnlyIfItLasts) {
   EXPECT_EQ(at(610, in_path(0.30F)), AlertLevel::kWarn);
 }
 
+// What the guard has lost below the image is still there.
+TEST_F(Judge, WhatIsInForceNeedsNoBacking) {
+  Obstacle unbacked = in_path(0.2F);
+  unbacked.unbacked = true;
+  EXPECT_EQ(at(0, unbacked), AlertLevel::kNotice);
+  EXPECT_EQ(at(10, in_path(0.2F)), AlertLevel::kStop);
+  for (int ms = 20; ms < 200; ms += 10) EXPECT_EQ(at(ms, unbacked), std::nullopt);
+  EXPECT_EQ(at(210, unbacked), AlertLevel::kStop) << "the repeat";
+  for (int ms = 220; ms < 2000; ms += 10) EXPECT_EQ(at(ms, unbacked).value_or(AlertLevel::kStop), AlertLevel::kStop);
+}
+
 TEST_F(Judge, SaysClearOnce) {
   EXPECT_EQ(at(0, in_path(0.9F)), AlertLevel::kNotice);
   EXPECT_EQ(at(100, in_path(2)), std::nullopt);

@@ -73,12 +73,29 @@ TEST_F(Fronts, ConfirmAnObjectWhosePlaceIsAGuess) {
   put(364, 0);
   EXPECT_FALSE(see().something);
   fronts_.clear();
-  put(240, 165);  // beside the margin, but by no more than 2 cm
+  put(240, 145);  // in the outermost of the margin
   EXPECT_TRUE(see().something);
   EXPECT_EQ(see().due, AlertLevel::kClear);
   fronts_.clear();
-  put(240, 175);
+  put(240, 155);
   EXPECT_FALSE(see().something);
+}
+
+TEST_F(Fronts, AreWithinReachOfAPlace) {
+  const auto within = [&](float reach) {
+    return front_within(fronts_, {}, alert::RobotPlace(robot_), recon::Vec2{0.4F, 0.1F}, reach);
+  };
+  EXPECT_FALSE(within(1));
+  put(400, 200);
+  EXPECT_TRUE(within(0.051F));
+  EXPECT_FALSE(within(0.049F));
+  fronts_.clear();
+  put(400, 100, 0x03);
+  EXPECT_FALSE(within(0.1F)) << "two frames may be noise";
+  put(410, 100, 0x04);
+  EXPECT_TRUE(within(0.1F)) << "points of one thing";
+  robot_.position = {recon::kMapUnitsPerMetre / 2, 0};
+  EXPECT_FALSE(within(0.1F)) << "the robot has moved on";
 }
 
 TEST_F(Fronts, TheHysteresisHolds) {
