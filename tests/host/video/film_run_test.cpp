@@ -230,7 +230,9 @@ TEST_P(FilmRun, FindsItsBoxesStopsInTimeAndItsLogReplaysAndIsReported) {
   EXPECT_NE(write_report(outcome.result, std::nullopt, {}).find("<svg"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lights, FilmRun, ::testing::Values(&testing::steady_light, &testing::changing_light));
+INSTANTIATE_TEST_SUITE_P(Lights, FilmRun,
+                         ::testing::Values(&testing::steady_light, &testing::changing_light, &testing::evening_light,
+                                           &testing::switched_light, &testing::glaring_light));
 
 }  // namespace
 }  // namespace fencepost::host

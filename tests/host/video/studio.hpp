@@ -34,6 +34,19 @@ inline Light changing_light(double t) {
 
 inline Light steady_light(double /*t*/) { return {}; }
 
+/// It gets dark and warm.
+inline Light evening_light(double t) {
+  const double level = std::max(0.5, 1 - t / 12);
+  const double warmth = 0.015 * t;
+  return {level * (1 + warmth), level, level * (1 - warmth)};
+}
+
+/// A lamp is switched off and on again.
+inline Light switched_light(double t) { return t > 2 && t < 4.5 ? Light{0.62, 0.65, 0.7} : Light{}; }
+
+/// More and more than the camera can bear.
+inline Light glaring_light(double t) { return {1 + t / 25, 1 + t / 25, 1 + t / 25}; }
+
 inline Solid block(std::uint8_t signature, sensor::Rgb colour, double x, double y, double width) {
   const Polygon footprint{{{x, y - width / 2}, {x + 0.1, y - width / 2}, {x + 0.1, y + width / 2}, {x, y + width / 2}},
                           {}};
