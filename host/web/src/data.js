@@ -35,7 +35,7 @@ export async function bundled() {
   return { wasm: await unpacked(fromBase64(wasm)), recordings };
 }
 
-/** { name, bytes, truth, scene: its text or null } of a recording as it is in the page; of one that was too long for it { kept } instead of bytes. */
+/** { name, bytes, truth, scene: its text or null } of a recording as it is in the page. Of one that was too long for it { kept } instead of bytes. */
 export async function entryOf({ name, log, thinned, scene }) {
   const bytes = await unpacked(fromBase64(log ?? thinned));
   if (log !== undefined) return { name, bytes, truth: truthOf(scene), scene: scene ? JSON.stringify(scene) : null };

@@ -35,9 +35,10 @@ export class Tools {
 
 export class Browser {
   static async start(tools, more = []) {
-    const { chromium } = tools.require("playwright-core");
+    const { chromium, firefox } = tools.require("playwright-core");
     // Tests may run as root in a container, where the browser's own sandbox cannot be.
-    const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...more] });
+    const browser = process.env.FIREFOX ? await firefox.launch({ executablePath: process.env.FIREFOX, channel: "moz-firefox", firefoxUserPrefs: { "ui.prefersReducedMotion": 1 } })
+      : await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...more] });
     return Object.assign(new Browser(), { browser, tools, requests: [], errors: [] });
   }
 
