@@ -10,7 +10,11 @@
 namespace fencepost::test {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{10'000};
+// Until an emulator has read its image, by the wall's clock. Beside a build that took more than ten seconds.
+constexpr std::chrono::milliseconds kPatience{200'000};
+
+constexpr std::chrono::milliseconds kLook{500};  // between two looks whether it still runs
+
 constexpr std::chrono::microseconds kNap{500};
 
 std::string make_folder() {
@@ -48,8 +52,13 @@ Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
     lines_.emplace_back(sockets.back());
   }
   start(board.command(sockets));
-  for (SocketLine& line : lines_) {
-    if (!line.accept(kPatience)) throw std::runtime_error("the emulator did not connect its lines");
+  for (SocketLine& line : lines_) await(line);
+}
+
+void Emulator::await(SocketLine& line) {
+  while (!line.accept(kLook)) {
+    if (child_->ended()) throw std::runtime_error("the emulator has ended before it connected its lines");
+    if (WallClock::now() - started_ > kPatience) throw std::runtime_error("the emulator did not connect its lines");
   }
 }
 

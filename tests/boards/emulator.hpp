@@ -75,6 +75,7 @@ class Emulator : public Machine {
 
  private:
   void start(const std::vector<std::string>& command);
+  void await(SocketLine& line);
 
   std::string folder_;
   std::deque<SocketLine> lines_;
