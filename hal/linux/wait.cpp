@@ -8,7 +8,7 @@ namespace {
 timespec as_timespec(base::Duration duration) {
   const std::int64_t ticks = duration.raw < 0 ? 0 : duration.raw;
   constexpr std::int64_t kTickNs = 1'000'000'000 / base::Duration::kPerUnit;
-  return {ticks / base::Duration::kPerUnit, ticks % base::Duration::kPerUnit * kTickNs};
+  return {ticks / base::Duration::kPerUnit, static_cast<long>(ticks % base::Duration::kPerUnit * kTickNs)};
 }
 
 }  // namespace

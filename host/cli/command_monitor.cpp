@@ -15,6 +15,7 @@
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/stop_signals.hpp"
+#include "host/cli/system.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/live/open_port.hpp"
 #include "host/monitor/believed.hpp"
@@ -184,11 +185,7 @@ class PortSource final : public Source {
   ScreenFeed& feed_;
 };
 
-bool is_port(const std::string& what) {
-  std::error_code unknown;
-  return what == "-" || what.starts_with("tcp:") || what.starts_with("/dev/") ||
-         std::filesystem::is_character_file(what, unknown);
-}
+bool is_port(const std::string& what) { return what == "-" || what.starts_with("tcp:") || names_device(what); }
 
 std::unique_ptr<BytePort> open_monitored(const MonitorRequest& request) {
   if (request.what == "-") return std::make_unique<StandardInput>();

@@ -6,6 +6,7 @@
 
 #include "host/cli/live_devices.hpp"
 #include "host/cli/stop_signals.hpp"
+#include "host/cli/system.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/doctor/ports/access.hpp"
 #include "host/doctor/ports/holders.hpp"
@@ -122,9 +123,8 @@ void PortRequestOptions::add_to(Options command) {
 }
 
 bool names_port(const std::string& subject) {
-  std::error_code none;
   if (subject == "-" || subject.starts_with("/dev/std") || subject.starts_with("/dev/fd/")) return false;
-  return subject.starts_with("/dev/") || std::filesystem::is_character_file(subject, none);
+  return names_device(subject);
 }
 
 PortExamination examine_ports(const std::string& port, const PortRequestOptions& options) {

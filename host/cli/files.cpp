@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include "host/cli/interrupt.hpp"
 #include "host/cli/log_input.hpp"
 #include "host/cli/spool.hpp"
+#include "host/cli/system.hpp"
 
 namespace fencepost::host::cli {
 
@@ -47,7 +49,7 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kNewFileMode = 0666;  ///< narrowed by the umask
 
-std::string reason(int error) { return std::system_category().message(error); }
+std::string reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void fail_writing(const std::string& path, int error) {
   std::string remedy = "; choose another place with -o";
@@ -74,19 +76,19 @@ int write_all(int fd, std::string_view bytes) {
 /// The files that were read so far: a result must not replace them. Several threads read.
 struct Inputs {
   std::mutex mutex;
-  std::vector<struct stat> files;
+  std::vector<FileId> files;
 };
 Inputs& inputs() {
   static Inputs all;
   return all;
 }
 
-void refuse_input(const std::string& path, const struct stat& output) {
+void refuse_input(const std::string& path, const fs::path& target) {
+  const OpenFile file(::open(target.string().c_str(), O_RDONLY | O_CLOEXEC));
+  const std::optional<FileId> output = id_of_file(file.get());
   const std::lock_guard lock(inputs().mutex);
-  for (const struct stat& input : inputs().files) {
-    if (input.st_dev != output.st_dev || input.st_ino != output.st_ino) continue;
-    throw Failure(Exit::kUsage, path + " is also the input, and would be replaced; choose another name with -o");
-  }
+  if (!output || std::ranges::find(inputs().files, *output) == inputs().files.end()) return;
+  throw Failure(Exit::kUsage, path + " is also the input, and would be replaced; choose another name with -o");
 }
 
 /// "/dev/fd/7" is 7: opened by name, a file would be written from its start, over what was appended to it.
@@ -126,15 +128,21 @@ int sync_all(int fd) {
   return errno;
 }
 
+/// 0, or the error. What was there is replaced.
+int renamed(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  return error.default_error_condition().value();
+}
+
 }  // namespace
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 void remember_input(int descriptor) {
-  struct stat about {};
-  if (::fstat(descriptor, &about) != 0 || !S_ISREG(about.st_mode)) return;
+  const std::optional<FileId> input = id_of_file(descriptor);
   const std::lock_guard lock(inputs().mutex);
-  inputs().files.push_back(about);
+  if (input) inputs().files.push_back(*input);
 }
 
 std::string read_input(const std::string& path, std::size_t most) {
@@ -207,15 +215,16 @@ class OutputFile::Replaced final : public Kind {
  public:
   explicit Replaced(std::string path)
       : path_(std::move(path)), target_(followed(path_)), temporary_(temporary_beside(target_).string()) {
-    replaces_ = ::stat(target_.c_str(), &old_) == 0;
-    if (replaces_) refuse_input(path_, old_);
-    if (replaces_ && ::access(target_.c_str(), W_OK) != 0) fail_writing(path_, errno);
+    replaces_ = ::stat(target_.string().c_str(), &old_) == 0;
+    if (replaces_) refuse_input(path_, target_);
+    if (replaces_ && ::access(target_.string().c_str(), W_OK) != 0) fail_writing(path_, errno);
     guard_.emplace(temporary_);
     file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode));
     if (file_->get() < 0) fail_writing(path_, errno);
     unfinished_ = true;
   }
   ~Replaced() override {
+    file_.reset();
     if (unfinished_) ::unlink(temporary_.c_str());
   }
   Replaced(const Replaced&) = delete;
@@ -231,7 +240,7 @@ class OutputFile::Replaced final : public Kind {
     int error = replaces_ && ::fchmod(file_->get(), old_.st_mode & 07777) != 0 ? errno : 0;
     if (error == 0) error = sync_all(file_->get());
     if (const int closing = file_->close(); error == 0) error = closing;
-    if (error == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) error = errno;
+    if (error == 0) error = renamed(temporary_, target_);
     if (error != 0) fail_writing(path_, error);
     unfinished_ = false;
   }

@@ -24,7 +24,7 @@ constexpr std::size_t kChunk = 1U << 16U;
   if (error == EISDIR) remedy = "; name a file inside it";
   if (error == EACCES) remedy = "; you may need chmod u+r";
   throw Failure(Exit::kUnreadable,
-                "cannot read " + input_name(path) + ": " + std::system_category().message(error) + remedy);
+                "cannot read " + input_name(path) + ": " + std::generic_category().message(error) + remedy);
 }
 
 }  // namespace

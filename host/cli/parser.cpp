@@ -248,6 +248,7 @@ CommandWords Options::program() const {
 
 Parser::Parser() : app_(std::make_unique<CLI::App>("", "fencepost")) {
   app_->formatter(std::make_shared<HelpInOrder>());
+  app_->allow_windows_style_options(false);  // "/tmp/run.log" is a file
   app_->set_version_flag("-V,--version", "fencepost " FENCEPOST_VERSION);
   app_->require_subcommand(1);
   for (const Command& command : commands()) add(*app_, command);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
+#include "host/cli/system.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -15,9 +16,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> places() {
   if (const char* chosen = std::getenv("FENCEPOST_SHARE")) return {chosen};
   std::vector<fs::path> all;
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) all.push_back(program.parent_path().parent_path() / "share" / "fencepost");
+  if (const fs::path installed = installed_share(); !installed.empty()) all.push_back(installed);
   all.emplace_back(FENCEPOST_SOURCE_SHARE);
   return all;
 }

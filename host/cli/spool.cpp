@@ -21,7 +21,7 @@ std::string temporary_folder() {
 
 [[noreturn]] void fail_spooling(int error) {
   throw Failure(Exit::kDevice, "cannot put a long result aside in " + temporary_folder() + ": " +
-                                   std::system_category().message(error) +
+                                   std::generic_category().message(error) +
                                    "; free some space there, or name another folder with TMPDIR");
 }
 

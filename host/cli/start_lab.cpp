@@ -47,7 +47,7 @@ std::vector<std::string> command_line() {
     ::execv(path.c_str(), arguments.data());
     if (errno != ENOENT && errno != ENOTDIR) {
       throw Failure(Exit::kUnreadable, fmt::format("cannot start {}: {}; install again", path.string(),
-                                                   std::system_category().message(errno)));
+                                                   std::generic_category().message(errno)));
     }
   }
   const fs::path folder = places[0].parent_path();

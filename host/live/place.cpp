@@ -30,6 +30,14 @@ bool is_film(std::string_view text) {
 
 }  // namespace
 
+bool is_com_port(std::string_view text) {
+  constexpr std::string_view kPrefix = "\\\\.\\";
+  if (text.starts_with(kPrefix)) text.remove_prefix(kPrefix.size());
+  if (!text.starts_with("COM") && !text.starts_with("com")) return false;
+  text.remove_prefix(3);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 Place place_in(std::string_view text, bool can) {
   if (const std::optional<Place> tcp = parse_tcp(text)) return *tcp;
   Place place;
@@ -41,6 +49,7 @@ Place place_in(std::string_view text, bool can) {
                : text.starts_with("/dev/video")      ? kVideo
                : is_film(text)                       ? kFilm
                : text.find('/') != std::string::npos ? kTty
+               : is_com_port(text)                   ? kTty
                : can && !text.starts_with("tcp:")    ? kCan
                                                      : kNone;
   return place;

@@ -31,6 +31,9 @@ struct Place {
 /// `least`: 0 where the system may choose the port.
 std::optional<Place> parse_tcp(std::string_view text, std::uint32_t least = 1);
 
+/// A serial port as Windows names it: "COM3", or "\\\\.\\COM12".
+bool is_com_port(std::string_view text);
+
 /// What a text without known name is the place of: "usb", "/dev/i2c-1", any path, and with `can` any other word too.
 Place place_in(std::string_view text, bool can);
 

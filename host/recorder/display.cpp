@@ -89,7 +89,7 @@ void Display::stop_showing(int error) {
   closed_ = true;
   waiting_.clear();
   line_.clear();
-  const std::string reason = error == EPIPE ? "its reader has gone" : std::system_category().message(error);
+  const std::string reason = error == EPIPE ? "its reader has gone" : std::generic_category().message(error);
   say("standard output is closed (" + reason + "); the recording goes on");
 }
 

@@ -124,7 +124,7 @@ void TypingConsole::tend(base::Time now) {
 
 std::optional<std::string> TypingConsole::lost() const {
   if (error_ == 0) return std::nullopt;
-  return "the terminal has gone (" + std::system_category().message(error_) + ")";
+  return "the terminal has gone (" + std::generic_category().message(error_) + ")";
 }
 
 std::uint64_t TypingConsole::finish(std::chrono::milliseconds patience) {

@@ -22,6 +22,10 @@ ROOMS = {
     "hal/sensor": "hal/base",
     "hal/fake": "hal/bus hal/sensor",
     "hal/linux": "hal/bus",
+    "hal/windows": "hal/linux",
+    "hal/windows/posix": "",
+    "hal/windows/posix/linux": "",
+    "hal/windows/posix/sys": "",
     "hal/mcu": "hal/bus",
     "hal/mcu/cortex_m": "hal/mcu",
     "hal/mcu/*": "hal/mcu/cortex_m",
@@ -112,7 +116,7 @@ GLOB = re.compile(r"\bfile\s*\(\s*GLOB(?!\s+\w+\s+CONFIGURE_DEPENDS)[^\n]*", re.
 SEEN_GLOB = re.compile(r"\bfile\(GLOB \w+ CONFIGURE_DEPENDS [^)\n]*?(\S+\.cpp)\)")
 # A layer of the robot, a machine of the desk: heap, threads and libraries. The library has a heap for programs that ask
 # for one, apart from all else.
-DESK = ("hal/linux/", "firmware/fencepost/heap.cpp")
+DESK = ("hal/linux/", "hal/windows/", "firmware/fencepost/heap.cpp")
 TOP_LEVEL = {*LAYERS, "toolchain", "CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md",
              "CITATION.cff", "LICENSE"}
 NOT_OURS = {".git", ".cache", "build", "out", "compile_commands.json", "__pycache__"}

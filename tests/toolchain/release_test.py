@@ -46,6 +46,7 @@ case $1 in
   deb) name=fencepost_0.2.0_amd64.deb ;;
   arduino) name=Fencepost-0.2.0.zip ;;
   wheel) name=fencepost-0.2.0-py3-none-any.whl ;;
+  windows) name=fencepost-0.2.0-windows.zip ;;
 esac
 echo "$1" > "$2/$name"
 """,
@@ -121,7 +122,7 @@ class Release(unittest.TestCase):
         out = self.root / "out/release"
         self.assertEqual((out / "NOTES.md").read_text(), "### Added\n- This.\n")
         self.assertEqual((out / "fencepost-0.2.0.html").read_text(), "the page")
-        self.assertEqual(len((out / "SHA256SUMS").read_text().splitlines()), 6)
+        self.assertEqual(len((out / "SHA256SUMS").read_text().splitlines()), 7)
         subprocess.run(["sha256sum", "--check", "--strict", "--quiet", "SHA256SUMS"], cwd=out, check=True)
         self.edit("toolchain/package", "Fencepost-0.2.0", "Fencepost-0.1.0")
         self.assertRaisesRegex(release.Fault, " M toolchain/package", release.make, self.root)
@@ -130,7 +131,7 @@ class Release(unittest.TestCase):
 
     def test_what_was_built_with_another_version_is_found(self):
         for name in ("fencepost-0.2.0.html", "images/fencepost-0.2.0-pico.elf", "fencepost_0.2.0_amd64.deb", "Fencepost-0.2.0.zip",
-                     "fencepost-0.2.0-py3-none-any.whl", "NOTES.md"):
+                     "fencepost-0.2.0-py3-none-any.whl", "fencepost-0.2.0-windows.zip", "NOTES.md"):
             self.assertRaisesRegex(release.Fault, "another version", release.refuse_missing, self.root, "0.2.0")
             path = self.root / name
             path.parent.mkdir(exist_ok=True)

@@ -16,6 +16,12 @@ target_compile_options(fencepost_flags INTERFACE
   -Wimplicit-fallthrough
   # The digest must not depend on the compiler's taste for fused multiply-adds.
   -ffp-contract=off)
+# Windows's C library counts bytes in unsigned int; the same sources are checked everywhere else.
+if(WIN32)
+  target_compile_options(fencepost_flags INTERFACE -Wno-conversion -Wno-sign-conversion)
+  target_compile_definitions(fencepost_flags INTERFACE _FILE_OFFSET_BITS=64 _POSIX_THREAD_SAFE_FUNCTIONS=200112L NOMINMAX)
+  target_include_directories(fencepost_flags SYSTEM BEFORE INTERFACE "${PROJECT_SOURCE_DIR}/hal/windows/posix")
+endif()
 # GCC 12 warns about std::string's operator+ itself when optimising (GCC bug 105651, mended in 13).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(fencepost_flags INTERFACE -Wno-restrict)

@@ -32,7 +32,7 @@ void prepare(const std::string& folder) {
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail("it is a file");
   fs::create_directories(folder, error);
   if (error) fail(error.message());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(std::system_category().message(errno));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
 
 /// The photographs of a folder, by the number of the frame that was made of each.

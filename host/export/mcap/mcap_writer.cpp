@@ -1,10 +1,10 @@
 #include "host/export/mcap/mcap_writer.hpp"
 
 #include <zlib.h>
-#include <zstd.h>
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "host/export/mcap/packed_chunk.hpp"
 
 namespace fencepost::host::exports {
 namespace {
@@ -65,14 +65,6 @@ std::uint32_t crc_of(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-std::string packed(std::string_view bytes) {
-  std::string room(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t size = ZSTD_compress(room.data(), room.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
-  if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
-  room.resize(size);
-  return room;
-}
-
 }  // namespace
 
 McapWriter::McapWriter(std::string_view profile, std::string_view library, std::string message_encoding)
@@ -117,14 +109,14 @@ void McapWriter::write(std::uint16_t channel, std::uint64_t time, std::string_vi
 
 void McapWriter::end_chunk() {
   if (chunk_.empty()) return;
-  const std::string bytes = packed(chunk_);
+  const std::string bytes = packed_chunk(chunk_);
   const std::uint64_t at = file_.size();
   file_ += record(kChunk, Fields()
                               .integer(chunk_start_)
                               .integer(chunk_end_)
                               .integer<std::uint64_t>(chunk_.size())
                               .integer(crc_of(chunk_))
-                              .string("zstd")
+                              .string(kChunkCompression)
                               .integer<std::uint64_t>(bytes.size())
                               .raw(bytes)
                               .bytes());
@@ -144,7 +136,7 @@ void McapWriter::end_chunk() {
                                             .integer<std::uint64_t>(end - at)
                                             .list(offsets)
                                             .integer<std::uint64_t>(file_.size() - end)
-                                            .string("zstd")
+                                            .string(kChunkCompression)
                                             .integer<std::uint64_t>(bytes.size())
                                             .integer<std::uint64_t>(chunk_.size())
                                             .bytes());

@@ -1,14 +1,12 @@
 #include "host/import/mcap/mcap_file.hpp"
 
-#include <lz4frame.h>
-#include <zstd.h>
-
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "host/import/fields.hpp"
+#include "host/import/mcap/unpacked_chunk.hpp"
 #include "host/import/table.hpp"
 
 namespace fencepost::host {
@@ -19,33 +17,6 @@ constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::uint64_t kMaxChunk = 1ULL << 26U;
 
 enum Opcode : std::uint8_t { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
-
-std::string unpack_lz4(std::string_view packed, std::size_t size) {
-  LZ4F_dctx* made = nullptr;
-  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) return {};
-  const std::unique_ptr<LZ4F_dctx, void (*)(LZ4F_dctx*)> context(
-      made, [](LZ4F_dctx* c) { LZ4F_freeDecompressionContext(c); });
-  std::string bytes(size, '\0');
-  std::size_t filled = 0;
-  while (filled < size && !packed.empty()) {
-    std::size_t room = size - filled;
-    std::size_t used = packed.size();
-    const std::size_t hint =
-        LZ4F_decompress(context.get(), bytes.data() + filled, &room, packed.data(), &used, nullptr);
-    if (LZ4F_isError(hint) != 0 || (room == 0 && used == 0)) break;
-    filled += room;
-    packed.remove_prefix(used);
-  }
-  bytes.resize(filled);
-  return bytes;
-}
-
-std::string unpack_zstd(std::string_view packed, std::size_t size) {
-  std::string bytes(size, '\0');
-  const std::size_t filled = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-  bytes.resize(ZSTD_isError(filled) != 0 ? 0 : filled);
-  return bytes;
-}
 
 class McapReader {
  public:
@@ -125,13 +96,13 @@ class McapReader {
       throw ImportProblem{file_, "has a chunk that becomes more than " + std::to_string(kMaxChunk >> 20U) + " MB",
                           "write it anew: mcap compress --chunk-size 4194304"};
     }
-    if (compression != "lz4" && compression != "zstd") {
+    const std::optional<std::string> bytes = unpacked_chunk(compression, packed, size);
+    if (!bytes) {
       throw ImportProblem{file_, "has chunks compressed by \"" + compression + "\"",
-                          "write it anew: mcap compress --compression zstd"};
+                          "write it anew: mcap compress --compression " + std::string(kReadCompression)};
     }
-    const std::string bytes = compression == "lz4" ? unpack_lz4(packed, size) : unpack_zstd(packed, size);
-    if (bytes.size() != size) throw damaged();
-    read(bytes);
+    if (bytes->size() != size) throw damaged();
+    read(*bytes);
   }
   [[nodiscard]] ImportProblem damaged() const {
     return {file_, "has a chunk that is damaged", "try 'mcap recover' on it, or copy it again"};

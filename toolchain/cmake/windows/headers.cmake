@@ -1,0 +1,13 @@
+# A library of this machine that is headers alone, for another system: seen without the rest of /usr/include.
+function(fencepost_headers target folder)
+  if(TARGET ${target})
+    return()
+  endif()
+  if(NOT EXISTS "/usr/include/${folder}")
+    message(FATAL_ERROR "/usr/include/${folder} is missing: toolchain/setup windows installs it")
+  endif()
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/headers")
+  file(CREATE_LINK "/usr/include/${folder}" "${PROJECT_BINARY_DIR}/headers/${folder}" SYMBOLIC)
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${target} SYSTEM INTERFACE "${PROJECT_BINARY_DIR}/headers")
+endfunction()
