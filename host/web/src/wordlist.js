@@ -126,8 +126,8 @@ export const WORDS = {
   something: w("something", "etwas", "algo", "quelque chose", "某物"),
   bannerBlind: w("BLIND: what is ahead cannot be known", "BLIND: Was voraus liegt, ist nicht zu erkennen", "BLIND: no se puede saber qué hay delante", "BLIND : impossible de savoir ce qu'il y a devant", "BLIND：无法得知前方情况"),
   bannerAhead: w("{level}: {name}, {distance} m ahead", "{level}: {name}, {distance} m voraus", "{level}: {name}, a {distance} m por delante", "{level} : {name}, à {distance} m devant", "{level}：{name}，前方 {distance} 米"),
-  bannerLeft: w("{level}: {name}, {distance} m ahead, {degrees}° to the left", "{level}: {name}, {distance} m voraus, {degrees}° links", "{level}: {name}, a {distance} m por delante, {degrees}° a la izquierda", "{level} : {name}, à {distance} m devant, {degrees}° à gauche", "{level}：{name}，前方 {distance} 米，偏左 {degrees}°"),
-  bannerRight: w("{level}: {name}, {distance} m ahead, {degrees}° to the right", "{level}: {name}, {distance} m voraus, {degrees}° rechts", "{level}: {name}, a {distance} m por delante, {degrees}° a la derecha", "{level} : {name}, à {distance} m devant, {degrees}° à droite", "{level}：{name}，前方 {distance} 米，偏右 {degrees}°"),
+  bannerLeft: w("{level}: {name}, {distance} m away, {degrees}° to the left", "{level}: {name}, {distance} m entfernt, {degrees}° links", "{level}: {name}, a {distance} m, {degrees}° a la izquierda", "{level} : {name}, à {distance} m, {degrees}° à gauche", "{level}：{name}，距离 {distance} 米，偏左 {degrees}°"),
+  bannerRight: w("{level}: {name}, {distance} m away, {degrees}° to the right", "{level}: {name}, {distance} m entfernt, {degrees}° rechts", "{level}: {name}, a {distance} m, {degrees}° a la derecha", "{level} : {name}, à {distance} m, {degrees}° à droite", "{level}：{name}，距离 {distance} 米，偏右 {degrees}°"),
   bannerContact: w(", contact in {seconds} s", ", Berührung in {seconds} s", ", contacto en {seconds} s", ", contact dans {seconds} s", "，{seconds} 秒后碰撞"),
 
   // The camera

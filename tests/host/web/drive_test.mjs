@@ -79,7 +79,7 @@ await run({
     await begin();
     assert.equal(await banner(), "No alert");
     await hold(6, "ArrowUp");
-    assert.match(await banner(), /^STOP: \d+ red, 0\.\d\d m ahead/);
+    assert.match(await banner(), /^STOP: \d+ red, 0\.\d\d m (ahead|away)/);
     assert.match(await text(page, "#held"), /It stops/);
     assert.equal(await text(page, "#bumps"), "0");
     assert.ok(await number("#driven") > 0.6);
@@ -207,7 +207,7 @@ await run({
       await begin();
       await set(id, value);
       await hold(2, "ArrowUp");
-      seen[value] = Number(/1 red, ([\d.]+) m ahead/.exec(await banner())?.[1]);
+      seen[value] = Number(/1 red, ([\d.]+) m (?:ahead|away)/.exec(await banner())?.[1]);
     }
     assert.ok(seen[0.05] < seen[0] - 0.1 && seen[0.02] > seen[0] + 0.04, JSON.stringify(seen));
     await begin();
