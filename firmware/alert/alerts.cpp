@@ -106,7 +106,7 @@ std::optional<AlertLevel> judge(AlertState& state, const recon::ObjectCore& obje
   if (object.refuted() && state.in_force()) return change(state, AlertLevel::kClear, now);
   const bool believed = credible(object);
   const AlertLevel due = believed ? level_for(obstacle, rules, 1.0F) : AlertLevel::kClear;
-  // What the guard has lost below the image is still there.
+  // A thing that the guard has lost below the image is still there.
   Obstacle still = obstacle;
   still.unbacked = false;
   const bool may_hold = believed && state.in_force();

@@ -172,7 +172,7 @@ TEST_F(Judge, EasesOnlyBeyondTheHysteresisAndOnlyIfItLasts) {
   EXPECT_EQ(at(610, in_path(0.30F)), AlertLevel::kWarn);
 }
 
-// What the guard has lost below the image is still there.
+// A thing that the guard has lost below the image is still there.
 TEST_F(Judge, WhatIsInForceNeedsNoBacking) {
   Obstacle unbacked = in_path(0.2F);
   unbacked.unbacked = true;
