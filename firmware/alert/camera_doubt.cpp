@@ -18,6 +18,8 @@ float factor_of(unsigned wrong, float scales) { return scales > 0 ? static_cast<
 
 void RowVotes::add(const recon::ObjectCore& object) {
   if (!object.used() || !object.confirmed) return;
+  // The foot of a wall longer than the image is another point of it in each frame.
+  if (!object.cylinder.known_whole()) return;
   const recon::RowTrend& trend = object.cylinder.row_trend();
   switch (trend.verdict()) {
     case recon::RowVerdict::kUnknown: break;

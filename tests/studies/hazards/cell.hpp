@@ -43,6 +43,7 @@ struct Family {
 
 Family walls();
 Family corridors();
+Family passing();
 Family approaches();
 Family movers();
 Family obeying();

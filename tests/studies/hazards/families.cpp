@@ -3,7 +3,8 @@
 namespace fencepost::test {
 
 std::vector<Family> families() {
-  return {walls(), corridors(), approaches(), movers(), obeying(), removal(), bases(), cameras(), turning(), blind()};
+  return {walls(),   corridors(), passing(), approaches(), movers(), obeying(),
+          removal(), bases(),     cameras(), turning(),    blind()};
 }
 
 }  // namespace fencepost::test

@@ -84,7 +84,9 @@ void judge_contact(const Judged& run, std::size_t object, Outcome& outcome, doub
 
 void judge_no_stop(const Judged& run, Outcome& outcome) {
   ++outcome.asked;
-  outcome.kept += run.stops.all().empty() ? 1U : 0U;
+  const std::vector<std::string>& complaints = run.history.complaints;
+  outcome.kept += run.stops.all().empty() && complaints.empty() ? 1U : 0U;
+  outcome.failures.insert(outcome.failures.end(), complaints.begin(), complaints.end());
 }
 
 void judge_silence(const Judged& run, std::size_t object, double within, Outcome& outcome) {

@@ -56,7 +56,7 @@ void judge_approached(const Judged& run, std::size_t object, Outcome& outcome);
 /// never.
 inline constexpr double kBefore = 0.5;
 void judge_contact(const Judged& run, std::size_t object, Outcome& outcome, double before = kBefore);
-/// No stop at all.
+/// No stop at all, and no complaint about a camera that is as configured.
 void judge_no_stop(const Judged& run, Outcome& outcome);
 /// Of an obedient robot: no contact, and once it has been told stop, a warn or a stop in force while it is within
 /// `within` m of the object. Measures how often it was without.

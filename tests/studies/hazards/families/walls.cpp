@@ -67,7 +67,7 @@ Family walls() {
 }
 
 Family corridors() {
-  Family family{"corridors", "no stop in 71 s at 0.2 m/s", "stops a run", {}};
+  Family family{"corridors", "no stop and no complaint in 71 s at 0.2 m/s", "stops a run", {}};
   for (const double half : {0.3, 0.4, 0.6}) {
     family.cells.push_back(
         {fmt::format("half width {} m", half), {{}, 1}, [half](unsigned seed, const Conditions& conditions) {

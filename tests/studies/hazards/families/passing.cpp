@@ -1,0 +1,61 @@
+// What stands beside the way and not in it: two boxes that the robot passes between, and two rows of them.
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "tests/studies/hazards/scenery.hpp"
+
+namespace fencepost::test {
+namespace {
+
+constexpr double kApart = 0.5;  // m, from one box of a row to the next
+
+// One colour for all, any speed and any rate of frames.
+Outcome pass(int pairs, double degrees, unsigned seed, const Conditions& conditions) {
+  constexpr double kRates[] = {5, 10, 25, 50};  // frames/s
+  Dice dice(seed);
+  Encounter met;
+  const double rate = kRates[dice.below(static_cast<int>(std::size(kRates)))];
+  met.scene = bare_scene(seed, conditions, {.degrees = degrees}, rate);
+  const host::TimedPose start = random_start(dice);
+  const std::uint8_t colour = random_colour(dice);
+  const double speed = dice.between(0.1, 0.6);
+  const double first = dice.between(1.0, 1.5);
+  for (int pair = 0; pair < pairs; ++pair) {
+    for (const double side : {-1.0, 1.0}) {
+      const double depth = dice.between(0.05, 0.2);
+      const double width = dice.between(0.05, 0.2);
+      const double gap = dice.between(0.03, 0.1);  // beyond robot.margin
+      const double aside = AlertLimits{}.half_width + AlertLimits{}.margin + gap + width / 2;
+      const host::TimedPose center = relative(start, first + kApart * pair, side * aside);
+      met.scene.objects.push_back(thing("box", colour, dice.between(0.1, 0.3), box_at(center, depth, width)));
+    }
+  }
+  constexpr double kStands = 0.5;  // s
+  const double way = first + kApart * (pairs - 1) + 0.3;
+  met.route = Route(start, {{kStands, 0, 0}, {1, speed, 0}});
+  met.seconds = kStands + way / speed;
+  return meet_nothing(met, conditions);
+}
+
+}  // namespace
+
+Family passing() {
+  Family family{
+      "passing",
+      "no stop between boxes 3 to 10 cm beyond the margin, and no complaint; 0.1 to 0.6 m/s, 5 to 50 frames/s",
+      "stops a run",
+      {}};
+  for (const int pairs : {1, 6}) {
+    for (const double degrees : {43.0, 60.0, 80.0}) {
+      family.cells.push_back({fmt::format("{}, {} degrees", pairs == 1 ? "two boxes" : "two rows of six", degrees),
+                              {95, {}},
+                              [pairs, degrees](unsigned seed, const Conditions& conditions) {
+                                return pass(pairs, degrees, seed, conditions);
+                              }});
+    }
+  }
+  return family;
+}
+
+}  // namespace fencepost::test
