@@ -1,4 +1,4 @@
-// What stands beside the way and not in it: two boxes that the robot passes between, and two rows of them.
+// Boxes beside the way and not in it: two that the robot passes between, and two rows of six.
 #include <fmt/format.h>
 
 #include <iterator>
