@@ -134,17 +134,23 @@ TEST(CameraDoubt, WidensDistancesAndNotTimes) {
 }
 
 // An object on a base of 3 cm, met straight on by a lens 12 cm above the floor.
-TEST(CameraDoubt, CountsConfirmedObjectsByTheirRows) {
+recon::ObjectCore on_base(recon::End left) {
   recon::ObjectCore object;
   object.id = 1;
   for (int i = 0; i < 60; ++i) {
     const host::Point lens{0.01 * i, 0};
     recon::Sighting sighting = view_of_circle({1.06, 0}, 0.06, lens).sighting;
+    sighting.left.end = left;
     sighting.rows_known = true;
     sighting.bottom = {static_cast<float>(0.09 / (1.0 - lens.x)), recon::End::kSeen};
     object.cylinder.add(sighting, {0, 0}, 1, {});
     object.cylinder.solve(sighting.lens_from({0, 0}), sighting.center, {});
   }
+  return object;
+}
+
+TEST(CameraDoubt, CountsConfirmedObjectsByTheirRows) {
+  recon::ObjectCore object = on_base(recon::End::kSeen);
   RowVotes seen;
   seen.add(object);
   EXPECT_EQ(seen.too_far, 0U) << "not confirmed";
@@ -156,6 +162,15 @@ TEST(CameraDoubt, CountsConfirmedObjectsByTheirRows) {
   seen = {};
   seen.add(object);
   EXPECT_EQ(seen.too_far + seen.too_near + seen.right, 0U);
+}
+
+TEST(CameraDoubt, LeavesOutWhatWasNeverSeenWhole) {
+  recon::ObjectCore object = on_base(recon::End::kLowerBound);
+  object.confirmed = true;
+  ASSERT_EQ(object.cylinder.row_trend().verdict(), recon::RowVerdict::kTooFar);
+  RowVotes seen;
+  seen.add(object);
+  EXPECT_EQ(seen.too_far, 0U);
 }
 
 }  // namespace
