@@ -21,6 +21,26 @@ inline constexpr std::uint16_t kHeight = 240;
 inline constexpr sensor::CameraIntrinsics kProfile = {"webcam", kWidth,   kHeight, {27'713}, {27'713},
                                                       {15'950}, {11'950}, {0},     {},       base::milliseconds(50)};
 
+/// The same lens, 60 degrees along the longer side.
+constexpr sensor::CameraIntrinsics profile_of(std::uint16_t width, std::uint16_t height) {
+  sensor::CameraIntrinsics profile = kProfile;
+  const std::int32_t longer = width > height ? width : height;
+  profile.fx = profile.fy = {kProfile.fx.raw * longer / kWidth};
+  profile.width = width;
+  profile.height = height;
+  profile.cx = {(width - 1) * base::Pixels2::kPerUnit / 2};
+  profile.cy = {(height - 1) * base::Pixels2::kPerUnit / 2};
+  return profile;
+}
+
+/// Noise is a share of a picture, and a glint's gap one of its width.
+constexpr BlobRules rules_of(std::uint16_t width, std::uint16_t height) {
+  BlobRules rules;
+  rules.min_pixels = rules.min_pixels * width / kWidth * height / kHeight;
+  rules.max_gap = static_cast<std::uint16_t>(rules.max_gap * width / kWidth);
+  return rules;
+}
+
 inline constexpr std::size_t kMaxRanges = 16;
 
 struct Config {

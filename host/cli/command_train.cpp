@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
@@ -13,7 +12,7 @@
 #include "host/devices/video.hpp"
 #include "host/import/text_lines.hpp"
 #include "host/live/open_port.hpp"
-#include "host/video/colour_training.hpp"
+#include "host/video/colours_file.hpp"
 #include "host/video/jpeg.hpp"
 
 namespace fencepost::host::cli {
@@ -110,31 +109,10 @@ std::string name_of(const std::vector<NamedBox>& boxes, std::uint8_t signature) 
   return named->name.empty() ? fmt::format("colour {}", signature) : named->name;
 }
 
-std::string document(const std::vector<TrainedColour>& trained, const std::vector<NamedBox>& boxes) {
-  std::string signatures;
-  std::string colours;
-  const auto pair = [](base::Ratio4 low, base::Ratio4 high) {
-    return fmt::format("[{:.4f}, {:.4f}]", low.to_double(), high.to_double());
-  };
-  for (const TrainedColour& one : trained) {
-    const segmenter::ColourRange& range = one.range;
-    const char* const comma = signatures.empty() ? "" : ",";
-    signatures +=
-        fmt::format("{}\n    {{\"id\": {}, \"name\": {}, \"rgb\": \"{:02x}{:02x}{:02x}\"}}", comma, range.signature,
-                    nlohmann::json(name_of(boxes, range.signature)).dump(), one.rgb.red, one.rgb.green, one.rgb.blue);
-    colours += fmt::format("{}\n    {{\"signature\": {}, \"red\": {}, \"green\": {}, \"brightness\": [{}, {}]}}", comma,
-                           range.signature, pair(range.red_min, range.red_max), pair(range.green_min, range.green_max),
-                           range.brightness_min, range.brightness_max);
-  }
-  return fmt::format("{{\n  \"signatures\": [{}],\n  \"colours\": [{}]\n}}\n", signatures, colours);
-}
-
 void say_how_good(const TrainedColour& one, const std::string& name, const RgbPicture& picture) {
-  constexpr double kFound = 0.8;         // of a box: less, and its edges or its light are not the thing's
-  constexpr double kElsewhere = 0.0005;  // of a picture: as much as a blob needs
   std::string text = fmt::format("{}: {:.0f} % of its boxes, {} px elsewhere", name, 100 * one.found, one.elsewhere);
-  if (one.found < kFound) text += "; draw the boxes smaller, within the thing, and not into glare or shadow";
-  if (static_cast<double>(one.elsewhere) > kElsewhere * picture.width * picture.height) {
+  if (is_patchy(one)) text += "; draw the boxes smaller, within the thing, and not into glare or shadow";
+  if (is_elsewhere(one, picture.width, picture.height)) {
     text += "; something else looks the same: take it away, or paint the thing in a stronger colour";
   }
   say(text);
@@ -156,9 +134,12 @@ Exit run(const TrainRequest& request) {
   if (boxes.empty()) return Exit::kDone;
   std::vector<TrainingBox> plain;
   for (const NamedBox& box : boxes) plain.push_back(box.box);
-  const std::vector<TrainedColour> trained = train_colours(picture, plain);
-  for (const TrainedColour& one : trained) say_how_good(one, name_of(boxes, one.range.signature), picture);
-  write_output(request.output, document(trained, boxes));
+  std::vector<NamedColour> colours;
+  for (const TrainedColour& one : train_colours(picture, plain)) {
+    colours.push_back({one, name_of(boxes, one.range.signature)});
+    say_how_good(one, colours.back().name, picture);
+  }
+  write_output(request.output, colours_file(colours));
   return Exit::kDone;
 }
 

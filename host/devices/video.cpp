@@ -33,18 +33,7 @@ Size size_in(const std::string& option) {
           static_cast<std::uint16_t>(host::whole_number(option.substr(between + 1)).value_or(0))};
 }
 
-/// The same lens on as many columns.
-sensor::CameraIntrinsics profile_of(const Size& size) {
-  sensor::CameraIntrinsics profile = segmenter::kProfile;
-  const auto enlarged = [&](base::Pixels2 focal) { return base::Pixels2{focal.raw * size.width / segmenter::kWidth}; };
-  profile.width = size.width;
-  profile.height = size.height;
-  profile.fx = enlarged(profile.fx);
-  profile.fy = enlarged(profile.fy);
-  profile.cx = base::Pixels2::nearest((size.width - 1) / 2.0);
-  profile.cy = base::Pixels2::nearest((size.height - 1) / 2.0);
-  return profile;
-}
+sensor::CameraIntrinsics profile_of(const Size& size) { return segmenter::profile_of(size.width, size.height); }
 
 std::optional<sensor::CameraIntrinsics> webcam_profile(const DeviceSpec& spec) {
   return profile_of(size_in(spec.option("size")));
@@ -79,9 +68,7 @@ segmenter::Config config_of(const Opening& opening, const Size& size) {
   }
   segmenter::Config config;
   config.ranges = robot.colours;
-  // Noise is a share of a picture, and a glint's gap one of its width.
-  config.rules.min_pixels = config.rules.min_pixels * size.width / segmenter::kWidth * size.height / segmenter::kHeight;
-  config.rules.max_gap = static_cast<std::uint16_t>(config.rules.max_gap * size.width / segmenter::kWidth);
+  config.rules = segmenter::rules_of(size.width, size.height);
   return config;
 }
 

@@ -3,11 +3,10 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "drivers/segmenter/colour_table.hpp"
-#include "host/video/picture_file.hpp"
+#include "host/video/rgb_picture.hpp"
 
 namespace fencepost::host {
 

@@ -2,25 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "hal/bus/picture_source.hpp"
 #include "hal/linux/opened.hpp"
 #include "hal/linux/v4l2.hpp"
-#include "hal/sensor/blob_frame.hpp"
+#include "host/video/rgb_picture.hpp"
 
 namespace fencepost::host {
-
-/// Rows from the top.
-struct RgbPicture {
-  int width = 0;
-  int height = 0;
-  std::vector<sensor::Rgb> pixels;
-
-  [[nodiscard]] sensor::Rgb at(int u, int v) const {
-    return pixels[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
-  }
-};
 
 /// A whole picture of a source, whatever its layout.
 RgbPicture to_rgb(const bus::Picture& picture);

@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "firmware/record/encode.hpp"
 #include "host/geometry/rings.hpp"
-#include "host/result/to_json.hpp"
 #include "host/simulate/world.hpp"
 
 namespace fencepost::host {
 namespace {
 
-constexpr double kLongest = 3600;          // s, the run; the map needs no such limit, the log's size does
 constexpr double kAcceleration = 1.0;      // m/s^2, of a small robot on a smooth floor
 constexpr double kTurnAcceleration = 8.0;  // rad/s^2
 constexpr double kKept = 12;               // s of the true way: a frame is at most 10 s late
@@ -84,21 +80,12 @@ std::string to_json(const MapScore& score) {
 }
 
 Drive::Drive(Scene scene)
-    : scene_(std::move(scene)),
-      page_([this] {
-        ReplayOptions options;
-        options.alerts = this;
-        return options;
-      }()),
-      knots_{start()},
-      body_(body_of(scene_.robot)),
-      written_([this](std::string_view line) {
-        log_ += line;
-        while (!line.empty()) line.remove_prefix(page_.feed(line, kLongest));
+    : scene_(std::move(scene)), knots_{start()}, body_(body_of(scene_.robot)), written_([this](std::string_view line) {
+        live_.add(line);
       }) {
   simulation_.emplace(scene_,
                       Trajectory(
-                          scene_, [this](double t) { return pose_between(knots_, t); }, kLongest),
+                          scene_, [this](double t) { return pose_between(knots_, t); }, LiveLog::kLongest),
                       written_, nobody_);
   simulation_->begin();
   write_body();
@@ -127,17 +114,6 @@ bool Drive::advance(double seconds) {
   return true;
 }
 
-void Drive::hear(const record::AlertReport& alert) {
-  fresh_.push_back(alert);
-  std::erase_if(in_force_, [&](const record::AlertReport& old) { return old.id == alert.id; });
-  in_force_.push_back(alert);
-}
-
-bool Drive::stopped() const {
-  return std::any_of(in_force_.begin(), in_force_.end(),
-                     [](const record::AlertReport& alert) { return alert.level == record::AlertLevel::kStop; });
-}
-
 TimedPose Drive::start() const {
   if (std::holds_alternative<std::monostate>(scene_.path)) return {};
   return Trajectory(scene_).at(0);
@@ -148,8 +124,7 @@ void Drive::write_body() {
   const BodyRectangle body = rectangle_around(body_);
   const auto setting = [&](std::string_view key, int hundredths) {
     const std::string metres = fmt::format("{}.{:02}", hundredths / 100, hundredths % 100);
-    std::array<char, record::kMaxLine> line{};
-    written_({line.data(), record::encode(record::Setting{sensor::Text(key), sensor::Text(metres)}, line)});
+    live_.write(record::Setting{sensor::Text(key), sensor::Text(metres)});
   };
   setting("robot.front", body.front);
   setting("robot.rear", body.rear);
@@ -157,7 +132,7 @@ void Drive::write_body() {
 }
 
 void Drive::accelerate(double seconds) {
-  held_ = obeys_ && stopped();
+  held_ = obeys_ && live_.stopped();
   const double forward = held_ ? std::min(0.0, forward_) : forward_;
   speed_ = towards(speed_, kSpeed * forward, kAcceleration * seconds);
   turn_rate_ = towards(turn_rate_, kTurn * turn_, kTurnAcceleration * seconds);
@@ -192,16 +167,6 @@ void Drive::move(double seconds) {
   }
 }
 
-std::string Drive::state() {
-  ResultDocument document = page_.log().now(false);
-  document.alerts = std::exchange(fresh_, {});
-  for (ObjectResult& object : document.objects) {
-    std::erase_if(object.models,
-                  [](const ModelResult& model) { return model.name != "hybrid" && model.name != "cylinder"; });
-  }
-  return to_json(document);
-}
-
 std::string Drive::truth() const {
   const TimedPose& pose = knots_.back();
   const nlohmann::ordered_json json = {
@@ -209,6 +174,8 @@ std::string Drive::truth() const {
   return json.dump();
 }
 
-std::string Drive::score() const { return to_json(map_score(page_.log().now(false).objects, scene_, knots_.back().t)); }
+std::string Drive::score() const {
+  return to_json(map_score(page().log().now(false).objects, scene_, knots_.back().t));
+}
 
 }  // namespace fencepost::host

@@ -3,14 +3,13 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "host/geometry/planar.hpp"
 #include "host/replay/replay.hpp"
 #include "host/scene/scene.hpp"
 #include "host/simulate/simulation.hpp"
-#include "host/web/page_replay.hpp"
+#include "host/web/live_log.hpp"
 
 namespace fencepost::host {
 
@@ -23,7 +22,7 @@ struct MapScore {
 MapScore map_score(const std::vector<ObjectResult>& objects, const Scene& scene, double t);
 std::string to_json(const MapScore& score);
 
-class Drive final : private AlertSink {
+class Drive {
  public:
   static constexpr double kSpeed = 0.4;  ///< m/s, at full speed
   static constexpr double kTurn = 1.5;   ///< rad/s
@@ -42,23 +41,17 @@ class Drive final : private AlertSink {
   /// Drives on by whole samples of odometry, as many as fit. False: the run has ended.
   bool advance(double seconds);
   /// The log has ended: frames that still wait are counted.
-  void finish() { page_.finish(); }
+  void finish() { live_.finish(); }
 
-  [[nodiscard]] const PageReplay& page() const { return page_; }
-  /// All records so far.
-  [[nodiscard]] const std::string& log() const { return log_; }
-  /// The result document of now, without path, with the alerts since the last call alone, and the models that alerts go
-  /// by.
-  [[nodiscard]] std::string state();
+  [[nodiscard]] LiveLog& live() { return live_; }
+  [[nodiscard]] const PageReplay& page() const { return live_.page(); }
+  [[nodiscard]] const std::string& log() const { return live_.text(); }
   /// The truth behind it, as JSON: its true pose, its speed, how often it bumped into something.
   [[nodiscard]] std::string truth() const;
   /// `map_score` of now, as JSON. Cost: some ms where much stands around.
   [[nodiscard]] std::string score() const;
 
  private:
-  void run_begins() override {}
-  void hear(const record::AlertReport& alert) override;
-  [[nodiscard]] bool stopped() const;
   [[nodiscard]] TimedPose start() const;
   void write_body();
   void accelerate(double seconds);
@@ -66,10 +59,7 @@ class Drive final : private AlertSink {
   void move(double seconds);
 
   Scene scene_;
-  std::string log_;
-  std::vector<record::AlertReport> in_force_;  ///< the latest of each object
-  std::vector<record::AlertReport> fresh_;
-  PageReplay page_;
+  LiveLog live_;
   std::vector<TimedPose> knots_;  ///< the true way, as long as a late frame may ask for it
   LinearRing body_;               ///< robot frame
   TruthSink nobody_;

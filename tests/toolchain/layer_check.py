@@ -88,7 +88,7 @@ ROOMS = {
     "host/relocation": "firmware/recon/localize",
     "host/merge": "host/relocation host/result",
     "host/report": "host/evaluate",
-    "host/web": "host/configure host/replay host/simulate",
+    "host/web": "host/configure host/replay host/simulate host/video",
     "host/paper": "host/jobs host/render host/report",
     "host/export": "host/render host/report",
     "host/live": "drivers/* firmware/loop hal/linux host/scene",

@@ -27,7 +27,7 @@ function nameBoxes(g, { width, height, ink, memory }, named) {
   const font = "600 12px system-ui, sans-serif";
   g.font = font;
   const labels = new Labels(g, width, height, memory);
-  const names = fitted(named.map(({ object }) => object ? nameOf(object) : t("noObject")), (text) => g.measureText(text).width < 0.6 * width);
+  const names = fitted(named.map(({ object, signature }) => object ? nameOf(object) : signature ?? t("noObject")), (text) => g.measureText(text).width < 0.6 * width);
   named.forEach(({ object, box, colour }, i) => {
     const w = g.measureText(names[i]).width + 4;
     const left = Math.max(0, Math.min(box[0], width - w));
@@ -39,7 +39,7 @@ function nameBoxes(g, { width, height, ink, memory }, named) {
 }
 
 /** Returns what there is to say about the picture. */
-export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
+export function drawCamera(canvas, { view, ink, theme, selected, memory, picture }) {
   const { camera, objects, signatures } = view.result;
   const { frame } = view.page;
   const ratio = camera ? camera.height / camera.width : 0.65;
@@ -50,12 +50,14 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   g.fillRect(0, 0, width, height);
   g.strokeStyle = ink.rule;
   g.strokeRect(0.5, 0.5, width - 1, height - 1);
+  if (picture) g.drawImage(picture.image, 0, 0, width, height);
   if (!camera) return t("noCameraYet");
   const scale = width / camera.width;
+  if (picture?.cross) drawCross(g, picture.cross.map((px) => (px + 0.5) * scale), ink);
   const pose = frame && poseAt(view.path, frame.exposure);
   const rendered = new Map();
   if (pose) {
-    drawHorizon(g, camera, width, scale, ink);
+    if (!picture) drawHorizon(g, camera, width, scale, ink);
     for (const object of objects) {
       const box = boxOf(camera, pose, object);
       if (!box) continue;
@@ -81,7 +83,7 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
     g.lineWidth = 2;
     g.strokeRect(u1 * scale, v1 * scale, (u2 - u1) * scale, (v2 - v1) * scale);
     drawMark(g, markOf(signature), (u1 + u2) / 2 * scale, (v1 + v2) / 2 * scale, 4);
-    named.push({ object: objects.find((o) => o.id === id), box: [u1, v1, u2, v2].map((value) => value * scale), colour });
+    named.push({ object: objects.find((o) => o.id === id), signature: picture && signatures.find((s) => s.id === signature)?.name, box: [u1, v1, u2, v2].map((value) => value * scale), colour });
     const ours = rendered.get(id);
     const others = frame.boxes.filter((other) => other.box !== box);
     if (ours && seenWhole(camera, box[0], others)) errors.push(Math.abs(ours[0] - u1));
@@ -91,6 +93,19 @@ export function drawCamera(canvas, { view, ink, theme, selected, memory }) {
   if (!frame) return t("noFrameYet");
   const mean = errors.length ? t("frameMean", { mean: (errors.reduce((a, b) => a + b) / errors.length).toFixed(1) }) : "";
   return t(frame.boxes.length === 1 ? "frameSaysOne" : "frameSays", { number: frame.number, time: frame.t.toFixed(2), model: camera.model, boxes: frame.boxes.length, mean });
+}
+
+function drawCross(g, [x, y], ink) {
+  for (const [colour, width] of [[ink.paper, 4], [ink.ink, 2]]) {
+    g.strokeStyle = colour;
+    g.lineWidth = width;
+    g.beginPath();
+    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      g.moveTo(x + 4 * dx, y + 4 * dy);
+      g.lineTo(x + 12 * dx, y + 12 * dy);
+    }
+    g.stroke();
+  }
 }
 
 function drawHorizon(g, camera, width, scale, ink) {

@@ -1,4 +1,4 @@
-// The loop as WebAssembly: one log or one drive at a time, and copies of its memory to come back to.
+// The loop as WebAssembly: one log, drive or camera at a time, and copies of its memory to come back to.
 
 const BLOCK = 4096;
 const RESULT = 0;
@@ -146,7 +146,23 @@ export class Engine {
   truth() { return JSON.parse(this.#text(TRUTH)); }
   /** { recklessness, paranoia } */
   score() { return JSON.parse(this.#text(SCORE)); }
-  /** The log of the drive so far. */
+
+  /** Begins to look through a camera whose pictures have that size, px. */
+  watch(width, height) {
+    this.#begin();
+    this.#code.watch(width, height);
+  }
+  /** A picture came, as ImageData has it, at `t`, s. False: the run has ended. */
+  look(rgba, t) {
+    new Uint8Array(this.#code.memory.buffer, this.#code.pixels(), rgba.length).set(rgba);
+    return Boolean(this.#code.look(t));
+  }
+  /** Trains the colour at that place, px: { signature, name, rgb, patchy, elsewhere }, or { refused }. */
+  train(u, v) { return JSON.parse(this.#read(this.#code.train(u, v))); }
+  /** The file of the colours, for `fencepost run --colours`. */
+  colours() { return this.#read(this.#code.colours()); }
+
+  /** The log of the drive or of the camera so far. */
   log() { return new Uint8Array(this.#code.memory.buffer, this.#code.log(), this.#code.log_size()).slice(); }
 
   /** All memory, in blocks; those that are as in `previous` are not kept twice. */

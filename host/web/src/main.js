@@ -22,6 +22,7 @@ import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
 import { Behind, Eye, Orbit } from "./viewpoint.js";
+import { Webcam } from "./webcam.js";
 import { Window, extentOf } from "./window.js";
 import { bindLanguage, fill, onLanguage, t } from "./words.js";
 
@@ -41,8 +42,12 @@ let engine;
 let replayer;  // of logs, one at a time
 let player;    // it, or what was kept of a log
 let driver;    // of a robot that is driven here
+let webcam;    // the camera that is looked through here
 let boards;    // the panel of boards
 let ink = inks();
+
+/** A run is made here. */
+const made = () => driver?.going || webcam?.going;
 
 const drawnNow = { pending: false, frame: null, tables: 0 };
 function redraw() {
@@ -69,9 +74,9 @@ function draw() {
   showLegend(byId("legend"), { layers: state.layers, truth: state.entry.truth });
   if (state.view !== "top") drawSolid(byId("map"), eyes[state.view], { ...all, memory: memory.solid }); else drawMap(byId("map"), flat, { ...all, memory: memory.flat });
   const frame = view.page.frame?.number;
-  if (!driver?.going || frame !== drawnNow.frame) byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera });
+  if (!driver?.going || frame !== drawnNow.frame) byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera, picture: webcam?.picture });
   drawnNow.frame = frame;
-  if (!driver?.going || shownTables.at !== drawnNow.tables) drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
+  if (!made() || shownTables.at !== drawnNow.tables) drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
   drawnNow.tables = shownTables.at;
   byId("clock").textContent = `${state.t.toFixed(2)} s`;
   if (!state.live) {
@@ -89,8 +94,8 @@ function keepingFocus(table, fill) {
 
 const shownTables = { at: 0, alerts: null, rows: [0, 0], count: 0 };
 function fillTables(force) {
-  // Of a robot that is driven, pictures come first.
-  const driven = driver?.going;
+  // While a run is made here, pictures come first.
+  const driven = made();
   if (!force && performance.now() - shownTables.at < (driven ? 1000 : 200)) return;
   shownTables.at = performance.now();
   const { result, page } = state.look;
@@ -123,7 +128,7 @@ function show(look, t, force = false) {
   const all = state.live ? look.result.alerts : player.last?.result.alerts ?? [];
   showBanner({ levels: levelsAt(all, state.live ? look.time : t), objects: look.result.objects, moves: state.live || state.playing });
   offerLayers(byId("layer-list"), { state, result: state.entry.kept ? player.last.result : look.result, redraw });
-  fillTables(force || !(state.playing || driver?.going));
+  fillTables(force || !(state.playing || made()));
   redraw();
 }
 
@@ -228,6 +233,7 @@ function setLive(live) {
 async function openEntry(entry) {
   halt();
   driver.leave();
+  webcam.leave();
   Object.assign(state, { entry, loaded: false, selected: null, trueRobot: null, chosen: null, rows: [], t: 0, begin: 0, end: 0, whole: NOTHING.path });
   byId("title").textContent = plain(entry.name);
   document.title = `${plain(entry.name)} · Fencepost`;
@@ -374,6 +380,7 @@ async function begin() {
     engine: () => new Engine(engine.module), open: (entry) => state.live ? openEntry(entry) : null,
     begin: (name) => {
       driver.leave();
+      webcam.leave();
       halt();
       player.stop();
       player = replayer;
@@ -419,6 +426,13 @@ async function begin() {
       redraw();
     },
   }, { [OWN]: ROOM, ...Object.fromEntries(recordings.map(({ name, scene }) => [name.replace(/\.log$/, ""), scene])) });
+  webcam = new Webcam({
+    ...comingLog, redraw,
+    begin: (name) => {
+      comingLog.begin(name);
+      summary(() => t("camNote"));
+    },
+  });
   new ResizeObserver(redraw).observe(byId("map"));
   new ResizeObserver(() => markAlerts(byId("alerts"), shownTables.rows, shownTables.count)).observe(byId("alerts").parentElement);
   await openFirst(recordings, comingLog);

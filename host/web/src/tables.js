@@ -5,7 +5,8 @@ import { t } from "./words.js";
 
 const degrees = (radians) => radians === null || radians === undefined ? "–" : (radians * 180 / Math.PI).toFixed(0).replace(/^-0$/, "0");
 
-function key(object, theme) {
+/** The mark of a signature in its colour. */
+export function keyOf(object, theme) {
   const canvas = make("canvas", { className: "key", width: 30, height: 30, "aria-hidden": "true" });
   const g = canvas.getContext("2d");
   g.fillStyle = colourOf(object.rgb, object.signature, theme);
@@ -22,7 +23,7 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
     const name = object.name === null ? t("signature", { number: object.signature }) : plain(object.name);
     return make("tr", { className: object.id === selected ? "lit" : "" },
       make("td", {}, make("button", { type: "button", onclick: () => select(object.id), "aria-label": t("showObject", { id: object.id }), "aria-pressed": String(object.id === selected) }, object.id)),
-      make("td", { className: "name" }, key(object, theme), name),
+      make("td", { className: "name" }, keyOf(object, theme), name),
       make("td", {}, make("span", { className: `level ${level}` }, level)),
       make("td", { className: "n" }, figure(circle.x, 3)), make("td", { className: "n" }, figure(circle.y, 3)),
       make("td", { className: "n" }, area == null ? "–" : figure(area * 1e4, 0)), make("td", { className: "n" }, figure(object.confidence, 2)),

@@ -1,5 +1,5 @@
-// The functions that the page's script calls. One log or one drive at a time; texts and the path are read from memory
-// where these say.
+// The functions that the page's script calls. One log, drive or camera at a time; texts and the path are read from
+// memory where these say.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,7 @@
 #include "host/web/board.hpp"
 #include "host/web/drive.hpp"
 #include "host/web/page_replay.hpp"
+#include "host/web/webcam.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -26,6 +27,7 @@ enum Text : std::uint32_t { kResult, kState, kStateWithAlerts, kPage, kDriven, k
 std::array<char, 65536> input;
 std::unique_ptr<PageReplay> replayed;
 std::unique_ptr<Drive> driven;
+std::unique_ptr<Webcam> watched;
 std::string scene;
 std::string text;
 std::vector<std::string> given;  // the page's words of a request
@@ -33,7 +35,8 @@ std::string board_image;
 
 // A scene with a fault ends in __cxa_throw.
 Scene given_scene() { return *parse_scene(std::exchange(scene, {}), "scene"); }
-const PageReplay& shown() { return driven ? driven->page() : *replayed; }
+LiveLog& live() { return watched ? watched->live() : driven->live(); }
+const PageReplay& shown() { return replayed ? *replayed : live().page(); }
 
 }  // namespace
 }  // namespace fencepost::host
@@ -68,13 +71,13 @@ FENCEPOST_EXPORT(path_size)()->std::size_t { return page::shown().log().path().s
 static_assert(sizeof(page::PoseResult) == 4 * sizeof(double));
 
 /// Makes a text at `text` and returns its size. 0: the result document, 1: the same without path and alerts, 2: without
-/// path, 3: what else the page shows. Of a drive, 4: as 1 with the alerts since the last time, 5: the truth, 6: the
-/// score.
+/// path, 3: what else the page shows. Of a drive or a camera, 4: as 1 with the alerts since the last time; of a
+/// drive, 5: the truth, 6: the score.
 FENCEPOST_EXPORT(write)(std::uint32_t what)->std::size_t {
   switch (what) {
     case page::kResult: page::text = page::shown().result(); break;
     case page::kPage: page::text = page::shown().page(); break;
-    case page::kDriven: page::text = page::driven->state(); break;
+    case page::kDriven: page::text = page::live().state(); break;
     case page::kTruth: page::text = page::driven->truth(); break;
     case page::kScore: page::text = page::driven->score(); break;
     default: page::text = page::shown().state(what == page::kStateWithAlerts);
@@ -99,9 +102,25 @@ FENCEPOST_EXPORT(change)()->void { page::driven->change(page::given_scene()); }
 FENCEPOST_EXPORT(steer)(double forward, double turn)->void { page::driven->steer(forward, turn); }
 FENCEPOST_EXPORT(obey)(bool stops)->void { page::driven->obey(stops); }
 FENCEPOST_EXPORT(advance)(double seconds)->bool { return page::driven->advance(seconds); }
-FENCEPOST_EXPORT(end)()->void { page::driven->finish(); }
-FENCEPOST_EXPORT(log)()->const char* { return page::driven->log().data(); }
-FENCEPOST_EXPORT(log_size)()->std::size_t { return page::driven->log().size(); }
+FENCEPOST_EXPORT(end)()->void { page::live().finish(); }
+FENCEPOST_EXPORT(log)()->const char* { return page::live().text().data(); }
+FENCEPOST_EXPORT(log_size)()->std::size_t { return page::live().text().size(); }
+
+/// A camera is looked through whose pictures have that size; each is put at `pixels`.
+FENCEPOST_EXPORT(watch)(std::uint32_t width, std::uint32_t height)->void {
+  page::watched = std::make_unique<page::Webcam>(static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height));
+}
+FENCEPOST_EXPORT(pixels)()->std::uint8_t* { return page::watched->pixels().data(); }
+FENCEPOST_EXPORT(look)(double t)->bool { return page::watched->look(t); }
+/// Trains the colour at a pixel, or writes the file of the colours. The answer is at `text`, its size returned.
+FENCEPOST_EXPORT(train)(std::int32_t u, std::int32_t v)->std::size_t {
+  page::text = page::watched->train(u, v);
+  return page::text.size();
+}
+FENCEPOST_EXPORT(colours)()->std::size_t {
+  page::text = page::watched->colours();
+  return page::text.size();
+}
 
 /// `size` more bytes at `input`: a word of the request, or the next part of an image's file.
 FENCEPOST_EXPORT(word)(std::size_t size)->void { page::given.emplace_back(page::input.data(), size); }

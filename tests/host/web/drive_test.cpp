@@ -64,9 +64,9 @@ TEST(Drive, StopsBeforeABoxIfItObeysAndBumpsIntoItIfNot) {
     const double x = now.at("pose").at(0);
     EXPECT_LE(x, 1.1);
     EXPECT_GT(x, obeys ? 0.7 : 1.09);
-    const auto state = nlohmann::json::parse(drive.state());
+    const auto state = nlohmann::json::parse(drive.live().state());
     EXPECT_EQ(state.at("alerts").back().at("level"), "stop");
-    EXPECT_TRUE(nlohmann::json::parse(drive.state()).at("alerts").empty()) << "alerts come once";
+    EXPECT_TRUE(nlohmann::json::parse(drive.live().state()).at("alerts").empty()) << "alerts come once";
     // Backwards it may go, and away.
     drive.steer(-1, 0);
     drive.advance(1.5);

@@ -1,0 +1,277 @@
+// usage: node webcam_test.mjs PAGE CLI NPM SHARE [PART]: the page with a camera, in headless Chromium. The camera plays a film: an orange
+// box stands, comes, and stands again. Black and white cells in the upper left corner are the number of each picture.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { Browser, POLLED, Tools, run, text } from "./harness.mjs";
+
+const [WIDTH, HEIGHT] = [320, 240];
+const RATE = 20;     // pictures a second
+const COMES = 5;     // s; until then it stands
+const HERE = 9.3;    // s; from then on it stands
+const LENGTH = 11;   // s
+const SPEED = 0.3;   // m/s
+const FAR = 1.5;     // m, where it stands at first
+const BROAD = 0.12;  // m
+const FOCAL = 277.13;
+const CELL = 12;     // px
+const BITS = 9;
+const CLOSE = 3;     // px, between a box and the truth
+
+const distanceAt = (number) => FAR - SPEED * (Math.min(HERE, Math.max(COMES, number / RATE)) - COMES);
+function truthAt(number) {
+  const half = FOCAL * BROAD / 2 / distanceAt(number);
+  return [Math.round(159.5 - half), Math.round(125.5 - half), Math.round(159.5 + half), Math.round(125.5 + half)];
+}
+
+/** The film as Y4M, with grey levels that wander as a cheap camera's do. */
+function film() {
+  const yuv = ([red, green, blue]) => {
+    const y = 0.299 * red + 0.587 * green + 0.114 * blue;
+    return [16 + y * 219 / 255, 128 + (blue - y) / 1.772 * 224 / 255, 128 + (red - y) / 1.402 * 224 / 255];
+  };
+  let random = 1;
+  const noise = () => { random = (random * 48271) % 2147483647; return random % 7 - 3; };
+  const [wall, box] = [yuv([120, 122, 126]), yuv([230, 110, 30])];
+  const parts = [Buffer.from(`YUV4MPEG2 W${WIDTH} H${HEIGHT} F${RATE}:1 Ip A1:1 C420jpeg\n`)];
+  for (let number = 0; number < LENGTH * RATE; ++number) {
+    const [x1, y1, x2, y2] = truthAt(number);
+    const inside = (u, v) => u >= x1 && u <= x2 && v >= y1 && v <= y2;
+    const luma = Buffer.alloc(WIDTH * HEIGHT);
+    for (let v = 0; v < HEIGHT; ++v) {
+      for (let u = 0; u < WIDTH; ++u) {
+        const bit = v < CELL && u < CELL * BITS ? (number >> Math.floor(u / CELL)) & 1 : null;
+        luma[v * WIDTH + u] = bit === null ? (inside(u, v) ? box : wall)[0] + noise() : bit ? 235 : 16;
+      }
+    }
+    const chroma = [1, 2].map((part) => {
+      const plane = Buffer.alloc(WIDTH * HEIGHT / 4);
+      for (let v = 0; v < HEIGHT; v += 2) {
+        for (let u = 0; u < WIDTH; u += 2) {
+          const orange = [[0, 0], [1, 0], [0, 1], [1, 1]].filter(([du, dv]) => inside(u + du, v + dv)).length / 4;
+          const cell = v < CELL && u < CELL * BITS;
+          plane[v / 2 * WIDTH / 2 + u / 2] = cell ? 128 : orange * box[part] + (1 - orange) * wall[part];
+        }
+      }
+      return plane;
+    });
+    parts.push(Buffer.from("FRAME\n"), luma, ...chroma);
+  }
+  return Buffer.concat(parts);
+}
+
+const tools = new Tools(process.argv.slice(2));
+const folder = mkdtempSync(join(tmpdir(), "fencepost-webcam-"));
+const capture = join(folder, "comes.y4m");
+writeFileSync(capture, film());
+const browser = await Browser.start(tools, ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${capture}`]);
+
+/** Runs in the page, before it: the number of each picture that the page takes, and the streams that it was given. `aside`: px that the page
+ * draws the camera's picture beside where it belongs. */
+function watch({ cell, bits, aside }) {
+  window.taken = [];
+  window.streams = [];
+  const { getImageData, drawImage } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.getImageData = function data(...area) {
+    const image = getImageData.apply(this, area);
+    let number = 0;
+    for (let i = 0; i < bits; ++i) if (image.data[4 * (cell / 2 * image.width + cell * i + cell / 2)] > 128) number += 1 << i;
+    window.taken.push(number);
+    return image;
+  };
+  CanvasRenderingContext2D.prototype.drawImage = function draw(image, x, ...rest) {
+    return drawImage.call(this, image, image instanceof HTMLVideoElement ? x + aside : x, ...rest);
+  };
+  const devices = navigator.mediaDevices;
+  const ask = devices.getUserMedia.bind(devices);
+  devices.getUserMedia = async (...wanted) => {
+    const stream = await ask(...wanted);
+    window.streams.push(stream);
+    return stream;
+  };
+}
+
+const opened = (aside = 0, more = {}) => browser.open({ before: { run: watch, with: { cell: CELL, bits: BITS, aside } }, ...more });
+/** When the page has taken a picture of those. */
+const taken = (page, from, to) => page.waitForFunction(([a, b]) => window.taken.at(-1) >= a && window.taken.at(-1) < b, [from, to], POLLED);
+const live = (page) => page.evaluate(() => window.streams.flatMap((stream) => stream.getTracks()).filter(({ readyState }) => readyState === "live").length);
+
+async function saved(page, button, name) {
+  const download = page.waitForEvent("download");
+  await page.click(button);
+  const file = join(folder, name);
+  await (await download).saveAs(file);
+  return file;
+}
+
+/** The film from a click on the box to where it has come: what the page said, and its log, colours and pictures by number. */
+async function follow(page, name, train) {
+  await page.click("#webcam");
+  await page.waitForSelector("#watching:not([hidden])");
+  await taken(page, 1, (COMES - 2) * RATE);
+  assert.equal(await text(page, "#banner"), "No alert");
+  await train(page);
+  assert.equal(await text(page, "#webcam-said"), "Trained: orange.");
+  await taken(page, (COMES - 1) * RATE, COMES * RATE);
+  const before = await text(page, "#banner");
+  await page.waitForFunction((last) => document.getElementById("banner").textContent.startsWith("STOP") || window.taken.at(-1) >= last, (LENGTH - 0.5) * RATE, POLLED);
+  const seen = await page.evaluate(() => ({ banner: document.getElementById("banner").textContent, colours: document.getElementById("webcam-colours").textContent }));
+  const colours = await saved(page, "#webcam-save", `${name}.json`);
+  const half = await saved(page, "#webcam-log", `${name}-half.log`);
+  const picture = process.env.FENCEPOST_PICTURES && await page.screenshot({ path: join(process.env.FENCEPOST_PICTURES, `${name}.png`) });
+  await page.click("#webcam-end");
+  await page.waitForFunction(() => document.getElementById("watching").hidden && document.getElementById("progress").hidden && document.getElementById("digest"), null, POLLED);
+  const log = await saved(page, "#save-log", `${name}.log`);
+  return { before, seen, colours, half, log, picture, digest: await text(page, "#digest"), numbers: await page.evaluate(() => window.taken) };
+}
+
+/** Frames of a log with the numbers of their pictures: [{ t, number, boxes }]. */
+function framesOf(log, numbers) {
+  const frames = readFileSync(log, "latin1").split("\r\n").filter((line) => line.startsWith("$FPFRM,")).map((line) => {
+    const [, t, , count, ...rest] = line.slice(0, line.indexOf("*")).split(",");
+    const each = rest.length / Math.max(1, Number(count));
+    return { t: Number(t), boxes: Array.from({ length: Number(count) }, (_, i) => rest.slice(i * each, (i + 1) * each).map(Number)) };
+  });
+  assert.ok(numbers.length >= frames.length, "each frame is a picture");
+  return frames.map((frame, i) => ({ ...frame, number: numbers[numbers.length - frames.length + i] }));
+}
+
+/** How far the boxes of those frames are from the truth, px, at most. */
+function farthest(frames) {
+  assert.ok(frames.length > 40, `${frames.length} frames`);
+  return Math.max(...frames.map(({ number, boxes }) => {
+    assert.equal(boxes.length, 1, `picture ${number}`);
+    const [signature, ...edges] = boxes[0];
+    assert.equal(signature, 1);
+    return Math.max(...truthAt(number).map((edge, i) => Math.abs(edge - edges[i])));
+  }));
+}
+
+const click = (page) => page.click("#camera");
+const after = (frames) => frames.slice(frames.findIndex(({ boxes }) => boxes.length));
+
+await run({
+  async "a click trains a colour; its boxes are true, STOP comes in time, and the log replays at the desk to the page's digest"() {
+    const page = await opened();
+    const made = await follow(page, "clicked", click);
+    assert.equal(made.before, "No alert", "what stands is no danger");
+    assert.match(made.seen.banner, /^STOP: .* contact in /);
+    assert.equal(made.seen.colours, "orange");
+    assert.ok(readFileSync(made.log, "latin1").startsWith(readFileSync(made.half, "latin1")));
+    assert.equal(made.digest, tools.digest(made.log));
+    const result = JSON.parse(tools.result(made.log));
+    const frames = framesOf(made.log, made.numbers);
+    assert.equal(result.log.frames, frames.length);
+    assert.ok(Object.values(result.log.rejected).every((count) => count === 0));
+    const off = farthest(after(frames));
+    const stop = result.alerts.find(({ level }) => level === "stop");
+    const then = frames.findLast(({ t }) => t <= stop.t);
+    const left = distanceAt(then.number);
+    console.log(`${frames.length} frames, boxes at most ${off} px off, STOP at picture ${then.number}, ${left.toFixed(2)} m away`);
+    assert.ok(off <= CLOSE, `${off} px`);
+    assert.ok(then.number > COMES * RATE, "not while it stood");
+    assert.ok(left > SPEED, `${left} m are less than a second`);
+    // At the desk the same film with the page's colours.
+    const desk = JSON.parse(readFileSync(made.colours));
+    assert.deepEqual(desk.signatures.map(({ id, name }) => [id, name]), [[1, "orange"]]);
+    assert.match(tools.says("doctor", "--camera", `video:${capture}`, "--colours", made.colours), /works: .* 1\.0 blobs each/);
+    assert.equal(await live(page), 0, "the camera is off");
+  },
+
+  async "a picture that is drawn a little aside is noticed"() {
+    const page = await opened(CLOSE + 1);
+    const made = await follow(page, "aside", click);
+    const off = farthest(after(framesOf(made.log, made.numbers)));
+    assert.ok(off > CLOSE, `${off} px`);
+  },
+
+  async "by the keyboard alone; a screen reader has all words; colours are forgotten; the camera is off when the page is left"() {
+    const page = await opened();
+    await page.focus("#webcam");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector("#watching:not([hidden])");
+    await taken(page, 1, COMES * RATE);
+    assert.equal(await page.evaluate(() => document.activeElement.id), "camera");
+    assert.ok(await page.isDisabled("#webcam-save") && await page.isDisabled("#webcam-forget"));
+    for (let i = 0; i < 5; ++i) await page.keyboard.press("ArrowUp");
+    for (let i = 0; i < 15; ++i) await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Enter");
+    assert.match(await text(page, "#webcam-said"), /^White and grey are no colours here/);
+    for (let i = 0; i < 15; ++i) await page.keyboard.press("ArrowLeft");
+    for (let i = 0; i < 5; ++i) await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Enter");
+    assert.equal(await text(page, "#webcam-said"), "Trained: orange.");
+    assert.deepEqual(await browser.complaints(page), []);
+    for (const language of ["de", "zh"]) {
+      await page.selectOption("#language", language);
+      assert.doesNotMatch(await text(page, "#webcam-said"), /Trained/);
+    }
+    await page.selectOption("#language", "en");
+    await page.click("#webcam-forget");
+    assert.equal(await text(page, "#webcam-colours"), "");
+    assert.ok(await page.isDisabled("#webcam-save"));
+    assert.equal(await live(page), 1);
+    await page.evaluate(() => {
+      Object.defineProperty(document, "hidden", { value: true, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    });
+    assert.equal(await live(page), 0);
+    assert.match(await text(page, "#webcam-error"), /^The camera was stopped, because this page was left\./);
+    assert.ok(await page.isHidden("#watching"));
+    await page.evaluate(() => { delete document.hidden; });
+  },
+
+  async "another log or a drive ends it, and a camera that is pulled out is said"() {
+    const page = await opened();
+    const begin = async () => {
+      await page.click("#webcam");
+      await page.waitForSelector("#watching:not([hidden])");
+    };
+    await begin();
+    await page.click("#drive");
+    assert.equal(await live(page), 0);
+    assert.ok(await page.isHidden("#watching"));
+    await begin();
+    assert.ok(await page.isHidden("#driving"));
+    await page.selectOption("#recordings", "1");
+    await page.waitForFunction(() => document.title.startsWith("wro_lap"), null, POLLED);
+    assert.equal(await live(page), 0);
+    await begin();
+    await page.evaluate(() => window.streams.at(-1).getVideoTracks()[0].dispatchEvent(new Event("ended")));
+    assert.match(await text(page, "#webcam-error"), /^The camera is gone\./);
+    assert.equal(await live(page), 0);
+  },
+
+  async "no camera, none allowed, one in use, or a page that gets none: a sentence says what to do"() {
+    const page = await opened();
+    const cases = { NotAllowedError: /does not let this page.*Allow it/, NotFoundError: /No camera was found.*Plug one in/, NotReadableError: /does not start.*Close other/,
+      SecurityError: /gives no camera.*localhost/, TypeError: /cannot be used.*TypeError: why/ };
+    for (const [name, says] of Object.entries(cases)) {
+      await page.evaluate((error) => { navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException("why", error)); }, name);
+      await page.click("#webcam");
+      await page.waitForFunction(() => !document.getElementById("webcam").disabled && document.getElementById("webcam-error").textContent, null, POLLED);
+      assert.match(await text(page, "#webcam-error"), says);
+      assert.ok(await page.isHidden("#watching"));
+    }
+    assert.deepEqual(await browser.complaints(page), []);
+    await page.evaluate(() => Object.defineProperty(navigator, "mediaDevices", { value: undefined, configurable: true }));
+    await page.click("#webcam");
+    assert.match(await text(page, "#webcam-error"), /gives no camera.*localhost/);
+  },
+
+  async "a phone has room for it, and nothing asked for the network"() {
+    const page = await opened(0, { viewport: { width: 400, height: 800 } });
+    await page.click("#webcam");
+    await page.waitForSelector("#watching:not([hidden])");
+    await taken(page, 1, LENGTH * RATE);
+    await click(page);
+    if (process.env.FENCEPOST_PICTURES) await page.screenshot({ path: join(process.env.FENCEPOST_PICTURES, "phone.png") });
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    assert.deepEqual(browser.requests, []);
+    assert.deepEqual(browser.errors, []);
+  },
+}, process.argv[6]);
+
+await browser.close();
+rmSync(folder, { recursive: true });
