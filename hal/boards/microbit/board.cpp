@@ -6,7 +6,6 @@
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
 #include "hal/mcu/nrf51/reset_reason.hpp"
-#include "hal/mcu/nrf51/supply.hpp"
 #include "hal/mcu/nrf51/watchdog.hpp"
 #include "hal/mcu/register.hpp"
 
@@ -54,7 +53,6 @@ void start(std::uint32_t console_baud) {
   mcu::reg(part::kStartCrystal) = part::kTrigger;
   static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kMaxPolls));
   the_clock.start();
-  part::watch_supply(part::kSupplyAbove2V1);
   part::start_watchdog();
   console_line.start(kConsoleSends, kConsoleReceives, console_baud);
   start_led();
@@ -71,7 +69,6 @@ mcu::ResetReason take_reset_reason() { return part::take_reset_reason(); }
 std::optional<mcu::Panic> take_panic() { return mcu::cortex_m::take_panic(); }
 
 void allow_motion(bool allowed) { kStop.drive(allowed); }
-bool supply_low() { return part::supply_low(); }
 void feed_watchdog() {
   part::feed_watchdog();
   kFirstRow.drive((the_clock.microseconds() >> kHalfASecond & 1U) != 0);

@@ -40,8 +40,6 @@ std::optional<mcu::Panic> take_panic();
 /// STOP, for the enable input of a motor driver: high while the robot may drive, low from `start` on. A resistor of 10
 /// k to ground holds it while the part is in reset.
 void allow_motion(bool allowed);
-/// It has been below 2.1 V since the last reset: nothing may move, and flash is not written.
-bool supply_low();
 /// Also drives the heartbeat: the upper left pixel blinks once a second as long as the loop runs.
 void feed_watchdog();
 /// Sleeps until something may have happened: a byte, or a millisecond.

@@ -307,23 +307,22 @@ class Driving(unittest.TestCase):
         drive.run(0.4, hears=False)
         self.assertEqual(drive.part.pin(drive.part.STOP), (True, 0), said(drive.part))
 
+    # Of the micro:bit v2 alone: QEMU's nRF51, on which the other is tested, reads every event of POWER as set.
     def test_a_supply_that_fell_holds_the_motors_and_keeps_the_flash(self):
-        for board in PARTS:
-            with self.subTest(board=board):
-                drive = Drive(board)
-                part = drive.part
-                drive.run(0.5)
-                self.assertEqual(part.pin(part.STOP), (True, 1), said(part))
-                part.sag()
-                drive.run(0.04)
-                self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
-                self.assertEqual(said(part).count("error: the supply is too low: nothing moves"), 1, said(part))
-                before = bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE))
-                part.line.feed(b"set alert.stop 0.41\r", part.seconds)
-                drive.run(0.3)
-                self.assertIn("could not be written", said(part))
-                self.assertEqual(bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE)), before)
-                self.assertEqual([level for _, level in part.stop_levels], [0, 1, 0])
+        drive = Drive("microbit_v2")
+        part = drive.part
+        drive.run(0.5)
+        self.assertEqual(part.pin(part.STOP), (True, 1), said(part))
+        part.sag()
+        drive.run(0.04)
+        self.assertEqual(part.pin(part.STOP), (True, 0), said(part))
+        self.assertEqual(said(part).count("error: the supply is too low: nothing moves"), 1, said(part))
+        before = bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE))
+        part.line.feed(b"set alert.stop 0.41\r", part.seconds)
+        drive.run(0.3)
+        self.assertIn("could not be written", said(part))
+        self.assertEqual(bytes(part.uc.mem_read(part.FLASH_SIZE - 2 * part.PAGE, 2 * part.PAGE)), before)
+        self.assertEqual([level for _, level in part.stop_levels], [0, 1, 0])
 
     # Hangs in the middle of a turn: the watchdog is fed at its end.
     def test_the_watchdog_bites_in_time(self):
