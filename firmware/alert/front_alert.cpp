@@ -135,12 +135,19 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   return ahead;
 }
 
+// Points that are surely too far are left out in whole millimetres of the guard's axes: floats are slow on small cores.
 bool front_within(std::span<const Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
                   const recon::Vec2& place, float reach) {
+  constexpr std::int32_t kRounding = 2;  // mm
   const recon::Vec2 from = recon::offset_from(robot.position, origin);
+  const recon::Vec2 middle = recon::rotated(robot.heading, place) - from;
+  const std::int32_t x = recon::nearest_whole(recon::kMillimetresPerMetre * middle.x());
+  const std::int32_t y = recon::nearest_whole(recon::kMillimetresPerMetre * middle.y());
+  const std::int32_t near = recon::nearest_whole(recon::kMillimetresPerMetre * (reach + kFrontRadius)) + kRounding;
   const float square = (reach + kFrontRadius) * (reach + kFrontRadius);
   unsigned frames = 0;
   for (const Front& front : fronts) {
+    if (front.x > x + near || front.x < x - near || front.y > y + near || front.y < y - near) continue;
     const recon::Vec2 at = robot.see(from + recon::Vec2{metres(front.x), metres(front.y)});
     if ((at - place).squared_norm() < square) frames |= front.frames;
   }
