@@ -5,12 +5,12 @@
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/cortex_m/panic.hpp"
 #include "hal/mcu/nrf51/registers.hpp"
-#include "hal/mcu/nrf51/supply.hpp"
 #include "hal/mcu/nrf51/watchdog.hpp"
 #include "hal/mcu/nrf52/encoder.hpp"
 #include "hal/mcu/nrf52/registers.hpp"
 #include "hal/mcu/nrf52/reset_reason.hpp"
 #include "hal/mcu/nrf52/start.hpp"
+#include "hal/mcu/nrf52/supply.hpp"
 #include "hal/mcu/register.hpp"
 
 namespace fencepost::board {
@@ -58,7 +58,7 @@ void start(std::uint32_t console_baud) {
   mcu::reg(part::kStartCrystal) = part::kTrigger;
   static_cast<void>(mcu::await_bits(part::kCrystalStarted, 1, kMaxPolls));
   the_clock.start();
-  part::watch_supply(mcu::nrf52::kSupplyAbove2V1);
+  mcu::nrf52::watch_supply();
   part::start_watchdog();
   part::feed_watchdog();  // one that a reset by software left running is not started again
   console_line.start(microbit_v2::kConsoleSends, microbit_v2::kConsoleReceives, console_baud);
@@ -89,7 +89,7 @@ void allow_motion(bool allowed) {
   microbit_v2::kStop.drive(allowed);
   microbit_v2::kHeldRow.drive(!allowed);
 }
-bool supply_low() { return part::supply_low(); }
+bool supply_low() { return mcu::nrf52::supply_low(); }
 void feed_watchdog() {
   part::feed_watchdog();
   microbit_v2::kHeartbeatRow.drive((the_clock.microseconds() >> kHalfASecond & 1U) != 0);

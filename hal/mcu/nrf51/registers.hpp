@@ -15,11 +15,7 @@ constexpr std::uint32_t interrupt_of(std::uint32_t peripheral) { return (periphe
 inline constexpr std::uint32_t kPower = 0x4000'0000;
 inline constexpr std::uint32_t kStartCrystal = kPower + 0x000;    // HFCLKSTART
 inline constexpr std::uint32_t kCrystalStarted = kPower + 0x100;  // event
-inline constexpr std::uint32_t kSupplyFell = kPower + 0x108;      // POFWARN, event
-inline constexpr std::uint32_t kSupplyWatch = kPower + 0x510;     // POFCON
-inline constexpr std::uint32_t kWatchSupply = 1U << 0;
-inline constexpr std::uint32_t kSupplyAbove2V1 = 0U << 1;
-inline constexpr std::uint32_t kResetReason = kPower + 0x400;  // RESETREAS; a bit is cleared by writing it
+inline constexpr std::uint32_t kResetReason = kPower + 0x400;     // RESETREAS; a bit is cleared by writing it
 inline constexpr std::uint32_t kResetByPin = 1U << 0;
 inline constexpr std::uint32_t kResetByWatchdog = 1U << 1;
 inline constexpr std::uint32_t kResetBySoftware = 1U << 2;

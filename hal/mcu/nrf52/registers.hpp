@@ -12,7 +12,12 @@ namespace fencepost::mcu::nrf52 {
 
 inline constexpr std::uint32_t kFlashPage = 4096;  // bytes (Memory)
 
-inline constexpr std::uint32_t kSupplyAbove2V1 = 8U << 1;  // POWER, POFCON
+// Supply watch, POWER.
+
+inline constexpr std::uint32_t kSupplyFell = nrf51::kPower + 0x108;   // POFWARN, event
+inline constexpr std::uint32_t kSupplyWatch = nrf51::kPower + 0x510;  // POFCON
+inline constexpr std::uint32_t kWatchSupply = 1U << 0;
+inline constexpr std::uint32_t kSupplyAbove2V1 = 8U << 1;
 
 // Flash controller, NVMC: a cache of instructions, off after a reset.
 inline constexpr std::uint32_t kInstructionCache = nrf51::kFlash + 0x540;

@@ -172,12 +172,6 @@ class Nrf5(Core):
             return True
         return None
 
-    def sag(self):
-        """The supply falls for a moment; 2.1 V have the parts in common."""
-        watch = self.words.get(POWER + 0x510, 0)
-        if watch == 1 | self.FALLS_BELOW_2V1 << 1:
-            self.words[POWER + 0x108] = 1
-
     def write_flash(self, register, value):
         if register in (0x504, 0x508) and self.seconds < self.flash_until:
             self.fault("the flash controller is written to while it is busy")
@@ -413,7 +407,6 @@ class Nrf51(Nrf5):
     MEMORIES = [(0, 256 << 10)]
     ERASE_SECONDS, WRITE_SECONDS = 0.0223, 46e-6
     STOP = 2  # the board's: ring 1
-    FALLS_BELOW_2V1 = 0
 
 
 class Nrf52(Nrf5):
@@ -436,6 +429,11 @@ class Nrf52(Nrf5):
 
     def reset_pins(self):
         return struct.unpack("<II", self.uc.mem_read(RESET_PINS[0], 8))
+
+    def sag(self):
+        """The supply falls below 2.1 V for a moment."""
+        if self.words.get(POWER + 0x510, 0) == 1 | self.FALLS_BELOW_2V1 << 1:
+            self.words[POWER + 0x108] = 1
 
     def turn_pin(self, number, level):
         """Somebody outside does; a channel that watches the pin sees an edge."""
