@@ -143,14 +143,12 @@ def content(source, build, version, machine, beside):
     return files, about
 
 
-def write(file, files, about, tag):
-    wheel = f"Wheel-Version: 1.0\nGenerator: fencepost (toolchain/wheel.py)\nRoot-Is-Purelib: false\nTag: {tag}\n"
-    files = {**files, f"{about}/WHEEL": (wheel.encode(), False)}
-    record = ""
-    for name, (data, _) in files.items():
-        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
-        record += f"{name},sha256={digest},{len(data)}\n"
-    files[f"{about}/RECORD"] = (f"{record}{about}/RECORD,,\n".encode(), False)
+def version_of(source):
+    return re.search(r"project\(fencepost VERSION ([\d.]+)", (source / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+
+
+def write_archive(file, files):
+    """`files`: {name in the archive: (data, is a program)}. The same files give the same bytes."""
     when = time.gmtime(max(int(os.environ.get("SOURCE_DATE_EPOCH", "315532800")), 315532800))[:6]
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, (data, program) in files.items():
@@ -160,12 +158,23 @@ def write(file, files, about, tag):
             archive.writestr(info, data)
 
 
+def write(file, files, about, tag):
+    wheel = f"Wheel-Version: 1.0\nGenerator: fencepost (toolchain/wheel.py)\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    files = {**files, f"{about}/WHEEL": (wheel.encode(), False)}
+    record = ""
+    for name, (data, _) in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+        record += f"{name},sha256={digest},{len(data)}\n"
+    files[f"{about}/RECORD"] = (f"{record}{about}/RECORD,,\n".encode(), False)
+    write_archive(file, files)
+
+
 def main():
     if len(sys.argv) != 4:
         print(__doc__.strip(), file=sys.stderr)
         return 2
     source, build, out = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-    version = re.search(r"project\(fencepost VERSION ([\d.]+)", (source / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+    version = version_of(source)
     program, library = build / "host/cli/fencepost", build / "firmware/fencepost/libfencepost.so"
     system, beside = "linux", {}
     if BESIDE in dynamic(program, "RPATH"):  # not RUNPATH: what its libraries need is looked for there, too

@@ -4,13 +4,12 @@
 Writes fencepost-VERSION-windows.zip of what the preset `windows` has built: the program, what it reads, licence and README.
 """
 
-import os
 import pathlib
 import re
 import subprocess
 import sys
-import time
-import zipfile
+
+from wheel import version_of, write_archive
 
 STRIP = "x86_64-w64-mingw32-strip"
 SHARE = ("recordings", "blocks", "schema", "examples", "doc")
@@ -39,17 +38,12 @@ def main():
         print(__doc__.strip(), file=sys.stderr)
         return 2
     source, build, out = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-    version = re.search(r"project\(fencepost VERSION ([\d.]+)", (source / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+    version = version_of(source)
     out.mkdir(parents=True, exist_ok=True)
     files = content(source, build, out)
-    when = time.gmtime(max(int(os.environ.get("SOURCE_DATE_EPOCH", "315532800")), 315532800))[:6]
     archive = out / f"fencepost-{version}-windows.zip"
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
-        for name, file in files.items():
-            info = zipfile.ZipInfo(f"fencepost-{version}/{name}", when)
-            info.external_attr = (0o100755 if name.endswith(".exe") else 0o100644) << 16
-            info.compress_type = zipfile.ZIP_DEFLATED
-            packed.writestr(info, file.read_bytes())
+    write_archive(archive, {f"fencepost-{version}/{name}": (file.read_bytes(), name.endswith(".exe"))
+                            for name, file in files.items()})
     for made in ("fencepost.exe", "README.md"):
         files[made].unlink()
     print(archive)
