@@ -81,9 +81,10 @@ TEST(Microbit, StartsAsItsImageWasConfigured) {
 TEST(Microbit, SaysWhichCamerasItHas) {
   Bench bench(microbit());
   ASSERT_TRUE(bench.await("READY\r\n")) << bench.said();
-  EXPECT_TRUE(bench.obey("set camera pixy2",
-                         "error: 'pixy2' is not possible: camera takes "
-                         "console|pixy2_i2c|pixy2.1_i2c|huskylens_i2c|nxtcam_i2c|pixy1_i2c|huskylens2_i2c|grove_i2c\r\n"))
+  EXPECT_TRUE(
+      bench.obey("set camera pixy2",
+                 "error: 'pixy2' is not possible: camera takes "
+                 "console|pixy2_i2c|pixy2.1_i2c|huskylens_i2c|nxtcam_i2c|pixy1_i2c|huskylens2_i2c|grove_i2c\r\n"))
       << bench.said();
   EXPECT_TRUE(bench.obey("set odometry encoders", "odometry takes console\r\n")) << bench.said();
 }
