@@ -15,6 +15,7 @@ const FIRST_BLOCK = 2;   // of data: those before it are commands
 const IDLE = 2;          // states
 const DOWNLOADING = 5;
 const ERROR = 10;
+const PATIENCE = 10_000; // ms: the slowest sector is erased in 4 (datasheet of the STM32F405)
 const USUAL_SIZE = 2048; // bytes of a transfer, where the board does not say
 const FUNCTIONAL = 0x21; // descriptor
 const REASONS = ["ok", "the file is for another part", "the file fails a check of the maker", "it could not write", "it could not erase", "the flash is not erased",
@@ -107,12 +108,13 @@ export class Dfuse {
   // It begins to work when its status is asked for, and says how long that takes.
   async #download(block, bytes, what) {
     await this.#out(DOWNLOAD, { value: block, bytes, what });
-    for (;;) {
+    for (const end = Date.now() + PATIENCE; Date.now() < end;) {
       const { code, wait, state } = await this.#status();
       if (code) throw new Refused(what, REASONS[code] ?? REASONS[UNKNOWN]);
       if (state === DOWNLOADING) return;
-      await new Promise((resolve) => setTimeout(resolve, wait));
+      await new Promise((resolve) => setTimeout(resolve, Math.min(wait, PATIENCE)));
     }
+    throw new Refused(what, "it is busy without an end");
   }
 
   #command(code, address, what) {

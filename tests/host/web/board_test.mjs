@@ -262,7 +262,7 @@ await run({
     assert.equal(found.far, 0x5a, "sectors that the file does not have stay");
     assert.equal(found.started, 0x08000000);
     assert.ok(found.closed && new Set(found.erased).size === found.erased.length && found.erased[0] === 0x08000000);
-    for (const [fault, says] of [["none", /No board was chosen.*0483:df11/], ["bits", /differs at address 0x8000807/], ["old", /differs at address 0x8000009/], ["protected", /refused erase: it is read-protected/]]) {
+    for (const [fault, says] of [["none", /No board was chosen.*0483:df11/], ["bits", /differs at address 0x8000807/], ["old", /differs at address 0x8000009/], ["protected", /refused erase: it is read-protected/], ["stuck", /refused erase: it is busy without an end/]]) {
       await opened.evaluate((what) => { Object.assign(window, { usbFault: what }); window.stm32.started = null; }, fault);
       await asked(opened, "#board-write");
       assert.match(await text(opened, "#board-error"), says);

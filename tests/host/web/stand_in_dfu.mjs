@@ -60,7 +60,7 @@ export function standInDfu() {
     if (state === SYNC) {  // now it does it; the next one says how it went
       status = work();
       state = status ? ERROR : BUSY;
-    } else if (state === BUSY) {
+    } else if (state === BUSY && window.usbFault !== "stuck") {
       state = DOWNLOADING;
     } else if (state === MANIFEST) {
       work();
