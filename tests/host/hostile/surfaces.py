@@ -3,6 +3,7 @@
 usage: surfaces.py FENCEPOST RECORDINGS [--times N] [--seed N] [--surface NAME]... [--planted]
 """
 import argparse
+import concurrent.futures
 import fcntl
 import gzip
 import json
@@ -20,6 +21,7 @@ import subprocess
 import sys
 import tempfile
 import termios
+import threading
 import time
 
 LONGEST = 120  # s of any command, on a busy machine
@@ -44,8 +46,14 @@ class Bench:
         self.folder = pathlib.Path(self.held.name)
         self.log = recordings / "approach_stop.log"
 
-    def start(self, *arguments, **options):
-        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    def start(self, *arguments, largest=None, **options):
+        """`largest`: no file gets more bytes, as on a disk that is full then."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+            if largest:
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (largest, largest))
+
         return subprocess.Popen([self.program, *map(str, arguments)], cwd=self.folder, preexec_fn=limit, **options)
 
     def run(self, *arguments, codes=(0, 1, 3), given=b""):
@@ -167,6 +175,119 @@ def runs(bench):
         expect(code == 0 or "no frame" in words or "no record" in words or "empty" in words or "none of" in words, words)
         if code == 0 and said:
             expect(said[1] in out.decode(), "run said digest", said[1], "and the log has another")
+
+
+CAMERAS = ("cmucam1", "cmucam2", "cmucam3", "cmucam4", "cognachrome", "openmv", "maixcam", "vex", "cbc", "grove", "huskylens", "huskylens2",
+           "jevois", "nxtcam", "nxtcam5", "avrcam", "pixy1", "pixy2", "pixy2.1", "xbc")
+WHEELS = ("create1", "create2", "nxt", "records")
+FAULTS = ("", "drop=0.002", "corrupt=0.002", "stall=0.002:1.5", "late=0.05:0.3", "reboot=4", "unplug=4:1", "drop=0.001,corrupt=0.001,unplug=5:1")
+
+
+class LiveRun:
+    """`run` on a camera and wheels that `emulate` plays, with one fault of the line, one of the machine, and one way to end."""
+
+    def __init__(self, bench, number):
+        dice = random.Random(bench.dice.random())
+        self.bench, self.dice, self.tag = bench, dice, f"live{number}"
+        self.camera, self.wheels, self.fault = dice.choice(CAMERAS), dice.choice(WHEELS), dice.choice(FAULTS)
+        self.trouble = dice.choice(("", "run sleeps", "devices sleep", "full disk", "slow disk", "parts", "view", "command that hangs", "no devices"))
+        self.end = dice.choice(("seconds", "SIGINT", "SIGTERM", "SIGKILL"))
+        self.folder = bench.folder / self.tag
+        self.folder.mkdir()
+        self.log = self.folder / "run.log"
+
+    def __str__(self):
+        return f"{self.tag}: {self.camera}, {self.wheels}, {self.fault or 'good line'}, {self.trouble or 'no trouble'}, ends by {self.end}"
+
+    def go(self):
+        """Answers whether frames came, and whether the run said its digest: then the log has the same."""
+        at = [f"{self.folder}/camera", f"{self.folder}/wheels"]
+        scene = self.bench.recordings.parent / "doc/sensors" / f"{self.camera}.json"
+        faults = ["--fault", self.fault, "--seed", self.dice.randrange(1, 1000)] if self.fault else []
+        self.devices = self.bench.start("emulate", self.camera, self.wheels, scene, "--link", at[0], "--link", at[1], "--loop", "--delay", 2, *faults,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            return self.drive(scene, at)
+        finally:
+            self.devices.kill()
+            self.devices.wait()
+
+    def drive(self, scene, at):
+        since = time.monotonic()
+        while not (os.path.lexists(at[0]) and os.path.lexists(at[1])):
+            expect(time.monotonic() - since < LONGEST and self.devices.poll() is None, "no devices for", self)
+            time.sleep(0.05)
+        more = {"parts": ["--log-size", "8K"], "view": ["--view"], "command that hangs": ["--on-alert", "sleep 30"]}.get(self.trouble, [])
+        if self.end == "seconds":
+            more += ["--seconds", self.dice.randint(5, 12)]
+        reader = None
+        if self.trouble == "slow disk":
+            os.mkfifo(self.log)
+            reader = threading.Thread(target=self.read_slowly, daemon=True)
+            reader.start()
+        words = open(self.folder / "said", "w+b")  # no pipe: a command of a killed run would hold it open
+        process = self.bench.start("run", "--camera", f"{self.camera}:{at[0]}", "--odometry", f"{self.wheels}:{at[1]}", "--robot", scene, "--mode", "quiet",
+                                   "--log", self.log, "--wait", *more, largest=self.dice.randint(4, 60) * 1024 if self.trouble == "full disk" else None,
+                                   stdin=subprocess.DEVNULL, stdout=words, stderr=words)
+        try:
+            self.disturb_and_end(process)
+        except subprocess.TimeoutExpired:
+            raise Broken("does not end:", self) from None
+        finally:
+            process.kill()
+            process.wait()
+            words.close()
+            if reader:
+                reader.join(LONGEST)
+        said = (self.folder / "said").read_text("utf-8", "replace")
+        codes = {"full disk": (4,)}.get(self.trouble, ()) + {"SIGKILL": (-signal.SIGKILL,), "SIGINT": (130,)}.get(self.end, (0,))
+        expect(process.returncode in codes, process.returncode, "by", self, said[-500:])
+        expect("not foreseen" not in said, self, said[-500:])
+        return self.replays(process.returncode, re.search(r"digest ([0-9a-f]{16})", said))
+
+    def read_slowly(self):
+        with open(self.log, "rb", buffering=0) as pipe, open(self.folder / "read.log", "wb") as kept:
+            while block := pipe.read(2000):
+                kept.write(block)
+                time.sleep(0.05)
+
+    def disturb_and_end(self, process):
+        time.sleep(self.dice.uniform(1, 5))
+        sleeper = {"run sleeps": process, "devices sleep": self.devices}.get(self.trouble)
+        if sleeper and process.poll() is None:
+            sleeper.send_signal(signal.SIGSTOP)
+            time.sleep(self.dice.uniform(0.2, 3))
+            sleeper.send_signal(signal.SIGCONT)
+        time.sleep(self.dice.uniform(1, 5))
+        if self.trouble == "no devices":
+            self.devices.kill()
+            time.sleep(1)
+        if self.end != "seconds":
+            process.send_signal(getattr(signal, self.end))
+        process.wait(timeout=LONGEST)
+
+    def replays(self, code, digest):
+        parts = [self.log, *sorted(self.folder.glob("run-*.log"))]
+        if self.trouble == "slow disk":
+            parts = [self.folder / "read.log"]
+        whole = self.folder / "whole.log"
+        whole.write_bytes(b"".join(part.read_bytes() for part in parts))
+        status, out, words = self.bench.run("replay", whole, "--check", "--json", codes=(0, 3))
+        if status == 3:
+            expect(code != 0 or "no frame" in words, self, words)
+            return False, False
+        compared = digest is not None and self.trouble != "full disk"
+        expect(not compared or digest[1] in out.decode(), "the log's digest is not what the run said:", self, digest)
+        return True, compared
+
+
+def emulated(bench):
+    """Live runs on emulated devices, on bad lines and a bad machine, ended in each way: the log replays to what the run said."""
+    lives = [LiveRun(bench, i) for i in range(max(2, bench.times))]
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        seen, compared = map(sum, zip(*pool.map(LiveRun.go, lives)))
+    pairs = {(life.camera, life.wheels) for life in lives}
+    print(f"emulated: {len(lives)} runs of {len(pairs)} pairs, {seen} with frames, of {compared} the digest is the log's")
 
 
 def view(bench):
@@ -304,7 +425,7 @@ def terminals(bench):
             os.close(master)
 
 
-SURFACES = {f.__name__: f for f in (inputs, packed, runs, view, names, outputs, terminals)}
+SURFACES = {f.__name__: f for f in (inputs, packed, runs, emulated, view, names, outputs, terminals)}
 
 
 def main():
