@@ -40,6 +40,25 @@ class Motors : public DrivenPico {
     }
     return true;
   }
+  /// The share of that time in which the pin was high, over whole periods; 0 without any.
+  double duty_in_the_last(double seconds, const std::string& pin) {
+    const double since = bench.seconds() - seconds;
+    double began = 0;
+    double rose = 0;
+    double on = 0;
+    double on_before = 0;
+    for (const Change& change : changes(pin)) {
+      if (change.t < since || (!change.high && rose == 0)) continue;
+      if (!change.high) {
+        on += change.t - rose;
+        continue;
+      }
+      if (began == 0) began = change.t;
+      rose = change.t;
+      on_before = on;
+    }
+    return rose > began ? on_before / (rose - began) : 0;
+  }
   /// The later of both; they are low.
   double stood() { return std::max(fallen(pins_.power[0]), fallen(pins_.power[1])); }
   bool never_ran() { return changes(pins_.power[0]).empty() && changes(pins_.power[1]).empty(); }
@@ -67,21 +86,28 @@ TEST_F(Motors, StandUntilSomebodyTypesGo) {
   EXPECT_TRUE(never_ran()) << "what was refused does not come later";
 }
 
-void expect_duty(const std::vector<std::pair<double, bool>>& all, double duty) {
-  double on = 0;
-  double off = 0;
-  for (std::size_t i = 1; i < all.size(); ++i) (all[i - 1].second ? on : off) += all[i].first - all[i - 1].first;
-  ASSERT_GT(on + off, 0.3);
-  EXPECT_NEAR(on / (on + off), duty, 0.01);
-}
-
 TEST_F(Motors, HaveThePowerThatTheyWereGiven) {
   go();
-  for (const std::string& pin : pins_.power) {
-    std::vector<std::pair<double, bool>> all;
-    for (const Change& change : changes(pin)) all.emplace_back(change.t, change.high);
-    expect_duty(all, 0.40);
+  for (const std::string& pin : pins_.power) EXPECT_NEAR(duty_in_the_last(0.3, pin), 0.40, 0.01);
+}
+
+TEST_F(Motors, HaveLessWhereTheRobotIsTooFastAndThenNone) {
+  bench.console().send(line_of(level_pixy2()));  // without the lens's height no speed is told
+  speed_ = 0.02;
+  go();
+  speed_ = 0.3;  // it stays: these wheels do not obey
+  std::vector<double> power;
+  for (int i = 0; i < 50 && bench.said().find(",stop,") == std::string::npos; ++i) {
+    drive(0.1);
+    power.push_back(duty_in_the_last(0.08, pins_.power[0]));
   }
+  ASSERT_GT(power.size(), 5U) << bench.said().substr(0, 2'000);
+  EXPECT_NEAR(power.front(), 0.40, 0.02) << "nothing is near yet";
+  const double last = power[power.size() - 2];
+  EXPECT_LT(last, 0.35) << "before STOP";
+  EXPECT_GT(last, 0.1) << "it goes on, more slowly";
+  drive(0.1);
+  EXPECT_LT(stood(), bench.seconds());
 }
 
 TEST_F(Motors, FallWithTheRecordThatSaysStopAndStayThere) {
