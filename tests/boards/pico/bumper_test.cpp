@@ -92,7 +92,7 @@ TEST_F(Motors, HaveThePowerThatTheyWereGiven) {
 }
 
 TEST_F(Motors, HaveLessWhereTheRobotIsTooFastAndThenNone) {
-  bench.console().send(line_of(level_pixy2()));  // without the lens's height no speed is told
+  bench.console().send(line_of(level_pixy2()));  // without the lens height the speed limit is not known
   speed_ = 0.02;
   go();
   speed_ = 0.3;  // it stays: these wheels do not obey
