@@ -87,7 +87,7 @@ class Drive {
     const auto sample = [](const sensor::OdometrySample& from) {
       return recon::PoseSample{static_cast<std::uint32_t>(from.t.raw), recon::to_map_pose(from), false};
     };
-    if (after->t - (after - 1)->t > recon::kMaxOdometryGap) return std::nullopt;
+    if (after->t - (after - 1)->t > recon::kMoment) return std::nullopt;
     return recon::interpolate(sample(*(after - 1)), sample(*after), static_cast<std::uint32_t>(t.raw));
   }
 

@@ -21,7 +21,7 @@ static_assert(sizeof(Front) == 8);
 inline constexpr int kDoubtTicks = 32;
 inline constexpr int kSeenTicks = 2048;
 
-/// At least kFrames of these eight: it takes three, and counting all of them costs more.
+/// At least kFewestViews of these eight: it takes three, and counting all of them costs more.
 constexpr bool enough_frames(unsigned frames) {
   frames &= frames - 1;
   frames &= frames - 1;

@@ -12,8 +12,7 @@ constexpr std::int32_t kRefutes = static_cast<std::int32_t>(kRefutedAfter.raw / 
 constexpr std::int32_t kMostElapsed = kRefutes / 3;
 constexpr std::int32_t kOldest = 200;  // kSeenTicks: an older front counts as no older
 constexpr auto kUnconfirmedAge = static_cast<std::int32_t>(kUnconfirmed.raw / kSeenTicks);
-constexpr auto kRememberedAge = static_cast<std::int32_t>(kFootRemembered.raw / kSeenTicks);
-static_assert(kRefutes <= 0xFF && kFrames == 3);
+static_assert(kRefutes <= 0xFF && kFewestViews == 3);
 
 using Place = FloorPlace;
 
@@ -255,7 +254,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
     if (std::max(std::max(place.depth, -place.depth), std::max(place.left, -place.left)) > kForgotten) continue;
     const auto age = static_cast<std::uint8_t>(now_ - front.seen);
     const std::int32_t depth = place.depth;
-    switch (judgement.of(place, front.signature, age <= kRememberedAge, age < stood)) {
+    switch (judgement.of(place, front.signature, age <= kUnconfirmedAge, age < stood)) {
       case Verdict::kSupported:
         front.frames |= bit;
         front.seen = now_;

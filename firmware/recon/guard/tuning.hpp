@@ -26,8 +26,8 @@ inline constexpr std::int32_t kUnseenFoot = 12;
 /// The same of a blob as wide as the image. Flat.
 inline constexpr std::int32_t kUnseenFootOfAll = 10;
 /// mm by which a front goes on beyond the side of the image that cuts it. More: false stops in corridors; less: late
-/// ones at walls. Flat.
-inline constexpr std::int32_t kBeyondSide = 64;
+/// ones at walls. Derived: to the next point.
+inline constexpr std::int32_t kBeyondSide = kSpacing;
 
 // --- which sighting means which point ---
 
@@ -36,13 +36,13 @@ inline constexpr std::int32_t kBeyondSide = 64;
 inline constexpr std::int32_t kSupportSlack = 15;
 inline constexpr std::int32_t kSupportRows = 10;
 /// A blob whose foot is farther than a point by so much more looks past the point. More: stale points; less: noise
-/// refutes. By design: a row and 5 mm beyond what supports.
-inline constexpr std::int32_t kPastSlack = 20;
-inline constexpr std::int32_t kPastRows = 14;
+/// refutes. Derived: a row and 5 mm beyond what supports.
+inline constexpr std::int32_t kPastSlack = kSupportSlack + 5;
+inline constexpr std::int32_t kPastRows = kSupportRows + 4;
 /// px on either side by which a blob may be narrower than what it shows. By design.
 inline constexpr std::int32_t kEdgePixels = 2;
-/// mm to the side. By design.
-inline constexpr std::int32_t kSideSlack = 16;
+/// mm to the side. Derived: a quarter of the way to the next point.
+inline constexpr std::int32_t kSideSlack = kSpacing / 4;
 /// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
 inline constexpr std::int32_t kLeastStep = 4;
 
@@ -54,17 +54,12 @@ inline constexpr base::Duration kRefutedAfter = base::milliseconds(300);
 /// Where frames neither support a point nor look past it although it should be visible, one of so many counts. A
 /// power of two. By design.
 inline constexpr unsigned kUnsureFrames = 8;
-/// A point that fewer than kFrames different frames have supported is forgotten after so long without support. More:
-/// noise below the image adds up; less: slow cameras see nothing. Flat.
+/// A point that fewer than kFewestViews frames have supported is forgotten after so long without support. So is where
+/// a foot was before it left the image. More: noise below the image adds up; less: slow cameras see nothing. Flat.
 inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
 /// log2 of the tolerance, a fraction of the nearest visible depth, for matching an unseen foot to its last position in
 /// the image. Flat.
 inline constexpr std::int32_t kCutReachLog2 = 3;
-/// A foot that was seen so shortly before it left the image is remembered. Flat.
-inline constexpr base::Duration kFootRemembered = base::milliseconds(2000);
-/// Different frames that must have seen what the robot is told of. More: late stops; less: noise stops. By design: as
-/// confirm.k.
-inline constexpr int kFrames = 3;
 
 /// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
 inline constexpr int kMostReplaced = 8;

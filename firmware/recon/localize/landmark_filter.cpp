@@ -164,7 +164,7 @@ void move_states(const FilterView& filter, std::span<const float> step) {
     Landmark& landmark = filter.landmarks[l];
     if (!landmark.used()) continue;
     landmark.center = moved(landmark.center, {step[x_of(l)], step[y_of(l)]});
-    landmark.radius = std::max(kSmallestLandmark, landmark.radius + step[places + l]);
+    landmark.radius = std::max(kPointRadius, landmark.radius + step[places + l]);
   }
 }
 

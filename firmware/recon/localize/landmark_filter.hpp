@@ -28,9 +28,7 @@ struct DriftNoise {
 };
 
 /// Of a wheel base whose distances are off by `share`.
-constexpr DriftNoise drift_noise(float share) {
-  return {kDriftPosition * share, kDriftHeading * share, kDriftTurning * share};
-}
+constexpr DriftNoise drift_noise(float share) { return {kDriftPosition * share, kDriftHeading * share, share}; }
 
 /// Something round that stands still. Map frame.
 struct Landmark {

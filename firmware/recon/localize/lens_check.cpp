@@ -24,7 +24,7 @@ bool LensCheck::turn(std::int32_t heading, base::Time exposure) {
   const base::Duration passed = exposure_.since(exposure);
   heading_ = heading;
   exposure_ = base::Stamp(exposure);
-  if (passed.raw <= 0 || passed > kLensLongestStep) return false;
+  if (passed.raw <= 0 || passed > kMoment) return false;
   const auto ticks = static_cast<std::int32_t>(passed.raw);
   const std::int32_t least = kLensLeastRate * ticks;
   if (step < least && step > -least) return false;
@@ -63,7 +63,7 @@ void LensCheck::compare(const View& view, const CameraModel& camera, const MapPo
   const float heading = 1e-6F * static_cast<float>(turn_between(then_.heading, odometry.heading));
   const float parallax = cross(view_.bearing, away) / ahead;
   const float turned = heading - parallax;
-  const bool steady = std::fabs(rate_now_ - rate_) * kLensLatency <= kLensUnsteady * std::fabs(turned);
+  const bool steady = std::fabs(rate_now_ - rate_) <= kLensSteady * std::fabs(turned);
   if (!steady || std::fabs(parallax) > kLensMostParallax * std::fabs(heading)) return;
   learn(turned, base::atan2_rad(cross(view.bearing, view_.bearing), view.bearing.dot(view_.bearing)));
 }

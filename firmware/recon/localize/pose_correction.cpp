@@ -18,7 +18,7 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
   guess.covariance.scale(kOverconfidence);
   // The filter is linear in the place: what bearings alone have placed begins when the range is known.
   const Vec2 range = guess.away - seen.lens;
-  const float most = kRowShare * range.squared_norm();
+  const float most = kMaxDistanceSigmaShare * range.squared_norm();
   if (seen.bearing && guess.covariance.position_along(range) > most * most) return {};
   return guess;
 }
@@ -55,7 +55,7 @@ RangeGuess range_of_sighting(const Sighting& seen, float half, const Measurement
   if (seen.known_radius > 0) return range_of_width(seen, half, radius_prior(seen.known_radius), noise);
   const RowDepth row = foot_depth(seen, noise);
   const float distance = row.known ? row.depth / seen.center.dot(seen.axis) + kTypicalRadius : kTypicalRadius / half;
-  const float sigma = (row.known ? kRowShare : kSizeShare) * distance;
+  const float sigma = (row.known ? kMaxDistanceSigmaShare : kSizeShare) * distance;
   return {distance, sigma * sigma, 0};
 }
 

@@ -46,8 +46,8 @@ struct CorrectionOrder {
   bool always = false;  ///< else from when odometry is known to drift
 };
 
-/// Slot i of the filter is slot i of the map's table: an object that was seen kViewsForLandmark times, and whose
-/// distance can at least be guessed, is a landmark until it ends, moves or its models begin again.
+/// Slot i of the filter is slot i of the map's table. An object is a landmark once kFewestViews views have shown it and
+/// its distance can at least be guessed. It ends when the object ends or moves, or its models begin again.
 /// Unless it is to correct always, the filter runs beside the odometry, which is believed until the filter knows
 /// better: odometry is kDriftKnown sigmas from where the landmarks say, and bearings alone bear that out. Poses and
 /// objects go over to the filter then.
@@ -111,7 +111,7 @@ class PoseCorrection {
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
     place.center =
         offset_from(object.origin, believed.position) + turned(place.center, believed.heading - pose().heading);
-    if (!corrects_ && now - object.last_seen < kInView && stands_there(object, place)) return std::nullopt;
+    if (!corrects_ && now - object.last_seen < kMoment && stands_there(object, place)) return std::nullopt;
     if (corrects_) place.covariance.scale(kLongTails * kLongTails);
     return place;
   }
@@ -164,7 +164,7 @@ class PoseCorrection {
     if (!looks_) return;
     for (std::size_t o = 0; o < kLandmarks; ++o) {
       const ObjectCore& object = table.objects()[o];
-      const bool may_be = object.used() && !object.moving && object.views >= kViewsForLandmark;
+      const bool may_be = object.used() && !object.moving && object.views >= kFewestViews;
       if (filter_.landmark(o).used() || !may_be || !matcher.seen(o)) continue;
       if (strayers_.bars(o, object.signature)) continue;
       // By the pose that the models know, and turned as the filter's is against that.

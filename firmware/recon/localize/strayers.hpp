@@ -24,7 +24,7 @@ class Strayers {
   void forget(std::size_t slot) { off_[slot] = 0; }
   /// True if the object in `slot` is to be no landmark any more. `surprise`: of its last sighting, see DriftGauge.
   bool look(std::size_t slot, std::uint8_t signature, float surprise) {
-    off_[slot] += kStrayGain * (surprise - off_[slot]);
+    off_[slot] += kAgreementGain * (surprise - off_[slot]);
     if (off_[slot] <= kStraying) return false;
     off_[slot] = kMostSurprise * 2;  // until it ends
     if (count(signature) < 2) signatures_[next_++ % signatures_.size()] = signature;

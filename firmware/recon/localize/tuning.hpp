@@ -6,22 +6,23 @@
 
 #include <cstdint>
 
+#include "firmware/recon/models/hybrid/tuning.hpp"
+#include "firmware/recon/models/tuning.hpp"
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::recon {
 
 // --- landmarks ---
 
-/// views of an object before it is a landmark: it is no noise then. By design.
-inline constexpr std::uint32_t kViewsForLandmark = 3;
 /// factor on the variances of a cylinder that becomes a landmark: it took the same frames and the same poses for
-/// independent. Drift study.
-inline constexpr float kOverconfidence = 4.0F;
+/// independent. Derived: as a fit begins.
+inline constexpr float kOverconfidence = kFirstSpread;
 /// m, largest radius of a landmark. By design.
 inline constexpr float kLargestLandmark = 1.0F;
-/// sigma of a first distance by a typical size, and by the row: shares of it; and beside the bearing, m. Drift study.
+/// share of a first distance by a typical size, one sigma of it. Drift study.
 inline constexpr float kSizeShare = 0.5F;
-inline constexpr float kRowShare = 0.25F;
+/// m, sigma of a first place beside its bearing. Drift study.
 inline constexpr float kAcross = 0.03F;
 /// m. Farther away nothing is guessed. By design.
 inline constexpr float kFarthestLandmark = 10.0F;
@@ -41,15 +42,13 @@ inline constexpr float kFarthestStep = 2.0F;
 inline constexpr float kWidestTurn = 0.8F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
 inline constexpr float kRounding = 1e-6F;
-/// m, smallest radius of a landmark. By design.
-inline constexpr float kSmallestLandmark = 0.005F;
 
 // --- drift and models ---
 
 /// Adaptation gain of the odometry's process noise. Real runs.
 inline constexpr float kDriftGain = 0.03F;
-/// Clamp of a normalised squared innovation. By design.
-inline constexpr float kMostSurprise = 9.0F;
+/// Clamp of a normalised squared innovation. Derived: the gate's square.
+inline constexpr float kMostSurprise = kGateSigmas * kGateSigmas;
 /// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. By design.
 inline constexpr float kMostDrift = 400.0F;
 /// The filter takes a frame each time the robot has gone (m) or turned (urad) so far.
@@ -82,42 +81,36 @@ inline constexpr float kUsualGain = 1.0F / 64.0F;
 inline constexpr float kDriftKnown = 4.0F;
 /// And bearings have to fit the landmarks better than the odometry, see LandmarkPace: each tells at most so many
 /// squared sigmas, for real bearings have long tails, and is worth so much less, for the filter is free to follow
-/// noise. Real runs.
-inline constexpr float kMostEvidence = 4.0F;
+/// noise. Real runs. kMostEvidence is derived: where Huber's tails begin.
+inline constexpr float kMostEvidence = kHuberSigmas * kHuberSigmas;
 inline constexpr float kEvidenceSlack = 0.1F;
-/// What share of a landmark's mean surprise its last sighting makes, and the mean from which on it is something that
-/// moves: a jump of the pose is over before that. Real runs, with the other robots.
-inline constexpr float kStrayGain = 1.0F / 16.0F;
-inline constexpr float kStraying = 4.0F;
+/// Mean surprise from which on a landmark is something that moves: a jump of the pose is over before that. Derived:
+/// where Huber's tails begin. Real runs, with the other robots.
+inline constexpr float kStraying = kHuberSigmas * kHuberSigmas;
 /// Factor on the sigma of where a landmark should appear: wheels slip and are lifted, which has longer tails than what
 /// the filter knows. Less: landmarks seen double after a blind stretch. Real runs.
 inline constexpr float kLongTails = 3.0F;
 
-/// An object that was seen so lately is still in view: odometry does not drift in that time. By design.
-inline constexpr base::Duration kInView = base::milliseconds(500);
-
-/// Odometry whose distances are off by `share`: position m/sqrt(m), heading rad/sqrt(m), turning rad/sqrt(rad), each as
-/// a factor on the share. With 3 % a robot turns 2 degrees a metre by itself. Drift study.
+/// m/sqrt(m) for each share by which distances of odometry are off: sigma of the position. Drift study.
 inline constexpr float kDriftPosition = 0.4F;
+/// rad/sqrt(m) for the same share: sigma of the heading. With 3 % a robot turns 2 degrees a metre by itself. Turning,
+/// in rad/sqrt(rad), is off by the share itself. Drift study.
 inline constexpr float kDriftHeading = 0.67F;
-inline constexpr float kDriftTurning = 1.0F;
-/// rad and m, sigmas of corrected poses for the models: what is left of the pose's error. Prototype.
+/// rad, sigma of a corrected heading for the models: what is left of its error. Prototype.
 inline constexpr float kCorrectedHeading = 0.0105F;
-inline constexpr float kCorrectedPosition = 0.006F;
+/// m, sigma of a corrected position. Derived: half as much again as of one that is believed, as of the heading.
+inline constexpr float kCorrectedPosition = 1.5F * kPositionNoise;
 
 // --- the check of the lens ---
 
 /// urad of heading between the frames that are compared. More: objects leave the image before; less: the noise of
 /// headings and edges counts more. By design.
 inline constexpr std::int32_t kLensTurn = 150'000;
-/// urad for each 0.1 ms, 0.15 rad/s: slower, odometry's rounding is a share of what it tells. By design.
-inline constexpr std::int32_t kLensLeastRate = 15;
-/// Between two frames; after a longer gap nothing is compared. By design.
-inline constexpr base::Duration kLensLongestStep = base::milliseconds(500);
-/// A latency told wrongly by so much (s) must not change a turn by more than this share, which it does while the robot
-/// turns faster or slower than before. By design.
-inline constexpr float kLensLatency = 0.05F;
-inline constexpr float kLensUnsteady = 0.1F;
+/// urad for each 0.1 ms: slower, odometry's rounding is a share of what it tells. Derived: kLensTurn in a second.
+inline constexpr auto kLensLeastRate = static_cast<std::int32_t>(kLensTurn / base::Duration::kPerUnit);
+/// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
+/// the turn by a tenth. By design.
+inline constexpr float kLensSteady = 2.0F;
 /// share of the turn that the lens's own way may make, for the object's distance may be wrong, and m, nearer than which
 /// the lens's place on the robot matters too much. By design.
 inline constexpr float kLensMostParallax = 0.25F;
@@ -127,10 +120,11 @@ inline constexpr float kLensMostOff = 2.5F;
 /// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. By
 /// design.
 inline constexpr float kLensSampleSigma = 0.015F;
-/// Samples, and objects followed (or one twice), before anything is said; and samples at which half is forgotten. By
-/// design.
-inline constexpr std::uint8_t kLensLeastSamples = 4;
+/// Objects followed, or one twice, before anything is said. By design.
 inline constexpr std::uint8_t kLensObjects = 2;
+/// Samples before anything is said. Derived: two of each object.
+inline constexpr std::uint8_t kLensLeastSamples = 2 * kLensObjects;
+/// Samples at which half is forgotten. By design.
 inline constexpr std::uint8_t kLensMostSamples = 64;
 /// The focal length is wrong from this factor and so many sigmas on, and right again below these. Less: complaints
 /// about lenses that do no harm, and about wheels. Hazard table (bases).

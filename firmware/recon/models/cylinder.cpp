@@ -93,7 +93,7 @@ bool agree(const NormalEquations& rows, const CylinderEstimate& from_edges) {
   const Vec2 mean_normal{rows.information.xr / weight, rows.information.yr / weight};
   const float residual = rows.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
   const float variance = 1.0F / weight + from_edges.covariance.along(mean_normal);
-  return residual * residual <= kRowGate * kRowGate * variance;
+  return residual * residual <= kGateSigmas * kGateSigmas * variance;
 }
 
 void hash_symmetric(base::Fnv1a64& hash, const Symmetric3& m) {
@@ -167,7 +167,7 @@ void NormalEquations::scale(float factor) {
 void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, const MeasurementNoise& noise) {
   const Vec2 lens = sighting.lens_from(origin);
   known_radius_ = sighting.known_radius;
-  if (views_ < kViewsToGuess) ++views_;
+  if (views_ < kFewestViews) ++views_;
   seen_whole_ = seen_whole_ || sighting.both_edges();
   if (!known_whole())
     whole_views_ = sighting.both_edges() ? static_cast<std::uint8_t>(whole_views_ + 1) : std::uint8_t{0};
@@ -274,7 +274,7 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
   NormalEquations both = rows;
   both.add(edges);
   CylinderEstimate estimate = solve_equations(both, lens);
-  if (!seen_whole_ && views_ < kViewsToGuess) return estimate;
+  if (!seen_whole_ && views_ < kFewestViews) return estimate;
   if (!estimate.ok()) estimate = solve_with_typical_radius(both, lens, kRadiusSigma);
   if (!estimate.ok()) estimate = solve_with_typical_radius(both, lens, kRadiusGuess);
   return estimate;
@@ -328,7 +328,7 @@ float prior_distance(const Sighting& sighting) {
   // sin of the half angle between the rays; a censored end makes the object look smaller, that is farther.
   const float sine = cross(sighting.right.direction, sighting.left.direction);
   const float half = std::max(0.5F * sine, 1e-3F);
-  return std::clamp(radius_prior(sighting.known_radius).mean / half, kNearestGuess, kFarthestGuess);
+  return std::clamp(radius_prior(sighting.known_radius).mean / half, kNearestGuess, kRowMaxDepth);
 }
 
 }  // namespace fencepost::recon

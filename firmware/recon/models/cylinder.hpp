@@ -132,7 +132,7 @@ class Cylinder {
   float known_radius_ = 0;  ///< Sighting::known_radius
   RowTrend trend_;
   float false_depth_ = 0;         ///< what noisy directions add to edges_' information on the distance, 1/m^2
-  std::uint8_t views_ = 0;        ///< counted as far as kViewsToGuess
+  std::uint8_t views_ = 0;        ///< counted as far as kFewestViews
   bool seen_whole_ = false;       ///< a view had both ends
   std::uint8_t whole_views_ = 0;  ///< in a row, counted as far as kViewsWhole, and kept then
   float agreement_ = 1;  ///< running mean of the inlier weights: low when the past does not explain the present

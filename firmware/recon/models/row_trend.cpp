@@ -40,7 +40,7 @@ void RowTrend::judge() {
     return;
   }
   verdict_ = off > 0 ? RowVerdict::kTooFar : RowVerdict::kTooNear;
-  scale_ = std::clamp(1 / std::max(fall, kLeastFall), kLeastTrueShare, 1 / kLeastTrueShare);
+  scale_ = std::clamp(1 / std::max(fall, kLeastTrueShare), kLeastTrueShare, 1 / kLeastTrueShare);
 }
 
 RowTrend::Front RowTrend::front() const {

@@ -16,12 +16,8 @@ inline constexpr float kRadiusSigma = 0.05F;
 /// m. Where that leaves the distance open or the radius negative, the radius is taken for known to this: a rough place
 /// is better than none for the next match and for the alert. By design.
 inline constexpr float kRadiusGuess = 0.01F;
-/// m. Guessed distances are kept between these. By design.
+/// m. Guessed distances are at least this. By design.
 inline constexpr float kNearestGuess = 0.2F;
-inline constexpr float kFarthestGuess = 2.5F;
-/// views before an object of which only one end was ever seen is given a guessed place: it may be a piece of another
-/// one, and would compete for its blobs. As many as confirm an object by default.
-inline constexpr std::uint8_t kViewsToGuess = 3;
 
 /// views in a row with both ends before an object counts as seen whole. Of a wall longer than the image noise takes an
 /// end in one view or two. More: the robot is told "something", not the object's name; less: stops between walls.
@@ -43,7 +39,8 @@ constexpr RadiusPrior radius_prior(float known) {
   return {};
 }
 
-/// m, radius of what only bearings have shown, and its sigma: a point, for nothing tells its width. By design.
+/// m, radius of what only bearings have shown, and its sigma: a point, for nothing tells its width. No landmark is
+/// smaller. By design.
 inline constexpr float kPointRadius = 0.005F;
 
 // --- novelty ---
@@ -70,8 +67,6 @@ inline constexpr float kFartherOutliers = 0.25F;
 
 /// All ground rows of an object share one pitch error, so together they count as this many independent ones. By design.
 inline constexpr float kIndependentRows = 4.0F;
-/// sigmas by which rows may differ from the edges before the object is taken to stand above the floor. By design.
-inline constexpr float kRowGate = 3.0F;
 /// Bearing noise biases triangulated range towards the camera, most of all on a straight approach. Edges overrule the
 /// rows only if they know the range this many times better than that bias would. The study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
@@ -93,17 +88,18 @@ inline constexpr float kTravelError = 0.02F;
 /// sigmas and share beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kTrendGate = 4.0F;
 inline constexpr float kLeastTrend = 0.10F;
-/// What is farther off than this is no depth of anything. By design.
-inline constexpr float kLeastFall = 0.3F;
+/// Least share of a true depth in one that a row tells, and its inverse the most. By design.
 inline constexpr float kLeastTrueShare = 0.4F;
-/// share of the distance: the distance is unknown while its sigma exceeds it. By design.
+/// share of the distance: the distance is unknown while its sigma exceeds it, and a first one by the row is known
+/// to it. Drift study.
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;
 /// m. A larger radius is a contradiction, not an obstacle of a small robot. By design.
 inline constexpr float kLargestRadius = 1.5F;
-/// tangents over which agreement is averaged, as its inverse; below the floor the past is forgotten by this factor a
-/// view. By design.
+/// Share that one more tangent, or one more sighting of a landmark, makes of the mean agreement. By design.
 inline constexpr float kAgreementGain = 1.0F / 16.0F;
+/// Mean agreement below which the past is forgotten. By design.
 inline constexpr float kAgreementFloor = 0.35F;
+/// Factor on the past in each view in which it is. By design.
 inline constexpr float kForgetting = 0.8F;
 /// 1/m^2. Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose digits.
 inline constexpr float kMaxInformation = 4.0e7F;

@@ -6,11 +6,11 @@ namespace fencepost::recon {
 namespace {
 
 int bottom_row(const Box& box, std::int16_t image_rows) {
-  return box.y2 >= image_rows - 2 ? image_rows + kSameRowPixels + 1 : box.y2;
+  return box.y2 >= image_rows - 2 ? image_rows + kBorderPixels + 1 : box.y2;
 }
 
 bool clearly_farther(const Box& other, const Box& box, std::int16_t image_rows) {
-  return bottom_row(other, image_rows) < bottom_row(box, image_rows) - kSameRowPixels;
+  return bottom_row(other, image_rows) < bottom_row(box, image_rows) - kBorderPixels;
 }
 
 bool clearly_nearer(const Box& other, const Box& box, std::int16_t image_rows) {
@@ -40,7 +40,7 @@ Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::i
 }
 
 Sides near_border(const Box& box, std::int16_t image_columns) {
-  return {box.x1 < kBorderColumns, box.x2 >= image_columns - kBorderColumns, false, false};
+  return {box.x1 < kTouchPixels, box.x2 >= image_columns - kTouchPixels, false, false};
 }
 
 }  // namespace fencepost::recon

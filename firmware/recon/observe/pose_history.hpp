@@ -23,7 +23,7 @@ struct MapPose {
 enum class PoseMiss : std::uint8_t {
   kNotYet,  ///< odometry has not come that far
   kTooOld,  ///< before the first sample, or before the oldest one that the ring still holds
-  kGap,     ///< between two samples more than kMaxOdometryGap apart
+  kGap,     ///< between two samples more than kMoment apart
 };
 
 /// One remembered sample, 20 bytes. The low word of the time is enough: differences inside the ring are short.
@@ -62,7 +62,7 @@ class PoseHistory {
     PoseSample entry;
     entry.ticks = low_word(sample.t);
     entry.pose = to_map_pose(sample);
-    entry.gap_before = seen_any_ && sample.t - latest_ > kMaxOdometryGap;
+    entry.gap_before = seen_any_ && sample.t - latest_ > kMoment;
     samples_.push_over_oldest(entry);
     latest_ = sample.t;
     seen_any_ = true;

@@ -22,7 +22,7 @@ class Standing {
       place_ = odometry;
       reached_ = exposure;
     }
-    stands_ = strays_ == 0 && exposure - reached_ >= kStood;
+    stands_ = strays_ == 0 && exposure - reached_ >= kMoment;
     since_ = stands_ ? reached_ : exposure;
   }
 

@@ -8,25 +8,32 @@
 
 namespace fencepost::recon {
 
+// --- what all rooms share ---
+
+/// Frames or views that must show a thing before anything relies on it: fewer may be noise. As `confirm.k` by default.
+inline constexpr std::uint8_t kFewestViews = 3;
+/// sigmas. Farther off than this, a measurement and what was predicted of it disagree. More: swaps between objects;
+/// less: objects seen double. By design.
+inline constexpr float kGateSigmas = 3.0F;
+/// Within this time nothing changes that was not seen to: a gap in odometry is bridged, an object is still in view.
+/// Something that lasted longer is so: the robot stands, an object is missing. By design.
+inline constexpr base::Duration kMoment = base::milliseconds(500);
+
 // --- the image ---
 
-/// px. An end so close to the border is on it. Stream.
+/// px. An end so close to the border is on it. Rows that differ by no more say nothing: both are whole pixels. Stream.
 inline constexpr std::int16_t kBorderPixels = 1;
 /// Newton steps that invert the distortion: |k1| r^2 < 0.3 converges to float precision in four. Derived, one to spare.
 inline constexpr int kUndistortSteps = 5;
-/// px. Two blobs this close touch: 2 px plus three sigmas of an edge. More: true edges are given up; less: a
-/// neighbour's edge is taken for one's own. Identity study (4 % of the edges given up, 0 % taken wrongly, without
-/// noise).
+/// px. Two blobs this close touch, and a blob this close to the border: 2 px plus three sigmas of an edge. More: true
+/// edges are given up; less: a neighbour's edge is taken for one's own. Identity study (4 % of the edges given up, 0 %
+/// taken wrongly, without noise).
 inline constexpr int kTouchPixels = 5;
 /// px. Within this of a neighbour an end is ambiguous: 2 px plus three sigmas of the gap between two edges. Too large
 /// costs little, since a lower bound is left. On which study was not kept.
 inline constexpr int kBesidePixels = 8;
-/// columns. Within this of the border an end of any blob is ambiguous. On which study was not kept.
-inline constexpr int kBorderColumns = 5;
 /// px from the image's sides within which nothing has to be visible. By design.
 inline constexpr std::int32_t kSidePixels = 4;
-/// px. Bottom rows that differ by no more do not tell which object is nearer. By design.
-inline constexpr int kSameRowPixels = 1;
 
 // --- time ---
 
@@ -34,8 +41,6 @@ inline constexpr int kSameRowPixels = 1;
 inline constexpr base::Duration kMaxWait = base::milliseconds(200);
 /// Maximum number of frames that wait. Stream.
 inline constexpr std::size_t kMaxWaitingFrames = 4;
-/// Between two samples farther apart odometry is not interpolated. Stream.
-inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 
 // --- a robot that stands ---
 
@@ -44,11 +49,6 @@ inline constexpr base::Duration kMaxOdometryGap = base::milliseconds(500);
 inline constexpr std::int32_t kStandingNear = 2000;
 inline constexpr std::int32_t kStandingTurn = 35'000;
 inline constexpr std::uint8_t kStrays = 3;
-/// It stands once it has done so for this long: one that drives is not taken for one that stands. By design.
-inline constexpr base::Duration kStood = base::milliseconds(500);
-/// px. What is at least so large in the image, both ways, is clearly seen: the next frame from the same place shows it,
-/// too. Five sigmas of an edge on either side. By design.
-inline constexpr std::int16_t kClearPixels = 12;
 
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
@@ -58,6 +58,9 @@ inline constexpr std::int16_t kClearPixels = 12;
 inline constexpr float kEdgeNoise = 1.2F;
 inline constexpr float kNoiseColumns = 160;
 inline constexpr float kLeastEdgeNoise = 0.75F;
+/// px. What is at least so large in the image, both ways, is clearly seen: the next frame from the same place shows it,
+/// too. Derived: five sigmas of an edge on either side.
+inline constexpr auto kClearPixels = static_cast<std::int16_t>(2 * 5 * kEdgeNoise);
 /// px, of a box's bottom row. By design.
 inline constexpr float kRowNoise = 1.0F;
 /// rad and m, of the pose at one exposure of a driving robot. Where they came from was not kept.
@@ -70,8 +73,8 @@ inline constexpr float kRoundness = 0.2F;
 
 // --- ground rows ---
 
-/// m. Rows farther than this say more about the pitch than about the object. It also keeps a wrong depth (an object
-/// that does not stand on the floor) inside the square in which models live. By design.
+/// m. Rows farther than this say more about the pitch than about the object. No distance is guessed beyond, and no
+/// object is expected there. Wrong depths stay inside the square in which models live. By design.
 inline constexpr float kRowMaxDepth = 2.5F;
 /// shares of the depth at which an unseen foot leaves the image: the mean and sigma of where the foot is. Very near
 /// objects fill the image and have no edge at all, so the far half is likelier. By design.

@@ -9,6 +9,8 @@
 namespace fencepost::recon {
 namespace {
 
+constexpr float kBoxSides = 4;
+
 int reach_of(const PredictedLine& line) { return static_cast<int>(kGateSigmas) * line.sigma; }
 
 // Squared deviation in units of three sigmas, at most 1: a lost piece is no worse than that.

@@ -67,7 +67,7 @@ struct ObjectCore {
   [[nodiscard]] bool used() const { return id != 0; }
   [[nodiscard]] bool placed() const { return relocations > 0; }
   /// It should have been seen again and again and was not: it is not there, or not where it was.
-  [[nodiscard]] bool refuted() const { return missed_for >= kRefutedMissing.raw; }
+  [[nodiscard]] bool refuted() const { return missed_for >= kMoment.raw; }
   /// An end of it was outside the image or hidden when it was seen last.
   [[nodiscard]] bool cut_off() const { return !is_edge(left) || !is_edge(right); }
   /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one

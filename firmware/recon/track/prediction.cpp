@@ -24,7 +24,7 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Cyl
   if (!camera.pitch_known || !(camera.height > 0)) return;
   const float relative = std::sqrt(estimate.covariance.along(-axis)) / prediction.depth;
   prediction.bottom = predict_row(camera, camera.height / prediction.depth, across, relative, noise);
-  if (object.cylinder.first_views() < kViewsForTop) return;
+  if (object.cylinder.first_views() < kFewestViews) return;
   const HeightRange band = object.band.at(estimate.center, estimate.radius);
   if (band.top_known) {
     prediction.top = predict_row(camera, (camera.height - band.z_max) / prediction.depth, across, relative, noise);
@@ -65,8 +65,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float border = kBorderShare * columns;
   const float near_square = middle.squared_norm();
   prediction.expected = foot_inside(camera, prediction.bottom) && u_left > border && u_right < columns - border &&
-                        near_square > kNearestExpected * kNearestExpected &&
-                        near_square < kFarthestExpected * kFarthestExpected;
+                        near_square > kNearestExpected * kNearestExpected && near_square < kRowMaxDepth * kRowMaxDepth;
   const bool reaches_in = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const bool somewhere = std::min(left_sigma, right_sigma) >= kSomewhere * columns;
   prediction.possible = reaches_in && (prediction.expected || !somewhere);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::recon {
@@ -13,8 +14,6 @@ namespace fencepost::recon {
 /// rad. An end may be off by this for reasons outside the noise model: loose mounts, wheel slip. More: swaps between
 /// neighbours; less: objects lost after a bump. By design, 3 degrees.
 inline constexpr float kSlackRadians = 0.05F;
-/// sigmas of the prediction. More: swaps; less: objects seen double. By design.
-inline constexpr float kGateSigmas = 3.0F;
 /// share of the predicted width by which a lost or grown piece of a segment moves an end: segments
 /// lose up to half.
 inline constexpr float kGateWidthShare = 0.5F;
@@ -28,21 +27,20 @@ inline constexpr float kSomewhere = 0.399F;
 inline constexpr float kMovesBetween = 0.08F;
 /// px. Rows are off by so much besides what distance and pitch explain: whole pixels, rounded edges. By design.
 inline constexpr float kRowPixels = 1.5F;
-/// views. The height band is worth a prediction from here on. By design.
-inline constexpr std::uint8_t kViewsForTop = 3;
 /// m. An object without a distance lies somewhere beyond this on its last bearing. By design.
 inline constexpr float kNearestUnknown = 0.15F;
-/// cost units. Of an object whose distance is unknown, worst and best: any well-placed one goes first. By design.
+/// cost units, worst cost of an object whose distance is unknown. By design.
 inline constexpr std::uint8_t kUnknownCost = 150;
-inline constexpr float kUnknownCostNear = 100;
 /// relative change of depth between sightings that the rows of an object without a distance are expected to show.
 inline constexpr float kRowChange = 0.15F;
 /// cost units of a pair that is wrong on all four sides; kUnmatchedCost is on this scale.
 inline constexpr float kCostScale = 200.0F;
-/// share of a side's cost where the side is hidden or not predicted: as much as one sigma and a half off, so it speaks
-/// neither for a pair nor against it. By design.
-inline constexpr float kCostOfUnknownSide = 0.25F;
-inline constexpr float kBoxSides = 4;
+/// cost units, least cost of an object whose distance is unknown: any well-placed one goes first. Derived: half of its
+/// sides are wrong.
+inline constexpr float kUnknownCostNear = kCostScale / 2;
+/// share of a side's cost where the side is hidden or not predicted: it speaks neither for a pair nor against it.
+/// Derived: the square of half a gate.
+inline constexpr float kCostOfUnknownSide = 0.5F * 0.5F;
 /// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. On which study was
 /// not kept.
 inline constexpr std::uint8_t kUnmatchedCost = 160;
@@ -51,9 +49,8 @@ inline constexpr float kSameDepth = 0.95F;
 
 // --- when an object should be in the image ---
 
-/// m, to the middle. Nothing is expected to be seen nearer (it fills the image) or farther. By design.
+/// m, to the middle. Nothing is expected to be seen nearer: it fills the image. By design.
 inline constexpr float kNearestExpected = 0.1F;
-inline constexpr float kFarthestExpected = 2.5F;
 /// share of the columns, from the border, where nothing is expected. By design.
 inline constexpr float kBorderShare = 0.05F;
 
@@ -73,10 +70,9 @@ inline constexpr base::Duration kCountsTwice = base::milliseconds(60);
 inline constexpr std::uint8_t kMaxRelocations = 4;
 /// Presence is averaged over about this many expected sightings, as its inverse. By design.
 inline constexpr float kPresenceGain = 1.0F / 8.0F;
-/// An object that should have been seen for so long and was not, by at least five frames, is no longer believed in.
-/// Less: alerts end when a camera misses; more: ghosts.
-inline constexpr base::Duration kRefutedMissing = base::milliseconds(500);
-inline constexpr base::Duration kMissedByOneFrame{kRefutedMissing.raw / 5};
+/// An object is no longer believed in that should have been seen for kMoment and was not, by at least five frames.
+/// Less: alerts end when a camera misses; more: ghosts. By design.
+inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
 /// sigmas. The predicted row of a foot is inside the image if it is with so many to spare, and a blob stands clearly
 /// behind it if its foot is so many higher. By design.
 inline constexpr int kFootSigmas = 2;
@@ -88,7 +84,7 @@ inline constexpr std::uint32_t kFewViews = 8;
 inline constexpr base::Duration kTrail = base::milliseconds(1500);
 /// A confirmed object out of sight for longer makes room in a full table. By design.
 inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
-/// An object is kept for so long whatever contradicts it. By design.
-inline constexpr base::Duration kKeepUnseen = base::milliseconds(1000);
+/// An object is kept for so long whatever contradicts it. Derived: twice what refutes it.
+inline constexpr base::Duration kKeepUnseen{2 * kMoment.raw};
 
 }  // namespace fencepost::recon

@@ -184,7 +184,7 @@ Vec2 guessed_middle(const Sighting& first) {
   const float along = first.axis.dot(first.center);
   const float by_foot =
       row.known && along > 0 ? row.depth / along + kFrontShare * radius_prior(first.known_radius).mean : 0.0F;
-  const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kFarthestGuess) : prior_distance(first);
+  const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kRowMaxDepth) : prior_distance(first);
   return first.lens_from(first.anchor) + distance * first.center;
 }
 
@@ -196,7 +196,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const bool elsewhere = core.views == 0 || moved_by >= kLeastNews;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
-  const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kFirstViews, noise);
+  const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kViewsForShape, noise);
   // What is only known to be larger than so much is no news by itself, unless the outline ends before.
   if ((view.present & ~known) == 0 && outgrowing(core, outline, view) == 0) return;
   const unsigned edges = view.present & ~unsigned{known};

@@ -50,7 +50,7 @@ void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid, float known_radiu
   views_ = hybrid.views;
   low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, radius_prior(known_radius));
   passes_ = kLowOrderPasses.size();
-  pass_ = views_ < kViewsToDoubt ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
+  pass_ = views_ < kFewestViews ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
   warm_ = false;
   hybrid.warm_fits = 0;
   begin_low_order_pass();
@@ -63,7 +63,7 @@ void HybridSolver<kSectors, kOrder>::begin_warm(HybridType& hybrid, float known_
   if (!hybrid.ok() || views_ < kViewsForPolygon || warm_fits >= kWholeFitEvery) return;
   hybrid.warm_fits = warm_fits;
   warm_ = true;
-  pass_ = static_cast<std::uint8_t>(passes_ - kWarmSeriesPasses);
+  pass_ = static_cast<std::uint8_t>(passes_ - kWarmPasses);
   low_order_.clear_series();
   enter(Stage::kOutline);
 }
@@ -143,7 +143,7 @@ int HybridSolver<kSectors, kOrder>::advance_nodes(HybridType& hybrid) {
     support_.begin(warm_ ? spread * spread : 1.0F);
     if (views_ >= kViewsForPolygon) {
       passes_ = kSupportPasses.size();
-      pass_ = warm_ ? static_cast<std::uint8_t>(passes_ - kWarmRingPasses) : std::uint8_t{0};
+      pass_ = warm_ ? static_cast<std::uint8_t>(passes_ - kWarmPasses) : std::uint8_t{0};
       begin_support_pass();
       return kWork;
     }

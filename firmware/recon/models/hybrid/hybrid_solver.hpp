@@ -63,7 +63,7 @@ class HybridSolver {
   struct NoOffsets {};
 
   // The first pass of a fit believes all tangents, and so do all as long as there are few views.
-  [[nodiscard]] bool doubts() const { return views_ >= kViewsToDoubt && pass_ > 0; }
+  [[nodiscard]] bool doubts() const { return views_ >= kFewestViews && pass_ > 0; }
   // One piece of work; its cost in floating-point operations.
   int advance(HybridType& hybrid);
   int advance_outline(const HybridType& hybrid);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace fencepost::recon {
 
@@ -13,10 +14,10 @@ namespace fencepost::recon {
 
 /// share of a whole view's move (kNovelShare) by which a view is news. By design.
 inline constexpr float kLeastNews = 0.25F;
-/// views. While so few have come, nothing outvotes a lost piece of a segment, so its probability goes into the sigma of
-/// the edges: a segment loses a piece of this share of its width with this probability. Prototype.
-inline constexpr std::uint8_t kFirstViews = 4;
+/// share of its width that a piece has which a segment loses. Prototype.
 inline constexpr float kLostShare = 0.3F;
+/// Probability of that. Before kViewsForShape views nothing outvotes it, so it goes into the sigma of the edges.
+/// Prototype.
 inline constexpr float kLossProbability = 0.05F;
 /// m. An end outside the image is news where it is so much farther than the outline reaches. By design.
 inline constexpr float kOutgrown = 0.03F;
@@ -109,31 +110,30 @@ inline constexpr float kHold = 0.15F;
 
 // --- how a fit narrows down (hybrid_solver, inlier) ---
 
-/// Factor on the sigmas in each pass. Prototype.
+/// Factor on the sigmas in each pass; those of the support begin with the second. Prototype.
 inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
-inline constexpr std::array<float, 6> kSupportPasses = {4, 2, 1.4F, 1, 1, 1};
+inline constexpr std::span<const float, 6> kSupportPasses = std::span(kLowOrderPasses).last<6>();
 /// pass of the support fit from which sides are weighed. Prototype.
 inline constexpr std::size_t kPolygonalFrom = 2;
 /// The spread is learnt in passes no wider than this, and from so many tangents on. Hybrid table.
 inline constexpr float kLearningWidening = 1.5F;
 inline constexpr std::uint8_t kTangentsForSpread = 7;
-/// Nobody tells the robot how good its camera and its wheels are, and sigmas that are too small cost far more than
-/// those that are too large: a fit begins with twice the sigmas, that is four times the variance. Hybrid table.
+/// Factor on variances with which a fit begins: twice the sigmas. Nobody tells the robot how good camera and wheels
+/// are. Sigmas that are too small cost far more than those that are too large. Hybrid table.
 inline constexpr float kFirstSpread = 4.0F;
-/// views it takes to doubt any of them, to see more than a cylinder, to see a polygon. Hybrid table.
-inline constexpr std::uint8_t kViewsToDoubt = 3;
+/// views it takes to see more than a cylinder. Hybrid table.
 inline constexpr std::uint8_t kViewsForShape = 4;
+/// views it takes to see a polygon. Hybrid table.
 inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
 /// Parts of a whole view in which the weight of news is counted. By design: a view has at least kLeastNews.
 inline constexpr int kWholeNews = 32;
-/// Passes of a warm fit's series, the last ones: it begins from the outline that is there. More: outlines of boards are
-/// older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2, seeds 71001 to 71030.
-inline constexpr std::size_t kWarmSeriesPasses = 2;
-/// The same of its support values.
-inline constexpr std::size_t kWarmRingPasses = 2;
+/// Passes of a warm fit, the last ones of series and of support: it begins from the outline that is there. More:
+/// outlines of boards are older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2,
+/// seeds 71001 to 71030.
+inline constexpr std::size_t kWarmPasses = 2;
 /// Each so manyth fit begins from nothing, for what a warm one cannot leave. Same study.
 inline constexpr std::uint8_t kWholeFitEvery = 8;
 /// m. The middle of the outline may be this far from the local origin before that follows it. Prototype.
