@@ -55,13 +55,14 @@ function requestOf(about) {
 /** `$FPCFG` lines that a robot keeps: [[key, value]]. */
 const keptBy = (lines) => lines.map((line) => /^\$FPCFG,([^,]*),([^*]*)\*/.exec(line)).filter(Boolean).map(([, key, wanted]) => [key, wanted]);
 
-const ANSWERED = /^camera [^\n]*; odometry [^\n]*\n/m;
+// Of `status`, the line of settings: the one of links has both words, too.
+const ANSWERED = /^camera (?!link )(\S+)[^\n]*; odometry (\w+)[^\n]*\n/m;
 const CALIBRATED = /^\$FPCAM,[^\n]*\n/m;  // with where it is mounted
 
 /** Settings that the robot says otherwise than was chosen: [{ key, wanted, found }]; null if it answered nothing. */
 export function differences(answer, chosen) {
   const said = new Map([...answer.matchAll(/^([\w.]+) = (\S+)/gm)].map(([, key, found]) => [key, found.replace(/;$/, "")]));
-  const status = /^camera (\S+)[^\n]*; odometry (\w+)/m.exec(answer);
+  const status = ANSWERED.exec(answer);
   if (!status) return null;
   const [, x, , z] = /^\$FPCAM,(?:[^,]*,){8}([^,]*),([^,]*),([^,]*),/m.exec(answer) ?? [];
   const facts = new Map([...said, ["camera", status[1].replace(/,$/, "")], ["odometry", status[2]],

@@ -1,5 +1,5 @@
 // Flashes a micro:bit by the browser's WebUSB: the debug chip takes a .hex file through CMSIS-DAP as its drive does (DAPLink's vendor commands).
-import { Refused } from "./usb.js";
+import { Refused, choose } from "./usb.js";
 
 const VENDOR = 0x0d28;
 const PRODUCT = 0x0204;
@@ -18,7 +18,7 @@ export class Daplink {
   #out = null;
 
   /** The one that the user chooses. */
-  static async choose(usb) { return new Daplink(await usb.requestDevice({ filters: [{ vendorId: VENDOR, productId: PRODUCT }] })); }
+  static async choose(usb) { return new Daplink(await choose(usb, [{ vendorId: VENDOR, productId: PRODUCT }])); }
   constructor(device) { this.#device = device; }
 
   async #open() {

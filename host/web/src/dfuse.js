@@ -1,5 +1,5 @@
 // Flashes an STM32 in its boot loader by the browser's WebUSB: USB's DFU 1.1 with ST's commands (ST's AN3156, UM0391).
-import { Differs, Refused } from "./usb.js";
+import { Differs, Refused, choose } from "./usb.js";
 
 const VENDOR = 0x0483;
 const PRODUCT = 0xdf11;
@@ -54,7 +54,7 @@ export class Dfuse {
   #size = USUAL_SIZE;
 
   /** The one that the user chooses. */
-  static async choose(usb) { return new Dfuse(await usb.requestDevice({ filters: [{ vendorId: VENDOR, productId: PRODUCT }] })); }
+  static async choose(usb) { return new Dfuse(await choose(usb, [{ vendorId: VENDOR, productId: PRODUCT }])); }
   constructor(device) { this.#device = device; }
 
   // Claims its flash; the sectors of it.

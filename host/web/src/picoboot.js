@@ -1,6 +1,6 @@
 // Flashes an RP2040 or RP2350 that waits with BOOTSEL, by the browser's WebUSB: PICOBOOT of its boot ROM (RP2040 datasheet, 2.8.5; RP2350
 // datasheet, 5.6).
-import { Differs, Refused } from "./usb.js";
+import { Differs, Refused, choose } from "./usb.js";
 
 const VENDOR = 0x2e8a;
 export const RP2040 = 0x0003;  // products
@@ -37,7 +37,7 @@ export class Picoboot {
   #token = 0;
 
   /** The one that the user chooses. */
-  static async choose(usb, product) { return new Picoboot(await usb.requestDevice({ filters: [{ vendorId: VENDOR, productId: product }] })); }
+  static async choose(usb, product) { return new Picoboot(await choose(usb, [{ vendorId: VENDOR, productId: product }])); }
   constructor(device) { this.#device = device; }
 
   async #open() {
@@ -90,8 +90,8 @@ export class Picoboot {
   /** Erases, writes and compares sector by sector, then starts it. `progress(step, share)`; how many bytes. */
   async flash(uf2, progress) {
     const sectors = sectorsOf(uf2);
-    await this.#open();
     try {
+      await this.#open();
       await this.#command("exclusive", { words: [1], size: 1 });
       await this.#command("leave");
       progress("usbErasing", 0);

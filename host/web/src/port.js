@@ -43,6 +43,7 @@ export function bindPort(page) {
   async function connect() {
     if (!navigator.serial) return complain(absent());
     complain(null);
+    byId("port-open").disabled = true;
     records = 0;
     robot = new Robot({
       heard: (bytes) => live.push(bytes),
@@ -60,6 +61,7 @@ export function bindPort(page) {
       await robot.connect(navigator.serial, Number(byId("baud").value), byId("ask-log").checked);
     } catch (error) {
       tell(t("portNot"));
+      buttons();
       return complain(explain(error));
     }
     page.begin(t("robotLive"));

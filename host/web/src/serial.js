@@ -1,14 +1,16 @@
 // A robot on a serial port of this machine, by the browser's Web Serial.
+import { within } from "./patience.js";
 import { t } from "./words.js";
 
 const ASK_EVERY = 3000;   // ms
 const ASKS = 5;           // many boards restart when their port is opened
 const SILENT = 4000;      // ms
+const OPENS = 10_000;     // ms, at most: a port of a radio waits for its other end
 const STRANGE = 0.2;      // share of bytes that no text has: a wrong speed
 
 const ERRORS = {
   NotFoundError: ["errNotFound", "fixNotFound"], SecurityError: ["errSecurity", "fixSecurity"], InvalidStateError: ["errOpen", "fixOpen"],
-  NetworkError: ["errNetwork", "fixNetwork"], NotReadableError: ["errRead", "fixRead"], FramingError: ["errFraming", "fixFraming"],
+  NetworkError: ["errNetwork", "fixNetwork"], TimeoutError: ["errNetwork", "fixNetwork"], NotReadableError: ["errRead", "fixRead"], FramingError: ["errFraming", "fixFraming"],
   ParityError: ["errParity", "fixParity"], BreakError: ["errBreak", "fixBreak"], BufferOverrunError: ["errOverrun", "fixOverrun"],
 };
 
@@ -32,6 +34,34 @@ export function diagnose({ bytes, strange, records, quiet }) {
   return null;
 }
 
+/** The port that the user chooses, open. */
+async function opened(serial, baudRate) {
+  const port = await serial.requestPort();
+  const opening = port.open({ baudRate, bufferSize: 65536 });
+  try {
+    await within(OPENS, opening);
+  } catch (error) {
+    opening.then(() => port.close()).catch(() => {});  // else it would stay open once it is there
+    throw error;
+  }
+  return port;
+}
+
+// A robot that reads nothing would keep the port busy: what it did not take is thrown away. `typing.writer`: while it lasts.
+async function type(port, text, typing = {}) {
+  const writer = port.writable.getWriter();
+  typing.writer = writer;
+  try {
+    await within(SILENT, writer.write(new TextEncoder().encode(text)));
+  } catch (error) {
+    writer.abort(error).catch(() => {});
+    throw error;
+  } finally {
+    typing.writer = null;
+    writer.releaseLock();
+  }
+}
+
 /** Opens a port and passes on what comes, from the first byte. `heard(bytes)`, `failed(explanation)`, `ended()`. */
 export class Robot {
   answered = false;
@@ -42,6 +72,7 @@ export class Robot {
   #reader = null;
   #last = 0;
   #closing = false;
+  #typing = {};
 
   constructor(listeners) { this.listeners = listeners; }
 
@@ -49,28 +80,23 @@ export class Robot {
   get quiet() { return performance.now() - this.#last; }
 
   async connect(serial, baudRate, asks) {
-    const port = await serial.requestPort();
-    await port.open({ baudRate, bufferSize: 65536 });
-    this.#port = port;
+    this.#port = await opened(serial, baudRate);
     this.#closing = false;
     this.#last = performance.now();
     this.#read();
     if (asks) this.#askOften();
   }
 
-  /** Until a record has come (`answered`), a few times. */
+  /** For a log from the beginning of a run, until a record has come (`answered`), a few times. */
   async #askOften() {
     for (let i = 0; i < ASKS && this.open && !this.answered; ++i) {
-      await this.#ask("\rmode log\r");
+      await this.#ask("\rmode log\rreset\r");
       await new Promise((resolve) => setTimeout(resolve, ASK_EVERY));
     }
   }
 
   async #ask(text) {
-    const writer = this.#port?.writable?.getWriter();
-    if (!writer) return;
-    try { await writer.write(new TextEncoder().encode(text)); } catch { /* reading says what is wrong */ }
-    writer.releaseLock();
+    try { if (this.#port?.writable) await type(this.#port, text, this.#typing); } catch { /* reading says what is wrong */ }
   }
 
   async #read() {
@@ -106,9 +132,12 @@ export class Robot {
     this.#closing = true;
     const port = this.#port;
     this.#port = null;
+    const { writer } = this.#typing;
+    writer?.abort().catch(() => {});
+    writer?.releaseLock();
     try {
-      await this.#reader?.cancel();
-      await port.close();
+      await within(SILENT, this.#reader?.cancel());
+      await within(SILENT, port.close());
     } catch { /* it is gone */ }
     this.listeners.ended();
   }
@@ -116,30 +145,24 @@ export class Robot {
 
 /** A robot's answers to lines that are typed one after the other, until they are `whole`. It is in mode text then. */
 export async function ask(serial, lines, whole, patience = SILENT) {
-  const port = await serial.requestPort();
-  await port.open({ baudRate: 115200, bufferSize: 65536 });
+  const port = await opened(serial, 115200);
   const reader = port.readable.getReader();
   const decoder = new TextDecoder();
   let answer = "";
   const late = setTimeout(() => reader.cancel().catch(() => {}), patience);
-  const type = async (words) => {
-    const writer = port.writable.getWriter();
-    await writer.write(new TextEncoder().encode(words.map((line) => `\r${line}\r`).join("")));
-    writer.releaseLock();
-  };
   try {
-    await type(lines);
+    await type(port, lines.map((line) => `\r${line}\r`).join(""));
     while (!whole(answer)) {
       const { value, done } = await reader.read();
       if (done) break;
       answer += decoder.decode(value, { stream: true });
     }
-    await type(["mode text"]);
+    if (port.writable) await type(port, "\rmode text\r");
   } finally {
     clearTimeout(late);
     await reader.cancel().catch(() => {});
     reader.releaseLock();
-    await port.close();
+    await within(SILENT, port.close()).catch(() => { /* it is gone */ });
   }
   return answer.replaceAll("\r", "");
 }

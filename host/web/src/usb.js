@@ -1,4 +1,10 @@
-// Faults of a board that is flashed by WebUSB.
+// A board that is flashed by WebUSB, and its faults.
+import { patient } from "./patience.js";
+
+const PATIENCE = 10_000;  // ms of one transfer: the slowest erases of these boards take 4 s
+
+/** The one that the user chooses of `devices`, [{ vendorId, productId }]. */
+export const choose = async (usb, devices) => patient(await usb.requestDevice({ filters: devices }), PATIENCE);
 
 /** The board refused: `command`, `reason`. */
 export class Refused extends Error {

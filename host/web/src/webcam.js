@@ -1,9 +1,13 @@
 // This machine's camera, looked through here: pictures go to the loop, which finds the boxes of the colours that were clicked on.
 import { byId, download, make, plain } from "./dom.js";
+import { within } from "./patience.js";
 import { keyOf } from "./tables.js";
 import { theme } from "./colours.js";
 import { onLanguage, t } from "./words.js";
 
+const STARTS = 10_000;  // ms, until the first picture at most
+const LOOKS = 1000;     // ms between two looks whether pictures come
+const SILENT = 8;       // looks in vain: the camera sends nothing any more
 const LONG = 320;  // px of a picture along its longer side, at most
 const SHORT = 240;
 const WANTED = { audio: false, video: { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 }, facingMode: { ideal: "environment" } } };
@@ -12,7 +16,7 @@ const FAR = 8;  // px, of an arrow key; 1 with Shift
 
 const ERRORS = {  // by the name of what getUserMedia throws
   NotAllowedError: ["camRefused", "camRefusedFix"], SecurityError: ["camPage", "camPageFix"], NotFoundError: ["camNone", "camNoneFix"],
-  NotReadableError: ["camBusy", "camBusyFix"], AbortError: ["camBusy", "camBusyFix"],
+  NotReadableError: ["camBusy", "camBusyFix"], AbortError: ["camBusy", "camBusyFix"], TimeoutError: ["camBusy", "camBusyFix"],
 };
 const REFUSED = { grey: "camGrey", dark: "camDark", full: "camFull" };
 
@@ -67,7 +71,7 @@ export class Webcam {
       stream = await cameras.getUserMedia(WANTED);
       const video = make("video", { muted: true, playsInline: true });
       video.srcObject = stream;
-      await video.play();
+      await within(STARTS, video.play());
       if (document.hidden) throw new DOMException("", "AbortError");
       this.#page.begin(t("webcam"));
       this.#watch(stream, video);
@@ -107,6 +111,11 @@ export class Webcam {
   #run(engine) {
     const video = this.#video;
     let shown = -1;
+    let idle = 0;
+    const watch = setInterval(() => {
+      if (engine !== this.#engine) clearInterval(watch);
+      else if (++idle >= SILENT) this.#lose("camSilent", "camAgain");
+    }, LOOKS);
     const next = () => {
       if (video.requestVideoFrameCallback) video.requestVideoFrameCallback(look);
       else requestAnimationFrame(look);
@@ -116,6 +125,7 @@ export class Webcam {
       next();
       if (!video.requestVideoFrameCallback && video.currentTime === shown) return;
       shown = video.currentTime;
+      idle = 0;
       this.#look();
     };
     next();

@@ -43,6 +43,7 @@ export const WORDS = {
   camOther: w("The camera cannot be used.", "Die Kamera kann nicht benutzt werden.", "No se puede usar la cámara.", "La caméra ne peut pas être utilisée.", "无法使用摄像头。"),
   camLeft: w("The camera was stopped, because this page was left.", "Die Kamera wurde angehalten, weil diese Seite verlassen wurde.", "La cámara se ha parado porque se dejó esta página.", "La caméra a été arrêtée, car cette page a été quittée.", "由于离开了此页面，摄像头已停止。"),
   camGone: w("The camera is gone.", "Die Kamera ist weg.", "La cámara ha desaparecido.", "La caméra a disparu.", "摄像头已断开。"),
+  camSilent: w("The camera sends no pictures any more.", "Die Kamera schickt keine Bilder mehr.", "La cámara ya no envía imágenes.", "La caméra n'envoie plus d'images.", "摄像头不再发送图像。"),
   camAgain: w("Below is what it recorded. My camera begins a new run.", "Unten ist, was sie aufgezeichnet hat. Meine Kamera beginnt einen neuen Lauf.", "Abajo está lo que grabó. Mi cámara empieza otra ejecución.", "Ci-dessous, ce qu'elle a enregistré. Ma caméra commence un nouveau passage.", "下面是它录制的内容。“我的摄像头”会开始新的运行。"),
 
   // A robot on a cable
@@ -193,7 +194,7 @@ export const WORDS = {
   save: w("Save", "Speichern", "Guardar", "Enregistrer", "保存"),
   ownRoom: w("a room", "ein Raum", "una sala", "une salle", "一个房间"),
   driveKeys: w("Arrow keys or W A S D, the round pad, or a gamepad. Drag what stands in the room.", "Pfeiltasten oder W A S D, das runde Feld oder ein Gamepad. Ziehen Sie, was im Raum steht.", "Flechas o W A S D, el mando redondo o un mando de juegos. Arrastre lo que hay en la sala.", "Flèches ou W A S D, le rond, ou une manette de jeu. Faites glisser ce qui est dans la salle.", "方向键或 W A S D、圆形方向盘或游戏手柄。可以拖动房间里的物体。"),
-  held: w("It stops. Turn away or back off.", "Er hält. Drehen Sie ab oder fahren Sie zurück.", "Se detiene. Gire o retroceda.", "Il s'arrête. Tournez ou reculez.", "它停下了。请转向或后退。"),
+  held: w("It stops. Back off, then turn.", "Er hält. Fahren Sie zurück, dann drehen Sie.", "Se detiene. Retroceda y luego gire.", "Il s'arrête. Reculez, puis tournez.", "它停下了。请先后退，再转向。"),
   thing: w("Thing", "Ding", "Cosa", "Objet", "物品"),
   changeThing: w("Move, turn or remove a thing", "Ein Ding verschieben, drehen oder entfernen", "Mover, girar o quitar una cosa", "Déplacer, tourner ou enlever un objet", "移动、旋转或移除物品"),
   moveLeft: w("5 cm to the left on the map", "5 cm nach links auf der Karte", "5 cm a la izquierda en el mapa", "5 cm vers la gauche sur la carte", "在地图上向左 5 厘米"),
@@ -353,7 +354,7 @@ export const WORDS = {
   boardCounts: w("Counts in a turn", "Zählschritte je Umdrehung", "Pulsos por vuelta", "Impulsions par tour", "每圈计数"),
   boardTrack: w("Between the wheels' middles, mm", "Abstand der Radmitten, mm", "Distancia entre los centros de las ruedas, mm", "Distance entre les milieux des roues, mm", "两轮中心距，毫米"),
   wheelsConsole: w("reported by another computer", "gemeldet von einem anderen Rechner", "las comunica otro ordenador", "signalées par un autre ordinateur", "由另一台计算机报告"),
-  wheelsEncoders: w("encoders on the board's pins", "Drehgeber an den Pins des Boards", "codificadores en los pines de la placa", "codeurs sur les broches de la carte", "接在电路板引脚上的编码器"),
+  wheelsEncoders: w("encoders on its pins", "Drehgeber an den Pins", "codificadores en los pines", "codeurs sur les broches", "接在引脚上的编码器"),
   wheelsCreate1: w("iRobot Create 1", "iRobot Create 1", "iRobot Create 1", "iRobot Create 1", "iRobot Create 1"),
   wheelsCreate2: w("iRobot Create 2", "iRobot Create 2", "iRobot Create 2", "iRobot Create 2", "iRobot Create 2"),
   boardConsoleCamera: w(

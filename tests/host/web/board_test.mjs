@@ -5,9 +5,10 @@ import assert from "node:assert/strict";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { gunzipSync, gzipSync } from "node:zlib";
+import { gunzipSync } from "node:zlib";
 import { Engine } from "../../../host/web/src/engine.js";
-import { Browser, POLLED, Tools, run, text } from "./harness.mjs";
+import { IMAGES, withImages } from "./board_images.mjs";
+import { Browser, POLLED, Tools, hurry, run, text } from "./harness.mjs";
 import { standInDaplink } from "./stand_in_daplink.mjs";
 import { standInDfu } from "./stand_in_dfu.mjs";
 import { standInUsb } from "./stand_in_usb.mjs";
@@ -17,36 +18,6 @@ const folder = mkdtempSync(join(tmpdir(), "fencepost-board-"));
 const page = readFileSync(tools.page, "utf8");
 const bundle = JSON.parse(/id="bundle">(.*?)<\/script>/s.exec(page)[1]);
 const engine = await Engine.create(gunzipSync(Buffer.from(bundle.wasm, "base64")));
-
-/** An image: some program, then what it says of itself (hal/mcu/about_board.hpp, firmware/config/about_image.hpp). */
-function imageOf({ board, begin, settings, room, cameras, odometries, oneLine = 0, lowest = 0, motors = 0, camera = 1, odometry = 0, wheels = [650, 14400, 1300] }) {
-  const about = Buffer.alloc(60 + 84);
-  about.write("fencepost board 1");
-  about.write(board, 17);
-  [begin, settings, room].forEach((word, i) => about.writeUInt32LE(word, 48 + 4 * i));
-  about.write("fencepost image 2", 60);
-  about.write("0.1.0", 77);
-  about.writeUInt8(8, 91);
-  [cameras, odometries, oneLine, lowest, motors].forEach((word, i) => about.writeUInt32LE(word, 92 + 4 * i));
-  [camera, 0, odometry, ...wheels, 0, 0].forEach((word, i) => about.writeInt32LE(word, 112 + 4 * i));
-  const program = Uint8Array.from({ length: 9000 }, (_, i) => (i * 37 + (i >> 8)) & 0xff);
-  return Buffer.concat([program, about, program.subarray(0, 500)]);
-}
-const F405 = { begin: 0x08000000, settings: 0x08004000, room: 0x4000, cameras: 0xfffff, odometries: 0xf };
-const RP2040 = { begin: 0x10000000, settings: 0x101fe000, room: 0x1000, cameras: 0xfffff, odometries: 0xf, oneLine: 1, lowest: 8, motors: 1 };
-const TWO_WIRE = 0x49419;
-const IMAGES = {
-  netduino_plus_2: imageOf({ board: "netduino_plus_2", ...F405 }),
-  pyboard: imageOf({ board: "pyboard", ...F405 }),
-  feather_f405: imageOf({ board: "feather_f405", ...F405 }),
-  pico: imageOf({ board: "pico", ...RP2040 }),
-  xrp: imageOf({ board: "xrp", ...RP2040, odometry: 1, wheels: [600, 5850, 1550] }),
-  pico2: imageOf({ board: "pico2", ...RP2040 }),
-  xrp2: imageOf({ board: "xrp2", ...RP2040, odometry: 1, wheels: [600, 5850, 1550] }),
-  microbit: imageOf({ board: "microbit", begin: 0, settings: 0x3f800, room: 0x400, cameras: TWO_WIRE, odometries: 1, camera: 3 }),
-  microbit_v2: imageOf({ board: "microbit_v2", begin: 0, settings: 0x7e000, room: 0x1000, cameras: TWO_WIRE, odometries: 1, camera: 3 }),
-  gba: imageOf({ board: "gba", begin: 0x08000000, settings: 0x0e000000, room: 0x2000, cameras: 1, odometries: 1, camera: 0 }),
-};
 
 let files = 0;
 /** The file that the desk's program writes. */
@@ -85,18 +56,18 @@ function expectSameAsDesk(image) {
   return about;
 }
 
-const PAGE = join(folder, "boards.html");
-writeFileSync(PAGE, page.replace("<!-- given -->", `<script type="application/json" id="images">${JSON.stringify(
-  Object.entries(IMAGES).map(([board, image]) => ({ board, image: gzipSync(image).toString("base64") })))}</script>\n<!-- given -->`));
+const PAGE = withImages(tools.page, join(folder, "boards.html"));
 
 /** A robot's console on a serial port: it answers `get KEY` and `status` by what window.robot has. */
 function standInConsole() {
   window.robot = {};
   const port = {
     async open() {
+      if (port.readable) throw new DOMException("open already", "InvalidStateError");
       let say;
       port.readable = new ReadableStream({ start(controller) { say = (line) => controller.enqueue(new TextEncoder().encode(`${line}\r\n`)); } });
       port.writable = new WritableStream({ write(bytes) {
+        if (window.robot.deaf) return new Promise(() => {});
         for (const line of new TextDecoder().decode(bytes).split(/[\r\n]+/)) {
           const { robot } = window;
           const key = /^get (.*)/.exec(line)?.[1];
@@ -104,18 +75,21 @@ function standInConsole() {
           if (key) say(key in robot ? `${key} = ${robot[key]} (0..9), some help` : `error: unknown setting '${key}'`);
           if (line === "mode log" && robot.mount) say(`$FPHDR,1,fencepost*0000\r\n$FPCAM,${robot.camera},316,208,273.60,273.60,157.50,103.50,0.0000,${robot.mount},0.0000,0.0000,0.0500*0000`);
           if (line === "mode text") window.robot.mode = "text";
-          if (line === "status") say(`profile small, mode text\r\ncamera ${robot.camera} at 115200 baud (GP4 sends, GP5 receives), lens 80 deg; odometry ${robot.odometry} (GP10 and 11)\r\nobjects 0`);
+          if (line === "status") say(`profile small, mode text\r\ncamera link ok, pixy2.1 316x208; odometry link silent\r\ncamera ${robot.camera} at 115200 baud (GP4 sends, GP5 receives), lens 80 deg; odometry ${robot.odometry} (GP10 and 11)\r\nobjects 0`);
         }
       } });
     },
-    async close() { port.readable = port.writable = null; },
+    async close() {
+      if (port.readable.locked || port.writable.locked) throw new TypeError("locked");
+      port.readable = port.writable = null;
+    },
   };
   Object.defineProperty(navigator, "serial", { value: { requestPort: async () => port }, configurable: true });
 }
 
 const browser = await Browser.start(tools);
 const open = async ({ usb = [{ run: standInUsb, with: {} }], ...options } = {}) => {
-  const opened = await browser.open({ file: PAGE, before: [...usb, { run: standInConsole }], ...options });
+  const opened = await browser.open({ file: PAGE, before: [...usb, { run: standInConsole }, { run: hurry }], ...options });
   await opened.click("#board-open");
   return opened;
 };
@@ -298,6 +272,25 @@ await run({
     }
   },
 
+  async "a board that answers nothing ends with an error, is closed, and can be tried again"() {
+    for (const [board, format, more, closed] of [["pico", "uf2", [], "chip"], ["pyboard", "dfu", [{ run: standInDfu }], "stm32"], ["microbit", "hex", [{ run: standInDaplink, with: { bulk: false } }], "microbit"],
+      ["microbit_v2", "hex", [{ run: standInDaplink, with: { bulk: true } }], "microbit"]]) {
+      const opened = await open({ usb: [{ run: standInUsb, with: {} }, ...more] });
+      await choose(opened, board);
+      await opened.selectOption("#board-format", format);
+      await opened.evaluate(() => { window.usbFault = "mute"; window.hurried = true; });
+      await asked(opened, "#board-write");
+      assert.match(await text(opened, "#board-error"), /did not answer \(no answer within 10 s\)/, board);
+      assert.ok(await opened.evaluate((name) => window[name].closed, closed));
+      if (board === "pico") {
+        await opened.evaluate(() => { window.usbFault = null; window.hurried = false; });
+        await asked(opened, "#board-write");
+        assert.match(await text(opened, "#board-state"), /^Written/, await text(opened, "#board-error"));
+      }
+      await opened.context().close();
+    }
+  },
+
   async "the robot is asked, and what it says is compared with what was chosen"() {
     const opened = await open();
     await choose(opened, "pico");
@@ -319,6 +312,12 @@ await run({
     await opened.evaluate(() => { window.robot = { mute: true }; });
     await asked(opened, "#board-check");
     assert.match(await text(opened, "#board-error"), /did not answer/);
+    await opened.evaluate(() => { window.robot = { deaf: true }; window.hurried = true; });
+    await asked(opened, "#board-check");
+    assert.match(await text(opened, "#board-error"), /could not be used: no answer within 4 s/, "it takes nothing");
+    await opened.evaluate((now) => { window.robot = now; window.hurried = false; }, robot);
+    await asked(opened, "#board-check");
+    assert.match(await text(opened, "#board-state"), /^The robot has what you chose/, "the port is free again");
     await opened.context().close();
   },
 

@@ -5,7 +5,7 @@ import { randomBytes } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { Browser, POLLED, Tools, drop, frameClock, frames, goTo, record, run, settled, text } from "./harness.mjs";
+import { Browser, POLLED, Tools, drop, frameClock, frames, goTo, hurry, record, run, settled, text } from "./harness.mjs";
 import { standIn } from "./stand_in_serial.mjs";
 
 const tools = new Tools(process.argv.slice(2));
@@ -382,7 +382,7 @@ await run({
     await live.click("#port-open");
     await live.waitForFunction(() => Number(/(\d+) records/.exec(document.getElementById("port-state").textContent)?.[1]) > 60);
     assert.equal(await text(live, "#title"), "Robot, live");
-    assert.match(await live.evaluate(() => window.written), /mode log\r/);
+    assert.match(await live.evaluate(() => window.written), /mode log\rreset\r/);
     await live.waitForFunction((size) => document.getElementById("port-state").textContent.includes(`${size} bytes`), log.length);
     assert.equal(await live.locator("#objects tbody tr").count(), 1);
     const saved = live.waitForEvent("download");
@@ -395,11 +395,12 @@ await run({
   },
 
   async "a port's errors have a cause and a fix"() {
-    const live = await browser.open({ before: { run: standIn, with: {} } });
+    const live = await browser.open({ before: [{ run: standIn, with: {} }, { run: hurry }] });
     await live.click("#connect");
     for (const [fault, says, fix] of [["NotFoundError", /No port was chosen/, /cable carries power only/], ["NetworkError", /could not be opened/, /dialout/],
-      ["InvalidStateError", /open already/, /other tab/], ["noise", /no text/, /another speed/], ["chatter", /no record/, /mode log/], ["unplug", /unplugged/, /Close what/]]) {
-      await live.evaluate((name) => { window.fault = name; }, fault);
+      ["InvalidStateError", /open already/, /other tab/], ["noise", /no text/, /another speed/], ["chatter", /no record/, /mode log/], ["unplug", /unplugged/, /Close what/],
+      ["never", /could not be opened/, /dialout/], ["deaf", /no record/, /mode log/], ["noise", /no text/, /another speed/]]) {
+      await live.evaluate((name) => { window.fault = name; window.hurried = name === "never"; }, fault);
       await live.click("#port-open");
       await live.waitForFunction((words) => new RegExp(words).test(document.getElementById("port-error").textContent), says.source);
       assert.match(await text(live, "#port-error"), fix);

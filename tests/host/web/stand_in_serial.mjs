@@ -11,9 +11,11 @@ export function standIn({ base64 = "", portion = 512, every = 10 }) {
   const port = {
     async open({ baudRate }) {
       if (window.fault === "NetworkError" || window.fault === "InvalidStateError") fail(window.fault);
+      if (window.fault === "never") return new Promise(() => {});
+      if (port.readable) fail("InvalidStateError");
       window.baudRate = baudRate;
       let at = 0;
-      const fault = window.fault;
+      const { fault } = window;
       port.readable = new ReadableStream({
         async pull(controller) {
           await new Promise((resolve) => setTimeout(resolve, every));
@@ -27,9 +29,15 @@ export function standIn({ base64 = "", portion = 512, every = 10 }) {
           else await new Promise(() => {});
         },
       }, { highWaterMark: 0 });
-      port.writable = new WritableStream({ write(bytes) { window.written += new TextDecoder().decode(bytes); } });
+      port.writable = new WritableStream({ write(bytes) {
+        if (fault === "deaf") return new Promise(() => {});
+        window.written += new TextDecoder().decode(bytes);
+      } });
     },
-    async close() { port.readable = port.writable = null; },
+    async close() {
+      if (port.readable?.locked || port.writable?.locked) throw new TypeError("locked");
+      port.readable = port.writable = null;
+    },
   };
   const serial = { requestPort: async () => window.fault === "NotFoundError" ? fail(window.fault) : port };
   Object.defineProperty(navigator, "serial", { value: serial, configurable: true });

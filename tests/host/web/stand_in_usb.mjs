@@ -1,6 +1,7 @@
 // Runs in the page: a navigator.usb with an RP2040 that waits with BOOTSEL, after the RP2040's datasheet, 2.8.5 (PICOBOOT).
 // `rp2350`: its successor instead (RP2350 datasheet, 5.6). Further devices: window.usbDevices.
-// window.usbFault: "none" (nothing is chosen), "old" (a bit of the flash stays), "bits" (a bit is read wrong), "gone" (unplugged while it is written).
+// window.usbFault: "none" (nothing is chosen), "old" (a bit of the flash stays), "bits" (a bit is read wrong).
+// Or, while it is written: "gone" (unplugged), "mute" (it answers nothing).
 export function standInUsb({ rp2350 = false } = {}) {
   const FLASH = 0x10000000;
   const SIZE = 2 << 20;
@@ -71,7 +72,8 @@ export function standInUsb({ rp2350 = false } = {}) {
     async claimInterface(number) { if (number !== 1) throw new DOMException("in use by the system", "NetworkError"); },
     async controlTransferOut({ request, index }) {
       if (request !== 0x41 || index !== 1) return { status: "stall" };
-      chip.exclusive = false;
+      chip.exclusive = halted = false;
+      phase = null;
       return ok;
     },
     async controlTransferIn({ request }, length) {
@@ -84,6 +86,7 @@ export function standInUsb({ rp2350 = false } = {}) {
     async transferOut(endpoint, buffer) {
       const bytes = ArrayBuffer.isView(buffer) ? new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength) : new Uint8Array(buffer);
       if (endpoint !== 3 || halted) return { status: "stall" };
+      if (window.usbFault === "mute" && chip.commands.length > 5) return new Promise(() => {});
       if (window.usbFault === "gone" && chip.commands.length > 20) throw new DOMException("The device was disconnected.", "NetworkError");
       if (phase?.answered && bytes.length === 0) { phase = null; return ok; }
       if (phase?.to !== undefined) {

@@ -4,62 +4,10 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { Browser, POLLED, Tools, run, text } from "./harness.mjs";
+import { BITS, CELL, COMES, LENGTH, RATE, SPEED, distanceAt, film, truthAt } from "./film.mjs";
+import { Browser, POLLED, Tools, hurry, run, text } from "./harness.mjs";
 
-const [WIDTH, HEIGHT] = [320, 240];
-const RATE = 20;     // pictures a second
-const COMES = 5;     // s; until then it stands
-const HERE = 9.3;    // s; from then on it stands
-const LENGTH = 11;   // s
-const SPEED = 0.3;   // m/s
-const FAR = 1.5;     // m, where it stands at first
-const BROAD = 0.12;  // m
-const FOCAL = 277.13;
-const CELL = 12;     // px
-const BITS = 9;
-const CLOSE = 3;     // px, between a box and the truth
-
-const distanceAt = (number) => FAR - SPEED * (Math.min(HERE, Math.max(COMES, number / RATE)) - COMES);
-function truthAt(number) {
-  const half = FOCAL * BROAD / 2 / distanceAt(number);
-  return [Math.round(159.5 - half), Math.round(125.5 - half), Math.round(159.5 + half), Math.round(125.5 + half)];
-}
-
-/** The film as Y4M, with grey levels that wander as a cheap camera's do. */
-function film() {
-  const yuv = ([red, green, blue]) => {
-    const y = 0.299 * red + 0.587 * green + 0.114 * blue;
-    return [16 + y * 219 / 255, 128 + (blue - y) / 1.772 * 224 / 255, 128 + (red - y) / 1.402 * 224 / 255];
-  };
-  let random = 1;
-  const noise = () => { random = (random * 48271) % 2147483647; return random % 7 - 3; };
-  const [wall, box] = [yuv([120, 122, 126]), yuv([230, 110, 30])];
-  const parts = [Buffer.from(`YUV4MPEG2 W${WIDTH} H${HEIGHT} F${RATE}:1 Ip A1:1 C420jpeg\n`)];
-  for (let number = 0; number < LENGTH * RATE; ++number) {
-    const [x1, y1, x2, y2] = truthAt(number);
-    const inside = (u, v) => u >= x1 && u <= x2 && v >= y1 && v <= y2;
-    const luma = Buffer.alloc(WIDTH * HEIGHT);
-    for (let v = 0; v < HEIGHT; ++v) {
-      for (let u = 0; u < WIDTH; ++u) {
-        const bit = v < CELL && u < CELL * BITS ? (number >> Math.floor(u / CELL)) & 1 : null;
-        luma[v * WIDTH + u] = bit === null ? (inside(u, v) ? box : wall)[0] + noise() : bit ? 235 : 16;
-      }
-    }
-    const chroma = [1, 2].map((part) => {
-      const plane = Buffer.alloc(WIDTH * HEIGHT / 4);
-      for (let v = 0; v < HEIGHT; v += 2) {
-        for (let u = 0; u < WIDTH; u += 2) {
-          const orange = [[0, 0], [1, 0], [0, 1], [1, 1]].filter(([du, dv]) => inside(u + du, v + dv)).length / 4;
-          const cell = v < CELL && u < CELL * BITS;
-          plane[v / 2 * WIDTH / 2 + u / 2] = cell ? 128 : orange * box[part] + (1 - orange) * wall[part];
-        }
-      }
-      return plane;
-    });
-    parts.push(Buffer.from("FRAME\n"), luma, ...chroma);
-  }
-  return Buffer.concat(parts);
-}
+const CLOSE = 3;  // px, between a box and the truth
 
 const tools = new Tools(process.argv.slice(2));
 const folder = mkdtempSync(join(tmpdir(), "fencepost-webcam-"));
@@ -92,7 +40,7 @@ function watch({ cell, bits, aside }) {
   };
 }
 
-const opened = (aside = 0, more = {}) => browser.open({ before: { run: watch, with: { cell: CELL, bits: BITS, aside } }, ...more });
+const opened = (aside = 0, more = {}) => browser.open({ before: [{ run: watch, with: { cell: CELL, bits: BITS, aside } }, { run: hurry }], ...more });
 /** When the page has taken a picture of those. */
 const taken = (page, from, to) => page.waitForFunction(([a, b]) => window.taken.at(-1) >= a && window.taken.at(-1) < b, [from, to], POLLED);
 const live = (page) => page.evaluate(() => window.streams.flatMap((stream) => stream.getTracks()).filter(({ readyState }) => readyState === "live").length);
@@ -258,6 +206,31 @@ await run({
     await page.evaluate(() => Object.defineProperty(navigator, "mediaDevices", { value: undefined, configurable: true }));
     await page.click("#webcam");
     assert.match(await text(page, "#webcam-error"), /gives no camera.*localhost/);
+  },
+
+  async "a camera that never begins, or sends nothing any more, is let go with a sentence, and can be tried again"() {
+    const page = await opened();
+    await page.evaluate(() => {
+      window.hurried = true;
+      window.play = HTMLMediaElement.prototype.play;
+      HTMLMediaElement.prototype.play = () => new Promise(() => {});
+    });
+    await page.click("#webcam");
+    await page.waitForFunction(() => !document.getElementById("webcam").disabled, null, POLLED);
+    assert.match(await text(page, "#webcam-error"), /^The camera does not start\..*TimeoutError/);
+    assert.equal(await live(page), 0);
+    await page.evaluate(() => {
+      window.hurried = false;
+      HTMLMediaElement.prototype.play = window.play;
+    });
+    await page.click("#webcam");
+    await page.waitForSelector("#watching:not([hidden])");
+    assert.equal(await text(page, "#webcam-error"), "");
+    await page.evaluate(() => { HTMLVideoElement.prototype.requestVideoFrameCallback = () => 0; });
+    await page.waitForFunction(() => document.getElementById("webcam-error").textContent, null, POLLED);
+    assert.match(await text(page, "#webcam-error"), /^The camera sends no pictures any more\. Below is what it recorded/);
+    assert.equal(await live(page), 0);
+    await page.context().close();
   },
 
   async "a phone has room for it, and nothing asked for the network"() {

@@ -13,7 +13,7 @@ const { LANGUAGES, preferred } = await load("words.js");
 const html = readFileSync(join(folder, "index.html"), "utf8");
 const scripts = new Map(readdirSync(folder).filter((name) => name.endsWith(".js") && name !== "wordlist.js").map((name) => [name, readFileSync(join(folder, name), "utf8")]));
 const valuesOf = (text) => [...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name).sort();
-const PROGRAMS = new Set(["Fencepost", "fencepost", "mode", "log", "full", "small", "micro"]);  // words that are typed or named so anywhere
+const PROGRAMS = new Set(["Fencepost", "fencepost", "mode", "log", "reset", "full", "small", "micro"]);  // words that are typed or named so anywhere
 const COMMANDS = /fencepost record PORT[^，]*|sudo usermod -aG dialout \$USER|fencepost[ -]\S+( --\w+)?|[\w./-]+\.(html|hex|gba|log)|gzip -t|mode log|status|"objects"|STM32CubeProgrammer|Download/g;
 
 await run({
