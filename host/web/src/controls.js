@@ -95,6 +95,6 @@ export function bindFiles(recordings, { openFiles, openRecording }) {
     openFiles([...event.dataTransfer.files]);
   });
   const list = byId("recordings");
-  list.replaceChildren(make("option", { value: "", "data-t": "choose" }, t("choose")), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
+  list.replaceChildren(make("option", { value: "", "data-t": "recording" }, t("recording")), ...recordings.map((r, i) => make("option", { value: i }, r.name)));
   list.onchange = () => { if (list.value !== "") openRecording(recordings[Number(list.value)]); };
 }

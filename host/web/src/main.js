@@ -17,7 +17,7 @@ import { Player } from "./player.js";
 import { bindPort } from "./port.js";
 import { follow } from "./stream.js";
 import { ROOM } from "./room.js";
-import { levelsAt, poseAt } from "./scene.js";
+import { alertedFloor, levelsAt, placed, poseAt } from "./scene.js";
 import { bindTour } from "./tour.js";
 import { alertsUntil, countsOf, factsOf, fillAlerts, fillFacts, fillObjects, fillProblems, markAlerts } from "./tables.js";
 import { drawTimeline, rowsOf } from "./timeline.js";
@@ -199,7 +199,9 @@ function select(id) {
 }
 
 function fit() {
-  const points = extentOf({ ...(state.live ? state.look : player?.last ?? state.look), truth: state.layers.has("truth") ? state.entry.truth : [] });
+  const pose = state.live ? poseAt(state.look.path, state.look.time) : null;
+  const points = extentOf({ ...(state.live ? state.look : player?.last ?? state.look), truth: state.layers.has("truth") ? state.entry.truth : [],
+    ahead: pose ? alertedFloor(state.look.page.settings).map((p) => placed(pose, p)) : [] });
   const map = byId("map");
   flat.size(map.clientWidth, map.clientHeight);
   flat.fit(points);

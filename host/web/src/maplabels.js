@@ -2,7 +2,7 @@
 import { label } from "./canvas.js";
 import { colourOf, drawMark, markOf } from "./colours.js";
 import { fitted, Labels } from "./labels.js";
-import { centreOf, isDoubtful, nameOf, outlineOf } from "./scene.js";
+import { bodyOf, centreOf, isDoubtful, nameOf, outlineOf, placed as placedAt } from "./scene.js";
 
 const sansSerif = (weight, size = 13) => `${weight} ${size}px system-ui, sans-serif`;
 const SHARE = 0.6;  // of the width, the longest name
@@ -51,6 +51,7 @@ export function drawLabels(all) {
     }
     labels.mark(box);
   }
+  if (view.pose) labels.mark(extent(bodyOf(view.page.settings).ring.map((p) => window.toPage(placedAt(view.pose, p)))));
   if (view.layers.has("labels")) {
     for (const box of all.axes) labels.block(box);
     objectLabels(all, labels, placed.filter(({ box }) => isShown(window, box)));

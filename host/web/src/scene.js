@@ -96,6 +96,12 @@ export function bodyOf(settings) {
     ring: [[front, width / 2], [-rear, width / 2], [-rear, -width / 2], [front, -width / 2]] };
 }
 
+/** The floor straight ahead whose things raise alerts. Robot frame. */
+export function alertedFloor(settings) {
+  const body = bodyOf(settings);
+  return [...body.ring, ...sweptRing(body, Math.max(...body.zones.map(({ reach }) => reach)), 0)];
+}
+
 /** The floor that the robot is about to sweep, up to `reach` from its origin along its way. Robot frame. */
 export function sweptRing(body, reach, curvature) {
   const steps = 16;

@@ -75,7 +75,11 @@ export function markAlerts(table, [first, end], count) {
   rows.forEach((row, i) => { row.className = first + i >= count ? "later" : first + i === count - 1 ? "lit" : ""; });
   const box = table.parentElement;
   const row = rows[Math.max(0, count - 1 - first)];
-  if (row && !box.contains(document.activeElement)) box.scrollTop = row.offsetTop - box.clientHeight / 2;
+  if (!row || box.contains(document.activeElement)) return;
+  const head = table.tHead.offsetHeight;
+  const wanted = row.offsetTop - box.clientHeight / 2;
+  const top = rows.find(({ offsetTop }) => offsetTop >= wanted + head);  // no row is cut by the head
+  box.scrollTop = top ? top.offsetTop - head : wanted;
 }
 
 export function fillFacts(list, facts) {

@@ -26,12 +26,13 @@ export class Window {
   }
 }
 
-/** All that a first picture should show. */
+/** All that a first picture should show. `ahead`: floor before a robot that drives now. */
 export function extentOf(view) {
   const points = [];
   for (let i = 0; i < view.path.length; i += 4) points.push([view.path[i + 1], view.path[i + 2]]);
   for (const object of view.result.objects) points.push(...(object.state === "tentative" ? [] : outlineOf(object) ?? []));
   for (const object of view.truth) points.push(...object.ring);
+  points.push(...view.ahead ?? []);
   return points;
 }
 
