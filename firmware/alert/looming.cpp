@@ -30,9 +30,9 @@ std::uint16_t to_depth(std::int32_t value) {
 }
 std::int32_t bounded(std::int32_t variance) { return std::clamp(variance, -kMostVariance, kMostVariance); }
 
-// 2^-10 s; what is longer than kTrackForgotten does not matter.
+// 2^-10 s; what is longer than recon::kMoment does not matter.
 std::int32_t whole_time(base::Duration span) {
-  constexpr std::int64_t kMost = kTrackForgotten.raw;
+  constexpr std::int64_t kMost = recon::kMoment.raw;
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(span.raw, 0, kMost)) * 6711 >> 16;
 }
 constexpr std::int32_t in_time(base::Duration span) { return static_cast<std::int32_t>(span.raw * 1024 / 10'000); }
@@ -241,7 +241,7 @@ void count_moved(LoomingTrack& track, const Robot& robot) {
   const bool surely_along = ahead && robot.straight && along > std::max(kMinMoved, share * robot.speed >> 4) &&
                             4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance;
   const bool surely_across =
-      robot.stands && track.sightings >= kMovedSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
+      robot.stands && track.sightings >= kLeastSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
   if (!track.guessed && (surely_along || surely_across)) {
     // What crosses is soon gone.
     track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));
@@ -292,13 +292,13 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const
   }
   if (belief == Belief::kStray) {
     ++track.strays;
-    if (track.strays >= kMostStrays) begin(track, floor, seen);
+    if (track.strays >= recon::kFewestViews) begin(track, floor, seen);
     return;
   }
   track.strays = 0;
   if (seen.depth > 0 && seen.whole()) {
     const std::int32_t width = seen.width_at(std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth));
-    const std::int32_t share = std::min(std::int32_t{track.sightings} + 1, kWidthSightings);
+    const std::int32_t share = std::min(std::int32_t{track.sightings} + 1, kAveragedFrames);
     track.width = static_cast<std::uint16_t>(track.width == 0 ? width : track.width + (width - track.width) / share);
   }
   std::int32_t middle = 0;
@@ -419,13 +419,13 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
                        const recon::MapPose* odometry) {
   const base::Time t = frame.t - camera.latency;
   const base::Duration since = has_looked_ ? looked_at_.since(t) : base::Duration{0};
-  if (since > kTrackForgotten) std::fill(tracks.begin(), tracks.end(), LoomingTrack{});
+  if (since > recon::kMoment) std::fill(tracks.begin(), tracks.end(), LoomingTrack{});
   Step step;
   step.time = std::max(std::int32_t{1}, whole_time(since));
   if (odometry != nullptr && has_odometry_) follow_odometry(odometry_, *odometry, camera, step);
   const bool other_scale = (odometry != nullptr) != has_odometry_;
   const auto smooth = [&](std::int16_t& rate, std::int32_t moved, int bits) {
-    rate = to_int16(rate + ((moved << bits) / step.time - rate) / kSpeedFrames);
+    rate = to_int16(rate + ((moved << bits) / step.time - rate) / kAveragedFrames);
   };
   smooth(robot_speed_, step.forward, kSecondBits - kDepthBits);
   smooth(robot_aside_, step.left, kSecondBits - kDepthBits);

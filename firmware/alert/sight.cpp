@@ -122,7 +122,7 @@ base::Duration Sight::image_patience() const {
   return std::max(kFrozenFor, slow);
 }
 
-bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < kJumpDoubt; }
+bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < recon::kMoment; }
 
 Blindness Sight::blindness(base::Time now, bool standing) const {
   const base::Duration grace = standing ? kOverdueStanding : kOverdueLeast;

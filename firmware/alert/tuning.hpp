@@ -5,6 +5,9 @@
 
 #include <cstdint>
 
+#include "firmware/recon/guard/tuning.hpp"
+#include "firmware/recon/observe/tuning.hpp"
+#include "firmware/recon/track/tuning.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::alert {
@@ -16,10 +19,11 @@ inline constexpr float kLookSeconds =
 /// s from a look at the path until a robot that obeys the speed limit is seen to be slower. More: slow robots; less:
 /// stops of robots that obey. By design: 0.1 s to watch, 0.2 s for the motors, 0.1 s for odometry.
 inline constexpr float kSlowsWithin = 0.4F;
-/// A level eases only when the obstacle is farther than its threshold by this factor, for this long. More: stale
-/// alerts; less: alerts that flicker. By design.
+/// A level eases only when the obstacle is farther than its threshold by this factor. More: stale alerts; less: alerts
+/// that flicker. By design.
 inline constexpr float kHysteresis = 1.15F;
-inline constexpr base::Duration kEaseAfter = base::milliseconds(300);
+/// And for this long. Derived: as long as refutes a point of the guard.
+inline constexpr base::Duration kEaseAfter = recon::guard::kRefutedAfter;
 /// A notice is repeated no more often than this: it says where things are, nothing is urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 /// In words an alert in force is said again when it is so much nearer or farther: twice the centimetre that is shown,
@@ -36,24 +40,23 @@ struct Margin {
 inline constexpr Margin kSeenWhole{3.0F, 0.2F};
 inline constexpr Margin kCutOff{4.0F, 0.4F};
 
-/// m. The guard's points (recon/guard) count as nearer by so much, three sigmas of the pose's position; and what they
-/// show in the outermost so much of the margin is not believed. More of the first: false stops; of the second: late
-/// ones (0.02: 5 more false in 81 minutes; 0.04: 4 fewer). Alert study.
-inline constexpr float kFrontDoubt = 0.012F;
+/// m. The guard's points (recon/guard) count as nearer by so much. More: false stops (0.02: 5 more in 81 minutes; 0.04:
+/// 4 fewer). Derived: the gate of the pose's position.
+inline constexpr float kFrontDoubt = recon::kGateSigmas * recon::kPositionNoise;
+/// m. What they show in the outermost so much of the margin is not believed. More: late stops. Alert study.
 inline constexpr float kUnsureMargin = 0.03F;
 
 // --- what comes closer by itself (looming); hazard table, families movers and approaches, seeds 1 to 200, where
 // nothing else is said ---
 
-/// quarters of a row, mm: sigma of a foot's row, and of a depth besides. More: late stops; less: noise moves. By
-/// design.
-inline constexpr std::int32_t kRowSigma = 6;
+/// quarters of a row: sigma of a foot's row. More: late stops; less: noise moves. Derived: as matching has it.
+inline constexpr auto kRowSigma = static_cast<std::int32_t>(4 * recon::kRowPixels);
+/// mm, sigma of a depth besides. By design.
 inline constexpr std::int32_t kDepthSigma = 6;
 /// quarters of a column: sigma of a width. By design.
 inline constexpr std::int32_t kColumnSigma = 9;
-/// Sigmas squared beyond which a depth is not believed, and so many in a row begin anew. By design.
+/// Sigmas squared beyond which a depth is not believed; recon::kFewestViews of these in a row begin anew. By design.
 inline constexpr std::int32_t kDepthGate = 16;
-inline constexpr std::uint8_t kMostStrays = 3;
 /// mm^2/s^3. By how much a thing's own speed may change by chance. More: slow ones are found late; less: what brakes or
 /// starts is followed late.
 inline constexpr std::int32_t kUnsteady = 10'000;
@@ -63,10 +66,11 @@ inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
 inline constexpr std::int32_t kFastestThing = 1500;
 /// 2^-14. A box may be off to the side by so much besides half of its width. By design.
 inline constexpr std::int32_t kSideGate = 600;
-/// It comes by itself if its own speed is more than so many sigmas, so many mm/s, and sixteenths of the robot's speed
-/// (a foot above the floor, or a pitch told wrong, seems to move with the robot), in so many frames in a row. More:
-/// late stops; less: false ones.
-inline constexpr std::int32_t kSureSigmas = 3;
+// It comes by itself if its own speed is more than each of the next four in so many frames in a row. A foot above the
+// floor, or a wrong pitch, seems to move with the robot. More: late stops; less: false ones.
+
+/// Sigmas of the speed. Derived: the gate of everything.
+inline constexpr auto kSureSigmas = static_cast<std::int32_t>(recon::kGateSigmas);
 inline constexpr std::int32_t kStillSigmas = 2;  ///< once it is known to come
 inline constexpr std::int32_t kLeastOwn = 60;
 inline constexpr std::int32_t kOwnShare = 6;
@@ -76,8 +80,6 @@ inline constexpr std::uint8_t kSureFrames = 4;
 
 /// Minimum axial speed, in halves of its sigma.
 inline constexpr std::int32_t kMovedSigmas = 3;
-/// Minimum number of sightings before lateral speed is used.
-inline constexpr std::uint8_t kMovedSightings = 6;
 /// mm/s. Minimum axial or lateral speed.
 inline constexpr std::int32_t kMinMoved = 70;
 /// Minimum axial speed of a track that recedes, in sixteenths of the robot's speed.
@@ -100,28 +102,30 @@ inline constexpr int kMovedFrames = 8;
 inline constexpr std::uint8_t kWholeSightings = 2;
 /// mm/s. A slower robot stands, and what is known but for its scale counts. By design.
 inline constexpr std::int32_t kRobotStands = 30;
-/// Frames over which the robot's speed is averaged. By design.
-inline constexpr std::int32_t kSpeedFrames = 8;
-/// Sightings that the direction and its change are taken from: as many as fit into the span. More: what turns is
-/// followed late; less: what passes beside stops the robot. By design.
+/// Frames over which the robot's speed is averaged, and sightings over which a width is. By design.
+inline constexpr std::int32_t kAveragedFrames = 8;
+/// Time whose sightings tell the direction and its change. More: what turns is followed late; less: what passes beside
+/// stops the robot. By design.
 inline constexpr base::Duration kDirectionSpan = base::milliseconds(700);
+/// Least number of these sightings, and of those before lateral speed is used. By design.
 inline constexpr std::int32_t kLeastSightings = 6;
+/// Most of them. By design.
 inline constexpr std::int32_t kMostSightings = 32;
-/// Sightings over which a width is averaged. By design.
-inline constexpr std::int32_t kWidthSightings = 8;
-/// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. By design.
-inline constexpr std::int32_t kFarthestFollowed = 3000;
+/// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. Derived:
+/// twice as far as the guard's points.
+inline constexpr std::int32_t kFarthestFollowed = 2 * recon::guard::kFarthest;
 inline constexpr std::int32_t kLeastDepth = 50;
 /// px and mm: what a camera without a known pitch shows is followed from this many columns on, as if it were so wide.
 /// By design.
 inline constexpr std::int16_t kLeastColumns = 10;
 inline constexpr std::int32_t kGuessedWidth = 100;
-/// A thing that is not seen for so long is forgotten; what comes on below the image later; what is seen, but not
-/// how far it is, later still; and all after a pause. By design.
-inline constexpr base::Duration kUnseen = base::milliseconds(300);
-inline constexpr base::Duration kComesUnseen = base::milliseconds(900);
-inline constexpr base::Duration kUnmeasured = base::milliseconds(2000);
-inline constexpr base::Duration kTrackForgotten = base::milliseconds(500);
+/// A thing that is not seen for so long is forgotten; all are after a pause of recon::kMoment. Derived: as long as
+/// refutes a point of the guard.
+inline constexpr base::Duration kUnseen = recon::guard::kRefutedAfter;
+/// Time after which a thing is forgotten that comes on below the image. Derived: three times as long.
+inline constexpr base::Duration kComesUnseen{3 * kUnseen.raw};
+/// Time after which a thing is forgotten whose distance nobody sees. Derived: as a point of the guard without support.
+inline constexpr base::Duration kUnmeasured = recon::guard::kUnconfirmed;
 /// The time to contact counts as shorter by so many sigmas, at most by so much of alert.ttc_stop. More: false stops;
 /// less: late ones.
 inline constexpr float kEarlySigmas = 2;
@@ -141,21 +145,26 @@ inline constexpr float kFrozenShift = 4;
 /// A camera that is asked more often than it sees repeats its images. Where one came so late and no sooner since, boxes
 /// may stay for a quarter more than that; what takes longer than this is no camera to drive by. By design.
 inline constexpr base::Duration kSlowestImage = base::milliseconds(300);
-/// No robot that this is for moves faster: m and rad beyond which a step between two samples is a jump, and what is
-/// added for each second between them. The pose is then not believed for a while. By design.
+// A step between two samples that is farther than any robot moves is a jump. The pose is then not believed for
+// recon::kMoment.
+
+/// m. Part of the longest step that does not grow with time. By design.
 inline constexpr float kStepJump = 0.1F;
+/// m/s. Part that does. By design.
 inline constexpr float kFastest = 5;
+/// rad. Part of the largest turn that does not grow with time. By design.
 inline constexpr float kTurnJump = 0.5F;
+/// rad/s. Part that does. By design.
 inline constexpr float kFastestTurn = 20;
-inline constexpr base::Duration kJumpDoubt = base::milliseconds(500);
 /// A standing robot repeats that it is blind no more often than this: somebody may be typing. By design.
 inline constexpr base::Duration kStandingBlind = base::milliseconds(10'000);
-/// A camera that sees nothing for so long is `empty`. By design.
-inline constexpr base::Duration kEmptyAfter = base::milliseconds(1000);
+/// A camera that sees nothing for so long is `empty`. Derived: as long as an input is not overdue for a standing robot.
+inline constexpr base::Duration kEmptyAfter = kOverdueStanding;
 
-/// m/s. A slower robot stands; what comes nearer more slowly does not come nearer. By design.
+/// m/s. A slower robot stands. By design.
 inline constexpr float kStanding = 0.01F;
-inline constexpr float kNotClosing = 0.005F;
+/// m/s. What comes nearer more slowly does not come nearer. Derived: half of what the robot may creep.
+inline constexpr float kNotClosing = kStanding / 2;
 /// rad/s, likewise. By design.
 inline constexpr float kNotTurning = 0.05F;
 /// m/s. Odometry that wavers by 5 mm tells where a slower robot goes no better than by chance: it counts as going
@@ -166,8 +175,8 @@ inline constexpr float kSurelyMoving = 0.08F;
 inline constexpr float kSurelyTurning = 0.15F;
 /// rad/s, of a robot that hardly drives. It surely spins, and what it stands beside then is in its way until it drives
 /// on. More: one that stops in a slow spin is told that its way is free; less: odometry that wavers turns a robot that
-/// stands. By design: twice kSurelyTurning.
-inline constexpr float kSpinning = 0.3F;
+/// stands. Derived: twice kSurelyTurning.
+inline constexpr float kSpinning = 2 * kSurelyTurning;
 /// m, radii between which a path is an arc: tighter, the robot turns on the spot; flatter, it drives straight. By
 /// design.
 inline constexpr float kTightestArc = 0.15F;

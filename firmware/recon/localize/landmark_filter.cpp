@@ -170,10 +170,8 @@ void move_states(const FilterView& filter, std::span<const float> step) {
 
 // A tangent that would move anything so far is not to be trusted.
 bool is_plausible(std::span<const float> projected, float gain) {
-  for (const float part : projected) {
-    if (!(std::fabs(part * gain) < kFarthestStep)) return false;
-  }
-  return std::fabs(projected[kHeading] * gain) < kWidestTurn;
+  return std::all_of(projected.begin(), projected.end(),
+                     [gain](float part) { return std::fabs(part * gain) < kFarthestStep; });
 }
 
 // Where what was driven since the last equation is a good part of the innovation, a residual larger than expected says

@@ -37,9 +37,8 @@ inline constexpr float kStartVariance = 1e-6F;
 /// nothing that is gated brings the pose back. Farther off it is not this landmark's. Real runs.
 inline constexpr float kFilterGateSigmas = 10.0F;
 inline constexpr float kHuberSigmas = 2.0F;
-/// m and rad. One tangent does not move a robot farther: the numbers are wrong. By design.
+/// m and rad. One tangent does not move a robot or a landmark farther: the numbers are wrong. By design.
 inline constexpr float kFarthestStep = 2.0F;
-inline constexpr float kWidestTurn = 0.8F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
 inline constexpr float kRounding = 1e-6F;
 

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "firmware/recon/observe/tuning.hpp"
+
 namespace fencepost::recon {
 
 // --- what is known before anything is seen ---
@@ -70,9 +72,11 @@ inline constexpr float kIndependentRows = 4.0F;
 /// Bearing noise biases triangulated range towards the camera, most of all on a straight approach. Edges overrule the
 /// rows only if they know the range this many times better than that bias would. The study was not kept.
 inline constexpr float kTrueDepth = 50.0F;
-/// Rows are judged by how fast their depths shrink while the robot comes nearer: they are true once that is known to
-/// this share. By design.
-inline constexpr float kTrendSigma = 0.06F;
+/// share of the way, one sigma of it: odometry, the focal length and the straightness of the line. By design.
+inline constexpr float kTravelError = 0.02F;
+/// Rows are judged by how fast their depths shrink while the robot comes nearer. They are true once that is known to
+/// this share. Derived: the gate of the robot's own error.
+inline constexpr float kTrendSigma = kGateSigmas * kTravelError;
 /// m. By so much a foot wanders on the object while the robot passes it. Hazard table (bases; approaches for false
 /// stops).
 inline constexpr float kFootWanders = 0.004F;
@@ -83,8 +87,6 @@ inline constexpr float kAheadForTrend = 0.35F;
 inline constexpr float kSameSide = 0.25F;
 /// Weighted square of the way, as 1 / sigma^2 of that share, below which nothing is judged. By design.
 inline constexpr float kLeastSpread = 10;
-/// Odometry, the focal length and the line's own straightness: one sigma of the same share. By design.
-inline constexpr float kTravelError = 0.02F;
 /// sigmas and share beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kTrendGate = 4.0F;
 inline constexpr float kLeastTrend = 0.10F;

@@ -15,7 +15,7 @@ class Standing {
   /// Where the robot was at an exposure, by odometry. One that only wavers stands.
   void look(const MapPose& odometry, base::Time exposure) {
     strays_ = is_near(odometry) ? std::uint8_t{0} : static_cast<std::uint8_t>(strays_ + 1);
-    const bool stays = started_ && strays_ < kStrays;
+    const bool stays = started_ && strays_ < kFewestViews;
     if (!stays) {
       started_ = true;
       strays_ = 0;

@@ -44,11 +44,11 @@ inline constexpr std::size_t kMaxWaitingFrames = 4;
 
 // --- a robot that stands ---
 
-/// 10 um, urad. A robot that has moved by no more stands where it stood; kStrays exposures in a row that are farther
-/// off are no wavering of its odometry. By design, for odometry that wavers by 5 mm and half a degree.
+/// 10 um. A robot that has moved by no more is stationary; farther off than that, kFewestViews exposures in a row are
+/// no noise. By design, for odometry with a noise of 5 mm.
 inline constexpr std::int32_t kStandingNear = 2000;
+/// urad. The same of turning. By design, for a noise of half a degree.
 inline constexpr std::int32_t kStandingTurn = 35'000;
-inline constexpr std::uint8_t kStrays = 3;
 
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
