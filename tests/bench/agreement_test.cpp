@@ -17,7 +17,8 @@ TEST(BenchAgreement, OurKernelsGeosAndOpenCvGiveTheSameAreas) {
   for (const std::size_t objects : {4U, 8U}) {
     const bench::Workload workload = bench::workload(objects);
     ASSERT_EQ(workload.size(), objects);
-    std::vector<Contender> contenders{bench::our_clip(workload), bench::our_model(workload), bench::geos(workload)};
+    std::vector<Contender> contenders{bench::our_clip(workload), bench::sutherland_hodgman(workload),
+                                      bench::our_model(workload), bench::geos(workload)};
     for (const std::size_t cells : {64U, 128U, 256U}) {
       contenders.push_back(bench::our_carving(workload, cells));
       contenders.push_back(bench::our_dense_carving(workload, cells));

@@ -14,8 +14,7 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: bench [--write FILE] [--benchmark_...]\n"
-    "Measures the robot's kernels beside Clipper, GEOS, Boost.Geometry, CGAL, OpenCV and memory itself, and prints "
-    "tables;\n"
+    "Measures the robot's kernels beside a textbook's cut, other libraries and memory itself, and prints tables;\n"
     "--write puts them between the marks of FILE, too. Fails if areas disagree.\n";
 
 constexpr std::size_t kObjects[] = {4, 8};
@@ -23,8 +22,8 @@ constexpr std::size_t kCells[] = {64, 128, 256};
 
 // The first polygon is what the others are compared with.
 std::vector<Contender> contenders_for(const Workload& workload) {
-  std::vector<Contender> all{our_clip(workload), clipper(workload), geos(workload), boost_geometry(workload),
-                             cgal(workload)};
+  std::vector<Contender> all{our_clip(workload), sutherland_hodgman(workload), clipper(workload),
+                             geos(workload),     boost_geometry(workload),     cgal(workload)};
   for (const std::size_t cells : kCells) {
     all.push_back(limit(workload, cells));
     all.push_back(our_dense_carving(workload, cells));

@@ -37,6 +37,9 @@ Contender our_dense_carving(const Workload& workload, std::size_t cells);
 /// Clip and grid as one model, the grid placed anew around what is left: what profile `full` does.
 Contender our_model(const Workload& workload);
 
+/// The textbook's cut on the robot's floats: two arrays, each vertex copied in each cut.
+Contender sutherland_hodgman(const Workload& workload);
+
 /// Reads and writes each word of a grid of bits once for each view.
 Contender limit(const Workload& workload, std::size_t cells);
 

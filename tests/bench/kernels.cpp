@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "firmware/recon/models/clip.hpp"
 #include "host/geometry/rings.hpp"
@@ -27,13 +29,52 @@ std::vector<std::vector<Sides>> sides_of(const Workload& workload) {
   return all;
 }
 
-double area_of(const Clip& clip) {
+/// Sutherland and Hodgman's cut, as textbooks have it: each edge in turn, its first point if that is inside, and where
+/// it crosses. The numbers are the clip's; its slivers, room and simplification are left out.
+class PlainCut {
+ public:
+  void start() {
+    vertices_ = &one_;
+    other_ = &two_;
+    size_ = 0;
+    for (const host::Point& corner : arena()) {
+      one_[size_++] = {static_cast<float>(corner.x), static_cast<float>(corner.y)};
+    }
+  }
+  void cut(const recon::HalfPlane& half_plane) {
+    const auto outside_by = [&](const recon::Vec2& v) { return half_plane.normal.dot(v) - half_plane.bound; };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const recon::Vec2 here = (*vertices_)[i];
+      const recon::Vec2 next = (*vertices_)[i + 1 == size_ ? 0 : i + 1];
+      const float d_here = outside_by(here);
+      const float d_next = outside_by(next);
+      if (d_here <= 0) (*other_)[count++] = here;
+      if ((d_here <= 0) != (d_next <= 0)) (*other_)[count++] = here + d_here / (d_here - d_next) * (next - here);
+    }
+    std::swap(vertices_, other_);
+    size_ = count;
+  }
+  [[nodiscard]] std::span<const recon::Vec2> vertices() const { return {vertices_->data(), size_}; }
+
+ private:
+  using Vertices = std::array<recon::Vec2, 4 + 2 * kViews + 2>;  // a cut adds one; rounding might add another
+  Vertices one_;
+  Vertices two_;
+  Vertices* vertices_ = &one_;
+  Vertices* other_ = &two_;
+  std::size_t size_ = 0;
+};
+
+double area_of_vertices(std::span<const recon::Vec2> vertices) {
   host::LinearRing ring;
-  for (const recon::Vec2& v : clip.vertices()) {
+  for (const recon::Vec2& v : vertices) {
     ring.push_back({static_cast<double>(v.x()), static_cast<double>(v.y())});
   }
   return host::area({ring, {}});
 }
+double area_of(const Clip& clip) { return area_of_vertices(clip.vertices()); }
+double area_of(const PlainCut& cut) { return area_of_vertices(cut.vertices()); }
 
 template <std::size_t N>
 double area_of(const recon::CarveGrid<N>& grid) {
@@ -143,6 +184,14 @@ Contender our_clip(const Workload& workload) {
     clip.cut(sides.left);
     clip.cut(sides.right);
   });
+}
+
+Contender sutherland_hodgman(const Workload& workload) {
+  return in_turn<PlainCut>("Sutherland-Hodgman, plain", Kind::kPolygon, 0, workload,
+                           [](PlainCut& cut, const Sides& sides) {
+                             cut.cut(sides.left);
+                             cut.cut(sides.right);
+                           });
 }
 
 Contender our_carving(const Workload& workload, std::size_t cells) {
