@@ -20,7 +20,7 @@ README = "host/share/doc/windows.md"
 def content(source, build, out):
     """{name in the archive: file}"""
     program = out / "fencepost.exe"
-    subprocess.run([STRIP, "-o", str(program), str(build / "host/cli/fencepost.exe")], check=True)
+    subprocess.run([STRIP, "--preserve-dates", "-o", str(program), str(build / "host/cli/fencepost.exe")], check=True)
     readme = out / "README.md"
     readme.write_text(re.sub(r"\]\((\w+\.md)", r"](share/fencepost/doc/\1", (source / README).read_text(encoding="utf-8")), encoding="utf-8")
     files = {"fencepost.exe": program, "LICENSE.txt": source / "LICENSE", "README.md": readme,

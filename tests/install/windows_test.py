@@ -71,6 +71,12 @@ class Windows(unittest.TestCase):
         self.assertGreater(len(here[1]), 100, arguments)
         self.assertEqual(there[1], here[1], arguments)
 
+    def test_holds_no_time_of_its_making(self):
+        program = self.program.read_bytes()
+        header = int.from_bytes(program[0x3C:0x40], "little")  # PE format, MS-DOS stub
+        self.assertEqual(program[header:header + 4], b"PE\0\0")
+        self.assertEqual(program[header + 8:header + 12], bytes(4), "TimeDateStamp")
+
     def test_replays_each_recording_to_the_same_bytes(self):
         self.assertGreater(len(LOGS), 8)
         for log in LOGS:
