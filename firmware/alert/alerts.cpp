@@ -48,7 +48,7 @@ AlertRules::AlertRules(const config::Settings& settings, float caution)
       notice(caution * settings.number(Key::kAlertNotice)),
       ttc_stop(settings.number(Key::kAlertTtcStop)),
       ttc_warn(settings.number(Key::kAlertTtcWarn)),
-      repeat{base::Time::kPerUnit / settings.raw(Key::kAlertRate)} {}
+      repeat{static_cast<std::int32_t>(base::Time::kPerUnit) / settings.raw(Key::kAlertRate)} {}
 
 bool credible(const recon::ObjectCore& object) { return object.confirmed && !object.refuted(); }
 

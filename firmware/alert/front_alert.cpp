@@ -21,7 +21,8 @@ struct Limit {
   unsigned frames = 0;  // of the fronts within it
 
   void set(float distance, const Overhang& overhang) {
-    squares = {square_of(distance + overhang.ahead), square_of(distance + overhang.behind)};
+    squares[0] = square_of(distance + overhang.ahead);
+    squares[1] = overhang.behind == overhang.ahead ? squares[0] : square_of(distance + overhang.behind);
   }
   void add(const Front& front, std::int32_t distance_square, bool behind) {
     if (distance_square <= squares[behind ? 1 : 0]) frames |= front.frames;
@@ -135,23 +136,35 @@ FrontAhead see_fronts(std::span<const Front> fronts, recon::MapPoint origin, con
   return ahead;
 }
 
-// Points that are surely too far are left out in whole millimetres of the guard's axes: floats are slow on small cores.
+// In whole millimetres of the guard's axes, for floats are slow on small cores: these decide only about points on the
+// very edge.
 bool front_within(std::span<const Front> fronts, recon::MapPoint origin, const RobotPlace& robot,
                   const recon::Vec2& place, float reach) {
-  constexpr std::int32_t kRounding = 2;  // mm
+  constexpr std::int32_t kRounding = 2;       // mm: more than all that is rounded
+  constexpr std::int32_t kFarthest = 20'000;  // mm: its square fits
   const recon::Vec2 from = recon::offset_from(robot.position, origin);
   const recon::Vec2 middle = recon::rotated(robot.heading, place) - from;
   const std::int32_t x = recon::nearest_whole(recon::kMillimetresPerMetre * middle.x());
   const std::int32_t y = recon::nearest_whole(recon::kMillimetresPerMetre * middle.y());
-  const std::int32_t near = recon::nearest_whole(recon::kMillimetresPerMetre * (reach + kFrontRadius)) + kRounding;
-  const float square = (reach + kFrontRadius) * (reach + kFrontRadius);
+  const float most = reach + kFrontRadius;
+  const std::int32_t edge = recon::nearest_whole(recon::kMillimetresPerMetre * most, kFarthest);
+  const std::int32_t outside = edge + kRounding;
+  const std::int32_t inside = std::max(edge - kRounding, std::int32_t{0});
+  const auto exactly_within = [&](const Front& front) {
+    const recon::Vec2 at = robot.see(from + recon::Vec2{metres(front.x), metres(front.y)});
+    return (at - place).squared_norm() < most * most;
+  };
   unsigned frames = 0;
   for (const Front& front : fronts) {
-    if (front.x > x + near || front.x < x - near || front.y > y + near || front.y < y - near) continue;
-    const recon::Vec2 at = robot.see(from + recon::Vec2{metres(front.x), metres(front.y)});
-    if ((at - place).squared_norm() < square) frames |= front.frames;
+    const std::int32_t dx = front.x - x;
+    const std::int32_t dy = front.y - y;
+    if (dx > outside || dx < -outside || dy > outside || dy < -outside) continue;
+    const std::int32_t square = dx * dx + dy * dy;
+    if (square > outside * outside || (square >= inside * inside && !exactly_within(front))) continue;
+    frames |= front.frames;
+    if (recon::guard::enough_frames(frames)) return true;
   }
-  return recon::guard::enough_frames(frames);
+  return false;
 }
 
 std::optional<AlertLevel> judge(AlertState& state, const FrontAhead& front, AlertLevel others, const AlertRules& rules,

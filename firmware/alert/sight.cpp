@@ -35,6 +35,18 @@ Displacement displacement_between(const recon::MapPose& from, const recon::MapPo
   return {recon::offset_from(from.position, to.position).norm(), std::fabs(1e-6F * static_cast<float>(turn))};
 }
 
+// So short a step that it is no jump, however soon after the last one. In whole numbers, for most steps are.
+bool surely_no_jump(const recon::MapPose& from, const recon::MapPose& to) {
+  constexpr auto kStep = static_cast<std::int32_t>(0.5F * kStepJump * static_cast<float>(recon::kMapUnitsPerMetre));
+  constexpr auto kTurn = static_cast<std::int32_t>(0.5F * kTurnJump * 1e6F);
+  const auto within = [](std::int32_t a, std::int32_t b, std::int32_t most) {
+    const std::int64_t step = std::int64_t{b} - a;
+    return step < most && step > -most;
+  };
+  return within(from.position.x, to.position.x, kStep) && within(from.position.y, to.position.y, kStep) &&
+         within(from.heading, to.heading, kTurn);
+}
+
 // By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the
 // image, the one that says most.
 float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Displacement& by) {
@@ -53,10 +65,10 @@ float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel&
 
 void Rhythm::beat(base::Time t) {
   if (begun_) {
-    const std::int64_t passed =
-        std::clamp<std::int64_t>(last_.since(t).raw / kTicksPerMs, 0, kOverdueMost.raw / kTicksPerMs);
-    const std::int64_t step = passed - interval_;
-    interval_ = static_cast<std::uint16_t>(interval_ == 0 ? passed : interval_ + step / 8);
+    constexpr auto kTicks = static_cast<std::int32_t>(kTicksPerMs);  // small cores divide 32 bits
+    const auto ticks = static_cast<std::int32_t>(std::clamp<std::int64_t>(last_.since(t).raw, 0, kOverdueMost.raw));
+    const std::int32_t passed = ticks / kTicks;
+    interval_ = static_cast<std::uint16_t>(interval_ == 0 ? passed : interval_ + (passed - interval_) / 8);
   }
   begun_ = true;
   last_ = base::Stamp(t);
@@ -75,9 +87,9 @@ void Sight::start(base::Time t) {
 
 void Sight::odometry_came(const sensor::OdometrySample& sample) {
   const recon::MapPose pose = recon::to_map_pose(sample);
-  if (odometry_.begun()) {
-    const float seconds =
-        static_cast<float>(odometry_.since_last(sample.t).raw) / static_cast<float>(base::Duration::kPerUnit);
+  const base::Duration since = odometry_.begun() ? odometry_.since_last(sample.t) : base::Duration{};
+  if (odometry_.begun() && (since.raw < 0 || !surely_no_jump(told_, pose))) {
+    const float seconds = static_cast<float>(since.raw) / static_cast<float>(base::Duration::kPerUnit);
     const Displacement step = displacement_between(told_, pose);
     if (step.moved > kStepJump + kFastest * seconds || step.turned > kTurnJump + kFastestTurn * seconds) {
       jumped_ = true;

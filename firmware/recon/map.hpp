@@ -50,8 +50,9 @@ class Map {
     table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
-    const auto place_of = [this](const ObjectCore& object, std::size_t slot) {
-      return correction_.place_of(object, slot, table_.exposure());
+    const auto look = correction_.look_at(table_.exposure());
+    const auto place_of = [&](const ObjectCore& object, std::size_t slot) {
+      return correction_.place_of(object, slot, look);
     };
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
     matcher_.observe(frame, camera, table_.objects());

@@ -14,6 +14,7 @@
 #include "firmware/recon/localize/tuning.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "firmware/recon/track/object_events.hpp"
+#include "hal/base/trig.hpp"
 
 namespace fencepost::recon {
 
@@ -101,17 +102,33 @@ class PoseCorrection {
   [[nodiscard]] const MapPose& pose() const { return filter_.at().pose; }
   [[nodiscard]] PoseSigma sigma() const { return pose_sigma(filter_.pose_covariances()); }
 
+  /// A frame, for place_of().
+  struct Look {
+    base::Time exposure;
+    MapPoint position;  ///< of the pose that the models know
+    Vec2 turn{1, 0};    ///< of that against the filter's
+  };
+  [[nodiscard]] Look look_at(base::Time exposure) const {
+    Look look{exposure, {}, {1, 0}};
+    if (!running_) return look;
+    const MapPose believed = corrected(filter_.at().odometry);
+    const base::SinCos turn = base::sincos_urad(believed.heading - pose().heading);
+    look.position = believed.position;
+    look.turn = {turn.cos, turn.sin};
+    return look;
+  }
   /// For matching: where the object in `slot` is, in its local frame, if it is a landmark. Of that the filter knows how
   /// far the pose has drifted away since it was seen, which closes the loop. What wheels do wrong has no Gaussian's
-  /// short tails, so it may be farther. `now`: of the frame. While odometry is believed, the models know better of what
-  /// stays in view.
-  [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot, base::Time now) {
+  /// short tails, so it may be farther. While odometry is believed, the models know better of what stays in view.
+  [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot, const Look& look) {
     if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
-    const MapPose believed = corrected(filter_.at().odometry);
+    const Vec2 away = offset_from(pose().position, filter_.landmark(slot).center);
+    const Vec2 center = offset_from(object.origin, look.position) + rotated(look.turn, away);
+    const bool in_view = !corrects_ && look.exposure - object.last_seen < kMoment;
+    if (in_view && stands_near(object, center)) return std::nullopt;
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
-    place.center =
-        offset_from(object.origin, believed.position) + turned(place.center, believed.heading - pose().heading);
-    if (!corrects_ && now - object.last_seen < kMoment && stands_there(object, place)) return std::nullopt;
+    place.center = center;
+    if (in_view && stands_there(object, place)) return std::nullopt;
     if (corrects_) place.covariance.scale(kLongTails * kLongTails);
     return place;
   }
@@ -227,6 +244,11 @@ class PoseCorrection {
            distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
   }
 
+  // So near that stands_there() holds, however well either knows it: mostly that is so, and variances cost more.
+  [[nodiscard]] static bool stands_near(const ObjectCore& object, const Vec2& center) {
+    const CylinderEstimate& estimate = object.cylinder.estimate();
+    return estimate.ok() && (center - estimate.center).squared_norm() < 0.5F * kAcross * kAcross;
+  }
   // The models have it where the filter has it, as far as either knows.
   [[nodiscard]] static bool stands_there(const ObjectCore& object, const CylinderEstimate& place) {
     const CylinderEstimate& estimate = object.cylinder.estimate();

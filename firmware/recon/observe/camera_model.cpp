@@ -110,7 +110,7 @@ float drop_per_depth(const CameraModel& camera, float u, float v) {
 std::int16_t whole_pixels(float value) {
   constexpr float kFarOutside = 30'000.0F;
   if (!(std::fabs(value) < kFarOutside)) return static_cast<std::int16_t>(value < 0 ? -kFarOutside : kFarOutside);
-  return static_cast<std::int16_t>(value + std::copysign(0.5F, value));
+  return static_cast<std::int16_t>(nearest_whole(value));
 }
 
 float column_of(const CameraModel& camera, const Vec2& direction) {

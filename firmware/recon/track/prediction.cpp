@@ -60,7 +60,8 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   prediction.right = {whole_pixels(u_right), whole_pixels(std::max(1.0F, right_sigma))};
   prediction.left_tolerance = whole_pixels(std::max(1.0F, left_tolerance));
   prediction.right_tolerance = whole_pixels(std::max(1.0F, right_tolerance));
-  predict_rows(camera, object, estimate, pose.axis, middle.y() / middle.x(), noise, prediction);
+  const float across = camera.equidistant ? middle.y() / middle.x() : 0.0F;  // no other lens asks
+  predict_rows(camera, object, estimate, pose.axis, across, noise, prediction);
   const auto columns = static_cast<float>(camera.width);
   const float border = kBorderShare * columns;
   const float near_square = middle.squared_norm();

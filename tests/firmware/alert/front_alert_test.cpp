@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "hal/base/trig.hpp"
@@ -96,6 +97,36 @@ TEST_F(Fronts, AreWithinReachOfAPlace) {
   EXPECT_TRUE(within(0.1F)) << "points of one thing";
   robot_.position = {recon::kMapUnitsPerMetre / 2, 0};
   EXPECT_FALSE(within(0.1F)) << "the robot has moved on";
+}
+
+// As floats have it, point by point: whole millimetres never say more or less. Half of the points are on the very edge.
+TEST_F(Fronts, AreWithinReachAsFloatsHaveIt) {
+  std::mt19937 random(1);
+  const auto any = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  constexpr std::int32_t kUnits = recon::kMapUnitsPerMetre / 1'000;
+  int within = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const recon::MapPoint origin{any(-20'000, 20'000) * kUnits, any(-20'000, 20'000) * kUnits};
+    robot_.position = {origin.x + any(-800'000, 800'000), origin.y + any(-800'000, 800'000)};
+    robot_.heading = any(-3'141'592, 3'141'592);
+    const alert::RobotPlace robot(robot_);
+    const recon::Vec2 place{0.001F * static_cast<float>(any(-1'500, 1'500)),
+                            0.001F * static_cast<float>(any(-1'500, 1'500))};
+    const float reach = 0.0001F * static_cast<float>(any(100, 6'000));
+    const recon::Vec2 from = recon::offset_from(robot.position, origin);
+    const float distance = i % 2 == 0 ? reach + alert::kFrontRadius : 0.001F * static_cast<float>(any(0, 900));
+    const base::SinCos way = base::sincos_urad(any(-3'141'592, 3'141'592));
+    const recon::Vec2 at = recon::rotated(robot.heading, place + distance * recon::Vec2{way.cos, way.sin}) - from;
+    fronts_.clear();
+    put(recon::nearest_whole(1'000 * at.x()) + any(-1, 1), recon::nearest_whole(1'000 * at.y()) + any(-1, 1));
+    const recon::Vec2 point{alert::metres(fronts_[0].x), alert::metres(fronts_[0].y)};
+    const float most = reach + alert::kFrontRadius;
+    const bool expected = (robot.see(from + point) - place).squared_norm() < most * most;
+    ASSERT_EQ(front_within(fronts_, origin, robot, place, reach), expected) << i;
+    within += expected ? 1 : 0;
+  }
+  EXPECT_GT(within, 5'000);
+  EXPECT_LT(within, 15'000);
 }
 
 TEST_F(Fronts, TheHysteresisHolds) {
