@@ -195,7 +195,7 @@ TEST_F(Judge, UnconfirmedAndVanishedObjectsDoNotAlert) {
   EXPECT_EQ(at(0, in_path(0.1F)), std::nullopt);
   object_.confirmed = true;
   EXPECT_EQ(at(10, in_path(0.1F)), AlertLevel::kStop);
-  object_.missed_for = static_cast<std::uint16_t>(recon::kRefutedMissing.raw);
+  object_.missed_for = static_cast<std::uint16_t>(recon::kMoment.raw);
   EXPECT_EQ(at(20, in_path(0.1F)), AlertLevel::kClear) << "it was missing for long enough";
   EXPECT_EQ(at(320, in_path(0.1F)), std::nullopt);
 }
