@@ -8,82 +8,19 @@
 #include <set>
 #include <utility>
 
-#include "host/calibrate/drift_model.hpp"
 #include "host/calibrate/findings.hpp"
+#include "host/calibrate/fit.hpp"
 #include "host/calibrate/known.hpp"
 #include "host/calibrate/outline.hpp"
-#include "host/calibrate/regroup.hpp"
-#include "host/calibrate/sighting_model.hpp"
 #include "host/calibrate/start.hpp"
 
 namespace fencepost::host {
 namespace {
 
-/// Residuals grow by what calibration a log was not told has not in its model: corners, shadows. Chosen on seeds of the
-/// study (tests/studies/calibrate) that it does not use.
-constexpr double kCaution = 1.15;
-
-constexpr int kFitRounds = 5;
-
 /// Why the solver failed, as a sentence for whoever drives.
 std::string no_fit(const std::string& reason) {
   return fmt::format("no calibration fits this log ({}); are camera and wheels of one robot, and its $FPCAM near? {}",
                      reason, kGuide);
-}
-
-/// How much more the odometry strays than good wheels do: by what the nodes' motions needed.
-double drift_of(const CalibrationProblem& problem, const Estimate& estimate) {
-  std::vector<double> needed;
-  for (std::size_t i = 0; i + 1 < problem.node_times.size(); ++i) {
-    const TrackPose a = problem.odometry.at(problem.node_times[i]);
-    const TrackPose b = problem.odometry.at(problem.node_times[i + 1]);
-    const auto motion = calibration::corrected(calibration::motion_between(a, b), estimate.wheels.data());
-    const auto expected = calibration::after(estimate.nodes[i].data(), motion);
-    const double sigma =
-        std::hypot(calibration::stray(a, b, 1, 1).heading, std::sqrt(2.0) * problem.odometry.white().heading);
-    needed.push_back(std::abs(estimate.nodes[i + 1][kPoseHeading] - expected.heading) / sigma);
-  }
-  constexpr double kSigmaOfMedian = 1.4826;
-  constexpr double kMost = 30;
-  return std::clamp(kSigmaOfMedian * median_of(std::move(needed)), 1.0, kMost);
-}
-
-/// What has to be held because nothing in the log is about it.
-SolverOptions possible(const CalibrationProblem& problem) {
-  SolverOptions options;
-  options.hold_camera[kPitch] = options.hold_camera[kHeight] = !problem.rows;
-  // Without a known length the odometry's metre is the unit.
-  options.hold_wheels[kStep] = problem.sizes.empty() && problem.distances.empty();
-  return options;
-}
-
-SolverOptions only_objects() {
-  SolverOptions options;
-  options.hold_shape = true;
-  options.hold_camera.fill(true);
-  options.hold_wheels.fill(true);
-  options.hold_way = true;
-  return options;
-}
-
-/// Solves with noise that is measured in between, and objects that turn out to be one joined.
-std::optional<std::string> fit(StartedProblem& started, const SolverOptions& options,
-                               const std::function<void()>& round_done) {
-  constexpr int kRounds = kFitRounds;
-  constexpr int kRound = 2;  // of these, with round objects: else a wrong distance hides in a shape
-  SolverOptions now = options;
-  for (int round = 0; round < kRounds; ++round) {
-    now.hold_shape = round < kRound;
-    if (auto failed = solve(started.problem, now, started.estimate)) return failed;
-    if (round == 0) drop_unfit(started);
-    if (round <= 1) join_same(started);
-    if (round == kRound) drop_at_border(started);
-    started.problem.noise = noise_of(residuals_at(started.problem, started.estimate));
-    started.problem.drift = std::max(started.problem.drift, drift_of(started.problem, started.estimate));
-    started.problem.walk = started.problem.drift;
-    round_done();
-  }
-  return std::nullopt;
 }
 
 std::array<bool, kCalibrated> hold(const std::array<bool, kCalibrated>& held, SolverOptions& options,

@@ -92,13 +92,17 @@ class Watcher final : public RunObserver {
  public:
   Watcher(DriveLog& log, double since) : log_(log), since_(since) {}
 
-  void run_begins() override { log_.frames.clear(); }
+  void run_begins() override {
+    log_.frames.clear();
+    log_.moving = 0;
+  }
 
   void frame_placed(const PlacedFrame& placed) override {
     const double t = placed.frame.t.to_double();
     if (t <= since_) return;
     SeenFrame seen{t, {}, {}};
     std::vector<bool> taken(placed.frame.blobs.size());
+    for (const recon::WaitingBlob& blob : placed.frame.blobs) log_.moving += blob.moves ? 1U : 0U;
     for (const PlacedSighting& sighting : placed.sightings) {
       const recon::WaitingBlob& blob = placed.frame.blobs[sighting.blob];
       taken[sighting.blob] = true;

@@ -41,6 +41,7 @@ struct DriveLog {
   std::vector<SeenFrame> frames;
   std::size_t ends = 0;      ///< left and right ends of all boxes
   std::size_t ends_cut = 0;  ///< of these, at the border or hidden
+  std::size_t moving = 0;    ///< boxes of things that move: left out
 };
 
 /// The last run in `bytes`, associated by the robot's own tracking. `options`: camera, from, to, settings; the rest is

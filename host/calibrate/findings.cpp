@@ -75,6 +75,8 @@ Quantity within(double value, double low, double high) {
 
 }  // namespace
 
+double of_use(std::size_t index) { return std::ranges::find(kRows, index, &Row::index)->most; }
+
 std::array<bool, kCalibrated> to_be_held(const CalibrationProblem& problem, const SolverOptions& impossible,
                                          const CalibratedMatrix& matrix) {
   std::array<bool, kCalibrated> held{};

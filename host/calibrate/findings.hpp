@@ -15,6 +15,9 @@ namespace fencepost::host {
 std::array<bool, kCalibrated> to_be_held(const CalibrationProblem& problem, const SolverOptions& impossible,
                                          const CalibratedMatrix& matrix);
 
+/// The largest error that a map does not notice, of camera or wheels, in the parameter's unit.
+double of_use(std::size_t index);
+
 /// In the order and the units in which people read them.
 std::vector<Finding> findings_of(const CalibrationProblem& problem, const Estimate& estimate,
                                  const CalibratedMatrix& matrix, const std::array<bool, kCalibrated>& held);

@@ -30,11 +30,16 @@ enum ObjectParameter : std::size_t { kCentreX, kCentreY, kTop, kRadius, kShape }
 inline constexpr std::size_t kLastHarmonic = 6;  ///< the next one of a square is 3 % of its radius: below a pixel
 inline constexpr std::size_t kObjectParameters = kShape + 2 * (kLastHarmonic - 1);
 
+/// Of all objects of a signature: how far each edge of a box lies outside of the thing, px. And their width: the
+/// natural logarithm of the true one over the configured one.
+enum KindParameter : std::size_t { kPad, kWidthRatio, kKindParameters };
+
 enum PoseParameter : std::size_t { kPoseX, kPoseY, kPoseHeading, kPoseParameters };
 
 using CameraValues = std::array<double, kCameraParameters>;
 using WheelValues = std::array<double, kWheelParameters>;
 using ObjectValues = std::array<double, kObjectParameters>;
+using KindValues = std::array<double, kKindParameters>;
 using PoseValues = std::array<double, kPoseParameters>;
 
 struct Estimate {
@@ -42,11 +47,16 @@ struct Estimate {
   WheelValues wheels{};
   std::vector<ObjectValues> objects;
   std::vector<PoseValues> nodes;  ///< world_T_robot at the problem's node times
+  std::vector<KindValues> kinds;  ///< of each signature that has an object
 };
 
 inline constexpr std::size_t kCalibrated = std::size_t{kCameraParameters} + std::size_t{kWheelParameters};
 /// Camera first, then wheels.
 constexpr std::size_t place_of(WheelParameter parameter) { return std::size_t{kCameraParameters} + parameter; }
-using CalibratedMatrix = std::array<std::array<double, kCalibrated>, kCalibrated>;
+/// Behind the wheels.
+constexpr std::size_t place_of(std::size_t kind, KindParameter parameter) {
+  return kCalibrated + kKindParameters * kind + parameter;
+}
+using CalibratedMatrix = std::vector<std::vector<double>>;
 
 }  // namespace fencepost::host

@@ -49,6 +49,7 @@ struct ImageNoise {
 struct KnownSize {
   std::size_t object = 0;
   double width = 0;
+  double sigma = 0.001;  ///< m, of a ruler
 };
 
 /// Two objects' middles are so far apart, m.
@@ -64,7 +65,8 @@ struct CalibrationProblem {
   OdometryTrack odometry;
   std::vector<double> node_times;
   std::vector<Sighting> sightings;
-  std::vector<double> radii{};  ///< of the objects, at first: how far from round they may be
+  std::vector<double> radii{};       ///< of the objects, at first: how far from round they may be
+  std::vector<std::size_t> kinds{};  ///< of each object, index into Estimate::kinds
   std::vector<KnownSize> sizes{};
   std::vector<KnownDistance> distances{};
   CameraValues told{};          ///< the prior's middle

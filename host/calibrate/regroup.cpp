@@ -34,6 +34,7 @@ void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
   std::vector<std::uint8_t> signatures;
   std::vector<std::uint32_t> ids;
   std::vector<double> radii;
+  std::vector<std::size_t> kinds;
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (place[i] != i) continue;
     index[i] = objects.size();
@@ -41,6 +42,7 @@ void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
     signatures.push_back(started.signatures[i]);
     ids.push_back(started.ids[i]);
     radii.push_back(started.problem.radii[i]);
+    kinds.push_back(started.problem.kinds[i]);
   }
   const auto moved = [&](std::size_t object) { return place[object] == kGone ? kGone : index[place[object]]; };
   std::vector<Sighting>& sightings = started.problem.sightings;
@@ -59,6 +61,7 @@ void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
   started.signatures = std::move(signatures);
   started.ids = std::move(ids);
   started.problem.radii = std::move(radii);
+  started.problem.kinds = std::move(kinds);
 }
 
 void join_same(StartedProblem& started) {

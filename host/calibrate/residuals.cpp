@@ -25,9 +25,10 @@ double share_below(std::vector<double> magnitudes, double share) {
 }
 
 std::optional<Point> floor_point(const CalibrationProblem& problem, const Sighting& sighting,
-                                 const calibration::View<double>& view, const CameraValues& camera) {
+                                 const calibration::View<double>& view, const CameraValues& camera, double pad) {
   if (!problem.rows || !sighting.foot) return std::nullopt;
-  const calibration::GroundRay ray = calibration::ground_ray(problem.optics, camera, sighting.middle, *sighting.foot);
+  const calibration::GroundRay ray =
+      calibration::ground_ray(problem.optics, camera, sighting.middle, *sighting.foot - pad);
   constexpr double kHorizon = 0.02;  // rad
   if (ray.down < kHorizon * ray.ahead || ray.ahead <= 0) return std::nullopt;
   const double depth = camera[kHeight] * ray.ahead / ray.down;
@@ -45,8 +46,10 @@ SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& 
       estimate.wheels.data(), estimate.nodes[sighting.node].data());
   const auto view = calibration::view_of(problem.optics, camera, robot);
   const double* object = estimate.objects[sighting.object].data();
+  const double pad = estimate.kinds[problem.kinds[sighting.object]][kPad];
   const auto edge = [&](double seen, double sign) {
-    return calibration::edge_column(problem.optics, camera, view, object, sighting, seen, sign) - seen;
+    const double bare = seen + sign * pad;
+    return calibration::edge_column(problem.optics, camera, view, object, sighting, bare, sign) - bare;
   };
   SightingResidual residual;
   const double dx = object[kCentreX] - view.x;
@@ -55,13 +58,13 @@ SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& 
   residual.ahead = dx * view.ahead_x + dy * view.ahead_y;
   if (sighting.left) residual.left = edge(*sighting.left, 1);
   if (sighting.right) residual.right = edge(*sighting.right, -1);
-  residual.floor = floor_point(problem, sighting, view, estimate.camera);
+  residual.floor = floor_point(problem, sighting, view, estimate.camera, pad);
   if (!problem.rows) return residual;
   if (sighting.foot) {
-    residual.foot = calibration::foot_row(problem.optics, camera, view, object, sighting.middle) - *sighting.foot;
+    residual.foot = calibration::foot_row(problem.optics, camera, view, object, sighting.middle) + pad - *sighting.foot;
   }
   if (sighting.top) {
-    residual.top = calibration::top_row(problem.optics, camera, view, object, sighting.middle) - *sighting.top;
+    residual.top = calibration::top_row(problem.optics, camera, view, object, sighting.middle) - pad - *sighting.top;
   }
   return residual;
 }

@@ -20,6 +20,7 @@ constexpr int kCamera = kCameraParameters;
 constexpr int kWheels = kWheelParameters;
 constexpr int kObject = kObjectParameters;
 constexpr int kPose = kPoseParameters;
+constexpr int kKind = kKindParameters;
 
 /// Residuals of this many sigmas count half as much as a square would: with gaussian noise hardly any is.
 constexpr double kRobustWidth = 2.5;
@@ -36,18 +37,22 @@ struct Seen {
         calibration::pose_at_exposure<T>(problem->odometry, node_time, sighting->t, camera[kLatency], wheels, node);
     return calibration::view_of(problem->optics, camera, robot);
   }
+  /// Predicted minus seen.
+  template <class T>
+  T edge(const T* camera, const View<T>& seen, const T* object, const T* kind, double column, double sign) const {
+    const double bare = column + sign * calibration::value_of(kind[kPad]);
+    return calibration::edge_column<T>(problem->optics, camera, seen, object, *sighting, bare, sign) -
+           sign * kind[kPad] - column;
+  }
 };
 
 /// Both edges: their middle and their distance have errors of their own. What shifts the robot shifts both.
 struct BothEdges : Seen {
   template <class T>
-  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residuals) const {
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, const T* kind, T* residuals) const {
     const View<T> seen = view(camera, wheels, node);
-    const auto edge = [&](double column, double sign) {
-      return calibration::edge_column<T>(problem->optics, camera, seen, object, *sighting, column, sign) - column;
-    };
-    const T left = edge(*sighting->left, 1);
-    const T right = edge(*sighting->right, -1);
+    const T left = edge(camera, seen, object, kind, *sighting->left, 1);
+    const T right = edge(camera, seen, object, kind, *sighting->right, -1);
     residuals[0] = 0.5 * (left + right) / problem->noise.middle;
     residuals[1] = (right - left) / problem->noise.width;
     return true;
@@ -56,33 +61,31 @@ struct BothEdges : Seen {
 
 struct OneEdge : Seen {
   template <class T>
-  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, const T* kind, T* residual) const {
     const View<T> seen = view(camera, wheels, node);
     const double sign = sighting->left ? 1 : -1;
     const double column = sighting->left ? *sighting->left : *sighting->right;
-    residual[0] =
-        (calibration::edge_column<T>(problem->optics, camera, seen, object, *sighting, column, sign) - column) /
-        problem->noise.edge;
+    residual[0] = edge(camera, seen, object, kind, column, sign) / problem->noise.edge;
     return true;
   }
 };
 
 struct Foot : Seen {
   template <class T>
-  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, const T* kind, T* residual) const {
     const T row =
         calibration::foot_row<T>(problem->optics, camera, view(camera, wheels, node), object, sighting->middle);
-    residual[0] = (row - *sighting->foot) / problem->noise.foot;
+    residual[0] = (row + kind[kPad] - *sighting->foot) / problem->noise.foot;
     return true;
   }
 };
 
 struct Top : Seen {
   template <class T>
-  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, T* residual) const {
+  bool operator()(const T* camera, const T* wheels, const T* node, const T* object, const T* kind, T* residual) const {
     const T row =
         calibration::top_row<T>(problem->optics, camera, view(camera, wheels, node), object, sighting->middle);
-    residual[0] = (row - *sighting->top) / problem->noise.top;
+    residual[0] = (row - kind[kPad] - *sighting->top) / problem->noise.top;
     return true;
   }
 };
@@ -115,11 +118,10 @@ struct Prior {
 };
 
 struct Size {
-  double width;
+  KnownSize known;
   template <class T>
-  bool operator()(const T* object, T* residual) const {
-    constexpr double kSigma = 0.001;  // m, of a ruler
-    residual[0] = (2.0 * object[kRadius] - width) / kSigma;
+  bool operator()(const T* object, const T* kind, T* residual) const {
+    residual[0] = (2.0 * object[kRadius] - known.width * exp(kind[kWidthRatio])) / known.sigma;
     return true;
   }
 };
@@ -135,6 +137,9 @@ struct Apart {
     return true;
   }
 };
+
+/// Networks were seen to pad by 7 px a side; a width that somebody measured is seldom off by half.
+constexpr KindValues kKindSigma = {10, 0.4};
 
 /// An object is convex and not far from round: a square's harmonics are 2 r / (m^2 - 1), every other one. Its place and
 /// its top are hardly known, but that keeps what was seen once from running away.
@@ -164,11 +169,13 @@ class Build {
     ceres_.AddParameterBlock(estimate_.camera.data(), kCamera);
     ceres_.AddParameterBlock(estimate_.wheels.data(), kWheels);
     for (PoseValues& node : estimate_.nodes) ceres_.AddParameterBlock(node.data(), kPose);
+    for (KindValues& kind : estimate_.kinds) ceres_.AddParameterBlock(kind.data(), kKind);
     add_sightings();
     add_odometry();
     add_priors();
     hold(estimate_.camera.data(), options_.hold_camera);
     hold(estimate_.wheels.data(), options_.hold_wheels);
+    for (std::size_t i = 0; i < estimate_.kinds.size(); ++i) hold_kind(i);
     ceres_.SetParameterBlockConstant(estimate_.nodes.front().data());
     if (options_.hold_way) {
       for (PoseValues& node : estimate_.nodes) ceres_.SetParameterBlockConstant(node.data());
@@ -186,10 +193,19 @@ class Build {
 
   template <class Function, int Residuals>
   void add(const Sighting& sighting) {
-    auto* cost = new ceres::AutoDiffCostFunction<Function, Residuals, kCamera, kWheels, kPose, kObject>(
+    auto* cost = new ceres::AutoDiffCostFunction<Function, Residuals, kCamera, kWheels, kPose, kObject, kKind>(
         new Function{{&problem_, &sighting}});
     ceres_.AddResidualBlock(cost, &robust_, estimate_.camera.data(), estimate_.wheels.data(),
-                            estimate_.nodes[sighting.node].data(), estimate_.objects[sighting.object].data());
+                            estimate_.nodes[sighting.node].data(), estimate_.objects[sighting.object].data(),
+                            kind_of(sighting.object));
+  }
+  double* kind_of(std::size_t object) { return estimate_.kinds[problem_.kinds[object]].data(); }
+  void hold_kind(std::size_t i) {
+    std::array<bool, kKindParameters> held{};
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      held[k] = i >= options_.free_kinds.size() || !options_.free_kinds[i][k];
+    }
+    hold(estimate_.kinds[i].data(), held);
   }
 
   void add_sightings() {
@@ -233,8 +249,13 @@ class Build {
       hold(object.data(), shape);
     }
     for (const KnownSize& size : problem_.sizes) {
-      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Size, 1, kObject>(new Size{size.width}), nullptr,
-                              estimate_.objects[size.object].data());
+      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Size, 1, kObject, kKind>(new Size{size}), nullptr,
+                              estimate_.objects[size.object].data(), kind_of(size.object));
+    }
+    for (KindValues& kind : estimate_.kinds) {
+      ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kKindParameters>, kKind, kKind>(
+                                  new Prior<kKindParameters>{{}, kKindSigma}),
+                              nullptr, kind.data());
     }
     for (const KnownDistance& apart : problem_.distances) {
       ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Apart, 1, kObject, kObject>(new Apart{apart.distance}),
@@ -320,17 +341,21 @@ std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem,
   how.algorithm_type = ceres::SPARSE_QR;
   how.num_threads = 1;
   ceres::Covariance covariance(how);
-  double* camera = estimate.camera.data();
-  double* wheels = estimate.wheels.data();
-  if (!covariance.Compute({{camera, camera}, {camera, wheels}, {wheels, wheels}}, &build.problem())) {
-    return std::nullopt;
+  std::vector<const double*> blocks = {estimate.camera.data(), estimate.wheels.data()};
+  if (!options.free_kinds.empty()) {
+    for (const KindValues& kind : estimate.kinds) blocks.push_back(kind.data());
   }
-  const std::vector<const double*> blocks = {camera, wheels};
-  CalibratedMatrix matrix{};
-  std::vector<double> values(kCalibrated * kCalibrated);
+  std::vector<std::pair<const double*, const double*>> pairs;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for (std::size_t j = i; j < blocks.size(); ++j) pairs.emplace_back(blocks[i], blocks[j]);
+  }
+  if (!covariance.Compute(pairs, &build.problem())) return std::nullopt;
+  const std::size_t size = place_of(blocks.size() - 2, kPad);
+  std::vector<double> values(size * size);
   if (!covariance.GetCovarianceMatrix(blocks, values.data())) return std::nullopt;
-  for (std::size_t i = 0; i < kCalibrated; ++i) {
-    for (std::size_t j = 0; j < kCalibrated; ++j) matrix[i][j] = values[i * kCalibrated + j];
+  CalibratedMatrix matrix;
+  for (auto row = values.begin(); row != values.end(); row += static_cast<std::ptrdiff_t>(size)) {
+    matrix.emplace_back(row, row + static_cast<std::ptrdiff_t>(size));
   }
   return matrix;
 }

@@ -14,6 +14,8 @@ struct SolverOptions {
   /// Held as they are; the first node always is: it is the origin.
   std::array<bool, kCameraParameters> hold_camera{};
   std::array<bool, kWheelParameters> hold_wheels{};
+  /// Of each kind of the estimate; what is not listed is held.
+  std::vector<std::array<bool, kKindParameters>> free_kinds{};
   bool hold_shape = false;  ///< objects stay as round as they are
   bool hold_way = false;    ///< the poses stay where the odometry has them
   int iterations = 60;
@@ -36,8 +38,8 @@ struct PlaceVariance {
 std::vector<PlaceVariance> place_variances(const CalibrationProblem& problem, const SolverOptions& options,
                                            Estimate estimate);
 
-/// Of camera and wheels at the estimate, priors included: rad, s, m, as in parameters.hpp. What is held has none.
-/// Nothing where the problem is singular.
+/// Of camera, wheels and kinds at the estimate, priors included: rad, s, m, as in parameters.hpp. What is held has
+/// none. Nothing where the problem is singular.
 std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem, const SolverOptions& options,
                                               Estimate estimate);
 

@@ -241,10 +241,13 @@ StartedProblem start_with(const DriveLog& log, const StartOptions& options, cons
   started.problem.node_times = node_times(frames, odometry, latency, options.most_nodes);
   add_sightings(frames, latency, options, started);
   start_estimate(log, path, started);
+  std::map<std::uint8_t, std::size_t> kinds;
   for (std::size_t o = 0; o < started.signatures.size(); ++o) {
+    started.problem.kinds.push_back(kinds.emplace(started.signatures[o], kinds.size()).first->second);
     started.estimate.objects.push_back(first_guess(started, o));
     started.problem.radii.push_back(started.estimate.objects.back()[kRadius]);
   }
+  started.estimate.kinds.resize(kinds.size());
   return started;
 }
 

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "host/cli/command.hpp"
 #include "host/cli/doctor_ports.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/lab.hpp"
 #include "host/cli/replay_run.hpp"
+#include "host/cli/terminal.hpp"
 #include "host/devices/catalogue.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/doctor/log/compare.hpp"
@@ -35,10 +38,17 @@ std::vector<sensor::CameraIntrinsics> makers() {
   return known;
 }
 
-LogSurvey survey(const std::string& path) {
+/// `beginning`: what its distances are judged by.
+LogSurvey survey(const std::string& path, std::string* beginning = nullptr) {
+  constexpr std::size_t kMost = std::size_t{8} << 20U;  // the minute that is judged, on any line
   LogInput input(path);
   ReplayProgress progress(input);
-  return doctor::survey_log([&] { return progress.next(); }, input_name(path));
+  const auto next = [&] {
+    const std::string_view bytes = progress.next();
+    if (beginning != nullptr) beginning->append(bytes.substr(0, kMost - std::min(kMost, beginning->size())));
+    return bytes;
+  };
+  return doctor::survey_log(next, input_name(path));
 }
 
 std::string log_text(const LogSurvey& log, const doctor::Findings& findings) {
@@ -47,8 +57,11 @@ std::string log_text(const LogSurvey& log, const doctor::Findings& findings) {
 }
 
 Exit examine_log(const DoctorRequest& request) {
-  const LogSurvey log = survey(request.subject);
-  const doctor::Findings findings = doctor::diagnose(log, makers());
+  const bool judges_distances = has_lab();
+  if (!judges_distances) say("distances are not judged: that needs fencepost-lab, which is not installed");
+  std::string beginning;
+  const LogSurvey log = survey(request.subject, judges_distances ? &beginning : nullptr);
+  const doctor::Findings findings = doctor::diagnose(log, makers(), distance_findings(beginning, request.subject));
   Json document = {{"format", 1}, {"survey", doctor::survey_json(log)}, {"findings", doctor::findings_json(findings)}};
   std::string text = log_text(log, findings);
   bool bad = doctor::has_fault(findings);

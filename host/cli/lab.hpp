@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
@@ -17,6 +18,9 @@ struct KittiOptions;
 struct VictoriaOptions;
 struct Scene;
 struct SmoothEvaluation;
+namespace doctor {
+struct Finding;
+}
 namespace exports {
 struct Drawing;
 }
@@ -114,6 +118,11 @@ struct SmoothRequest {
   std::optional<double> to;
 };
 Exit run_smooth(const SmoothRequest& request);
+
+/// Before any input is read: starts the second program if it is there; true in it, false without it.
+bool has_lab();
+/// Judges the distances that a log's boxes have. `log`: its name on a command line.
+std::vector<doctor::Finding> distance_findings(std::string_view bytes, const std::string& log);
 
 /// Before any input is read for `what`, which only the second program can do: the first one ends here. What follows is
 /// for after it.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/cli/lab.hpp"
+#include "host/doctor/finding.hpp"
 #include "host/smooth/smooth_evaluation.hpp"
 
 namespace fencepost::host::cli {
@@ -36,20 +37,25 @@ std::vector<std::string> command_line() {
   return words;
 }
 
-/// `what`: the command that needs it. errors: Failure (kUnreadable): not there
-[[noreturn]] void start_lab(const char* what) {
+/// Returns only where it is not there. errors: Failure (kUnreadable): it cannot be started
+void try_lab() {
   std::vector<std::string> words = command_line();
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  const std::array<fs::path, 2> places = lab_places();
-  for (const fs::path& path : places) {
+  for (const fs::path& path : lab_places()) {
     ::execv(path.c_str(), arguments.data());
     if (errno != ENOENT && errno != ENOTDIR) {
       throw Failure(Exit::kUnreadable, fmt::format("cannot start {}: {}; install again", path.string(),
                                                    std::generic_category().message(errno)));
     }
   }
+}
+
+/// `what`: the command that needs it. errors: Failure (kUnreadable): not there
+[[noreturn]] void start_lab(const char* what) {
+  try_lab();
+  const std::array<fs::path, 2> places = lab_places();
   const fs::path folder = places[0].parent_path();
   // An installed program looks only where it was installed.
   const std::string install = folder.filename() == "bin" ? fmt::format(" && cmake --install build/demo --prefix '{}'",
@@ -76,6 +82,11 @@ Exit run_paper(const PaperRequest&) { start_lab("paper"); }
 Exit run_segment(const SegmentRequest&) { start_lab("segment"); }
 Exit run_smooth(const SmoothRequest&) { start_lab("smooth"); }
 void need_lab(const char* what) { start_lab(what); }
+bool has_lab() {
+  try_lab();
+  return false;
+}
+std::vector<doctor::Finding> distance_findings(std::string_view, const std::string&) { return {}; }
 
 // Nobody comes here after need_lab().
 SmoothEvaluation smooth_log(const std::string&, const Scene&, const EvaluateOptions&) { std::abort(); }

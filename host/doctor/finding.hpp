@@ -43,6 +43,9 @@ inline constexpr std::string_view kCodes[] = {
     "no_calibration", "calibration_field_of_view", "calibration_oblong", "calibration_centre", "calibration_height",
     "calibration_pitch_unknown", "calibration_pitch", "calibration_latency", "calibration_size", "calibration_lens",
     "calibration_changed", "calibration_rows", "calibration_focal_length",
+    // distances
+    "distance_pad", "distance_width", "distance_focal_length", "distance_pitch", "distance_yaw", "distance_height",
+    "distance_latency", "distance_ways", "distance_turns", "distance_curve",
     // colours
     "colour_unnamed", "colour_flicker", "colour_jitter", "colour_pieces",
     // what the robot said itself

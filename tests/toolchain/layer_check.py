@@ -104,7 +104,7 @@ ROOMS = {
     "host/doctor": "host/text",
     "host/doctor/log": "host/doctor host/recorder host/replay",
     "host/doctor/ports": "host/devices host/doctor",
-    "host/calibrate": "host/live host/report",
+    "host/calibrate": "host/doctor host/live host/report",
     "host/smooth": "host/calibrate",
     "host/cli": "host/configure host/doctor/log host/doctor/ports host/export host/import/* host/jobs host/merge host/monitor host/paper host/recorder host/segment host/smooth host/view host/web",
 }

@@ -161,12 +161,15 @@ void diagnose_lines(const LogSurvey& survey, Findings& findings) {
   diagnose_links(survey, findings);
 }
 
-Findings diagnose(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers) {
+Findings diagnose(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers,
+                  const Findings& distances) {
   Findings findings;
   diagnose_lines(survey, findings);
   if (survey.counts.records == 0) return findings;
   diagnose_clock(survey, findings);
   diagnose_calibration(survey, makers, findings);
+  if (distances.empty()) diagnose_doubts(survey, findings);
+  findings.insert(findings.end(), distances.begin(), distances.end());
   diagnose_colours(survey, findings);
   return findings;
 }

@@ -11,14 +11,17 @@ namespace fencepost::host::doctor {
 
 inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// `makers`: the cameras that are known, as their makers describe them.
-Findings diagnose(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers);
+/// `makers`: the cameras that are known, as their makers describe them. `distances`: what is wrong with them, for a
+/// reason that was found; then the robot's own doubt, which knows none, is left out.
+Findings diagnose(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers,
+                  const Findings& distances = {});
 
 /// Its parts.
 void diagnose_lines(const LogSurvey& survey, Findings& findings);
 void diagnose_clock(const LogSurvey& survey, Findings& findings);
 void diagnose_calibration(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers,
                           Findings& findings);
+void diagnose_doubts(const LogSurvey& survey, Findings& findings);
 void diagnose_colours(const LogSurvey& survey, Findings& findings);
 
 }  // namespace fencepost::host::doctor

@@ -97,17 +97,6 @@ void check_maker(const sensor::CameraIntrinsics& camera, const std::vector<senso
   }
 }
 
-void check_doubts(const LogSurvey& survey, Findings& findings) {
-  const auto& doubts = survey.replayed.result.calibration;
-  if (doubts.empty() || doubts.back().doubt == record::Doubt::kNone) return;
-  const bool rows = doubts.back().doubt == record::Doubt::kRows;
-  findings.push_back({kFault, rows ? Code("calibration_rows") : Code("calibration_focal_length"),
-                      fmt::format("what the camera sees contradicts {}: a factor of {:.2f}, since {:.1f} s",
-                                  rows ? "its pitch or height" : "its focal length, or the track of the wheels",
-                                  doubts.back().factor.to_double(), doubts.back().t.to_double()),
-                      "'fencepost calibrate' on a short drive among blocks finds the right numbers"});
-}
-
 }  // namespace
 
 void diagnose_calibration(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers,
@@ -128,7 +117,17 @@ void diagnose_calibration(const LogSurvey& survey, const std::vector<sensor::Cam
   check_lens(camera, findings);
   check_mount(camera, findings);
   check_maker(camera, makers, findings);
-  check_doubts(survey, findings);
+}
+
+void diagnose_doubts(const LogSurvey& survey, Findings& findings) {
+  const auto& doubts = survey.replayed.result.calibration;
+  if (doubts.empty() || doubts.back().doubt == record::Doubt::kNone) return;
+  const bool rows = doubts.back().doubt == record::Doubt::kRows;
+  findings.push_back({kFault, rows ? Code("calibration_rows") : Code("calibration_focal_length"),
+                      fmt::format("what the camera sees contradicts {}: a factor of {:.2f}, since {:.1f} s",
+                                  rows ? "its pitch or height" : "its focal length, or the track of the wheels",
+                                  doubts.back().factor.to_double(), doubts.back().t.to_double()),
+                      "'fencepost calibrate' on a short drive among blocks finds the right numbers"});
 }
 
 }  // namespace fencepost::host::doctor

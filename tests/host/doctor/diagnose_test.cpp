@@ -162,6 +162,11 @@ TEST(DoctorLog, HandsOnWhatTheRobotItselfDoubts) {
   }
   const Codes found = codes_of(findings_of(log));
   EXPECT_TRUE(contains(found, "calibration_rows")) << ::testing::PrintToString(found);
+  // The reason takes the place of the robot's doubt.
+  const doctor::Finding reason{doctor::Severity::kWarning, "distance_pitch", "the pitch", ""};
+  const Codes with_reason = codes_of(doctor::diagnose(doctor::survey_log(log, "test.log"), {}, {reason}));
+  EXPECT_FALSE(contains(with_reason, "calibration_rows")) << ::testing::PrintToString(with_reason);
+  EXPECT_TRUE(contains(with_reason, "distance_pitch"));
 }
 
 TEST(DoctorLog, MeasuresAColourThatFlickers) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <sstream>
 
+#include "host/calibrate/cause_findings.hpp"
 #include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/recon/post_world.hpp"
 #include "tests/firmware/record/lines.hpp"
@@ -214,6 +215,25 @@ std::map<std::string, Provoke> calibration() {
           {"calibration_focal_length", [] { return wrong_lens(); }}};
 }
 
+/// The finding of a cause. Which causes a log has is tested in tests/host/calibrate/command.
+Provoke caused(CauseKind kind) {
+  return [kind] { return findings_of_causes({{.kind = kind, .signature = 1, .found = 1, .sigma = 0.1}}, {}, "a.log"); };
+}
+
+std::map<std::string, Provoke> distances() {
+  using enum CauseKind;
+  return {{"distance_pad", caused(kPad)},
+          {"distance_width", caused(kWidth)},
+          {"distance_focal_length", caused(kFocal)},
+          {"distance_pitch", caused(kPitch)},
+          {"distance_yaw", caused(kYaw)},
+          {"distance_height", caused(kHeight)},
+          {"distance_latency", caused(kLatency)},
+          {"distance_ways", caused(kStep)},
+          {"distance_turns", caused(kTurn)},
+          {"distance_curve", caused(kCurve)}};
+}
+
 std::map<std::string, Provoke> colours_and_links() {
   return {{"colour_unnamed", [] { return of({.named = false, .more = {"FPSIG,2,20d020,green"}}); }},
           {"colour_flicker", [] { return of({.seen = [](int i) { return i % 5 != 0; }}); }},
@@ -232,7 +252,7 @@ std::map<std::string, Provoke> colours_and_links() {
 
 std::map<std::string, Provoke> all() {
   std::map<std::string, Provoke> every;
-  for (auto& some : {ports(), lines(), course(), calibration(), colours_and_links()}) {
+  for (auto& some : {ports(), lines(), course(), calibration(), distances(), colours_and_links()}) {
     for (const auto& [code, provoke] : some) EXPECT_TRUE(every.emplace(code, provoke).second) << code;
   }
   return every;

@@ -2,15 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/host/cli/run.hpp"
-#include "tests/studies/calibrate/calibration_drive.hpp"
+#include "tests/studies/calibrate/faulty_drive.hpp"
 
 namespace fencepost::host {
 namespace {
 
 using testing::Folder;
 using testing::Outcome;
+using testing::recording;
 using testing::shell;
 using testing::slurp;
 using testing::spill;
@@ -44,6 +47,43 @@ TEST(CalibrateCommand, WritesATableTheLineTheRobotFileAndAPicture) {
   EXPECT_TRUE(result.at("complete"));
   EXPECT_GT(result.at("parameters").at("yaw").at("sigma"), 0);
   EXPECT_EQ(result.at("fpcam").get<std::string>() + "\r\n", line);
+}
+
+using Codes = std::vector<std::string>;
+
+/// The codes by which `doctor` judges a log's distances.
+Codes doctor_says(const Folder& folder, const std::string& log) {
+  const Outcome run = shell(folder, "fencepost doctor " + log + " --json");
+  Codes codes;
+  const nlohmann::json document = nlohmann::json::parse(run.out);
+  for (const auto& finding : document.at("findings")) {
+    const std::string code = finding.at("code");
+    if (code.starts_with("distance_")) codes.push_back(code);
+  }
+  return codes;
+}
+
+Codes doctor_says(test::Fault fault) {
+  const Folder folder;
+  test::DriveOptions options;
+  options.seed = 42'003;
+  spill(folder.path() / "run.log", test::faulty_drive(options, fault, false));
+  return doctor_says(folder, "run.log");
+}
+
+TEST(DistancesByDoctor, EachFaultIsNamedAndNoOther) {
+  EXPECT_EQ(doctor_says(test::Fault::kNone), Codes{});
+  EXPECT_EQ(doctor_says(test::Fault::kPadAll), Codes{"distance_pad"});
+  EXPECT_EQ(doctor_says(test::Fault::kPadOne), Codes{});
+  EXPECT_EQ(doctor_says(test::Fault::kTilt), Codes{"distance_pitch"});
+  EXPECT_EQ(doctor_says(test::Fault::kTurns), Codes{"distance_turns"});
+}
+
+/// A camera that looks at the centre of its circle: no wheels roll like that.
+TEST(DistancesByDoctor, NothingIsJudgedOfARobotThatMovesSideways) {
+  EXPECT_EQ(doctor_says(Folder(), recording("noisy_arc.log")), Codes{});
+  const Outcome run = shell(Folder(), "fencepost doctor " + recording("noisy_arc.log"));
+  EXPECT_NE(run.err.find("moves sideways"), std::string::npos) << run.err;
 }
 
 TEST(CalibrateCommand, WhatALogCannotTellIsNamedAndIsStatusOne) {
