@@ -446,7 +446,7 @@ await run({
       }
     }
     // In Chinese each word in Latin letters is the program's, a robot's or a log's.
-    const program = /^(Fencepost|fencepost|BOOTSEL|drive|lost|mode|log|full|small|micro|profile|stop|warn|notice|clear|blind|STOP|WARN|NOTICE|red|yellow|green|blue|pixy2|id|confirmed|tentative|hybrid|cylinder\w*|sheaf\w*|carve\w*|clip\w*|go_around|wro_lap|approach_stop|box|can|wall|grey|corridor|boards|html|replay|Shift|Home|End|JSON|PNG|json|Deutsch|English|Español|Français|Web|Serial)$/;
+    const program = /^(Fencepost|fencepost|BOOTSEL|drive|lost|mode|log|reset|full|small|micro|profile|stop|warn|notice|clear|blind|STOP|WARN|NOTICE|red|yellow|green|blue|pixy2|id|confirmed|tentative|hybrid|cylinder\w*|sheaf\w*|carve\w*|clip\w*|go_around|wro_lap|approach_stop|box|can|wall|grey|corridor|boards|html|replay|Shift|Home|End|JSON|PNG|json|Deutsch|English|Español|Français|Web|Serial)$/;
     await page.evaluate(() => { navigator.getGamepads = () => []; });
     await page.click("#drive");
     for (const part of ["shown", "driven"]) {
