@@ -33,8 +33,12 @@ void I2c::start(const I2cWiring& wiring, std::uint32_t clock_hz, std::uint32_t b
 }
 
 void I2c::set_up() {
-  busy_ = false;  // first: the old transfer's interrupt may come while the part is in reset
-  bring_up(wiring_.reset);
+  {
+    // The old transfer's interrupt would find nothing to do and come again without end, before the reset and in it.
+    const cortex_m::InterruptsHeld held;
+    busy_ = false;
+    bring_up(wiring_.reset);
+  }
   const std::uint32_t period = clock_hz_ / bus_hz_;
   const std::uint32_t low = period * 3 / 5;  // the bus specification wants the low half longer
   reg(wiring_.base + kI2cEnable) = 0;
