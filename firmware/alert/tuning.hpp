@@ -40,10 +40,11 @@ struct Margin {
 inline constexpr Margin kSeenWhole{3.0F, 0.2F};
 inline constexpr Margin kCutOff{4.0F, 0.4F};
 
-/// m. The guard's points (recon/guard) count as nearer by so much. More: false stops (0.02: 5 more in 81 minutes; 0.04:
-/// 4 fewer). Derived: the gate of the pose's position.
+/// m by which the guard's points (recon/guard) count as nearer. More: false stops. Derived: the gate of the pose's
+/// position.
 inline constexpr float kFrontDoubt = recon::kGateSigmas * recon::kPositionNoise;
-/// m. What they show in the outermost so much of the margin is not believed. More: late stops. Alert study.
+/// m, outermost part of the margin in which they are not believed. More: late stops; less: false ones (0.02: 5 more in
+/// 81 minutes; 0.04: 4 fewer). Alert study.
 inline constexpr float kUnsureMargin = 0.03F;
 
 // --- what comes closer by itself (looming); hazard table, families movers and approaches, seeds 1 to 200, where
