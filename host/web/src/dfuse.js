@@ -1,5 +1,5 @@
 // Flashes an STM32 in its boot loader by the browser's WebUSB: USB's DFU 1.1 with ST's commands (ST's AN3156, UM0391).
-import { Differs, Refused, choose } from "./usb.js";
+import { Differs, PATIENCE, Refused, choose } from "./usb.js";
 
 const VENDOR = 0x0483;
 const PRODUCT = 0xdf11;
@@ -15,7 +15,6 @@ const FIRST_BLOCK = 2;   // of data: those before it are commands
 const IDLE = 2;          // states
 const DOWNLOADING = 5;
 const ERROR = 10;
-const PATIENCE = 10_000; // ms: the slowest sector is erased in 4 (datasheet of the STM32F405)
 const USUAL_SIZE = 2048; // bytes of a transfer, where the board does not say
 const FUNCTIONAL = 0x21; // descriptor
 const REASONS = ["ok", "the file is for another part", "the file fails a check of the maker", "it could not write", "it could not erase", "the flash is not erased",

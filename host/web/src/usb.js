@@ -1,7 +1,8 @@
 // A board that is flashed by WebUSB, and its faults.
 import { patient } from "./patience.js";
 
-const PATIENCE = 10_000;  // ms of one transfer: the slowest erases of these boards take 4 s
+/** ms: the slowest sector is erased in 4,000 (datasheet of the STM32F405). */
+export const PATIENCE = 10_000;
 
 /** The one that the user chooses of `devices`, [{ vendorId, productId }]. */
 export const choose = async (usb, devices) => patient(await usb.requestDevice({ filters: devices }), PATIENCE);
