@@ -3,10 +3,12 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -58,8 +60,21 @@ class Task {
 
 class Tasks {
  public:
-  /// None works. New ones are found by the number that the system gave last.
+  /// None works. All of them are on this thread's processor: who is looked at first may be woken by one that is looked
+  /// at later only if that one had the processor in between.
   bool rest() {
+    const std::int64_t gave_way = times_it_gave_way();
+    return none_was_seen_at_work() && times_it_gave_way() == gave_way;
+  }
+
+ private:
+  static std::int64_t times_it_gave_way() {
+    rusage usage{};
+    ::getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_nvcsw + usage.ru_nivcsw;
+  }
+  /// New ones are found by the number that the system gave last.
+  bool none_was_seen_at_work() {
     if (any_works()) return false;
     const std::string last = last_number();
     if (last == seen_) return true;
@@ -73,8 +88,6 @@ class Tasks {
     seen_ = last;
     return true;
   }
-
- private:
   [[nodiscard]] bool any_works() const {
     return std::any_of(tasks_.begin(), tasks_.end(), [](const Task& task) { return task.works(); });
   }
