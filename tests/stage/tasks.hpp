@@ -60,8 +60,7 @@ class Task {
 
 class Tasks {
  public:
-  /// None works. All of them are on this thread's processor: who is looked at first may be woken by one that is looked
-  /// at later only if that one had the processor in between.
+  /// None works, and none did meanwhile: all share this thread's processor, which it has kept.
   bool rest() {
     const std::int64_t gave_way = times_it_gave_way();
     return none_was_seen_at_work() && times_it_gave_way() == gave_way;
