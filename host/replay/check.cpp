@@ -85,4 +85,9 @@ void Check::settle() {
   own_in_order_.clear();
 }
 
+void Check::withdraw() {
+  outcome_.compared = outcome_.differing = 0;
+  outcome_.mismatches.clear();
+}
+
 }  // namespace fencepost::host

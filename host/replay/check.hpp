@@ -38,6 +38,8 @@ class Check {
 
   /// Compares what waits yet of this run, and forgets the run.
   void settle();
+  /// Forgets what was compared: it is of a run that had begun before the log, of which the robot knew more.
+  void withdraw();
   [[nodiscard]] const CheckOutcome& outcome() const { return outcome_; }
 
  private:

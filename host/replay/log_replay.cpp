@@ -59,6 +59,8 @@ void LogReplay::accept(const record::Header& header) {
     return;
   }
   if (runner_) end_run();
+  if (!headed_) check_.withdraw();
+  headed_ = true;
   begin_run(header);
 }
 

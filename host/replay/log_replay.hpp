@@ -118,7 +118,8 @@ class LogReplay {
   std::uint64_t frames_taken_ = 0;
   std::uint64_t odometry_ = 0;
   std::uint64_t used_ = 0;
-  bool over_ = false;  ///< the last run has ended
+  bool headed_ = false;  ///< an FPHDR has come
+  bool over_ = false;    ///< the last run has ended
   bool complete_ = false;
 };
 

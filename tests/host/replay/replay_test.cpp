@@ -117,6 +117,29 @@ TEST(Replay, CheckFindsAChangedRecord) {
       << again.check.mismatches[0];
 }
 
+// A recorder asks for `mode log` and `reset`: what a robot says between the two is of a run that it alone knows.
+TEST(Replay, CheckComparesNothingBeforeTheFirstHeaderWhereOneFollows) {
+  std::string own;
+  ReplayOptions options;
+  options.log = [&](std::string_view line) { own += line; };
+  replay(recording("blocks_arc"), "blocks_arc", options);
+  std::vector<std::string> lines = lines_of(own);
+  ASSERT_TRUE(lines[0].starts_with("$FPHDR"));
+  const std::string late =
+      joined(std::vector<std::string>(lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2), lines.end()));
+  ReplayOptions checking;
+  checking.check = true;
+  EXPECT_GT(replay(late, "late", checking).check.differing, 0U);
+
+  const host::CheckOutcome check = replay(late + own, "late and whole", checking).check;
+  EXPECT_EQ(check.differing, 0U);
+  EXPECT_EQ(check.compared, replay(own, "whole", checking).check.compared);
+
+  *std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.starts_with("$FPDIG"); }) =
+      line_of(record::DigestReport{49, 1});
+  EXPECT_EQ(replay(late + joined(lines), "late and changed", checking).check.differing, 1U);
+}
+
 TEST(Replay, TheApproachEndsInAStopForTheRightObject) {
   std::vector<std::string> sentences;
   ReplayOptions options;
