@@ -4,6 +4,7 @@
 #include "host/cli/doctor_ports.hpp"
 #include "host/cli/lab.hpp"
 #include "host/cli/system.hpp"
+#include "host/doctor/finding.hpp"
 #include "host/smooth/smooth_evaluation.hpp"
 
 namespace fencepost::host::cli {
@@ -16,6 +17,8 @@ namespace {
 }  // namespace
 
 void need_lab(const char* what) { refuse(what); }
+bool has_lab() { return false; }
+std::vector<doctor::Finding> distance_findings(std::string_view, const std::string&) { return {}; }
 Exit run_import_cycloid(const SetRequest&, const std::string&) { refuse("import cycloid"); }
 Exit run_import_victoria(const SetRequest&, const VictoriaOptions&) { refuse("import victoria"); }
 Exit run_import_dlr(const SetRequest&, const DlrOptions&) { refuse("import dlr"); }
