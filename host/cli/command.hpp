@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/cli/exit_code.hpp"
@@ -27,6 +29,8 @@ inline constexpr const char* kProgramSummary = "obstacle maps and alerts from co
 
 /// Every command, in the order in which people meet them. Help, suggestions and completion all read this table.
 const std::vector<Command>& commands();
+/// The names of those that only the program of another system has.
+std::span<const std::string_view> commands_elsewhere();
 
 Command completion_command();
 Command configure_command();

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,10 @@ std::optional<std::string> unknown_command(const std::vector<Command>& table, co
       return unknown_command(command.children, where + " " + command.name, argc - 1, argv + 1);
     }
     names.push_back(command.name);
+  }
+  const std::span<const std::string_view> elsewhere = commands_elsewhere();
+  if (of_program && std::find(elsewhere.begin(), elsewhere.end(), word) != elsewhere.end()) {
+    return fmt::format("{} is not in the program for Windows; use it on Linux, or in WSL", word);
   }
   return fmt::format("no command \"{}\" in {}{}", word, where, guess_among(names, word, where));
 }

@@ -133,7 +133,7 @@ class Windows(unittest.TestCase):
         self.assertIn(b"STOP    red", out)
 
     def test_says_what_it_has_not(self):
-        for arguments, said in ((("run",), 'no command "run"'), (("doctor", "COM3"), "Device Manager"), (("record", "COM77"), "Device Manager"),
+        for arguments, said in ((("run",), "in WSL"), (("smooth", "x"), "in WSL"), (("rnu",), 'no command "rnu"'), (("doctor", "COM3"), "Device Manager"), (("record", "COM77"), "Device Manager"),
                                 (("record", "tcp:localhost:4000"), "is not in the program for Windows")):
             code, _, words = self.wine(*arguments)
             self.assertIn(code, (2, 4), arguments)
