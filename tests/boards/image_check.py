@@ -27,7 +27,7 @@ LIBGCC = re.compile(r"__(?:aeabi_\w+|popcount\w+|clz\w+|ctz\w+|gnu_\w+|\w*div\w*
 LIBGCC_FRAME = 96
 RAM = 0x20000000  # of every Cortex-M (Armv7-M B3.1)
 # The boot ROM of an RP2040 or RP2350, through pointers that it gives: an allowance.
-ROM_CALLER = re.compile(r"mcu::rp2\w*::(?:Flash::|start_boot_loader\()")
+ROM_CALLER = re.compile(r"mcu::rp2\w*::(?:Flash::|read_unique_id\(|rom_address\(|start_boot_loader\()")
 ROM_STACK = 256
 # Written in assembly (hal/mcu/division/aeabi.cpp, hal/mcu/soft_float/armv6m.cpp): their own bytes of stack, and what
 # they call.

@@ -6,6 +6,7 @@
 #include "hal/mcu/rp2/panic.hpp"
 #include "hal/mcu/rp2/part.hpp"
 #include "hal/mcu/rp2/reset_reason.hpp"
+#include "hal/mcu/rp2/unique_id.hpp"
 #include "hal/mcu/rp2/watchdog.hpp"
 #include FENCEPOST_PINS
 
@@ -56,7 +57,7 @@ void start(std::uint32_t console_baud) {
   kWiring.button.connect(part::kFunctionSoftware);
   if (kWiring.light) kWiring.light->make_output();
   if (kWiring.console) console_line.start(*kWiring.console, clocks.core, console_baud);
-  if (clocks.usb) usb_line.start();
+  if (clocks.usb) usb_line.start(part::read_unique_id());
 }
 
 void start_camera(std::uint32_t baud) { camera_line.start(kWiring.camera, clocks.core, baud); }

@@ -17,7 +17,9 @@ function(fencepost_rp2_board board part)
     ${PROJECT_SOURCE_DIR}/hal/mcu/rp2/usb_serial.cpp
     ${PROJECT_SOURCE_DIR}/hal/mcu/rp2/vectors.cpp)
   if(part STREQUAL "rp2350")
-    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/hal/mcu/rp2350/image_def.cpp)
+    target_sources(${target} PRIVATE
+      ${PROJECT_SOURCE_DIR}/hal/mcu/rp2350/image_def.cpp
+      ${PROJECT_SOURCE_DIR}/hal/mcu/rp2/unique_id_rp2350.cpp)
     target_compile_definitions(${target} PUBLIC FENCEPOST_RP2350)
     set(kind pico2)
     set(drive RP2350)
@@ -27,7 +29,8 @@ function(fencepost_rp2_board board part)
       ${PROJECT_SOURCE_DIR}/hal/mcu/soft_float/aeabi.cpp
       ${PROJECT_SOURCE_DIR}/hal/mcu/soft_float/armv6m.cpp
       ${PROJECT_SOURCE_DIR}/hal/mcu/soft_float/root.cpp
-      ${PROJECT_SOURCE_DIR}/hal/mcu/rp2040/boot2.cpp)
+      ${PROJECT_SOURCE_DIR}/hal/mcu/rp2040/boot2.cpp
+      ${PROJECT_SOURCE_DIR}/hal/mcu/rp2/unique_id_rp2040.cpp)
     set(kind pico)
     set(drive RPI-RP2)
   endif()

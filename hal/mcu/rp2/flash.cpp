@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hal/mcu/cortex_m/core.hpp"
-#include "hal/mcu/rp2/part.hpp"
+#include "hal/mcu/rp2/flash_access.hpp"
 #include "hal/mcu/rp2/watchdog.hpp"
 
 namespace fencepost::mcu::rp2 {
@@ -14,34 +13,8 @@ constexpr std::uint32_t kFirst = Flash::kAddress - kFlashBase;  // from the flas
 constexpr std::size_t kChunk = 256;                             // what the flash is written by
 constexpr std::uint32_t kEraseSector = 0x20;                    // its command
 
-using Step = void();
 using Erase = void(std::uint32_t offset, std::size_t count, std::uint32_t block, std::uint8_t command);
 using Program = void(std::uint32_t offset, const std::uint8_t* data, std::size_t count);
-
-// Around a change of the flash: from reading by address to commands and back, the ROM's way (2.8.3.1.3). It ends with
-// reading by 03h, as boot2 sets it up.
-struct Access {
-  Step* connect = rom_function<Step>(rom_code('I', 'F'));
-  Step* leave_reading = rom_function<Step>(rom_code('E', 'X'));
-  Erase* erase = rom_function<Erase>(rom_code('R', 'E'));
-  Program* program = rom_function<Program>(rom_code('R', 'P'));
-  Step* forget_cache = rom_function<Step>(rom_code('F', 'C'));
-  Step* read_again = rom_function<Step>(rom_code('C', 'X'));
-
-  [[nodiscard]] bool whole() const {
-    return connect != nullptr && leave_reading != nullptr && erase != nullptr && program != nullptr &&
-           forget_cache != nullptr && read_again != nullptr;
-  }
-  template <class Change>
-  void with(Change&& change) const {
-    const cortex_m::InterruptsHeld held;
-    connect();
-    leave_reading();
-    change();
-    forget_cache();
-    read_again();
-  }
-};
 
 std::uint32_t offset_of(std::size_t n) { return kFirst + static_cast<std::uint32_t>(n * Flash::size()); }
 
@@ -53,8 +26,9 @@ std::span<const std::uint8_t> Flash::page(std::size_t n) {
 
 // By chunks that are all ones but for the bytes: those leave the flash as it is.
 bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint8_t> bytes) {
-  const Access access;
-  if (!access.whole()) return false;
+  const FlashAccess access;
+  auto* const change = rom_function<Program>(rom_code('R', 'P'));
+  if (!access.whole() || change == nullptr) return false;
   std::array<std::uint8_t, kChunk> chunk{};
   for (std::size_t done = 0; done < bytes.size();) {
     const std::size_t at = (offset + done) % kChunk;
@@ -63,17 +37,18 @@ bool Flash::program(std::size_t n, std::size_t offset, std::span<const std::uint
     std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(done), count,
                 chunk.begin() + static_cast<std::ptrdiff_t>(at));
     const auto target = offset_of(n) + static_cast<std::uint32_t>(offset + done - at);
-    access.with([&] { access.program(target, chunk.data(), kChunk); });
+    access.with([&] { change(target, chunk.data(), kChunk); });
     done += count;
   }
   return std::ranges::equal(bytes, page(n).subspan(offset, bytes.size()));
 }
 
 bool Flash::erase(std::size_t n) {
-  const Access access;
-  if (!access.whole()) return false;
+  const FlashAccess access;
+  auto* const change = rom_function<Erase>(rom_code('R', 'E'));
+  if (!access.whole() || change == nullptr) return false;
   const PatientWatchdog watchdog;
-  access.with([&] { access.erase(offset_of(n), kSector, kSector, kEraseSector); });
+  access.with([&] { change(offset_of(n), kSector, kSector, kEraseSector); });
   return std::ranges::all_of(page(n), [](std::uint8_t byte) { return byte == 0xFF; });
 }
 

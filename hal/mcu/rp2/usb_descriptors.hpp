@@ -12,6 +12,7 @@ inline constexpr std::uint8_t kPacket = 64;
 
 // USB 2.0 table 9-8; class, subclass and protocol say that an association follows (its ECN, table 9-Z): Windows then
 // finds its driver for serial lines. 1209:0001 is the test id of pid.codes: whoever sells boards has to register one.
+// A board with a serial number puts its index in.
 inline constexpr std::array<std::uint8_t, 18> kDevice = {18,   1,    0x00, 0x02, 0xEF, 2, 1, kPacket, 0x09,
                                                          0x12, 0x01, 0x00, 0x00, 0x01, 1, 2, 0,       1};
 
@@ -48,10 +49,26 @@ inline constexpr std::array<std::uint8_t, 75> kConfiguration = {
     2,    kPacket, 0,
     0};  // bulk in
 
-// Strings (9.6.7): the language, maker, product.
+inline constexpr std::size_t kSerialIndexAt = 16;  // in the device's
+
+// Strings (9.6.7): the language; maker and product; serial number.
 inline constexpr std::array<std::uint8_t, 4> kLanguage = {4, 3, 0x09, 0x04};
 inline constexpr std::array<std::uint8_t, 20> kName = {20,  3, 'F', 0, 'e', 0, 'n', 0, 'c', 0,
                                                        'e', 0, 'p', 0, 'o', 0, 's', 0, 't', 0};
+
+inline constexpr std::uint8_t kSerialIndex = 3;
+using SerialNumber = std::array<std::uint8_t, 34>;
+
+/// Sixteen digits, capitals, as the vendor's programs give them.
+constexpr SerialNumber serial_number(std::uint64_t id) {
+  SerialNumber string = {34, 3};
+  for (std::size_t at = string.size() - 2; at > 0; at -= 2) {
+    const auto digit = static_cast<std::uint8_t>(id & 0xFU);
+    string[at] = static_cast<std::uint8_t>(digit < 10 ? '0' + digit : 'A' + digit - 10);
+    id >>= 4;
+  }
+  return string;
+}
 
 // Requests: USB 2.0 table 9-4; PSTN table 13.
 inline constexpr std::uint8_t kClearFeature = 1;

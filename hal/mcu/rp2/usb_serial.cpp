@@ -7,7 +7,6 @@
 #include "hal/mcu/rp2/part.hpp"
 #include "hal/mcu/rp2/timer_clock.hpp"
 #include "hal/mcu/rp2/usb_buffers.hpp"
-#include "hal/mcu/rp2/usb_descriptors.hpp"
 
 namespace fencepost::mcu::rp2 {
 namespace {
@@ -27,7 +26,11 @@ constexpr std::uint32_t kFilling = 20;    // a buffer, with its handing over
 
 }  // namespace
 
-void UsbSerial::start() {
+void UsbSerial::start(std::uint64_t id) {
+  if (id != 0 && ~id != 0) {
+    device_[usb::kSerialIndexAt] = usb::kSerialIndex;
+    serial_number_ = usb::serial_number(id);
+  }
   bring_up(kResetUsb);
   usb::clear_memory();
   reg(kUsbMux) = kUsbToPhy;
@@ -151,13 +154,15 @@ bool UsbSerial::describe(const Setup& setup) {
   } else if (setup.request != usb::kGetDescriptor) {
     return false;
   } else if (kind == 1) {
-    answer(usb::kDevice, setup.length);
+    answer(device_, setup.length);
   } else if (kind == 2) {
     answer(usb::kConfiguration, setup.length);
   } else if (setup.value == (3U << 8)) {
     answer(usb::kLanguage, setup.length);
   } else if (kind == 3 && (setup.value & 0xFF) <= 2) {  // maker, product
     answer(usb::kName, setup.length);
+  } else if (setup.value == (3U << 8 | usb::kSerialIndex) && device_[usb::kSerialIndexAt] != 0) {
+    answer(serial_number_, setup.length);
   } else {
     return false;
   }

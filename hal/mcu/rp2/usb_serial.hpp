@@ -9,6 +9,7 @@
 #include "hal/base/result.hpp"
 #include "hal/bus/byte_link.hpp"
 #include "hal/mcu/rings.hpp"
+#include "hal/mcu/rp2/usb_descriptors.hpp"
 
 namespace fencepost::mcu::rp2 {
 
@@ -16,8 +17,8 @@ namespace fencepost::mcu::rp2 {
 /// queued when it closes are discarded.
 class UsbSerial {
  public:
-  /// Once, before all else here, with a clock of 48 MHz running.
-  void start();
+  /// Once, before all else here, with a clock of 48 MHz running. `id`: the serial number; 0 or all ones: it has none.
+  void start(std::uint64_t id);
 
   base::Result<std::size_t> read(std::span<std::uint8_t> in);
   base::Result<std::size_t> write(std::span<const std::uint8_t> out);
@@ -88,6 +89,9 @@ class UsbSerial {
   volatile bool opened_ = false;
   volatile bool gone_ = false;
   volatile bool loader_wanted_ = false;
+
+  std::array<std::uint8_t, 18> device_ = usb::kDevice;
+  usb::SerialNumber serial_number_{};
 
   // Of the control pipe, in one request.
   std::span<const std::uint8_t> answer_;

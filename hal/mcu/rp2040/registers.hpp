@@ -103,6 +103,15 @@ inline constexpr std::uint32_t kUart1 = 0x4003'8000;
 inline constexpr std::uint32_t kI2c0 = 0x4004'4000;
 inline constexpr std::uint32_t kI2c1 = 0x4004'8000;
 
+// The flash's serial port, 4.10.13; its chip select is a pin of a bank of its own, 2.19.6.2.
+
+inline constexpr std::uint32_t kSsiStatus = 0x1800'0028;
+inline constexpr std::uint32_t kSsiData = 0x1800'0060;
+inline constexpr std::uint32_t kSsiReceived = 1U << 3;
+inline constexpr std::uint32_t kFlashSelect = 0x4001'800C;
+inline constexpr std::uint32_t kFlashSelectLow = 2U << 8;  // whatever the SSI says
+inline constexpr std::uint32_t kFlashSelectHigh = 3U << 8;
+
 // Boot ROM, 2.8.3: where it says what it is, and where its functions are.
 
 inline constexpr std::uint32_t kRomMagic = 0x10;          // 'M', 'u', 1, version

@@ -117,6 +117,7 @@ inline constexpr std::uint32_t kRomLookUp = 0x16;       // 16 bits
 inline constexpr std::uint32_t kRomSecureFunction = 4;  // the kind that it finds
 inline constexpr std::uint32_t kRomToLoader = 0x002;    // of a reset, 5.4.8.24
 inline constexpr std::uint32_t kRomNoReturn = 0x100;
+inline constexpr std::uint32_t kRomChipInfo = 0x001;  // package and id, 5.4.8.17
 
 // Interrupt numbers, 3.2.
 

@@ -1,5 +1,7 @@
 // What our program uses of the boot ROM, which is not ours to copy: its table of functions, and those that change the
 // flash (RP2040 datasheet 2.8.3). They end the emulation where the part would hang.
+import { FlashChip } from './flash_chip.mjs';
+
 const kTable = 0x100;
 const kLookUp = 0x180;
 const kFunctions = 0x200;
@@ -29,9 +31,11 @@ const kLookUpCode = [
 ];
 
 export class BootRom {
-  constructor(mcu) {
+  /** `flashId`: of the chip (flash_chip.mjs). */
+  constructor(mcu, flashId) {
     this.mcu = mcu;
     this.state = 'reading';
+    this.chip = new FlashChip(mcu, flashId, () => this.state === 'commands');
     this.erased = 0;
     this.programmed = 0;
     const rom = new DataView(mcu.bootrom.buffer);
@@ -72,6 +76,8 @@ export class BootRom {
     const expected = { IF: 'reading', EX: 'connected', RE: 'commands', RP: 'commands', FC: 'commands', CX: 'flushed' }[code];
     if (this.state !== expected) throw Error(`ROM ${code}: called while the flash is ${this.state}`);
     this.state = { IF: 'connected', EX: 'commands', RE: 'commands', RP: 'commands', FC: 'flushed', CX: 'reading' }[code];
+    if (code === 'FC') this.chip.drive(0);
+    this.onAway?.(this.state !== 'reading');
     if (code === 'RE') this.erase(r0, r1, r2, r3);
     if (code === 'RP') this.program(r0, r1, r2);
   }

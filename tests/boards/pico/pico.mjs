@@ -35,6 +35,7 @@ export class Pico {
     this.instructions = 0;
     this.traces = new Map(kTraced[board].map((pin) => [pin, []])); // [microseconds, level] of each change
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
+    this.flashId = [0xe6, 0x60, 0x58, 0x38, 0x83, 0x0a, 0xbc, 0x2f];
   }
 
   note(pin, high) {
@@ -63,6 +64,7 @@ export class Pico {
     for (const pin of this.traces.keys()) this.note(pin, false); // a part in reset drives nothing
     this.wire(how, watchdog);
     this.rules = new Rules(mcu);
+    this.rom.onAway = (away) => this.rules.flashAway(away);
     checkBoot2(mcu.flash);
     this.boot();
   }
@@ -100,7 +102,7 @@ export class Pico {
     const { mcu } = this;
     mcu.peripherals[0x40000].readUint32 = () => ((this.revision << 28) | 0x2927) >>> 0; // only its identity is read
     this.press(false);
-    this.rom = new BootRom(mcu);
+    this.rom = new BootRom(mcu, this.flashId);
     this.rom.onLoader = () => this.onLoader?.();
     for (const pin of this.traces.keys()) mcu.gpio[pin].addListener((state) => this.note(pin, state === kHigh));
     this.console = new SerialLine(mcu, kLines[this.board][0], this.out.console);

@@ -11,6 +11,8 @@ const kProtection = 0xd94; // of the core (Armv6-M B3.5)
 const kProtectionBase = 0xd9c;
 const kProtectionKind = 0xda0;
 const kFlashEnd = 0x20000000; // memory begins
+const kFlash = 0x10000000 >>> 26; // of its addresses, with those past the cache, the first six bits
+const kReads = ['readUint8', 'readUint16', 'readUint32'];
 const kPullUp = 1 << 3; // of a pad
 const kTimerInterrupt = 16;
 const kI2cInterrupt = 23;
@@ -91,6 +93,20 @@ export class Rules {
     if (core.registers[13] < this.guard + 32 && core.registers[13] >= kFlashEnd) throw Error('RP2040: the stack has grown into its guard');
     if (core.IPSR >= kTimerInterrupt && core.registers[15] < kFlashEnd) {
       throw Error(`RP2040: interrupt ${core.IPSR - kTimerInterrupt} runs at 0x${core.registers[15].toString(16)}`);
+    }
+  }
+
+  /** While the flash takes commands nothing in it can be read by address (2.6.3): no data, no instruction. */
+  flashAway(away) {
+    const { mcu } = this;
+    for (const name of kReads) {
+      delete mcu[name];
+      if (!away) continue;
+      const read = mcu[name].bind(mcu);
+      mcu[name] = (address) => {
+        this.expect(address >>> 26 !== kFlash, `the flash is read at 0x${(address >>> 0).toString(16)} while it takes commands`);
+        return read(address);
+      };
     }
   }
 

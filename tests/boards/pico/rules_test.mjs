@@ -70,6 +70,15 @@ const faults = {
     mcu.writeUint32(kOutputEnable, 1 << 15);
     mcu.writeUint32(kPads + 4 + 4 * 15, 0x5a);
   },
+  'the flash is read at 0x10000200 while it takes commands': (mcu) => {
+    mcu.rules.flashAway(true);
+    mcu.core.PC = 0x10000200;
+    mcu.core.executeInstruction();
+  },
+  'the flash is read at 0x13000203 while it takes commands': (mcu) => {
+    mcu.rules.flashAway(true);
+    mcu.readUint8(0x13000203);
+  },
   'interrupt 5 runs at 0x10014cec': (mcu) => {
     mcu.core.IPSR = 21;
     mcu.core.PC = 0x10014cec;
@@ -94,4 +103,9 @@ mcu.writeUint32(kPads + 4, 0x5a);
 mcu.writeUint32(kOutputEnable, 1 << 15);
 mcu.writeUint32(kPads + 4 + 4 * 15, 0x56);
 mcu.core.exceptionEntry(16);
+mcu.rules.flashAway(true);
+mcu.readUint32(0x20000100);
+mcu.readUint32(0x18000028);
+mcu.rules.flashAway(false);
+mcu.readUint32(0x10000000);
 console.log(`${Object.keys(faults).length} faults found`);

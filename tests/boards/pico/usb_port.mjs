@@ -64,11 +64,9 @@ export class UsbPort extends UsbWire {
   }
 
   addressed() {
-    const done = this.plugged;
-    this.plugged = null;
     this.check ??= this.usb.rp2040.clock.createAlarm(() => {
       if ((this.usb.addrEndp & 0x7f) !== kAddress) throw Error(`USB: the part took the address ${this.usb.addrEndp & 0x7f}`);
-      done();
+      this.plugged();
     });
     this.check.schedule(1e6); // 9.4.6: two milliseconds at most after the status
   }

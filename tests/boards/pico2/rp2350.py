@@ -33,10 +33,11 @@ ISOLATED, INPUT, PULL_UP, PULL_DOWN = 1 << 8, 1 << 6, 1 << 3, 1 << 2
 SOFTWARE = 5
 # The boot ROM: its words, what finds its functions, and these.
 MAGIC, LOOK_UP_POINTER, LOOK_UP, FUNCTIONS = 0x10, 0x16, 0x180, 0x200
-CODES = ["IF", "EX", "RE", "RP", "FC", "CX", "RB"]
+CODES = ["IF", "EX", "RE", "RP", "FC", "CX", "RB", "GS"]
 AFTER = {"IF": ("reading", "connected"), "EX": ("connected", "commands"), "RE": ("commands", "commands"),
          "RP": ("commands", "commands"), "FC": ("commands", "flushed"), "CX": ("flushed", "reading")}
 SECURE = 4
+CHIP_INFO, PACKAGE = 1, 1  # 5.4.8.17; the smaller package
 RETURN = b"\x70\x47"  # bx lr
 
 
@@ -58,7 +59,7 @@ class Part(Core):
     ring_hz, ring_divider = 11e6, 1  # of the reference clock; chips since A3: 44 MHz, by 4 (8.3.1)
     HAS_GUARD_IN_CORE = True
 
-    def __init__(self, image, has_crystal=True):
+    def __init__(self, image, has_crystal=True, chip_id=0xE6C1D8FA03B5720F):
         self.words = {CLOCKS + 0x34: self.ring_divider << 16, CLOCKS + 0x40: 1 << 16, CLOCKS + 0x3C: 0x41, CLOCKS + 0x64: 1 << 16,
                       XOSC + 0x0C: 0xC4, TIMER + 0x2C: 7, USB + 0x40: 4,
                       **{PADS + 4 + 4 * n: 0x116 for n in range(48)}, **{IO + 4 + 8 * n: 31 for n in range(48)}}
@@ -66,6 +67,7 @@ class Part(Core):
         self.held = 0x1FFFFFFF
         self.lines = {UART0: Line(), UART1: Line()}
         self.has_crystal = has_crystal
+        self.chip_id = chip_id  # None: of a ROM that fails
         self.crystal_since = None
         self.pll_since = {}
         self.timer = (0.0, 0)  # since when, count then
@@ -116,6 +118,9 @@ class Part(Core):
         if code == "RB":
             self.stop(f"the boot ROM resets the part, {registers[0]:#x}")
             return
+        if code == "GS":
+            self.uc.reg_write(arm.UC_ARM_REG_R0, self.give_info(*registers[:3]) & 0xFFFFFFFF)
+            return
         if not self.masked():
             self.fault(f"ROM {code}: an interrupt could come, and read the flash")
         if self.uc.reg_read(arm.UC_ARM_REG_LR) >> 28 != 2:
@@ -125,6 +130,13 @@ class Part(Core):
         self.state = AFTER[code][1]
         if code in ("RE", "RP"):
             self.change_flash(code, registers)
+
+    def give_info(self, place, words, flags):
+        """How many words, or an error."""
+        if flags != CHIP_INFO or words < 4 or self.chip_id is None:
+            return -1
+        self.uc.mem_write(place, struct.pack("<IIQ", CHIP_INFO, PACKAGE, self.chip_id))
+        return 4
 
     def change_flash(self, code, registers):
         unit = SECTOR if code == "RE" else PAGE
@@ -276,6 +288,17 @@ class Part(Core):
         if register == 0x38:
             return 1 << (self.words.get(CLOCKS + 0x30, 0) & 3) if self.reference_hz() else 0
         return 1 << (self.words[CLOCKS + 0x3C] & 1) if register == 0x44 else None
+
+    def describe(self, value):
+        """The first packet of the answer to a request for that descriptor (USB 2.0 9.4.3); None if it is refused."""
+        self.words.update({USB_MEMORY: 0x80 | 6 << 8 | value << 16, USB_MEMORY + 4: 255 << 16, USB + 0x98: 1 << 16})
+        self.pending.add(INTERRUPTS["usb"])
+        self.run(0.001)
+        self.words[USB + 0x98] = 0
+        control = self.words[USB_MEMORY + 0x80]  # of endpoint 0, in (12.7.3.7.1)
+        if control & 1 << 11:
+            return None
+        return bytes(self.words[USB_MEMORY + 0x100 + n] for n in range(control & 0x3FF))
 
     def check_usb(self):
         if abs(self.usb_hz() - 48e6) > 1:

@@ -151,6 +151,23 @@ class Starts(unittest.TestCase):
         self.assertTrue(all(SETTINGS <= offset < SETTINGS + 8192 for offset in part.programmed + part.erased))
         self.assertIn(b"$FPCFG,alert.stop,0.41*", bytes(part.uc.mem_read(FLASH + SETTINGS, 8192)))
 
+    def test_a_board_has_a_serial_number_of_its_own(self):
+        device, string = 0x100, 0x300
+        for chip_id in (0xE6C1D8FA03B5720F, 0xE6C1D8FA03B57210):
+            for leave in (from_reset, everything):
+                part = start("pico2", leave, seconds=0.02, chip_id=chip_id)
+                self.assertEqual(part.describe(device)[16], 3)
+                self.assertEqual(part.describe(string | 3), b"\x22\x03" + f"{chip_id:016X}".encode("utf-16-le"))
+                self.assertIsNone(part.describe(string | 4))
+                self.assertEqual((part.stop_reason, part.faults), (None, []))
+
+    def test_a_chip_without_an_id_has_no_serial_number(self):
+        for chip_id in (None, 0, 0xFFFFFFFFFFFFFFFF):
+            part = start("pico2", seconds=0.02, chip_id=chip_id)
+            self.assertEqual(part.describe(0x100)[16], 0)
+            self.assertIsNone(part.describe(0x303))
+            self.assertEqual((part.stop_reason, part.faults), (None, []))
+
     def test_a_camera_on_the_bus_is_spoken_to(self):
         part = start("xrp2")
         self.assertEqual(part.targets, set())

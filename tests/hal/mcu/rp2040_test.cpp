@@ -41,6 +41,13 @@ TEST(Rp2040, DescriptorsAreAsLongAsTheySay) {
   EXPECT_EQ(endpoints, 3);
 }
 
+TEST(Rp2040, ASerialNumberIsSixteenDigitsInUtf16) {
+  const std::array<std::uint8_t, 34> string = {34,  3, '0', 0, '1', 0, '2', 0, '3', 0, '4', 0, '5', 0, '6', 0, '7', 0,
+                                               '8', 0, '9', 0, 'A', 0, 'B', 0, 'C', 0, 'D', 0, 'E', 0, 'F', 0};
+  EXPECT_EQ(usb::serial_number(0x0123'4567'89AB'CDEF), string);
+  EXPECT_EQ(usb::kDevice[usb::kSerialIndexAt], 0) << "until there is one";
+}
+
 // Windows then loads its driver for serial lines: EF/02/01, and one association of class 02/02.
 TEST(Rp2040, DescriptorsSayThatBothInterfacesAreOneSerialLine) {
   EXPECT_EQ(usb::kDevice[4], 0xEF);
