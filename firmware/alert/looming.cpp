@@ -221,7 +221,7 @@ bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& midd
 void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   const std::int32_t sigmas = track.comes() ? kStillSigmas : kSureSigmas;
   const std::int32_t least = (kLeastOwn + (kOwnShare * robot_speed >> 4)) * sigmas / kSureSigmas;
-  const bool scaled = !track.guessed || robot_speed < kRobotStands;
+  const bool scaled = !track.guessed || robot_speed < kRobotWavers;
   const bool surely = track.speed * track.speed / (sigmas * sigmas) > track.speed_variance;
   if (!(scaled && surely && track.speed > least)) {
     track.sure = 0;
@@ -256,7 +256,7 @@ void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   std::int32_t sigma = seen.sigma;
   if (depth == 0) {
     // Below the image it is somewhere nearer than where feet leave that; else anywhere.
-    depth = floor.usable() ? floor.nearest_visible() * 3 / 4 : seen.depth_of(kGuessedWidth);
+    depth = floor.usable() ? floor.nearest_visible() * recon::guard::kUnseenFoot >> 4 : seen.depth_of(kGuessedWidth);
     depth = std::clamp(depth, kLeastDepth, kMostDepth);
     sigma = depth / 4;
     track.guessed = true;
@@ -313,7 +313,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const
 bool worth_following(const FloorCamera& floor, const Seen& seen) {
   if (seen.depth > 0) return seen.depth <= kFarthestFollowed;
   if (seen.hidden || !seen.whole()) return false;
-  return seen.low || (!floor.usable() && seen.columns >= kLeastColumns);
+  return seen.low || (!floor.usable() && seen.columns >= recon::kClearPixels);
 }
 
 // A free slot, else that of what is farther than `depth` (mm) and not seen now, else none.
@@ -368,7 +368,7 @@ float early_by(const LoomingTrack& track, float ttc, float closing, const AlertR
   const float depth_sigma = 0.001F * std::sqrt(static_cast<float>(track.depth_variance));
   const float speed_sigma = 0.001F * std::sqrt(static_cast<float>(track.speed_variance));
   const float sigma = (depth_sigma + ttc * speed_sigma) / closing;
-  return kLookSeconds + std::min(kEarlySigmas * sigma, kMostEarly * rules.ttc_stop);
+  return kLookSeconds + std::min(recon::kUsualSigmas * sigma, kMostEarly * rules.ttc_stop);
 }
 
 // m/s, see stopping_speed(): of the way to the thing, what it does not come itself meanwhile.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "firmware/recon/guard/tuning.hpp"
+#include "firmware/recon/models/tuning.hpp"
 #include "firmware/recon/observe/tuning.hpp"
 #include "firmware/recon/track/tuning.hpp"
 #include "hal/base/units.hpp"
@@ -54,8 +55,8 @@ inline constexpr float kUnsureMargin = 0.03F;
 inline constexpr auto kRowSigma = static_cast<std::int32_t>(4 * recon::kRowPixels);
 /// mm, sigma of a depth besides. By design.
 inline constexpr std::int32_t kDepthSigma = 6;
-/// quarters of a column: sigma of a width. By design.
-inline constexpr std::int32_t kColumnSigma = 9;
+/// quarters of a column: sigma of a width. Derived: a width has two edges.
+inline constexpr auto kColumnSigma = static_cast<std::int32_t>(4 * 2 * recon::kEdgeNoise);
 /// Sigmas squared beyond which a depth is not believed; recon::kFewestViews of these in a row begin anew. By design.
 inline constexpr std::int32_t kDepthGate = 16;
 /// mm^2/s^3. By how much a thing's own speed may change by chance. More: slow ones are found late; less: what brakes or
@@ -67,14 +68,17 @@ inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
 inline constexpr std::int32_t kFastestThing = 1500;
 /// 2^-14. A box may be off to the side by so much besides half of its width. By design.
 inline constexpr std::int32_t kSideGate = 600;
-// It comes by itself if its own speed is more than each of the next four in so many frames in a row. A foot above the
-// floor, or a wrong pitch, seems to move with the robot. More: late stops; less: false ones.
+// It comes by itself if its own speed is more than kSureSigmas, and than kLeastOwn and kOwnShare together, in
+// kSureFrames frames in a row. A foot above the floor, or a wrong pitch, seems to move with the robot. More: late
+// stops; less: false ones.
 
 /// Sigmas of the speed. Derived: the gate of everything.
 inline constexpr auto kSureSigmas = static_cast<std::int32_t>(recon::kGateSigmas);
-inline constexpr std::int32_t kStillSigmas = 2;  ///< once it is known to come
-inline constexpr std::int32_t kLeastOwn = 60;
+/// The same once it is known to come. Derived likewise.
+inline constexpr auto kStillSigmas = static_cast<std::int32_t>(recon::kUsualSigmas);
+/// Share of the robot's speed, in sixteenths.
 inline constexpr std::int32_t kOwnShare = 6;
+/// Frames in a row.
 inline constexpr std::uint8_t kSureFrames = 4;
 // Thresholds for calling a track moving, which takes it out of the map. Higher: ghosts; lower: stationary things have
 // no model.
@@ -85,15 +89,16 @@ inline constexpr std::int32_t kMovedSigmas = 3;
 inline constexpr std::int32_t kMinMoved = 70;
 /// Minimum axial speed of a track that recedes, in sixteenths of the robot's speed.
 inline constexpr std::int32_t kMovedShare = 10;
-/// The same of a track that approaches. Wrong rows make stationary things approach: a foot at half the height of the
-/// lens does so at the robot's own speed. Hazard table (bases, cameras).
-inline constexpr std::int32_t kNearingShare = 24;
+/// The same of a track that approaches. Derived: wrong rows make stationary things approach; a foot at half the height
+/// of the lens does so at the robot's own speed.
+inline constexpr std::int32_t kNearingShare = 16 + kMovedShare;
 /// log2: lateral speed has to exceed kMinMoved by depth / 2^this each second.
 inline constexpr int kMovedDepthShareLog2 = 3;
-/// 2^-14 rad/s. Maximum turn rate of a robot that drives straight or is stationary.
-inline constexpr std::int32_t kRobotStraight = 2500;
-/// mm/s. Maximum speed of a stationary robot: odometry is noisy.
+/// mm/s. Maximum speed of a stationary robot: odometry is noisy. Of a faster one only what is known in scale counts.
+/// Hazard table.
 inline constexpr std::int32_t kRobotWavers = 60;
+/// mm/s. Minimum own speed of what comes by itself. Derived: the robot's speed is known no better.
+inline constexpr std::int32_t kLeastOwn = kRobotWavers;
 /// 2^-14. Maximum slope of a track that is ahead.
 inline constexpr std::int32_t kAheadSlope = 2500;
 /// Frames with motion, less those without, that make a track moving. The count ends at three times as many.
@@ -101,8 +106,6 @@ inline constexpr int kMovedFrames = 8;
 
 /// A width tells a distance after so many sightings in a row with both ends. By design.
 inline constexpr std::uint8_t kWholeSightings = 2;
-/// mm/s. A slower robot stands, and what is known but for its scale counts. By design.
-inline constexpr std::int32_t kRobotStands = 30;
 /// Frames over which the robot's speed is averaged, and sightings over which a width is. By design.
 inline constexpr std::int32_t kAveragedFrames = 8;
 /// Time whose sightings tell the direction and its change. More: what turns is followed late; less: what passes beside
@@ -115,10 +118,9 @@ inline constexpr std::int32_t kMostSightings = 32;
 /// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. Derived:
 /// twice as far as the guard's points.
 inline constexpr std::int32_t kFarthestFollowed = 2 * recon::guard::kFarthest;
-inline constexpr std::int32_t kLeastDepth = 50;
-/// px and mm: what a camera without a known pitch shows is followed from this many columns on, as if it were so wide.
-/// By design.
-inline constexpr std::int16_t kLeastColumns = 10;
+/// mm. Nearer depths count as this one. Derived: as the models have it.
+inline constexpr auto kLeastDepth = static_cast<std::int32_t>(1000 * recon::kNearestLens + 0.5F);
+/// mm. What a camera without a known pitch shows clearly is followed as if it were so wide. By design.
 inline constexpr std::int32_t kGuessedWidth = 100;
 /// A thing that is not seen for so long is forgotten; all are after a pause of recon::kMoment. Derived: as long as
 /// refutes a point of the guard.
@@ -127,9 +129,8 @@ inline constexpr base::Duration kUnseen = recon::guard::kRefutedAfter;
 inline constexpr base::Duration kComesUnseen{3 * kUnseen.raw};
 /// Time after which a thing is forgotten whose distance nobody sees. Derived: as a point of the guard without support.
 inline constexpr base::Duration kUnmeasured = recon::guard::kUnconfirmed;
-/// The time to contact counts as shorter by so many sigmas, at most by so much of alert.ttc_stop. More: false stops;
+/// The time to contact counts as shorter by kUsualSigmas, at most by so much of alert.ttc_stop. More: false stops;
 /// less: late ones.
-inline constexpr float kEarlySigmas = 2;
 inline constexpr float kMostEarly = 0.4F;
 
 /// An input is overdue after this many of its usual intervals (in quarters), but not sooner than the least time and not
@@ -144,8 +145,9 @@ inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
 inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
 inline constexpr float kFrozenShift = 4;
 /// A camera that is asked more often than it sees repeats its images. Where one came so late and no sooner since, boxes
-/// may stay for a quarter more than that; what takes longer than this is no camera to drive by. By design.
-inline constexpr base::Duration kSlowestImage = base::milliseconds(300);
+/// may stay for a quarter more than that. What takes longer than this is no camera to drive by. Derived: things would
+/// be forgotten between two images.
+inline constexpr base::Duration kSlowestImage = kUnseen;
 // A step between two samples that is farther than any robot moves is a jump. The pose is then not believed for
 // recon::kMoment.
 
@@ -153,10 +155,6 @@ inline constexpr base::Duration kSlowestImage = base::milliseconds(300);
 inline constexpr float kStepJump = 0.1F;
 /// m/s. Part that does. By design.
 inline constexpr float kFastest = 5;
-/// rad. Part of the largest turn that does not grow with time. By design.
-inline constexpr float kTurnJump = 0.5F;
-/// rad/s. Part that does. By design.
-inline constexpr float kFastestTurn = 20;
 /// A standing robot repeats that it is blind no more often than this: somebody may be typing. By design.
 inline constexpr base::Duration kStandingBlind = base::milliseconds(10'000);
 /// A camera that sees nothing for so long is `empty`. Derived: as long as an input is not overdue for a standing robot.
@@ -166,8 +164,6 @@ inline constexpr base::Duration kEmptyAfter = kOverdueStanding;
 inline constexpr float kStanding = 0.01F;
 /// m/s. What comes nearer more slowly does not come nearer. Derived: half of what the robot may creep.
 inline constexpr float kNotClosing = kStanding / 2;
-/// rad/s, likewise. By design.
-inline constexpr float kNotTurning = 0.05F;
 /// m/s. Odometry that wavers by 5 mm tells where a slower robot goes no better than by chance: it counts as going
 /// straight as well as on its arc, and ahead as well as back. More: a robot that backs off slowly is told of what is
 /// ahead; less: one that stands is told now and then that its way is free. Hazard table.
@@ -178,10 +174,20 @@ inline constexpr float kSurelyTurning = 0.15F;
 /// on. More: one that stops in a slow spin is told that its way is free; less: odometry that wavers turns a robot that
 /// stands. Derived: twice kSurelyTurning.
 inline constexpr float kSpinning = 2 * kSurelyTurning;
+/// 2^-14 rad/s. Maximum turn rate of a robot that drives straight or is stationary. Derived: a slower one has no arc.
+inline constexpr auto kRobotStraight = static_cast<std::int32_t>((1 << 14) * kSurelyTurning);
 /// m, radii between which a path is an arc: tighter, the robot turns on the spot; flatter, it drives straight. By
 /// design.
 inline constexpr float kTightestArc = 0.15F;
 inline constexpr float kFlattestArc = 50.0F;
+
+/// rad. Part of the largest turn between two samples that does not grow with time. Derived: wheels on the tightest arc
+/// make such a turn of a step.
+inline constexpr float kTurnJump = kStepJump / kTightestArc;
+/// rad/s. Part that does. Derived likewise.
+inline constexpr float kFastestTurn = kFastest / kTightestArc;
+/// rad/s. A robot stands that turns more slowly. Derived likewise.
+inline constexpr float kNotTurning = kStanding / kTightestArc;
 
 // --- doubts about the camera ---
 

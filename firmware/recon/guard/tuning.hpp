@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/units.hpp"
 
 namespace fencepost::recon::guard {
@@ -21,8 +22,8 @@ inline constexpr std::int32_t kFarthest = 1500;
 /// robot. By design.
 inline constexpr std::int32_t kForgotten = 2000;
 /// Assumed depth of an unseen foot, in 1/16 of the nearest visible depth. Higher: late stops at what was never seen
-/// whole; lower: false ones (14: two fewer in 81 minutes). Alert study.
-inline constexpr std::int32_t kUnseenFoot = 12;
+/// whole; lower: false ones (14: two fewer in 81 minutes). Derived: as the models have it.
+inline constexpr auto kUnseenFoot = static_cast<std::int32_t>(16 * kHiddenFootMean);
 /// The same of a blob as wide as the image. Flat.
 inline constexpr std::int32_t kUnseenFootOfAll = 10;
 /// mm by which a front goes on beyond the side of the image that cuts it. More: false stops in corridors; less: late
@@ -39,8 +40,8 @@ inline constexpr std::int32_t kSupportRows = 10;
 /// refutes. Derived: a row and 5 mm beyond what supports.
 inline constexpr std::int32_t kPastSlack = kSupportSlack + 5;
 inline constexpr std::int32_t kPastRows = kSupportRows + 4;
-/// px on either side by which a blob may be narrower than what it shows. By design.
-inline constexpr std::int32_t kEdgePixels = 2;
+/// px on either side by which a blob may be narrower than what it shows. Derived: two sigmas of an edge.
+inline constexpr auto kEdgePixels = static_cast<std::int32_t>(kUsualSigmas * kEdgeNoise);
 /// mm to the side. Derived: a quarter of the way to the next point.
 inline constexpr std::int32_t kSideSlack = kSpacing / 4;
 /// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
@@ -57,9 +58,9 @@ inline constexpr unsigned kUnsureFrames = 8;
 /// A point that fewer than kFewestViews frames have supported is forgotten after so long without support. So is where
 /// a foot was before it left the image. More: noise below the image adds up; less: slow cameras see nothing. Flat.
 inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
-/// log2 of the tolerance, a fraction of the nearest visible depth, for matching an unseen foot to its last position in
-/// the image. Flat.
-inline constexpr std::int32_t kCutReachLog2 = 3;
+/// Tolerance for matching an unseen foot to its last position in the image, in 1/16 of the nearest visible depth.
+/// Derived: its sigma.
+inline constexpr auto kCutReach = static_cast<std::int32_t>(16 * kHiddenFootSigma);
 
 /// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
 inline constexpr int kMostReplaced = 8;

@@ -307,7 +307,7 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
   if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
   if (known < least_told * variance) return TangentFate::kKnown;
   projection.others();
-  if (squared > kHuberSigmas * kHuberSigmas) innovation *= std::sqrt(squared) / kHuberSigmas;
+  if (squared > kUsualSigmas * kUsualSigmas) innovation *= std::sqrt(squared) / kUsualSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
   const float gain = residual / innovation;
   if (!is_plausible(step, gain)) return TangentFate::kRefused;

@@ -33,10 +33,9 @@ inline constexpr float kWidestSine = 0.95F;
 
 /// variance (m^2, rad^2) of the start, which defines the map frame; zero would leave the first equations no margin.
 inline constexpr float kStartVariance = 1e-6F;
-/// sigmas. Beyond the second a tangent counts less, as Huber has it: a gate at the third loses loops for good, since
-/// nothing that is gated brings the pose back. Farther off it is not this landmark's. Real runs.
+/// sigmas. Farther off than this a tangent is not this landmark's. Beyond kUsualSigmas it counts less, as Huber has it.
+/// A gate at the third loses loops for good, since nothing that is gated brings the pose back. Real runs.
 inline constexpr float kFilterGateSigmas = 10.0F;
-inline constexpr float kHuberSigmas = 2.0F;
 /// m and rad. One tangent does not move a robot or a landmark farther: the numbers are wrong. By design.
 inline constexpr float kFarthestStep = 2.0F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
@@ -81,11 +80,11 @@ inline constexpr float kDriftKnown = 4.0F;
 /// And bearings have to fit the landmarks better than the odometry, see LandmarkPace: each tells at most so many
 /// squared sigmas, for real bearings have long tails, and is worth so much less, for the filter is free to follow
 /// noise. Real runs. kMostEvidence is derived: where Huber's tails begin.
-inline constexpr float kMostEvidence = kHuberSigmas * kHuberSigmas;
+inline constexpr float kMostEvidence = kUsualSigmas * kUsualSigmas;
 inline constexpr float kEvidenceSlack = 0.1F;
 /// Mean surprise from which on a landmark is something that moves: a jump of the pose is over before that. Derived:
 /// where Huber's tails begin. Real runs, with the other robots.
-inline constexpr float kStraying = kHuberSigmas * kHuberSigmas;
+inline constexpr float kStraying = kUsualSigmas * kUsualSigmas;
 /// Factor on the sigma of where a landmark should appear: wheels slip and are lifted, which has longer tails than what
 /// the filter knows. Less: landmarks seen double after a blind stretch. Real runs.
 inline constexpr float kLongTails = 3.0F;

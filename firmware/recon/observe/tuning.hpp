@@ -15,6 +15,10 @@ inline constexpr std::uint8_t kFewestViews = 3;
 /// sigmas. Farther off than this, a measurement and what was predicted of it disagree. More: swaps between objects;
 /// less: objects seen double. By design.
 inline constexpr float kGateSigmas = 3.0F;
+/// sigmas. Noise seldom reaches this far; beyond it a measurement counts less. Real runs, as Huber's tails.
+inline constexpr float kUsualSigmas = 2.0F;
+/// sigmas. Noise does not reach this far in a whole run. By design.
+inline constexpr float kSurelySigmas = 5.0F;
 /// Within this time nothing changes that was not seen to: a gap in odometry is bridged, an object is still in view.
 /// Something that lasted longer is so: the robot stands, an object is missing. By design.
 inline constexpr base::Duration kMoment = base::milliseconds(500);
@@ -25,13 +29,6 @@ inline constexpr base::Duration kMoment = base::milliseconds(500);
 inline constexpr std::int16_t kBorderPixels = 1;
 /// Newton steps that invert the distortion: |k1| r^2 < 0.3 converges to float precision in four. Derived, one to spare.
 inline constexpr int kUndistortSteps = 5;
-/// px. Two blobs this close touch, and a blob this close to the border: 2 px plus three sigmas of an edge. More: true
-/// edges are given up; less: a neighbour's edge is taken for one's own. Identity study (4 % of the edges given up, 0 %
-/// taken wrongly, without noise).
-inline constexpr int kTouchPixels = 5;
-/// px. Within this of a neighbour an end is ambiguous: 2 px plus three sigmas of the gap between two edges. Too large
-/// costs little, since a lower bound is left. On which study was not kept.
-inline constexpr int kBesidePixels = 8;
 /// px from the image's sides within which nothing has to be visible. By design.
 inline constexpr std::int32_t kSidePixels = 4;
 
@@ -42,14 +39,6 @@ inline constexpr base::Duration kMaxWait = base::milliseconds(200);
 /// Maximum number of frames that wait. Stream.
 inline constexpr std::size_t kMaxWaitingFrames = 4;
 
-// --- a robot that stands ---
-
-/// 10 um. A robot that has moved by no more is stationary; farther off than that, kFewestViews exposures in a row are
-/// no noise. By design, for odometry with a noise of 5 mm.
-inline constexpr std::int32_t kStandingNear = 2000;
-/// urad. The same of turning. By design, for a noise of half a degree.
-inline constexpr std::int32_t kStandingTurn = 35'000;
-
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
 /// px of a camera with kNoiseColumns columns or more. With fewer, a pixel is wider than the ragged edge of a segment,
@@ -58,14 +47,26 @@ inline constexpr std::int32_t kStandingTurn = 35'000;
 inline constexpr float kEdgeNoise = 1.2F;
 inline constexpr float kNoiseColumns = 160;
 inline constexpr float kLeastEdgeNoise = 0.75F;
+/// px. Two blobs this close touch, and a blob this close to the border: whole pixels of both, and the gate of an edge.
+/// More: true edges are given up; less: a neighbour's edge is taken for one's own. Derived; the identity study agrees
+/// (4 % of the edges given up, 0 % taken wrongly, without noise).
+inline constexpr int kTouchPixels = 2 * kBorderPixels + static_cast<int>(kGateSigmas * kEdgeNoise);
+/// px. Within this of a neighbour an end is ambiguous. Too large costs little, since a lower bound is left. Derived:
+/// the same with the gates of both edges.
+inline constexpr int kBesidePixels = 2 * kBorderPixels + 2 * static_cast<int>(kGateSigmas * kEdgeNoise);
 /// px. What is at least so large in the image, both ways, is clearly seen: the next frame from the same place shows it,
-/// too. Derived: five sigmas of an edge on either side.
-inline constexpr auto kClearPixels = static_cast<std::int16_t>(2 * 5 * kEdgeNoise);
+/// too. Derived: kSurelySigmas of an edge on either side.
+inline constexpr auto kClearPixels = static_cast<std::int16_t>(2 * kSurelySigmas * kEdgeNoise);
 /// px, of a box's bottom row. By design.
 inline constexpr float kRowNoise = 1.0F;
 /// rad and m, of the pose at one exposure of a driving robot. Where they came from was not kept.
 inline constexpr float kHeadingNoise = 0.0070F;
 inline constexpr float kPositionNoise = 0.004F;
+/// 10 um. A robot that has moved by no more is stationary; farther off than that, kFewestViews exposures in a row are
+/// no noise. Derived: kSurelySigmas of a position.
+inline constexpr auto kStandingNear = static_cast<std::int32_t>(1e5F * kSurelySigmas * kPositionNoise + 0.5F);
+/// urad. The same of turning. Derived likewise.
+inline constexpr auto kStandingTurn = static_cast<std::int32_t>(1e6F * kSurelySigmas * kHeadingNoise + 0.5F);
 /// rad, of the camera's pitch, the same in every view: 0.3 degrees. By design.
 inline constexpr float kPitchNoise = 0.0052F;
 /// share of the radius by which real footprints differ from a circle. Half of it is over-confident. Prototype.

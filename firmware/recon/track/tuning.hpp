@@ -29,15 +29,15 @@ inline constexpr float kMovesBetween = 0.08F;
 inline constexpr float kRowPixels = 1.5F;
 /// m. An object without a distance lies somewhere beyond this on its last bearing. By design.
 inline constexpr float kNearestUnknown = 0.15F;
-/// cost units, worst cost of an object whose distance is unknown. By design.
-inline constexpr std::uint8_t kUnknownCost = 150;
 /// relative change of depth between sightings that the rows of an object without a distance are expected to show.
 inline constexpr float kRowChange = 0.15F;
 /// cost units of a pair that is wrong on all four sides; kUnmatchedCost is on this scale.
 inline constexpr float kCostScale = 200.0F;
-/// cost units, least cost of an object whose distance is unknown: any well-placed one goes first. Derived: half of its
+/// cost units, least cost of an object whose distance is unknown: any well-placed one goes first. Derived: two of its
 /// sides are wrong.
 inline constexpr float kUnknownCostNear = kCostScale / 2;
+/// Worst cost of the same. Derived: three of its sides are wrong.
+inline constexpr auto kUnknownCost = static_cast<std::uint8_t>(kCostScale * 3 / 4);
 /// share of a side's cost where the side is hidden or not predicted: it speaks neither for a pair nor against it.
 /// Derived: the square of half a gate.
 inline constexpr float kCostOfUnknownSide = 0.5F * 0.5F;
@@ -61,8 +61,9 @@ inline constexpr std::uint8_t kDividingFrames = 2;
 /// frames in a row in which one end is off and the other is not: the models are of something else. On which study was
 /// not kept.
 inline constexpr int kContradictingFrames = 10;
-/// px by which the foot of what a standing robot looks at may waver, lost pieces left aside. By design.
-inline constexpr int kFootJump = 6;
+/// px by which the foot of what a standing robot looks at may waver, lost pieces left aside. Derived: the gates of both
+/// rows.
+inline constexpr auto kFootJump = static_cast<int>(2 * kGateSigmas * kRowNoise);
 /// A frame that comes so long after the one before counts as two for the foot: what a slow camera shows is no less
 /// true. Not for the ends: that lost landmarks of the real runs. By design.
 inline constexpr base::Duration kCountsTwice = base::milliseconds(60);
@@ -74,8 +75,8 @@ inline constexpr float kPresenceGain = 1.0F / 8.0F;
 /// Less: alerts end when a camera misses; more: ghosts. By design.
 inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
 /// sigmas. The predicted row of a foot is inside the image if it is with so many to spare, and a blob stands clearly
-/// behind it if its foot is so many higher. By design.
-inline constexpr int kFootSigmas = 2;
+/// behind it if its foot is so many higher. Derived.
+inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
 /// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
 /// it stays, and only its alerts stop. On which study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/recon/models/tuning.hpp"
+
 namespace fencepost::recon {
 
 // --- views (hybrid, tangent) ---
@@ -30,8 +32,8 @@ inline constexpr float kTilt = 0.2F;
 inline constexpr float kEndsBefore = 0.1F;
 /// share of the typical size by which the nearest point of an object is before its middle. By design.
 inline constexpr float kFrontShare = 0.8F;
-/// m, half the side of the square that outlines are cut out of. By design.
-inline constexpr float kOutlineSquare = 3.0F;
+/// m, half the side of the square that outlines are cut out of. Derived: of the largest, whose origin is on its rim.
+inline constexpr float kOutlineSquare = 2 * kLargestRadius;
 /// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
 inline constexpr float kMostInward = 0.004F;
 /// m, radius to which the sigmas of smaller outlines are compared. By design.
@@ -115,8 +117,9 @@ inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1}
 inline constexpr std::span<const float, 6> kSupportPasses = std::span(kLowOrderPasses).last<6>();
 /// pass of the support fit from which sides are weighed. Prototype.
 inline constexpr std::size_t kPolygonalFrom = 2;
-/// The spread is learnt in passes no wider than this, and from so many tangents on. Hybrid table.
-inline constexpr float kLearningWidening = 1.5F;
+/// The spread is learnt in passes no wider than this. Derived: of those in which sides are weighed.
+inline constexpr float kLearningWidening = kSupportPasses[kPolygonalFrom];
+/// And from so many tangents on. Hybrid table.
 inline constexpr std::uint8_t kTangentsForSpread = 7;
 /// Factor on variances with which a fit begins: twice the sigmas. Nobody tells the robot how good camera and wheels
 /// are. Sigmas that are too small cost far more than those that are too large. Hybrid table.
