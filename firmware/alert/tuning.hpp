@@ -55,8 +55,8 @@ inline constexpr float kUnsureMargin = 0.03F;
 inline constexpr auto kRowSigma = static_cast<std::int32_t>(4 * recon::kRowPixels);
 /// mm, sigma of a depth besides. By design.
 inline constexpr std::int32_t kDepthSigma = 6;
-/// quarters of a column: sigma of a width. Derived: a width has two edges.
-inline constexpr auto kColumnSigma = static_cast<std::int32_t>(4 * 2 * recon::kEdgeNoise);
+/// quarters of a column: sigma of a width. By design.
+inline constexpr std::int32_t kColumnSigma = 9;
 /// Sigmas squared beyond which a depth is not believed; recon::kFewestViews of these in a row begin anew. By design.
 inline constexpr std::int32_t kDepthGate = 16;
 /// mm^2/s^3. By how much a thing's own speed may change by chance. More: slow ones are found late; less: what brakes or

@@ -162,7 +162,7 @@ class Judgement {
  private:
   // Of a blob whose foot is below the image nothing is guessed where its foot was seen before.
   static void guess_nothing_beside(const Place& place, FootLine& foot) {
-    if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth * kCutReach >> 4) ||
+    if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth >> kCutReachLog2) ||
         !foot.covers(place, kSpacing))
       return;
     const std::int32_t left = place.left * foot.line / place.depth;  // in the same columns, at the line's depth

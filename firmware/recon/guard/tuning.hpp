@@ -58,9 +58,9 @@ inline constexpr unsigned kUnsureFrames = 8;
 /// A point that fewer than kFewestViews frames have supported is forgotten after so long without support. So is where
 /// a foot was before it left the image. More: noise below the image adds up; less: slow cameras see nothing. Flat.
 inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
-/// Tolerance for matching an unseen foot to its last position in the image, in 1/16 of the nearest visible depth.
-/// Derived: its sigma.
-inline constexpr auto kCutReach = static_cast<std::int32_t>(16 * kHiddenFootSigma);
+/// log2 of the tolerance, a fraction of the nearest visible depth, for matching an unseen foot to its last position in
+/// the image. Flat.
+inline constexpr std::int32_t kCutReachLog2 = 3;
 
 /// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
 inline constexpr int kMostReplaced = 8;
