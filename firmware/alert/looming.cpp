@@ -87,7 +87,7 @@ void predict(LoomingTrack& track, const Step& step) {
     slope -= step.turn + ((slope * slope >> kSlopeBits) * step.turn >> kSlopeBits);
   }
   depth -= nearer;
-  slope += (slope * nearer + aside * kSlopeOne) / std::max(depth, kLeastDepth << kDepthBits);
+  slope += (slope * nearer + aside * kSlopeOne) / std::max(depth, kMinDepth << kDepthBits);
   track.depth = to_depth(depth);
   track.slope = to_int16(slope);
   const std::int32_t lost = track.speed_variance * dt >> kSecondBits;
@@ -151,7 +151,7 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
   seen.right = right.slope;
   const std::int32_t depth = std::min(left.depth, right.depth);
   if (seen.low || seen.hidden || depth > kMostDepth) return seen;
-  seen.depth = to_int16(std::max(depth, kLeastDepth));
+  seen.depth = to_int16(std::max(depth, kMinDepth));
   seen.sigma = to_int16((kRowSigma * floor.depth_of_row(seen.depth) >> 2) + kDepthSigma);
   return seen;
 }
@@ -160,7 +160,7 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
 constexpr std::int32_t kNotIt = INT32_MAX;
 std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
   if (seen.signature != track.signature) return kNotIt;
-  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
   const std::int32_t half = seen.across() / 2;
   const std::int32_t aside = std::abs(seen.middle() - track.slope);
   // What has just been seen for the first time may move any way.
@@ -178,7 +178,7 @@ enum class Belief : std::uint8_t { kTaken, kStray };
 // The Kalman filter's part: a depth with its sigma. By rows and columns, which are its inverse, errors are the same
 // either way: the difference is taken there.
 Belief take_depth(LoomingTrack& track, std::int32_t depth, std::int32_t sigma) {
-  const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
   const std::int32_t off = std::clamp((depth - expected) * expected / depth, -kMostDepth, kMostDepth);
   const std::int32_t variance = track.depth_variance + std::min(sigma * sigma, kMostVariance);
   if (off * off / kDepthGate > variance) return Belief::kStray;
@@ -211,7 +211,7 @@ bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& midd
   middle = seen.middle();
   if (seen.whole()) return true;
   if ((seen.left_cut && seen.right_cut) || track.width == 0) return false;
-  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
+  const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
   const std::int32_t half = (track.width << (kSlopeBits - 1)) / depth;
   middle = seen.left_cut ? seen.right + half : seen.left - half;
   return true;
@@ -220,7 +220,7 @@ bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& midd
 // What is known to come needs less to be believed still.
 void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   const std::int32_t sigmas = track.comes() ? kStillSigmas : kSureSigmas;
-  const std::int32_t least = (kLeastOwn + (kOwnShare * robot_speed >> 4)) * sigmas / kSureSigmas;
+  const std::int32_t least = (kMinOwn + (kOwnShare * robot_speed >> 4)) * sigmas / kSureSigmas;
   const bool scaled = !track.guessed || robot_speed < kRobotWavers;
   const bool surely = track.speed * track.speed / (sigmas * sigmas) > track.speed_variance;
   if (!(scaled && surely && track.speed > least)) {
@@ -257,7 +257,7 @@ void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   if (depth == 0) {
     // Below the image it is somewhere nearer than where feet leave that; else anywhere.
     depth = floor.usable() ? floor.nearest_visible() * recon::guard::kUnseenFoot >> 4 : seen.depth_of(kGuessedWidth);
-    depth = std::clamp(depth, kLeastDepth, kMostDepth);
+    depth = std::clamp(depth, kMinDepth, kMostDepth);
     sigma = depth / 4;
     track.guessed = true;
   }
@@ -284,9 +284,9 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const
     belief = take_depth(track, seen.depth, seen.sigma);
   } else if (!seen.hidden && track.whole >= kWholeSightings && track.width > 0) {
     // Its width says how far it is.
-    const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth);
+    const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
     const std::int32_t sigma = kColumnSigma * expected / (4 * seen.columns) + kDepthSigma;
-    belief = take_depth(track, std::max(seen.depth_of(track.width), kLeastDepth), sigma);
+    belief = take_depth(track, std::max(seen.depth_of(track.width), kMinDepth), sigma);
   } else {
     measured = false;
   }
@@ -297,7 +297,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const
   }
   track.strays = 0;
   if (seen.depth > 0 && seen.whole()) {
-    const std::int32_t width = seen.width_at(std::max<std::int32_t>(track.depth >> kDepthBits, kLeastDepth));
+    const std::int32_t width = seen.width_at(std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth));
     const std::int32_t share = std::min(std::int32_t{track.sightings} + 1, kAveragedFrames);
     track.width = static_cast<std::uint16_t>(track.width == 0 ? width : track.width + (width - track.width) / share);
   }
@@ -368,7 +368,7 @@ float early_by(const LoomingTrack& track, float ttc, float closing, const AlertR
   const float depth_sigma = 0.001F * std::sqrt(static_cast<float>(track.depth_variance));
   const float speed_sigma = 0.001F * std::sqrt(static_cast<float>(track.speed_variance));
   const float sigma = (depth_sigma + ttc * speed_sigma) / closing;
-  return kLookSeconds + std::min(recon::kUsualSigmas * sigma, kMostEarly * rules.ttc_stop);
+  return kLookSeconds + std::min(recon::kUsualSigmas * sigma, kMaxEarly * rules.ttc_stop);
 }
 
 // m/s, see stopping_speed(): of the way to the thing, what it does not come itself meanwhile.

@@ -68,7 +68,7 @@ inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
 inline constexpr std::int32_t kFastestThing = 1500;
 /// 2^-14. A box may be off to the side by so much besides half of its width. By design.
 inline constexpr std::int32_t kSideGate = 600;
-// It comes by itself if its own speed is more than kSureSigmas, and than kLeastOwn and kOwnShare together, in
+// It comes by itself if its own speed is more than kSureSigmas, and than kMinOwn and kOwnShare together, in
 // kSureFrames frames in a row. A foot above the floor, or a wrong pitch, seems to move with the robot. More: late
 // stops; less: false ones.
 
@@ -98,7 +98,7 @@ inline constexpr int kMovedDepthShareLog2 = 3;
 /// Hazard table.
 inline constexpr std::int32_t kRobotWavers = 60;
 /// mm/s. Minimum own speed of what comes by itself. Derived: the robot's speed is known no better.
-inline constexpr std::int32_t kLeastOwn = kRobotWavers;
+inline constexpr std::int32_t kMinOwn = kRobotWavers;
 /// 2^-14. Maximum slope of a track that is ahead.
 inline constexpr std::int32_t kAheadSlope = 2500;
 /// Frames with motion, less those without, that make a track moving. The count ends at three times as many.
@@ -119,7 +119,7 @@ inline constexpr std::int32_t kMostSightings = 32;
 /// twice as far as the guard's points.
 inline constexpr std::int32_t kFarthestFollowed = 2 * recon::guard::kFarthest;
 /// mm. Nearer depths count as this one. Derived: as the models have it.
-inline constexpr auto kLeastDepth = static_cast<std::int32_t>(1000 * recon::kNearestLens + 0.5F);
+inline constexpr auto kMinDepth = static_cast<std::int32_t>(1000 * recon::kNearestLens + 0.5F);
 /// mm. What a camera without a known pitch shows clearly is followed as if it were so wide. By design.
 inline constexpr std::int32_t kGuessedWidth = 100;
 /// A thing that is not seen for so long is forgotten; all are after a pause of recon::kMoment. Derived: as long as
@@ -129,9 +129,9 @@ inline constexpr base::Duration kUnseen = recon::guard::kRefutedAfter;
 inline constexpr base::Duration kComesUnseen{3 * kUnseen.raw};
 /// Time after which a thing is forgotten whose distance nobody sees. Derived: as a point of the guard without support.
 inline constexpr base::Duration kUnmeasured = recon::guard::kUnconfirmed;
-/// The time to contact counts as shorter by kUsualSigmas, at most by so much of alert.ttc_stop. More: false stops;
-/// less: late ones.
-inline constexpr float kMostEarly = 0.4F;
+/// Share of alert.ttc_stop by which the time to contact counts as shorter at most; else by kUsualSigmas. More: false
+/// stops; less: late ones.
+inline constexpr float kMaxEarly = 0.4F;
 
 /// An input is overdue after this many of its usual intervals (in quarters), but not sooner than the least time and not
 /// later than the most; a standing robot has longer. More: blind unsaid; less: blind said of a camera that skips a

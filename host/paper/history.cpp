@@ -128,8 +128,8 @@ double depth_of(const MultiPolygon& footprint, const CameraPose& lens) {
       least = std::min(least, ahead);
     }
   }
-  constexpr double kLeastDepth = 0.1;  // m: a model that reaches behind the lens
-  return std::max(kLeastDepth, least);
+  constexpr double kMinDepth = 0.1;  // m: a model that reaches behind the lens
+  return std::max(kMinDepth, least);
 }
 
 void set_band(const Tour& tour, const std::vector<TakenBlob>& blobs, Solid& solid) {

@@ -30,7 +30,7 @@ class DriftEvidence {
              const Vec2& by_filter) {
     const auto off = [&](const Vec2& away) {
       const float residual = bearing.bound - bearing.normal.dot(away);
-      return std::min(kMostEvidence, residual * residual / variance);
+      return std::min(kMaxEvidence, residual * residual / variance);
     };
     const float better = off(by_odometry) - off(by_filter) - kEvidenceSlack;
     sum_ = std::max(0.0F, sum_ + better);

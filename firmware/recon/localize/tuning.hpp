@@ -62,7 +62,7 @@ struct LandmarkPace {
   float least_told = 0;
   bool in_turns = false;  ///< width and foot: one of them each time
   /// By how many squared sigmas bearings have to fit the landmarks better than the odometry, in sum; each at most by
-  /// kMostEvidence. Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are
+  /// kMaxEvidence. Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are
   /// taken for drift; more: a drifting map for longer.
   float evidence = 0;
 };
@@ -77,10 +77,10 @@ inline constexpr float kUsualGain = 1.0F / 64.0F;
 /// Sigmas from the odometry to where landmarks say, from which on odometry is known to drift. Less: true poses are
 /// made worse; more: a drifting map for longer. Real runs.
 inline constexpr float kDriftKnown = 4.0F;
-/// And bearings have to fit the landmarks better than the odometry, see LandmarkPace: each tells at most so many
-/// squared sigmas, for real bearings have long tails, and is worth so much less, for the filter is free to follow
-/// noise. Real runs. kMostEvidence is derived: where Huber's tails begin.
-inline constexpr float kMostEvidence = kUsualSigmas * kUsualSigmas;
+/// Squared sigmas that a bearing tells at most for landmarks against odometry, see LandmarkPace: real bearings have
+/// long tails. Derived: where Huber's tails begin.
+inline constexpr float kMaxEvidence = kUsualSigmas * kUsualSigmas;
+/// Squared sigmas that each bearing is worth less, for the filter is free to follow noise. Real runs.
 inline constexpr float kEvidenceSlack = 0.1F;
 /// Mean surprise from which on a landmark is something that moves: a jump of the pose is over before that. Derived:
 /// where Huber's tails begin. Real runs, with the other robots.

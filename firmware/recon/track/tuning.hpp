@@ -74,8 +74,8 @@ inline constexpr float kPresenceGain = 1.0F / 8.0F;
 /// An object is no longer believed in that should have been seen for kMoment and was not, by at least five frames.
 /// Less: alerts end when a camera misses; more: ghosts. By design.
 inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
-/// sigmas. The predicted row of a foot is inside the image if it is with so many to spare, and a blob stands clearly
-/// behind it if its foot is so many higher. Derived.
+/// sigmas. A foot's predicted row is inside the image with these to spare. A blob stands clearly behind it if its foot
+/// is higher by these. Derived: kUsualSigmas.
 inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
 /// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
 /// it stays, and only its alerts stop. On which study was not kept.

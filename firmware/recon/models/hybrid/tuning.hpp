@@ -119,7 +119,7 @@ inline constexpr std::span<const float, 6> kSupportPasses = std::span(kLowOrderP
 inline constexpr std::size_t kPolygonalFrom = 2;
 /// The spread is learnt in passes no wider than this. Derived: of those in which sides are weighed.
 inline constexpr float kLearningWidening = kSupportPasses[kPolygonalFrom];
-/// And from so many tangents on. Hybrid table.
+/// Tangents from which on the spread is learnt. Hybrid table.
 inline constexpr std::uint8_t kTangentsForSpread = 7;
 /// Factor on variances with which a fit begins: twice the sigmas. Nobody tells the robot how good camera and wheels
 /// are. Sigmas that are too small cost far more than those that are too large. Hybrid table.

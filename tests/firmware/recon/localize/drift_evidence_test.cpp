@@ -55,7 +55,7 @@ TEST(DriftEvidence, WhereTheRowsPutAnObjectIsNoDrift) {
 TEST(DriftEvidence, OneOutlierIsNoDrift) {
   DriftEvidence evidence;
   evidence.weigh(0, bearing(0), kBearingVariance, at(2, 1), at(2, 0));
-  EXPECT_LE(evidence.sum(), recon::kMostEvidence);
+  EXPECT_LE(evidence.sum(), recon::kMaxEvidence);
   EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
 }
 
