@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t kStreamBreak = 0xFE;
 constexpr std::int32_t kBase = 254;
-constexpr std::int32_t kMostPixels = kWidth * kHeight;
+constexpr std::int32_t kMaxPixels = kWidth * kHeight;
 
 /// Value of a hex digit, or 16.
 std::int32_t hex_digit(std::uint8_t c) {
@@ -32,7 +32,7 @@ std::int32_t width_of(std::int32_t pixels) {
 }  // namespace
 
 std::optional<sensor::Blob> blob_of(std::size_t channel, std::int32_t column, std::int32_t row, std::int32_t pixels) {
-  if (column >= kWidth || row >= kHeight || pixels < 1 || pixels > kMostPixels) return std::nullopt;
+  if (column >= kWidth || row >= kHeight || pixels < 1 || pixels > kMaxPixels) return std::nullopt;
   const std::int32_t width = width_of(pixels);
   const std::int32_t left = column - (width - 1) / 2;
   sensor::Blob blob;

@@ -11,11 +11,10 @@
 
 namespace fencepost::cognachrome {
 
-/// Of 250 samples by 200 rows over an image of 4 by 3.
-inline constexpr std::int32_t kWidth = 250;
-inline constexpr std::int32_t kHeight = 200;
+inline constexpr std::int32_t kWidth = 250;   ///< samples of a row, over an image of 4 by 3
+inline constexpr std::int32_t kHeight = 200;  ///< rows
 inline constexpr std::size_t kChannels = 3;
-inline constexpr std::size_t kMostFields = 4;
+inline constexpr std::size_t kMaxFields = 4;  ///< of one blob
 
 enum class Encoding : std::uint8_t {
   kBase254,  ///< `%w`: two bytes of 0 to 253, the higher first; FE and FF are never data
@@ -29,13 +28,13 @@ struct Format {
   std::uint8_t count_digits = 0;  ///< behind it: the frame's number
   std::array<std::uint8_t, kChannels> channels{};
   Encoding encoding = Encoding::kBase254;
-  std::array<Field, kMostFields> fields{};
+  std::array<Field, kMaxFields> fields{};
   /// Protocol strings of header and channels, as tpuvis takes them; empty: they are not known.
   std::array<std::string_view, 1 + kChannels> strings{};
 
   [[nodiscard]] constexpr std::size_t size() const {
     std::size_t size = 0;
-    while (size < kMostFields && fields[size] != Field::kNone) ++size;
+    while (size < kMaxFields && fields[size] != Field::kNone) ++size;
     return size;
   }
 };
@@ -99,7 +98,7 @@ class Decoder {
   std::uint8_t channel_ = 0;
   std::uint8_t field_ = 0;
   std::uint8_t bytes_ = 0;  ///< of the field, or digits behind the mark
-  std::array<std::int32_t, kMostFields> values_{};
+  std::array<std::int32_t, kMaxFields> values_{};
   base::Time mark_at_;
   sensor::BlobFrame frame_;
   Counts counts_;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int32_t kHalfWidth = 100'000;
 constexpr std::int32_t kHalfHeight = 75'000;
 // Polygons' numbers, with a count before them.
-constexpr std::size_t kMostNumbers = 33;
+constexpr std::size_t kMaxNumbers = 33;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -26,8 +26,8 @@ std::string_view next_word(std::string_view& text) {
 }
 
 std::optional<std::uint32_t> whole_number(std::string_view word) {
-  constexpr std::size_t kMostDigits = 9;
-  if (word.empty() || word.size() > kMostDigits) return std::nullopt;
+  constexpr std::size_t kMaxDigits = 9;
+  if (word.empty() || word.size() > kMaxDigits) return std::nullopt;
   std::uint32_t value = 0;
   for (const char c : word) {
     if (!is_digit(c)) return std::nullopt;
@@ -149,7 +149,7 @@ Event Decoder::message(std::string_view rest) {
     return Event::kLine;
   }
   const std::string_view id = next_word(rest);
-  base::FixedVector<std::int32_t, kMostNumbers> numbers;
+  base::FixedVector<std::int32_t, kMaxNumbers> numbers;
   std::string_view word = next_word(rest);
   for (std::optional<std::int32_t> n = hundredths(word); n && numbers.push_back(*n); n = hundredths(word)) {
     as_told_ = as_told_ && has_one_decimal(word);
@@ -198,7 +198,7 @@ Event Decoder::add(std::string_view id, std::span<const std::int32_t, 4> edges) 
 }
 
 std::uint8_t Decoder::signature_of(std::string_view id) const {
-  constexpr std::uint32_t kMost = 255;
+  constexpr std::uint32_t kMax = 255;
   for (const Name& name : names_) {
     if (name.id == id) return name.signature;
   }
@@ -206,7 +206,7 @@ std::uint8_t Decoder::signature_of(std::string_view id) const {
   while (digits < id.size() && is_digit(id[id.size() - 1 - digits])) ++digits;
   id.remove_prefix(id.size() - digits);
   const std::optional<std::uint32_t> number = whole_number(id);
-  return number && *number >= 1 && *number <= kMost ? static_cast<std::uint8_t>(*number) : std::uint8_t{1};
+  return number && *number >= 1 && *number <= kMax ? static_cast<std::uint8_t>(*number) : std::uint8_t{1};
 }
 
 Event Decoder::refuse(std::uint32_t& counter) {

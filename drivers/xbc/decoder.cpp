@@ -43,13 +43,13 @@ bool take(char c, std::string_view& text) {
 
 /// Exactly as many integers as `out` has, each after one space; at most nine digits.
 bool read_numbers(std::string_view text, std::span<std::int32_t> out) {
-  constexpr int kMostDigits = 9;
+  constexpr int kMaxDigits = 9;
   for (std::int32_t& number : out) {
     if (!take(' ', text)) return false;
     const bool negative = take('-', text);
     int digits = 0;
     number = 0;
-    for (; digits < kMostDigits && !text.empty() && text[0] >= '0' && text[0] <= '9'; ++digits) {
+    for (; digits < kMaxDigits && !text.empty() && text[0] >= '0' && text[0] <= '9'; ++digits) {
       number = 10 * number + (text[0] - '0');
       text.remove_prefix(1);
     }
@@ -117,8 +117,8 @@ Event Decoder::obey(std::string_view body) {
 Event Decoder::begin_frame(std::string_view fields) {
   abandon();
   std::array<std::int32_t, 2> number{};
-  constexpr auto kMost = static_cast<std::int32_t>(kChannels) * kBlobsAChannel;
-  if (!read_numbers(fields, number) || number[0] < 0 || !between(0, number[1], kMost)) return impossible();
+  constexpr auto kMax = static_cast<std::int32_t>(kChannels) * kBlobsAChannel;
+  if (!read_numbers(fields, number) || number[0] < 0 || !between(0, number[1], kMax)) return impossible();
   building_ = true;
   announced_ = number[1];
   received_ = 0;

@@ -42,7 +42,7 @@ bool CameraDoubt::judge(const RowVotes& votes, std::optional<float> lens, base::
   const unsigned against = votes.right + (far ? votes.too_near : votes.too_far);
   if (wrong >= kDoubtfulObjects && wrong > against) {
     const float factor = factor_of(wrong, far ? votes.scales_too_far : votes.scales_too_near);
-    if (factor >= kLeastNearer || factor * kLeastFarther <= 1) return say(Doubt::kRows, factor, t);
+    if (factor >= kMinNearer || factor * kMinFarther <= 1) return say(Doubt::kRows, factor, t);
   }
   const bool holds = said_.doubt == Doubt::kRows && wrong >= votes.right;
   return !holds && say(Doubt::kNone, 1, t);
@@ -50,13 +50,13 @@ bool CameraDoubt::judge(const RowVotes& votes, std::optional<float> lens, base::
 
 bool CameraDoubt::forget(base::Time t) { return say(Doubt::kNone, 1, t); }
 
-float CameraDoubt::caution() const { return any() ? std::clamp(said_.factor.to_float(), 1.0F, kMostCaution) : 1.0F; }
+float CameraDoubt::caution() const { return any() ? std::clamp(said_.factor.to_float(), 1.0F, kMaxCaution) : 1.0F; }
 
 bool CameraDoubt::say(Doubt doubt, float factor, base::Time t) {
-  constexpr float kLeast = 0.01F;
-  constexpr float kMost = 100;
+  constexpr float kMin = 0.01F;
+  constexpr float kMax = 100;
   constexpr auto kUnit = static_cast<float>(base::Ratio2::kPerUnit);
-  const base::Ratio2 rounded{static_cast<std::int32_t>(kUnit * std::clamp(factor, kLeast, kMost) + 0.5F)};
+  const base::Ratio2 rounded{static_cast<std::int32_t>(kUnit * std::clamp(factor, kMin, kMax) + 0.5F)};
   const std::int32_t change = rounded.raw - said_.factor.raw;
   if (doubt == said_.doubt && change < kDoubtStep && change > -kDoubtStep) return false;
   said_ = {t, doubt, rounded};

@@ -16,24 +16,24 @@ using recon::nearest_whole;
 
 namespace {
 
-constexpr int kDepthBits = 4;                    // of LoomingTrack::depth below the millimetre
-constexpr int kSecondBits = 10;                  // of times below the second
-constexpr int kGainBits = 10;                    // of the filter's gains below one
-constexpr std::int32_t kMostVariance = 1 << 20;  // products with gains stay inside 32 bits
-constexpr std::int32_t kMostDepth = 4000;        // mm, with which FloorCamera::depth_of_row is right
+constexpr int kDepthBits = 4;                   // of LoomingTrack::depth below the millimetre
+constexpr int kSecondBits = 10;                 // of times below the second
+constexpr int kGainBits = 10;                   // of the filter's gains below one
+constexpr std::int32_t kMaxVariance = 1 << 20;  // products with gains stay inside 32 bits
+constexpr std::int32_t kMaxDepth = 4000;        // mm, with which FloorCamera::depth_of_row is right
 
 std::int16_t to_int16(std::int32_t value) {
   return static_cast<std::int16_t>(std::clamp<std::int32_t>(value, INT16_MIN, INT16_MAX));
 }
 std::uint16_t to_depth(std::int32_t value) {
-  return static_cast<std::uint16_t>(std::clamp<std::int32_t>(value, 0, kMostDepth << kDepthBits));
+  return static_cast<std::uint16_t>(std::clamp<std::int32_t>(value, 0, kMaxDepth << kDepthBits));
 }
-std::int32_t bounded(std::int32_t variance) { return std::clamp(variance, -kMostVariance, kMostVariance); }
+std::int32_t bounded(std::int32_t variance) { return std::clamp(variance, -kMaxVariance, kMaxVariance); }
 
 // 2^-10 s; what is longer than recon::kMoment does not matter.
 std::int32_t whole_time(base::Duration span) {
-  constexpr std::int64_t kMost = recon::kMoment.raw;
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(span.raw, 0, kMost)) * 6711 >> 16;
+  constexpr std::int64_t kMax = recon::kMoment.raw;
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(span.raw, 0, kMax)) * 6711 >> 16;
 }
 constexpr std::int32_t in_time(base::Duration span) { return static_cast<std::int32_t>(span.raw * 1024 / 10'000); }
 
@@ -119,7 +119,7 @@ struct Seen {
   [[nodiscard]] std::int32_t width_at(std::int32_t mm) const { return mm * across() >> kSlopeBits; }
   // mm, of something that wide
   [[nodiscard]] std::int32_t depth_of(std::int32_t width) const {
-    return std::min((width << kSlopeBits) / across(), kMostDepth);
+    return std::min((width << kSlopeBits) / across(), kMaxDepth);
   }
 };
 
@@ -150,7 +150,7 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
   seen.left = left.slope;
   seen.right = right.slope;
   const std::int32_t depth = std::min(left.depth, right.depth);
-  if (seen.low || seen.hidden || depth > kMostDepth) return seen;
+  if (seen.low || seen.hidden || depth > kMaxDepth) return seen;
   seen.depth = to_int16(std::max(depth, kMinDepth));
   seen.sigma = to_int16((kRowSigma * floor.depth_of_row(seen.depth) >> 2) + kDepthSigma);
   return seen;
@@ -179,8 +179,8 @@ enum class Belief : std::uint8_t { kTaken, kStray };
 // either way: the difference is taken there.
 Belief take_depth(LoomingTrack& track, std::int32_t depth, std::int32_t sigma) {
   const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
-  const std::int32_t off = std::clamp((depth - expected) * expected / depth, -kMostDepth, kMostDepth);
-  const std::int32_t variance = track.depth_variance + std::min(sigma * sigma, kMostVariance);
+  const std::int32_t off = std::clamp((depth - expected) * expected / depth, -kMaxDepth, kMaxDepth);
+  const std::int32_t variance = track.depth_variance + std::min(sigma * sigma, kMaxVariance);
   if (off * off / kDepthGate > variance) return Belief::kStray;
   const std::int32_t gain = (track.depth_variance << kGainBits) / variance;
   const std::int32_t speed_gain = (track.covariance << kGainBits) / variance;
@@ -202,7 +202,7 @@ void take_direction(LoomingTrack& track, std::int32_t slope, std::int32_t time) 
   track.slope = to_int16(track.slope + off * 2 * (2 * n - 1) / weights);
   const std::int32_t aside = off * (track.depth >> kDepthBits) >> kSlopeBits;  // mm
   track.across = to_int16(track.across + aside * (6 << kSecondBits) / (weights * time));
-  const bool more = n <= kLeastSightings || (n < kMostSightings && n * time < in_time(kDirectionSpan));
+  const bool more = n <= kMinSightings || (n < kMaxSightings && n * time < in_time(kDirectionSpan));
   if (more) track.sightings = static_cast<std::uint8_t>(n);
 }
 
@@ -241,7 +241,7 @@ void count_moved(LoomingTrack& track, const Robot& robot) {
   const bool surely_along = ahead && robot.straight && along > std::max(kMinMoved, share * robot.speed >> 4) &&
                             4 * along * along / (kMovedSigmas * kMovedSigmas) > track.speed_variance;
   const bool surely_across =
-      robot.stands && track.sightings >= kLeastSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
+      robot.stands && track.sightings >= kMinSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
   if (!track.guessed && (surely_along || surely_across)) {
     // What crosses is soon gone.
     track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));
@@ -257,13 +257,13 @@ void begin(LoomingTrack& track, const FloorCamera& floor, const Seen& seen) {
   if (depth == 0) {
     // Below the image it is somewhere nearer than where feet leave that; else anywhere.
     depth = floor.usable() ? floor.nearest_visible() * recon::guard::kUnseenFoot >> 4 : seen.depth_of(kGuessedWidth);
-    depth = std::clamp(depth, kMinDepth, kMostDepth);
+    depth = std::clamp(depth, kMinDepth, kMaxDepth);
     sigma = depth / 4;
     track.guessed = true;
   }
   if (seen.whole()) track.width = static_cast<std::uint16_t>(seen.width_at(depth));
   track.depth = to_depth(depth << kDepthBits);
-  track.depth_variance = std::min(sigma * sigma, kMostVariance);
+  track.depth_variance = std::min(sigma * sigma, kMaxVariance);
   track.speed_variance = kFirstSpeedVariance;
   track.slope = to_int16(seen.middle());
   track.low = seen.low;

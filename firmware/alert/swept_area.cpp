@@ -20,8 +20,8 @@ float overhang_of(const RobotPath& path, float length, bool leads) {
 
 std::int32_t whole_mm2(float square_metres) {
   constexpr float kSquareMillimetres = 1e6F;
-  constexpr std::int32_t kMost = 1 << 28;
-  return recon::nearest_whole(kSquareMillimetres * square_metres, kMost);
+  constexpr std::int32_t kMax = 1 << 28;
+  return recon::nearest_whole(kSquareMillimetres * square_metres, kMax);
 }
 
 }  // namespace

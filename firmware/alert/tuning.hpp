@@ -112,9 +112,9 @@ inline constexpr std::int32_t kAveragedFrames = 8;
 /// stops the robot. By design.
 inline constexpr base::Duration kDirectionSpan = base::milliseconds(700);
 /// Least number of these sightings, and of those before lateral speed is used. By design.
-inline constexpr std::int32_t kLeastSightings = 6;
+inline constexpr std::int32_t kMinSightings = 6;
 /// Most of them. By design.
-inline constexpr std::int32_t kMostSightings = 32;
+inline constexpr std::int32_t kMaxSightings = 32;
 /// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. Derived:
 /// twice as far as the guard's points.
 inline constexpr std::int32_t kFarthestFollowed = 2 * recon::guard::kFarthest;
@@ -193,13 +193,14 @@ inline constexpr float kNotTurning = kStanding / kTightestArc;
 
 /// Objects whose rows are wrong to the same side before the camera is to blame: fewer may stand on bases. By design.
 inline constexpr unsigned kDoubtfulObjects = 3;
-/// And their mean factor: nearer than told, and farther, which noise feigns more easily and which only makes alerts
-/// come early. Less: complaints about ragged feet; more: two degrees of pitch, which make 1.45 or 1.5, are missed.
-/// Hazard table (cameras), seeds 1 to 40, levels 2 and 3.
-inline constexpr float kLeastNearer = 1.25F;
-inline constexpr float kLeastFarther = 1.45F;
+/// Their mean factor from which on the camera is to blame, where things are nearer than rows say. Less: complaints about
+/// ragged feet; more: two degrees of pitch, which make 1.45 or 1.5, are missed. Hazard table (cameras), seeds 1 to 40,
+/// levels 2 and 3.
+inline constexpr float kMinNearer = 1.25F;
+/// The same where things are farther, which noise feigns more easily and which only makes alerts come early.
+inline constexpr float kMinFarther = 1.45F;
 /// Alerts widen their distances by what the doubt says, at most by this. By design.
-inline constexpr float kMostCaution = 2.0F;
+inline constexpr float kMaxCaution = 2.0F;
 /// Counts of 0.01: a factor is told anew once it has changed by as much. Less: the same said again. By design.
 inline constexpr std::int32_t kDoubtStep = 10;
 

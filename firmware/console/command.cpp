@@ -23,11 +23,11 @@ std::size_t end_of_escape(std::span<const char> line, std::size_t at) {
   return std::min(at + 1, line.size());
 }
 
-// Letters to insert, take out or change to make b of a (Levenshtein). Longer words than kMost are never near.
+// Letters to insert, take out or change to make b of a (Levenshtein). Longer words than kMax are never near.
 std::size_t difference(std::string_view a, std::string_view b) {
-  constexpr std::size_t kMost = 16;
-  if (a.size() > kMost || b.size() > kMost) return kMost;
-  std::array<std::uint8_t, kMost + 1> row{};
+  constexpr std::size_t kMax = 16;
+  if (a.size() > kMax || b.size() > kMax) return kMax;
+  std::array<std::uint8_t, kMax + 1> row{};
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<std::uint8_t>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::uint8_t diagonal = row[0];
@@ -58,7 +58,7 @@ bool is_unit(std::string_view key, std::string_view unit) {
 Words split(std::string_view line) {
   Words result;
   std::size_t at = 0;
-  while (result.count < Words::kMost) {
+  while (result.count < Words::kMax) {
     while (at < line.size() && between_words(line[at])) ++at;
     if (at == line.size()) break;
     std::size_t end = at;

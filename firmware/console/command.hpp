@@ -80,8 +80,8 @@ bool waits_for_reset(Verb verb, std::string_view word);
 
 /// The words of a line; spaces, tabs and '=' are between them, so that what `get` says can be typed after `set`.
 struct Words {
-  static constexpr std::size_t kMost = 5;  ///< one more than any command has
-  std::array<std::string_view, kMost> words;
+  static constexpr std::size_t kMax = 5;  ///< one more than any command has
+  std::array<std::string_view, kMax> words;
   std::size_t count = 0;
 };
 Words split(std::string_view line);

@@ -24,8 +24,8 @@ struct TrailPlace {
 /// Are they at least so far apart, in kUnit, along one axis?
 bool apart(TrailPlace a, TrailPlace b, std::int32_t spacing);
 
-/// When it is full every second place goes, and the others are spaced twice as far from then on. Even `kMost`.
-template <std::size_t kMost>
+/// When it is full every second place goes, and the others are spaced twice as far from then on. Even `kMax`.
+template <std::size_t kMax>
 class Trail {
  public:
   void clear() { *this = {}; }
@@ -33,9 +33,9 @@ class Trail {
   void push(MapMillimetres robot) {
     const TrailPlace place = TrailPlace::of(robot);
     if (!places_.empty() && !apart(place, places_[places_.size() - 1], spacing_)) return;
-    if (places_.size() == kMost) {
-      base::FixedVector<TrailPlace, kMost> kept;
-      for (std::size_t i = 0; i < kMost; i += 2) static_cast<void>(kept.push_back(places_[i]));
+    if (places_.size() == kMax) {
+      base::FixedVector<TrailPlace, kMax> kept;
+      for (std::size_t i = 0; i < kMax; i += 2) static_cast<void>(kept.push_back(places_[i]));
       places_ = kept;
       if (spacing_ < INT16_MAX / 2) spacing_ *= 2;
     }
@@ -44,7 +44,7 @@ class Trail {
   [[nodiscard]] std::span<const TrailPlace> places() const { return places_.view(); }
 
  private:
-  base::FixedVector<TrailPlace, kMost> places_;
+  base::FixedVector<TrailPlace, kMax> places_;
   std::int32_t spacing_ = 2;  ///< kUnit
 };
 

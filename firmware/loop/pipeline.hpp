@@ -17,7 +17,7 @@
 namespace fencepost::loop {
 
 /// Maximum clock-offset correction per input. The sender's clock may run slow.
-inline constexpr base::Duration kMostSlip = base::milliseconds(10);
+inline constexpr base::Duration kMaxSlip = base::milliseconds(10);
 
 template <class Profile>
 class Pipeline {
@@ -259,7 +259,7 @@ class Pipeline {
     base::Duration behind = now - m_.run.time.value_or(now);
     if (m_.run.behind && behind > *m_.run.behind) {
       if (!m_.run.newest) return;
-      behind = std::min(behind, *m_.run.behind + kMostSlip);
+      behind = std::min(behind, *m_.run.behind + kMaxSlip);
     }
     m_.run.behind = behind;
   }

@@ -58,7 +58,7 @@ class Corners {
 // All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
 Polygon make_outline(const console::MapShape& shape, const Window& window) {
   const Corners corners(shape.outline);
-  const std::size_t most = std::min(corners.size(), Polygon::kMost);
+  const std::size_t most = std::min(corners.size(), Polygon::kMax);
   Polygon polygon;
   for (std::size_t i = 0; i < most; ++i) {
     polygon.add(window.pixel_of(shape.place_of(corners.at(i * corners.size() / most))));

@@ -58,7 +58,7 @@ class MapView {
 
  private:
   static constexpr std::size_t kRowsPerTurn = 2;
-  static constexpr std::size_t kMostNamed = 8;  ///< objects that the text has lines for
+  static constexpr std::size_t kMaxNamed = 8;  ///< objects that the text has lines for
 
   static console::Mode next(console::Mode mode) {
     return static_cast<console::Mode>((static_cast<std::size_t>(mode) + 1) % console::kModes);
@@ -102,7 +102,7 @@ class MapView {
       nearest_ = console::Nearest{distance, base::Radians::nearest(obstacle.bearing())};
     }
     level_ = std::max(level_, source_.alert_level(slot));
-    if (named_ == kMostNamed) return;
+    if (named_ == kMaxNamed) return;
     const ObjectLine line =
         object_line(named_++, slot, console::name_of(object.signature, source_.signatures()), distance);
     picture_.add(line.colour);

@@ -54,7 +54,7 @@ struct Disc {
 /// A convex polygon. Corners that it has no room for are left out: whoever adds them thins them out before.
 class Polygon {
  public:
-  static constexpr std::size_t kMost = 24;
+  static constexpr std::size_t kMax = 24;
 
   void add(Point corner);
   [[nodiscard]] bool empty() const { return corners_.empty(); }
@@ -63,19 +63,19 @@ class Polygon {
   void paint_inside(Row& row, std::uint8_t colour) const;
 
  private:
-  base::FixedVector<Point, kMost> corners_;
+  base::FixedVector<Point, kMax> corners_;
   std::int16_t top_ = INT16_MAX;
   std::int16_t bottom_ = INT16_MIN;
 };
 
 /// One line of text; what does not fit into it is cut off.
 struct Label {
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
   Point place;            ///< of the first letter's upper left pixel
   std::uint8_t size = 1;  ///< pixels of the screen a pixel of the letter
   std::uint8_t colour = 0;
-  base::FixedString<kMost> text;
+  base::FixedString<kMax> text;
   void paint(Row& row) const;
 };
 

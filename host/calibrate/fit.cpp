@@ -26,8 +26,8 @@ double drift_of(const CalibrationProblem& problem, const Estimate& estimate) {
     needed.push_back(std::abs(estimate.nodes[i + 1][kPoseHeading] - expected.heading) / sigma);
   }
   constexpr double kSigmaOfMedian = 1.4826;
-  constexpr double kMost = 30;
-  return std::clamp(kSigmaOfMedian * median_of(std::move(needed)), 1.0, kMost);
+  constexpr double kMax = 30;
+  return std::clamp(kSigmaOfMedian * median_of(std::move(needed)), 1.0, kMax);
 }
 
 }  // namespace

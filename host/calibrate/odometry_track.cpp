@@ -73,8 +73,8 @@ void OdometryTrack::smooth() {
   for (TimedPose& sample : samples_) {
     while (raw[low].t < sample.t - kHalfWindow) ++low;
     while (high < raw.size() && raw[high].t <= sample.t + kHalfWindow) ++high;
-    constexpr std::size_t kLeast = 6;
-    if (high - low < kLeast) continue;
+    constexpr std::size_t kMin = 6;
+    if (high - low < kMin) continue;
     const std::span<const TimedPose> window(&raw[low], high - low);
     const double t = sample.t;
     sample.x = quadratic_at(window, t, &TimedPose::x);

@@ -101,7 +101,7 @@ void drop_at_border(StartedProblem& started) {
 }
 
 void drop_unfit(StartedProblem& started) {
-  constexpr std::size_t kLeast = 2;
+  constexpr std::size_t kMin = 2;
   constexpr double kWorse = 5;  // times the usual
   constexpr double kNoise = 3;  // px: below this nothing is unfit
   const std::vector<SightingResidual> residuals = residuals_at(started.problem, started.estimate);
@@ -117,7 +117,7 @@ void drop_unfit(StartedProblem& started) {
   const double bound = std::max(kNoise, kWorse * median_of(all));
   std::vector<std::size_t> place = itself(of_object.size());
   std::size_t left = place.size();
-  for (std::size_t i = 0; i < place.size() && left > kLeast; ++i) {
+  for (std::size_t i = 0; i < place.size() && left > kMin; ++i) {
     if (median_of(of_object[i]) <= bound) continue;
     place[i] = kGone;
     --left;

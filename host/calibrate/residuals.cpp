@@ -9,12 +9,12 @@ namespace fencepost::host {
 namespace {
 
 constexpr double kSigmaOfMedian = 1.4826;
-constexpr double kLeastNoise = 0.3;  // px: whole pixels alone have 0.29
+constexpr double kMinNoise = 0.3;  // px: whole pixels alone have 0.29
 
 double sigma_of(std::vector<double> magnitudes, double otherwise) {
   constexpr std::size_t kEnough = 10;
   if (magnitudes.size() < kEnough) return otherwise;
-  return std::max(kLeastNoise, kSigmaOfMedian * median_of(std::move(magnitudes)));
+  return std::max(kMinNoise, kSigmaOfMedian * median_of(std::move(magnitudes)));
 }
 
 double share_below(std::vector<double> magnitudes, double share) {

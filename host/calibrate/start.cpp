@@ -14,9 +14,9 @@
 namespace fencepost::host {
 namespace {
 
-constexpr std::size_t kLeastObjects = 2;  ///< one alone is as well larger and farther away
-constexpr double kLeastDriven = 0.10;     ///< m, or
-constexpr double kLeastTurned = 0.35;     ///< rad: less than this is no motion
+constexpr std::size_t kMinObjects = 2;  ///< one alone is as well larger and farther away
+constexpr double kMinDriven = 0.10;     ///< m, or
+constexpr double kMinTurned = 0.35;     ///< rad: less than this is no motion
 // A frame that was taken where the last one was says the same again.
 constexpr double kStepWay = 0.002;   ///< m
 constexpr double kStepTurn = 0.002;  ///< rad
@@ -30,7 +30,7 @@ constexpr WheelValues kWheelSigma = {0.05, 0.02, 0.02};
 const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 std::optional<std::string> why_hopeless(const DriveLog& log, const OdometryTrack& odometry) {
-  if (odometry.driven() < kLeastDriven && odometry.turned() < kLeastTurned) {
+  if (odometry.driven() < kMinDriven && odometry.turned() < kMinTurned) {
     return fmt::format("the robot hardly moves ({:.2f} m, {:.0f} degrees in {:.0f} s); {}", odometry.driven(),
                        odometry.turned() * 57.29577951308232, odometry.end() - odometry.begin(), kGuide);
   }
@@ -226,10 +226,10 @@ ToldOptics optics_of(const sensor::CameraIntrinsics& camera) {
 }  // namespace
 
 std::optional<std::string> too_few(std::size_t objects) {
-  if (objects >= kLeastObjects) return std::nullopt;
+  if (objects >= kMinObjects) return std::nullopt;
   return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
                      objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), StartOptions{}.least_views,
-                     kLeastObjects, kGuide);
+                     kMinObjects, kGuide);
 }
 
 StartedProblem start_with(const DriveLog& log, const StartOptions& options, const std::vector<PoseResult>& path) {

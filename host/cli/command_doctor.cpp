@@ -40,12 +40,12 @@ std::vector<sensor::CameraIntrinsics> makers() {
 
 /// `beginning`: what its distances are judged by.
 LogSurvey survey(const std::string& path, std::string* beginning = nullptr) {
-  constexpr std::size_t kMost = std::size_t{8} << 20U;  // the minute that is judged, on any line
+  constexpr std::size_t kMax = std::size_t{8} << 20U;  // the minute that is judged, on any line
   LogInput input(path);
   ReplayProgress progress(input);
   const auto next = [&] {
     const std::string_view bytes = progress.next();
-    if (beginning != nullptr) beginning->append(bytes.substr(0, kMost - std::min(kMost, beginning->size())));
+    if (beginning != nullptr) beginning->append(bytes.substr(0, kMax - std::min(kMax, beginning->size())));
     return bytes;
   };
   return doctor::survey_log(next, input_name(path));

@@ -74,7 +74,7 @@ std::string write_nav2(const exports::Run& run, const ExportRequest& request) {
       exports::nav2_map(run, request.model, request.resolution, std::filesystem::path(image).filename().string());
   if (!map) {
     throw Failure(Exit::kUsage, fmt::format("a map of more than {:.0f} million cells; choose a larger --resolution",
-                                            exports::kMostCells / 1e6));
+                                            exports::kMaxCells / 1e6));
   }
   write_output(image, map->pgm);
   say(fmt::format("wrote {}: {} cells occupied, {} free, all others unknown", image, map->occupied, map->free));
@@ -151,12 +151,12 @@ void say_missing(const exports::Run& run, const std::string& model) {
 
 /// What a map or a picture has of a long run, read in portions.
 ReplayOutcome replay_for_map(const LogSource& source, const ExportRequest& request, ReplayOptions options) {
-  constexpr std::size_t kMostAlerts = 20'000;
+  constexpr std::size_t kMaxAlerts = 20'000;
   AlertSpool alerts;
   options.alerts = &alerts;
   options.most_poses = kPosesToShow;
   ReplayOutcome outcome = replay(source, input_name(request.log), options);
-  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMostAlerts);
+  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMaxAlerts);
   outcome.result.alerts = std::move(kept.kept);
   if (kept.all > outcome.result.alerts.size()) {
     outcome.complaints.push_back(

@@ -167,8 +167,8 @@ class PortSource final : public Source {
  private:
   void ask(double now) {
     constexpr double kEvery = 3;  // s
-    constexpr int kMost = 5;
-    if (!asks_ || asked_ >= kMost || (asked_ > 0 && (believed_.beat() || now < asked_at_ + kEvery))) return;
+    constexpr int kMax = 5;
+    if (!asks_ || asked_ >= kMax || (asked_ > 0 && (believed_.beat() || now < asked_at_ + kEvery))) return;
     constexpr std::string_view kAsk = "\rmode log\r";
     static_cast<void>(port_->write({reinterpret_cast<const std::uint8_t*>(kAsk.data()), kAsk.size()}));
     asked_at_ = now;

@@ -48,19 +48,19 @@ Scene parsed_scene(const std::string& text, const std::string& path) {
 }
 
 std::string thinned_to_fit(const std::string& said) {
-  return fmt::format("thinned to fit {} MB: {}", kMostReport / 1'000'000, said);
+  return fmt::format("thinned to fit {} MB: {}", kMaxReport / 1'000'000, said);
 }
 
 /// Without script, of one log.
 Report still_report(const ReportRequest& request) {
-  constexpr std::size_t kMostAlerts = 2'500;  // in a table and a drawing: half of what there is room for
+  constexpr std::size_t kMaxAlerts = 2'500;  // in a table and a drawing: half of what there is room for
   std::optional<Scene> truth;
   if (!request.scenes.empty()) truth = parsed_scene(read_input(request.scenes.front()), request.scenes.front());
   AlertSpool alerts;
   ReplayOptions options = request.options;
   options.alerts = &alerts;
   ReplayOutcome outcome = replay_file(request.logs.front(), options);
-  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMostAlerts);
+  ThinnedAlerts kept = thin_alerts([&](const auto& visit) { alerts.each(visit); }, kMaxAlerts);
   outcome.result.alerts = std::move(kept.kept);
   Report report;
   ReportOptions shown{title_of(request.logs.front()), "fencepost " FENCEPOST_VERSION};
@@ -137,9 +137,9 @@ Exit run(ReportRequest request) {
   write_output(output, report.html);
   if (!is_standard_output(output)) say("wrote " + output + "; open it in a browser");
   for (const std::string& note : report.notes) say(note);
-  if (report.html.size() > kMostReport && !request.whole) {
+  if (report.html.size() > kMaxReport && !request.whole) {
     say(fmt::format("it has {:.1f} MB, more than {}: give fewer logs, or a smaller scene",
-                    static_cast<double>(report.html.size()) / 1e6, kMostReport / 1'000'000));
+                    static_cast<double>(report.html.size()) / 1e6, kMaxReport / 1'000'000));
   }
   return report.exit;
 }

@@ -107,9 +107,9 @@ std::optional<int> named_descriptor(const std::string& path) {
 
 /// What a link, or a link to a link, leads to, whether or not that is there yet.
 fs::path followed(fs::path path) {
-  constexpr int kMostLinks = 40;  // as many as the kernel follows
+  constexpr int kMaxLinks = 40;  // as many as the kernel follows
   std::error_code no_link;
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     const fs::path next = fs::read_symlink(path, no_link);
     if (no_link) break;
     path = path.parent_path() / next;  // an absolute one replaces it

@@ -62,9 +62,9 @@ void PartOptions::add_to(Options command) {
 
 std::uint64_t PartOptions::bytes() const {
   if (size.empty()) return 0;
-  constexpr std::uint64_t kLeast = 4096;  // a part begins with a kilobyte of calibration
+  constexpr std::uint64_t kMin = 4096;  // a part begins with a kilobyte of calibration
   const auto bytes = size_in(size);
-  if (bytes && *bytes >= kLeast) return *bytes;
+  if (bytes && *bytes >= kMin) return *bytes;
   throw Failure(Exit::kUsage, "--log-size " + size + " is not possible; write 4K, 64M or 2G");
 }
 

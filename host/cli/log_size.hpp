@@ -23,8 +23,8 @@ inline std::optional<std::uint64_t> size_in(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 63U;
-  if (error != std::errc() || stopped != end || value == 0 || value > kMost >> shift) return std::nullopt;
+  constexpr std::uint64_t kMax = std::uint64_t{1} << 63U;
+  if (error != std::errc() || stopped != end || value == 0 || value > kMax >> shift) return std::nullopt;
   return value << shift;
 }
 

@@ -23,7 +23,7 @@ constexpr Seconds kBetween{0.1};
 constexpr Seconds kQuietLines{10};
 constexpr Seconds kBetweenLines{60};
 constexpr std::size_t kWidth = 79;
-constexpr double kLeastShare = 0.01;  ///< less tells nothing about the rest
+constexpr double kMinShare = 0.01;  ///< less tells nothing about the rest
 constexpr std::string_view kErase = "\r\x1b[K";
 
 std::atomic<Progress*> latest = nullptr;
@@ -93,7 +93,7 @@ std::string Progress::line(double done, double all, std::string_view detail, dou
   if (!detail.empty()) add(printable(detail));
   const double share = all > 0 ? std::clamp(done / all, 0.0, 1.0) : 0;
   if (all > 0) add(fmt::format("{} %", static_cast<int>(100 * share)));
-  if (share >= kLeastShare) add(time_words(seconds * (1 - share) / share) + " left");
+  if (share >= kMinShare) add(time_words(seconds * (1 - share) / share) + " left");
   if (!(all > 0)) add(time_words(seconds));
   return text.substr(0, kWidth);
 }

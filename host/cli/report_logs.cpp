@@ -23,9 +23,9 @@ namespace fencepost::host::cli {
 namespace {
 
 // A page unpacks a log into its memory.
-constexpr std::size_t kMostUnpacked = 64'000'000;
+constexpr std::size_t kMaxUnpacked = 64'000'000;
 constexpr PackedLog::Room kWholeRoom = {32'000'000, 400'000'000};  ///< as text of a page 43 MB, as a log some 200
-constexpr std::size_t kLeastRoom = 30'000;
+constexpr std::size_t kMinRoom = 30'000;
 
 /// As bytes of so much base64.
 std::size_t unpacked_base64(std::size_t text) { return text / 4 * 3; }
@@ -89,7 +89,7 @@ void read_report_log(const ReportInputs& inputs, const std::string& path, std::s
   }
   const std::string name = input_name(path);
   const std::size_t most = unpacked_base64(room);
-  PackedLog packed(source, inputs.whole ? kWholeRoom : PackedLog::Room{most, kMostUnpacked});
+  PackedLog packed(source, inputs.whole ? kWholeRoom : PackedLog::Room{most, kMaxUnpacked});
   if (packed.whole()) return replay_whole(packed, name, inputs.options, log);
   if (!inputs.whole) return replay_thinned(packed, name, inputs.options, most, log);
   throw Failure(
@@ -114,7 +114,7 @@ std::vector<ReportedLog> read_report_logs(const ReportInputs& inputs, std::size_
   }
   std::size_t left = logs.size();
   for (const std::size_t i : by_size(inputs.logs)) {
-    const std::size_t room = std::max(kMostReport - std::min(used, kMostReport), left * kLeastRoom) / left;
+    const std::size_t room = std::max(kMaxReport - std::min(used, kMaxReport), left * kMinRoom) / left;
     try {
       read_report_log(inputs, inputs.logs[i], room, logs[i]);
     } catch (const Failure& failure) {

@@ -12,7 +12,7 @@
 namespace fencepost::host::cli {
 
 /// What a report may have: mail takes it, and a browser has it at once.
-inline constexpr std::size_t kMostReport = 2'000'000;
+inline constexpr std::size_t kMaxReport = 2'000'000;
 
 struct ReportInputs {
   std::vector<std::string> logs;

@@ -13,7 +13,7 @@ bool ImageMemory::put(std::uint32_t address, std::span<const std::uint8_t> bytes
   const bool first = bytes_.empty();
   const std::uint64_t low = first ? address : std::min(begin_, address);
   const std::uint64_t high = std::max(first ? 0 : end(), address + std::uint64_t{bytes.size()});
-  if (high - low > kMost) return false;
+  if (high - low > kMax) return false;
   if (low < begin_ && !first) grow_in_front(static_cast<std::size_t>(begin_ - low));
   begin_ = static_cast<std::uint32_t>(low);
   bytes_.resize(std::max(bytes_.size(), front_ + static_cast<std::size_t>(high - low)), 0xFF);

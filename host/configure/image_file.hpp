@@ -33,7 +33,7 @@ class ImageMemory {
   void move_to(std::uint32_t begin) { begin_ = begin; }
 
  private:
-  static constexpr std::uint64_t kMost = 32U << 20U;
+  static constexpr std::uint64_t kMax = 32U << 20U;
 
   void grow_in_front(std::size_t count);
 

@@ -28,7 +28,7 @@ constexpr std::size_t kImageDefWithin = 4096;
 
 constexpr std::size_t kBlock = 512;
 constexpr std::size_t kDataAt = 32;
-constexpr std::size_t kMostData = 476;
+constexpr std::size_t kMaxData = 476;
 constexpr std::size_t kPayload = 256;
 // The RP2040's drive erases a sector at each block whose number is a multiple of 16, wherever its address is (erratum
 // RP2040-E14). So the file has whole sectors; only the last one may end early.
@@ -57,7 +57,7 @@ base::Result<ImageMemory, std::string> read_uf2(std::string_view file) {
     const std::string_view block = file.substr(n * kBlock, kBlock);
     const std::uint32_t size = word(block, 16);
     if (word(block, 0) != kFirstMark || word(block, 4) != kSecondMark || word(block, kBlock - 4) != kLastMark ||
-        size > kMostData) {
+        size > kMaxData) {
       return fmt::format("block {} is damaged", n);
     }
     const bool known = word(block, 28) == kRp2040 || word(block, 28) == kRp2350;
@@ -89,7 +89,7 @@ std::string write_uf2(const ImageMemory& memory) {
     }
     for (std::uint64_t at = pages[n]; at < pages[n] + kPayload; ++at)
       file.push_back(static_cast<char>(memory.known(at) ? memory.at(at) : 0xFF));
-    file.append(kMostData - kPayload, '\0');
+    file.append(kMaxData - kPayload, '\0');
     put_little_endian(file, kLastMark);
   }
   return file;

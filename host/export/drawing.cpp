@@ -16,9 +16,9 @@
 namespace fencepost::host::exports {
 namespace {
 
-constexpr double kRight = 16;      ///< px beside the plot
-constexpr double kBottom = 40;     ///< px under it: labels of the axis
-constexpr double kLeastGrid = 52;  ///< px between lines
+constexpr double kRight = 16;    ///< px beside the plot
+constexpr double kBottom = 40;   ///< px under it: labels of the axis
+constexpr double kMinGrid = 52;  ///< px between lines
 constexpr sensor::Rgb kPaper{0xFF, 0xFF, 0xFF};
 constexpr sensor::Rgb kRule{0xDD, 0xE2, 0xE8};
 constexpr sensor::Rgb kInk{0x33, 0x3B, 0x45};
@@ -78,7 +78,7 @@ class Painter {
   }
 
   void grid() {
-    const double step = nice_step(kLeastGrid / f_.scale);
+    const double step = nice_step(kMinGrid / f_.scale);
     const int decimals = step_decimals(step);
     const double bottom = f_.top + f_.height;
     for (const double x : ticks(f_.x_min(), f_.x_max(), step)) {

@@ -137,7 +137,7 @@ std::optional<Nav2Map> nav2_map(const Run& run, const std::string& model, double
   const auto floored = [resolution](double metres) { return std::floor(metres / resolution) * resolution; };
   const Point low{floored(bounds.low.x - air), floored(bounds.low.y - air)};
   const Point high{bounds.high.x + air, bounds.high.y + air};
-  if ((high.x - low.x) / resolution * ((high.y - low.y) / resolution) > kMostCells) return std::nullopt;
+  if ((high.x - low.x) / resolution * ((high.y - low.y) / resolution) > kMaxCells) return std::nullopt;
 
   Grid grid(low, high, resolution);
   drive(grid, run, resolution);

@@ -16,10 +16,10 @@ struct Nav2Map {
 };
 
 /// Occupied is each cell that an outline touches, and what the guard knows of; free is where the robot's body was;
-/// all else is unknown. `image`: the PGM's name as the YAML file tells it. Nothing: more than kMostCells.
+/// all else is unknown. `image`: the PGM's name as the YAML file tells it. Nothing: more than kMaxCells.
 std::optional<Nav2Map> nav2_map(const Run& run, const std::string& model, double resolution, const std::string& image);
 
-inline constexpr double kMostCells = 64e6;
+inline constexpr double kMaxCells = 64e6;
 inline constexpr double kMapResolution = 0.02;  ///< m a cell, a fifth of the smallest things
 
 /// The zones of the robot's alerts as polygons of nav2's collision monitor, in the robot's frame.

@@ -67,13 +67,13 @@ RingView to_view(const Table& table, const TableRow& row) {
 /// As fine as the stream's pixel range allows: 32000 px of focal length, so 0.03 mrad a pixel, 20 um at 0.63 m.
 sensor::CameraIntrinsics camera_for(const std::vector<RingView>& views) {
   constexpr double kFinest = 32'000;
-  constexpr double kMostColumns = 32'000;
+  constexpr double kMaxColumns = 32'000;
   constexpr double kMargin = 64;  // columns on each side that no unbounded end may reach
   double widest = 1e-3;
   for (const RingView& view : views) {
     widest = std::max({widest, std::abs(std::tan(view.left)), std::abs(std::tan(view.right))});
   }
-  const double focus = std::min(kFinest, std::floor((kMostColumns / 2 - kMargin) / widest));
+  const double focus = std::min(kFinest, std::floor((kMaxColumns / 2 - kMargin) / widest));
   sensor::CameraIntrinsics camera;
   camera.model = "ring";
   camera.width = static_cast<std::uint16_t>(2 * static_cast<int>(std::ceil(focus * widest + kMargin)));

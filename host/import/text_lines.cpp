@@ -84,10 +84,10 @@ std::optional<double> value_after(std::string_view line, std::string_view key) {
 }
 
 std::string quoted(std::string_view text) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   std::string shown = "\"";
-  for (const char c : text.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + (text.size() > kMost ? "...\"" : "\"");
+  for (const char c : text.substr(0, kMax)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (text.size() > kMax ? "...\"" : "\"");
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {

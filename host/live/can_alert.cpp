@@ -17,8 +17,8 @@ constexpr std::uint8_t kNoTime = 0xFF;
 constexpr std::uint8_t kNoSpeed = 31;
 constexpr std::size_t kShortId = 3;
 constexpr std::size_t kLongId = 8;
-constexpr std::uint32_t kMostShort = 0x7FF;
-constexpr std::uint32_t kMostLong = 0x1FFF'FFFF;
+constexpr std::uint32_t kMaxShort = 0x7FF;
+constexpr std::uint32_t kMaxLong = 0x1FFF'FFFF;
 
 std::int64_t rounded(std::int64_t raw, std::int64_t per_unit) {
   return std::llround(static_cast<double>(raw) / static_cast<double>(per_unit));
@@ -77,7 +77,7 @@ base::Result<CanAlertSpec, std::string> parse_can_alert(std::string_view text) {
     const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), spec.id, 16);
     spec.extended = digits.size() == kLongId;
     good = error == std::errc{} && rest == digits.data() + digits.size() &&
-           (spec.extended || digits.size() == kShortId) && spec.id <= (spec.extended ? kMostLong : kMostShort);
+           (spec.extended || digits.size() == kShortId) && spec.id <= (spec.extended ? kMaxLong : kMaxShort);
   }
   if (good) return spec;
   return "--alert-can " + std::string(text) +

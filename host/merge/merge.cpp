@@ -14,9 +14,9 @@ namespace {
 using recon::ConstellationPoint;
 
 /// More objects than any profile has.
-constexpr std::size_t kMostPoints = 128;
+constexpr std::size_t kMaxPoints = 128;
 /// Views of an object before it counts: fewer may have made it of noise.
-constexpr std::uint32_t kLeastViews = 8;
+constexpr std::uint32_t kMinViews = 8;
 /// On its own sigma: its views were taken for independent. As recon::kOverconfidence, of the variance.
 constexpr double kOverconfident = 2;
 /// m; a place that is known worse would match anything.
@@ -26,12 +26,12 @@ constexpr double kWorstSigma = 0.3;
 
 KnownPoints known_points(const ResultDocument& document) {
   KnownPoints all;
-  for (std::size_t i = 0; i < document.objects.size() && all.points.size() < kMostPoints; ++i) {
+  for (std::size_t i = 0; i < document.objects.size() && all.points.size() < kMaxPoints; ++i) {
     const ObjectResult& object = document.objects[i];
     const Circle* circle = object_circle(object);
     const double sigma = kOverconfident * object.sigma;
     const bool known = circle != nullptr && object.state != record::ObjectState::kTentative;
-    if (!known || object.views < kLeastViews || !(sigma > 0) || sigma > kWorstSigma) continue;
+    if (!known || object.views < kMinViews || !(sigma > 0) || sigma > kWorstSigma) continue;
     ConstellationPoint point;
     point.place = {static_cast<float>(circle->center.x), static_cast<float>(circle->center.y)};
     point.sigma = static_cast<float>(sigma);
@@ -90,7 +90,7 @@ class Merging {
     for (std::size_t i = 1; i < runs_.size(); ++i) {
       RunJoin& join = merged_.runs[i];
       if (join.joined()) continue;
-      recon::ConstellationSearch<kMostPoints> search(known.points, points_[i].points);
+      recon::ConstellationSearch<kMaxPoints> search(known.points, points_[i].points);
       while (search.step()) {
       }
       const recon::JoinResult result = search.result();

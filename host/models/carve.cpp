@@ -68,7 +68,7 @@ struct WholeBoundary {
   static constexpr int kBits = 20;
   static constexpr std::int32_t kColumn = 1 << kBits;
   // columns, of x at the first row and of all steps: their sum has room in 32 bits
-  static constexpr double kMost = 1000;
+  static constexpr double kMax = 1000;
 
   bool possible;
   std::int32_t start;  // at row 0
@@ -82,7 +82,7 @@ struct WholeBoundary {
     const double x = (static_cast<double>(b.bound) - ny * b.from) * per_nx;
     const double slope = -ny * per_nx;
     const double all_steps = std::fabs(slope) * rows;
-    possible = std::fabs(x) < kMost && all_steps < kMost;
+    possible = std::fabs(x) < kMax && all_steps < kMax;
     start = possible ? nearest(x * kColumn) : 0;
     step = possible ? nearest(slope * kColumn) : 0;
     // Half a unit a row for the step and a whole one for the start. The plain form rounds products of ny, what is left

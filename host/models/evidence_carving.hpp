@@ -20,7 +20,7 @@ class KeptTangents {
  public:
   static constexpr std::string_view kName = "kept_tangents";
   /// 800 KB an object at most: half an hour at 18 frames/s. Then the older half goes: forgetting a cut is always safe.
-  static constexpr std::size_t kMost = 1U << 16U;
+  static constexpr std::size_t kMax = 1U << 16U;
 
   void start(const recon::Sighting& /*first*/, recon::MapPoint /*origin*/) { tangents_.clear(); }
   void add(const recon::ModelView& view) {
@@ -37,7 +37,7 @@ class KeptTangents {
 
  private:
   void keep(const recon::HalfPlane& tangent) {
-    if (tangents_.size() == kMost) tangents_.erase(tangents_.begin(), tangents_.begin() + kMost / 2);
+    if (tangents_.size() == kMax) tangents_.erase(tangents_.begin(), tangents_.begin() + kMax / 2);
     tangents_.push_back(tangent);
   }
 

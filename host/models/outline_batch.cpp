@@ -160,7 +160,7 @@ void OutlineBatch::weigh_ring(std::size_t lane, std::size_t pass) {
   sum_ring(outline.ring, outline.offsets, {widening * std::sqrt(outline.spread), misfit}, equations, terms_[lane]);
 
   constexpr NodeStep kStep = node_step(kRing);
-  const float share = std::clamp(kSharePerTangent * static_cast<float>(outline.series.edges), kLeastSideShare, 1.0F);
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(outline.series.edges), kMinSideShare, 1.0F);
   const float sigma = kSideSigma * share * outline.radius;
   const RingSides sides{kStep.angle * outline.radius, 1.0F / (sigma * sigma * kStep.angle), pass >= kPolygonalFrom};
   add_sides(outline.offsets, sides, equations);
@@ -194,7 +194,7 @@ void OutlineBatch::measure() {
       Outline& outline = outlines_[lane];
       outline.offsets[kRing] = outline.offsets[0];
       outline.size = sums[lane] / static_cast<float>(kRing);
-      outline.radius = std::clamp(outline.size, kLeastRadius, kLargestSideRadius);
+      outline.radius = std::clamp(outline.size, kMinRadius, kLargestSideRadius);
     }
   });
 }
@@ -203,7 +203,7 @@ void OutlineBatch::learn_spreads() {
   with_count(count_, [&](auto count) {
     std::array<Spread, count()> sums;
     for (std::size_t k = 0; k < kRing; ++k) {
-      for (std::size_t place = k; place < kMostTangents; place += kRing) {
+      for (std::size_t place = k; place < kMaxTangents; place += kRing) {
         for (std::size_t lane = 0; lane < count(); ++lane) {
           sums[lane].squares += terms_[lane].square[place];
           sums[lane].weight += terms_[lane].share[place];

@@ -199,7 +199,7 @@ void TangentColumns::leave_out(std::size_t begin, std::size_t end) {
 
 FENCEPOST_FOR_EACH_PROCESSOR
 void gather(ConstClusters clusters, SeriesTangents& series, RingTangents& ring) {
-  ring.columns.leave_out(0, kMostTangents);
+  ring.columns.leave_out(0, kMaxTangents);
   ring.first.fill(0);
   ring.second.fill(0);
   auto& basis = series.basis;
@@ -304,15 +304,15 @@ void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Wi
   static_assert(kClustersPerSector == 2);
   const TangentRow& a = tangents.first;
   const TangentRow& b = tangents.second;
-  for (std::size_t begin = 0; begin < kMostTangents; begin += kRing) {
+  for (std::size_t begin = 0; begin < kMaxTangents; begin += kRing) {
     for (std::size_t k = 0; k < kRing; ++k) {
       const std::size_t i = begin + k;
       terms.residual[i] = tangents.columns.offset[i] - a[i] * offsets[k] - b[i] * offsets[k + 1];
     }
   }
   Sigmas sigmas;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  widen(tangents.columns, kMostTangents, widening, sigmas);
-  weigh<false>(tangents.columns, kMostTangents, sigmas, terms);
+  widen(tangents.columns, kMaxTangents, widening, sigmas);
+  weigh<false>(tangents.columns, kMaxTangents, sigmas, terms);
 
   // Of each tangent: what it adds at the beginning of its sector, and at the end.
   struct Parts {
@@ -321,7 +321,7 @@ void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Wi
   };
   Parts begins;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   Parts ends;    // NOLINT(cppcoreguidelines-pro-type-member-init)
-  for (std::size_t i = 0; i < kMostTangents; ++i) {
+  for (std::size_t i = 0; i < kMaxTangents; ++i) {
     const float at_begin = terms.weight[i] * a[i];
     const float at_end = terms.weight[i] * b[i];
     begins.diagonal[i] = at_begin * a[i];

@@ -14,8 +14,8 @@
 
 namespace fencepost::recon {
 
-inline constexpr std::size_t kMostTangents = kClustersPerSector * kRing;
-using TangentRow = std::array<float, kMostTangents>;
+inline constexpr std::size_t kMaxTangents = kClustersPerSector * kRing;
+using TangentRow = std::array<float, kMaxTangents>;
 
 /// What is the same in every pass, of each tangent in its place. Places without one have a weight of nothing.
 struct TangentColumns {
@@ -62,7 +62,7 @@ struct SeriesTangents {
   std::size_t edges = 0;
   TangentColumns columns;
   alignas(64) std::array<TangentRow, kSeries> basis;
-  std::array<Functions, kMostTangents> functions;
+  std::array<Functions, kMaxTangents> functions;
 };
 
 /// The sums that LowOrderFit::add() makes: packed lower triangle, right side, spread.

@@ -59,7 +59,7 @@ void Believed::drive_to(Pose pose) {
   pose_ = pose;
   const bool moved = trail_.empty() || std::hypot(pose.x - trail_.back().x, pose.y - trail_.back().y) >= kTrailStep;
   if (!moved) return;
-  if (trail_.size() == kMostTrail) trail_.erase(trail_.begin(), trail_.begin() + kMostTrail / 2);
+  if (trail_.size() == kMaxTrail) trail_.erase(trail_.begin(), trail_.begin() + kMaxTrail / 2);
   trail_.push_back({pose.x, pose.y});
 }
 
@@ -97,8 +97,8 @@ void Believed::accept(const record::Heartbeat& beat) {
 void Believed::accept(const record::LinkReport& link) {
   at(link.t);
   const std::string device = printable(link.device.view());
-  constexpr std::size_t kMostDevices = 16;  // a robot has few; noise may invent any number
-  if (links_.size() == kMostDevices && !links_.contains(device)) return;
+  constexpr std::size_t kMaxDevices = 16;  // a robot has few; noise may invent any number
+  if (links_.size() == kMaxDevices && !links_.contains(device)) return;
   links_[device] = link;
   const std::string detail = printable(link.detail.view());
   say({t_, device + " " + std::string(sensor::name(link.state)) + (detail.empty() ? "" : ": " + detail)});
@@ -119,7 +119,7 @@ void Believed::hear(std::string_view line) {
 void Believed::say(Said said) {
   if (listener_) listener_(said);
   said_.push_back(std::move(said));
-  if (said_.size() > kMostSaid) said_.pop_front();
+  if (said_.size() > kMaxSaid) said_.pop_front();
 }
 
 record::AlertLevel Believed::level() const {

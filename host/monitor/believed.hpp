@@ -63,8 +63,8 @@ class Believed {
   /// "red", "sig 3", of what is no object "something".
   [[nodiscard]] std::string name_of(std::uint32_t id, std::uint8_t signature) const;
 
-  static constexpr std::size_t kMostSaid = 100;
-  static constexpr std::size_t kMostTrail = 4'000;
+  static constexpr std::size_t kMaxSaid = 100;
+  static constexpr std::size_t kMaxTrail = 4'000;
   static constexpr double kTrailStep = 0.01;  ///< m
 
  private:

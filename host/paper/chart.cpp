@@ -23,7 +23,7 @@ constexpr double kTop = 30;
 constexpr double kAxis = 46;
 constexpr double kLegendLine = 20;
 constexpr double kLegendEntry = 222;  // px across
-constexpr double kLeastTick = 44;
+constexpr double kMinTick = 44;
 constexpr const char* kText =
     R"(font-family="system-ui, -apple-system, 'Segoe UI', Roboto, Arial, sans-serif" font-size="13" fill="#5a6775")";
 
@@ -63,14 +63,14 @@ class Drawing {
   [[nodiscard]] std::size_t legend_lines() const { return (entries() + 1) / 2; }
 
   void draw_axes() {
-    const double x_step = nice_step(kLeastTick * (chart_.x_max - chart_.x_min) / plot_width());
+    const double x_step = nice_step(kMinTick * (chart_.x_max - chart_.x_min) / plot_width());
     for (const double value : ticks(chart_.x_min, chart_.x_max, x_step)) {
       out_ += fmt::format(
           R"(<path d="M{0} {1}v{2}" stroke="#e6eaee"/><text x="{0}" y="{3}" text-anchor="middle">{4}</text>)",
           px(kLeft + x(value)), px(kTop), px(kPlotHeight), px(kTop + kPlotHeight + 17),
           figure(value, step_decimals(x_step)));
     }
-    const double y_step = nice_step(kLeastTick * (chart_.y_max - chart_.y_min) / kPlotHeight);
+    const double y_step = nice_step(kMinTick * (chart_.y_max - chart_.y_min) / kPlotHeight);
     for (const double value : ticks(chart_.y_min, chart_.y_max, y_step)) {
       out_ +=
           fmt::format(R"(<path d="M{0} {1}h{2}" stroke="#e6eaee"/><text x="{3}" y="{4}" text-anchor="end">{5}</text>)",

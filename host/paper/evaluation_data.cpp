@@ -183,10 +183,10 @@ PaperData evaluate_scene(std::uint64_t seed) {
 }
 
 PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress) {
-  constexpr std::size_t kLeastFrames = 8;
+  constexpr std::size_t kMinFrames = 8;
   const std::size_t frames = tour.frames.size();
   const std::size_t blocks = tour.scene.objects.size();
-  if (frames < kLeastFrames) throw std::runtime_error("fewer than 8 frames with a pose");
+  if (frames < kMinFrames) throw std::runtime_error("fewer than 8 frames with a pose");
   if (blocks < 2) throw std::runtime_error("the scene needs two objects, its first two are the landmarks");
   PaperData data;
   data.run = name;

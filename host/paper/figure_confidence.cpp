@@ -159,7 +159,7 @@ double trend(const PaperData& data, std::size_t algorithm, double Score::*what) 
 }
 
 constexpr int kThoroughnessParts = 20;
-constexpr std::size_t kLeastInPart = 3;
+constexpr std::size_t kMinInPart = 3;
 
 void draw_trends(PaperFigure& fig, const PaperData& data) {
   Csv parts("algorithm,measure,thoroughness,n,mean,deviation");
@@ -170,7 +170,7 @@ void draw_trends(PaperFigure& fig, const PaperData& data) {
       ChartSeries series = series_of(algorithms()[a]);
       const auto points =
           known(against_thoroughness(data.noisy, a, reckless ? &Score::recklessness : &Score::paranoia));
-      series.points = binned_means(points, 0, 1, kThoroughnessParts, kLeastInPart);
+      series.points = binned_means(points, 0, 1, kThoroughnessParts, kMinInPart);
       chart.series.push_back(series);
       for (const BinStatistics& bin : bin_statistics(points, 0, 1, kThoroughnessParts)) {
         parts.row({std::string(algorithms()[a].key), reckless ? "recklessness" : "paranoia", csv_number(bin.x),
@@ -315,7 +315,7 @@ PaperFigure figure_14(const PaperData& data) {
       fmt::format("<p>The data of Figure 7 (yellow, {}) by the share of the perimeter that the images have "
                   "shown: means over parts of 5 % with at least {} points; how many and how far apart these are stands "
                   "in fig14_parts.csv.</p>",
-                  scenes_text(data, data.noisy.size()), kLeastInPart));
+                  scenes_text(data, data.noisy.size()), kMinInPart));
   draw_trends(fig, data);
   add_trend_table(fig, data);
   const auto cylinder = algorithm_index("cylinder");

@@ -97,10 +97,10 @@ std::vector<Point> binned_means(const std::vector<Point>& points, double low, do
 }
 
 std::optional<Slope> slope(const std::vector<Point>& points) {
-  constexpr double kLeastSpread = 1e-6;  // of shares; less is the rounding of equal ones
+  constexpr double kMinSpread = 1e-6;  // of shares; less is the rounding of equal ones
   const auto [least, greatest] =
       std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  if (points.size() < 3 || greatest->x - least->x < kLeastSpread) return std::nullopt;
+  if (points.size() < 3 || greatest->x - least->x < kMinSpread) return std::nullopt;
   const Moments moments = central_moments(points);
   const double value = moments.xy / moments.xx;
   const double residuals = std::max(0.0, moments.yy - value * moments.xy);

@@ -16,9 +16,10 @@
 namespace fencepost::host {
 namespace {
 
-/// Less of a blob's box does not make it an object's: where its signature says so too, and where nothing does.
-constexpr double kLeastOfNamed = 0.1;
-constexpr double kLeastOfBox = 1.0 / 3;
+/// Share of a blob's box that makes it an object's, where its signature says so too.
+constexpr double kMinOfNamed = 0.1;
+/// Share of a blob's box that makes it an object's, where nothing else does.
+constexpr double kMinOfBox = 1.0 / 3;
 
 /// The last run of a log.
 struct LastRun {
@@ -116,7 +117,7 @@ class TrueImage {
       if (pixels[i] > 0 && (!best || pixels[i] > pixels[*best])) best = i;
     }
     const double box = (blob.x2 - blob.x1 + 1.0) * (blob.y2 - blob.y1 + 1.0);
-    if (best && pixels[*best] < (named ? kLeastOfNamed : kLeastOfBox) * box) best.reset();
+    if (best && pixels[*best] < (named ? kMinOfNamed : kMinOfBox) * box) best.reset();
     return best;
   }
 

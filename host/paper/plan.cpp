@@ -16,7 +16,7 @@ using markup::px;
 constexpr double kSize = 300;  // px, of the square
 constexpr double kPlanTop = 26;
 constexpr double kBottom = 22;
-constexpr double kLeastScaleBar = 50;
+constexpr double kMinScaleBar = 50;
 
 struct Frame {
   const Plan& plan;
@@ -74,7 +74,7 @@ std::string draw_lens(const Frame& frame, const PlanLens& lens) {
 }
 
 std::string draw_scale_bar(const Frame& frame) {
-  const double metres = nice_step(kLeastScaleBar / frame.scale());
+  const double metres = nice_step(kMinScaleBar / frame.scale());
   return fmt::format(R"(<path d="M{0} {1}v6h{2}v-6" fill="none" stroke="#1c2733" stroke-width="1.4"/>)"
                      R"(<text x="{3}" y="{4}" text-anchor="end">{5} cm</text>)",
                      px(kSize - metres * frame.scale() - 2), px(kPlanTop + kSize + 5), px(metres * frame.scale()),

@@ -99,7 +99,7 @@ bool is_whole_in(const RealImage& image, std::size_t object) {
   for (std::size_t i = 0; i < image.truths.size(); ++i) {
     const BlobTruth& truth = image.truths[i];
     if (truth.object == object && truth.others.empty() && !is_cut(truth.left) && !is_cut(truth.right) &&
-        image.regions[i].width() >= kLeastWhole) {
+        image.regions[i].width() >= kMinWhole) {
       return true;
     }
   }

@@ -44,9 +44,9 @@ Tour drive(const Scene& scene);
 /// The believed pose of the robot at frame `frame`.
 TimedPose believed_pose(const Tour& tour, std::size_t frame);
 
-/// What is expected to be found: a region of that object alone, with both of its ends, at least kLeastWhole wide.
+/// An expected find: a region of that object alone, with both of its ends, at least kMinWhole wide.
 bool is_whole_in(const RealImage& image, std::size_t object);
-inline constexpr double kLeastWhole = 12;  ///< px
+inline constexpr double kMinWhole = 12;  ///< px
 
 /// True if the region is of that object, or of several with it among them.
 bool is_of(const BlobTruth& region, std::size_t object);

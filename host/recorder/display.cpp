@@ -51,13 +51,13 @@ void Display::take(std::string_view bytes) {
     line_ += bytes.substr(0, end);
     bytes.remove_prefix(end);
     // Noise may have no line ends at all.
-    if (line_.back() == '\n' || line_.size() > kMostWaiting) queue_line();
+    if (line_.back() == '\n' || line_.size() > kMaxWaiting) queue_line();
   }
 }
 
 void Display::queue_line() {
   if (settings_.out_is_terminal) make_harmless(line_);
-  if (waiting_.size() + line_.size() <= kMostWaiting) {
+  if (waiting_.size() + line_.size() <= kMaxWaiting) {
     waiting_ += line_;
   } else {
     ++lines_not_shown_;

@@ -37,7 +37,7 @@ class Display {
 
   [[nodiscard]] std::uint64_t lines_not_shown() const { return lines_not_shown_; }
 
-  static constexpr std::size_t kMostWaiting = 1 << 20;  ///< bytes: some seconds of any serial line
+  static constexpr std::size_t kMaxWaiting = 1 << 20;  ///< bytes: some seconds of any serial line
 
  private:
   void queue_line();

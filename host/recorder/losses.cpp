@@ -32,9 +32,9 @@ void Losses::accept(const record::StatusReport& status) {
 }
 
 void Losses::accept(const record::LinkReport& link) {
-  constexpr std::size_t kMost = 64;  // of names that a damaged or hostile stream makes up there is no end
+  constexpr std::size_t kMax = 64;  // of names that a damaged or hostile stream makes up there is no end
   const std::string device(link.device.view());
-  if (links_.size() < kMost || links_.contains(device)) links_[device] = link;
+  if (links_.size() < kMax || links_.contains(device)) links_[device] = link;
 }
 
 }  // namespace fencepost::host

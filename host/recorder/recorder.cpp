@@ -12,9 +12,9 @@ constexpr base::Duration kStatusInterval = base::milliseconds(500);
 constexpr base::Duration kGreetingInterval = base::milliseconds(3000);  ///< a boot loader takes two seconds
 constexpr int kGreetings = 5;
 constexpr base::Duration kHintAfter = base::milliseconds(8000);
-constexpr int kDrainTimeoutMs = 1000;           ///< for the reader of standard output, at the end
-constexpr std::size_t kMostOutgoing = 1 << 16;  ///< bytes; then what is typed has to wait
-constexpr int kReadsPerIteration = 16;          ///< so that a flood does not starve the keyboard
+constexpr int kDrainTimeoutMs = 1000;          ///< for the reader of standard output, at the end
+constexpr std::size_t kMaxOutgoing = 1 << 16;  ///< bytes; then what is typed has to wait
+constexpr int kReadsPerIteration = 16;         ///< so that a flood does not starve the keyboard
 
 }  // namespace
 
@@ -90,7 +90,7 @@ void Recorder::keep(std::string_view bytes) {
 }
 
 void Recorder::take_typed() {
-  if (parts_.keyboard == nullptr || outgoing_.size() >= kMostOutgoing) return;
+  if (parts_.keyboard == nullptr || outgoing_.size() >= kMaxOutgoing) return;
   const std::string typed = parts_.keyboard->read();
   if (typed.empty()) return;
   if (connected_) {
@@ -145,7 +145,7 @@ void Recorder::sleep() {
   linux::WaitSet set;
   set.add_readable(parts_.interrupted_descriptor);
   set.add_readable(parts_.port.descriptor());
-  if (parts_.keyboard != nullptr && outgoing_.size() < kMostOutgoing) set.add_readable(parts_.keyboard->descriptor());
+  if (parts_.keyboard != nullptr && outgoing_.size() < kMaxOutgoing) set.add_readable(parts_.keyboard->descriptor());
   if (!outgoing_.empty()) set.add_writable(parts_.port.descriptor());
   set.add_writable(parts_.display.descriptor());
   base::Time deadline = now_ + (connected_ ? kStatusInterval : linux::kRetryInterval);

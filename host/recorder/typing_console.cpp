@@ -72,7 +72,7 @@ void TypingConsole::take_line(std::string_view typed) {
 base::Result<std::size_t> TypingConsole::write(std::span<const std::uint8_t> out) {
   if (error_ != 0) return base::Error::kGone;
   flush();
-  if (waiting_.size() > kMostWaiting) return base::Error::kFull;
+  if (waiting_.size() > kMaxWaiting) return base::Error::kFull;
   std::string lines;
   for (const std::uint8_t byte : out) {
     if (byte != '\n') {

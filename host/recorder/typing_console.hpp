@@ -29,7 +29,7 @@ class TypingConsole final : public ConsolePort {
   /// Around what else writes to this terminal.
   void without_typed_line(const std::function<void()>& write);
 
-  static constexpr std::size_t kMostWaiting = 8192;  ///< bytes; what comes then has to wait
+  static constexpr std::size_t kMaxWaiting = 8192;  ///< bytes; what comes then has to wait
 
  private:
   void take_line(std::string_view typed);

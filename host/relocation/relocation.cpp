@@ -32,11 +32,12 @@ constexpr float kMissed = 0.7F;
 /// m and the cosine of an angle within which candidates are the same place.
 constexpr float kSamePlace = 0.5F;
 constexpr float kSameTurn = 0.96F;
-/// What the robot has to know to tell a place.
-constexpr float kMostDoubt = 0.003F;
+/// Share of the probability that other places may keep when one is reported.
+constexpr float kMaxDoubt = 0.003F;
+/// Known things that must have been met before a place is reported.
 constexpr int kFewestMet = 3;
-constexpr float kWorstPlace = 0.3F;  // m
-constexpr float kWorstTurn = 0.1F;   // rad
+constexpr float kWorstPlace = 0.3F;  ///< m, sigma of a reported place
+constexpr float kWorstTurn = 0.1F;   ///< rad, sigma of its heading
 /// m, beyond the farthest known thing: so far the known map reaches.
 constexpr float kBeyondTheMap = 0.5F;
 
@@ -124,7 +125,7 @@ std::optional<RangedSighting> ranged(const Sighting& sighting, const KnownRadius
 }
 
 RelocationFilter::RelocationFilter(std::span<const ConstellationPoint> known)
-    : known_(known.first(std::min(known.size(), kMostKnown))) {
+    : known_(known.first(std::min(known.size(), kMaxKnown))) {
   const constellation::Known all = constellation::make_known(known_);
   area_ = base::kPi * power2(all.reach + kBeyondTheMap);
 }
@@ -260,7 +261,7 @@ std::optional<Relocation> RelocationFilter::found() const {
   }
   const Eigen::Matrix3f& covariance = best->covariance;
   const Relocation found{best->place, best->rotation, 1 - same / all, __builtin_popcount(best->met)};
-  const bool sure = found.doubt <= kMostDoubt && found.met >= kFewestMet &&
+  const bool sure = found.doubt <= kMaxDoubt && found.met >= kFewestMet &&
                     covariance(0, 0) + covariance(1, 1) <= 2 * power2(kWorstPlace) &&
                     covariance(2, 2) <= power2(kWorstTurn);
   if (!sure) return std::nullopt;

@@ -61,7 +61,7 @@ struct Relocation {
 class RelocationFilter {
  public:
   static constexpr std::size_t kCandidates = 384;
-  static constexpr std::size_t kMostKnown = 32;  ///< things; those behind are not used
+  static constexpr std::size_t kMaxKnown = 32;  ///< things; those behind are not used
 
   /// `known` is borrowed until the end.
   explicit RelocationFilter(std::span<const ConstellationPoint> known);

@@ -11,7 +11,7 @@ namespace fencepost::host {
 namespace {
 
 /// Numbers of solids go where the simulator has signatures.
-constexpr std::size_t kMostSolids = 256;
+constexpr std::size_t kMaxSolids = 256;
 
 double known_pitch(const sensor::CameraIntrinsics& camera) {
   return camera.mount.pitch ? camera.mount.pitch->to_double() : 0.0;
@@ -66,7 +66,7 @@ RegionRenderer::RegionRenderer(const sensor::CameraIntrinsics& camera)
     : camera_(camera), rays_(camera, known_pitch(camera)), image_(camera.width, camera.height) {}
 
 std::vector<std::optional<Region>> RegionRenderer::render(std::span<const Solid> solids, const CameraPose& lens) {
-  if (solids.size() > kMostSolids) throw std::length_error("more solids than one image can tell apart");
+  if (solids.size() > kMaxSolids) throw std::length_error("more solids than one image can tell apart");
   const Parts parts = parts_of(solids, lens);
   image_.render(parts.objects, rays_, lens);
   // Parts of one solid are one region where they touch; those of two are not.
@@ -83,7 +83,7 @@ std::vector<std::optional<Region>> RegionRenderer::render(std::span<const Solid>
     if (!regions[i]) continue;
     const double columns = regions[i]->right - regions[i]->left;
     const double whole = whole_width(solids[i], lens, camera_.fx.to_double());
-    if (columns < kLeastRenderedColumns || columns < kLeastRenderedShare * whole) regions[i].reset();
+    if (columns < kMinRenderedColumns || columns < kMinRenderedShare * whole) regions[i].reset();
   }
   return regions;
 }

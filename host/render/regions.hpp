@@ -13,9 +13,8 @@
 
 namespace fencepost::host {
 
-/// A solid of which less than this is visible is not rendered: px columns, and share of its whole width.
-inline constexpr double kLeastRenderedColumns = 3;
-inline constexpr double kLeastRenderedShare = 0.15;
+inline constexpr double kMinRenderedColumns = 3;   ///< px of a solid; one that shows fewer is not rendered
+inline constexpr double kMinRenderedShare = 0.15;  ///< of a solid's whole width; one that shows less is not rendered
 
 /// Renders into the images of one camera. Exact: a pixel shows the nearest solid that the ray through its centre meets.
 class RegionRenderer {

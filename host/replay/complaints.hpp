@@ -10,10 +10,10 @@ namespace fencepost::host {
 class Complaints {
  public:
   /// More different ones than these only a hostile log has.
-  static constexpr std::size_t kMost = 100;
+  static constexpr std::size_t kMax = 100;
 
   void add(const std::string& sentence) {
-    if (all_.size() == kMost || std::find(all_.begin(), all_.end(), sentence) != all_.end()) return;
+    if (all_.size() == kMax || std::find(all_.begin(), all_.end(), sentence) != all_.end()) return;
     all_.push_back(sentence);
   }
   void add(const std::vector<std::string>& sentences) {

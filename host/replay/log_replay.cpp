@@ -8,7 +8,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kDefaultProfile = "full";
-constexpr std::size_t kMostDoubts = 1U << 16U;
+constexpr std::size_t kMaxDoubts = 1U << 16U;
 
 // Adds what this run has refused.
 void add_refused(const console::Counters& counters, RefusedFrames& refused) {
@@ -215,8 +215,8 @@ void LogReplay::hear_alert(const record::AlertReport& alert) {
 void LogReplay::hear_doubt(const record::CalibrationDoubt& doubt) {
   hear(doubt);
   if (!calibration_.empty() && calibration_.back() == doubt) return;
-  if (calibration_.size() == kMostDoubts) {
-    complaints_.add("only the first " + std::to_string(kMostDoubts) + " doubts about the calibration are listed");
+  if (calibration_.size() == kMaxDoubts) {
+    complaints_.add("only the first " + std::to_string(kMaxDoubts) + " doubts about the calibration are listed");
     return;
   }
   calibration_.push_back(doubt);

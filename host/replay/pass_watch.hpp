@@ -18,7 +18,7 @@ class PassWatch {
 
   [[nodiscard]] const std::vector<PassResult>& passes() const { return passes_; }
   /// So many that what follows was not noted.
-  [[nodiscard]] bool full() const { return passes_.size() == kMost; }
+  [[nodiscard]] bool full() const { return passes_.size() == kMax; }
 
   /// Forgets what was ahead and is in the map no more, once there is more of it than the map holds.
   template <class InMap>
@@ -26,7 +26,7 @@ class PassWatch {
     if (ahead_.size() > map_size) std::erase_if(ahead_, [&](const auto& known) { return !in_map(known.first); });
   }
 
-  static constexpr std::size_t kMost = 1U << 16U;  ///< 5 MB
+  static constexpr std::size_t kMax = 1U << 16U;  ///< 5 MB
 
   static constexpr double kWidest = 0.8;  ///< m, to its nearest point: the lane of an arena is 1 m wide
   static constexpr double kAhead = 0.05;  ///< m, it counts as ahead from there on, and as passed from as far behind

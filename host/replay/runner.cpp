@@ -177,7 +177,7 @@ class ProfileRunner final : public Runner {
     }
     passes_.forget_lost(memory_->map.slots().size(), [this](std::uint32_t id) { return in_map(id); });
     if (passes_.full()) {
-      complaints_.add("only the first " + std::to_string(PassWatch::kMost) + " things that were passed are listed");
+      complaints_.add("only the first " + std::to_string(PassWatch::kMax) + " things that were passed are listed");
     }
   }
 

@@ -11,9 +11,9 @@ namespace {
 using markup::figure;
 using markup::px;
 
-constexpr double kLeastGrid = 52;      ///< px between grid lines: room for a label
-constexpr double kLeastScaleBar = 70;  ///< px
-constexpr double kAxisArrow = 46;      ///< px
+constexpr double kMinGrid = 52;      ///< px between grid lines: room for a label
+constexpr double kMinScaleBar = 70;  ///< px
+constexpr double kAxisArrow = 46;    ///< px
 
 std::string line(double x1, double y1, double x2, double y2, const char* style) {
   return fmt::format(R"(<line class="{}" x1="{}" y1="{}" x2="{}" y2="{}"/>)", style, px(x1), px(y1), px(x2), px(y2));
@@ -22,7 +22,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 }  // namespace
 
 std::string draw_grid(const MapFrame& f) {
-  const double step = nice_step(kLeastGrid / f.scale);
+  const double step = nice_step(kMinGrid / f.scale);
   const int decimals = step_decimals(step);
   const double bottom = f.top + f.height;
   const double right = f.left + f.width;
@@ -64,7 +64,7 @@ std::string draw_origin(const MapFrame& f) {
 }
 
 std::string draw_scale_bar(const MapFrame& f) {
-  const double metres = nice_step(kLeastScaleBar / f.scale);
+  const double metres = nice_step(kMinScaleBar / f.scale);
   const double length = metres * f.scale;
   const double x = f.left + f.width - length;
   const double y = f.top + f.height + 34;  // under the plot, where it hides nothing

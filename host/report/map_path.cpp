@@ -17,9 +17,9 @@ using markup::figure;
 using markup::px;
 
 constexpr double kFinest = 0.7;  ///< px; shorter pieces of the line cannot be seen
-constexpr std::size_t kMostPoints = 20'000;
+constexpr std::size_t kMaxPoints = 20'000;
 constexpr double kTickSpacing = 34;  ///< px along the path
-constexpr double kMostTicks = 1'000;
+constexpr double kMaxTicks = 1'000;
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kTimeMarks = 8;       ///< at most about so many
 constexpr double kLabelSpacing = 40;   ///< px between time labels
@@ -31,7 +31,7 @@ double pixel_distance(const MapFrame& f, const PoseResult& a, const PoseResult& 
 }
 
 std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& whole) {
-  const std::vector<PoseResult> path = whole.size() > kMostPoints ? thin_path_to(whole, kMostPoints) : whole;
+  const std::vector<PoseResult> path = whole.size() > kMaxPoints ? thin_path_to(whole, kMaxPoints) : whole;
   std::string points = fmt::format("{},{}", px(f.x(path.front().x)), px(f.y(path.front().y)));
   const PoseResult* last = &path.front();
   for (const PoseResult& pose : path) {
@@ -46,7 +46,7 @@ std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& whole) {
 /// the spot or drove back.
 std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>& path) {
   std::string svg;
-  const double spacing = std::max(kTickSpacing, path_length(path) * f.scale / kMostTicks);
+  const double spacing = std::max(kTickSpacing, path_length(path) * f.scale / kMaxTicks);
   double since = spacing / 2;
   const PoseResult* last = &path.front();
   for (const PoseResult& pose : path) {

@@ -28,7 +28,7 @@ constexpr double kRow = 116;
 constexpr double kStrip = 18;
 constexpr double kCurve = 48;
 constexpr double kAxis = 44;
-constexpr double kLeastTick = 70;
+constexpr double kMinTick = 70;
 constexpr std::size_t kUnfolded = 12;  ///< alerts shown without a click
 
 struct TimeAxis {
@@ -82,7 +82,7 @@ std::string draw_distances(const TimeAxis& axis, const AlertSeries& series, doub
   }
   const double nearest_x = axis.x(nearest->t.to_double());
   // Below its point the label is clear of the curve: nothing is nearer.
-  const char* anchor = nearest_x > kWidth - kRight - kLeastTick / 2 ? "end" : "middle";
+  const char* anchor = nearest_x > kWidth - kRight - kMinTick / 2 ? "end" : "middle";
   return svg + fmt::format(R"(<polyline class="curve" points="{}"/><g class="dots">{}</g>)", points, dots) +
          fmt::format(R"(<text class="nearest" x="{}" y="{}" text-anchor="{}">{} m</text>)", px(nearest_x),
                      px(y(nearest->distance.to_double()) + 18), anchor, figure(nearest->distance.to_double(), 2));
@@ -101,7 +101,7 @@ std::string draw_row(const ResultDocument& document, const TimeAxis& axis, const
 
 std::string draw_time_axis(const TimeAxis& axis, double top, double bottom) {
   const double length = std::max(axis.range.end - axis.range.begin, 1e-3);
-  const double step = nice_step(kLeastTick * length / (kWidth - kLeft - kRight));
+  const double step = nice_step(kMinTick * length / (kWidth - kLeft - kRight));
   std::string svg = "<g class=\"grid\">";
   for (const double t : ticks(axis.range.begin, axis.range.end, step)) {
     svg += fmt::format(R"(<path class="rule" d="M{0} {1}V{2}"/><text x="{0}" y="{3}" text-anchor="middle">{4}</text>)",

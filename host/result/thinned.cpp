@@ -9,9 +9,9 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kTurn = 0.02;        // rad
-constexpr double kWidth = 4096;       // of a picture, in what it can tell
-constexpr double kLeastExtent = 0.1;  // m
+constexpr double kTurn = 0.02;      // rad
+constexpr double kWidth = 4096;     // of a picture, in what it can tell
+constexpr double kMinExtent = 0.1;  // m
 
 double turn(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
 
@@ -49,7 +49,7 @@ void keep_between(Index first, Index last, double tolerance, std::vector<PoseRes
 double extent_of(const std::vector<PoseResult>& path) {
   const auto [left, right] = std::ranges::minmax(path, {}, &PoseResult::x);
   const auto [low, high] = std::ranges::minmax(path, {}, &PoseResult::y);
-  return std::max({right.x - left.x, high.y - low.y, kLeastExtent});
+  return std::max({right.x - left.x, high.y - low.y, kMinExtent});
 }
 
 using record::AlertReport;

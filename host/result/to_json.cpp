@@ -44,8 +44,8 @@ Json pose_json(const std::optional<PoseResult>& pose) {
 
 // Of a longer one every n-th point, and the last.
 Json path_json(const std::vector<PoseResult>& path) {
-  constexpr std::size_t kMost = 2'000;
-  const std::size_t step = path.size() <= kMost ? 1 : (path.size() - 2) / (kMost - 1) + 1;
+  constexpr std::size_t kMax = 2'000;
+  const std::size_t step = path.size() <= kMax ? 1 : (path.size() - 2) / (kMax - 1) + 1;
   Json json = Json::array();
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i % step != 0 && i + 1 != path.size()) continue;

@@ -93,9 +93,9 @@ Scene read_scene(const JsonNode& root) {
   const std::size_t signature_count = signatures.size(0, "signatures");
   for (std::size_t i = 0; i < signature_count; ++i) scene.signatures.push_back(read_signature(signatures.at(i)));
   const JsonNode objects = root.at("objects");
-  constexpr std::size_t kMostObjects = 10'000;
+  constexpr std::size_t kMaxObjects = 10'000;
   const std::size_t object_count = objects.size(0, "objects");
-  if (object_count > kMostObjects) objects.fail("there are more than 10000 objects", "use fewer");
+  if (object_count > kMaxObjects) objects.fail("there are more than 10000 objects", "use fewer");
   for (std::size_t i = 0; i < object_count; ++i) scene.objects.push_back(read_object(objects.at(i), i));
   check_signatures(root, scene);
   check_overlaps(root, scene);

@@ -41,13 +41,13 @@ std::uint16_t read_side(const JsonNode& node) {
 
 // A round thing's diameter, or the sides of a box: the mean width of its footprint is the outline over pi.
 std::uint16_t read_width(const JsonNode& node) {
-  constexpr double kLeast = 0.005;  // m
-  constexpr double kMost = 1;
+  constexpr double kMin = 0.005;  // m
+  constexpr double kMax = 1;
   const auto millimetres = [](double metres) { return static_cast<std::uint16_t>(std::lround(1e3 * metres)); };
-  if (!node.is_array()) return millimetres(node.number(kLeast, kMost, "m"));
+  if (!node.is_array()) return millimetres(node.number(kMin, kMax, "m"));
   if (node.size(2, "lengths") > 2) node.fail("has more than two lengths", "give the diameter or [length, width]");
-  const double a = node.at(std::size_t{0}).number(kLeast, kMost, "m");
-  const double b = node.at(std::size_t{1}).number(kLeast, kMost, "m");
+  const double a = node.at(std::size_t{0}).number(kMin, kMax, "m");
+  const double b = node.at(std::size_t{1}).number(kMin, kMax, "m");
   return millimetres(2 * (a + b) / std::numbers::pi);
 }
 

@@ -11,13 +11,13 @@ namespace fencepost::host {
 namespace {
 
 /// Of one footprint: where two outlines cross, every edge may cross every other one.
-constexpr std::size_t kMostCorners = 500;
+constexpr std::size_t kMaxCorners = 500;
 
 LinearRing read_ring(const JsonNode& node) {
   LinearRing ring;
   const std::size_t count = node.size(3, "corners");
-  if (count > kMostCorners + 1) {
-    node.fail("has " + std::to_string(count) + " corners, at most " + std::to_string(kMostCorners) + " are taken",
+  if (count > kMaxCorners + 1) {
+    node.fail("has " + std::to_string(count) + " corners, at most " + std::to_string(kMaxCorners) + " are taken",
               "leave out corners that make no difference of a millimetre, or divide the object");
   }
   for (std::size_t i = 0; i < count; ++i) ring.push_back(node.at(i).point());
@@ -75,8 +75,8 @@ Polygon read_footprint(const JsonNode& node) {
   for (std::size_t i = 1; i < count; ++i) {
     polygon.holes.push_back(read_ring(rings.at(i)));
     corners += polygon.holes.back().size();
-    if (corners <= kMostCorners) continue;
-    rings.fail("have more than " + std::to_string(kMostCorners) + " corners together",
+    if (corners <= kMaxCorners) continue;
+    rings.fail("have more than " + std::to_string(kMaxCorners) + " corners together",
                "leave out corners that make no difference of a millimetre, or divide the object");
   }
   check_validity(node, polygon);

@@ -10,7 +10,7 @@ namespace fencepost::host {
 namespace {
 
 /// A run of more frames than this is taken for a typing error.
-constexpr double kMostFrames = 1e6;
+constexpr double kMaxFrames = 1e6;
 
 ArcPath read_arc(const JsonNode& node) {
   node.expect_keys({"type", "center", "radius", "start", "sweep", "views", "look_at"});
@@ -19,7 +19,7 @@ ArcPath read_arc(const JsonNode& node) {
   arc.radius = node.at("radius").number(0, kWorldLimit, "m");
   arc.start = node.number_or("start", 0, -100, 100, "rad");
   arc.sweep = node.at("sweep").number(-100, 100, "rad");
-  arc.views = static_cast<int>(node.at("views").integer(1, static_cast<std::int64_t>(kMostFrames)));
+  arc.views = static_cast<int>(node.at("views").integer(1, static_cast<std::int64_t>(kMaxFrames)));
   if (const auto look_at = node.find("look_at")) {
     const std::string word = look_at->text();
     if (word != "center" && word != "outwards") {
@@ -115,7 +115,7 @@ void read_path(const JsonNode& node, Scene& scene) {
               nearest.empty() ? "write \"arc\", \"waypoints\" or \"poses\"" : "did you mean \"" + nearest + "\"?");
   }
   const double duration = duration_of(scene);
-  if (duration > kLongestRun || duration * scene.rate > kMostFrames) {
+  if (duration > kLongestRun || duration * scene.rate > kMaxFrames) {
     node.fail("the drive takes too long for one recording",
               "keep it below 900000 s and a million frames: raise the speed or lower the camera's rate");
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSame = kSameColour * kSameColour;  // squared, as all distances here
 constexpr double kGivenReach = 0.3 * 0.3;            // a given colour is a guess at what the light made of it
 constexpr double kFarthest = 0.25 * 0.25;            // from its prototype a pixel still belongs to a signature
-constexpr std::size_t kMostSignatures = 255;
+constexpr std::size_t kMaxSignatures = 255;
 constexpr std::size_t kLevels = 4;  // grey levels that no class can tell apart
 constexpr std::size_t kSteps = 256 / kLevels;
 
@@ -122,7 +122,7 @@ void ColourClasses::take_found(const std::vector<ColourCluster>& clusters, const
     } else if (paint != signatures_.end()) {
       prototypes_.push_back({cluster.looks, paint->signature.signature});
       paint->images = std::max(paint->images, cluster.images);
-    } else if (cluster.images < fewest || signatures_.size() == kMostSignatures) {
+    } else if (cluster.images < fewest || signatures_.size() == kMaxSignatures) {
       prototypes_.push_back({cluster.looks, 0});
       rare_.push_back(cluster.rgb);
     } else {

@@ -13,9 +13,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kLeastSpread = 0.05;    // rad: less turning than that is noise
+constexpr double kMinSpread = 0.05;      // rad: less turning than that is noise
 constexpr double kStoodStill = 1e-6;     // of the distance from the origin: rounding
-constexpr double kMostRoll = 0.1;        // rad, rms
+constexpr double kMaxRoll = 0.1;         // rad, rms
 constexpr double kUprightWorld = 0.985;  // cos 10 deg
 
 /// The axes of the image once it is turned clockwise.
@@ -51,7 +51,7 @@ Vector3d up_of(const std::vector<Matrix3d>& axes, const std::vector<CameraStand>
   Vector3d top = Vector3d::Zero();  // of the images, all together
   for (const Matrix3d& camera : axes) top -= camera.col(1);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(spread(axes, stands));
-  if (solver.eigenvalues()[1] > kLeastSpread * kLeastSpread) {
+  if (solver.eigenvalues()[1] > kMinSpread * kMinSpread) {
     const Vector3d up = solver.eigenvectors().col(0);
     return up.dot(top) < 0 ? Vector3d(-up) : up;
   }
@@ -104,7 +104,7 @@ OnFloor onto_floor(const std::vector<CameraStand>& stands, const sensor::CameraM
     floor.pitch += std::asin(std::clamp(-camera.col(2).dot(up), -1.0, 1.0)) / static_cast<double>(axes.size());
   }
   floor.roll = std::sqrt(floor.roll);
-  if (floor.roll > kMostRoll) {
+  if (floor.roll > kMaxRoll) {
     throw SegmentProblem{file, "has a camera that does not ride upright: its rows lie in no plane",
                          "turn the images with --rotate; for poses of the robot, z up, say --poses-of robot"};
   }

@@ -16,9 +16,9 @@ namespace {
 constexpr const char* kDamaged = "copy it again, or take its line out of the table of poses";
 
 void check_size(std::int64_t width, std::int64_t height, const std::string& name) {
-  constexpr std::int64_t kLongest = 32'767;       // px, the stream's pixel range
-  constexpr std::int64_t kMostPixels = 64 << 20;  // a damaged header must not allocate all memory
-  if (width < 2 || height < 2 || width > kLongest || height > kLongest || width * height > kMostPixels) {
+  constexpr std::int64_t kLongest = 32'767;      // px, the stream's pixel range
+  constexpr std::int64_t kMaxPixels = 64 << 20;  // a damaged header must not allocate all memory
+  if (width < 2 || height < 2 || width > kLongest || height > kLongest || width * height > kMaxPixels) {
     throw SegmentProblem{name, "is " + std::to_string(width) + " x " + std::to_string(height) + " px",
                          "scale it to between 2 px and 32767 px a side, 64 million px at most"};
   }

@@ -8,7 +8,7 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kMostPixels = 2;
+constexpr double kMaxPixels = 2;
 constexpr double kLargest = 32'767;
 
 /// What the coefficients beyond k1 do to the farthest corner, px.
@@ -32,7 +32,7 @@ sensor::CameraIntrinsics to_camera(const Pinhole& pinhole, const char* model, co
       std::abs(pinhole.cx) > kLargest || std::abs(pinhole.cy) > kLargest || std::abs(pinhole.distortion[0]) > 100) {
     throw SegmentProblem{name, "has numbers that no camera has", "check that the copy is complete"};
   }
-  if (beyond_k1(pinhole) > kMostPixels) {
+  if (beyond_k1(pinhole) > kMaxPixels) {
     throw SegmentProblem{name, "has coefficients beyond k1 that move the image's corners by more than 2 px", remedy};
   }
   sensor::CameraIntrinsics camera;

@@ -42,10 +42,10 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 /// For a message: what was read, in print and not too much of it.
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   std::string shown = "\"";
-  for (const char c : text.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + (text.size() > kMost ? "...\"" : "\"");
+  for (const char c : text.substr(0, kMax)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (text.size() > kMax ? "...\"" : "\"");
 }
 
 /// Where each column stands in the header.

@@ -55,14 +55,14 @@ class Segmentation {
       : views_(views), files_(camera), options_(options), hooks_(hooks), straighten_(camera, options.straightening) {
     const sensor::CameraIntrinsics& upright = straighten_.camera();
     constexpr double kSpatialShare = 1.0 / 64;  // of the width
-    constexpr double kLeastSpatial = 3;
-    constexpr double kMostSpatial = 10;
+    constexpr double kMinSpatial = 3;
+    constexpr double kMaxSpatial = 10;
     spatial_ =
-        options.spatial.value_or(std::clamp(std::round(upright.width * kSpatialShare), kLeastSpatial, kMostSpatial));
+        options.spatial.value_or(std::clamp(std::round(upright.width * kSpatialShare), kMinSpatial, kMaxSpatial));
     constexpr double kAreaShare = 0.0005;
-    constexpr int kLeastPixels = 12;
+    constexpr int kMinPixels = 12;
     const int of_area = static_cast<int>(kAreaShare * upright.width * upright.height);
-    rules_.min_pixels = options.min_pixels.value_or(std::max(kLeastPixels, of_area));
+    rules_.min_pixels = options.min_pixels.value_or(std::max(kMinPixels, of_area));
     constexpr int kGapShare = 100;  // of the width
     rules_.max_gap = options.max_gap.value_or(std::max(2, upright.width / kGapShare));
     constexpr int kBorderShare = 160;
@@ -107,7 +107,7 @@ class Segmentation {
   }
 
   std::vector<ColourCluster> look_for_colours(std::size_t count) {
-    constexpr std::size_t kMostKept = std::size_t{256} << 20U;  // bytes
+    constexpr std::size_t kMaxKept = std::size_t{256} << 20U;  // bytes
     std::vector<ColourCount> counts;
     std::size_t bytes = 0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -117,7 +117,7 @@ class Segmentation {
       const auto found = count_colours(prepared.smooth, options_.classes.background.darkest, i);
       counts.insert(counts.end(), found.begin(), found.end());
       bytes += 2 * prepared.smooth.total() * prepared.smooth.elemSize();
-      if (bytes < kMostKept) kept_.emplace(i, prepared);
+      if (bytes < kMaxKept) kept_.emplace(i, prepared);
     }
     return cluster_colours(std::move(counts), rules_.min_pixels / 2.0);
   }

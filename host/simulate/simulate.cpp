@@ -9,7 +9,7 @@ namespace fencepost::host {
 namespace {
 
 /// What every pixel costs memory and time for; photographs have the same limit.
-constexpr std::uint64_t kMostPixels = 64U << 20U;
+constexpr std::uint64_t kMaxPixels = 64U << 20U;
 
 std::string too_large(const sensor::CameraIntrinsics& camera) {
   return "an image of " + std::to_string(camera.width) + " x " + std::to_string(camera.height) +
@@ -17,7 +17,7 @@ std::string too_large(const sensor::CameraIntrinsics& camera) {
 }
 
 bool can_be_rendered(const sensor::CameraIntrinsics& camera) {
-  return std::uint64_t{camera.width} * camera.height <= kMostPixels;
+  return std::uint64_t{camera.width} * camera.height <= kMaxPixels;
 }
 
 std::string out_of_range() {

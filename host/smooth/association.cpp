@@ -155,10 +155,10 @@ std::size_t join_by_test(StartedProblem& started, const SolverOptions& options) 
   // Twice this is the change of chi squared: three degrees of freedom would have 16 in one of a thousand. Errors of one
   // object's shape are alike from view to view, so three times that.
   constexpr double kSameCost = 25;
-  constexpr int kMostTrials = 12;
+  constexpr int kMaxTrials = 12;  // rounds of joining
   std::size_t went = 0;
   std::set<std::pair<std::uint32_t, std::uint32_t>> refused;
-  for (int trial = 0; trial < kMostTrials; ++trial) {
+  for (int trial = 0; trial < kMaxTrials; ++trial) {
     const std::vector<Pair> pairs = candidates(started);
     const auto next = std::ranges::find_if(pairs, [&](const Pair& p) {
       return !refused.contains({started.ids[p.a], started.ids[p.b]});
@@ -177,7 +177,7 @@ std::size_t join_by_test(StartedProblem& started, const SolverOptions& options) 
 }
 
 std::size_t drop_lost(StartedProblem& started, std::size_t least) {
-  constexpr double kMostMisfit = 4;  // sigmas, in the median
+  constexpr double kMaxMisfit = 4;  // sigmas, in the median
   std::vector<std::vector<double>> misfits(started.estimate.objects.size());
   for (const Sighting& sighting : started.problem.sightings) {
     misfits[sighting.object].push_back(misfit(started, sighting, sighting.object));
@@ -185,7 +185,7 @@ std::size_t drop_lost(StartedProblem& started, std::size_t least) {
   std::vector<std::size_t> place(misfits.size());
   std::size_t dropped = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {
-    const bool lost = misfits[i].size() < least || median_of(misfits[i]) > kMostMisfit;
+    const bool lost = misfits[i].size() < least || median_of(misfits[i]) > kMaxMisfit;
     place[i] = lost ? kGone : i;
     dropped += lost ? 1U : 0U;
   }

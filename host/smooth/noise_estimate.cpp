@@ -76,10 +76,10 @@ Strays strays_over(double baseline, const CalibrationProblem& problem, const Est
     ways.push_back(std::abs(chord - std::hypot(motion.ahead, motion.left)) /
                    std::hypot(good.position, std::sqrt(2.0) * white.position));
   }
-  constexpr double kLeast = 0.25;
-  constexpr double kMost = 60;
+  constexpr double kMin = 0.25;
+  constexpr double kMax = 60;
   const auto factor = [&](std::vector<double> needed) {
-    return std::clamp(kSigmaOfMedian * median_of(std::move(needed)), kLeast, kMost);
+    return std::clamp(kSigmaOfMedian * median_of(std::move(needed)), kMin, kMax);
   };
   return {factor(std::move(turns)), factor(std::move(ways))};
 }
@@ -90,11 +90,11 @@ Strays strays_of(const CalibrationProblem& problem, const Estimate& estimate) {
   constexpr double kBaseline = 4;      // s
   constexpr double kShareOfLog = 0.1;  // at most, of a short one
   // A map that shrinks needs ways that stray, and ways that may stray shrink the map: it would run away.
-  constexpr double kMostWalk = 4;
+  constexpr double kMaxWalk = 4;
   const std::vector<double>& times = problem.node_times;
   if (times.size() < 3) return {1, 1};
   Strays strays = strays_over(std::min(kBaseline, kShareOfLog * (times.back() - times.front())), problem, estimate);
-  strays.walk = std::min(strays.walk, kMostWalk);
+  strays.walk = std::min(strays.walk, kMaxWalk);
   return strays;
 }
 

@@ -15,7 +15,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr int kRounds = 6;
-constexpr std::size_t kLeastViews = 4;  ///< two bearings place an object, more tell whether it is one
+constexpr std::size_t kMinViews = 4;  ///< two bearings place an object, more tell whether it is one
 
 SolverOptions all_held() {
   SolverOptions options;
@@ -84,16 +84,16 @@ void fit(Attempt& attempt, const SolverOptions& options, int rounds, const std::
     round_done();
     if (round == 0 || round + 1 == kRounds) continue;
     attempt.joined += join_by_test(started, now);
-    if (round > 1) attempt.left_out += drop_lost(started, kLeastViews);
+    if (round > 1) attempt.left_out += drop_lost(started, kMinViews);
     add(reassign(started), attempt.boxes);
     if (started.estimate.objects.empty()) return;
   }
 }
 
 Attempt attempt_from(const DriveLog& log, const ReplayOutcome& replayed) {
-  constexpr std::size_t kMostFrames = 6000;
-  constexpr double kMostNodes = 4000;
-  return {start_with(log, {kMostFrames, kMostNodes, kLeastViews, true}, replayed.result.path), 0, 0, {}, 0, {}};
+  constexpr std::size_t kMaxFrames = 6000;
+  constexpr double kMaxNodes = 4000;
+  return {start_with(log, {kMaxFrames, kMaxNodes, kMinViews, true}, replayed.result.path), 0, 0, {}, 0, {}};
 }
 
 /// By one rough solution: the odometry strays so far that objects seen again were not known again without correction.
@@ -199,7 +199,7 @@ SmoothOutcome smooth(std::string_view bytes, const std::string& name, const Smoo
     outcome.refusal = fmt::format(
         "{}: no object was seen in {} frames or more with an end inside the image; drive where some are in view for "
         "longer",
-        name, kLeastViews);
+        name, kMinViews);
     return outcome;
   }
   if (!best.failure.empty()) {

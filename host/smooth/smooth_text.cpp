@@ -68,9 +68,9 @@ std::string par_rows(const Par& par) {
 
 /// At most so many points: more cannot be seen.
 Json path_json(const std::vector<PoseResult>& path) {
-  constexpr std::size_t kMost = 2000;
+  constexpr std::size_t kMax = 2000;
   Json points = Json::array();
-  const std::size_t count = std::min(path.size(), kMost);
+  const std::size_t count = std::min(path.size(), kMax);
   for (std::size_t i = 0; i < count; ++i) {
     const PoseResult& pose = path[count < 2 ? i : i * (path.size() - 1) / (count - 1)];
     points.push_back(

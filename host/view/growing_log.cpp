@@ -6,12 +6,12 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::size_t kBlock = 64 * 1024;
-constexpr std::size_t kLeastBlocks = 8;  ///< of which one at a time is forgotten
+constexpr std::size_t kMinBlocks = 8;  ///< of which one at a time is forgotten
 
 }  // namespace
 
 GrowingLog::GrowingLog(std::size_t capacity)
-    : capacity_(capacity), block_(std::clamp(capacity / kLeastBlocks, std::size_t{1}, kBlock)) {}
+    : capacity_(capacity), block_(std::clamp(capacity / kMinBlocks, std::size_t{1}, kBlock)) {}
 
 void GrowingLog::add(std::string_view lines) {
   if (lines.empty()) return;

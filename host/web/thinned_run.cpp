@@ -13,12 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostPoses = 1U << 14U;
-constexpr std::size_t kMostAlerts = 1U << 13U;
-constexpr std::size_t kMostDoubts = 100;
+constexpr std::size_t kMaxPoses = 1U << 14U;
+constexpr std::size_t kMaxAlerts = 1U << 13U;
+constexpr std::size_t kMaxDoubts = 100;
 constexpr std::size_t kLevels = 11;
 constexpr std::size_t kPlain = 4;  ///< from that level on the end has no more models than the rest
-constexpr std::uint64_t kMostStopped = 1024;
+constexpr std::uint64_t kMaxStopped = 1024;
 
 double millimetres(double metres) { return std::round(metres * 1000) / 1000 + 0.0; }
 
@@ -58,7 +58,7 @@ std::string count_of(std::size_t kept, std::uint64_t all, const std::string& wha
 bool ThinnedRun::Looks::add(Look look) {
   bytes += look.json.size();
   kept.push_back(std::move(look));
-  if (kept.size() <= kMostLooks && bytes <= kMostBytes) return false;
+  if (kept.size() <= kMaxLooks && bytes <= kMaxBytes) return false;
   std::vector<Look> half;
   for (std::size_t i = 0; i < kept.size(); i += 2) half.push_back(std::move(kept[i]));
   kept = std::move(half);
@@ -92,7 +92,7 @@ void ThinnedRun::run_begins() {
 
 void ThinnedRun::hear(const record::AlertReport& alert) {
   alerts_.hear(alert);
-  if (stopped_.size() > kMostStopped) stopped_.clear();
+  if (stopped_.size() > kMaxStopped) stopped_.clear();
   if (alert.level != record::AlertLevel::kStop) {
     stopped_.erase(alert.id);
   } else if (stopped_.insert(alert.id).second && stop_count_++ % stop_stride_ == 0) {
@@ -142,15 +142,15 @@ ThinnedText ThinnedRun::text(const EachAlert& alerts, std::size_t most) const {
     even_.collect(level, looks);
     stops_.collect(level, looks);
     std::ranges::sort(looks, {}, &Look::time);
-    const std::vector<PoseResult> shown = thin_path_to(path, kMostPoses >> level);
-    const ThinnedAlerts kept = thin_alerts(alerts, std::max<std::size_t>(kMostAlerts >> level, 16));
+    const std::vector<PoseResult> shown = thin_path_to(path, kMaxPoses >> level);
+    const ThinnedAlerts kept = thin_alerts(alerts, std::max<std::size_t>(kMaxAlerts >> level, 16));
 
     ResultDocument end = replay_.log().now(false);
     Json page = Json::parse(replay_.page());
     const std::size_t doubts = end.calibration.size();
-    if (doubts > kMostDoubts) {
-      end.calibration.resize(kMostDoubts);
-      page["complaints"].push_back("only the first " + std::to_string(kMostDoubts) + " of " + std::to_string(doubts) +
+    if (doubts > kMaxDoubts) {
+      end.calibration.resize(kMaxDoubts);
+      page["complaints"].push_back("only the first " + std::to_string(kMaxDoubts) + " of " + std::to_string(doubts) +
                                    " doubts about the calibration are shown here");
     }
     end.passes.clear();

@@ -47,9 +47,9 @@ class ThinnedRun final : private AlertSink {
     /// Every 2^level-th of them.
     void collect(std::size_t level, std::vector<const Look*>& some) const;
   };
-  static constexpr std::size_t kMostLooks = 128;
-  static constexpr std::size_t kMostBytes = 6'000'000;  ///< of looks
-  static constexpr double kFirstStep = 0.25;            ///< s
+  static constexpr std::size_t kMaxLooks = 128;
+  static constexpr std::size_t kMaxBytes = 6'000'000;  ///< of looks
+  static constexpr double kFirstStep = 0.25;           ///< s
 
   void run_begins() override;
   void hear(const record::AlertReport& alert) override;

@@ -22,14 +22,14 @@ struct Shape {
   int corners;
   double turned;
 };
-constexpr std::array<Shape, kMostObjects> kShapes{{{{0.02, -0.03}, 0.13, 7, 0.4},
-                                                   {{0.42, 0.25}, 0.05, 24, 0.1},
-                                                   {{-0.38, 0.30}, 0.10, 4, 1.2},
-                                                   {{0.10, -0.48}, 0.15, 5, 0.7},
-                                                   {{-0.45, -0.20}, 0.07, 6, 0.2},
-                                                   {{0.45, -0.15}, 0.12, 4, 0.5},
-                                                   {{0.05, 0.45}, 0.08, 12, 0.9},
-                                                   {{-0.15, -0.40}, 0.06, 3, 0.3}}};
+constexpr std::array<Shape, kMaxObjects> kShapes{{{{0.02, -0.03}, 0.13, 7, 0.4},
+                                                  {{0.42, 0.25}, 0.05, 24, 0.1},
+                                                  {{-0.38, 0.30}, 0.10, 4, 1.2},
+                                                  {{0.10, -0.48}, 0.15, 5, 0.7},
+                                                  {{-0.45, -0.20}, 0.07, 6, 0.2},
+                                                  {{0.45, -0.15}, 0.12, 4, 0.5},
+                                                  {{0.05, 0.45}, 0.08, 12, 0.9},
+                                                  {{-0.15, -0.40}, 0.06, 3, 0.3}}};
 
 host::LinearRing ring_of(const Shape& shape) {
   host::LinearRing ring;
@@ -65,7 +65,7 @@ recon::HalfPlane as_robot(const host::HalfPlane& side) {
 
 std::vector<Views> workload(std::size_t objects) {
   std::vector<Views> all;
-  for (std::size_t o = 0; o < std::min(objects, kMostObjects); ++o) {
+  for (std::size_t o = 0; o < std::min(objects, kMaxObjects); ++o) {
     Views& object = all.emplace_back();
     object.object = ring_of(kShapes[o]);
     for (std::size_t v = 0; v < kViews; ++v) {

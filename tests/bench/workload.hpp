@@ -11,7 +11,7 @@
 namespace fencepost::bench {
 
 inline constexpr std::size_t kViews = 75;
-inline constexpr std::size_t kMostObjects = 8;
+inline constexpr std::size_t kMaxObjects = 8;
 
 /// One object in one view: what lies between the two rays from the lens may be the object.
 struct View {

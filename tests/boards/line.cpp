@@ -15,7 +15,7 @@ namespace fencepost::test {
 namespace {
 
 constexpr double kBurst = 64;  // bytes at once, after a moment without time
-constexpr std::size_t kMost = 4096;
+constexpr std::size_t kMax = 4096;
 constexpr int kReceiveBuffer = 1;  // the kernel rounds up: a blocked line is soon full
 
 }  // namespace
@@ -71,7 +71,7 @@ void Line::pump(double now) {
     waiting_.erase(0, sent);
   }
   for (bool more = !blocked_; more;) {
-    const std::string bytes = get(kMost);
+    const std::string bytes = get(kMax);
     heard_ += bytes;
     more = !bytes.empty();
   }

@@ -25,7 +25,7 @@ LITERALS = (CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL)
 # What is computed while compiling, and what is never executed as it stands.
 STATIC = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_DECL, CursorKind.TEMPLATE_NON_TYPE_PARAMETER, CursorKind.CASE_STMT,
           CursorKind.TYPE_ALIAS_DECL, CursorKind.CONCEPT_DECL if hasattr(CursorKind, "CONCEPT_DECL") else None)
-MOST = 1 << 15  # kMost of mutation.hpp
+MOST = 1 << 15  # kMax of mutation.hpp
 CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
 FUNCTION_KINDS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE)
 NAMESPACE = "::fencepost::mutation::"
@@ -184,7 +184,7 @@ def main():
         sources.append((path, source.rewritten()))
         mutants += source.mutants
     if len(mutants) > MOST:
-        sys.exit(f"{len(mutants)} mutants are more than kMost of mutation.hpp")
+        sys.exit(f"{len(mutants)} mutants are more than kMax of mutation.hpp")
     for path, text in sources:
         (tree / path).write_text(text)
     pathlib.Path(sys.argv[2]).write_text(json.dumps(mutants))

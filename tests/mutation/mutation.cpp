@@ -6,7 +6,7 @@
 namespace fencepost::mutation {
 
 int chosen = -1;
-unsigned char reached[kMost] = {};
+unsigned char reached[kMax] = {};
 
 namespace {
 
@@ -20,7 +20,7 @@ struct Switch {
   ~Switch() {
     std::FILE* out = file != nullptr ? std::fopen(file, "a") : nullptr;
     if (out == nullptr) return;
-    for (int id = 0; id < kMost; ++id) {
+    for (int id = 0; id < kMax; ++id) {
       if (reached[id] != 0) std::fprintf(out, "%d %d\n", id, reached[id]);
     }
     std::fclose(out);

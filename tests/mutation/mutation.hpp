@@ -5,9 +5,9 @@
 
 namespace fencepost::mutation {
 
-inline constexpr int kMost = 1 << 15;  // mutate.py refuses more
+inline constexpr int kMax = 1 << 15;  // mutate.py refuses more
 extern int chosen;
-extern unsigned char reached[kMost];
+extern unsigned char reached[kMax];
 
 /// Notes that mutant `id` was reached, and answers whether it is the chosen one. What is computed while compiling stays
 /// as it is.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t kUnitsPerMillimetre = kMapUnitsPerMetre / 1000;
 constexpr std::int32_t kRefutes = static_cast<std::int32_t>(kRefutedAfter.raw / kDoubtTicks) / 3 * 3;
-constexpr std::int32_t kMostElapsed = kRefutes / 3;
+constexpr std::int32_t kMaxElapsed = kRefutes / 3;
 constexpr std::int32_t kOldest = 200;  // kSeenTicks: an older front counts as no older
 constexpr auto kUnconfirmedAge = static_cast<std::int32_t>(kUnconfirmed.raw / kSeenTicks);
 static_assert(kRefutes <= 0xFF && kFewestViews == 3);
@@ -175,7 +175,7 @@ class Judgement {
     constexpr std::int32_t kReach = 6;
     foot.wanted.remove(place.left - kReach, place.left + kReach);
     const std::int32_t step = foot.depth - place.depth;
-    if (step >= kLeastStep || step <= -kLeastStep) place.depth += step / 2;
+    if (step >= kMinStep || step <= -kMinStep) place.depth += step / 2;
     return Verdict::kSupported;
   }
 
@@ -203,8 +203,7 @@ std::int32_t uselessness(const Place& place, bool confirmed) {
 void GuardCore::pass_time(std::span<Front> fronts, base::Time t) {
   const base::Duration since = has_looked_ ? looked_at_.since(t) : base::Duration{0};
   const bool long_ago = since.raw > kOldest * kSeenTicks;
-  elapsed_ =
-      static_cast<std::uint8_t>(since.raw >= kMostElapsed * kDoubtTicks ? kMostElapsed : since.raw / kDoubtTicks);
+  elapsed_ = static_cast<std::uint8_t>(since.raw >= kMaxElapsed * kDoubtTicks ? kMaxElapsed : since.raw / kDoubtTicks);
   has_looked_ = true;
   looked_at_ = base::Stamp(t);
   now_ = static_cast<std::uint8_t>(static_cast<std::uint64_t>(t.raw) / kSeenTicks);
@@ -285,7 +284,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
         store[kept++] = front;
         continue;
       }
-      if (replaced == kMostReplaced) break;
+      if (replaced == kMaxReplaced) break;
       std::size_t worst = kept;
       std::int32_t most = uselessness(place, false);
       for (std::size_t i = 0; i < kept; ++i) {

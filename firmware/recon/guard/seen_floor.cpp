@@ -24,7 +24,7 @@ class View {
     // The ray of the lowest row is so high above the floor at a share of its way: as the rest of the lens's height.
     const auto height = nearest_whole(kMillimetresPerMetre * camera.height);
     nearest_ = floor.nearest_visible();
-    if (height > 0) nearest_ -= nearest_ * std::min(kLeastHeight, height) / height;
+    if (height > 0) nearest_ -= nearest_ * std::min(kMinHeight, height) / height;
     ends_.fill(kFloorReach);
     for (const WaitingBlob& blob : frame.blobs) hide_behind(blob, floor);
   }

@@ -24,7 +24,7 @@ inline constexpr base::Duration kFloorInterval = base::milliseconds(200);
 inline constexpr base::Duration kFloorRemembered = base::milliseconds(5000);
 /// mm. What stands on the floor is at least so high: nearer than the lowest row sees its foot, it would be in the
 /// image.
-inline constexpr std::int32_t kLeastHeight = 60;
+inline constexpr std::int32_t kMinHeight = 60;
 
 class SeenFloor {
  public:

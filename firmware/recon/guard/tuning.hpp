@@ -45,7 +45,7 @@ inline constexpr auto kEdgePixels = static_cast<std::int32_t>(kUsualSigmas * kEd
 /// mm to the side. Derived: a quarter of the way to the next point.
 inline constexpr std::int32_t kSideSlack = kSpacing / 4;
 /// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
-inline constexpr std::int32_t kLeastStep = 4;
+inline constexpr std::int32_t kMinStep = 4;
 
 // --- how long ---
 
@@ -63,6 +63,6 @@ inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
 inline constexpr std::int32_t kCutReachLog2 = 3;
 
 /// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
-inline constexpr int kMostReplaced = 8;
+inline constexpr int kMaxReplaced = 8;
 
 }  // namespace fencepost::recon::guard

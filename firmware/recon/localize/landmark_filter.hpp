@@ -84,11 +84,11 @@ struct FilterPose {
 
 /// By how much odometry is worse than it was said to be, as the innovations show.
 struct DriftGauge {
-  float factor = 1;  ///< on the variances of the noise, from 1 to kMostDrift
+  float factor = 1;  ///< on the variances of the noise, from 1 to kMaxDrift
   /// Variances of what was driven and not compared with any equation yet, m^2 and rad^2.
   float position = 0;
   float heading = 0;
-  float surprise = 0;  ///< of the latest equation: its squared residual over the expected one, at most kMostSurprise
+  float surprise = 0;  ///< of the latest equation: its squared residual over the expected one, at most kMaxSurprise
   float usual = 1;     ///< running mean of the surprises
 };
 

@@ -26,12 +26,12 @@ class Strayers {
   bool look(std::size_t slot, std::uint8_t signature, float surprise) {
     off_[slot] += kAgreementGain * (surprise - off_[slot]);
     if (off_[slot] <= kStraying) return false;
-    off_[slot] = kMostSurprise * 2;  // until it ends
+    off_[slot] = kMaxSurprise * 2;  // until it ends
     if (count(signature) < 2) signatures_[next_++ % signatures_.size()] = signature;
     return true;
   }
   [[nodiscard]] bool bars(std::size_t slot, std::uint8_t signature) const {
-    return off_[slot] > kMostSurprise || count(signature) >= 2;
+    return off_[slot] > kMaxSurprise || count(signature) >= 2;
   }
 
   /// For the digest.

@@ -46,9 +46,9 @@ inline constexpr float kRounding = 1e-6F;
 /// Adaptation gain of the odometry's process noise. Real runs.
 inline constexpr float kDriftGain = 0.03F;
 /// Clamp of a normalised squared innovation. Derived: the gate's square.
-inline constexpr float kMostSurprise = kGateSigmas * kGateSigmas;
+inline constexpr float kMaxSurprise = kGateSigmas * kGateSigmas;
 /// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. By design.
-inline constexpr float kMostDrift = 400.0F;
+inline constexpr float kMaxDrift = 400.0F;
 /// The filter takes a frame each time the robot has gone (m) or turned (urad) so far.
 struct LookInterval {
   float step = 0;

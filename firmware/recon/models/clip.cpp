@@ -98,7 +98,7 @@ class Flags {
   [[nodiscard]] bool operator[](std::size_t i) const { return (words_[i / 32] >> (i % 32) & 1U) != 0; }
 
  private:
-  std::array<std::uint32_t, kMostVertices / 32> words_{};
+  std::array<std::uint32_t, kMaxVertices / 32> words_{};
 };
 
 Cut careful_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
@@ -129,7 +129,7 @@ Cut careful_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half
 // Where there are vectors and room for all distances. The same for the usual case: the vertices outside are one run,
 // and the others are the run around the innermost one.
 [[maybe_unused]] Cut quick_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
-  std::array<float, kMostVertices> d;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<float, kMaxVertices> d;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   unsigned outside = 0;
   for (std::size_t i = 0; i < size; ++i) {
     d[i] = outside_by(half_plane, v[i]);

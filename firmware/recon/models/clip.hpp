@@ -17,7 +17,7 @@ inline constexpr float kShallowestCut = 1e-6F;
 inline constexpr float kArenaHalfSide = 2.0F;
 
 /// Of a polygon that clip_convex takes.
-inline constexpr std::size_t kMostVertices = 256;
+inline constexpr std::size_t kMaxVertices = 256;
 
 struct Bounds {
   Vec2 low{0, 0};
@@ -35,7 +35,7 @@ Bounds bounds_of(std::span<const Vec2> vertices);
 /// A convex polygon of at most N vertices, local frame, metres, counter-clockwise.
 template <std::size_t N>
 class ConvexClip {
-  static_assert(N >= 8 && N <= kMostVertices);
+  static_assert(N >= 8 && N <= kMaxVertices);
 
  public:
   /// The full square around the local origin.

@@ -30,17 +30,17 @@ void RowTrend::judge() {
   scale_ = 1;
   if (!(weight_ > 0)) return;
   const float spread = this->spread();
-  if (!(spread > kLeastSpread)) return;
+  if (!(spread > kMinSpread)) return;
   const float fall = (travel_ * range_ / weight_ - travel_range_) / spread;
   // Of noise; of a foot that is another point of the object from elsewhere; of the robot's own error.
   const float sigma = std::sqrt((1 + kFootWanders * kFootWanders * weight_) / spread + kTravelError * kTravelError);
   const float off = fall - 1;
-  if (std::fabs(off) <= std::max(kTrendGate * sigma, kLeastTrend)) {
+  if (std::fabs(off) <= std::max(kTrendGate * sigma, kMinTrend)) {
     if (sigma < kTrendSigma) verdict_ = RowVerdict::kTrue;
     return;
   }
   verdict_ = off > 0 ? RowVerdict::kTooFar : RowVerdict::kTooNear;
-  scale_ = std::clamp(1 / std::max(fall, kLeastTrueShare), kLeastTrueShare, 1 / kLeastTrueShare);
+  scale_ = std::clamp(1 / std::max(fall, kMinTrueShare), kMinTrueShare, 1 / kMinTrueShare);
 }
 
 RowTrend::Front RowTrend::front() const {

@@ -47,10 +47,10 @@ inline constexpr float kPointRadius = 0.005F;
 
 // --- novelty ---
 
-/// share of the distance by which the lens has to move for a view to count in full; at least kLeastNovelty of a view
-/// counts. More: slow learning; less: a parked robot becomes certain. Prototype.
+/// share of the distance by which the lens has to move for a view to count in full. More: slow learning. Prototype.
 inline constexpr float kNovelShare = 0.03F;
-inline constexpr float kLeastNovelty = 0.05F;
+/// share of a view that counts at least. More: a parked robot becomes certain. Prototype.
+inline constexpr float kMinNovelty = 0.05F;
 /// m. Nearer distances count as this one. By design.
 inline constexpr float kNearestLens = 0.05F;
 
@@ -86,12 +86,13 @@ inline constexpr float kAheadForTrend = 0.35F;
 /// Sine of the angle by which the object may be seen from another side. By design.
 inline constexpr float kSameSide = 0.25F;
 /// Weighted square of the way, as 1 / sigma^2 of that share, below which nothing is judged. By design.
-inline constexpr float kLeastSpread = 10;
-/// sigmas and share beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
+inline constexpr float kMinSpread = 10;
+/// sigmas beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kTrendGate = 4.0F;
-inline constexpr float kLeastTrend = 0.10F;
+/// share of the distance beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
+inline constexpr float kMinTrend = 0.10F;
 /// Least share of a true depth in one that a row tells, and its inverse the most. By design.
-inline constexpr float kLeastTrueShare = 0.4F;
+inline constexpr float kMinTrueShare = 0.4F;
 /// share of the distance: the distance is unknown while its sigma exceeds it, and a first one by the row is known
 /// to it. Drift study.
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;

@@ -31,7 +31,7 @@ float equidistant_radius(const CameraModel& camera, float angle) { return angle 
 }  // namespace
 
 float nominal_edge_noise(std::int16_t columns) {
-  return std::clamp(kEdgeNoise * static_cast<float>(columns) / kNoiseColumns, kLeastEdgeNoise, kEdgeNoise);
+  return std::clamp(kEdgeNoise * static_cast<float>(columns) / kNoiseColumns, kMinEdgeNoise, kEdgeNoise);
 }
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics) {
@@ -118,8 +118,8 @@ float column_of(const CameraModel& camera, const Vec2& direction) {
     return camera.cx - camera.fx * equidistant_radius(camera, base::atan2_rad(direction.y(), direction.x()));
   }
   constexpr float kFarOutside = 1e5F;
-  constexpr float kLeastForward = 1e-3F;  // of a unit direction: with less it cannot be in the image
-  if (direction.x() < kLeastForward) return direction.y() > 0 ? -kFarOutside : kFarOutside;
+  constexpr float kMinForward = 1e-3F;  // of a unit direction: with less it cannot be in the image
+  if (direction.x() < kMinForward) return direction.y() > 0 ? -kFarOutside : kFarOutside;
   return camera.cx - camera.fx * direction.y() / direction.x();
 }
 

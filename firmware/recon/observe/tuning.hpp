@@ -41,12 +41,13 @@ inline constexpr std::size_t kMaxWaitingFrames = 4;
 
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
-/// px of a camera with kNoiseColumns columns or more. With fewer, a pixel is wider than the ragged edge of a segment,
-/// so the sigma falls with the columns, but not below kLeastEdgeNoise. Where 1.2 px
-/// came from was not kept; the rest is by design. A setting overrides it (`camera.noise`).
+/// px of a camera with kNoiseColumns columns or more. A setting overrides it (`camera.noise`). Where 1.2 px came from
+/// was not kept.
 inline constexpr float kEdgeNoise = 1.2F;
+/// Columns below which the sigma falls with them: a pixel is wider there than the ragged edge of a segment. By design.
 inline constexpr float kNoiseColumns = 160;
-inline constexpr float kLeastEdgeNoise = 0.75F;
+/// px, below which it does not fall. By design.
+inline constexpr float kMinEdgeNoise = 0.75F;
 /// px. Two blobs this close touch, and a blob this close to the border: whole pixels of both, and the gate of an edge.
 /// More: true edges are given up; less: a neighbour's edge is taken for one's own. Derived; the identity study agrees
 /// (4 % of the edges given up, 0 % taken wrongly, without noise).

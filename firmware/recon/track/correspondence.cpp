@@ -124,9 +124,9 @@ EndsOff ends_off(const Prediction& prediction, const Observation& seen, bool ins
 void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, EndsOff open) {
   const auto count = [](std::int8_t before, std::int16_t column, const PredictedLine& line) -> std::int8_t {
     if (line.sigma == 0 || std::abs(column - line.at) <= reach_of(line) + 1) return 0;
-    constexpr int kMost = 100;
+    constexpr int kMax = 100;
     const int step = column < line.at ? -1 : 1;
-    return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMost, kMost) : step);
+    return static_cast<std::int8_t>(step * before > 0 ? std::clamp(before + step, -kMax, kMax) : step);
   };
   if (!(prediction.depth > 0)) return;
   if (is_edge(seen.left)) {

@@ -21,7 +21,7 @@ float ObjectCore::novelty(const Vec2& lens) const {
   const Vec2 center = cylinder.estimate().ok() ? cylinder.estimate().center : Vec2{0, 0};
   const float distance = std::max(kNearestLens, (center - lens).norm());
   const float moved_by = (lens - last_lens).norm();
-  return std::clamp(moved_by / (kNovelShare * distance), kLeastNovelty, 1.0F);
+  return std::clamp(moved_by / (kNovelShare * distance), kMinNovelty, 1.0F);
 }
 
 bool stand_in_one_place(const ObjectCore& a, const ObjectCore& b) {

@@ -149,11 +149,12 @@ struct Object : ObjectCore {
 
   [[nodiscard]] PlacedOutline placed_outline() const {
     // OutlineView::known_well() by the confidence that is kept: sigmas are not summed again in each frame.
-    constexpr std::uint8_t kLeastConfidence = 74;
-    constexpr float kRoot = 1.0F - kLeastConfidence / kConfidenceSteps;
+    constexpr std::uint8_t kMinConfidence = 74;
+
+    constexpr float kRoot = 1.0F - kMinConfidence / kConfidenceSteps;
     static_assert(kRoot * kRoot < kWellKnownShare && kRoot * kRoot > 0.99F * kWellKnownShare);
     return {hybrid().outline(), hybrid().origin,
-            outline_confidence != kNoOutline && outline_confidence >= kLeastConfidence};
+            outline_confidence != kNoOutline && outline_confidence >= kMinConfidence};
   }
 
   /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight

@@ -58,7 +58,7 @@ std::vector<ColourQuality> ColourMeter::qualities() const {
     quality.seen = frames / static_cast<double>(frames_);
     quality.blobs = static_cast<double>(colour.blobs) / frames;
     quality.flicker = 100 * static_cast<double>(colour.flickers) / frames;
-    if (colour.steps >= kLeastWidths) {
+    if (colour.steps >= kMinWidths) {
       // Mean magnitude, not a median: whole pixels are too coarse for one. sqrt(pi/2) sigma of it, sqrt(6) of the
       // steps.
       quality.jitter_px = 1.2533 * colour.second_steps / static_cast<double>(colour.steps) / std::sqrt(6.0);

@@ -25,7 +25,7 @@ struct ColourQuality {
 class ColourMeter {
  public:
   static constexpr std::uint64_t kFlicker = 3;  ///< frames: longer absences are corners of the view
-  static constexpr std::size_t kLeastWidths = 10;
+  static constexpr std::size_t kMinWidths = 10;
 
   /// `camera`: without one nothing is known of borders.
   void add(const sensor::BlobFrame& frame, const std::optional<sensor::CameraIntrinsics>& camera);

@@ -16,7 +16,7 @@ void SpacingMeter::add(base::Time t) {
   if (last_) {
     const double length = (t - *last_).to_double();
     lengths_.add(length);
-    if (length > kLeastGap) long_.add(length);
+    if (length > kMinGap) long_.add(length);
     if (length > longest_) {
       longest_ = length;
       longest_at_ = last_->to_double();
@@ -30,7 +30,7 @@ Spacing SpacingMeter::spacing() const {
   spacing.count = count_;
   const double median = median_of(lengths_.kept());
   if (median > 0) spacing.rate = 1 / median;
-  const double least = std::max(kLeastGap, kGapFactor * median);
+  const double least = std::max(kMinGap, kGapFactor * median);
   const auto gaps = std::ranges::count_if(long_.kept(), [&](double length) { return length > least; });
   spacing.gaps = static_cast<std::uint64_t>(gaps) * long_.step();
   spacing.longest = longest_;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kFastest = 4;       // m/s
 constexpr double kFastestTurn = 15;  // rad/s
-constexpr double kLeastJump = 0.05;  // m, and rad: rounding and slow clocks are no jumps
-constexpr std::size_t kLeastFrames = 30;
-constexpr std::size_t kMost = 1024;  ///< of calibrations, settings and links: a robot has fewer
+constexpr double kMinJump = 0.05;    // m, and rad: rounding and slow clocks are no jumps
+constexpr std::size_t kMinFrames = 30;
+constexpr std::size_t kMax = 1024;  ///< of calibrations, settings and links: a robot has fewer
 
 double shortest_turn(double turn) { return std::remainder(turn, 2 * std::numbers::pi); }
 
@@ -38,7 +38,7 @@ class Surveyor {
   }
   void accept(const sensor::CameraIntrinsics& camera) {
     if (survey_.calibrations.empty() || !(survey_.calibrations.back() == camera)) {
-      if (survey_.calibrations.size() == kMost) survey_.calibrations.pop_back();
+      if (survey_.calibrations.size() == kMax) survey_.calibrations.pop_back();
       survey_.calibrations.push_back(camera);
     }
     camera_ = camera;
@@ -46,7 +46,7 @@ class Surveyor {
   void accept(const record::Signature& signature) { survey_.colour_names[signature.signature] = signature.name.view(); }
   void accept(const record::Setting& setting) {
     const std::string key(setting.key.view());
-    if (survey_.settings.size() < kMost || survey_.settings.contains(key)) survey_.settings[key] = setting.value.view();
+    if (survey_.settings.size() < kMax || survey_.settings.contains(key)) survey_.settings[key] = setting.value.view();
   }
   void accept(const sensor::OdometrySample& sample) {
     note_time(sample.t);
@@ -70,7 +70,7 @@ class Surveyor {
     const std::string device(link.device.view());
     close(device, link.t);
     if (sensor::works(link.state)) return;
-    if (survey_.links.size() == kMost && !survey_.links.contains(device)) return;
+    if (survey_.links.size() == kMax && !survey_.links.contains(device)) return;
     LinkTrouble& trouble = survey_.links[device];
     trouble.state = sensor::name(link.state);
     ++trouble.times;
@@ -93,7 +93,7 @@ class Surveyor {
     survey_.reported = losses_.reported();
     const std::vector<double>& offsets = offsets_.kept();
     survey_.clock_offset = median_of(offsets);
-    if (offsets.size() < kLeastFrames) return;
+    if (offsets.size() < kMinFrames) return;
     const auto third = static_cast<std::ptrdiff_t>(offsets.size() / 3);
     survey_.clock_drift =
         median_of({offsets.end() - third, offsets.end()}) - median_of({offsets.begin(), offsets.begin() + third});
@@ -109,8 +109,8 @@ class Surveyor {
                         std::abs(shortest_turn((to.heading - from.heading).to_double())), (to.t - from.t).to_double()};
     survey_.path += step.distance;
     survey_.turned += step.turn;
-    const bool far = step.distance > std::max(kLeastJump, kFastest * step.interval);
-    const bool turned = step.turn > std::max(kLeastJump, kFastestTurn * step.interval);
+    const bool far = step.distance > std::max(kMinJump, kFastest * step.interval);
+    const bool turned = step.turn > std::max(kMinJump, kFastestTurn * step.interval);
     if (!far && !turned) return;
     ++survey_.pose_jumps;
     if (!survey_.first_jump) survey_.first_jump = step;
@@ -156,17 +156,17 @@ class FirstAlerts final : public AlertSink {
     count_ = 0;
   }
   void hear(const record::AlertReport& alert) override {
-    if (++count_ <= kMostAlerts) first_.push_back(alert);
+    if (++count_ <= kMaxAlerts) first_.push_back(alert);
   }
   void give(ReplayOutcome& outcome) {
     outcome.result.alerts = std::move(first_);
-    if (count_ <= kMostAlerts) return;
-    outcome.complaints.push_back("only the first " + std::to_string(kMostAlerts) + " of " + std::to_string(count_) +
+    if (count_ <= kMaxAlerts) return;
+    outcome.complaints.push_back("only the first " + std::to_string(kMaxAlerts) + " of " + std::to_string(count_) +
                                  " alerts are looked at");
   }
 
  private:
-  static constexpr std::size_t kMostAlerts = 1U << 16U;
+  static constexpr std::size_t kMaxAlerts = 1U << 16U;
   std::vector<record::AlertReport> first_;
   std::uint64_t count_ = 0;
 };

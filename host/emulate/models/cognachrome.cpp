@@ -159,11 +159,11 @@ Bytes Cognachrome::field() {
 
 std::string Cognachrome::hex_field() {
   constexpr std::string_view kMarks = "#&^";
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMax = 4;
   char text[24] = {};
   (void)std::snprintf(text, sizeof text, "$%02X", count_++ & 0xFFU);
   std::string said = text;
-  for (std::size_t i = 0; i < std::min(blobs_.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(blobs_.size(), kMax); ++i) {
     const sensor::Blob& blob = blobs_[i];
     const auto root = static_cast<unsigned>(std::lround(std::sqrt(pixels_of(blob))));
     (void)std::snprintf(text, sizeof text, "%c%02X:%02X:%02X:00", kMarks[blob.signature - 1U], std::min(root, 255U),

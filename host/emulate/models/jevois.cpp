@@ -12,7 +12,7 @@
 namespace fencepost::emulate {
 namespace {
 
-constexpr int kMostDecimals = 10;
+constexpr int kMaxDecimals = 10;
 constexpr std::size_t kLongestName = 24;
 
 bool one_of(const std::string& word, std::initializer_list<std::string_view> words) {
@@ -101,7 +101,7 @@ bool JeVois::set(const std::string& name, const std::string& value) {
     limit_ = std::stoi(value);
     return true;
   }
-  if (name != "serprec" || std::stoi(value) > kMostDecimals) return false;
+  if (name != "serprec" || std::stoi(value) > kMaxDecimals) return false;
   decimals_ = std::stoi(value);
   return true;
 }

@@ -12,12 +12,12 @@ namespace fencepost::emulate {
 class NotEmulated {
  public:
   void note(const std::string& name) {
-    if (names_.size() < kMost && std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    if (names_.size() < kMax && std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
   }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
-  static constexpr std::size_t kMost = 20;  ///< of a host at another baud rate there is no end
+  static constexpr std::size_t kMax = 20;  ///< of a host at another baud rate there is no end
 
   std::vector<std::string> names_;
 };

@@ -20,14 +20,14 @@ std::uint8_t column(std::int16_t x) { return static_cast<std::uint8_t>(x / 2 * 2
 
 /// What follows the command; nullopt: one is larger than a byte, or more than 64 were sent.
 std::optional<std::vector<std::uint8_t>> values_of(const std::string& line) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMax = 64;
   std::vector<std::uint8_t> values;
   std::istringstream words(line);
   std::string word;
   words >> word;
   while (words >> word) {
     const long value = std::strtol(word.c_str(), nullptr, 10);  // of "1A" the firmware takes the 1 as well
-    if (value > 255 || values.size() == kMost) return std::nullopt;
+    if (value > 255 || values.size() == kMax) return std::nullopt;
     values.push_back(static_cast<std::uint8_t>(value));
   }
   return values;

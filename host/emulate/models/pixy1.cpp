@@ -6,7 +6,7 @@
 namespace fencepost::emulate {
 namespace {
 
-constexpr std::size_t kMostBlocks = 100;
+constexpr std::size_t kMaxBlocks = 100;
 constexpr unsigned kNormal = 0xAA55;
 constexpr unsigned kCode = 0xAA56;
 
@@ -56,7 +56,7 @@ void Pixy1::begin_image() {
   std::stable_sort(list_.begin(), list_.end(), [](const sensor::Blob& a, const sensor::Blob& b) {
     return a.signature != b.signature ? a.signature < b.signature : area(a) > area(b);
   });
-  list_.resize(std::min(list_.size(), kMostBlocks));
+  list_.resize(std::min(list_.size(), kMaxBlocks));
   sent_ = 0;
 }
 

@@ -41,7 +41,7 @@ class Line {
   /// Nothing is on its way to the host.
   [[nodiscard]] bool idle() const { return to_host_.empty(); }
   /// So much is on its way that a sender has to wait.
-  [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMostOnItsWay; }
+  [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMaxOnItsWay; }
   /// From now on; 0: as fast as it goes.
   void set_baud(std::uint32_t baud);
   /// What is on its way is lost.
@@ -51,7 +51,7 @@ class Line {
   FaultCounts& counts() { return counts_; }
 
  private:
-  static constexpr std::size_t kMostOnItsWay = 64 * 1024;
+  static constexpr std::size_t kMaxOnItsWay = 64 * 1024;
 
   struct Item {
     std::int64_t arrives_ns = 0;

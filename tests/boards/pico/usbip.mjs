@@ -20,7 +20,7 @@ const kWord = 0x46454e43;
 const kIn = 1;
 const kReset = -104; // -ECONNRESET: taken back in time
 const kSlice = 1e6; // ns
-const kMostBehind = 50e6; // ns that are caught up on; what is more is lost
+const kMaxBehind = 50e6; // ns that are caught up on; what is more is lost
 
 const [image, path] = process.argv.slice(2);
 if (!path) {
@@ -120,7 +120,7 @@ function pass() {
   const now = process.hrtime.bigint();
   ahead -= Number(now - looked);
   looked = now;
-  if (ahead < -kMostBehind) ahead = -kMostBehind;
+  if (ahead < -kMaxBehind) ahead = -kMaxBehind;
   if (ahead < 0) {
     pico.run(kSlice);
     ahead += kSlice;

@@ -78,7 +78,7 @@ class ToyDriver {
  private:
   static constexpr sensor::LinkState kSilentState = sensor::LinkState::kSilent;
   static constexpr base::Duration kQuiet = base::milliseconds(300);
-  static constexpr std::size_t kMost = 20;
+  static constexpr std::size_t kMax = 20;
 
   void ask(base::Time now) {
     constexpr std::array<std::uint8_t, 1> kGo = {'G'};
@@ -113,7 +113,7 @@ class ToyDriver {
     if (!mark && F != Flaw::kGarbageTakesTheNext) return 1;
     if (bytes_.size() < 2) return 0;
     const std::size_t count = mark ? bytes_[1] : 3;
-    if (count > kMost) return F == Flaw::kWaitsForTheImpossible ? 0 : 1;
+    if (count > kMax) return F == Flaw::kWaitsForTheImpossible ? 0 : 1;
     const std::size_t size = 3 + 5 * count;
     if (bytes_.size() < size) return 0;
     unsigned sum = 0;

@@ -109,7 +109,7 @@ Walked walk_pixy1() {
 }
 
 struct Pixy1Pushes : Pixy1Seen {
-  static constexpr std::size_t kMost = pixy1::kLongestMessage - chirp::kHeader;
+  static constexpr std::size_t kMax = pixy1::kLongestMessage - chirp::kHeader;
 
   Pixy1Pushes() { session.step(now); }
   void feed(std::uint8_t byte) {
@@ -144,7 +144,7 @@ struct Pixy1Pushes : Pixy1Seen {
     for (std::size_t at = std::min(message().size(), chirp::kHeader); at > chirp::kHeader - 4; --at) {
       length = 256 * length + message()[at - 1];
     }
-    return length <= 6 || length == 44 || length == kMost % 256 || length == kMost ? length : 7;
+    return length <= 6 || length == 44 || length == kMax % 256 || length == kMax ? length : 7;
   }
   [[nodiscard]] std::uint8_t phase() const { return static_cast<std::uint8_t>(session.*revealed(Pixy1Phase{})); }
   [[nodiscard]] View message() const { return (session.*revealed(Pixy1UsbScanner{})).pending(); }
@@ -179,8 +179,8 @@ Walked walk_pixy1_usb() {
            "00 00 00 00 82 82 82 82 06 00 00 00 0A 00 AA 00 E6 00 46 00 5A 00 D3 FF")},
       {hex("55 55 AA AA 61 00 00 00 06 00 00 00 00 00 00 00 01 01"), 0},
       {hex("55 55 AA AA 60 00 00 00 04 00 00 00 05 00 00 00"), 0},
-      {filler(Pixy1Pushes::kMost), 0},
-      {filler(Pixy1Pushes::kMost + 1), 0}};
+      {filler(Pixy1Pushes::kMax), 0},
+      {filler(Pixy1Pushes::kMax + 1), 0}};
   return walk(Pixy1Pushes{}, plan);
 }
 

@@ -233,7 +233,7 @@ struct Chirp {
   static constexpr std::size_t kCapacity = chirp::kLongest;
   static constexpr std::size_t kShortest = chirp::kHeader;
   static constexpr std::size_t kWayBack = kCapacity + 2 * 16;
-  static constexpr std::size_t kMost = chirp::kLongest - chirp::kHeader;
+  static constexpr std::size_t kMax = chirp::kLongest - chirp::kHeader;
   static constexpr auto examine = chirp::examine;
 
   static Bytes message(std::size_t length) {
@@ -247,9 +247,9 @@ struct Chirp {
             {hex("55 55 AA AA 40 00 FF FF 0D 00 00 00 00 00 00 00 01 03 81 81 01 00 00 00 FE")},
             {message(0)},
             {message(1)},
-            {message(kMost - 1)},
-            {message(kMost)},
-            {message(kMost + 1), 0}};
+            {message(kMax - 1)},
+            {message(kMax)},
+            {message(kMax + 1), 0}};
   }
   // Of its bytes that are there; the others are zero.
   static std::uint16_t length_class(View pending) {
@@ -257,7 +257,7 @@ struct Chirp {
     for (std::size_t at = pending.size(); at > chirp::kHeader - 4; --at) {
       if (at <= chirp::kHeader) length = 256 * length + pending[at - 1];
     }
-    return one_of<8>(length, {0, 1, 4, 5, (kMost - 1) % 256, kMost % 256, kMost - 1, kMost});
+    return one_of<8>(length, {0, 1, 4, 5, (kMax - 1) % 256, kMax % 256, kMax - 1, kMax});
   }
   static void control(View pending, Key& key) { key.u16(length_class(pending)); }
   static bool followed(View pending) { return pending.size() < chirp::kHeader || length_class(pending) != 0xFFFF; }

@@ -220,7 +220,7 @@ Walked walk_xbc() {
 struct Cognachrome : Seen {
   void feed(std::uint8_t byte) {
     right = decoder.feed(byte, {});
-    if (decoder.*revealed(CognachromeField{}) > cognachrome::kMostFields) trouble = "fields beyond their number";
+    if (decoder.*revealed(CognachromeField{}) > cognachrome::kMaxFields) trouble = "fields beyond their number";
     if (!right) return;
     ++outputs;
     for (const sensor::Blob& blob : decoder.frame().blobs) {

@@ -41,7 +41,7 @@ TEST(Words, AreBetweenSpacesTabsAndEqualSigns) {
   EXPECT_EQ(words.words[1], "alert.stop");
   EXPECT_EQ(words.words[2], "0.3");
   EXPECT_EQ(console::split(" \t ").count, 0U);
-  EXPECT_EQ(console::split("1 2 3 4 5 6 7").count, console::Words::kMost);
+  EXPECT_EQ(console::split("1 2 3 4 5 6 7").count, console::Words::kMax);
 }
 
 TEST(Check, EveryCommandWithTheWordsItNeeds) {

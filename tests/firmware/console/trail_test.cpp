@@ -7,14 +7,14 @@
 namespace fencepost::test {
 namespace {
 
-constexpr std::size_t kMost = 32;
-using Trail = console::Trail<kMost>;
+constexpr std::size_t kMax = 32;
+using Trail = console::Trail<kMax>;
 
 TEST(Trail, HoldsEvenlySpacedPlacesOfTheWholeRun) {
   Trail trail;
   for (std::int32_t x = 0; x <= 100'000; x += 10) trail.push({x, -x / 2});
   const auto places = trail.places();
-  ASSERT_GE(places.size(), kMost / 2);
+  ASSERT_GE(places.size(), kMax / 2);
   EXPECT_EQ(places.front().x, 0) << "where it began";
   const int step = places[1].x - places[0].x;
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_NEAR(places[i].x - places[i - 1].x, step, 2) << i;

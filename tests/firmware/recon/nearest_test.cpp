@@ -47,8 +47,8 @@ TEST(Nearest, StaysWithinItsLimit) {
 
 // Every float below 2^30 was compared once (1.5 s a sign); here those beside halves, and each 509th.
 TEST(Nearest, IsTheSameFromBitsAsFromFloats) {
-  constexpr std::uint32_t kMost = 157U << 23;  // 2^30
-  for (std::uint32_t bits = 0; bits < kMost; bits += 509) {
+  constexpr std::uint32_t kMax = 157U << 23;  // 2^30
+  for (std::uint32_t bits = 0; bits < kMax; bits += 509) {
     ASSERT_NO_FATAL_FAILURE(expect_same(bits));
     ASSERT_NO_FATAL_FAILURE(expect_same(bits | kSign));
   }

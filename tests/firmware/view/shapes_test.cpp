@@ -62,7 +62,7 @@ TEST(Shapes, AFlatEdgeHasNoHoles) {
 TEST(Shapes, MoreCornersThanFitAreLeftOut) {
   view::Polygon polygon;
   for (int i = 0; i < 100; ++i) polygon.add(view::point_at(i, i % 2));
-  EXPECT_EQ(painted(100, 2, [&](Row& row) { polygon.paint_inside(row, 1); })[1].rfind('#'), view::Polygon::kMost - 1);
+  EXPECT_EQ(painted(100, 2, [&](Row& row) { polygon.paint_inside(row, 1); })[1].rfind('#'), view::Polygon::kMax - 1);
 }
 
 TEST(Shapes, FarPointsStayWhereProductsFit) {

@@ -53,10 +53,10 @@ TYPED_TEST(Division, OfManyNumbers) {
 }
 
 TYPED_TEST(Division, AtTheEndsOfTheRange) {
-  constexpr TypeParam kLeast = std::numeric_limits<TypeParam>::min();
-  constexpr TypeParam kMost = std::numeric_limits<TypeParam>::max();
-  for (const TypeParam n : {kLeast, static_cast<TypeParam>(kLeast + 1), TypeParam{0}, TypeParam{1}, kMost}) {
-    for (const TypeParam d : {static_cast<TypeParam>(kLeast + 1), TypeParam{1}, TypeParam{2}, kMost}) {
+  constexpr TypeParam kMin = std::numeric_limits<TypeParam>::min();
+  constexpr TypeParam kMax = std::numeric_limits<TypeParam>::max();
+  for (const TypeParam n : {kMin, static_cast<TypeParam>(kMin + 1), TypeParam{0}, TypeParam{1}, kMax}) {
+    for (const TypeParam d : {static_cast<TypeParam>(kMin + 1), TypeParam{1}, TypeParam{2}, kMax}) {
       expect_as_here(n, d);
     }
   }

@@ -115,8 +115,8 @@ TEST(EvidenceCarving, AnotherOriginIsTheSameCut) {
 TEST(KeptTangents, AreBoundedAndStartEmpty) {
   const recon::Sighting view = tour().front();
   host::KeptTangents kept;
-  for (std::size_t i = 0; i <= host::KeptTangents::kMost / 2; ++i) kept.add({view, kOrigin, 1, kNoise});
-  EXPECT_EQ(kept.tangents().size(), host::KeptTangents::kMost / 2 + 2);
+  for (std::size_t i = 0; i <= host::KeptTangents::kMax / 2; ++i) kept.add({view, kOrigin, 1, kNoise});
+  EXPECT_EQ(kept.tangents().size(), host::KeptTangents::kMax / 2 + 2);
   kept.start(view, kOrigin);
   EXPECT_TRUE(kept.tangents().empty());
   recon::Sighting censored = view;

@@ -425,9 +425,9 @@ TEST(SheafPartner, OfChordsThatAreTheBounds) {
   for (int i = 0; i < 20'000; ++i) {
     std::vector<SheafView> views(static_cast<std::size_t>(draw.between(1, 5)));
     for (SheafView& view : views) {
-      constexpr float kLeast = recon::kParallaxLeast, kWanted = recon::kParallaxWanted;
-      view.bearing = {1, draw.of({0.0F, kLeast, std::nextafter(kLeast, 1.0F), kWanted, kWanted + kLeast, 2 * kWanted,
-                                  kWanted - kLeast, recon::kParallaxMost, std::nextafter(recon::kParallaxMost, 0.0F)})};
+      constexpr float kMin = recon::kParallaxLeast, kWanted = recon::kParallaxWanted;
+      view.bearing = {1, draw.of({0.0F, kMin, std::nextafter(kMin, 1.0F), kWanted, kWanted + kMin, 2 * kWanted,
+                                  kWanted - kMin, recon::kParallaxMost, std::nextafter(recon::kParallaxMost, 0.0F)})};
       if (draw.one_in(4)) view.bearing.y() = -view.bearing.y();
       if (!draw.one_in(3)) view.left = view.bearing;
       if (!draw.one_in(3)) view.right = view.bearing;

@@ -13,7 +13,7 @@ namespace fencepost::recon {
 namespace {
 
 using Points = std::vector<ConstellationPoint>;
-constexpr std::size_t kMost = 32;
+constexpr std::size_t kMax = 32;
 
 ConstellationPoint point(float x, float y, std::uint8_t signature = 1, float sigma = 0.02F) {
   return {{x, y}, sigma, 0.05F, signature};
@@ -32,7 +32,7 @@ Points seen_from(const FrameMotion& frame, const Points& all) {
   return seen;
 }
 JoinResult join(const Points& known, const Points& seen) {
-  ConstellationSearch<kMost> search(known, seen);
+  ConstellationSearch<kMax> search(known, seen);
   while (search.step()) {
   }
   return search.result();
@@ -56,7 +56,7 @@ TEST(Constellation, FiveEqualPostsTellTheMotion) {
 TEST(Constellation, SaysWhichIsWhich) {
   Points turned = seen_from(motion(70, 1, 1), kFive);
   std::swap(turned[0], turned[3]);
-  ConstellationSearch<kMost> search(kFive, turned);
+  ConstellationSearch<kMax> search(kFive, turned);
   while (search.step()) {
   }
   const std::vector<std::uint8_t> expected = {3, 1, 2, 0, 4};

@@ -130,7 +130,7 @@ Sum drives(unsigned seed, int things, int colours, bool strange) {
   return sum;
 }
 
-// Seeds on which nothing was chosen; kMostDoubt was, on those from 60,001 to 62,200.
+// Seeds on which nothing was chosen; kMaxDoubt was, on those from 60,001 to 62,200.
 TEST(Relocation, KnowsItsPlaceAgainByThingsOfOwnColours) {
   const Sum sum = drives(65'001, 8, 8, false);
   EXPECT_GE(sum.soon, kRooms / 2);

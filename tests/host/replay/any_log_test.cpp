@@ -89,8 +89,8 @@ Plan random_plan(Dice& dice, bool journal, std::size_t capacity) {
   const double seconds = dice.one_in(2) ? 23 : 12;  // the calibration is repeated every 10 s
   const auto odometry_rate = static_cast<double>(dice.from(5, 60));
   const auto frame_rate = static_cast<double>(dice.from(5, 60));
-  constexpr std::int64_t kMost = sensor::kMaxBlobs;
-  const std::int64_t blobs = dice.one_in(2) ? dice.from(11, kMost) : dice.from(0, kMost);
+  constexpr std::int64_t kMax = sensor::kMaxBlobs;
+  const std::int64_t blobs = dice.one_in(2) ? dice.from(11, kMax) : dice.from(0, kMax);
   for (double t = 0; t < seconds; t += 1 / odometry_rate) {
     plan.script.odometry.push_back({base::Time::nearest(t), desk_odometry(t, 0.03 * t)});
   }

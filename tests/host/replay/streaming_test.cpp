@@ -85,23 +85,23 @@ TEST(KeptPath, KeepsAllWhereThereIsRoomOrNoLimit) {
 
 // However long it is: the first, then evenly, then the last.
 TEST(KeptPath, OfALongOneItKeepsEveryNth) {
-  constexpr std::size_t kMost = 10;
-  KeptPath path(kMost);
+  constexpr std::size_t kMax = 10;
+  KeptPath path(kMax);
   std::size_t longest = 0;
   for (int i = 0; i < 5000; ++i) {
     path.add(at(i));
     const std::vector<PoseResult> kept = path.to_the_end();
     longest = std::max(longest, kept.size());
-    ASSERT_LE(kept.size(), kMost);
+    ASSERT_LE(kept.size(), kMax);
     ASSERT_EQ(kept.front().t, 0);
     ASSERT_EQ(kept.back().t, i);
     if (kept.size() < 3) continue;
     const double step = kept[1].t - kept[0].t;
     for (std::size_t k = 1; k + 1 < kept.size(); ++k) ASSERT_EQ(kept[k].t - kept[k - 1].t, step);
     ASSERT_LE(kept.back().t - kept[kept.size() - 2].t, step);
-    ASSERT_TRUE(step <= 1 || kept.size() > kMost / 2) << "no fewer than it has to";
+    ASSERT_TRUE(step <= 1 || kept.size() > kMax / 2) << "no fewer than it has to";
   }
-  EXPECT_EQ(longest, kMost);
+  EXPECT_EQ(longest, kMax);
 }
 
 TEST(KeptPath, BoundsTheResultsPath) {
@@ -123,7 +123,7 @@ TEST(Complaints, AreEachMadeOnceAndNotWithoutEnd) {
     complaints.add("always the same");
     complaints.add("setting " + std::to_string(i));
   }
-  EXPECT_EQ(complaints.all().size(), host::Complaints::kMost);
+  EXPECT_EQ(complaints.all().size(), host::Complaints::kMax);
   EXPECT_EQ(complaints.all()[0], "always the same");
   EXPECT_EQ(complaints.all()[1], "setting 0");
 }

@@ -37,8 +37,8 @@ struct Target {
   double most;
 };
 constexpr std::array<Target, 4> kTargets = {{{"focal_length", 0.005}, {"yaw", 0.15}, {"pitch", 0.3}, {"latency", 4}}};
-constexpr double kLeastCovered = 0.90;
-constexpr double kMostCovered = 0.98;
+constexpr double kMinCovered = 0.90;
+constexpr double kMaxCovered = 0.98;
 
 using Columns = std::map<std::string_view, Column>;
 
@@ -66,7 +66,7 @@ bool judge(const Request& request, const Columns& columns, unsigned logs) {
     const double share = static_cast<double>(column.covered) / static_cast<double>(std::max<std::size_t>(1, column.n));
     // A handful of logs says nothing of coverage.
     constexpr unsigned kEnough = 100;
-    const bool honest = logs < kEnough || (share >= kLeastCovered && share <= kMostCovered);
+    const bool honest = logs < kEnough || (share >= kMinCovered && share <= kMaxCovered);
     if (column.n == logs && rms <= target.most * request.most && honest) continue;
     fmt::print(stderr, "calibration_study: {}: {} of {} logs, rms {:.4f} (allowed {:.4f}), {:.1f} % covered\n",
                target.key, column.n, logs, rms, target.most * request.most, 100 * share);

@@ -28,8 +28,8 @@ using testing::spill;
 using testing::write_long_log;
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
-constexpr double kSame = 2;   ///< MB
-constexpr double kMost = 48;  ///< MB, whatever the log
+constexpr double kSame = 2;  ///< MB
+constexpr double kMax = 48;  ///< MB, whatever the log
 
 struct Ended {
   int exit_code = -1;
@@ -93,7 +93,7 @@ TEST(Memory, DoesNotGrowWithTheLog) {
       peaks[i] = ended.peak;
     }
     EXPECT_LT(peaks[1] - peaks[0], kSame) << peaks[0] << " and " << peaks[1] << " MB";
-    EXPECT_LT(peaks[1], kMost);
+    EXPECT_LT(peaks[1], kMax);
     if (command[0] == "report") {
       EXPECT_LT(std::filesystem::file_size(folder.path() / "report.html"), 2 * kMegabyte);
     }
@@ -164,7 +164,7 @@ TEST(Memory, ALineWithoutEndIsSkippedOrRefusedByAllThatReadLogs) {
     SCOPED_TRACE(words[0] + " " + words[1] + " " + words.back());
     const Ended ended = run_behind_a_long_line(folder, words, kLine, kAddresses);
     EXPECT_EQ(ended.exit_code, exit_code) << slurp(folder.path() / "out");
-    EXPECT_LT(ended.peak, exit_code == 3 ? 200 : kMost);
+    EXPECT_LT(ended.peak, exit_code == 3 ? 200 : kMax);
   }
 }
 
@@ -173,7 +173,7 @@ TEST(Memory, ALineWithoutEndIsReadInAFewKilobytes) {
   const Folder folder;
   const Ended ended = run_behind_a_long_line(folder, {"replay", "-", "--json"}, 100 * kMegabyte);
   EXPECT_EQ(ended.exit_code, 0);
-  EXPECT_LT(ended.peak, kMost);
+  EXPECT_LT(ended.peak, kMax);
   const auto document = nlohmann::json::parse(slurp(folder.path() / "out"));
   EXPECT_EQ(document["log"]["frames"], 20);
   EXPECT_EQ(document["log"]["foreign"], 101);
@@ -193,7 +193,7 @@ TEST(Memory, DISABLED_OfFourGigabytesIsThatOfTwentyMegabytes) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     std::printf("%s: %.0f MB at its peak, %.0f s\n", words.front().c_str(), ended.peak, took.count());
     EXPECT_EQ(ended.exit_code, 0) << words.front();
-    EXPECT_LT(ended.peak, kMost) << words.front();
+    EXPECT_LT(ended.peak, kMax) << words.front();
   }
   EXPECT_LT(std::filesystem::file_size(folder.path() / "report.html"), 2 * kMegabyte);
 }

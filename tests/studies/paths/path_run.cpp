@@ -13,7 +13,7 @@ namespace fencepost::test {
 namespace {
 
 constexpr Drift kDrift{"1 %, 1 deg/m", 0.01, 1, 0.5, 0};
-constexpr std::uint64_t kLeastViews = 4;
+constexpr std::uint64_t kMinViews = 4;
 
 Tour drive_path(const PathOptions& options) {
   DriftingOdometry odometry(options.seed, options.drift ? kDrift : Drift{});
@@ -52,7 +52,7 @@ std::vector<ObjectScores> run_path(const PathOptions& options) {
       options.feed == Feed::kGiven ? run_given(tour, options.profile) : run_log(tour, options);
   std::vector<ObjectScores> objects;
   for (const host::ObjectEvaluation& object : evaluation.objects) {
-    if (object.visible >= kLeastViews) objects.push_back(scores_at_end(object, evaluation.models));
+    if (object.visible >= kMinViews) objects.push_back(scores_at_end(object, evaluation.models));
   }
   return objects;
 }

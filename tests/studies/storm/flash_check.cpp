@@ -44,8 +44,8 @@ void append(StormFlash& flash, const std::string& line) {
 
 void FlashCheck::note(const Kept& kept) {
   if (states_.back() == kept) return;
-  constexpr std::size_t kMost = 2;
-  if (states_.size() == kMost) states_.erase(states_.begin());
+  constexpr std::size_t kMax = 2;
+  if (states_.size() == kMax) states_.erase(states_.begin());
   states_.push_back(kept);
 }
 

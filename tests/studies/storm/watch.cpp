@@ -62,7 +62,7 @@ bool Watch::Input::regular(base::Time now) const {
 }
 
 void Watch::fault(const char* check, base::Time now, const std::string& sentence) {
-  if (faults_.size() < kMost) faults_.push_back({check, fmt::format("{:.3f} s: {}", now.to_double(), sentence)});
+  if (faults_.size() < kMax) faults_.push_back({check, fmt::format("{:.3f} s: {}", now.to_double(), sentence)});
 }
 
 void Watch::look(const StormRobot& robot, const Outside& outside, base::Time now) {

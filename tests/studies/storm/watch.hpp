@@ -91,7 +91,7 @@ class Watch {
   void check_links(const StormRobot& robot, const Outside& outside, base::Time now);
   void fault(const char* check, base::Time now, const std::string& sentence);
 
-  static constexpr std::size_t kMost = 20;
+  static constexpr std::size_t kMax = 20;
 
   std::vector<Fault>& faults_;
   Seen seen_{base::Time{}};

@@ -147,7 +147,7 @@ void judge_confidence(const Section& section, Tally& tally) {
   }
   print("\n" +
         figure(tally, fmt::format("{} views, {} flags: Spearman's correlation", section.kind, section.flags),
-               spearman(fits), kLeastSpearman, false) +
+               spearman(fits), kMinSpearman, false) +
         "\n");
 }
 

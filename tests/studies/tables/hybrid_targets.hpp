@@ -34,6 +34,7 @@ inline constexpr double kConvexOverlap = 88;
 
 /// Mean excess of a bin may differ so much from what its confidence promises.
 inline constexpr double kConfidenceError = 0.15;
-inline constexpr double kLeastSpearman = 0.8;
+/// Rank correlation of confidence and excess.
+inline constexpr double kMinSpearman = 0.8;
 
 }  // namespace fencepost::test

@@ -172,7 +172,7 @@ std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Ve
   std::size_t size = 4;
   for (std::size_t k = 0; k < outline.offsets.size() && size > 0; ++k) {
     const float sigma = outline.sigma(k);
-    const float moved_out = std::max(inflation(sigma / radius) * sigma, -kMostInward);
+    const float moved_out = std::max(inflation(sigma / radius) * sigma, -kMaxInward);
     const float bound = outline.offset(k) + moved_out + more * sigma;
     size = clip_convex(vertices, size, {node_direction(k, outline.offsets.size()), bound});
   }
@@ -193,7 +193,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const Vec2 lens = sighting.lens_from(core.origin);
   const float distance = std::max(kNearestLens, lens.norm());
   const float moved_by = (lens - core.last_lens).norm() / (kNovelShare * distance);
-  const bool elsewhere = core.views == 0 || moved_by >= kLeastNews;
+  const bool elsewhere = core.views == 0 || moved_by >= kMinNews;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kViewsForShape, noise);

@@ -32,7 +32,7 @@ void add_series_priors(const RadiusPrior& prior, std::size_t order, std::span<co
   add_prior(0, prior.mean, prior.sigma);
   add_prior(1, 0, kCenterSigma);
   add_prior(2, 0, kCenterSigma);
-  const float radius = std::clamp(x[0], kLeastRadius, kLargestPrior);
+  const float radius = std::clamp(x[0], kMinRadius, kLargestPrior);
   for (std::size_t m = 2; m <= order; ++m) {
     const float sigma = kShapeShare * radius / static_cast<float>(m * m - 1);
     add_prior(2 * m - 1, 0, sigma);

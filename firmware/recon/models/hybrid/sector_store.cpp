@@ -31,15 +31,15 @@ std::uint8_t to_eighths(float views) {
 bool is_at_least(const PackedCluster& packed) { return (packed.phase & 1U) != 0; }
 
 std::uint8_t packed_phase(const Cluster& cluster) {
-  constexpr auto kMost = static_cast<float>(kPhases);
-  const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kMost, 0.0F, kMost - 1));
+  constexpr auto kMax = static_cast<float>(kPhases);
+  const auto part = static_cast<unsigned>(std::clamp(cluster.phase * kMax, 0.0F, kMax - 1));
   return static_cast<std::uint8_t>(2 * part + (cluster.lower_bound ? 1 : 0));
 }
 
 // Squared deviation from the cluster in units of its gate.
 float gate_share(const Cluster& cluster, float phase_angle, const Tangent& tangent, const StoreContext& context) {
   const float off = tangent.line.bound - cluster.offset - context.slope * phase_angle;
-  const float sigma = kJoinSigmas * tangent.sigma * std::max(kLeastScale, context.scale);
+  const float sigma = kJoinSigmas * tangent.sigma * std::max(kMinScale, context.scale);
   return off * off / (sigma * sigma * (1.0F + 1.0F / std::max(1.0F, cluster.views)));
 }
 
@@ -53,7 +53,7 @@ bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, con
 // The mean of both, weighted by information. Offsets are compared at one direction.
 Cluster merged(const Cluster& cluster, float phase, const Tangent& tangent, float novelty, float slope_per_sector) {
   Cluster sum = cluster;
-  const float faded = cluster.views > kMostViews ? cluster.views * (kMostViews / (kMostViews + 1)) : cluster.views;
+  const float faded = cluster.views > kMaxViews ? cluster.views * (kMaxViews / (kMaxViews + 1)) : cluster.views;
   const float before = faded / (cluster.sigma * cluster.sigma);
   const float added = novelty / (tangent.sigma * tangent.sigma);
   const float share = added / (before + added);

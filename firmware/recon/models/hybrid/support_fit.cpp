@@ -55,7 +55,7 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
 
 void SupportFit::begin_sides() {
   const NodeStep step = node_step(kRing);
-  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kLeastSideShare, 1.0F);
+  const float share = std::clamp(kSharePerTangent * static_cast<float>(tangents_), kMinSideShare, 1.0F);
   const float sigma = kSideSigma * share * radius_;
   round_side_ = step.angle * radius_;
   side_weight_ = 1.0F / (sigma * sigma * step.angle);
@@ -101,7 +101,7 @@ void SupportFit::measure() {
   float sum = 0;
   for (const float offset : offsets_) sum += offset;
   size_ = sum / static_cast<float>(kRing);
-  radius_ = std::clamp(size_, kLeastRadius, kLargestSideRadius);
+  radius_ = std::clamp(size_, kMinRadius, kLargestSideRadius);
 }
 
 Vec2 SupportFit::center() const {

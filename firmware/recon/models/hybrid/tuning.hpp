@@ -15,7 +15,7 @@ namespace fencepost::recon {
 // --- views (hybrid, tangent) ---
 
 /// share of a whole view's move (kNovelShare) by which a view is news. By design.
-inline constexpr float kLeastNews = 0.25F;
+inline constexpr float kMinNews = 0.25F;
 /// share of its width that a piece has which a segment loses. Prototype.
 inline constexpr float kLostShare = 0.3F;
 /// Probability of that. Before kViewsForShape views nothing outvotes it, so it goes into the sigma of the edges.
@@ -35,7 +35,7 @@ inline constexpr float kFrontShare = 0.8F;
 /// m, half the side of the square that outlines are cut out of. Derived: of the largest, whose origin is on its rim.
 inline constexpr float kOutlineSquare = 2 * kLargestRadius;
 /// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
-inline constexpr float kMostInward = 0.004F;
+inline constexpr float kMaxInward = 0.004F;
 /// m, radius to which the sigmas of smaller outlines are compared. By design.
 inline constexpr float kSmallestRadius = 0.02F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Prototype.
@@ -51,7 +51,7 @@ inline constexpr float kFootSetBack = 0.02F;
 /// sigmas within which a tangent joins a cluster. Prototype.
 inline constexpr float kJoinSigmas = 2.5F;
 /// share down to which residuals are smaller than sigmas say. Prototype.
-inline constexpr float kLeastScale = 0.35F;
+inline constexpr float kMinScale = 0.35F;
 /// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. Prototype.
 inline constexpr float kWeakening = 0.5F;
 /// ratio of sigmas beyond which an edge does not speak for a lower bound as far out. By design.
@@ -63,7 +63,7 @@ inline constexpr float kOverrulingShare = 0.35F;
 inline constexpr float kOverrulingViews = 0.9F;
 inline constexpr float kOverruled = 0.5F;
 /// views that a cluster remembers; older ones fade. Prototype.
-inline constexpr float kMostViews = 30.0F;
+inline constexpr float kMaxViews = 30.0F;
 
 // --- solvers (cyclic_band, low_order_fit) ---
 
@@ -76,8 +76,9 @@ inline constexpr float kMinPivot = 2e-6F;
 inline constexpr float kCenterSigma = 2.0F;
 /// of r / (m^2 - 1), the prior of order m. Measured on circles and on paths.
 inline constexpr float kShapeShare = 0.7F;
-/// m, range of the radius that scales the priors of the higher orders. By design.
-inline constexpr float kLeastRadius = 0.015F;
+/// m, smallest radius that scales the priors of the higher orders. By design.
+inline constexpr float kMinRadius = 0.015F;
+/// m, largest radius that scales them. By design.
 inline constexpr float kLargestPrior = 0.4F;
 
 // --- what is large (both fits) ---
@@ -94,12 +95,12 @@ inline constexpr float kFarBeyond = 0.2F;
 
 /// m, largest radius that scales sides. By design.
 inline constexpr float kLargestSideRadius = 0.35F;
-/// A side is known to kSideSigma r sqrt(D) before anything is seen, where tangents come from all around. Seen from one
-/// side only the outline is rather what objects are like: with fewer tangents sides are known better, down to this
-/// share. Hybrid table.
+/// A side is known to kSideSigma r sqrt(D) before anything is seen, where tangents come from all around. Hybrid table.
 inline constexpr float kSideSigma = 1.8F;
+/// Share of kSideSigma that each tangent adds: an outline seen from one side is rather as objects are. Hybrid table.
 inline constexpr float kSharePerTangent = 1.0F / 56.0F;
-inline constexpr float kLeastSideShare = 0.45F;
+/// Share of kSideSigma with the fewest tangents. Hybrid table.
+inline constexpr float kMinSideShare = 0.45F;
 /// Weight of a side of length l relative to that of a round outline, D r: D r / (l + kSoftening D r); those above
 /// kLongSide of D r are drawn to D r, the others to nothing. Prototype.
 inline constexpr float kSoftening = 0.3F;
@@ -131,7 +132,7 @@ inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
-/// Parts of a whole view in which the weight of news is counted. By design: a view has at least kLeastNews.
+/// Parts of a whole view in which the weight of news is counted. By design: a view has at least kMinNews.
 inline constexpr int kWholeNews = 32;
 /// Passes of a warm fit, the last ones of series and of support: it begins from the outline that is there. More:
 /// outlines of boards are older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2,

@@ -9,7 +9,7 @@ namespace {
 
 using recon::Strayers;
 
-constexpr float kMost = recon::kMostSurprise;
+constexpr float kMax = recon::kMaxSurprise;
 
 int sightings_until_barred(Strayers<4>& strayers, std::size_t slot, std::uint8_t signature, float surprise) {
   for (int n = 1; n <= 1000; ++n) {
@@ -21,7 +21,7 @@ int sightings_until_barred(Strayers<4>& strayers, std::size_t slot, std::uint8_t
 // 9 (1 - (15/16)^n) exceeds 4 with the tenth.
 TEST(Strayers, WhatIsNeverWhereItShouldBeIsNoLandmark) {
   Strayers<4> strayers;
-  EXPECT_EQ(sightings_until_barred(strayers, 2, 7, kMost), 10);
+  EXPECT_EQ(sightings_until_barred(strayers, 2, 7, kMax), 10);
   EXPECT_TRUE(strayers.bars(2, 7));
   EXPECT_FALSE(strayers.bars(1, 7)) << "another object of its colour may stand";
   strayers.forget(2);
@@ -31,14 +31,14 @@ TEST(Strayers, WhatIsNeverWhereItShouldBeIsNoLandmark) {
 TEST(Strayers, WhatIsAsFarOffAsExpectedStays) {
   Strayers<4> strayers;
   EXPECT_EQ(sightings_until_barred(strayers, 0, 7, 1.5F), 0);
-  for (int jump = 0; jump < 5; ++jump) EXPECT_FALSE(strayers.look(0, 7, kMost)) << "the pose was off";
+  for (int jump = 0; jump < 5; ++jump) EXPECT_FALSE(strayers.look(0, 7, kMax)) << "the pose was off";
   EXPECT_FALSE(strayers.bars(0, 7));
 }
 
 TEST(Strayers, TwoOfASignatureSpeakForAll) {
   Strayers<4> strayers;
-  sightings_until_barred(strayers, 0, 7, kMost);
-  sightings_until_barred(strayers, 1, 7, kMost);
+  sightings_until_barred(strayers, 0, 7, kMax);
+  sightings_until_barred(strayers, 1, 7, kMax);
   EXPECT_TRUE(strayers.bars(3, 7));
   EXPECT_FALSE(strayers.bars(3, 8));
   strayers.clear();
@@ -52,7 +52,7 @@ TEST(Strayers, AMeanAtTheBoundIsNoStrayers) {
   EXPECT_EQ(strayers.mean(0), recon::kStraying);
   EXPECT_FALSE(strayers.bars(0, 1));
   EXPECT_TRUE(strayers.look(0, 1, 4.5F));
-  EXPECT_EQ(strayers.mean(0), 2 * kMost);
+  EXPECT_EQ(strayers.mean(0), 2 * kMax);
   EXPECT_TRUE(strayers.bars(0, 1));
   EXPECT_FALSE(strayers.bars(1, 1)) << "one of that colour";
 }
