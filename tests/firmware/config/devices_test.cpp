@@ -19,7 +19,7 @@ TEST(CarSettings, AreTheCarsGeometry) {
   Settings settings;
   EXPECT_EQ(car_of(settings).gyro_scale, 10'000);
   EXPECT_EQ(car_of(settings).steer_scale, 1'000);
-  EXPECT_EQ(car_of(settings).pm_per_count, 0) << "not told";
+  EXPECT_EQ(car_of(settings).pm_per_count, 0) << "not configured";
   for (const auto& [key, value] : {std::pair("car.counts", "-2000"),
                                    {"car.wheelbase", "0.17"},
                                    {"steer.scale", "-1.5"},
@@ -52,7 +52,7 @@ TEST(AboutImage, SaysWhatTheImageIsAndBeginsWith) {
     EXPECT_EQ(about.initial[i], limits.initial.raw(static_cast<DeviceKey>(i)));
   limits.one_line = limits.motors = false;
   EXPECT_EQ(about_image("", 0, limits).one_line + about_image("", 0, limits).motors, 0U);
-  const AboutImage cut = about_image("1.2.3-and-much-more", 1, limits);  // what does not fit is left out
+  const AboutImage cut = about_image("1.2.3-and-much-more", 1, limits);  // too long: its end is left out
   EXPECT_EQ(std::string(cut.version.begin(), cut.version.end()), "1.2.3-and-much");
   EXPECT_EQ(cut.signatures, 1);
 }

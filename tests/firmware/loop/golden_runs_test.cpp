@@ -1,5 +1,5 @@
-// Golden runs: the bundled recordings, and random drives, through the whole loop of each profile have to end in the
-// same state and to have said the same lines as when golden_runs.csv was written. The digest of a state may change only
+// Golden runs: the bundled recordings and random drives, through the whole loop of each profile. They have to end in
+// the same state and to say the same lines as when golden_runs.csv was written. The digest of a state may change only
 // where the changelog says so (firmware/recon/DIGEST.md), the lines only on purpose. FENCEPOST_GOLDEN=FOLDER writes
 // golden_runs.csv anew there, and beside it all lines, to be compared.
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ constexpr const char* kPitched =
     "FPCAM,pixy2.1,316,208,188.00,188.00,157.50,103.50,0.0000,0.1400,0.0000,0.1200,0.0000,0.3000,0.0500";
 constexpr Run kRuns[] = {
     {"approach", "approach_stop", Mode::kLog, ""},
-    {"approach told", "approach_stop", Mode::kText, "alerts on\r"},
+    {"approach in text", "approach_stop", Mode::kText, "alerts on\r"},
     {"approach plotted", "approach_stop", Mode::kPlot, ""},
     {"approach wide", "approach_stop", Mode::kText, "set robot.width 0.5\rset robot.front 0.3\rset robot.rear 0.1\r"},
     {"approach quick", "stop_pixy2", Mode::kLog, "set alert.rate 20\rset alert.ttc_warn 9\rset alert.warn 0.9\r"},
@@ -50,17 +50,17 @@ constexpr Run kRuns[] = {
      "set correct.pose on\rset correct.drift 10\rset camera.noise 1.5\r"},
     {"noisy arc with losses", "noisy_arc", Mode::kLog, "set correct.pose on\r", 13, 5},
     {"corridor", "corridor", Mode::kLog, "set correct.pose on\r"},
-    {"corridor told", "corridor", Mode::kText, "set robot.margin 0.3\r"},
+    {"corridor in text", "corridor", Mode::kText, "set robot.margin 0.3\r"},
     {"corridor with losses", "corridor", Mode::kText, "", 11, 7},
     {"corridor pitched", "corridor", Mode::kLog, "", 0, 0, kPitched},
     {"car", "wro_lap", Mode::kLog, ""},
-    {"car told", "wro_lap", Mode::kText, "set gyro.bias 0.5\rcalibrate\r"},
+    {"car in text", "wro_lap", Mode::kText, "set gyro.bias 0.5\rcalibrate\r"},
     {"car with losses", "wro_lap", Mode::kLog, "set correct.pose on\r", 17, 9},
     {"car pitched", "wro_lap", Mode::kText, "", 0, 0, kPitched},
 };
-// What is asked at the end of each.
+// Asked at the end of each run.
 constexpr const char* kQuestions[] = {"status", "objects", "map", "next", "next 1", "sectors", "calibrate"};
-constexpr std::uint32_t kDrives = 100;
+constexpr std::uint32_t kDrives = 100;  // random ones, for each profile
 constexpr const char* kTable = "/tests/firmware/loop/golden_runs.csv";
 
 std::uint64_t digest_of(const std::string& text) {

@@ -1,4 +1,4 @@
-// A robot among posts, whose map is told a focal length that may be wrong. Boxes are whole pixels, headings have noise.
+// A robot among posts, whose configured focal length may be wrong. Boxes are whole pixels, headings have noise.
 #include "firmware/recon/localize/lens_check.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ class Turner {
   double heading = 0;
   double x = 0;
   double y = 0;
-  double track = 1;  // of the wheels, told over true
+  double track = 1;  // of the wheels, configured over true
 
  private:
   [[nodiscard]] double told_heading() const { return heading / track; }
@@ -163,7 +163,7 @@ TEST(LensCheck, AnotherCalibrationIsANewOne) {
   EXPECT_FALSE(robot.check().wrong());
 }
 
-// What the check asks of a table and of a matcher: two objects where the test says.
+// The table and the matcher that the check reads: two objects where the test says.
 struct CheckedTable {
   static constexpr std::size_t kObjects = 2;
   std::array<recon::ObjectCore, kObjects> things;
@@ -198,8 +198,8 @@ recon::Cylinder cylinder_ahead() {
   return cylinder;
 }
 
-// All that it keeps, after each frame of a robot that turns by whole steps, at rates that are its bounds, past two
-// objects that move across the image as they should, too little, too much, or not at all.
+// All that the check keeps, after each frame of a robot that turns by whole steps at rates that are its bounds. Two
+// objects move across the image as they should, too little, too much, or not at all.
 TEST(LensCheck, OfTurnsThatAreItsBounds) {
   Draw draw(121);
   Sweep sweep;
@@ -254,13 +254,13 @@ TEST(LensCheck, OfTurnsThatAreItsBounds) {
       sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
       sweep.tell("wrong", check.wrong());
       sweep.tell("error", check.error().value_or(0));
-      sweep.tell("told over true", check.told_over_true());
+      sweep.tell("configured over true", check.told_over_true());
     }
     check.clear();
     sweep.tell("cleared", check.wrong());
   }
   expect_said(sweep, {"digest 9600 11f80d8a", "wrong 703 28043e5e", "error 703 580feb4a",
-                      "told over true 9600 27728179", "cleared 0 818c1c65"});
+                      "configured over true 9600 27728179", "cleared 0 818c1c65"});
 }
 
 /// Looks at one object a metre ahead while the robot turns on, 0.075 rad a frame of 0.1 s.
