@@ -138,7 +138,7 @@ TEST_F(Fronts, TheHysteresisHolds) {
   EXPECT_EQ(see().held, AlertLevel::kStop);
 }
 
-// At 0.5 m/s the next look is 0.05 m nearer, and 0.8 s before contact of the body, 0.1 m wide to a side, is 0.5 m.
+// At 0.5 m/s the body, 0.1 m to each side, is 0.8 s before contact at 0.5 m. The next frame is 0.05 m nearer.
 TEST_F(Fronts, ComesSoonWhenTheRobotIsFast) {
   path_.motion.forward = 0.5F;
   put(502, 0);

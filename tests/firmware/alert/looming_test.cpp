@@ -305,8 +305,8 @@ TEST_F(Looks, OdometrySilentAPostCounts) {
   EXPECT_GE(announced(), 0.75);
 }
 
-// While odometry was silent it was not known who moved: what stands must not lose its place on the floor for it, or
-// nothing at all speaks of it.
+// While odometry was silent it was unknown who moved. A stationary post must keep its place on the floor meanwhile, or
+// nothing at all reports it.
 TEST_F(Looks, OdometryBackAPostStandsAgain) {
   things_ = {{.x = 1.6}};
   speed_ = 0.3;

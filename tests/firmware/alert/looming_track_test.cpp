@@ -1,5 +1,5 @@
-// What looming keeps of each thing, to its last bit: integers on every machine. Whoever changes a rule or a constant of
-// it on purpose finds the new numbers in the failure.
+// The state of every looming track, to its last bit: integers on every machine. Whoever changes a rule or a constant
+// on purpose finds the new numbers in the failure.
 #include <gtest/gtest.h>
 
 #include <algorithm>

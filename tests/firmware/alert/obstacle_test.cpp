@@ -140,7 +140,7 @@ TEST(Obstacle, ALongNoseTouchesSooner) {
   EXPECT_NEAR(plain.ttc, (0.9F - 0.1F) / 0.2F, 0.02F);
 }
 
-// A straight front is at a post off its middle when it is at its middle: 0.49 m ahead along the way, not 0.5 m away.
+// A straight front touches a post beside its middle once it is level with it: 0.49 m along the path, not 0.5 m.
 TEST(Obstacle, AStraightFrontTouchesAllAlongItsEdge) {
   const Obstacle seen = see_obstacle(known_object(0.49, 0.1, 0.02), {{0, 0}, 0}, with_body(driving(0.2F), 0.3F, 0.05F));
   EXPECT_NEAR(seen.ttc, (0.49F * 0.48F / 0.5F - 0.3F) / 0.2F, 0.02F);

@@ -65,7 +65,7 @@ TEST(Ways, WhichLeadOn) {
   EXPECT_FALSE(ways(0.1F, 0.65F).spins) << "0.154 m";
 }
 
-// What stands may go on as it went; a round body sweeps nothing by a spin, and one on an arc does not spin.
+// A stationary robot may go on as it went. A round body sweeps nothing by a spin, and a body on an arc does not spin.
 TEST(Ways, OfARobotThatStandsAreThoseOfBefore) {
   RobotPath path = path_of(0, 0);
   path.last = {true, true};
@@ -195,8 +195,9 @@ TEST(Footprint, OfWidthAloneIsRound) {
   }
 }
 
-// On a circle of 0.35 m to the left the rear's outer corner is sqrt(0.45^2 + 0.3^2) = 0.541 m from the pivot, 0.091 m
-// farther than the side. With the margin 0.591 m: beside the tail 0.2 m behind, to y = 0.35 - sqrt(0.591^2 - 0.2^2).
+// On a circle of 0.35 m to the left the rear's outer corner is sqrt(0.45^2 + 0.3^2) = 0.541 m from the pivot. That is
+// 0.091 m farther than the side, and 0.591 m with the margin. Beside the tail, 0.2 m behind, the area therefore ends at
+// y = 0.35 - sqrt(0.591^2 - 0.2^2).
 TEST(Footprint, TheTailSwingsOut) {
   const SweptArea area(body_of(0.1F, 0.3F, 0.2F, 0.2F / 0.35F), 0);
   EXPECT_TRUE(area.contains(-200, -204));
@@ -237,7 +238,7 @@ TEST(Footprint, SpinningSweepsACircle) {
   EXPECT_FALSE(SweptArea(path_of(0, 0.5F), 0).contains(0, 120)) << "a round body stays where it is";
 }
 
-// Told to stop, it stands; what it would have met is still in its way.
+// The robot stopped on command, but obstacles on the path that it followed are still in its way.
 TEST(Footprint, ARobotThatStandsMayGoOnAsItWent) {
   RobotPath path = body_of(0.1F, 0.3F, 0, 0);
   EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0));
@@ -246,7 +247,7 @@ TEST(Footprint, ARobotThatStandsMayGoOnAsItWent) {
   EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
   EXPECT_TRUE(SweptArea(path, 0).contains(400, 0)) << "or ahead";
   EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
-  path.last.follow({0.03F, 0.04F});  // wavers
+  path.last.follow({0.03F, 0.04F});  // jitter
   EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
   path.last.follow({0, 0.5F});
   EXPECT_TRUE(SweptArea(path, 0).contains(-200, 200));

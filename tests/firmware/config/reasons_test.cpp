@@ -1,4 +1,4 @@
-// What a choice of devices and colours is refused for, and where it ends.
+// The reasons why a choice of devices or a car's record is refused, and the bounds of a colour's window.
 #include <gtest/gtest.h>
 
 #include <set>

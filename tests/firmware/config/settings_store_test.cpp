@@ -92,7 +92,7 @@ TEST(SettingsStore, LayoutIsWhatTheHeaderSays) {
   EXPECT_EQ(page[56], 0xFF);
 }
 
-// A page is told anew line by line, as before there were lines that belong together: it counts by its head.
+// A rewritten page counts as a whole by its head, so each of its lines has its CRC as it is.
 TEST(SettingsStore, LinesOfAPageToldAnewStandForThemselves) {
   Flash flash;
   SettingsStore<Flash> store(flash);
@@ -130,8 +130,8 @@ TEST(SettingsStore, LineThatIsTooLongIsRefusedAndChangesNothing) {
 /// Whether the word that was being written is torn, or not begun.
 class SettingsStoreCut : public testing::TestWithParam<bool> {};
 
-// At every word of a long life the power is cut; afterwards each value is the last or, of the change that was being
-// written, the one before. Then the robot goes on.
+// Cuts the power at every word of a long life. Afterwards each value is the last one; only the change that was being
+// written may have left the value before it. Then the robot goes on.
 TEST_P(SettingsStoreCut, AtAnyWordLosesAtMostTheChangeThatWasBeingWritten) {
   std::size_t cuts = 0;
   bool cut = true;
@@ -158,8 +158,8 @@ TEST_P(SettingsStoreCut, AtAnyWordLosesAtMostTheChangeThatWasBeingWritten) {
   EXPECT_GT(cuts, 250U);
 }
 
-// The same with changes of one to three values at once, in the page and in pages told anew: all are as they were before
-// or all as after; and none of those that did not count comes back with a later one.
+// The same with changes of one to three values at once, in a page and in rewritten pages. All values are as before the
+// change, or all as after it. A change that did not count never comes back with a later one.
 TEST_P(SettingsStoreCut, AtAnyWordLeavesValuesToldTogetherAllOldOrAllNew) {
   std::size_t cuts = 0;
   std::size_t old = 0;
@@ -261,7 +261,7 @@ TEST(SettingsStore, ALineHas256BytesAtMost) {
   EXPECT_EQ(loaded(flash), Lines{std::string(256, 'x')});
 }
 
-// What another program wrote, right in all but its length.
+// An entry that another program wrote, right in all but its length.
 TEST(SettingsStore, AnEntryThatIsTooLongEndsThePage) {
   for (const std::size_t length : {256U, 257U}) {
     LargeFlash flash;

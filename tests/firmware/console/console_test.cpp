@@ -161,7 +161,7 @@ TEST(Console, ARobotThatStandsDoesNotRepeatItself) {
   EXPECT_GT(sentences(desk.link.take_said()), 5) << "on its way";
   desk.turn(5'000);
   EXPECT_LE(sentences(desk.link.take_said()), 1) << "standing";
-  // Records go on, for whoever follows them, and who is told again is told what is in force.
+  // Records go on for their readers. A reader who returns to text gets the alerts that are in force.
   desk.type_line("mode log");
   desk.turn(2'000);
   EXPECT_NE(desk.link.take_said().find("$FPALR"), std::string::npos);

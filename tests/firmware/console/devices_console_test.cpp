@@ -168,7 +168,7 @@ TEST_F(DevicesConsole, ACameraOfTheConsoleHasNoCalibrationUntilItComes) {
   EXPECT_TRUE(desk.memory().calibration.known) << "only the wheels are others";
 }
 
-// What is read later has to know through which lens it was seen.
+// Whoever reads the log later has to know through which lens its frames were seen.
 TEST_F(DevicesConsole, TheLogSaysWhichCalibrationIsInForce) {
   static_cast<void>(say("mode log"));
   const std::string said = say("set camera pixy2.1");

@@ -16,7 +16,7 @@ using console::DriveNeed;
 
 constexpr double kDegree = 3.14159265358979 / 180;
 
-/// A robot on its way: frames with the boxes that it is told to see.
+/// A robot on its way: frames with the boxes that the test gives it.
 class Way {
  public:
   Way() { guide_.begin(); }

@@ -99,7 +99,7 @@ TEST(TopView, ADiscIsRoundToTheEyeAndNeverLost) {
     widest = std::max(widest, width);
     height += width > 0 ? 1 : 0;
   }
-  // A row of 0.08 m and a column of 0.04 m: pi 0.2^2 is 39 cells, and half of the 22 that its edge cuts are too many.
+  // A cell is a row of 0.08 m by a column of 0.04 m. pi 0.2^2 is 39 cells; the edge cuts 22, and half of them may err.
   EXPECT_NEAR(static_cast<double>(cells), 39, 11);
   EXPECT_EQ(widest, 11U);
   EXPECT_EQ(height, 5U);

@@ -1,4 +1,4 @@
-// What a robot was told survives a reset.
+// A robot's configuration survives a reset.
 #include "firmware/image/keeper.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Keeper, WritesOnlyWhatHasChanged) {
   Flash flash;
   Desk desk(flash);
   EXPECT_TRUE(desk.keeper.keep());
-  EXPECT_EQ(flash.page(0)[0], 0xFF);  // nothing was told: nothing is written
+  EXPECT_EQ(flash.page(0)[0], 0xFF);  // nothing was configured: nothing is written
   for (int i = 0; i < 300; ++i) {
     ASSERT_FALSE(desk.pipeline().set("alert.warn", i % 2 == 0 ? "0.60" : "0.70"));
     ASSERT_TRUE(desk.keeper.keep()) << i;
@@ -119,8 +119,8 @@ TEST(Keeper, DevicesThatCannotBeHadAreThoseOfAFreshImage) {
   EXPECT_EQ(again.memory().calibration.intrinsics.model.view(), "pixy2");
 }
 
-// A camera, its lens and where it is mounted, settings and a colour, all between two looks: a robot with some of them
-// is one that nobody has told.
+// A camera, its lens and where it is mounted, settings and a colour, all between two looks. A robot with only some of
+// them has a configuration that nobody gave it.
 TEST(Keeper, PowerCutAtAnyWordLeavesAllThatWasToldOrNothing) {
   const auto all = [](OfferedDesk& desk) {
     std::string text = all_of(desk.memory());

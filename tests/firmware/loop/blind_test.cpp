@@ -1,5 +1,5 @@
-// A robot that cannot know what is ahead says so in every mode, and when it can again; the heartbeat goes on; and a
-// replay of the log says the same.
+// A robot that cannot know what is ahead says so in every mode, and says when it can again. The heartbeat goes on, and
+// a replay of the log says the same.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -100,7 +100,7 @@ class BlindRobot {
 
 TEST(Blind, NeverOfAHealthyRobotWhoseHeartBeatsTenTimesASecond) {
   BlindRobot robot(console::Mode::kLog);
-  robot.speed = 0.15;  // what is ahead stays farther than is worth a notice
+  robot.speed = 0.15;  // everything ahead stays beyond the distance of a notice
   robot.run(10);
   const Records records = robot.records();
   for (const record::AlertReport& alert : records.alerts) EXPECT_NE(alert.level, AlertLevel::kBlind);

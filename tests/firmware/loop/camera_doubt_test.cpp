@@ -1,5 +1,5 @@
-// A camera that is not as the robot was told: said in every mode, in `status`, as a record that is repeated; the alerts
-// are more careful meanwhile; and never of a camera that is right.
+// A camera that differs from its calibration is reported in every mode, in `status`, and as a record that is repeated.
+// The alerts are more careful meanwhile. A camera that is right is never reported.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// An alert ends with its object: every id that was said to be at notice or more gets a clear when it ends, however it
-// ends, and whatever takes its slot begins afresh.
+// An alert ends with its object. Every id that was reported at notice or more gets a clear when it ends, however it
+// ends. The object that takes its slot begins afresh.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -90,8 +90,8 @@ class Robot {
 
 sensor::BlobFrame nothing(double t, std::uint32_t number) { return {base::Time::nearest(t), number, {}}; }
 
-// A post was seen five times and then, ten times a second, should have been and was not: after 0.5 s its alert ends,
-// after one it is deleted.
+// A post was seen five times. Then ten frames a second should show it and do not: its alert ends after 0.5 s, and the
+// object is deleted after one.
 TEST(Clear, ComesWhenAnObjectIsDeleted) {
   Robot<config::Small> robot;
   std::uint32_t number = 0;
@@ -109,8 +109,8 @@ TEST(Clear, ComesWhenAnObjectIsDeleted) {
   EXPECT_NEAR(last.distance.to_double(), warned.distance.to_double(), 0.1) << "where it was last said to be";
 }
 
-// Boxes that come and go, divide and merge, before a robot that turns from place to place: after each frame the alerts
-// in force are those of objects that exist.
+// Boxes come and go, divide and merge, before a robot that turns from place to place. After each frame the alerts in
+// force are those of objects that exist.
 template <class Base>
 void drive_at_random(std::uint32_t seed, std::map<EventKind, int>& ended) {
   Robot<Base> robot;

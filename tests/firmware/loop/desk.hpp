@@ -103,7 +103,7 @@ class Desk {
       now = now + base::milliseconds(1);
     }
   }
-  /// What is said from the first byte of `text` until nothing more comes.
+  /// The robot's output from the first byte of `text` until nothing more comes.
   std::string type(std::string_view text) {
     link.type(text);
     std::string said;

@@ -68,7 +68,7 @@ TEST(GuardAlert, StopsWhenTheRearReachesTheWallBehind) {
   }
 }
 
-// Below the lens nothing is seen any more. The robot obeys, stands for ten minutes, and is still told to stop.
+// Below the lens the wall is no longer seen. The robot obeys and stands for ten minutes, and stop stays in force.
 TEST(GuardAlert, LastsWhileTheObstacleIsBelowTheImage) {
   Drive robot;
   robot.go(3.25, 0.2, {kWall});
@@ -76,7 +76,7 @@ TEST(GuardAlert, LastsWhileTheObstacleIsBelowTheImage) {
   ASSERT_EQ(robot.level_of(record::kNoObject), AlertLevel::kStop);
   robot.go(600, 0, {});
   EXPECT_EQ(robot.level_of(record::kNoObject), AlertLevel::kStop);
-  robot.go(1, -0.2, {});  // what is ahead is not on its way now
+  robot.go(1, -0.2, {});  // it backs off: the wall ahead is not on its way now
   EXPECT_EQ(robot.level_of(record::kNoObject), AlertLevel::kClear);
   robot.go(1, 0.1, {});  // and 0.45 m away it saw that nothing is there
   EXPECT_EQ(robot.level_of(record::kNoObject), AlertLevel::kClear);
@@ -97,7 +97,7 @@ TEST(GuardAlert, EndsWithinASecondWhenTheObstacleIsTakenAway) {
   }
 }
 
-// An alert that eases is in force for a while yet: until then nobody is told that it is over.
+// An alert that eases stays in force for a while: no clear is sent before that time is over.
 TEST(GuardAlert, IsNotTakenBackWhileItIsInForce) {
   Drive robot(50);
   robot.go(3, 0.2, {kWall});
@@ -132,8 +132,8 @@ TEST(GuardAlert, DoesNotRepeatWhatAnObjectSays) {
   }
 }
 
-// The map loses what it knew: the table gives its slot to others, the object is two, a restart of its models. What
-// stands there is still told of.
+// The map loses the object: its slot goes to others, it divides in two, its models restart. The guard still reports
+// the obstacle.
 TEST(GuardAlert, CoversWhatTheMapLoses) {
   Drive<config::Micro> robot;
   const FlatFront post{0.8, -0.06, 0.06};

@@ -1,4 +1,4 @@
-// A cable's state is told once, by the loop, in the words of its mode.
+// The loop reports a cable's state once, in the words of its mode.
 #include "firmware/loop/link_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using sensor::LinkState;
 
 class LinkWatchTest : public ::testing::Test {
  protected:
-  /// Whether it is to be told; then it is.
+  /// Whether the state is due to be reported; then it counts as sent.
   bool tells(LinkState state, std::int64_t ms) {
     const auto due = watch.observe(state, Time{} + milliseconds(ms));
     if (due) watch.sent();

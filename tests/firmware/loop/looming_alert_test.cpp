@@ -1,5 +1,5 @@
-// What comes closer by itself in a whole run: stop is said in time, whatever the console's mode, and while odometry is
-// silent.
+// A ball comes closer by itself in a whole run. Stop is said in time, whatever the console's mode, and while odometry
+// is silent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +99,7 @@ TYPED_TEST(LoomingAlert, NeedsNoOdometry) {
   EXPECT_EQ(ball.level(), AlertLevel::kStop) << ball.said;
 }
 
-// A robot that is told to stop is told that it may go on.
+// A restart clears the stop that was in force: the robot may go on.
 TYPED_TEST(LoomingAlert, EndsWithARun) {
   RollingBall<TypeParam> ball(console::Mode::kQuiet, 1.0);
   ball.until(0.5);
@@ -162,7 +162,7 @@ TYPED_TEST(LoomingAlert, WhatCrossesLeavesOneObjectAtMost) {
   }
 }
 
-// What stands is not taken for what moves, however the robot drives at it.
+// A stationary post is not taken for a mover, however the robot drives at it.
 TYPED_TEST(LoomingAlert, APostThatIsPassedStaysInTheMap) {
   for (const double speed : {0.1, 0.3}) {
     const Passing<TypeParam> post(speed, 1.5, 0.3, 0, 0, 0.8 / speed);

@@ -48,7 +48,7 @@ TEST(MotionPermit, EndsWhenStreamTimeStandsStill) {
   EXPECT_TRUE(permit.judge(now, links, at_ms(1'400)));
 }
 
-// What waited for a loop that was kept away is old, and so is what it says of the sensors.
+// Input that waited for a blocked loop is stale, and so is the state of the sensors that it shows.
 TEST(MotionPermit, ComesBackWhenTheStreamHasCaughtUp) {
   MotionPermit permit;
   const console::Links links{LinkState::kOk, LinkState::kOk};

@@ -50,7 +50,7 @@ TEST(OutputQueue, WhatWasTakenMakesRoom) {
   EXPECT_EQ(waiting(queue), std::string(record::kMaxLine, 'd'));
 }
 
-// What there is room for is written once, where it stays.
+// A line that fits is written once, where it stays.
 TEST(OutputQueue, ALineIsWrittenAgainOnlyWhereItDidNotFit) {
   Queue queue;
   int writes = 0;

@@ -93,8 +93,8 @@ TEST(Pipeline, SaysWhetherTheLatestInputWasUsed) {
   EXPECT_FALSE(pipeline.used_input());
 }
 
-// How far stream time is behind the robot's clock: less is believed at once; more by 10 ms an input, and only of one
-// that is the newest.
+// Stream time is behind the robot's clock by a lag. A smaller lag is believed at once. It grows by at most 10 ms an
+// input, and only by an input that is the newest.
 TEST(Pipeline, StreamTimeFollowsTheClockSlowly) {
   Bench bench;
   loop::Pipeline<config::Small>& pipeline = bench.pipeline;

@@ -1,5 +1,5 @@
-// A random drive as the lines of its log: whatever follows from one number, the same on every machine (our own
-// trigonometry, no distribution of the library's). Rough on purpose: noise, losses, split and foreign boxes, gaps,
+// A random drive as the lines of its log. All of it follows from one number, and is the same on every machine: our own
+// trigonometry, no distribution of the library's. It is rough on purpose: noise, losses, split and foreign boxes, gaps,
 // jumps, drift, movers, commands.
 #pragma once
 
@@ -53,7 +53,7 @@ class RandomDrive {
     return lines;
   }
 
-  /// What comes in the next 20 ms, with its time in seconds.
+  /// The lines of the next 20 ms, and their time `t` in seconds.
   std::string next(double& t) {
     t_ += 20;
     move();

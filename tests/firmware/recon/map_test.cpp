@@ -415,8 +415,8 @@ TEST(Map, HeightBandFollowsFromTheRows) {
   EXPECT_NEAR(band.z_max, 0.10F, 0.004F);
 }
 
-// Something new in every frame, and something near: whoever is seen still has its turn in bounded time, the near one
-// more often than others, and the new one in the frame that shows it first if nobody has waited long.
+// Something new in every frame, and something near. Each object that is seen still has its turn in bounded time, the
+// near one more often than others. A new one has it in the frame that shows it first, if no object has waited long.
 TEST(Map, EveryObjectThatIsSeenHasItsTurnOfTheModels) {
   constexpr int kBound = 3 * static_cast<int>(config::Micro::kObjects) + 2;
   const std::vector<Post> kept = {{1, 0.8, 0.1, 0.04}, {2, 1.6, -0.1, 0.04}, {3, 1.6, 0.4, 0.04}};
@@ -516,8 +516,8 @@ TEST(MapEvents, AnObjectIsBornOnceAndThenOnlySeen) {
   EXPECT_TRUE(drive.map->events().empty());
 }
 
-// What was one blob becomes two for good: the whole ends, its parts are born, one of them in its slot, with nothing of
-// what the whole was counted for.
+// One blob becomes two for good: the whole ends and its parts are born. One of them takes its slot, without any of its
+// counts.
 TEST(MapEvents, PartsOfADividedObjectBeginWithoutItsState) {
   Drive<config::Small> drive;
   for (int i = 0; i < 30; ++i) drive.step({{1, 1.0, 0.0, 0.12}}, 0, 0.01 * i, 0);

@@ -1,4 +1,4 @@
-// Round posts as a camera that may not be as the robot was told shows them: whole pixels, cut by the image's border.
+// Round posts, seen by a camera that may differ from its calibration: whole pixels, cut by the image's border.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct TrueCamera {
   double ahead = 0;      ///< m, of the robot's origin
 };
 
-/// What it shows from a pose of the robot. Of posts that hide one another it shows both.
+/// The camera's frame from a pose of the robot. Posts that hide one another are both in it.
 inline sensor::BlobFrame view_of_posts(const std::vector<RoundPost>& posts, const TrueCamera& camera, double x,
                                        double y, double heading, std::int64_t ticks, std::uint32_t number) {
   constexpr double kTop = 0.1;  // m, of a post above its foot

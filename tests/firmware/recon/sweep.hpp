@@ -1,6 +1,6 @@
-// Answers over many inputs, each name's in one number. Inputs are drawn from a grid so coarse that they often meet a
-// bound exactly: what a `<` becomes a `<=` by, a condition that is left out, or another constant is another number. For
-// what was measured or chosen and has no other truth; where there is one, a test says it in words.
+// Answers over many inputs, one digest for each name. Inputs are drawn from a grid so coarse that they often meet a
+// bound exactly. A `<` that becomes `<=`, a condition left out or another constant therefore changes the digest. It is
+// for values that were measured or chosen and have no other truth; where there is one, a test says it in words.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-/// What was told under each name: how many were not zero, and a digest of all in their order.
+/// The values recorded under each name: the number that were not zero, and a digest of all in their order.
 class Sweep {
  public:
   template <class T>

@@ -1,4 +1,4 @@
-// What the encoder writes of every kind, and what it refuses to write.
+// The encoder's line for every kind of record, and the records that it refuses to write.
 #include "firmware/record/encode.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the tests of the record stream share: lines made by hand, records in a list.
+// Shared by the tests of the record stream: lines made by hand, records in a list.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ std::string line_of(const Record& record) {
   return line;
 }
 
-/// The log of a robot that was told so before it started: a setting after the header. Throws std::runtime_error.
+/// The log of a robot that had the setting before it started: a line after the header. Throws std::runtime_error.
 inline std::string with_setting(std::string log, const record::Setting& setting) {
   if (!log.starts_with("$FPHDR")) throw std::runtime_error("a log has to begin with its header");
   return log.insert(log.find('\n') + 1, line_of(setting));

@@ -1,4 +1,4 @@
-// What must hold of the stream reader for any bytes whatever; a violation traps.
+// Invariants of the stream reader, for any bytes whatever; a violation traps.
 #pragma once
 
 #include <algorithm>

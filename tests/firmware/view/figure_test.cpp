@@ -52,8 +52,8 @@ void expect_within(const Painted& painted, int left, int right, int top, int bot
   EXPECT_NEAR(painted.bottom, bottom, 1);
 }
 
-// 0.6 m to the sides, 0.1 m deep, its middle 0.3 m ahead and 0.2 m to the left of the map's origin: (60, 50), 60 pixels
-// wide and 10 high. Corners of whole pixels, all four of them.
+// A wall 0.6 m across and 0.1 m deep, its middle 0.3 m ahead and 0.2 m to the left of the map's origin. The figure is
+// at (60, 50), 60 pixels wide and 10 high. All four corners are on whole pixels.
 TEST(Figure, AnOutlineIsDrawnAsItIs) {
   const BoxOutline wall(0.1F, 0.6F, 0.01F);
   auto colours = painted_by({{300, 200}, 0, wall.view()});

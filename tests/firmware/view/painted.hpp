@@ -12,7 +12,7 @@
 
 namespace fencepost::test {
 
-/// What `shape` paints into `width` x `height` pixels: '#' where it does.
+/// The rows of `width` x `height` pixels that `paint` has painted: '#' where it did. "outside": it left its row.
 template <class Paint>
 std::vector<std::string> painted(std::size_t width, std::size_t height, Paint&& paint) {
   std::vector<std::string> rows;

@@ -20,7 +20,7 @@ struct FlatFront {
   std::uint8_t signature = 1;
 };
 
-/// What the camera shows from (x, y), looking along x. Of fronts that hide one another it shows all: boxes may overlap.
+/// The camera's frame from (x, y), looking along x. Fronts that hide one another are all in it: boxes may overlap.
 inline sensor::BlobFrame flat_view(const std::vector<FlatFront>& world, double x, double y, double t,
                                    std::uint32_t number) {
   constexpr double kFocal = 273.6;

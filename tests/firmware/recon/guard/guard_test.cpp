@@ -101,7 +101,7 @@ TEST(Guard, AFrameMoreIsNotAFrameTwice) {
   for (const Front& front : bench.guard.fronts()) EXPECT_EQ(__builtin_popcount(front.frames), 1);
 }
 
-// What frames look past is gone after kRefutedAfter: at any frame rate, and not by fewer than three frames.
+// A point that frames look past is gone after kRefutedAfter: at any frame rate, and not by fewer than three frames.
 TEST(Guard, LookingPastAPointRefutesItInTimeNotInFrames) {
   for (const double rate : {5.0, 10.0, 12.5, 50.0, 100.0}) {
     for (const bool wall_behind : {false, true}) {
@@ -146,7 +146,7 @@ TEST(Guard, NothingBelowTheImageIsClearedByNotBeingSeen) {
   EXPECT_EQ(bench.points_of(kPost), 0);
 }
 
-// What rises into the image above its lower border was seen from here: from here it has to be seen.
+// A stationary robot saw this point above the image's lower border, so it has to go on seeing it.
 TEST(Guard, WhatARobotThatStandsHasSeenItMustSee) {
   for (const double rate : {10.0, 50.0}) {
     Bench bench;
@@ -271,8 +271,8 @@ TEST(Guard, FollowsTheRobotFarFromTheStart) {
   }
 }
 
-// What moves by itself leaves no points, and takes those that it left before it was known to: also where they are below
-// the image now. Those of another colour stay.
+// A mover leaves no points. Those from before it was known to move are deleted, also where they are below the image
+// now. Points of another colour stay.
 TEST(Guard, WhatMovesLeavesNothingBehind) {
   Bench bench;
   const FlatFront other{0.34, -0.05, 0.05, 2};
@@ -361,8 +361,8 @@ void tell_fronts(Sweep& sweep, std::span<const Front> fronts) {
   }
 }
 
-// Blobs that are almost where others were, from places that are a few millimetres apart, at times that are whole counts
-// of its clocks: what every frame leaves of the points.
+// Blobs almost where others were, from places a few millimetres apart, at times that are whole counts of the guard's
+// clocks. The points after every frame are compared.
 TEST(Guard, OfBlobsThatAreAlmostWhereOthersWere) {
   Draw draw(41);
   Sweep sweep;
@@ -413,7 +413,7 @@ TEST(Guard, ItsOriginFollowsBeyondEightMetres) {
   }
 }
 
-// A lens that is told to be farther from the robot's origin than any robot is long counts as 4 m away.
+// A lens configured farther from the robot's origin than any robot is long counts as 4 m away.
 TEST(Guard, ALensIsWithinFourMetresOfTheRobot) {
   for (const auto& [x, y] : {std::pair{0.0F, 5.0F}, {0.0F, -5.0F}, {5.0F, 0.0F}, {-5.0F, 0.0F}}) {
     Bench bench;

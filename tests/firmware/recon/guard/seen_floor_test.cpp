@@ -17,8 +17,7 @@ recon::MapPose floor_pose(double x, double y, double heading) {
           static_cast<std::int32_t>(std::lround(1e6 * heading))};
 }
 
-// The image is 60 degrees wide; the lens is over the origin, 12 cm high: what is 6 cm high at least is seen from 0.16
-// m.
+// The image is 60 degrees wide, and the lens is 12 cm above the origin. Things at least 6 cm high are seen from 0.16 m.
 struct FloorBench {
   void look(const std::vector<FlatFront>& world, double x = 0, double y = 0, double heading = 0) {
     show(flat_view(world, x, y, t, number), x, y, heading);

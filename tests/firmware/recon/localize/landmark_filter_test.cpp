@@ -105,7 +105,7 @@ class DenseFilter {
   DenseMatrix P;
 };
 
-// What the packed covariances stand for; those between radii are zero.
+// The packed covariances as a dense matrix; those between radii are zero.
 template <std::size_t N>
 DenseMatrix unpacked(LandmarkFilter<N>& filter) {
   constexpr auto kPlaces = static_cast<int>(recon::places_of(N));
@@ -197,7 +197,7 @@ TEST(LandmarkFilter, TakesWhatItShould) {
   EXPECT_EQ(recon::covariances_of(8), 19U * 20 / 2 + 8 * 20);
 }
 
-// Against all covariances in double: the means agree to millimetres, and what is left out only ever makes a variance
+// Against all covariances in double: the means agree to millimetres. The covariances left out only ever make a variance
 // larger, by a tenth of a sigma at most.
 TEST(LandmarkFilter, AgreesWithADenseFilterInDouble) {
   Loop<4> loop;
@@ -346,8 +346,8 @@ TEST(LandmarkFilter, ClosesTheLoop) {
   EXPECT_LT(recon::pose_sigma(loop.filter.pose_covariances()).position, 0.5F * sigma_before);
 }
 
-// A landmark last seen when the pose was off by what it is known to be off moves the one seen now, not itself: the
-// other landmark follows the pose.
+// An old landmark seen again corrects the pose. Another landmark, added just before with the pose's error, moves with
+// the pose.
 TEST(LandmarkFilter, MovesWhatWasSeenLastWithThePose) {
   Loop<4> loop;
   for (int i = 1; i < 8; ++i) {
@@ -507,8 +507,8 @@ TEST(LandmarkFilter, TurnsWithTheScene) {
   EXPECT_NEAR(there.heading * 1e-6, here.heading * 1e-6 + turn, 3e-4);
 }
 
-// A robot that turns by 0.5 rad/m and looks every fifth time, of which the noise explains a small part: the factor on
-// it grows; with wheels that are true it stays where it was told.
+// Wheels that turn the robot by 0.5 rad/m, of which the noise explains a small part; it looks every fifth time. The
+// factor on the noise grows. With wheels that are true it keeps its configured value.
 TEST(LandmarkFilter, LearnsHowFarOdometryDrifts) {
   for (const double drift : {0.0, 0.5}) {
     Loop<4> loop;
@@ -537,8 +537,8 @@ TEST(LandmarkFilter, SaysHowFarAPoseIsFromItsOwn) {
   view.covariance[5] = 0.0025F;
   EXPECT_EQ(distance_to(view, view.at.pose), 0);
   EXPECT_NEAR(distance_to(view, map_pose(0.2, -0.2, 0.1)), 12, 1e-3);
-  // x and the heading go together (0.004 of at most 0.005): both two sigmas off in the same way are
-  // (4 + 4 - 2 * 0.8 * 4) / (1 - 0.64) = 4.444, in opposite ways (4 + 4 + 2 * 0.8 * 4) / 0.36 = 40.
+  // x and the heading are correlated: 0.004 of at most 0.005. Both two sigmas off in the same way are
+  // (4 + 4 - 2 * 0.8 * 4) / (1 - 0.64) = 4.444. In opposite ways they are (4 + 4 + 2 * 0.8 * 4) / 0.36 = 40.
   view.covariance[3] = 0.004F;
   EXPECT_NEAR(distance_to(view, map_pose(0.2, 0, 0.1)), 4.444, 1e-2);
   EXPECT_NEAR(distance_to(view, map_pose(0.2, 0, -0.1)), 40, 0.1);

@@ -39,7 +39,7 @@ float residual(const recon::CircleEquation& equation, const Vec2& center, float 
 
 // 2 m ahead and 1.5 m to the left: 2.5 m away; the bearing's direction is (0.8, 0.6), left of it (-0.6, 0.8).
 constexpr double kX = 2, kY = 1.5;
-constexpr float kRadius = 0.5F;
+constexpr float kRadius = 0.5F;  // m
 const Vec2 kCenter{2, 1.5F};
 
 TEST(SightedCircle, BothEndsSayWidthAndMiddle) {
@@ -113,8 +113,8 @@ TEST(SightedCircle, VariancesAreThoseOfTheEndsAndThePose) {
   EXPECT_NEAR(sighted_circle(half, {3, 0}, 0.06F, 0.25F, noise).lines[0].variance, 4 * alone, 4e-3 * alone);
 }
 
-/// The foot's row of a circle on the floor through an equidistant lens at the robot's origin, level, 0.12 m high: the
-/// lowest image of its rim, read in the middle between its ends.
+/// The foot's row of a circle on the floor, seen by a level equidistant lens 0.12 m above the robot's origin. It is the
+/// lowest image of the rim, read in the middle between its ends.
 Sighting foot_through_a_fisheye(double x, double y, double r) {
   constexpr double kHeight = 0.12;
   Sighting seen = sighting_of(x, y, r);
@@ -132,7 +132,8 @@ Sighting foot_through_a_fisheye(double x, double y, double r) {
   return seen;
 }
 
-// To a centimetre the nearest point of the foot on its ray; taken for a depth along the axis, it would be off by 3 cm.
+// The foot is right to a centimetre as a range along its ray. Taken for a depth along the axis, it would be off by 3
+// cm.
 TEST(SightedCircle, AFootThroughAFisheyeIsARange) {
   constexpr float kSmall = 0.06F;
   for (const double bearing : {0.0, 0.7, -1.0}) {

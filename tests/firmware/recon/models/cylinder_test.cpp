@@ -42,7 +42,7 @@ TEST(Cylinder, RefusesUntilThereIsParallax) {
   EXPECT_TRUE(cylinder.estimate().ok());
 }
 
-// Of a thing whose width is told, one look is enough; parallax overrules a width that was told wrong.
+// One look is enough for a thing of known width; parallax overrules a width that is wrong.
 TEST(Cylinder, IsAtOnceWhereAKnownWidthPutsIt) {
   Cylinder cylinder;
   recon::Sighting first = view_of_circle(kCenter, kRadius, {0, 0}).sighting;
@@ -291,8 +291,8 @@ TEST(Cylinder, StaysExactOverThousandsOfViews) {
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 1e-3F);
 }
 
-// Views from a lattice of places, of an object that is there or not, with feet that fit or not: the whole state of the
-// estimator after each of them.
+// Views from a lattice of places, of an object that is there or not, with feet that fit or not. The whole state of the
+// estimator is compared after each of them.
 TEST(Cylinder, OfViewsFromALattice) {
   Draw draw(161);
   Sweep sweep;

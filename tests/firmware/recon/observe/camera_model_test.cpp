@@ -102,8 +102,8 @@ TEST(CameraModel, PitchTiltsRowsAndSpreadsColumns) {
   sensor::CameraIntrinsics intrinsics = simple_camera();
   intrinsics.mount.pitch = Radians::nearest(0.05);
   const auto camera = recon::make_camera_model(intrinsics);
-  // A point 2 m ahead, 0.3 m left, on the floor 0.1 m below the lens, seen by a camera that looks 0.05 rad down:
-  // along the axis 2 cos p + 0.1 sin p, below it 0.1 cos p - 2 sin p.
+  // A point 2 m ahead, 0.3 m left, on the floor 0.1 m below the lens; the camera looks 0.05 rad down. The point is
+  // 2 cos p + 0.1 sin p along the axis and 0.1 cos p - 2 sin p below it.
   const double p = 0.05;
   const double depth = 2 * std::cos(p) + 0.1 * std::sin(p);
   const double x = -0.3 / depth;
@@ -197,8 +197,8 @@ TEST(Fisheye, RaysComeBackFromTheirPixels) {
   EXPECT_GT(checked, 400);
 }
 
-// A post from 0.1 m below the lens to 0.3 m above it, 1 m ahead and 1.2 m to the left: its image is a bow. The outer
-// edge is farthest out on the horizon, the inner edge nearest to the middle at the top: the box's columns are those.
+// A post from 0.1 m below the lens to 0.3 m above it, 1 m ahead and 1.2 m to the left. Its image is a bow: the outer
+// edge is farthest out on the horizon, the inner edge nearest to the middle at the top. These are the box's columns.
 TEST(Fisheye, EdgesAreTakenWhereTheBowReachesFarthest) {
   const sensor::CameraIntrinsics intrinsics = fisheye();
   const recon::CameraModel camera = recon::make_camera_model(intrinsics);

@@ -87,7 +87,7 @@ TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
       if (!draw.one_in(6)) places.circles[o] = circle_at(x, y);
       thing.last_bearing = recon::Vec2(x, y) / std::sqrt(x * x + y * y);
       if (draw.one_in(5)) continue;
-      // What is seen of it, a few pixels off; or its two ends.
+      // Its blob, a few pixels off; or its two ends.
       const double middle = 157.5 - 273.6 * static_cast<double>(y) / static_cast<double>(x);
       const auto half = static_cast<int>(17 / static_cast<double>(x));
       const int left = static_cast<int>(middle) - half + draw.of({0, 0, 2, -4, 9});

@@ -1,4 +1,4 @@
-// What of an object does not depend on its models: counts that saturate, bounds in frames, and its confidence.
+// The parts of an object that do not depend on its models: saturating counts, bounds in frames, and its confidence.
 #include "firmware/recon/track/object.hpp"
 
 #include <gtest/gtest.h>
@@ -71,8 +71,8 @@ TEST(ObjectCore, IsContradictedByTenFramesOfOneEndAndRefutedByHalfASecond) {
   EXPECT_TRUE(object.refuted());
 }
 
-// Circles of 0.28 m on a lattice, known by up to four views: whether they stand in one place, how sure they are, and
-// what a view from elsewhere is worth.
+// Circles of 0.28 m on a lattice, known by up to four views. Compared are whether two are in one place, how sure they
+// are, and what a view from elsewhere is worth.
 TEST(ObjectCore, OfCirclesOnALattice) {
   Draw draw(181);
   Sweep sweep;

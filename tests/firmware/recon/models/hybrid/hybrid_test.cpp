@@ -21,7 +21,7 @@ namespace {
 
 using namespace recon;
 
-// What robots run: another profile is another test.
+// The sizes that robots run: another profile is another test.
 using Wide = Hybrid<config::Small::kHybridSectors>;
 using WideSolver = HybridSolver<config::Small::kHybridSectors, config::Small::kHybridOrder>;
 static_assert(config::Full::kHybridSectors == config::Small::kHybridSectors);
@@ -281,7 +281,7 @@ TEST(HybridProperties, AParkedRobotAddsNothing) {
   expect_same(filter.hybrid, before);
 }
 
-// What alerts go by is noted when a fit ends.
+// A fit notes at its end whether the outline is known well, which alerts go by.
 TEST(HybridProperties, NotesWhetherItsOutlineIsKnownWell) {
   WideFilter filter;
   int known_well = 0;
@@ -309,8 +309,8 @@ TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   EXPECT_EQ(filter.hybrid.views, 1);
 }
 
-/// A box of 0.2 m by 0.12 m, approached 60 times; of its right end, at y = 0.06, only what is below y = 0.04 is seen.
-/// `mistaken`: in one view only what is below y = 0, and that end is taken for an edge.
+/// A box of 0.2 m by 0.12 m, approached in 60 views. Its right end is at y = 0.06, but only the part below y = 0.04 is
+/// seen. `mistaken`: one view sees only the part below y = 0, and takes that end for an edge.
 Wide approached(recon::End end, bool mistaken) {
   WideFilter filter;
   for (int i = 0; i < 60; ++i) {
@@ -546,7 +546,7 @@ void tell_hybrid(Draw& draw, Sweep& sweep) {
   }
 }
 
-// All that is kept and told of an outline, after views from a lattice of places whose ends are all kinds of ends.
+// All that an outline keeps and reports, after views from a lattice of places with all kinds of ends.
 TEST(Hybrid, OfViewsFromALattice) {
   Draw draw(151);
   Sweep sweep;

@@ -206,7 +206,7 @@ TEST(SectorStore, WhatGetsOutOfRangeIsForgotten) {
 
 Tangent at_least(float offset, float sigma = 0.01F) { return {{direction_of(kPlace, 64), offset}, sigma, true}; }
 
-// What is driven along goes on and on: each view says more than the one before.
+// The robot drives along something long: its lower bounds grow from view to view.
 TEST(SectorStore, OfTwoLowerBoundsTheFartherOneStays) {
   Store store{};
   for (const float offset : {0.1F, 0.3F, 0.25F, 0.5F, 0.2F}) insert(store, kPlace, at_least(offset), 1, {});
@@ -246,8 +246,8 @@ void tell_clusters(Sweep& sweep, ConstClusters clusters) {
   sweep.tell("clusters", static_cast<std::uint32_t>(hash.value()));
 }
 
-// Tangents on a lattice of offsets, sigmas and places of two neighbouring sectors: what joins, what takes a place, what
-// is dropped; and what the store says of it then.
+// Tangents on a lattice of offsets, sigmas and places of two neighbouring sectors. Some join, some take a place, some
+// are dropped; the store's answers are compared after each.
 TEST(SectorStore, OfTangentsOnALattice) {
   Draw draw(141);
   Sweep sweep;
