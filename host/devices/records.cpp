@@ -29,13 +29,13 @@ Rows records() {
       {.name = "records",
        .about = "`$FPODO` or `$FPCAR` lines of another controller",
        .role = Role::kOdometry,
-       .live = Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
-                    .options = {baud(kRecordsBaud),
-                                {"stamp", Words{{"arrival", "own"}}, "arrival", "our clock, or theirs if it is ours"}},
-                    .unready = "what comes is no $FPODO: check the baud and what the other end sends; $FPCAR needs "
-                               "car.counts in the robot file's "
-                               "settings, and car.wheelbase where it has no yaw rate",
-                    .driver = OdometryDriver{open_records}},
+       .live =
+           Live{.places = {PlaceKind::kTty, PlaceKind::kTcp},
+                .options = {baud(kRecordsBaud),
+                            {"stamp", Words{{"arrival", "own"}}, "arrival", "our clock, or theirs if it is ours"}},
+                .unready = "what comes is no $FPODO: check the baud and the other end. In the robot file's settings "
+                           "$FPCAR needs car.counts, without a yaw rate also car.wheelbase",
+                .driver = OdometryDriver{open_records}},
        .emulated =
            Emulated{.tells = "lines without time, as a robot's own controller prints them",
                     .options = {line_baud(kRecordsBaud)},

@@ -185,15 +185,12 @@ std::string devices_results() {
          lens_table() + "\n## When it answers and is not ready\n" + unready_table() + "\n## Of `emulate`\n" +
          emulated_table() +
          "\n## What was tried with what\n"
-         "No line of this table was tried with the device itself. Where no other people's software was at the "
-         "emulator, and "
-         "nobody's firmware or\nrecording at the driver, both were written after the same documents and can be wrong "
-         "alike: "
-         "that is what `emulator only` says.\n`run` and `emulate` reach it from the command line; in tests: an "
-         "emulator "
-         "on that bus is only there. Guest kernel: the bus of a real\nkernel (`toolchain/guest`); a serial line needs "
-         "none, a "
-         "pty is one. Board: its name there.\n\n" +
+         "No line of this table was tried with the device itself. `emulator only`: no other people's software was at "
+         "the emulator, and nobody's\nfirmware or recording at the driver. Both follow the same documents and can be "
+         "wrong "
+         "alike. `run` and `emulate` reach the bus from the\ncommand line; in tests: an emulator on it is only there. "
+         "Guest kernel: the bus of a real kernel (`toolchain/guest`); a serial line\nneeds none, a pty is one. Board: "
+         "its name there.\n\n" +
          coverage_table();
 }
 
