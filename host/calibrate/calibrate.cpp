@@ -36,8 +36,8 @@ std::array<bool, kCalibrated> hold(const std::array<bool, kCalibrated>& held, So
   return held;
 }
 
-/// A lens goes on having the distortion that it was told to have unless the log is sure that it does not: what noise
-/// makes of k1 would otherwise be taken from the focal length. Chosen on seeds 1 to 16 of the study.
+/// Frees the lens's k1 only if the log shows, by kSure, that the configured value is wrong. Otherwise noise in k1 would
+/// shift the focal length. Chosen on seeds 1 to 16 of the study.
 void free_lens(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix) {
   constexpr double kSure = 4;  // sigmas
   StartedProblem freed = started;
@@ -81,7 +81,7 @@ void add_objects(const StartedProblem& started, const std::vector<SightingResidu
   }
 }
 
-/// The sightings with poses and calibration as told, each object where it fits best.
+/// The sightings' residuals with poses and calibration as configured, each object where it fits best.
 std::vector<SightingResidual> as_told(const StartedProblem& started, Estimate told) {
   told.objects = started.estimate.objects;
   CalibrationProblem problem = started.problem;
@@ -133,7 +133,7 @@ bool Calibration::complete() const {
 }
 
 CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, const CalibrateOptions& options) {
-  // Of about equal length: reading, the start, each round, what can be told, the solution with it.
+  // Steps of about equal length: reading, the start, each round, what the log determines, the solution with it.
   constexpr double kSteps = 2 + kFitRounds + 2;
   double steps = 0;
   const auto step_done = [&] {

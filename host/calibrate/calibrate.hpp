@@ -35,19 +35,19 @@ struct CalibrateOptions {
   std::function<void(double share)> progress{};  ///< hears now and then how much of the work is done, 0 to 1
 };
 
-/// One number: told, found, and whether the log could tell it.
+/// One number: configured, found, and whether the log determines it.
 struct Finding {
   std::string_view key;    ///< in JSON, such as "focal_length"
   std::string_view label;  ///< in text
   std::string_view unit;   ///< of the three, as shown: px, deg, ms, mm, %
   double told = 0;
-  double found = 0;  ///< where held, what was told
+  double found = 0;  ///< where held, the configured value
   double sigma = 0;  ///< standard deviation
   int decimals = 2;
   bool observed = false;    ///< the log tells it, by more than what was known before
-  bool held = false;        ///< stays as it was told
+  bool held = false;        ///< keeps the configured value
   bool essential = false;   ///< a log that cannot tell it is not enough
-  std::string_view motion;  ///< what would tell it
+  std::string_view motion;  ///< the drive that would determine it
 };
 
 /// To the wheels' reported motion: factors minus 1, and what each metre turns unreported, rad.
@@ -63,7 +63,7 @@ struct CalibratedObject {
   sensor::Rgb rgb;
   Point centre;  ///< map, m
   LinearRing outline;
-  std::vector<Point> feet_before;  ///< where each frame puts its foot on the floor, as told and as found
+  std::vector<Point> feet_before;  ///< where each frame puts its foot on the floor, as configured and as found
   std::vector<Point> feet_after;
 };
 
@@ -82,10 +82,10 @@ struct Calibration {
   std::vector<CalibratedObject> objects;
   std::vector<Point> way_before;
   std::vector<Point> way_after;
-  /// What was left out or is doubtful, one sentence each.
+  /// Data that was left out and results that are uncertain, one sentence each.
   std::vector<std::string> notes;
 
-  /// Everything essential was told by the log.
+  /// The log determines everything essential.
   [[nodiscard]] bool complete() const;
 };
 

@@ -34,8 +34,8 @@ void put_camera(const sensor::CameraIntrinsics& camera, Json& robot) {
   out["latency"] = camera.latency.to_double();
 }
 
-/// With d = (left + right) / 2 and turn = (right - left) / track, the turn scale is the steps' scale over the track's,
-/// and what each metre turns is the difference of the two steps over the track.
+/// d = (left + right) / 2 and turn = (right - left) / track. So the turn scale is the steps' scale over the track's. A
+/// metre turns the robot by the difference of the two steps over the track.
 void correct_wheels(const WheelCorrection& found, Json& wheels) {
   const double step = 1 + found.step;
   if (!wheels.contains("track")) {

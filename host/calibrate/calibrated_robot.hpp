@@ -8,7 +8,7 @@
 
 namespace fencepost::host {
 
-/// What is wrong with a robot file, as a sentence.
+/// An error in a robot file, as a sentence.
 struct RobotProblem {
   std::string message;
 };

@@ -40,7 +40,7 @@ struct Extent {
   }
 };
 
-/// What both maps have to show: the objects and the ways; feet that fly away do not count.
+/// The extent of both maps: objects and ways, without the feet, since some lie far off.
 Extent extent_of(const Calibration& calibration) {
   Extent extent;
   for (const CalibratedObject& object : calibration.objects) {

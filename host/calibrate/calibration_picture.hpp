@@ -7,8 +7,8 @@
 
 namespace fencepost::host {
 
-/// An SVG: the floor from above, each frame's feet where the old calibration and the new one put them; below, by how
-/// much each edge is missed over the image's columns, before and after.
+/// An SVG. Above: the floor from above, with each frame's feet by the old and the new calibration. Below: the residual
+/// of each edge over the image's columns, before and after.
 std::string calibration_picture(const Calibration& calibration);
 
 }  // namespace fencepost::host

@@ -24,7 +24,7 @@ std::string row_of(const Finding& finding) {
                      sigma, finding.unit);
 }
 
-/// What to drive, and for which numbers.
+/// The drives that the log lacks, and for which numbers.
 std::string missing(const Calibration& calibration, bool held, const char* heading) {
   std::vector<std::pair<std::string_view, std::string>> wanted;
   for (const Finding& finding : calibration.findings) {

@@ -7,7 +7,7 @@
 
 namespace fencepost::host {
 
-/// A table of what was told and found, residuals before and after, what to drive for the rest, and the $FPCAM line.
+/// A table of configured and found, residuals before and after, what to drive for the rest, and the $FPCAM line.
 std::string calibration_text(const Calibration& calibration, const std::string& log_name);
 
 /// The same as one line of JSON; the layout is in share/doc/calibrate.md.

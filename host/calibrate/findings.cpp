@@ -22,7 +22,8 @@ struct Row {
   std::string_view motion;
 };
 
-// What is of use is what changes the map by less than its own noise (a hybrid of 75 views; share/doc/calibrate.md).
+// A sigma is of use if it changes the map by less than the map's own noise (a hybrid of 75 views;
+// share/doc/calibrate.md).
 constexpr std::array<Row, kCalibrated> kRows = {{
     {kFocal, "focal_length", "focal length", "px", 1, 2, 0.02, true,
      "turn once all the way around on the spot, so that the blocks seen first are seen again"},

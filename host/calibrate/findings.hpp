@@ -1,4 +1,4 @@
-// Which of the numbers a log has told, how well, and what would have told the others.
+// Which numbers a log determines, how well, and which drive would determine the others.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace fencepost::host {
 
-/// What is held at what was told: what is impossible to tell, and what is essential and this log did not tell. All else
-/// that it hardly tells stays near what was told by itself, and goes on sharing the errors. `matrix`: variances of the
-/// whole problem.
+/// Parameters that are held at the configured value: impossible ones, and essential ones that this log does not
+/// determine. A weak one that is not essential stays free: its prior keeps it near the configured value, and it shares
+/// the errors. `matrix`: variances of the whole problem.
 std::array<bool, kCalibrated> to_be_held(const CalibrationProblem& problem, const SolverOptions& impossible,
                                          const CalibratedMatrix& matrix);
 
@@ -22,7 +22,7 @@ double of_use(std::size_t index);
 std::vector<Finding> findings_of(const CalibrationProblem& problem, const Estimate& estimate,
                                  const CalibratedMatrix& matrix, const std::array<bool, kCalibrated>& held);
 
-/// The told calibration with what was found, within the record's ranges.
+/// The configured calibration with what was found, within the record's ranges.
 sensor::CameraIntrinsics calibrated(const sensor::CameraIntrinsics& told, const Estimate& estimate,
                                     const std::array<bool, kCalibrated>& held);
 

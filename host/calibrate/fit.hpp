@@ -12,11 +12,11 @@ namespace fencepost::host {
 
 inline constexpr int kFitRounds = 5;
 
-/// Residuals grow by what calibration a log was not told has not in its model: corners, shadows. Chosen on seeds of the
-/// study (tests/studies/calibrate) that it does not use.
+/// Factor on the residuals' noise, for what no model has: corners, shadows. Chosen on seeds of the study
+/// (tests/studies/calibrate) that it does not use.
 inline constexpr double kCaution = 1.15;
 
-/// What has to be held because nothing in the log is about it.
+/// Holds the parameters that nothing in the log is about.
 SolverOptions possible(const CalibrationProblem& problem);
 
 /// The objects alone are estimated.

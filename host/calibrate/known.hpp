@@ -1,4 +1,4 @@
-// What the user measured: widths of blocks, distances between them.
+// Lengths that the user measured: widths of blocks, distances between them.
 #pragma once
 
 #include <optional>

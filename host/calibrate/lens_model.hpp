@@ -1,4 +1,4 @@
-// What a lens bends: pinhole and equidistant with one radial coefficient (host/share/doc/frames.md). Templates over the
+// Lens distortion: pinhole and equidistant with one radial coefficient (host/share/doc/frames.md). Templates over the
 // number type, for derivatives.
 #pragma once
 
@@ -30,9 +30,9 @@ T distortion(const ToldOptics& optics, const T& k1, const T& across, const T& do
   return angle * (1.0 + k1 * angle * angle) / radius;
 }
 
-/// The other way round: a place in the image over the focal length, left of the axis and down from it, as `distorted`
-/// and `row`; the column of a pinhole there. As on the robot, what an equidistant lens sees beyond 80 degrees counts as
-/// 80 degrees.
+/// Inverse of distortion: the column of a pinhole for a place in the image. `distorted` is left of the axis and `row`
+/// down from it, both over the focal length. An equidistant lens counts angles beyond 80 degrees as 80, as on the
+/// robot.
 template <class T>
 T undistorted_column(const ToldOptics& optics, const T& k1, const T& distorted, const T& row) {
   using std::sqrt;
@@ -57,9 +57,9 @@ T undistorted_column(const ToldOptics& optics, const T& k1, const T& distorted, 
   return distorted * tan(angle) / radius;
 }
 
-/// The row in which a box's edge at column `seen` is where it is: through a fisheye an outer edge reaches farthest
-/// nearest to the horizon, an inner one farthest from it; else the middle row. `lowered`: px that the horizon lies
-/// above the principal point.
+/// The row in which a box's edge at column `seen` lies; of a pinhole the middle row. In a fisheye an outer edge reaches
+/// farthest at the row nearest to the horizon, an inner one at the row farthest from it. `lowered`: px that the horizon
+/// lies above the principal point.
 inline double row_of_edge(const ToldOptics& optics, double lowered, const Sighting& sighting, double seen,
                           double sign) {
   if (!optics.equidistant) return 0.5 * (sighting.row_low + sighting.row_high);

@@ -25,7 +25,7 @@ class OdometryTrack {
   [[nodiscard]] TrackPose at(double t) const;
   /// Per second: the mean of a tenth of a second, so that steps of the odometry's own do not count.
   [[nodiscard]] TrackPose rate(double t) const;
-  /// What is left of the noise that each sample has by itself, after smoothing.
+  /// The white noise of single samples that remains after smoothing.
   [[nodiscard]] const PoseNoise& white() const { return white_; }
 
   [[nodiscard]] double begin() const { return samples_.front().t; }

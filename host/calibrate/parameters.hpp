@@ -1,4 +1,4 @@
-// What calibration estimates: of the camera, of the wheels, of each object, of the way driven.
+// The parameters that calibration estimates: of the camera, the wheels, each object, the way driven.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace fencepost::host {
 
-/// Of the camera. The focal length is a natural logarithm of its ratio to the told one, all others are absolute: rad,
-/// s, m.
+/// Of the camera. kFocal is the natural logarithm of the focal length over the configured one. All others are absolute:
+/// rad, s, m.
 enum CameraParameter : std::size_t {
   kFocal,
   kYaw,

@@ -11,7 +11,7 @@
 
 namespace fencepost::host {
 
-/// The camera as it was told, in what is not estimated: the principal point, the pixels' shape, the image's size.
+/// The camera's configured constants, which are not estimated: principal point, pixels' shape, image size.
 struct ToldOptics {
   double fx = 1;  ///< px
   double fy = 1;
@@ -22,10 +22,10 @@ struct ToldOptics {
   bool equidistant = false;
 };
 
-/// What one frame shows of one object: continuous edges of its box, px. An end that is cut off or hidden is missing.
+/// One object in one frame: continuous edges of its box, px. An end that is cut off or hidden is missing.
 struct Sighting {
   std::size_t object = 0;  ///< index into Estimate::objects
-  std::size_t node = 0;    ///< the last one before the exposure, as told
+  std::size_t node = 0;    ///< the last one before the exposure, by the configured latency
   double t = 0;            ///< s, when the frame arrived
   std::optional<double> left{};
   std::optional<double> right{};

@@ -1,4 +1,4 @@
-// What a camera at a pose sees of an object: edges and rows in pixels. Templates over the number type, for derivatives.
+// Predicts how a camera at a pose sees an object: edges and rows, px. Templates over the number type, for derivatives.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ inline Motion<double> motion_between(const TrackPose& a, const TrackPose& b) {
   return {c * dx + s * dy, c * dy - s * dx, b.heading - a.heading, b.way - a.way};
 }
 
-/// What really happened, by the wheels' true numbers: over a short motion the heading's error grows evenly.
+/// The true motion, by the wheels' true numbers: over a short motion the heading's error grows evenly.
 template <class T>
 Motion<T> corrected(const Motion<T>& reported, const T* wheels) {
   using std::cos;

@@ -25,7 +25,7 @@ constexpr int kKind = kKindParameters;
 /// Residuals of this many sigmas count half as much as a square would: with gaussian noise hardly any is.
 constexpr double kRobustWidth = 2.5;
 
-/// What the parts of a sighting have in common.
+/// Common to all residuals of a sighting.
 struct Seen {
   const CalibrationProblem* problem;
   const Sighting* sighting;
@@ -105,7 +105,7 @@ struct Driven {
   }
 };
 
-/// What is known beforehand, parameter by parameter.
+/// A Gaussian prior for each parameter.
 template <std::size_t Count>
 struct Prior {
   std::array<double, Count> middle;

@@ -23,9 +23,9 @@ constexpr double kStepTurn = 0.002;  ///< rad
 constexpr double kStepTime = 0.5;    ///< s
 constexpr double kNodeTime = 0.25;   ///< s, at least; within it odometry strays by less than a pixel
 
-// How far off what was told may be: the priors. Wide enough to leave what a log can tell to the log.
-constexpr CameraValues kCameraSigma = {0.15, 0.12, 0.12, 0.10, 0.005, 0.004, 0.004, 0.02};
-constexpr WheelValues kWheelSigma = {0.05, 0.02, 0.02};
+// Standard deviations of the priors around the configured values, wide enough to leave to the log what it determines.
+constexpr CameraValues kCameraSigma = {0.15, 0.12, 0.12, 0.10, 0.005, 0.004, 0.004, 0.02};  // by CameraParameter
+constexpr WheelValues kWheelSigma = {0.05, 0.02, 0.02};                                     // by WheelParameter
 
 const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 

@@ -24,7 +24,7 @@ struct Command {
   bool by_lab = false;  ///< done by the second program (lab.hpp), which its help says
 };
 
-/// What the program is, in one clause.
+/// The program in one clause.
 inline constexpr const char* kProgramSummary = "obstacle maps and alerts from coloured blobs and odometry";
 
 /// Every command, in the order in which people meet them. Help, suggestions and completion all read this table.

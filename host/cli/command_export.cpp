@@ -133,7 +133,7 @@ const Format& format_of(const ExportRequest& request) {
                     std::string("; choose one with --format, or a FILE that ends in ") + endings);
 }
 
-/// What the chosen model leaves out is said: it would be missed on a map.
+/// Reports objects that have no outline by the chosen model: a user would miss them on the map.
 void say_missing(const exports::Run& run, const std::string& model) {
   if (model.empty()) return;
   std::size_t missing = 0;
@@ -149,7 +149,7 @@ void say_missing(const exports::Run& run, const std::string& model) {
   if (missing > 0) say(fmt::format("{} of its objects have no outline by model {}", missing, model));
 }
 
-/// What a map or a picture has of a long run, read in portions.
+/// A long run for a map or a picture, read in portions.
 ReplayOutcome replay_for_map(const LogSource& source, const ExportRequest& request, ReplayOptions options) {
   constexpr std::size_t kMaxAlerts = 20'000;
   AlertSpool alerts;

@@ -81,7 +81,7 @@ class ScreenFeed {
   std::string line_;
 };
 
-/// What brings records: a log or a port.
+/// A source of records: a log or a port.
 class Source {
  public:
   virtual ~Source() = default;
@@ -131,7 +131,7 @@ class PlayedSource final : public Source {
   bool paused_ = false;
 };
 
-/// Asks for mode log as `record` does: at the start, and a few times more until a record comes, for boards restart when
+/// Asks for mode log as `record` does: at the start, and a few times more until a record comes. Boards restart when
 /// their port is opened.
 class PortSource final : public Source {
  public:

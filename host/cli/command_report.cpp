@@ -28,7 +28,7 @@ struct ReportRequest {
   ReplayOptions options;
 };
 
-/// What is written, and what there is to say about it.
+/// The page, and remarks for standard error.
 struct Report {
   std::string html;
   std::vector<std::string> notes;

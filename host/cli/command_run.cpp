@@ -116,7 +116,7 @@ bool typed_at(const RunPlan& plan) {
 
 using Outputs = std::vector<std::unique_ptr<AlertOutput>>;
 
-/// What is asked for outside of the console, checked before anything is opened.
+/// Requested outputs besides the console, checked before anything is opened.
 struct OutputSpecs {
   std::optional<StopLineSpec> line;
   std::optional<CanAlertSpec> can;

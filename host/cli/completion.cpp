@@ -31,7 +31,7 @@ std::string quoted(const std::string& text, std::string_view quote_within) {
   return out + "'";
 }
 
-/// What follows one word after another: a file where nothing else is known.
+/// Bash's cases for the values of options; without choices it offers files.
 std::string bash_values(const CommandWords& command) {
   std::string cases;
   for (const OptionWords& option : command.options) {

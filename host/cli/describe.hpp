@@ -1,4 +1,4 @@
-// What the parser knows of the commands, as manual pages and completion need it.
+// The parser's commands and options, as manual pages and completion need them.
 #pragma once
 
 #include <string>

@@ -29,7 +29,7 @@ using emulate::Feed;
 volatile std::sig_atomic_t interrupted = 0;
 extern "C" void note_interrupt(int signal) { interrupted = signal; }
 
-/// Links are removed and counts told also at Ctrl-C.
+/// Ctrl-C too ends with links removed and counts printed.
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_interrupt;
@@ -146,7 +146,7 @@ void check_boxes(const Device& device, const Feed& feed) {
   }
 }
 
-/// What of the feed the camera shows otherwise than it stands there.
+/// Reports how the camera shows the feed differently from its records.
 void explain_camera(const Device& device, const Feed& feed) {
   const emulate::ImageLimits& image = *device.image;
   if (feed.frames.empty()) {
@@ -251,7 +251,7 @@ Exit emulate(const EmulateRequest& request) {
                     1000 * server.late().to_double()));
   }
   for (std::size_t i = 0; i < playback.size(); ++i) say_counts(playback.endpoint(i));
-  // As for `run`: a service that is told to stop has done its work.
+  // As for `run`: a service that is stopped on request has done its work.
   return finished || interrupted == SIGTERM ? Exit::kDone : Exit::kInterrupted;
 }
 

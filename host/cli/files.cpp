@@ -105,7 +105,7 @@ std::optional<int> named_descriptor(const std::string& path) {
   return std::nullopt;
 }
 
-/// What a link, or a link to a link, leads to, whether or not that is there yet.
+/// The target of a link, or of a link to a link, even if it does not exist yet.
 fs::path followed(fs::path path) {
   constexpr int kMaxLinks = 40;  // as many as the kernel follows
   std::error_code no_link;

@@ -44,11 +44,11 @@ class OutputFile {
   std::unique_ptr<Kind> kind_;
 };
 
-/// Writes a file under a temporary name beside it and renames it when it is complete and on the disk: a full disk never
-/// leaves half a file and never destroys an old one. A link stays a link. Devices, pipes and open descriptors
+/// Writes a file under a temporary name beside it, then renames it once it is complete and on the disk. So a full disk
+/// never leaves half a file and never destroys an old one. A link stays a link. Devices, pipes and open descriptors
 /// (/dev/fd/N) are written directly. A reader of standard output that stops reading is no error.
-/// errors: Failure (kUsage): the file is one of the inputs that were read; (kDevice): all others, such as a file that
-/// may not be written, even where its folder would let it be replaced
+/// errors: Failure (kUsage): the file is one of the inputs. Failure (kDevice): all others, such as a read-only file in
+/// a folder that would let it be replaced
 void write_output(const std::string& path, std::string_view bytes);
 
 }  // namespace fencepost::host::cli

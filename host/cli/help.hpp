@@ -5,7 +5,7 @@
 
 namespace fencepost::host::cli {
 
-/// What `fencepost --help` prints.
+/// The text of `fencepost --help`.
 std::string overview();
 
 }  // namespace fencepost::host::cli

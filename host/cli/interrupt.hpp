@@ -5,8 +5,8 @@
 
 namespace fencepost::host::cli {
 
-/// From here on an interrupt ends the program with exit code 130; a closed pipe and a file that may not grow are errors
-/// of write().
+/// From here on an interrupt ends the program with exit code 130. A closed pipe and a file that may not grow become
+/// errors of write().
 void handle_interrupts();
 
 /// A line of progress is on the terminal, or no longer: an interrupt takes it away.

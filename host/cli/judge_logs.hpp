@@ -28,7 +28,7 @@ struct EvaluateRequest {
   std::string output = "-";
 };
 
-/// What became of one log.
+/// The outcome of one log.
 struct Judged {
   std::optional<Evaluation> evaluation;
   std::optional<SmoothEvaluation> smoothed;

@@ -1,4 +1,4 @@
-// What `run` and `record` do alike with the cameras and wheels of this machine.
+// Shared by `run` and `record`: the cameras and wheels of this machine.
 #pragma once
 
 #include <optional>

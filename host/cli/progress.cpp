@@ -18,7 +18,7 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds kQuiet{1};  ///< what is over sooner needs no words
+constexpr Seconds kQuiet{1};  ///< shorter work shows no progress
 constexpr Seconds kBetween{0.1};
 constexpr Seconds kQuietLines{10};
 constexpr Seconds kBetweenLines{60};

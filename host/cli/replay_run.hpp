@@ -33,8 +33,8 @@ Scene read_scene(const std::string& path);
 /// Failure (kUnreadable)
 sensor::CameraIntrinsics read_camera(const std::string& path);
 
-/// Rejected lines and refused frames by reason, each with what to do about it, and what else is to be said of a log;
-/// of which log, where there are several.
+/// Rejected lines and refused frames by reason, each with its remedy, and other remarks on the log. Names the log where
+/// there are several.
 std::vector<std::string> what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name = "");
 /// The same to standard error.
 void say_what_was_left_out(const ReplayOutcome& outcome, const std::string& log_name = "");

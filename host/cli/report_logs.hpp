@@ -11,7 +11,7 @@
 
 namespace fencepost::host::cli {
 
-/// What a report may have: mail takes it, and a browser has it at once.
+/// Maximum bytes of a report: mail takes it, and a browser opens it at once.
 inline constexpr std::size_t kMaxReport = 2'000'000;
 
 struct ReportInputs {

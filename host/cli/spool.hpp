@@ -1,5 +1,4 @@
-// Bytes that are put aside until it is known whether they are wanted: a little in memory, more in a nameless file of
-// the folder for temporary files.
+// Holds bytes until it is known whether they are wanted: a little in memory, more in a nameless temporary file.
 #pragma once
 
 #include <cstdint>

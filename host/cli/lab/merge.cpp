@@ -34,7 +34,7 @@ std::vector<std::string_view> runs_of(std::string_view bytes) {
   return runs;
 }
 
-/// A robot that was carried and told `reset` has two runs in one log. Those without a usable frame are passed over,
+/// A robot that was carried and then got `reset` has two runs in one log. Runs without a usable frame are passed over,
 /// unless there is no other.
 void add_runs(const std::string& log, const std::string& bytes, const MergeRequest& request,
               const ReplayOptions& options, std::vector<RunMap>& maps) {
