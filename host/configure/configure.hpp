@@ -1,4 +1,4 @@
-// What a robot is told before it starts for the first time: settings, calibration and colours, in its image's file.
+// Writes settings, calibration and colours into an image's file before the robot's first start.
 #pragma once
 
 #include <cstddef>

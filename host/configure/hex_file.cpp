@@ -33,7 +33,7 @@ std::vector<std::uint8_t> octets(std::string_view digits) {
 
 class HexReader {
  public:
-  /// What is wrong with the line, or nothing.
+  /// The line's error, or nothing.
   std::optional<std::string> take(std::string_view line) {
     if (!line.starts_with(':')) return "is no Intel HEX: it does not begin with ':'";
     const std::vector<std::uint8_t> bytes = octets(line.substr(1));

@@ -12,7 +12,7 @@ namespace fencepost::host {
 /// Records 00, 01, 02 and 04; those of where the program starts (03, 05) are passed over.
 /// errors: "line 3: what is wrong"
 base::Result<ImageMemory, std::string> read_hex(std::string_view file);
-/// What is known of the memory, 16 bytes a line.
+/// The memory's known bytes, 16 a line.
 std::string write_hex(const ImageMemory& memory);
 
 }  // namespace fencepost::host

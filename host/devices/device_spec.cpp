@@ -40,7 +40,7 @@ std::optional<double> real_number(const std::string& text) {
   return end == text.c_str() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// What is allowed instead of `value`; empty if it is.
+/// The allowed values if `value` is none of them, else empty.
 struct Refusal {
   const std::string& value;
 

@@ -19,9 +19,9 @@ using FramesCamera = serial::Pump<host::BytePort, host::FramesSession>;
 static_assert(sensor::BlobCamera<FramesCamera>);
 
 constexpr std::uint32_t kFramesBaud = 115'200;
-// Pictures as the scripts take them; 4 : 3.
+// Columns of pictures as the scripts take them; 4 : 3.
 constexpr std::uint16_t kColumns = 320;
-constexpr std::uint16_t kCbcColumns = 160;
+constexpr std::uint16_t kCbcColumns = 160;  // of the CBC
 // Standard lenses, in degrees across.
 constexpr double kOpenMvLens = 70.8;  // its documentation, of the 2.8 mm lens
 constexpr double kMaixCamLens = 60;   // no source: assumed

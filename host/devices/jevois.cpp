@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kJevoisBaud = 115'200;
 
-/// Its module's things have the names of the robot's colours; others are told apart by the number at their end.
+/// Maps the names of its module's things to the robot's colours; other things are distinguished by the number at their
+/// end.
 jevois::Config named(const host::RobotFile& robot) {
   jevois::Config config;
   for (const record::Signature& colour : robot.signatures) {

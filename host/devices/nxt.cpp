@@ -15,7 +15,7 @@ namespace {
 
 using enum PlaceKind;
 
-constexpr std::uint32_t kBluetoothBaud = 115'200;  // what a serial port of Bluetooth is set to does not matter
+constexpr std::uint32_t kBluetoothBaud = 115'200;  // has no effect on a Bluetooth serial port
 // The wheel and the track of the set's first robot.
 constexpr emulate::WheelShape kNxtWheels{metres(odometry::per_count({56.0, 360.0})), 0.112};
 

@@ -24,7 +24,7 @@ std::optional<sensor::CameraIntrinsics> profile_of(const DeviceSpec& camera);
 /// The same of a row with its options as delivered; empty for what is no camera.
 std::optional<sensor::CameraIntrinsics> nominal_camera(const Row& row);
 
-/// What is said of a device when its link's state changes.
+/// Wording about a device for messages when its link's state changes.
 host::DeviceLabel label_of(const DeviceSpec& spec);
 
 }  // namespace fencepost::devices

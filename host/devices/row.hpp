@@ -52,7 +52,7 @@ class Given {
   T value_;
 };
 
-/// What may stand behind an option's equals sign.
+/// Allowed values of an option.
 struct Words {
   std::vector<std::string> words;
 };
@@ -71,7 +71,7 @@ struct Option {
   Given<std::string> name;
   Given<Values> values;
   Given<std::string> fallback;         ///< as it would be written; empty: there is none
-  std::string help = {};               ///< what it means, where its name does not say
+  std::string help = {};               ///< its meaning, where its name does not say it
   std::vector<PlaceKind> places = {};  ///< where it makes sense; none: everywhere
 };
 
@@ -110,7 +110,7 @@ struct Live {
 
 /// How `emulate` plays it.
 struct Emulated {
-  Given<std::string> tells;  ///< what it can tell, beyond the image's limits
+  Given<std::string> tells;  ///< the readings it sends, beyond the image's limits
   std::vector<Option> options;
   Given<emulate::Describe> describe;
   Given<std::unique_ptr<emulate::DeviceModel> (*)(const DeviceSpec&, const emulate::Colours&)> make;
@@ -141,7 +141,7 @@ struct Row {
   Given<Role> role;
   Given<std::optional<Live>> live;
   Given<std::optional<Emulated>> emulated;
-  /// What `set camera` or `set odometry` call it on a board (firmware/config/devices.hpp).
+  /// Its names in `set camera` and `set odometry` on a board (firmware/config/devices.hpp).
   std::vector<std::string> images = {};
   /// Its own ids on USB; of one behind a serial adapter there are none.
   std::optional<UsbIds> usb = {};

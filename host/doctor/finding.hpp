@@ -1,4 +1,4 @@
-// What the doctor found, for people and for programs.
+// The doctor's findings, for people and for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -34,7 +34,7 @@ inline constexpr std::string_view kCodes[] = {
     "fine",
     // lines
     "no_records", "crc", "kind", "fields", "number", "range", "length", "truncated", "time", "format", "foreign",
-    // what came when
+    // frames and odometry
     "no_frames", "no_odometry", "slow_camera", "slow_odometry", "camera_gaps", "odometry_gaps", "frames_missing",
     "no_usable_frame", "refused_no_pose", "refused_odometry_gap", "refused_no_camera", "refused_queue",
     // clocks and wheels
@@ -48,7 +48,7 @@ inline constexpr std::string_view kCodes[] = {
     "distance_latency", "distance_ways", "distance_turns", "distance_curve",
     // colours
     "colour_unnamed", "colour_flicker", "colour_jitter", "colour_pieces",
-    // what the robot said itself
+    // the robot's own remarks
     "records_dropped", "blobs_dropped", "robot_rejected", "link_absent", "link_silent", "link_unready", "blind"};
 
 /// One of kCodes; another word does not compile.
@@ -56,7 +56,7 @@ class Code {
  public:
   constexpr Code() = default;
   consteval Code(const char* word) : word_(listed(word)) {}  // NOLINT(google-explicit-constructor): findings read so
-  /// Of what is put together at run time. errors: std::logic_error, if it is none
+  /// A code that is composed at run time. errors: std::logic_error, if kCodes does not list it
   static Code of(std::string_view word);
 
   [[nodiscard]] std::string str() const { return std::string(word_); }
@@ -78,7 +78,7 @@ struct Finding {
   Severity severity = Severity::kNote;
   Code code;
   std::string what;    ///< a clause, with its figures
-  std::string remedy;  ///< what to try; may be empty
+  std::string remedy;  ///< for the user to try; may be empty
 };
 using Findings = std::vector<Finding>;
 

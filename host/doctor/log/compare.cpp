@@ -11,7 +11,7 @@
 namespace fencepost::host::doctor {
 namespace {
 
-/// What two drives may differ by: a share of the good value, and at least so much of the quantity itself.
+/// Allowed difference of two drives: a share of the good value, or `least` of the quantity itself if that is more.
 struct Allowed {
   double share = 0;
   double least = 0;

@@ -1,4 +1,4 @@
-// What a log says of the robot that made it, as figures.
+// Figures that a log gives about the robot that made it.
 #pragma once
 
 #include <array>
@@ -56,8 +56,8 @@ struct LogSurvey {
   ReplayOutcome replayed;                    ///< by the robot's own loop at this desk
 };
 
-/// Read once, in memory that does not grow with the log: rates and medians of a long one are of a sample, alerts the
-/// first 65,536.
+/// Reads the log once, in memory that does not grow with it: rates and medians of a long log are of a sample. Of alerts
+/// it keeps the first 65,536.
 LogSurvey survey_log(const LogSource& log, const std::string& name);
 LogSurvey survey_log(std::string_view bytes, const std::string& name);
 

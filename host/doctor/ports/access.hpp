@@ -9,7 +9,7 @@
 
 namespace fencepost::host::doctor {
 
-/// What a node's entry in its folder says.
+/// A device node's owner and permissions.
 struct Node {
   std::string path;
   uid_t owner = 0;
@@ -24,7 +24,7 @@ std::optional<Node> node_at(const std::string& path);
 /// For reading and writing; the system's own rules, of owner, group and others.
 bool may_open(const Node& node, const Identity& who);
 
-/// What to type. `usb`: of the device behind it, for a rule of udev; `udev`: that runs here.
+/// Commands for the user to type. `usb`: the device behind the node, for a udev rule; `udev`: it runs here.
 std::string permission_remedy(const Node& node, const Identity& who, const std::optional<UsbDevice>& usb, bool udev);
 
 }  // namespace fencepost::host::doctor

@@ -12,7 +12,7 @@ using devices::DeviceSpec;
 using enum Severity;
 using sensor::LinkState;
 
-/// What is on the machine under this place's name; empty of what is none.
+/// The device node of this place; empty for a place without one.
 std::string node_of(const DeviceSpec& spec) {
   switch (spec.place.kind) {
     case PlaceKind::kTty:

@@ -25,7 +25,7 @@ Holders holders_of(const Roots& roots, const std::string& path);
 /// "picocom (pid 4711)", or whose it may be.
 std::string holders_text(const Holders& holders);
 
-/// What to type so that they let it go.
+/// Commands for the user to type so that the holders release the port.
 std::string holders_remedy(const Holders& holders, const std::string& path);
 
 }  // namespace fencepost::host::doctor

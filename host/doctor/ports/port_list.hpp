@@ -27,8 +27,8 @@ struct PortEntry {
   std::string detail;  ///< the adapter's name, or a CAN interface's state
 };
 
-/// Serial ports that are there (not those that a kernel only could have), I2C and SPI buses, CAN interfaces, and USB
-/// devices that a driver of ours speaks to without a port.
+/// Serial ports that exist (not those that a kernel only could have), I2C and SPI buses, CAN interfaces. Also USB
+/// devices without a port that a driver of ours uses.
 std::vector<PortEntry> list_ports(const Roots& roots);
 
 /// The USB device behind a serial port.

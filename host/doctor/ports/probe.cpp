@@ -15,10 +15,10 @@ namespace {
 using devices::DeviceSpec;
 using sensor::LinkState;
 
-// What cameras and wheels of the catalogue can be set to, the frequent ones first.
+// Baud rates of the catalogue's cameras and wheels, the frequent ones first.
 constexpr std::array<std::uint32_t, 8> kBauds = {9'600, 115'200, 57'600, 19'200, 38'400, 230'400, 4'800, 1'000'000};
 
-/// A camera or wheels: what the doctor asks of both.
+/// A camera or wheels, by the interface that both share.
 class Asked {
  public:
   Asked(const DeviceSpec& spec, const RobotFile& robot, linux::MonotonicClock clock) {
@@ -37,7 +37,7 @@ class Asked {
     if (camera_) return *camera_;
     return *wheels_;
   }
-  /// Whether it told something; how many blobs that had.
+  /// The number of blobs if a frame came, 0 if a sample of wheels came.
   std::optional<std::size_t> poll(base::Time now) {
     if (camera_) {
       const base::Result<sensor::BlobFrame> frame = camera_->poll(now);
@@ -105,7 +105,7 @@ Probe ask(Asked& asked, linux::MonotonicClock clock, const ProbeTimes& times, ba
     set.wait_until(clock, now + asked.device().patience());
   }
   probe.link = asked.device().link();
-  // A device that told something works, whatever it does just now.
+  // A device that sent a frame or sample works, whatever it does just now.
   if (since && probe.link == LinkState::kSilent) probe.link = LinkState::kEmpty;
   return probe;
 }
@@ -164,7 +164,7 @@ std::vector<DeviceSpec> who_answers(const std::string& path, const ProbeTimes& t
       continue;  // it needs a robot file to be asked at all
     }
   }
-  // What takes another device's bytes for its own that it does not understand yet counts only if nothing works.
+  // An unready device may have misread another device's bytes as its own, so it counts only if nothing works.
   return working.empty() ? unready : working;
 }
 

@@ -47,8 +47,8 @@ std::optional<std::uint32_t> find_baud(const devices::DeviceSpec& spec, const Ro
 std::vector<devices::DeviceSpec> who_answers(const std::string& path, const ProbeTimes& times,
                                              const Interrupted& interrupted);
 
-/// From whether there is a port to whether it works, in this order; ends with exactly one finding about the device:
-/// no_port, no_permission, busy, cannot_open, wrong_baud, silent, unready, nothing_seen or fine.
+/// Examines the device from its port up to its data. Exactly one finding about the device comes last: no_port,
+/// no_permission, busy, cannot_open, wrong_baud, silent, unready, nothing_seen or fine.
 Findings examine_device(const devices::DeviceSpec& spec, const RobotFile& robot, const Roots& roots,
                         const Identity& who, const ProbeTimes& times, const Interrupted& interrupted);
 

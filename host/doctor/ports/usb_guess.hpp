@@ -1,4 +1,4 @@
-// What a USB device is, by its ids.
+// Guesses a USB device's kind and name by its ids.
 #pragma once
 
 #include <string>
