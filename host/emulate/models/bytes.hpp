@@ -1,4 +1,4 @@
-// What goes over a cable.
+// Bytes on a cable.
 #pragma once
 
 #include <cstdint>

@@ -10,8 +10,8 @@ namespace fencepost::emulate {
 
 /// On a UART.
 std::unique_ptr<DeviceModel> make_pixy2_model();
-/// Each blob is a spot of its own colour, else its signature's, else grey; the camera sees those inside the window that
-/// the host asks for.
+/// Each blob is a spot of its own colour, else its signature's, else grey. The camera sees the spots inside the colour
+/// window that the host requests.
 std::unique_ptr<DeviceModel> make_cmucam_model(CmuCamModel model, Colours colours);
 /// Signatures 1 to 3 are channels 0 to 2.
 std::unique_ptr<DeviceModel> make_xbc_model();

@@ -19,7 +19,7 @@ constexpr int kRawOutput = 1;
 constexpr int kNoAck = 2;
 constexpr int kRawInput = 4;
 
-/// What the camera sees within its bounds: one box.
+/// The one box that the camera sees within its bounds.
 struct Seen {
   int pixels = 0;
   int sum_x = 0;

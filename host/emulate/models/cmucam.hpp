@@ -26,10 +26,11 @@ struct ColouredSpot {
   int pixels = 0;
 };
 
-/// Echoes nothing, folds case, takes LF for garbage; a CMUcam4 overhears all control characters but CR, backspace and
-/// tab, so that a host that seeks its baud rate can begin with zeros. One box over all that matches: the camera knows
-/// no second one. Traps that are emulated: raw input takes a CR for a count; a CMUcam3 turns raw arguments 97..122 to
-/// upper case, ends its GV without CR, and stays mute on swapped bounds.
+/// Echoes nothing, folds case, takes LF for garbage. A CMUcam4 ignores all control characters but CR, backspace and
+/// tab, so a host that seeks its baud rate can begin with zeros. One box covers all that matches: the camera knows no
+/// second one.
+/// Emulated traps: raw input takes a CR for a count. A CMUcam3 turns raw arguments 97..122 to upper case, ends its GV
+/// without CR, and stays mute on swapped bounds.
 class CmuCamDevice {
  public:
   explicit CmuCamDevice(CmuCamModel model) : model_(model) {}
@@ -75,7 +76,7 @@ class CmuCamDevice {
   std::string line_;
   std::string raw_;
   int bounds_[6] = {};
-  int window_[4] = {0, 0, 159, 119};  ///< of SW on a CMUcam4, as told: it hides nothing
+  int window_[4] = {0, 0, 159, 119};  ///< of SW on a CMUcam4, as set: it hides nothing
   int mode_ = 0;                      ///< of RM
   std::uint32_t baud_ = 0;
   bool polled_ = false;

@@ -47,7 +47,7 @@ constexpr Known kKnown[] = {
     {"GW", kFour, 0, 0},
 };
 
-// What a CMUcam4 accepts without an answer other than ACK: its lamps, servos, screen, outputs and picture effects.
+// Commands that a CMUcam4 answers with ACK only: its lamps, servos, screen, outputs and picture effects.
 constexpr Known kWithoutEffect[] = {
     {"L0", kFour, 0, 0}, {"L1", kFour, 1, 1}, {"CB", kFour, 1, 1}, {"CC", kFour, 1, 1}, {"CW", kFour, 3, 3},
     {"BW", kFour, 1, 1}, {"NG", kFour, 1, 1}, {"M0", kFour, 0, 0}, {"M1", kFour, 0, 0}, {"MF", kFour, 1, 1},

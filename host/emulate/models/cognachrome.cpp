@@ -24,7 +24,7 @@ void put_word(Bytes& bytes, int value) {
   bytes.push_back(static_cast<std::uint8_t>(value % kBase));
 }
 
-/// What the string makes of the object; of none for the header.
+/// Renders the protocol string for the blob; the header has none.
 void render(Bytes& bytes, const std::string& text, const sensor::Blob& blob) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\\' && at + 3 < text.size()) {

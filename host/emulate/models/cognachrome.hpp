@@ -11,10 +11,10 @@
 
 namespace fencepost::emulate {
 
-/// Its vision task on stream 3, as Georgia Tech's MissionLab uses it: keys, prompts and protocol strings, of which `%w`
-/// with C, R and N and octal characters are known; sixty fields a second after `r`. Or, without any conversation, the
-/// stream that TeamBots reads: at most four objects, each with the root of its size. Channels A to C are signatures 1
-/// to 3. How long it takes to start is not known: here a second.
+/// Its vision task on stream 3, as Georgia Tech's MissionLab uses it: keys, prompts and protocol strings. Of the
+/// strings it knows octal characters and `%w` with C, R and N; it sends sixty fields a second after `r`. The other
+/// preset is the stream that TeamBots reads, without any conversation: at most four objects, each with the root of its
+/// size. Channels A to C are signatures 1 to 3. The real start-up time is not known: a second is assumed.
 class Cognachrome final : public DeviceModel {
  public:
   enum class Preset : std::uint8_t { kVision, kTeamBots };

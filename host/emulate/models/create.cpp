@@ -26,23 +26,20 @@ constexpr int kQueryList = 149;
 constexpr int kPauseResume = 150;
 constexpr int kStop = 173;
 
-// Of packet 35.
-constexpr int kOff = 0;
+constexpr int kOff = 0;  // modes, as packet 35 reports them
 constexpr int kPassive = 1;
 constexpr int kSafeMode = 2;
 constexpr int kFullMode = 3;
 
-// Bytes that the line takes in 15 ms, at 57600 and at 115200 Bd.
-constexpr std::size_t kFitsInOne = 86;
-constexpr std::size_t kFitsInTwo = 172;
+constexpr std::size_t kFitsInOne = 86;   // bytes that the line takes in 15 ms at 57600 Bd (Create 1)
+constexpr std::size_t kFitsInTwo = 172;  // at 115200 Bd (Create 2)
 
 constexpr int kFastest = 500;         // mm/s
 constexpr int kWidestRadius = 2'000;  // mm
 constexpr int kStraight = 0x7FFF;
 constexpr int kFullPwm = 255;
-// Between the wheels, mm.
-constexpr double kTrackOfOne = 258;
-constexpr double kTrackOfTwo = 235;
+constexpr double kTrackOfOne = 258;  // mm between the wheels of a Create 1
+constexpr double kTrackOfTwo = 235;  // mm, of a Create 2
 constexpr double kMillimetresPerCount = std::numbers::pi * 72.0 / 508.8;
 
 int at(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
@@ -72,7 +69,7 @@ int radius_of(const CreateDevice::Speeds& speeds, double track) {
   return std::clamp(static_cast<int>(std::lround(radius)), -kWidestRadius, kWidestRadius);
 }
 
-// What is read is gone, what was cut off too: that is the Create 1's known loss.
+// Reading clears the amount and loses its fraction, as a Create 1 is known to do.
 std::uint16_t whole(double& amount) {
   const double told = std::trunc(amount);
   amount = 0;
@@ -125,7 +122,7 @@ void CreateDevice::lift() {
   if (mode_ == kSafeMode) set_mode(kPassive);
 }
 
-// Only in safe and full does it go as it was told.
+// It obeys drive commands only in safe and full mode.
 void CreateDevice::set_mode(int mode) {
   mode_ = mode;
   if (mode < kSafeMode && driven_) speeds_ = {};
@@ -210,7 +207,7 @@ void CreateDevice::act(int opcode) {
       streaming_ = false;
       set_mode(kOff);
       break;
-    // Lights, songs and brushes: nothing that a packet told of would change.
+    // Lights, songs and brushes: they change nothing that a packet reports.
     default:
       if (!create_arguments(model_, pending_)) not_emulated_.note("opcode " + std::to_string(opcode));
   }
@@ -247,7 +244,7 @@ int CreateDevice::word(int id) {
     case 28:
     case 29:
     case 30:
-    case 31: return 0x0219;  // what the cliff sensors get back from the floor
+    case 31: return 0x0219;  // cliff sensors: signal reflected from the floor
     case 35: return mode_;
     case 38: return static_cast<int>(stream_.size());
     case 39: return (speeds_.left + speeds_.right) / 2;

@@ -30,11 +30,11 @@ class CreateDevice {
   void request(int left, int right) {
     if (!driven_) speeds_ = {left, right};
   }
-  /// It drives as it was told for so long; not before it was told for the first time.
+  /// Drives for that time at the commanded speeds; does nothing before the first drive command.
   void drive_on(double seconds);
   /// A wheel drops or a cliff is seen: out of mode safe the robot falls back to passive, and stands.
   void lift();
-  /// Of its wheels, mm/s, as it was told.
+  /// Commanded speeds of its wheels, mm/s.
   struct Speeds {
     int left = 0;
     int right = 0;

@@ -1,5 +1,4 @@
-// What the Open Interface of a Create 1 and of a Create 2 knows: opcodes with their arguments, packets with their
-// sizes.
+// The Open Interface of a Create 1 and of a Create 2: opcodes with their arguments, packets with their sizes.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ Bytes words(std::initializer_list<int> values) {
   return bytes;
 }
 
-/// The middle of an even number of pixels is told as the one behind it.
+/// For an even number of pixels, the middle is reported as the pixel after it.
 Bytes block(const sensor::Blob& blob) {
   const int width = blob.x2 - blob.x1 + 1;
   const int height = blob.y2 - blob.y1 + 1;

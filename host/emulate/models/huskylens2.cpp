@@ -37,7 +37,7 @@ Bytes named(const std::string& name) {
   return bytes;
 }
 
-/// The middle of an even number of pixels is told as the one behind it.
+/// For an even number of pixels, the middle is reported as the pixel after it.
 Bytes block2(const sensor::Blob& blob) {
   constexpr int kConfidence = 90;
   const int width = blob.x2 - blob.x1 + 1;

@@ -11,10 +11,9 @@
 
 namespace fencepost::emulate {
 
-/// The frames of the vendor's library 1.0: knock, algorithm and results, of which it sees coloured blobs while the
-/// algorithm is that of colours; signatures are ids, with a name. It believes every length, as the library's own
-/// reader does: what a HuskyLens 1 is asked swallows what follows. What it does in its first second is not known: here
-/// nothing.
+/// The frames of the vendor's library 1.0: knock, algorithm and results. It sees coloured blobs while the algorithm is
+/// that of colours; signatures are ids, with a name. It believes every length, as the library's own reader does: a
+/// HuskyLens 1 request makes it swallow the bytes that follow. Its first second is not documented: it is assumed deaf.
 class HuskyLens2 final : public DeviceModel {
  public:
   static constexpr base::Duration kDeaf = base::milliseconds(1'000);

@@ -7,11 +7,11 @@
 
 namespace fencepost::emulate {
 
-/// The first message in `bytes`, which has one byte at least, in words, such as "getBlocks" or "2 blocks"; empty if it
-/// is none that is known.
+/// Describes the first message in `bytes` in words, such as "getBlocks" or "2 blocks"; empty if it is unknown. `bytes`
+/// has at least one byte.
 using Describe = std::string (*)(bool from_host, std::span<const std::uint8_t> bytes);
 
-/// Of protocols in plain text: what stands there, quoted.
+/// Of protocols in plain text: the text itself, quoted.
 std::string describe_text(bool from_host, std::span<const std::uint8_t> bytes);
 std::string describe_pixy2(bool from_host, std::span<const std::uint8_t> bytes);
 std::string describe_create(bool from_host, std::span<const std::uint8_t> bytes);

@@ -1,4 +1,4 @@
-// What a host asked for that the emulated device does not do.
+// Requests of a host that the emulated device does not carry out.
 #pragma once
 
 #include <algorithm>

@@ -9,10 +9,11 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Bluetooth itself repeats what was damaged, so what a brick does with a truncated telegram is undocumented: it
-// is taken to be dropped after a pause.
+// Silence that drops a truncated telegram. Assumed: Bluetooth repeats damaged data, so no document says how a brick
+// reacts.
 constexpr base::Duration kQuiet = base::milliseconds(100);
-constexpr std::uint8_t kPending = 0x20;
+
+constexpr std::uint8_t kPending = 0x20;  // status bytes of replies
 constexpr std::uint8_t kOutOfRange = 0xC0;
 constexpr std::uint8_t kUnknown = 0xBE;
 constexpr std::uint8_t kInsane = 0xBF;

@@ -64,9 +64,9 @@ class NxtBrick {
   std::uint16_t battery_ = 7'800;
   std::array<Port, 4> ports_;
   std::array<std::int32_t, 3> motors_{};
-  std::array<std::int32_t, 3> zeros_{};           ///< what the motors had turned at the last power-on
-  std::array<std::int32_t, 3> block_zeros_{};     ///< and where their relative position was last reset
-  std::array<std::int32_t, 3> rotation_zeros_{};  ///< and their absolute one
+  std::array<std::int32_t, 3> zeros_{};           ///< motor angles at the last power-on
+  std::array<std::int32_t, 3> block_zeros_{};     ///< at the last reset of their relative position
+  std::array<std::int32_t, 3> rotation_zeros_{};  ///< at the last reset of their absolute position
   bool motors_read_ = false;
   NotEmulated not_emulated_;
   Bytes framed_;

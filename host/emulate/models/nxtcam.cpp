@@ -18,7 +18,7 @@ constexpr int kRows = 144;
 // 88 columns, reported doubled.
 std::uint8_t column(std::int16_t x) { return static_cast<std::uint8_t>(x / 2 * 2); }
 
-/// What follows the command; nullopt: one is larger than a byte, or more than 64 were sent.
+/// The command's arguments; nullopt: one is larger than a byte, or more than 64 were sent.
 std::optional<std::vector<std::uint8_t>> values_of(const std::string& line) {
   constexpr std::size_t kMax = 64;
   std::vector<std::uint8_t> values;
@@ -159,8 +159,8 @@ std::string NxtCam::obey(const std::string& line) {
   return accepted ? "ACK\r" : "NCK\r";
 }
 
-// Two lines at a time, a pixel of each in a byte, of which the Bayer pattern keeps four bits: things are light, all
-// else is dark. No byte is the packet's end, by which some hosts find it.
+// Each packet has two lines. A byte holds one pixel of each, of which the Bayer pattern keeps four bits. Things are
+// light, all else is dark. No byte is the packet's end, by which some hosts find it.
 std::string NxtCam::picture() const {
   constexpr char kDark = 0x4;
   constexpr char kLight = 0xC;

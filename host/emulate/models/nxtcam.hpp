@@ -27,12 +27,12 @@ class NxtCam final : public I2cDevice {
   void restart(base::Time now);
   /// Bit c: colour c was trained. From the factory: colour 0, a white light.
   void teach(std::uint8_t colours) { taught_ = colours; }
-  /// What stands at 10: another product for a test of it.
+  /// The product name at register 10: another one for a test of it.
   void set_product(const std::string& product) { product_ = product; }
   [[nodiscard]] bool tracking() const { return tracking_; }
 
-  /// The serial side, AVRcam's dialect: what a byte from the host is answered with. Commands are of capitals, digits
-  /// and spaces; its firmware stores no other character, LF after CR among them.
+  /// The serial side, AVRcam's dialect: the reply to a byte from the host. Commands are of capitals, digits and spaces.
+  /// The firmware stores no other character; LF after CR is dropped too.
   std::vector<std::uint8_t> take(std::uint8_t byte, base::Time now);
   /// The packet of the frame last shown, if tracking is on.
   [[nodiscard]] std::vector<std::uint8_t> packet() const;

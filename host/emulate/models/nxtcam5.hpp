@@ -17,12 +17,12 @@ class NxtCam5 {
 
   explicit NxtCam5(base::Time power_on) { restart(power_on); }
   void restart(base::Time now);
-  /// True: it answers the version's question and tracks when told to; false: it only sends blobs, from the start.
+  /// True: it answers the version's question and tracks on command; false: it only sends blobs, from the start.
   void set_answers(bool answers);
 
-  /// What a byte from the host is answered with.
+  /// The reply to a byte from the host.
   std::vector<std::uint8_t> take(std::uint8_t byte, base::Time now);
-  /// What is sent for one image; blobs in our convention.
+  /// The bytes for one image; blobs in our convention.
   std::vector<std::uint8_t> image(const std::vector<sensor::Blob>& blobs, base::Time now);
   [[nodiscard]] bool tracking() const { return tracking_; }
 

@@ -13,9 +13,9 @@
 
 namespace fencepost::emulate {
 
-/// Fifty images a second, each with its blocks by signature, the largest first, at most 100 of them. On a UART an image
-/// is preceded by two zeros unless the line is busy; a list that was not sent in time is cut off by the next. What it
-/// is told (servos, brightness, lamp) has no answer. How long it takes to start is not known: here a second.
+/// Fifty images a second, each with its blocks by signature, the largest first, at most 100 of them. On a UART two
+/// zeros precede an image unless the line is busy. The next image cuts off a list that was not sent in time. Commands
+/// (servos, brightness, lamp) have no answer. The real start-up time is not known: a second is assumed.
 class Pixy1 final : public DeviceModel {
  public:
   static constexpr base::Duration kStart = base::milliseconds(1'000);

@@ -11,8 +11,8 @@
 
 namespace fencepost::emulate {
 
-/// Takes transfers of 64 bytes: INIT, ENUMERATE of `run` and CALL of it, after which it pushes fifty images a second,
-/// each as 64 bytes, the rest of which is junk, and a second transfer if it is longer. Boxes are told by their edges.
+/// Takes transfers of 64 bytes: INIT, ENUMERATE of `run` and CALL of it. From then on it pushes fifty images a second,
+/// each as 64 bytes, padded with junk, and a second transfer if it is longer. Boxes are given by their edges.
 class Pixy1Usb {
  public:
   static constexpr base::Duration kStart = base::milliseconds(1'000);

@@ -11,11 +11,9 @@
 namespace fencepost::emulate {
 namespace {
 
-// Room for a program's name and its packet; longer requests are dropped.
-constexpr std::size_t kReceiveBuffer = 64;
+constexpr std::size_t kReceiveBuffer = 64;  // bytes for a program's name and its packet; longer requests are dropped
 const std::string kBlobs = "color_connected_components";
-// Of the transmit buffer, in blocks: the list is cut before it is sorted.
-constexpr std::size_t kTransmitBlocks = 18;
+constexpr std::size_t kTransmitBlocks = 18;  // of the transmit buffer: the list is cut before it is sorted
 
 unsigned width(const sensor::Blob& blob) { return static_cast<unsigned>(blob.x2 + 1 - blob.x1); }
 unsigned height(const sensor::Blob& blob) { return static_cast<unsigned>(blob.y2 - blob.y1); }

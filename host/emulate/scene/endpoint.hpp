@@ -21,7 +21,7 @@ namespace fencepost::emulate {
 /// One line to people.
 using Say = std::function<void(const std::string& line)>;
 
-/// What an endpoint has to know of the device on it.
+/// The catalogue's data about the device on an endpoint.
 struct EmulatedDevice {
   std::function<std::unique_ptr<DeviceModel>(const Colours& colours)> make;
   Describe describe = nullptr;       ///< its messages
@@ -73,11 +73,11 @@ class Endpoint {
   void step(const Travel& travel, base::Time now);
   /// When `step` has something to do.
   [[nodiscard]] std::optional<base::Time> next_step() const;
-  /// What has come to the host, and when the next byte does.
+  /// Bytes that have arrived at the host; next_to_host: when the next one does.
   Bytes to_host(base::Time now);
   [[nodiscard]] std::optional<base::Time> next_to_host() const { return line_.next_to_host(); }
 
-  /// What the host sends has to wait: nothing of it is to be read.
+  /// The line is full: read nothing from the host until it drains.
   [[nodiscard]] bool full() const { return line_.full(); }
 
   /// From now on the faults that have a period come.
@@ -85,7 +85,7 @@ class Endpoint {
 
   [[nodiscard]] const FaultCounts& faults() const { return line_.counts(); }
   [[nodiscard]] const EndpointCounts& counts() const { return counts_; }
-  /// What the hosts asked for in vain, each name once.
+  /// Requests of the hosts that the device does not carry out, each name once.
   [[nodiscard]] std::vector<std::string> not_emulated() const { return model_->not_emulated(); }
   /// Nothing for what is no camera.
   [[nodiscard]] const std::optional<ImageFit>& fit() const { return fit_; }

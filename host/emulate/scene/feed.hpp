@@ -21,7 +21,7 @@ struct Feed {
   std::vector<record::Signature> signatures;
   std::vector<sensor::BlobFrame> frames;
   std::vector<sensor::OdometrySample> poses;
-  std::vector<std::string> notes;  ///< what was not used, a sentence each
+  std::vector<std::string> notes;  ///< parts that were not used, a sentence each
   std::string problem;             ///< why nothing can be played; empty if something can
 
   /// Of the first frame or pose, and of the last.

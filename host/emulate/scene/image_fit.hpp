@@ -11,7 +11,7 @@
 
 namespace fencepost::emulate {
 
-/// What a device can report of an image.
+/// Limits of a device's image reports.
 struct ImageLimits {
   std::uint16_t width = 0;  ///< px
   std::uint16_t height = 0;
@@ -22,7 +22,7 @@ struct ImageLimits {
   double max_rate = 60;  ///< images a second
 };
 
-/// What a device could not report.
+/// Counts of what a device could not report.
 struct FitLosses {
   std::uint64_t signatures = 0;  ///< blobs of signatures that it does not have
   std::uint64_t blobs = 0;       ///< beyond its limit

@@ -17,10 +17,9 @@ struct PlaybackSettings {
   std::optional<base::Duration> seconds;  ///< the end, so long after time began
 };
 
-/// Time begins when for a moment at least one device was in use and none was connected without being in use: until then
-/// the feed's first moment stands still, so that a camera's slow start misses nothing. Before, the wheels stand.
-/// Devices on CAN, where no host is seen, do not begin it.
-/// A second after the feed's last record it is over.
+/// Time begins once at least one device has been in use, and none connected but not in use, for kSettle. Until then the
+/// feed holds its first moment and the wheels stand, so a camera's slow start misses nothing. Devices on CAN, where no
+/// host is seen, do not begin it. It ends a second (kHold) after the feed's last record.
 class Playback {
  public:
   static constexpr base::Duration kHold = base::milliseconds(1'000);

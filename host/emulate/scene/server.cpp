@@ -13,7 +13,7 @@ constexpr base::Duration kLook = base::milliseconds(10);
 /// second.
 constexpr base::Duration kPortion = base::milliseconds(1);
 
-/// What a receiver makes of bits at another rate: some bytes, the same in each run.
+/// A receiver at another rate reads arbitrary bytes; these are the same in each run.
 void garble(Bytes& bytes, std::uint32_t& state) {
   for (std::uint8_t& byte : bytes) {
     state = state * 1'664'525U + 1'013'904'223U;

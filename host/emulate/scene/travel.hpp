@@ -8,7 +8,7 @@
 
 namespace fencepost::emulate {
 
-/// Between two poses the robot drives an arc: with a turn of a over a chord of c it drives c (a/2) / sin(a/2) along the
+/// Between two poses the robot drives an arc. With a turn of a over a chord of c it drives c (a/2) / sin(a/2) along the
 /// middle heading. Distances and headings are sums from the first pose on, so rounding errors do not accumulate.
 class TravelLog {
  public:

@@ -1,4 +1,4 @@
-// What goes wrong on purpose: the same for the same seed.
+// Faults on purpose: the same for the same seed.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ struct FaultCounts {
   std::uint64_t unplugs = 0;
 };
 
-/// Each call draws once for each fault that is on, so what one direction carries does not change the other's draws:
-/// each has dice of its own.
+/// Dice of one direction, so that its bytes do not change the other direction's draws. Each call draws once for each
+/// fault that is on.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}

@@ -27,12 +27,12 @@ class Line {
 
   /// The device says something at `now`.
   void say(std::span<const std::uint8_t> bytes, base::Time now);
-  /// What has come to the host by `now`, once.
+  /// Bytes that have reached the host by `now`, each once.
   Bytes to_host(base::Time now);
 
   /// The host has sent these.
   void send(std::span<const std::uint8_t> bytes, base::Time now);
-  /// What has come to the device by `now`, once.
+  /// Bytes that have reached the device by `now`, each once.
   Bytes to_device(base::Time now);
 
   /// When the next byte arrives there.
@@ -44,7 +44,7 @@ class Line {
   [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMaxOnItsWay; }
   /// From now on; 0: as fast as it goes.
   void set_baud(std::uint32_t baud);
-  /// What is on its way is lost.
+  /// Discards all bytes on their way.
   void clear();
 
   [[nodiscard]] const FaultCounts& counts() const { return counts_; }

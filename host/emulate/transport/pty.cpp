@@ -54,7 +54,7 @@ class Pty final : public Transport {
     }
     name_ = name.data();
     make_raw(master_.get(), preset_baud_);
-    // Opened and closed once: from then on the master is told whether somebody has it open.
+    // Opened and closed once: from then on the master reports whether somebody has it open.
     const Descriptor slave(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     if (!slave.open()) return linux::failure("open", name_, errno, kSlaveRemedy).sentence;
     return make_link();

@@ -18,9 +18,9 @@ class Transport {
   [[nodiscard]] virtual std::string place() const = 0;
   /// Looks for a host that came or went; whether one is there.
   virtual bool tend() = 0;
-  /// What the host has sent; at most some kilobytes a call.
+  /// The host's bytes; at most some kilobytes a call.
   virtual Bytes read() = 0;
-  /// What does not fit is lost, as on a UART that nobody reads; out: how much was.
+  /// Bytes that do not fit are lost, as on a UART that nobody reads; out: how many were.
   virtual std::size_t write(const Bytes& bytes) = 0;
   /// As if the plug was pulled; `plug_in` answers a sentence when that fails.
   virtual void hang_up() = 0;
