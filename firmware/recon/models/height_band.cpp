@@ -8,10 +8,10 @@ namespace fencepost::recon {
 namespace {
 
 // Sums are halved beyond this many views: they stay exact in float and follow slow change.
-constexpr float kMaxViews = 256;
+constexpr float kMaxBandViews = 256;
 
 void add_row(HeightBand::Sums& sums, const Sighting& sighting, const Vec2& lens, float drop) {
-  if (sums.views >= kMaxViews) {
+  if (sums.views >= kMaxBandViews) {
     sums.slope *= 0.5F;
     sums.start *= 0.5F;
     sums.drop *= 0.5F;

@@ -2,7 +2,8 @@
 
 const TURN = 10;          // ms of work before the page gets its turn
 const CHUNK = 4096;       // bytes between two looks at the clock
-const CHECKPOINTS = 48;
+const CHECKPOINTS = 48;   // at most
+const REPLAYED = 20;      // ms of replay between two of them at least: a jump costs that
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
 /** What the page shows at one time; alerts up to then, or none. */
@@ -34,16 +35,21 @@ export class Player {
     let run = 0;
     let kept = 0;
     let offset = 0;
+    let replayed = 0;  // ms since the last checkpoint
     let turn = performance.now();
     while (offset < log.length && !engine.ended) {
+      const fed = performance.now();
       offset += engine.feed(log.subarray(0, Math.min(offset + CHUNK, log.length)), offset);
+      replayed += performance.now() - fed;
       if (engine.runs !== run) {
         run = engine.runs;
         this.#checkpoints = [];
       }
-      if (run > 0 && (this.#checkpoints.length === 0 || offset - kept >= log.length / CHECKPOINTS)) {
+      const due = replayed >= REPLAYED && offset - kept >= log.length / CHECKPOINTS;
+      if (run > 0 && (this.#checkpoints.length === 0 || due)) {
         this.#checkpoints.push({ ...engine.snapshot(this.#checkpoints.at(-1)), offset });
         kept = offset;
+        replayed = 0;
       }
       if (performance.now() - turn > TURN) {
         busy += performance.now() - turn;

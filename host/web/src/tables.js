@@ -37,7 +37,7 @@ export function fillObjects(table, { result, levels, theme, selected, select }) 
     make("tbody", {}, ...rows));
 }
 
-const ROWS = 300;  // of alerts at a time: a long run has thousands
+const ROWS = 100;  // of alerts at a time: a long run has thousands
 
 /** Those around the time `at`. Returns which: [first, end). */
 export function fillAlerts(table, { result, at, go }) {

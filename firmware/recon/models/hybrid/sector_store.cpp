@@ -53,7 +53,8 @@ bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, con
 // The mean of both, weighted by information. Offsets are compared at one direction.
 Cluster merged(const Cluster& cluster, float phase, const Tangent& tangent, float novelty, float slope_per_sector) {
   Cluster sum = cluster;
-  const float faded = cluster.views > kMaxViews ? cluster.views * (kMaxViews / (kMaxViews + 1)) : cluster.views;
+  const float faded =
+      cluster.views > kMaxClusterViews ? cluster.views * (kMaxClusterViews / (kMaxClusterViews + 1)) : cluster.views;
   const float before = faded / (cluster.sigma * cluster.sigma);
   const float added = novelty / (tangent.sigma * tangent.sigma);
   const float share = added / (before + added);

@@ -63,7 +63,7 @@ inline constexpr float kOverrulingShare = 0.35F;
 inline constexpr float kOverrulingViews = 0.9F;
 inline constexpr float kOverruled = 0.5F;
 /// views that a cluster remembers; older ones fade. Prototype.
-inline constexpr float kMaxViews = 30.0F;
+inline constexpr float kMaxClusterViews = 30.0F;
 
 // --- solvers (cyclic_band, low_order_fit) ---
 

@@ -175,7 +175,7 @@ TEST(SectorStore, WhatSaysAtLeastOverrulesAnEdgeAndTakesNothingFromIt) {
 TEST(SectorStore, OldViewsFade) {
   Store store{};
   for (int i = 0; i < 200; ++i) insert(store, kPlace, tangent(0.10F), 1, {});
-  EXPECT_LE(stored(store, 0).views, kMaxViews + 1);
+  EXPECT_LE(stored(store, 0).views, kMaxClusterViews + 1);
   for (int i = 0; i < 60; ++i) insert(store, kPlace, tangent(0.115F), 1, {});
   EXPECT_GT(stored(store, 0).offset, 0.111F);  // 1 - (30/31)^60 = 86 % of the way
 }
