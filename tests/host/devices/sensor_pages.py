@@ -18,7 +18,7 @@ SCENE_RATE = 12.5  # pictures a second: what any of them can
 PLACE_SHOWN = {"/dev/tty...": "/dev/ttyUSB0", "/dev/i2c-N": "/dev/i2c-1", "/dev/spidevN.M": "/dev/spidev0.0", "usb": "usb", "nxt": "nxt",
                "a CAN interface": "can0", "/dev/videoN": "/dev/video0", "FILM.y4m": "film.y4m"}
 LINK_SHOWN = {
-    "/dev/tty...": "a USB serial adapter of 3.3 V, RX to its TX, TX to its RX; on a Raspberry Pi GPIO14 (TX), GPIO15 (RX): `/dev/serial0`",
+    "/dev/tty...": "a USB serial adapter of 3.3 V, RX and TX crossed; a Raspberry Pi's GPIO14 (TX), GPIO15 (RX): `/dev/serial0`",
     "/dev/i2c-N": "a Raspberry Pi's GPIO2 (data), GPIO3 (clock): `/dev/i2c-1`",
     "/dev/spidevN.M": "a Raspberry Pi's GPIO10 (MOSI), GPIO9 (MISO), GPIO11 (clock): `/dev/spidev0.0`",
     "usb": "its own USB port",
@@ -28,7 +28,7 @@ LINK_SHOWN = {
     "tcp:HOST:PORT": "a serial server, or an emulator",
     "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
 }
-FIVE_VOLTS = "a USB serial adapter of 5 V, RX to its TX, TX to its RX; the pins of a Raspberry Pi only behind a level shifter"
+FIVE_VOLTS = "a USB serial adapter of 5 V, RX and TX crossed; a Raspberry Pi's pins only behind a level shifter"
 # Where what a serial port is differs from an adapter of 3.3 V.
 OWN_LINE = {
     **{name: FIVE_VOLTS for name in ("cmucam1", "cmucam2", "avrcam", "create1", "create2")},
@@ -38,7 +38,7 @@ OWN_LINE = {
     "nxtcam": "its own USB port, `/dev/ttyUSB0`",
     "nxt": "Bluetooth: `rfcomm bind 0 ADDRESS` makes `/dev/rfcomm0`",
     "openmv": "its USB port, `/dev/ttyACM0`; or a USB serial adapter of 3.3 V",
-    "jevois": "its USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX, TX to its RX",
+    "jevois": "its USB port, `/dev/ttyACM0`; or a USB serial adapter, RX and TX crossed",
     "vex": "the Brain's USB port, `/dev/ttyACM1`",
     "records": "the other controller's USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX",
 }
@@ -75,12 +75,11 @@ def facts(device, _pins, _sources):
         rows.append(["it tells", device.tells])
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
-        rows.append(["picture", f"{image}, {across} across, focal length {focal} px, {lens.split(',')[0]}; {source}"])
-        rows.append(["latency", f"{latency} taken for it, until [calibrated](../calibrate.md)"])
-    if device.places:
-        rows.append(["`KIND:PLACE`", ", ".join(f"`{device.name}:{place}`" if "CAN" not in place else f"`{device.name}:can0`"
-                                              for place in device.places)])
-    rows += [["option", option.replace("|", "\\|")] for option in device.options]
+        rows.append(["picture", f"{image}, {across} across, focal length {focal} px, {lens.split(',')[0]}"])
+        rows.append(["source", source])
+        rows.append(["latency", f"{latency} assumed, until [calibrated](../calibrate.md)"])
+    if device.options:
+        rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
     rows += [[f"tried, {link}", f"board {board}; {others}" if board != "none" else others] for link, _, _, _, board, others in device.tried]
     return table(rows)
 
@@ -90,7 +89,7 @@ def pin(cell):
 
 
 def boards_with(device, pins, sources):
-    """Rows of the wiring table: (board, what goes where, what is typed)."""
+    """Rows of the wiring tables: (board, wires, the line to type, speed or address)."""
     for image in device.images:
         typed = f"`set {kind(device)} {image.name}`"
         for board, names in pins.items():
@@ -101,10 +100,10 @@ def boards_with(device, pins, sources):
             elif image.port == "kTwoWire" and "bus data" in names:
                 ends = f"data to {pin(names['bus data'])}; clock to {pin(names['bus clock'])}"
                 refused = image.address < lowest_address(sources, board)
-                yield (board, "this board's bus cannot speak to its address", "", f"{image.address:#04x}") if refused else (
+                yield (board, "this board's bus cannot speak to its address", "", f"address {image.address:#04x}") if refused else (
                     board, ends, typed, f"address {image.address:#04x}")
             elif image.port == "kPins" and "left a" in names:
-                sides = "; ".join(f"{side} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
+                sides = ". ".join(f"{side.capitalize()} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
                 yield board, sides, typed, ""
             elif image.port == "kConsole" and "console sends" in names:
                 yield board, f"its TX to {pin(names['console receives'])}; its RX to {pin(names['console sends'])}", typed, "115200 baud"
@@ -113,14 +112,18 @@ def boards_with(device, pins, sources):
 def wires(device, pins, sources):
     parts = []
     if device.places:
-        parts.append(table([["Linux", "wires"], *[[f"`{place}`" if " " not in place else place,
-                                                 OWN_LINE.get(device.name, LINK_SHOWN[place]) if place == "/dev/tty..." else LINK_SHOWN[place]]
-                                                for place in device.places]]))
-    rows = list(boards_with(device, pins, sources))
-    if rows:
-        parts.append(table([["board", "wires, and ground to ground", "speed", "typed there"],
-                            *[[f"`{board}`", ends, how, typed] for board, ends, typed, how in rows]]))
-        parts.append("Boards are of 3.3 V: what sends 5 V needs a level shifter (`hal/boards/PINS.md` in the sources).")
+        parts.append(table([["`KIND:PLACE` on Linux", "wires"],
+                            *[[f"`{device.name}:{place if 'CAN' not in place else 'can0'}`",
+                               OWN_LINE.get(device.name, LINK_SHOWN[place]) if place == "/dev/tty..." else LINK_SHOWN[place]]
+                              for place in device.places]]))
+    images = {}
+    for board, ends, typed, how in boards_with(device, pins, sources):
+        images.setdefault((typed, how), {}).setdefault(ends, []).append(f"`{board}`")
+    for (typed, how), boards in images.items():
+        heads = [f"board; type {typed}" if typed else "board", ", ".join(["wires, and ground to ground", *[how] * bool(how)])]
+        parts.append(table([heads, *[[", ".join(names), ends] for ends, names in boards.items()]]))
+    if images:
+        parts.append("A 5 V signal needs a level shifter to a board's 3.3 V (`hal/boards/PINS.md` of the sources).")
     else:
         parts.append("No board's image has it: it is for `run`, on Linux.")
     return "\n\n".join(parts)
@@ -152,33 +155,35 @@ CONSOLE = ("fencepost run --camera console --odometry console --mode log < host/
 
 
 def places_lines(device):
-    for place in device.places:
+    for place in sorted(device.places, key=lambda place: place != line_of(device)):
         if place not in PLACE_SHOWN:
             continue
         spec = f"{device.name}:{shown_place(device, place)}"
-        if device.camera:
+        if device.camera and (place == "nxt" or place == line_of(device)):
             wheels = "nxt:usb" if place == "nxt" else "create2:/dev/ttyUSB1"
             yield f"fencepost run --camera {spec} --odometry {wheels} --robot robot.json{colours(place)} --log run.log"
-        else:
+        elif place == line_of(device):
             yield f"fencepost run --camera pixy2:/dev/ttyUSB1 --odometry {spec} --robot robot.json --log run.log"
+        else:
+            yield f"# or --{kind(device)} {spec}{colours(place)}"
 
 
 def run(device, _pins, _sources):
     parts = []
     shown = emulation(device)
     if shown:
-        truth = f"[{device.name}.json]({device.name}.json), a red box 1.8 m ahead," if device.lens else "[pixy2.json](pixy2.json)"
-        parts.append(f"Without it, in two terminals, at the top of the sources; {truth} is the scene and the robot file:")
+        truth = f"{device.name}.json" if device.lens else "pixy2.json"
+        parts.append(f"Emulated, in two terminals at the top of the sources ([scene and robot file]({truth}): a red box 1.8 m ahead):")
         parts.append("\n".join("    " + line for line in shown))
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
     lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json{colours(line_of(device))}"]
     lines += ["    " + line for line in places_lines(device)]
     if lines:
-        parts.append("With it ([robot file](../live.md)):\n\n" + "\n".join(lines))
+        parts.append("With the device ([robot file](../live.md)):\n\n" + "\n".join(lines))
     if device.images:
         name = device.images[0].name
-        parts.append(f"On a board, typed on its [console](../console.md), or written into its image beforehand:\n\n    set {kind(device)} {name}\n"
+        parts.append("On a board: the line above, typed on its [console](../console.md), or written into its image:\n\n"
                      f"    fencepost configure fencepost-VERSION-pico.uf2 --{kind(device)} {name} --robot robot.json -o MINE.uf2")
     return "\n\n".join(parts)
 
@@ -191,13 +196,11 @@ def wrong(device, _pins, _sources):
     seen = "30 frames a second, 1.0 blobs each" if device.camera else "50 poses a second"
     rows = [["`fencepost doctor` says", "it means, or what to try"], [f"`{spec} works: {seen}`", "good"]]
     if device.camera:
-        rows.append([f"`{spec} works and sees nothing`", "nothing taught is in view: light, or teach it again"])
+        rows.append([f"`{spec} works and sees nothing`", "no taught colour in view: light, or teach it again"])
     rows.append([f"`{spec} answers but is not ready`", device.unready])
     address = "; on the two-wire bus the address: `i2cdetect -y 1`" if "/dev/i2c-N" in device.places else ""
     rows.append([f"`{spec} is silent`", SILENT[place] + address])
-    if place == "/dev/tty...":
-        rows.append([f"`{spec} is silent at ... baud and answers at ...`", "write that baud behind the place: `,baud=...`"])
-    return table(rows) + "\n\nNo port, no permission, port in use: [doctor](../doctor.md)."
+    return table(rows) + "\n\nWrong baud, no port, no permission, port in use: [doctor](../doctor.md)."
 
 
 def scene_of(device):
