@@ -8,8 +8,8 @@
 
 namespace fencepost::can_wheels {
 
-/// As a DBC file says it, for whole bytes: Intel (@1) starts at `first_byte` = start bit / 8; Motorola (@0) at the byte
-/// of its start bit, the most significant one. Extended identifiers are given without the bit 31 of the DBC number.
+/// A signal as a DBC file describes it, for whole bytes. Intel (@1): `first_byte` is the start bit / 8. Motorola (@0):
+/// it is the byte of the start bit, the most significant one. Extended identifiers lack bit 31 of the DBC number.
 struct Signal {
   std::uint32_t id = 0;
   bool extended = false;

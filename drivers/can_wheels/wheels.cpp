@@ -4,8 +4,9 @@ namespace fencepost::can_wheels {
 namespace {
 
 constexpr std::int64_t kPicometresPerMicrometre = 1'000'000;
-// No controller restarts faster.
+// Minimum silence of a restart: no controller restarts faster.
 constexpr base::Duration kRestartTakes = base::milliseconds(200);
+// Maximum silence over which a velocity is integrated.
 constexpr base::Duration kLongestStep = base::milliseconds(500);
 
 // Unit of the counts given to the pairs: the device's, or micrometres.

@@ -30,9 +30,9 @@ struct Counters {
   std::uint32_t malformed = 0;  ///< ours, but too short, or faster than the wheel can turn
 };
 
-/// Counts are absolute: a lost frame costs nothing. After a silence long enough for a controller to have restarted, a
-/// count nearer to zero than to the last one is taken as a restart, and the distance driven meanwhile is lost.
-/// Velocities are integrated by the trapezoidal rule; over more than half a second of silence no motion is assumed.
+/// Counts are absolute: a lost frame costs nothing. A controller may restart during a silence of 0.2 s or more. Then a
+/// count nearer to zero than to the last one is a restart; the distance driven meanwhile is lost. Velocities are
+/// integrated by the trapezoidal rule. Over more than half a second of silence no motion is assumed.
 class Wheels {
  public:
   explicit Wheels(const Mapping& mapping);

@@ -13,11 +13,11 @@
 
 namespace fencepost::chirp {
 
-/// `55 55 AA AA`, type, pad, procedure (i16), payload length (u32), payload. The first transfer of a message is always
-/// 64 bytes, filled with whatever; all of ours fit into it.
+/// A message begins with `55 55 AA AA`, type, pad, procedure (i16) and payload length (u32); the payload follows.
 inline constexpr std::size_t kHeader = 12;
+/// The first transfer of a message has always this size, filled with anything; all of ours fit into it.
 inline constexpr std::size_t kTransfer = 64;
-/// Of what the camera sends, the longest that is read; longer ones (pictures) are passed over.
+/// Longest message of the camera that is read; longer ones (pictures) are passed over.
 inline constexpr std::size_t kLongest = 320;
 
 enum class Type : std::uint8_t { kResponse = 0x40, kEnumerated = 0x60, kInitialised = 0x61 };
@@ -45,7 +45,7 @@ struct Message {
 /// errors: empty for other types, pushed data among them, and without a result
 std::optional<Message> message_in(std::span<const std::uint8_t> message);
 
-/// What `ser_packet` returns beside its result: a packet of protocol.hpp without header.
+/// A packet of protocol.hpp without header, which `ser_packet` returns beside its result.
 struct Packet {
   std::uint8_t type = 0;
   std::span<const std::uint8_t> data;

@@ -1,4 +1,4 @@
-// What a CMUcam sends, byte by byte: acknowledgements, prompts, version texts, tracking packets in ASCII and raw.
+// The byte stream of a CMUcam: acknowledgements, prompts, version texts, tracking packets in ASCII and raw.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ enum class Event : std::uint8_t {
   kPacket,
 };
 
-/// One tracking packet as sent. M and T: mx my x1 y1 x2 y2 pixels confidence; C without mx my; N with a servo
-/// position first; S: six colour figures in RGB order, twelve from a CMUcam4.
+/// One tracking packet as sent. M and T: mx my x1 y1 x2 y2 pixels confidence. C: the same without mx my. N: as M, after
+/// a servo position. S: six colour figures in RGB order, twelve from a CMUcam4.
 struct Packet {
   static constexpr std::size_t kMaxFields = 12;
 
@@ -29,8 +29,8 @@ struct Packet {
   std::array<std::uint8_t, kMaxFields> fields{};
 };
 
-/// Accepts both forms at any time: a raw packet is 0xFF, a letter and bytes below 0xFF, so 0xFF always starts a packet;
-/// everything else is text, which ends in CR. Neither has a checksum: a damaged packet may still look like one.
+/// Accepts both forms at any time. A raw packet is 0xFF, a letter and bytes below 0xFF, so 0xFF always starts a packet.
+/// Everything else is text, which ends in CR. Neither form has a checksum: a damaged packet may still look like one.
 /// Source: manuals of the CMUcam1 (1.12) and CMUcam2, source of the CMUcam3's emulation.
 class Decoder {
  public:

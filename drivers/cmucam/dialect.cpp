@@ -5,22 +5,23 @@
 namespace fencepost::cmucam {
 namespace {
 
-// Half the field of view's tangents: tan(44.1/2 deg), tan(33.7/2 deg).
-constexpr double kTanAcross = 0.405042;
-constexpr double kTanDown = 0.302881;
+// Half the field of view's tangents.
+constexpr double kTanAcross = 0.405042;  // tan(44.1/2 deg)
+constexpr double kTanDown = 0.302881;    // tan(33.7/2 deg)
 
 consteval base::Pixels2 focal(double pixels, double tangent) { return base::Pixels2::nearest(pixels / 2 / tangent); }
 consteval base::Pixels2 middle(double pixels) { return base::Pixels2::nearest((pixels - 1) / 2); }
 
 // Registers of the OV6620: 18 = 44 white balance on, 40 off (RGB); 19 = 33 gain on, 32 off. A colour window is
 // meaningful only while both are frozen.
-constexpr std::array<std::string_view, 1> kWarmUpOv6620 = {"CR 18 44 19 33"};
-constexpr std::array<std::string_view, 2> kSetUpOv6620 = {"CR 18 40 19 32", "PM 1"};
-constexpr std::array<std::string_view, 3> kSetUpHigh = {"CR 18 40 19 32", "HR 1", "PM 1"};
+constexpr std::array<std::string_view, 1> kWarmUpOv6620 = {"CR 18 44 19 33"};               // both on
+constexpr std::array<std::string_view, 2> kSetUpOv6620 = {"CR 18 40 19 32", "PM 1"};        // both off
+constexpr std::array<std::string_view, 3> kSetUpHigh = {"CR 18 40 19 32", "HR 1", "PM 1"};  // off, high resolution
 // The OV7620's registers are not in our sources: it keeps its power-up values.
 constexpr std::array<std::string_view, 1> kSetUpOv7620 = {"PM 1"};
-constexpr std::array<std::string_view, 2> kWarmUp4 = {"AG 1", "AW 1"};
-constexpr std::array<std::string_view, 3> kSetUp4 = {"AG 0", "AW 0", "PM 1"};
+// A CMUcam4 has commands for its gain (AG) and white balance (AW).
+constexpr std::array<std::string_view, 2> kWarmUp4 = {"AG 1", "AW 1"};         // both on
+constexpr std::array<std::string_view, 3> kSetUp4 = {"AG 0", "AW 0", "PM 1"};  // both off
 
 constexpr base::Duration kThreeFramesAt17 = base::milliseconds(200);
 constexpr base::Duration kAnswersAtOnce = base::milliseconds(1'000);

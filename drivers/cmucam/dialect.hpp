@@ -30,11 +30,11 @@ struct Dialect {
   base::Pixels2 cy;  ///< row of the optical axis: not the middle where rows past 255 cannot be reported
   PixelCount pixels = PixelCount::kUnknown;
   std::uint8_t min_confidence = 0;  ///< below, a box is noise
-  std::uint8_t darkest = 16;        ///< what the imager gives, of each channel
-  std::uint8_t brightest = 240;
-  base::Duration reset_timeout;    ///< until the version text: some start anew for two seconds
-  base::Duration command_timeout;  ///< of a command's ACK
-  base::Duration reply_timeout;    ///< of a packet that was asked for; at least three frames
+  std::uint8_t darkest = 16;        ///< least value that the imager gives a channel
+  std::uint8_t brightest = 240;     ///< its largest
+  base::Duration reset_timeout;     ///< until the version text: some start anew for two seconds
+  base::Duration command_timeout;   ///< of a command's ACK
+  base::Duration reply_timeout;     ///< of a packet that was asked for; at least three frames
   /// Commands after a reset, before and after the image has settled; few, since each may be damaged on the line.
   std::span<const std::string_view> warm_up;
   std::span<const std::string_view> set_up;
@@ -57,8 +57,9 @@ extern const Dialect kCmuCam3High;
 /// seconds; the waits for that and for ACKs are those of its maker's library.
 extern const Dialect kCmuCam4;
 
-/// Nominal calibration. Field of view 44.1 x 33.7 deg is quoted for the CMUcam2's lens (teams measured 46.6 to 50 deg
-/// across); for the other models it is assumed, so calibrate. Latency: one and a half frames of 17 /s (CMUcam4: 30 /s).
+/// Nominal calibration. The field of view of 44.1 x 33.7 deg is quoted for the CMUcam2's lens; teams measured 46.6 to
+/// 50 deg across. For the other models it is assumed, so calibrate. Latency: one and a half frames of 17 /s (CMUcam4:
+/// 30 /s).
 sensor::CameraIntrinsics nominal_intrinsics(const Dialect& dialect, const sensor::CameraMount& mount);
 
 }  // namespace fencepost::cmucam

@@ -10,20 +10,24 @@ namespace {
 
 /// Without a valid reply for this long the camera has lost its set-up.
 constexpr base::Duration kTrackPatience = base::milliseconds(2'000);
+/// Upper bound on the configured time to settle.
 constexpr base::Duration kLongestSettle = base::milliseconds(60'000);
+/// A command is sent this often before the session begins anew.
 constexpr std::uint8_t kTries = 4;
+/// Time-outs in a row after which the link is silent.
 constexpr std::uint8_t kUnheardIsSilent = 3;
 
-/// Ends any input mode. A camera left in raw input mode by another program may expect up to 13 more bytes; CRs supply
-/// them, and RS without arguments in raw form leaves the mode.
+/// Ends ASCII input.
 constexpr std::string_view kAsciiReset = "\rRS\r";
+/// Ends raw input, in which another program may have left the camera. It may expect up to 13 more bytes: CRs supply
+/// them. RS without arguments, in raw form, leaves the mode.
 constexpr std::string_view kRawReset("\r\r\r\r\r\r\r\r\r\r\r\r\r\r\rRS\0", 18);
 
 bool in_order(const ColourWindow& window) {
   return window.red_min <= window.red_max && window.green_min <= window.green_max && window.blue_min <= window.blue_max;
 }
 
-/// "TC r R g G b B", with bounds that the imager can give: a saturated red is 255 to one camera and 240 to another.
+/// "TC r R g G b B". Bounds are clamped to what the imager gives: a saturated red is 255 to one camera, 240 to another.
 class TrackCommand {
  public:
   TrackCommand(const ColourWindow& window, const Dialect& dialect) {

@@ -24,12 +24,12 @@ struct Counts {
 };
 
 /// Polls (PM 1): an answer is a packet *and* the prompt after it, which catches most damage on a line without
-/// checksums. ACK stays on (RM 1, not 3), a NCK then costs no time-out. Commands go out in ASCII only: in raw input
-/// mode a CMUcam1 takes a text's CR for a count of bytes, and a CMUcam3 turns arguments 97..122 into 65..90.
-/// After a time-out the version is requested: replies come in order, so a late one cannot be taken for the next reply.
-/// Every wait is bounded; after any failure the session returns to the reset.
-/// Uncertain in our sources, and accepted either way: the order of CR, ACK and version text after RS; a CR after the
-/// text of GV; packets C, M, T or N.
+/// checksums. ACK stays on (RM 1, not 3), so a NCK costs no time-out. Commands go out in ASCII only. In raw input mode
+/// a CMUcam1 reads a text's CR as a count of bytes, and a CMUcam3 turns arguments 97..122 into 65..90. After a time-out
+/// the version is requested: replies come in order, so a late one cannot be taken for the next reply. Every wait is
+/// bounded; after any failure the session returns to the reset.
+/// Our sources are uncertain about the order of CR, ACK and version text after RS, and about a CR after GV's text. They
+/// are also uncertain which of the packets C, M, T or N comes. Every variant is accepted.
 class Session {
  public:
   using Sample = sensor::BlobFrame;

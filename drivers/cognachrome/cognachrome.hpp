@@ -7,7 +7,7 @@
 
 namespace fencepost::cognachrome {
 
-/// 38400 baud, or what its monitor was told. A frame's t is when its mark arrived.
+/// 38400 baud, or the rate set in its monitor. A frame's t is when its mark arrived.
 template <bus::ByteLink Link>
 using Camera = serial::Pump<Link, Session>;
 

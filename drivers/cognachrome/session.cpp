@@ -6,12 +6,14 @@ namespace fencepost::cognachrome {
 namespace {
 
 constexpr base::Duration kPatience = base::milliseconds(500);
-// Six fields. Nothing in a frame is sealed: in noise there is one now and then, but hardly two in a row.
+// Maximum gap between two frames that count: six fields. A frame has no checksum, so noise may look like one, but
+// hardly twice in a row.
 constexpr base::Duration kSteady = base::milliseconds(100);
+// Maximum wait for a prompt.
 constexpr base::Duration kPrompt = base::milliseconds(300);
 constexpr std::array<std::uint8_t, 2> kToVision = {0xFE, 3};  // stream 3 is tpuvis
 
-/// What tpuvis asks for a string with, and the keys that make it ask.
+/// The prompt with which tpuvis asks for a string, and the keys that bring it up.
 struct Question {
   std::string_view prompt;
   std::string_view keys;
@@ -67,7 +69,7 @@ void Session::step(base::Time now) {
   if (!deadline_ || (frame_at_ && asked_ == 0)) return listen(now);
   if (now < *deadline_ || format_.strings[0].empty()) return;
   if (frame_at_) return listen(now);
-  // What it was asked has not gone yet: a line that stalls.
+  // The line stalls: the last keys have not been sent yet.
   if (asked_ > 0 && !outbox_.waiting().empty()) {
     deadline_ = now + kPrompt;
     return;

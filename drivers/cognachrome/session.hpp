@@ -13,8 +13,8 @@
 
 namespace fencepost::cognachrome {
 
-/// No source tells a field of view, it has the lens of any video camera: 45 degrees across and an image of 4 by 3 are
-/// assumed. fx = 125 / tan 22.5 deg, fy = fx 16 / 15. Two fields of 60 /s as latency. Calibrate.
+/// No source states a field of view, and the lens is that of any video camera. 45 degrees across and an image of 4 by 3
+/// are assumed. fx = 125 / tan 22.5 deg, fy = fx 16 / 15. Latency: two fields of 60 /s. Calibrate.
 inline constexpr sensor::CameraIntrinsics kProfile = {
     "cognachrome", kWidth, kHeight, {30'178}, {32'190}, {12'450}, {9'950}, {0}, {}, base::milliseconds(33)};
 
@@ -22,8 +22,9 @@ struct Config {
   const Format* format = &kBinary;
 };
 
-/// Half a second without a frame, and if its strings are known it is stopped, told them and started; each prompt is
-/// waited for 300 ms, and then it all begins anew at once. The first frame after a pause is not given: it may be noise.
+/// After half a second without a frame, a camera with known strings is stopped, given its strings and started again.
+/// Each prompt is awaited for 300 ms; then the sequence begins anew at once. The first frame after a pause is not
+/// given: it may be noise.
 class Session {
  public:
   using Sample = sensor::BlobFrame;

@@ -19,7 +19,7 @@ constexpr std::int64_t kSurprise = 3;
 // A prediction that misses what a reading can mean by a quarter of a unit or less is set to its end.
 constexpr std::int64_t kNearly = 4;
 
-/// What a reading of whole units adds to what was predicted since the last one; fractions are cut off towards zero.
+/// Correction of the predicted motion since the last reading; whole units, fractions cut off towards zero.
 std::int64_t correction(std::int64_t predicted, std::int64_t told, std::int64_t unit) {
   const std::int64_t low = (told > 0 ? told : told - 1) * unit;
   const std::int64_t high = (told < 0 ? told : told + 1) * unit;

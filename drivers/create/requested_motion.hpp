@@ -9,11 +9,11 @@
 
 namespace fencepost::create {
 
-/// A Create 1 tells the wheel speeds that were requested of it, and its distance and angle since they were last read,
-/// in whole mm and degrees: what a reading cuts off is lost. Read with each frame, a turn of less than 67 degrees/s is
-/// never told. So the requested speeds are integrated, and distance and angle are read seldom, when a second's motion
-/// is many times what is cut off: a prediction that lies within what a reading can mean stands, any other gives way to
-/// the reading's middle. A robot that is pushed, stalls or slips is then read more often.
+/// A Create 1 reports the requested wheel speeds, and its distance and angle since they were last read. These are whole
+/// mm and degrees, and each reading loses the fraction. Read with each frame, a turn of less than 67 degrees/s would
+/// always read 0. So the requested speeds are integrated. Distance and angle are read only when a second's motion is
+/// many times the fraction. A prediction within the range that a reading allows is kept; any other is replaced by the
+/// middle of that range. A robot that is pushed, stalls or slips is then read more often.
 class RequestedMotion {
  public:
   /// `track_pm` between the wheels; positive.
@@ -26,10 +26,10 @@ class RequestedMotion {
   struct Reading {
     std::int32_t mm = 0;
     std::int32_t degrees = 0;
-    bool in_part = false;  ///< it may lack what an earlier one told: then it can only add to what was predicted
+    bool in_part = false;  ///< it may lack an earlier reading's part: then it can only add to the prediction
   };
   void read(const Reading& reading);
-  /// It says nothing: what was predicted stands.
+  /// Drops the reading and keeps the prediction.
   void skip_reading();
 
   /// Until the next reading.
@@ -38,9 +38,11 @@ class RequestedMotion {
   /// Readings by which the robot had not moved as requested.
   [[nodiscard]] std::uint32_t surprises() const { return surprises_; }
 
-  /// Chosen on a model of the robot (README.md): 0.25, 0.5, 1 and 2 s were compared.
+  /// Interval of readings. Chosen on a model of the robot (README.md): 0.25, 0.5, 1 and 2 s were compared.
   static constexpr base::Duration kUsual = base::milliseconds(1'000);
+  /// The interval after a reading that contradicted the requests.
   static constexpr base::Duration kSurprised = base::milliseconds(250);
+  /// Maximum time between two requests over which motion is integrated.
   static constexpr base::Duration kLongestStep = base::milliseconds(100);
 
  private:

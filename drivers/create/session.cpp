@@ -9,8 +9,9 @@
 namespace fencepost::create {
 namespace {
 
-// A packet list with a damaged count swallows up to 255 bytes; this many are sent per attempt.
+// Opcodes sent per attempt to fill up a packet list: one with a damaged count swallows up to 255 bytes.
 constexpr std::size_t kPadding = 32;
+// Attempts without padding.
 constexpr std::uint8_t kTriesToPadding = 2;
 
 /// 33 frames.
@@ -20,15 +21,15 @@ constexpr base::Duration kSteerAgain = base::milliseconds(100);
 /// No robot restarts faster.
 constexpr base::Duration kShortestStart = base::milliseconds(1'000);
 
-// Opcodes of the Open Interface.
-constexpr std::uint8_t kStart = 0x80;
+constexpr std::uint8_t kStart = 0x80;  // opcodes of the Open Interface
 constexpr std::uint8_t kSafe = 0x83;
 constexpr std::uint8_t kFull = 0x84;
 constexpr std::uint8_t kDrive = 0x89;
 constexpr std::uint8_t kStream = 0x94;
 
-/// Of a Create 1: later than this, a frame was lost. A request that was not followed is repeated.
+/// Of a Create 1: after a longer gap a frame was lost.
 constexpr base::Duration kFrameAndHalf = base::milliseconds(25);
+/// Of a Create 1: a request for a reading is repeated after this time without one.
 constexpr base::Duration kAskAgain = base::milliseconds(100);
 
 using PacketIds = base::FixedVector<std::uint8_t, kMaxFields>;

@@ -22,7 +22,7 @@ enum class Model : std::uint8_t {
 /// The robot's operating mode. Passive is enough to read; driving needs one of the others.
 enum class Mode : std::uint8_t { kPassive, kSafe, kFull };
 
-/// What the command Drive takes; the robot clips both.
+/// Arguments of the command Drive; the robot clips both.
 struct Motion {
   static constexpr std::int16_t kStraight = 0x7FFF;
   static constexpr std::int16_t kOnTheSpotLeft = 1;
@@ -45,9 +45,9 @@ struct Counts {
   std::uint32_t impossible = 0;  ///< readings faster than the wheels can turn: not taken as motion
 };
 
-/// A frame comes every 15 ms. No motion is lost with a frame, except what a Create 1 did unasked before a reading that
-/// is lost. A Create 2 that was switched off counts from zero again: after a second of silence, counts as near to zero
-/// as the robot can have driven since are taken as a restart, and the pose continues from where it was.
+/// A frame comes every 15 ms. A lost frame loses no motion. The exception is a Create 1 that was moved unasked before a
+/// reading that is lost. A Create 2 that was switched off counts from zero again. After a second of silence, counts as
+/// near to zero as the robot can have driven since are a restart. The pose then continues from where it was.
 class Session {
  public:
   using Sample = sensor::OdometrySample;
@@ -65,8 +65,8 @@ class Session {
   /// False when there is no room now.
   [[nodiscard]] bool command(std::span<const std::uint8_t> bytes) { return bytes.size() <= 8 && outbox_.put(bytes); }
 
-  /// From now on the robot is driven, as long as it is allowed to and the stream comes; else it is told to stand. In
-  /// mode passive the robot does not obey. Until the first call nothing is ever sent that moves it, or stops it.
+  /// From now on the robot is driven while it is allowed to and the stream comes; otherwise it is stopped. In mode
+  /// passive the robot does not obey. Until the first call nothing is ever sent that moves it, or stops it.
   void drive(const Motion& motion) { motion_ = motion; }
   /// At first it is not allowed. `most`: mm/s that its middle may have.
   void allow_motion(bool allowed, std::int16_t most = kFastest) {

@@ -27,7 +27,7 @@ enum class ChecksumRule : std::uint8_t {
 
 /// A frame is 0x13, a length, then id and value (big-endian) of each packet, and a checksum. The decoder knows which
 /// packets were requested and checks every window of that many bytes: damage in one frame never costs another one.
-/// The manuals disagree about the checksum and real Create 1s are uncertain: either rule is accepted until one has
+/// The manuals disagree about the checksum, and real Create 1s are uncertain. Either rule is accepted until one has
 /// matched twice in a row, from then on only that one.
 class StreamDecoder {
  public:

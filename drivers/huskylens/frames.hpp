@@ -21,9 +21,10 @@ inline constexpr std::uint16_t kHeight2 = 480;
 /// HuskyLens 1: `55 AA 11 <length> <command> <data> <checksum>`; 2: `55 AA <command> <algorithm> <length> <data>
 /// <checksum>`. The checksum is the low byte of the sum of all before it.
 inline constexpr std::size_t kAround = 6;  ///< bytes of a frame without its data
-/// Of HuskyLens 2 a block has the name of its colour behind it; with longer ones it is not read.
+/// Maximum data bytes of a frame. A block of HuskyLens 2 ends with its colour's name; with a longer name it is not
+/// read.
 inline constexpr std::size_t kLongestData = 64;
-inline constexpr std::size_t kLongestFrame = kAround + kLongestData;
+inline constexpr std::size_t kLongestFrame = kAround + kLongestData;  ///< bytes
 
 /// For wire::Scanner; knows the answers that there are, and their lengths.
 wire::Verdict examine(std::span<const std::uint8_t> bytes);
@@ -37,11 +38,11 @@ struct Message {
 };
 Message message_of(std::span<const std::uint8_t> frame);
 
-/// What is announced before the objects.
+/// The INFO before the objects.
 struct Info {
   std::uint16_t objects = 0;
   bool taught = false;                  ///< something was learned
-  std::optional<std::uint16_t> number;  ///< of the image; HuskyLens 2 does not tell
+  std::optional<std::uint16_t> number;  ///< of the image; HuskyLens 2 does not report it
 };
 Info info_in(const Message& message);
 
@@ -49,8 +50,8 @@ Info info_in(const Message& message);
 std::uint16_t id_in(const Message& block);
 
 /// A block's box in our convention, in an image of `width` columns, 320 or 640, whichever generation it is of. The
-/// camera tells the middle (rounded up) and the size. What reaches out of the image is cut off.
-/// errors: empty if it has no size, lies outside, or its id is none that can be told (1 to 255)
+/// camera reports the middle (rounded up) and the size. Parts outside the image are cut off.
+/// errors: empty if it has no size, lies outside, or its id is not reportable (1 to 255)
 std::optional<sensor::Blob> blob_in(const Message& block, std::uint16_t width);
 
 }  // namespace fencepost::huskylens

@@ -17,8 +17,8 @@ constexpr base::Duration kImage2 = base::milliseconds(30);
 // It loads another network before it says that it has.
 constexpr base::Duration kAlgorithm2 = base::milliseconds(1'000);
 
-// Checksums are the sums of the bytes before them.
-constexpr std::array<std::uint8_t, 6> kKnock = {0x55, 0xAA, 0x11, 0x00, 0x2C, 0x3C};
+constexpr std::array<std::uint8_t, 6> kKnock = {0x55, 0xAA, 0x11,
+                                                0x00, 0x2C, 0x3C};  // the last byte is the sum of the others, as below
 constexpr std::array<std::uint8_t, 8> kColour = {0x55, 0xAA, 0x11, 0x02, 0x2D, 0x04, 0x00, 0x43};
 constexpr std::array<std::uint8_t, 6> kAskBlocks = {0x55, 0xAA, 0x11, 0x00, 0x21, 0x31};
 constexpr std::array<std::uint8_t, 16> kKnock2 = {0x55, 0xAA, 0x20, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x29};

@@ -34,7 +34,7 @@ inline constexpr sensor::CameraIntrinsics kProfile2 = {
     "huskylens2", kWidth2, kHeight2, {55'426}, {55'426}, {31'950}, {23'950}, {0}, {}, base::milliseconds(60)};
 
 struct Options {
-  Generation generation = Generation::kOne;  ///< tried first, and the image that boxes are told in
+  Generation generation = Generation::kOne;  ///< tried first; boxes refer to its image
   bool select_colour = true;                 ///< false leaves the algorithm that runs alone
   /// Without a byte for so long the answer is lost.
   base::Duration timeout = base::milliseconds(100);
@@ -53,9 +53,9 @@ struct Counts {
   std::uint32_t restarts = 0;  ///< conversations begun anew
 };
 
-/// One question is outstanding at a time. Five lost answers in a row, or twenty refusals: all over again. After five
-/// lost knocks the other generation is tried, after thirty where one has answered before: a HuskyLens 2 takes the
-/// other's knocks for data, and then does not hear some of its own.
+/// One question is outstanding at a time. After five lost answers in a row, or twenty refusals, the conversation begins
+/// anew. After five lost knocks the other generation is tried, or after thirty if one has answered before. A HuskyLens
+/// 2 takes the other's knocks for data, and then does not hear some of its own.
 class Session {
  public:
   explicit Session(const Options& options) : options_(options), generation_(options.generation) {}

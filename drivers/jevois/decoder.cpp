@@ -7,9 +7,8 @@
 namespace fencepost::jevois {
 namespace {
 
-// Standardized coordinates, in hundredths: half the width, and half the height of a picture of 4:3.
-constexpr std::int32_t kHalfWidth = 100'000;
-constexpr std::int32_t kHalfHeight = 75'000;
+constexpr std::int32_t kHalfWidth = 100'000;  // in hundredths of a standardized coordinate
+constexpr std::int32_t kHalfHeight = 75'000;  // of a picture of 4:3
 // Polygons' numbers, with a count before them.
 constexpr std::size_t kMaxNumbers = 33;
 

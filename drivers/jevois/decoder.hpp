@@ -14,12 +14,12 @@
 
 namespace fencepost::jevois {
 
-/// Messages tell no resolution: x is -1000..1000, y -750..750, whatever it is. These are the pixels that they become.
+/// Messages carry no resolution: whatever it is, x is -1000..1000 and y -750..750. This is the width they convert to.
 inline constexpr std::int16_t kWidth = 320;
-inline constexpr std::int16_t kHeight = 240;
-inline constexpr std::size_t kMaxNames = 8;
+inline constexpr std::int16_t kHeight = 240;  ///< the same for rows
+inline constexpr std::size_t kMaxNames = 8;   ///< capacity of Names
 
-/// What a module calls a thing, and the signature that it gets.
+/// A module's name for a thing, and the signature that it gets.
 struct Name {
   sensor::Text id;
   std::uint8_t signature = 0;
@@ -41,11 +41,11 @@ struct Counts {
   std::uint32_t dropped = 0;     ///< blobs of good frames beyond the capacity
 };
 
-/// A frame is a line `MARK START`, its messages, `MARK STOP`, each behind a stamp or none. Read are `N2 id x y w h`,
-/// and the vertices of `D2` and `F2`, whose box it is; with or without a count of vertices, which the sources write and
-/// the manual does not. An id is one of the names, else the number at its end (`blob2`), else 1. JeVois counts pixels'
-/// edges: column 0 begins at x = -1000. The box of pixels a to b is b - a + 1 wide. CR LF, LF or CR. No message has a
-/// checksum: a frame counts only if each of its lines is understood.
+/// A frame is a line `MARK START`, its messages and `MARK STOP`, each with or without a stamp before it. Of `N2 id x y
+/// w h` the box is read, of `D2` and `F2` the vertices, whose box it is. A count of vertices may precede them: the
+/// sources write it, the manual does not. An id is one of the names, else the number at its end (`blob2`), else 1.
+/// JeVois counts pixels' edges: column 0 begins at x = -1000. The box of pixels a to b is b - a + 1 wide. CR LF, LF or
+/// CR. No message has a checksum: a frame counts only if each of its lines is understood.
 class Decoder {
  public:
   explicit Decoder(const Names& names) : names_(names) {}

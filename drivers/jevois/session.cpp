@@ -3,7 +3,7 @@
 namespace fencepost::jevois {
 namespace {
 
-// Ten frames at 20 /s; a module that is loading is told again so often.
+// Ten frames at 20 /s. A module that is loading gets the settings again after each such time.
 constexpr base::Duration kPatience = base::milliseconds(500);
 
 constexpr std::string_view kSettings =

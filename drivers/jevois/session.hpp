@@ -1,4 +1,4 @@
-// The conversation with a JeVois: it is told how to write, and writes.
+// The conversation with a JeVois: the session configures its output, then reads it.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct Config {
   Names names;  ///< of the things that its module tells of
 };
 
-/// JeVois forgets style, decimals, stamps and marks whenever it loads a module: they are told again until frames come
-/// as told. Frames that come otherwise but can be read are taken.
+/// JeVois forgets style, decimals, stamps and marks whenever it loads a module. They are sent again until frames come
+/// as configured. Other frames that can be read are used, too.
 class Session {
  public:
   using Sample = sensor::BlobFrame;

@@ -5,9 +5,11 @@ namespace {
 
 // Bluetooth replies within some 30 ms, later while the brick is busy with its display.
 constexpr base::Duration kReplyTime = base::milliseconds(200);
+// Interval of the requests to a silent brick.
 constexpr base::Duration kProbePause = base::milliseconds(200);
-// The shortest idle time that the brick can be set to is two minutes.
+// Interval of keep-alives and battery readings. The shortest idle time that the brick can be set to is two minutes.
 constexpr base::Duration kHousePause = base::milliseconds(5'000);
+// Tries of a request, and of the fence after it.
 constexpr std::uint8_t kTries = 3;
 
 }  // namespace

@@ -35,10 +35,10 @@ struct Counters {
 };
 
 /// One request is outstanding at a time; the brick replies in order. A missing reply may be late or lost, and replies
-/// do not say which request they answer: so before a request is repeated, or another sent, the version is requested as
-/// a fence; after its reply nothing older can arrive. After three tries of a request and three of the version the link
-/// is silent: all pending requests fail, and the version is requested five times a second. Also keeps the brick awake
-/// and reads its battery.
+/// do not name the request that they answer. So the version is requested as a fence before a request is repeated or
+/// another sent: after its reply nothing older can arrive. After three tries of a request and three of the version the
+/// link is silent. Then all pending requests fail, and the version is requested five times a second. Also keeps the
+/// brick awake and reads its battery.
 class Conversation {
  public:
   static constexpr std::size_t kAskers = 6;

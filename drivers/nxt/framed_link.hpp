@@ -18,8 +18,8 @@ namespace fencepost::nxt {
 
 inline constexpr std::size_t kLengthPrefix = 2;
 
-/// For wire::Scanner. The prefix, u16 little-endian, is no sync mark: what tells telegrams from noise is that they are
-/// replies (02), and that no known command has a longer one.
+/// For wire::Scanner. The prefix, u16 little-endian, is no sync mark. Telegrams differ from noise in two ways: they are
+/// replies (02), and no known command has a longer one.
 inline wire::Verdict examine_framed(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 2) return {};
   const std::size_t length = wire::little_u16(bytes, 0);

@@ -5,10 +5,10 @@
 namespace fencepost::nxt {
 namespace {
 
-// As other host libraries do.
-constexpr base::Duration kSettleTime = base::milliseconds(100);
-constexpr base::Duration kPollPause = base::milliseconds(10);
-constexpr std::uint8_t kPolls = 30;
+// All three as in other host libraries.
+constexpr base::Duration kSettleTime = base::milliseconds(100);  // after the port's set-up
+constexpr base::Duration kPollPause = base::milliseconds(10);    // between two requests for the status
+constexpr std::uint8_t kPolls = 30;                              // before the transfer fails
 
 }  // namespace
 

@@ -41,9 +41,8 @@ bool is_nxtcam(std::span<const std::uint8_t> bytes);
 /// sixteen for each channel, a bit a colour in each (AVRcam's map). The order of the channels does not matter for this.
 std::uint8_t taught_colours(std::span<const std::uint8_t> map);
 
-/// The image that coordinates refer to.
-inline constexpr std::int16_t kWidth = 176;
-inline constexpr std::int16_t kHeight = 144;
+inline constexpr std::int16_t kWidth = 176;   ///< of the image that coordinates refer to
+inline constexpr std::int16_t kHeight = 144;  ///< the same
 
 /// Five bytes: colour, x upper left, y upper left, x lower right, y lower right. The tracker works on 88 columns and
 /// reports them doubled: where both x are even, the last column is x + 1. Firmware said to report single columns shows

@@ -17,11 +17,10 @@ namespace fencepost::nxtcam {
 /// objects' plausibility reveal damage.
 inline constexpr std::size_t kLongestTracking = 3 + kMaxObjects * kObjectSize;
 
-/// Commands, ended by a carriage return.
-inline constexpr std::string_view kPingLine = "PG\r";
-inline constexpr std::string_view kVersionLine = "GV\r";
-inline constexpr std::string_view kEnableLine = "ET\r";
-inline constexpr std::string_view kDisableLine = "DT\r";
+inline constexpr std::string_view kPingLine = "PG\r";     ///< a command, ended by a carriage return, as the others
+inline constexpr std::string_view kVersionLine = "GV\r";  ///< requests the version
+inline constexpr std::string_view kEnableLine = "ET\r";   ///< tracking on
+inline constexpr std::string_view kDisableLine = "DT\r";  ///< tracking off
 
 /// For wire::Scanner: tracking packets, or lines of printable text up to 32 characters ended by a carriage return.
 wire::Verdict examine_avrcam(std::span<const std::uint8_t> bytes);
@@ -35,8 +34,8 @@ std::string_view line_in(std::span<const std::uint8_t> message);
 /// v5: `55 AA length type data checksum`; the checksum is the sum of all bytes before it. Only blobs (type 4) are read:
 /// frame, 0, colour, x, y, x + w, y + h on 240 x 160. Other types of at most 64 bytes are passed over by their length.
 inline constexpr std::size_t kLongestV5 = 5 + 64;
-inline constexpr std::int16_t kV5Width = 240;
-inline constexpr std::int16_t kV5Height = 160;
+inline constexpr std::int16_t kV5Width = 240;   ///< of the image that coordinates refer to
+inline constexpr std::int16_t kV5Height = 160;  ///< the same
 
 /// For wire::Scanner.
 wire::Verdict examine_v5(std::span<const std::uint8_t> bytes);

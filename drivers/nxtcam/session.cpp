@@ -16,10 +16,10 @@ constexpr base::Duration kOtherSensorPause = base::milliseconds(500);
 constexpr base::Duration kUntaughtPause = base::milliseconds(2'000);
 // After this long without objects tracking is switched on again.
 constexpr base::Duration kReassure = base::milliseconds(5'000);
+// Failed transfers in a row after which the link is silent.
 constexpr std::uint8_t kFailuresToSilence = 3;
-// With the count in front, and without.
-constexpr std::size_t kFirstObjects = (kMaxRead - 1) / kObjectSize;
-constexpr std::size_t kMoreObjects = kMaxRead / kObjectSize;
+constexpr std::size_t kFirstObjects = (kMaxRead - 1) / kObjectSize;  // of a read that begins with the count
+constexpr std::size_t kMoreObjects = kMaxRead / kObjectSize;         // of the second read
 constexpr std::size_t kRestObjects = kMaxObjects - kFirstObjects - kMoreObjects;
 
 Transfer read(unsigned at, std::size_t count) {

@@ -42,10 +42,10 @@ struct Transfer {
 };
 
 /// Identity, tracking off, colour map, sort by size, objects, tracking on; then count and objects indefinitely, at most
-/// sixteen bytes a transfer. After a silence a camera that has shown objects before is neither stopped nor asked for
-/// its colours, once: either it tracks as it was told, or it was switched off and waits for just the rest. While
-/// nothing is seen, tracking is switched on again now and then: a camera that was switched off and on between two reads
-/// answers as if it saw nothing.
+/// sixteen bytes a transfer. A camera that showed objects before a silence is not stopped or asked for its colours on
+/// the first new try. Either it still tracks, or it was switched off and on and waits for the rest alone. While nothing
+/// is seen, tracking is switched on again now and then. The reason: a camera that was switched off and on between two
+/// reads answers as if it saw nothing.
 class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}

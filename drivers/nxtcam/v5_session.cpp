@@ -12,11 +12,10 @@ using sensor::LinkState;
 constexpr base::Duration kAskPeriod = base::milliseconds(1'000);
 // Shorter than the camera's frame period: a blob with the same count so soon belongs to the same image.
 constexpr base::Duration kSameImage = base::milliseconds(20);
-constexpr std::size_t kHeader = 4;
+constexpr std::size_t kHeader = 4;  // bytes before a message's data
 constexpr std::uint8_t kVersionType = 1;
-// Checksums are the sums of the bytes before them.
-constexpr std::array<std::uint8_t, 5> kAskVersion = {0x55, 0xAA, 0x00, 0x01, 0x00};
-constexpr std::array<std::uint8_t, 6> kTrackingOn = {0x55, 0xAA, 0x01, 0x03, 'E', 0x48};
+constexpr std::array<std::uint8_t, 5> kAskVersion = {0x55, 0xAA, 0x00, 0x01, 0x00};       // the last is the checksum
+constexpr std::array<std::uint8_t, 6> kTrackingOn = {0x55, 0xAA, 0x01, 0x03, 'E', 0x48};  // the same
 
 }  // namespace
 

@@ -24,9 +24,9 @@ struct V5Options {
   /// Nothing marks a frame's last blob: it is complete with the first blob of another count, or once no byte came
   /// for so long.
   base::Duration frame_pause = base::milliseconds(8);
-  /// Asks for the version (type 1, without data) once a second, and more often while no blob comes; then it also
-  /// commands 'E', tracking on (type 3). Uncertain whether the camera takes either: one that takes neither is heard by
-  /// its blobs alone, and never `empty`.
+  /// Asks for the version (type 1, without data) once a second. While no blob comes it asks more often and also
+  /// commands 'E', tracking on (type 3). Uncertain whether the camera accepts either. One that accepts neither is heard
+  /// by its blobs alone, and never `empty`.
   bool ask = true;
   /// Whether silence of a camera that was heard once means that it sees nothing. False: after `timeout` it is silent.
   /// True where it is known to be mute without blobs and not to answer; an unplugged one then seems to see nothing.

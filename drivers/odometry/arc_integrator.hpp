@@ -9,13 +9,13 @@
 namespace fencepost::odometry {
 
 /// world_T_robot in integers, so that no rounding is lost: the pose starts at the origin, looking along x.
-/// Between two calls the robot is taken to have driven a circular arc, which is exact for steady wheels: the chord of
-/// an arc of length d and angle a is d sin(a/2) / (a/2) long and points along the middle heading (Borenstein,
-/// Where am I?, 1996, section 1.3). Each chord is within 2e-7 of its length.
+/// Between two calls the robot is assumed to drive a circular arc, which is exact for steady wheels. The chord of an
+/// arc of length d and angle a is d sin(a/2) / (a/2) long and points along the middle heading. Source: Borenstein,
+/// Where am I?, 1996, section 1.3. Each chord is within 2e-7 of its length.
 class ArcIntegrator {
  public:
-  /// `distance_pm` of the robot's origin since the last call, backwards negative; `heading_urad` now, continuous (not
-  /// wrapped), counted from the start, from sums of counts: rounding errors of the heading do not accumulate.
+  /// `distance_pm` of the robot's origin since the last call, backwards negative. `heading_urad` now, continuous (not
+  /// wrapped), counted from the start. It comes from sums of counts, so its rounding errors do not accumulate.
   void advance(std::int64_t distance_pm, std::int64_t heading_urad);
 
   /// Heading wrapped to +-pi; positions end at +-200 km.

@@ -11,23 +11,24 @@ namespace fencepost::odometry {
 namespace {
 
 constexpr std::int64_t kMillion = 1'000'000;
-// The fastest car: more counts are a restart of the encoder.
-constexpr std::int64_t kFastest = 5'000;  // mm/s
+// mm/s of the fastest car: more counts are a restart of the encoder.
+constexpr std::int64_t kFastest = 5'000;
+// Maximum time between two readings over which the car is assumed to move.
 constexpr base::Duration kLongestStep{std::int64_t{10} * base::Duration::kPerUnit};
 // The sharpest turn of the wheels that a tangent is taken of.
 constexpr std::int64_t kSharpest = 1'300'000;  // urad
-// Of a car that stands: rates within 2 deg/s of each other, a bias of a gyro (MPU-6050: 20 deg/s by its data sheet),
-// and one that has changed by no more than 3 deg/s since it was learnt: warmth does that, a hand that turns the car
-// does more.
-constexpr std::int32_t kSteady = 349;  // 10^-4 rad/s
+// Maximum spread of the rates of a stationary car: 2 deg/s, in 10^-4 rad/s.
+constexpr std::int32_t kSteady = 349;
+// Maximum bias of a gyro, in 10^-4 rad/s (MPU-6050: 20 deg/s by its data sheet).
 constexpr std::int32_t kLargest = 3'491;
+// Maximum change of a learnt bias: 3 deg/s, in 10^-4 rad/s. Warmth changes it less, a hand that turns the car more.
 constexpr std::int32_t kChange = 524;
 constexpr std::int32_t kReadings = 5;  // of a standstill, at least
 constexpr int kLearning = 4;           // a new standstill counts for a quarter
 
 std::int64_t clamp_turn(std::int64_t urad) { return std::clamp(urad, -kSharpest, kSharpest); }
 
-// 2^20 tan of the wheels' angle, for a told one in 10^-4 rad.
+// 2^20 tan of the wheels' angle, for a measured steering angle in 10^-4 rad.
 std::int64_t tangent(std::int32_t told, const CarGeometry& car) {
   constexpr std::int64_t kMicroPerRaw = kMillion / base::Radians::kPerUnit;
   constexpr std::int64_t kThousand = 1'000;

@@ -9,12 +9,12 @@
 
 namespace fencepost::odometry {
 
-/// One car, in integers. Zero where it was not told.
+/// One car, in integers. Zero where it was not configured.
 struct CarGeometry {
   std::int64_t pm_per_count = 0;  ///< of the middle of the unsteered axle; negative: counts down when driving forward
   std::int64_t wheelbase_um = 0;  ///< between the axles, 10 mm .. 3 m
-  std::int32_t steer_scale = 1'000;    ///< thousandths: turn of the front wheels for one told
-  std::int32_t steer_offset_urad = 0;  ///< told when it goes straight
+  std::int32_t steer_scale = 1'000;    ///< thousandths: turn of the front wheels for a measured one
+  std::int32_t steer_offset_urad = 0;  ///< measured when it goes straight
   std::int32_t gyro_scale = 10'000;    ///< 10^-4: true turn for one measured
   std::int32_t gyro_bias_urad_s = 0;   ///< measured when nothing turns; in force until the car has stood
 };
@@ -24,13 +24,13 @@ enum class CarProblem : std::uint8_t { kNone, kNoCounts, kNoHeading, kNoWheelbas
 
 CarProblem problem_of(const sensor::CarSample& sample, const CarGeometry& car);
 
-/// world_T_robot of a car; its origin is midway between the wheels of the axle that is not steered, on the floor, and
-/// that axle does not slip sideways: every motion is an arc about a point on its line. The heading is the gyro's where
-/// there is one, else the bicycle model's, tan(wheels) / wheelbase a metre (Siegwart and Nourbakhsh, Autonomous Mobile
-/// Robots, section 3.2). Rates and angles between two readings are the mean of both.
+/// world_T_robot of a car. Its origin is on the floor, midway between the wheels of the axle that is not steered. That
+/// axle does not slip sideways: every motion is an arc about a point on its line. The heading is the gyro's where there
+/// is one. Otherwise the bicycle model turns by tan(wheels) / wheelbase a metre (Siegwart and Nourbakhsh, Autonomous
+/// Mobile Robots, section 3.2). Rates and angles between two readings are the mean of both.
 ///
-/// A car whose encoder is still for kStandstill, at a rate that is steady and small, stands: then the rate is the
-/// gyro's bias, learnt from there on, and the heading goes back to what it was when the car came to a stand.
+/// A car is stationary when its encoder is still for kStandstill, at a rate that is steady and small. Then the rate is
+/// the gyro's bias, learnt from there on. The heading goes back to the one at which the car stopped.
 class CarDrive {
  public:
   /// The pose at the reading's time, in which the first one is the origin; t increases. Needs a reading without a

@@ -17,8 +17,8 @@ class TickCounter {
   TickCounter(int bits, std::int64_t max_rate);
 
   /// Counts since the last reading, wrap taken out; t increases.
-  /// errors: empty if unknown: the first reading, more counts than the wheel can have done (the encoder was
-  /// reset), or so long a silence that the count may have wrapped unseen. The next reading then counts from this one.
+  /// errors: empty if unknown: the first reading, more counts than the wheel can do (an encoder reset), or a silence
+  /// long enough to wrap. The next reading then counts from this one.
   std::optional<std::int32_t> step(std::uint32_t raw, base::Time t);
 
   /// The device has restarted: the next reading is a first one.

@@ -41,11 +41,11 @@ constexpr WheelBase make_wheel_base(const WheelDrawing& wheel, double track_mm, 
   return {per_count(wheel), per_count(wheel), to_picometres(track_mm), counter_bits, max_speed_mm_s};
 }
 
-/// iRobot Create 2, Roomba 600: 508.8 counts a revolution, wheel 72 mm, axle 235 mm (Open Interface specification);
-/// driven at 500 mm/s at most, a slope allowed for.
+/// iRobot Create 2, Roomba 600: 508.8 counts a revolution, wheel 72 mm, axle 235 mm (Open Interface specification). The
+/// maximum speed is 500 mm/s plus an allowance for a slope.
 inline constexpr WheelBase kCreate2Wheels = make_wheel_base({72.0, 508.8}, 235.0, 16, 600);
 
-/// iRobot Create 1: axle 258 mm (its manual's figure); it tells no counts.
+/// iRobot Create 1: axle 258 mm (its manual's figure); it reports no counts.
 inline constexpr WheelBase kCreate1Wheels = make_wheel_base({72.0, 508.8}, 258.0, 16, 600);
 
 }  // namespace fencepost::odometry

@@ -9,9 +9,9 @@
 namespace fencepost::odometry {
 
 /// Left and right readings alternate, each with its own time. If they were treated as simultaneous, straight driving
-/// would appear as an oscillating heading: so the left count at the time of the right one is interpolated between its
-/// neighbours, and the sample is emitted with the next left reading, at the right one's time. Of several right readings
-/// in a row the last counts.
+/// would appear as an oscillating heading. So the left count at the time of the right one is interpolated between its
+/// neighbours. The sample is emitted with the next left reading, at the right one's time. Of several right readings in
+/// a row the last counts.
 class WheelPairs {
  public:
   explicit WheelPairs(const WheelBase& wheels) : bits_(wheels.counter_bits), drive_(wheels) {}

@@ -30,18 +30,18 @@ inline constexpr sensor::CameraIntrinsics kProfile = {"pixy1",  kWidth,  kHeight
 /// Words of 16 bits, low byte first: `AA55` begins an image, `AA55 <sum> <signature> <x> <y> <width> <height>` is a
 /// block, `AA56 ... <angle>` a colour code, `0000` stands where there is nothing. The sum is that of the words behind
 /// it.
-inline constexpr std::size_t kWord = 2;
-inline constexpr std::size_t kBlock = 14;
-inline constexpr std::size_t kColourCode = 16;
+inline constexpr std::size_t kWord = 2;         ///< bytes of a mark or an idle word
+inline constexpr std::size_t kBlock = 14;       ///< bytes
+inline constexpr std::size_t kColourCode = 16;  ///< bytes
 
 /// For wire::Scanner: a message is a mark or an idle word (2 bytes), a block (14), a colour code (16). All else is
 /// damage.
 wire::Verdict examine(std::span<const std::uint8_t> bytes);
 
-/// A block's box in our convention. The camera tells its middle (rounded down) and size; its columns end one past the
-/// last pixel (run lengths), its rows with the last one, so that x2 = left + width - 1 and y2 = top + height. A colour
-/// code's signature is its octal number. Cut at the last row. errors: empty if the box is not in the image, or the
-/// signature 0 or above 255
+/// A block's box in our convention. The camera reports its middle (rounded down) and size. Its columns end one past the
+/// last pixel (run lengths), its rows with the last one: x2 = left + width - 1 and y2 = top + height. A colour code's
+/// signature is its octal number. Cut at the last row.
+/// errors: empty if the box is not in the image, or the signature 0 or above 255
 std::optional<sensor::Blob> blob_of(std::span<const std::uint8_t> block);
 
 struct Options {

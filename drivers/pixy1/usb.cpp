@@ -9,8 +9,8 @@ namespace {
 constexpr base::Duration kAnswer = base::milliseconds(300);
 constexpr base::Duration kNoImage = base::milliseconds(500);
 constexpr std::uint8_t kPushed = 0x18;
-// Types of arguments; 40 marks those that only a curious host is told.
-constexpr std::uint8_t kTypeHint = 0x64;
+constexpr std::uint8_t kTypeHint =
+    0x64;  // types of arguments; bit 0x40 marks those that only a host with hints on gets
 constexpr std::uint8_t kHint8 = 0x41;
 constexpr std::uint8_t kHint16 = 0x42;
 constexpr std::uint8_t kWords = 0x82;

@@ -18,16 +18,17 @@ inline constexpr std::size_t kLongestMessage = 1'280;
 /// For wire::Scanner, as chirp::examine is, and longer.
 wire::Verdict examine_message(std::span<const std::uint8_t> bytes);
 
-/// What `CCB1` and `CCB2` carry: blocks by their edges, colour codes with an angle behind; the columns end one past the
-/// last pixel. errors: empty if the message is another, does not hold what it promises, or a box is not in the image
+/// Contents of `CCB1` and `CCB2`: blocks by their edges, colour codes with an angle behind. The columns end one past
+/// the last pixel.
+/// errors: empty if the message is another, does not hold what it promises, or a box is not in the image
 struct Pushed {
   sensor::BlobFrame frame;  ///< its blobs alone
   std::uint32_t dropped = 0;
 };
 std::optional<Pushed> blocks_in(std::span<const std::uint8_t> message);
 
-/// Introduces itself, has the program run, and listens; each answer is waited for 300 ms, a message of blocks 500 ms,
-/// and then it all begins anew. Every image is pushed, those without blocks too.
+/// Introduces itself, has the program run, and listens. Each answer is awaited for 300 ms, a message of blocks for 500
+/// ms; then the session begins anew. Every image is pushed, those without blocks too.
 class UsbSession {
  public:
   using Sample = sensor::BlobFrame;

@@ -14,9 +14,9 @@ namespace fencepost::pixy2 {
 
 /// `<sync> C1 <type> <length> <checksum, 2> <data>`; the checksum is the sum of the data bytes, little-endian as
 /// everything. The camera answers so whether or not the request had a checksum.
-inline constexpr std::uint8_t kSync = 0xAF;
-inline constexpr std::uint8_t kSecondSync = 0xC1;
-inline constexpr std::size_t kHeader = 6;
+inline constexpr std::uint8_t kSync = 0xAF;        ///< begins a packet with checksum
+inline constexpr std::uint8_t kSecondSync = 0xC1;  ///< follows it
+inline constexpr std::size_t kHeader = 6;          ///< bytes before the data
 inline constexpr std::size_t kLongestPacket = kHeader + 255;
 
 enum class Type : std::uint8_t {
@@ -48,7 +48,7 @@ enum class DeviceError : std::int8_t {
 
 /// The program that finds coloured blobs, as the firmware calls it; padded with zeros to 33 bytes in its request.
 inline constexpr std::size_t kProgramName = 33;
-inline constexpr std::size_t kPadding = 64;
+inline constexpr std::size_t kPadding = 64;  ///< filler bytes before a request
 inline constexpr std::size_t kLongestRequest = kPadding + kHeader + kProgramName;
 using Request = base::FixedVector<std::uint8_t, kLongestRequest>;
 
@@ -107,10 +107,10 @@ struct Blocks {
   std::uint32_t dropped = 0;  ///< beyond sixteen, or colour codes above 255
 };
 
-/// Boxes in our convention. The camera reports the box as centre (rounded down) and size; its columns end one past the
-/// last pixel (run lengths), its rows with the last one (the assembler's row), so that x2 = left + width - 1 and
-/// y2 = top + height. The centroid is the middle of the box: the camera has no other.
-/// A colour code's signature is its octal number.
+/// Boxes in our convention. The camera reports the box as centre (rounded down) and size. Its columns end one past the
+/// last pixel (run lengths): x2 = left + width - 1. Its rows end with the last one (the assembler's row): y2 = top +
+/// height. The centroid is the middle of the box: the camera has no other. A colour code's signature is its octal
+/// number.
 /// errors: also empty if any box is outside of the image or has signature 0
 std::optional<Blocks> blocks_in(const Packet& packet);
 

@@ -7,7 +7,7 @@ namespace {
 
 using sensor::LinkState;
 
-// The vendor's library waits 100 us on SPI; a line of 9600 baud needs 9 ms for a request, and one for the first byte
+// The vendor's library waits 100 us on SPI. A line of 9600 baud needs 9 ms for a request, and one for the first byte
 // back.
 constexpr base::Duration kAnswerBegins = base::milliseconds(30);
 // A request with a name, or padding, takes longer.
@@ -18,11 +18,15 @@ constexpr base::Duration kAnswerGoesOn = base::milliseconds(20);
 constexpr base::Duration kAnswerEnds = base::milliseconds(400);
 // A frame lasts 16 ms: pause for half of it, then poll four times as often.
 constexpr base::Duration kFramePause = base::milliseconds(8);
+// Pause after the answer that no new frame is ready.
 constexpr base::Duration kBusyPause = base::milliseconds(4);
+// Pause before the set-up is tried again.
 constexpr base::Duration kSetupPause = base::milliseconds(100);
+// Pause between requests to a silent camera.
 constexpr base::Duration kSilentPause = base::milliseconds(250);
 // Without a new frame for this long it is not working, whatever it reports.
 constexpr base::Duration kFrameOverdue = base::milliseconds(1'000);
+// Time-outs in a row after which it is silent.
 constexpr std::uint8_t kMissesToSilence = 3;
 
 }  // namespace

@@ -13,14 +13,14 @@
 
 namespace fencepost::wire {
 
-/// Each call does at most one step of a transfer: a read that finds the bus free begins one and says kNotReady, a later
-/// read gives its bytes. Nobody acknowledging is kNotReady too: a device that is starting, or not there, is silent.
-/// A write that found the bus busy gets it next, if it is retried before the second read after that: a caller that
-/// reads until nothing is left would otherwise always have started the next read.
+/// Each call does at most one step of a transfer. A read that finds the bus free begins one and returns kNotReady; a
+/// later read gives its bytes. A missing acknowledgement is kNotReady too: a device that is starting, or absent, is
+/// silent. A write that found the bus busy gets it next, if it is retried before the second read after that. Without
+/// this rule a caller that reads until nothing is left would always have started the next read.
 template <bus::I2cBus Bus>
 class I2cStream {
  public:
-  /// What the Arduino library of the Pixy2, and the narrowest bus, take at once.
+  /// Bytes that the Arduino library of the Pixy2, and the narrowest bus, take at once.
   static constexpr std::size_t kChunk = 16;
 
   I2cStream(Bus& bus, std::uint8_t address) : bus_(bus), address_(address) {}

@@ -11,8 +11,8 @@
 
 namespace fencepost::wire {
 
-/// Gives what the link has now to `take`, a chunk at a time; no more than so many reads of 32 bytes, for some links
-/// always have some. False: the link is gone.
+/// Gives the bytes that the link has now to `take`, a chunk at a time. At most `reads` reads of 32 bytes, for some
+/// links always have some. False: the link is gone.
 template <bus::ByteLink Link, class Take>
 bool receive(Link& link, int reads, Take&& take) {
   std::array<std::uint8_t, 32> bytes{};

@@ -22,7 +22,7 @@ std::string_view without_first(std::string_view text, std::size_t characters) {
   return text;
 }
 
-/// What stands between `$` and `*`, if the checksum after it is right; else empty.
+/// The text between `$` and `*`, if the checksum after it is right; else empty.
 std::string_view opened(std::string_view line) {
   constexpr std::size_t kTail = 3;
   if (line.size() < 2 + kTail || line[line.size() - kTail] != '*') return {};

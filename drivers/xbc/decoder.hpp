@@ -10,10 +10,11 @@
 
 namespace fencepost::xbc {
 
-/// Columns 0..355 and rows 0..290 are what the XBC's vision code lets through; 352 x 278 and 356 x 292 are quoted too.
+/// The XBC's vision code passes columns 0..355; a width of 352 is quoted too.
 inline constexpr std::int16_t kWidth = 356;
+/// It passes rows 0..290; heights of 278 and 292 are quoted too.
 inline constexpr std::int16_t kHeight = 291;
-inline constexpr std::size_t kChannels = 3;
+inline constexpr std::size_t kChannels = 3;  ///< of colour
 
 enum class Event : std::uint8_t {
   kNone,
@@ -28,10 +29,10 @@ struct Counts {
   std::uint32_t dropped = 0;     ///< blobs of good frames beyond the capacity
 };
 
-/// A frame is a line F, its lines B, a line E: `$F frame n*hh`, `$B ch idx x y size conf left top right bottom
-/// angle*hh`,
-/// `$E frame*hh`, `$V XBCL version*hh`; hh is the exclusive or of the characters between `$` and `*`. It counts only if
-/// all of its lines are good. `$` starts a line wherever it stands. LF or CR LF.
+/// A frame is a line F, its lines B, a line E. `$F frame n*hh`. `$B ch idx x y size conf left top right bottom
+/// angle*hh`. `$E frame*hh`. `$V XBCL version*hh` has the version. hh is the exclusive or of the characters between `$`
+/// and `*`. A frame counts only if all of its lines are good.
+/// `$` starts a line wherever it stands. LF or CR LF.
 /// The XBC counts pixels from 0, to the right and down, ends inclusive: as we do.
 class Decoder {
  public:

@@ -47,8 +47,8 @@ class Session {
   base::Time next_question_;
 };
 
-/// Nominal calibration. No source tells the XBC's field of view: 45 deg across and square pixels are assumed, and two
-/// frames of 15 /s as latency, so calibrate.
+/// Nominal calibration. No source states the XBC's field of view: 45 deg across and square pixels are assumed. Latency:
+/// two frames of 15 /s. Calibrate.
 sensor::CameraIntrinsics nominal_intrinsics(const sensor::CameraMount& mount);
 
 }  // namespace fencepost::xbc
