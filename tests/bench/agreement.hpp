@@ -9,8 +9,8 @@
 
 namespace fencepost::bench {
 
-/// Runs each once, and says which area is not that of the same wedges cut in double: of a polygon by more than 2e-4 of
-/// it, of a grid by more than the cells along its outline. Empty: all agree.
+/// Runs each once, and names the areas that are not those of the same wedges cut in double. The tolerance is 2e-4 of a
+/// polygon's area, and the cells along its outline for a grid. Empty: all agree.
 std::vector<std::string> disagreements(const Workload& workload, std::span<const Contender> contenders);
 
 }  // namespace fencepost::bench

@@ -1,4 +1,4 @@
-// What is measured: each does the same workload, in its own way.
+// The measured programs: each does the same workload, in its own way.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace fencepost::bench {
 
-/// What comes out, and so what it is compared with.
+/// The kind of the result, and so what it is compared with.
 enum class Kind {
   kPolygon,  ///< the exact polygon of all views
   kGrid,     ///< solid cells
@@ -22,7 +22,7 @@ struct Contender {
   Kind kind = Kind::kPolygon;
   std::size_t cells = 0;                         ///< of a grid's side
   std::function<void()> run;                     ///< all views of all objects, from a solid arena
-  std::function<std::vector<double>()> areas{};  ///< of what the last run left of each object, m^2
+  std::function<std::vector<double>()> areas{};  ///< of each object, as the last run left it, m^2
   bool single_views = false;                     ///< each view cuts a solid arena: what is left says nothing
 };
 

@@ -19,14 +19,14 @@ struct View {
   std::array<host::Point, 3> triangle;  ///< the wedge as far as it matters, counter-clockwise
 };
 
-/// What one object looks like from everywhere; metres, frame of the arena.
+/// One object and its views from everywhere; metres, frame of the arena.
 struct Views {
   host::LinearRing object;  ///< convex, counter-clockwise
   std::vector<View> views;
 };
 
-/// The first `objects` (4 or 8) of the workload's objects: 0.1 to 0.3 m, of 4 to 24 corners, half a metre around the
-/// middle of the arena, seen from 1.2 m with edges that are 2 mrad (half a pixel) too wide.
+/// The first `objects` (4 or 8) of the workload's objects. They have 0.1 to 0.3 m and 4 to 24 corners, and are half a
+/// metre around the middle of the arena. They are seen from 1.2 m, with edges that are 2 mrad (half a pixel) too wide.
 std::vector<Views> workload(std::size_t objects);
 
 /// The square in which all of it happens, the robot's own: counter-clockwise from its lower left corner.

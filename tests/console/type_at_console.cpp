@@ -39,7 +39,7 @@ class Terminal {
 };
 static_assert(bus::ByteLink<Terminal>);
 
-// What was recorded, each at its time.
+// The recorded items, each at its time.
 template <class Item>
 class Played {
  public:

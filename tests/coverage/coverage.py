@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """usage: coverage.py BUILD_DIR [--least PERCENT] [--jobs N] [--lines]
 
-Runs the unit tests of hal, drivers and firmware in BUILD_DIR, a build by g++ -O0 --coverage -fprofile-abs-path, and
-prints which share of each folder's lines they run, and the branches of the decoders in drivers/ that never go one way.
-Exit status 1 if a test fails, a folder has less than PERCENT (95) of its lines, a source is in no test, or a decoder
-has such a branch that DECIDED does not explain. --lines: each line that is not run, too.
+Runs the unit tests of hal, drivers and firmware in BUILD_DIR, a build by g++ -O0 --coverage -fprofile-abs-path. Prints
+which share of each folder's lines they run, and the branches of the decoders in drivers/ that never go one way.
+Exit status 1 if a test fails, a folder has less than PERCENT (95) of its lines, or a source is in no test. It is also 1
+if a decoder has such a branch that DECIDED does not explain. --lines: each line that is not run, too.
 
-Start-up code, registers and images count as far as a test at the desk compiles them; what asks a kernel for its buses is
-tested on one (tests/guest) and counted apart. A template counts as run where one of its instances was; branches that
-are exceptions' are none.
+Start-up code, registers and images count as far as a test at the desk compiles them. Code that asks a kernel for its
+buses is tested on one (tests/guest) and counted apart. A template counts as run where one of its instances was;
+branches that are exceptions' are none.
 """
 
 import argparse
@@ -27,7 +27,7 @@ FOLDERS = ("hal", "drivers", "firmware")
 FOR_BOARDS = re.compile(r"^(hal/(mcu|boards)/|firmware/image/)")
 # Stands in for a library that is there wherever tests are built.
 STAND_IN = re.compile(r"_missing\.cpp$")
-# What asks a kernel for CAN, I2C, SPI and USB is tested on one, in an emulator (tests/guest): counted apart.
+# Code that asks a kernel for CAN, I2C, SPI and USB is tested on one, in an emulator (tests/guest): counted apart.
 ON_A_KERNEL = re.compile(r"^hal/linux/(can|can_sender|can_socket|i2c|i2c_adapter|spi|usb_device)\.[ch]pp$")
 # Bytes to messages: what the walks of tests/drivers/states go through.
 DECODERS = re.compile(
@@ -134,7 +134,7 @@ def collect(documents, root):
 
 
 def counted(build):
-    """What gcov says of each object that ran."""
+    """The report of gcov on each object that ran."""
     for counts in sorted(build.rglob("*.gcda")):
         done = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", counts], cwd=build,
                               check=True, capture_output=True, text=True)

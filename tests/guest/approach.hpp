@@ -1,4 +1,4 @@
-// What a camera and wheels see of a drive towards a post.
+// A drive towards a post, as a camera and wheels see it.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace fencepost::guest {
 
-/// Stands until told to drive, then goes straight ahead at 0.05 m/s for 0.2 m. The post is 0.1 m wide and 0.2 m high
-/// and 1.2 m ahead of the start; the camera is 0.12 m above the robot's middle. Any thread may ask.
+/// Is stationary until drive(), then goes straight ahead at 0.05 m/s for 0.2 m. The post is 0.1 m wide, 0.2 m high and
+/// 1.2 m ahead of the start. The camera is 0.12 m above the robot's middle. Any thread may ask.
 class Approach {
  public:
   static constexpr double kLength = 0.2;

@@ -107,7 +107,7 @@ TEST_F(CanTest, StampsFramesWhenTheyCameAndNotWhenTheyAreRead) {
   EXPECT_TRUE(eventually([&] {
     before = clock.now();
     send(0x100);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // or more: what a stamp is told apart by
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // or more, so that stamp and reading differ
     read = clock.now();
     const Result<CanFrame> frame = receive();
     stamp = frame ? frame->received : std::nullopt;
@@ -172,7 +172,7 @@ TEST_F(CanTest, IsGoneWhileTheInterfaceIsDown) {
   listen();
   send(0x123);
   shell("ip link set " + kInterface + " down");
-  EXPECT_EQ(receive()->id, 0x123U) << "what came before is told before";
+  EXPECT_EQ(receive()->id, 0x123U) << "a frame from before is given out before";
   EXPECT_EQ(receive().error(), Error::kGone);
   EXPECT_FALSE(can->connected());
   EXPECT_EQ(can->descriptor(), -1);
@@ -226,7 +226,7 @@ TEST_F(CanTest, TellsOfFramesItHadNoRoomFor) {
   EXPECT_EQ(news.error(), Error::kBadInput);
   EXPECT_EQ(receive()->id, 0x200U);
   send(0x201);
-  EXPECT_EQ(receive()->id, 0x201U) << "a loss is told once";
+  EXPECT_EQ(receive()->id, 0x201U) << "a loss is reported once";
 }
 
 TEST_F(CanTest, HearsARecordedLog) {

@@ -21,7 +21,7 @@ struct I2cMessage {
 /// Requests: i2c-tiny-usb.c of the Linux kernel.
 class I2cAdapter {
  public:
-  /// What a message is answered with, of its length if it reads; nothing: not acknowledged.
+  /// The answer to a message, of its length if it reads; nothing: not acknowledged.
   using Bus = std::function<std::optional<Bytes>(const I2cMessage&)>;
 
   /// `bus` is called on the adapter's own thread.

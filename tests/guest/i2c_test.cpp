@@ -45,8 +45,7 @@ class Memory {
     const std::lock_guard lock(mutex_);
     return registers_[index];
   }
-  /// What happened on the bus since it was last asked: S start, W and R with their lengths, P stop, N nobody
-  /// acknowledged.
+  /// The events on the bus since the last call: S start, W and R with their lengths, P stop, N nobody acknowledged.
   std::string take_log() {
     const std::lock_guard lock(mutex_);
     return std::exchange(bus_, {});

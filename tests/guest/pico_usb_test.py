@@ -1,4 +1,4 @@
-"""What Linux makes of the Pico's USB port: its own drivers and tools, on the controller of an emulated part.
+"""The Pico's USB port as Linux sees it: with Linux's own drivers and tools, on the controller of an emulated part.
 
 In the guest, whose /dev/ttyS1 is the other end of tests/boards/pico/usbip.mjs.
 """
@@ -118,7 +118,8 @@ class Cable:
     def pull(self):
         (CONTROLLER / "detach").write_text("0")
         self.kernel.shutdown(socket.SHUT_RDWR)
-        # What the kernel asked before would be answered to it after it has forgotten: it then drops the new connection.
+        # The answer to an earlier request must not reach the kernel after it has forgotten it: it then drops the new
+        # connection.
         self.forwarding.join(PATIENCE)
         eventually(lambda: not os.path.exists(PORT), "gone")
 
@@ -132,7 +133,7 @@ class Terminal:
 
     def __init__(self, baud=termios.B115200):
         self.port = eventually(self.open, "open")
-        tty.setraw(self.port, termios.TCSANOW)  # what has come already stays
+        tty.setraw(self.port, termios.TCSANOW)  # input that has come already stays
         settings = termios.tcgetattr(self.port)
         settings[4] = settings[5] = baud
         termios.tcsetattr(self.port, termios.TCSANOW, settings)
@@ -246,7 +247,7 @@ class PicoUsb(unittest.TestCase):
                 terminal.send("help\r" * 3)
                 eventually(terminal.is_full, "full")
             time.sleep(2)  # the rest of the answers goes to the serial line alone
-            with Terminal() as terminal:  # what the kernel itself had taken before is still its own
+            with Terminal() as terminal:  # the kernel may still hold what it took before
                 self.assertTrue(terminal.read_until(LAST_FACT).endswith(FACTS))
                 terminal.send("version\r")
                 self.assertEqual(terminal.read_until("\n"), VERSION)
@@ -291,13 +292,13 @@ class PicoUsb(unittest.TestCase):
                 terminal.read_until(LAST_FACT)
                 terminal.send("help\r")
                 self.cable.unplug()
-                eventually(terminal.ended, "told that the port is gone")
+                eventually(terminal.ended, "notified that the port is gone")
             self.plug()
             with Terminal() as terminal:
                 self.assertEqual(terminal.read_until(LAST_FACT), FACTS)
 
-    # More than its queue for input holds, with answers that fit into its queue for output and the kernel's buffers: one that
-    # is not read for a tenth of a second is taken for one that nobody reads, and this guest is slow.
+    # The questions are more than its queue for input holds; the answers fit into its queue for output and the kernel's
+    # buffers. This guest is slow, and output that is not read for a tenth of a second counts as read by nobody.
     def test_as_much_at_once_as_a_program_writes(self):
         questions = 36
         with Terminal() as terminal:

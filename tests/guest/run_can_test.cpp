@@ -28,6 +28,7 @@ constexpr const char* kScene = R"({"format": 1, "seed": 1,
   "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}],
   "objects": [{"name": "post", "signature": 1, "height": 0.2, "footprint": {"circle": [1.3, 0.2, 0.05]}}],
   "path": {"type": "waypoints", "points": [[0, 0], [0.5, 0]], "speed": 0.1, "turn_rate": 0.8}})";
+// The robot's configuration, by the scene's figures.
 constexpr const char* kRobot = R"({
   "camera": {"mount": {"z": 0.12}, "latency": 0.05},
   "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}],
@@ -51,7 +52,7 @@ std::string candump_line(base::Time t, const bus::CanFrame& frame) {
   return line + "\n";
 }
 
-/// What the wheels say from one time of the scene to another.
+/// The wheels' frames from one time of the scene to another.
 std::string candump_of(const host::Scene& scene, base::Time from, base::Time to) {
   const emulate::Feed feed = emulate::feed_from_scene(scene);
   const emulate::TravelLog travel(feed.poses);
@@ -91,7 +92,7 @@ class CanRun : public LiveRun {
   void down_and_up() {
     ASSERT_TRUE(shell("ip link set " + ours_ + " down"));
     EXPECT_TRUE(run->says(kGone)) << run->err();
-    // Looked for several times, and told once: as long as it takes the camera to show seven pictures.
+    // The program looks for it several times and reports it once: wait until the camera has shown seven pictures.
     EXPECT_TRUE(logs("$FPFRM,", count(log(), "$FPFRM,") + 7)) << run->err();
     ASSERT_TRUE(shell("ip link set " + ours_ + " up"));
   }
@@ -163,7 +164,7 @@ void CanRun::expect_emulated_wheels() {
 TEST_F(RunOnCan, FollowsEmulatedWheelsThroughTheInterfaceGoingDown) { expect_emulated_wheels(); }
 TEST_F(RunOnKvaser, FollowsEmulatedWheelsThroughTheInterfaceGoingDown) { expect_emulated_wheels(); }
 
-/// What another node hears of the alert.
+/// Another node on the bus, which hears the alert.
 class Listener {
  public:
   Listener(const std::string& interface, std::uint32_t id)

@@ -29,7 +29,7 @@ struct UsbSetup {
   std::uint16_t length = 0;
 };
 
-/// What the device says of itself, and does.
+/// The device's descriptors and behaviour.
 struct UsbModel {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;

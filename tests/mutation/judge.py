@@ -16,7 +16,7 @@ ROUND_SECONDS = 0.3  # of tests that are run before others of another program ar
 
 
 def run_tests(program, names, limit, **environment):
-    """What failed first (a test, TOO_SLOW, or the program if it crashed), or None; and the seconds it took."""
+    """The first failure (a test, TOO_SLOW, or the program if it crashed), or None; and the seconds it took."""
     begun = time.monotonic()
     try:
         done = subprocess.run([program, "--gtest_brief=1", "--gtest_fail_fast"], capture_output=True, timeout=limit, check=False,

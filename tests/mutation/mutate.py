@@ -22,7 +22,7 @@ FUNCTIONS = {**COMPARISONS, "+": "plus", "-": "minus"}
 STATEMENTS = (CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR, CursorKind.UNARY_OPERATOR,
               CursorKind.CALL_EXPR)
 LITERALS = (CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL)
-# What is computed while compiling, and what is never executed as it stands.
+# Code that is computed while compiling, or never executed as it is written.
 STATIC = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_DECL, CursorKind.TEMPLATE_NON_TYPE_PARAMETER, CursorKind.CASE_STMT,
           CursorKind.TYPE_ALIAS_DECL, CursorKind.CONCEPT_DECL if hasattr(CursorKind, "CONCEPT_DECL") else None)
 MOST = 1 << 15  # kMax of mutation.hpp
@@ -60,7 +60,7 @@ class Source:
                              "line": cursor.location.line, "operator": operator, "what": what})
         return self.mutants[-1]["id"]
 
-    # Of what begins at one offset the longer comes first, of what ends there the shorter.
+    # Of edits that begin at one offset the longer comes first, of those that end there the shorter.
     def around(self, begin, end, before, after):
         self.edits.append((begin, 1, -(end - begin), len(self.edits), before))
         self.edits.append((end, 0, end - begin, -len(self.edits), after))
@@ -94,7 +94,7 @@ class Source:
 
     def offer(self, cursor, parent):
         begin, end = self.span(cursor)
-        # What is written once may be several nodes: of a default, or of a template and its instance.
+        # One piece of text may be several nodes: of a default, or of a template and its instance.
         if begin >= end or self.in_macro(begin, end) or (begin, end, cursor.kind) in self.seen:
             return
         self.seen.add((begin, end, cursor.kind))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: mutate_test.py SOURCES COMPILER FOLDER
 
-Mutates a small program by every operator and runs it with each mutant: it has to print what that mutant means, and what
-it prints without one is unchanged. And run.py's --under takes the mutants of the folders that it names.
+Mutates a small program by every operator and runs it with each mutant. It has to print what that mutant means, and
+without a mutant its output is unchanged. And run.py's --under takes the mutants of the folders that it names.
 """
 
 import json
@@ -34,7 +34,7 @@ int main() {
 }
 """
 USUAL = "5 0 -3 -2"
-# What each mutant prints, by its line and what it is.
+# The output of each mutant, by its line and its description.
 MEANS = {(5, "< is <="): "5 1 -3 -2", (12, "statement left out"): "5 0 -3 -7", (13, "right side of && ignored"): USUAL,
          (13, "! left out"): "5 0 -4 -5", (13, ">= is >"): "5 0 -4 -2", (13, "3 is more"): "5 0 -4 -2", (13, "- left out"): "5 0 3 -2",
          (14, "- is +"): "5 0 -3 12", (14, "7 is more"): "5 0 -3 -3", (17, "statement left out"): "",

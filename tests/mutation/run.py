@@ -2,12 +2,13 @@
 """usage: run.py SOURCES FOLDER [--mutants N] [--seed S] [--jobs J] [--minutes M]
               [--under PATH[,PATH...]] [--only ID[,ID...]]
 
-Mutation testing of the robot's code: SOURCES (a checkout) is copied to FOLDER, every mutant written into the copy
-(mutate.py), its unit tests built once, and N mutants drawn from S (default 1000 and 1) judged by those tests that reach
-them (judge.py). A mutant is killed if a test fails, crashes or takes five times as long; one that no test reaches has
-survived. After M minutes of judging the rest is left: figures are of what was judged. FOLDER is used again: only what has
-changed is mutated, built and measured anew. --under draws only mutants of files whose path begins so. Ends with the
-share killed and the survivors, by file; FOLDER/survivors.txt has them, FOLDER/results.json all. Exit status 1 below 90 %.
+Mutation testing of the robot's code. SOURCES (a checkout) is copied to FOLDER, every mutant is written into the copy
+(mutate.py), and its unit tests are built once. N mutants drawn from S (default 1000 and 1) are judged by those tests that
+reach them (judge.py). A mutant is killed if a test fails, crashes or takes five times as long; one that no test reaches
+has survived. After M minutes of judging the rest is left: figures are of the mutants that were judged. FOLDER is used
+again: only what has changed is mutated, built and measured anew. --under draws only mutants of files whose path begins so.
+Ends with the share killed and the survivors, by file; FOLDER/survivors.txt has them, FOLDER/results.json all. Exit status
+1 below 90 %.
 """
 
 import argparse

@@ -27,8 +27,8 @@ struct Surroundings {
 
 class Child {
  public:
-  /// `program`: a path, or a name to be looked for; `words` begin with the name that it is told. What is open in the
-  /// test stays so in it but for O_CLOEXEC. Throws std::runtime_error.
+  /// `program`: a path, or a name to be looked for; `words` begin with the name by which it is called. It inherits the
+  /// test's open descriptors but for those with O_CLOEXEC. Throws std::runtime_error.
   Child(const std::string& program, std::vector<std::string> words, const Surroundings& at = {}) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -74,7 +74,7 @@ class Child {
   std::optional<int> status_;
 };
 
-/// What a shell line says on standard output. Throws std::runtime_error if there is no shell.
+/// The standard output of a shell line. Throws std::runtime_error if there is no shell.
 inline std::string output_of(const std::string& command) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
   if (!pipe) throw std::runtime_error("cannot run " + command);

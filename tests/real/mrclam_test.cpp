@@ -19,9 +19,9 @@ namespace {
 
 const std::string kData = FENCEPOST_SHARED_DIR "/data/mrclam/";
 
-// What an offline robust fit of all bearings reaches (measured once, for comparison).
+// m, errors of the landmarks by an offline robust fit of all bearings (measured once, for comparison).
 constexpr double kOfflineMedian = 0.024;
-constexpr double kOfflineWorst = 0.079;
+constexpr double kOfflineWorst = 0.079;  // m, of the same fit
 
 host::Point middle_of(const host::SceneObject& object) {
   host::Point sum;
@@ -141,8 +141,8 @@ TEST_P(Mrclam, CarvingKeepsWhatTheEvidenceSaysIsThere) {
   }
 }
 
-// Dead reckoning drifts 0.25-0.55 m and 10-25 deg a minute here, and the landmarks stand 2 to 6 m away, so these
-// figures are what pose correction has to mend: 1.58 m in D7_R2, 2.09 m in D6_R2. A tenth more is a fault of ours.
+// Dead reckoning drifts 0.25-0.55 m and 10-25 deg a minute here, and the landmarks are 2 to 6 m away. Pose correction
+// therefore has to mend these figures: 1.58 m in D7_R2, 2.09 m in D6_R2. A tenth more is a fault of ours.
 TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   std::vector<double> medians;
   for (int start = 0; start < 840; start += 60) {
@@ -257,7 +257,7 @@ host::ReplayOutcome replay_by_odometry(const host::Imported& imported, bool corr
   return host::replay(imported.log, "odometry", options);
 }
 
-// What is reached, and a margin: rounding differently once moves the figures by as much.
+// The figures reached, and a margin: one different rounding moves them by as much as the margin.
 struct Reached {
   double mean;     // m
   double heading;  // deg
@@ -267,10 +267,10 @@ struct Reached {
 constexpr Reached kD7{0.4, 6, 0.20, 0.06};
 constexpr Reached kD6{1.3, 22, 0.30, 0.15};
 
-// The whole quarter of an hour by the wheels alone, with `correct.pose auto` and without pose correction. What limits
-// it: where the map lies and how it is turned is known by the first minute alone, before anything is seen again; there
-// odometry is all there is (D6 drives 50 s without a landmark and is 27 degrees off when it sees the next). So paths
-// and maps are also compared after the rotation and shift that suit them best.
+// The whole quarter of an hour by the wheels alone, with `correct.pose auto` and without pose correction. The first
+// minute, before anything is seen again, alone decides where the map lies and how it is turned. There odometry is all
+// there is: D6 drives 50 s without a landmark and is 27 degrees off when it sees the next. So paths and maps are also
+// compared after the rotation and shift that suit them best.
 TEST_P(Mrclam, PoseCorrectionOverTheWholeRecording) {
   host::MrclamOptions options;
   options.poses = host::PoseSource::kTruth;

@@ -1,5 +1,5 @@
 // A real calibrated ring of images, from pixels to a map. The camera is rolled by 90 degrees and looks down 15.8
-// degrees; the map is the ring's plane seen from above: x as in the data set, y = -z.
+// degrees. The map is the ring's plane seen from above: x as in the data set, y = -z.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,11 +30,11 @@ constexpr Box kPublished{-0.061897, 0.010897, -0.015495, 0.057845};
 
 // The rig was calibrated, and the ends lie within some mrad of those of the exact silhouettes.
 constexpr host::PoseNoise kCalibrated{0.001, 0.001};
-// The hybrid's box, on each side: with the poses of a rig or of a robot, 7 mrad and 4 mm, which move an end by 6 mm.
-constexpr double kHybridTolerance = 3e-3;  // m
-// The same where the height above the foot is told wrong by a centimetre, and each foot's depth is 3 cm off.
-constexpr double kWrongHeight = 0.01;
-constexpr double kWithWrongHeight = 5e-3;
+// m, tolerance of each side of the hybrid's box, with the poses of a rig or of a robot. A robot's poses are off by
+// 7 mrad and 4 mm, which move an end by 6 mm.
+constexpr double kHybridTolerance = 3e-3;
+constexpr double kWrongHeight = 0.01;      // m, error of the height above the foot: each foot's depth is 3 cm off
+constexpr double kWithWrongHeight = 5e-3;  // m, tolerance of the hybrid's box then
 
 /// A view of bearings.csv, in our map.
 struct RingView {

@@ -103,8 +103,8 @@ TEST(Rings, ClipAndGridMatchTheExactIntersectionAndThePublishedBox) {
       EXPECT_LT(host::difference_area(exact, model.geometry), 1e-3 * host::area(exact));
       if (std::string(profile) != "full") continue;
       expect_near(box, kPublished, kSideTolerance);
-      // The full grid spans the clip (76 mm) by 128 cells with at most 1/0.6 slack: 1.1 mm a cell at most, and a cell's
-      // diagonal is what an uncarved corner cell may stick out.
+      // The full grid spans the clip (76 mm) by 128 cells with at most 1/0.6 slack: 1.1 mm a cell at most. An uncarved
+      // corner cell may stick out by its diagonal.
       EXPECT_LT(apart->hausdorff(), model.name == "clip_paper" ? 1e-3 : 1.1e-3 * 1.42);
     }
   }

@@ -3,7 +3,7 @@
 
 usage: worst_case.py FOLDER-WITH-CI-FILES ROOT=BUDGET...
 
-Adds up the frames along the deepest path from each root and fails on recursion, on calls through pointers, on frames of
+Adds up the frames along the deepest path from each root. Fails on recursion, on calls through pointers, on frames of
 unknown size, on unknown outside functions, and on a root above its budget (bytes).
 """
 
@@ -44,9 +44,9 @@ def objects_built(folder):
 
 
 def read_graph(folder, without=None):
-    """Of all objects below `folder`, but for those in folders whose names match the pattern `without`. Objects that are
-    optimised when they are linked have their graph beside the program; one beside them is of an older build, and so is
-    one of an object that nothing builds any more."""
+    """The graph of all objects below `folder`, but for those in folders whose names match the pattern `without`. Objects
+    that are optimised when they are linked have their graph beside the program. A graph beside such an object is of an
+    older build, and left out. So is the graph of an object that nothing builds any more."""
     frames, kinds, calls, labels = {}, {}, {}, {}
     built = objects_built(folder)
 
@@ -76,7 +76,8 @@ class Depths:
         self.frames, self.kinds, self.calls, self.labels = graph
         self.known = {}
         self.faults = []
-        # What several files may define (an instantiated template) bears its file's name where it is defined only.
+        # A function that several files may define (an instantiated template) bears its file's name only where it is
+        # defined.
         self.defined = {}
         for title in self.frames:
             if ":" in title and short(title).startswith("_Z"):

@@ -80,7 +80,7 @@ def is_named_in(text, name):
 
 
 def fault_of(root, action, paths, word, name):
-    """What is wrong with one row for one thing; None if it holds."""
+    """The fault of one row for one thing; None if it holds."""
     found = [path for path in (p.replace(word, name) for p in paths) if (root / path).is_file()]
     if not found:
         return "there is no " + " or ".join(p.replace(word, name) for p in paths)

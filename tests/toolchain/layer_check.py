@@ -13,8 +13,8 @@ from source_text import without_comments, without_literals
 
 LAYERS = ["hal", "drivers", "firmware", "host", "tests"]
 
-# A room is a folder, with what lies below it, or a file by its name without the suffix; with /* each folder there is a
-# room of its own. The longest row that matches counts. A room may include the rooms that its row names and all that
+# A room is a folder with all that lies below it, or a file by its name without the suffix. With /* each folder there is
+# a room of its own. The longest row that matches counts. A room may include the rooms that its row names and all that
 # these may include. Tests may include anything.
 ROOMS = {
     "hal/base": "",

@@ -99,7 +99,7 @@ FAULTS = [
     ("tests/t.hpp", '// as in "/wo' 'rk/main/x"', "machine-path"),
 ]
 
-# What looks like a fault and is none.
+# Texts that look like a fault and are none.
 INNOCENT = [
     ("hal/base/a.cpp", "// a new one; we throw nothing, std::sin(x) is refused"),
     ("hal/base/a.cpp", '/* #include "firmware/loop/f.hpp"\n new */'),

@@ -6,13 +6,13 @@ repository does not have. FOLDER has those that there are. Each is named after i
 tests/hal/mcu/registers, in upper or lower case. They are rp2040.svd, rp2350.svd (the Pico's SDK), stm32f405.svd, nrf51.svd, nrf52833.svd.
 A table says what each constant is by the vendor's names:
 
-  UART0                     a peripheral's address
-  P1-P0                     from one to another
-  UART0.ENABLE              a register's address, or offset where the constant is one
-  UART0.ENABLE.ENABLE       the bits of a field
-  UART0.ENABLE.ENABLE=4     a value in that field, by its number or by the vendor's name of it; fields are added up with +
-  @UART0                    an interrupt's number
-  - why                     not in the file
+  UART0                     A peripheral's address.
+  P1-P0                     From one to another.
+  UART0.ENABLE              A register's address, or offset where the constant is one.
+  UART0.ENABLE.ENABLE       The bits of a field.
+  UART0.ENABLE.ENABLE=4     A value in that field, by its number or by the vendor's name of it. Fields are added up with +.
+  @UART0                    An interrupt's number.
+  - why                     Not in the file.
 
 An empty cell is as the one before it. Prints one line per fault; exit status 1 if there is any, 77 where FOLDER has none
 of the files.
@@ -115,7 +115,7 @@ class Svd:
         raise KeyError(f"no register {'.'.join(path)} in {peripheral}")
 
     def value(self, expression, is_offset):
-        """Of what a table says."""
+        """The number that an expression of a table stands for."""
         if expression.startswith("@"):
             if expression[1:] not in self.interrupts:
                 raise KeyError(f"no interrupt {expression[1:]}")
@@ -196,13 +196,13 @@ def compare(svd, rows, part, values, where):
         if name not in values:
             continue
         try:
-            told = svd.value(cells[part], values[name] < OFFSETS_END)
+            published = svd.value(cells[part], values[name] < OFFSETS_END)
         except KeyError as error:
             faults.append(f"{where}: {name}: {part}: {error.args[0]}")
             continue
         compared += 1
-        if told != values[name]:
-            faults.append(f"{where}: {name} is 0x{values[name]:x}; {part} has 0x{told:x} for {cells[part]}")
+        if published != values[name]:
+            faults.append(f"{where}: {name} is 0x{values[name]:x}; {part} has 0x{published:x} for {cells[part]}")
     return faults, compared
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the check of registers compares, on a part that nobody makes; and each fault, planted, is found."""
+"""The check of registers compares a part that nobody makes; and each fault, planted, is found."""
 
 import pathlib
 import subprocess

@@ -2,7 +2,8 @@
 """usage: symbol_check.py [--allow NAME]... FILE...
 
 The robot's libraries and objects ask for no heap, exceptions, run-time types, guarded statics, printf, standard
-streams and strings, nor for a function of libm that differs between C libraries. FILE: .a or .o, in any mixture.
+streams and strings. Nor do they ask for a function of libm that differs between C libraries. FILE: .a or .o, in any
+mixture.
 """
 
 import re

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: tidy.py BUILD_DIR FOLDER...
 
-Runs clang-tidy on every source of the folders, by the commands of BUILD_DIR/compile_commands.json: together with the
-sources that a unity build compiles with it, in half the time. Exit status 1 if it has anything to say, or if a source
+Runs clang-tidy on every source of the folders, by the commands of BUILD_DIR/compile_commands.json. Sources that a unity
+build compiles together are checked together, in half the time. Exit status 1 if it has anything to say, or if a source
 of the folders is not in there.
 """
 

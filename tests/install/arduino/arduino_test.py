@@ -2,8 +2,8 @@
 """usage: arduino_test.py SOURCE_FOLDER rules|PART
        arduino_test.py SOURCE_FOLDER desk CXX LIBFENCEPOST_CORE
 
-The library for Arduino: the registry's rules and that each of them is checked; the examples on the desk, in a world; the
-library and the examples for one PART such as cortex-m4/fpv4-sp-d16-hard, in place of a board's core.
+The library for Arduino. rules: the registry's rules, and that each of them is checked. desk: the examples on the desk,
+in a world. PART: the library and the examples for one such as cortex-m4/fpv4-sp-d16-hard, in place of a board's core.
 """
 
 import pathlib
@@ -35,7 +35,7 @@ def run(*command):
 
 
 def sketch_in(folder, example):
-    """What Arduino makes of a sketch: a source that begins with its core."""
+    """The source that Arduino makes of a sketch: it begins with the core's header."""
     source = folder / f"{example.stem}.cpp"
     source.write_text(f'#include <Arduino.h>\n#line 1 "{example.name}"\n' + example.read_text(encoding="utf-8"))
     return source

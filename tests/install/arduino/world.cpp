@@ -1,5 +1,5 @@
-// The examples' world on the desk: time that passes with each loop(), wheels that turn when the motors have power, a
-// Pixy2 that sees a box 1.5 m ahead, 10 cm wide and 15 cm high. Ends after 12 s; fails if the robot touched it or
+// The examples' world on the desk: time that passes with each loop(), and wheels that turn when the motors have power.
+// A Pixy2 sees a box 1.5 m ahead, 10 cm wide and 15 cm high. Ends after 12 s; fails if the robot touched the box or
 // stands far from it.
 #include <Arduino.h>
 #include <Pixy2.h>

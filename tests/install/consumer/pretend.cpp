@@ -1,4 +1,5 @@
-// In the place of a robot: wheels that do 0.25 m/s while they may, and a box 1.5 m ahead, 10 cm wide and 15 cm high.
+// In the place of a robot: wheels that do 0.25 m/s while they may, and a box 1.5 m ahead. The box is 10 cm wide and
+// 15 cm high.
 #include <cstdio>
 #include <fencepost/fencepost.hpp>
 

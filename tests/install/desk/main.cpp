@@ -1,4 +1,4 @@
-// What `fencepost replay --json LOG` prints.
+// Prints the same as `fencepost replay --json LOG`.
 #include <fencepost/replay.hpp>
 #include <fstream>
 #include <iostream>
