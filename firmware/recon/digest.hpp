@@ -39,8 +39,8 @@ void hash_guard(base::Fnv1a64& hash, const guard::Guard<kCapacity>& guard, std::
   guard.hash(hash, frames);
 }
 
-/// Of the pose correction, unless it is off: whether odometry is believed, how far it drifts, the filter's pose and its
-/// covariance, what strays, and one landmark with all of its own.
+/// Hashes the pose correction, unless it is off: whether it corrects, the drift gauge, the strayers, and the filter's
+/// pose with its covariance. One landmark follows, with all of its covariances.
 template <class Correction>
 void hash_correction(base::Fnv1a64& hash, const Correction& correction, std::size_t slot) {
   const auto& filter = correction.filter();

@@ -1,5 +1,5 @@
-// The floor in whole millimetres, directions in counts of 2^-14: a small core turns a point in the time that it takes
-// for one multiplication of floats.
+// The floor in whole millimetres, and directions in counts of 2^-14. On a small core, rotating a point then costs as
+// much time as one float multiplication.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace fencepost::recon {
 
-/// Directions, cosines and slopes are counts of 2^-14.
+/// log2 of kSlopeOne: directions, cosines and slopes are counts of 2^-14.
 inline constexpr int kSlopeBits = 14;
-inline constexpr std::int32_t kSlopeOne = 1 << kSlopeBits;
+inline constexpr std::int32_t kSlopeOne = 1 << kSlopeBits;  ///< a cosine or slope of 1
 
 inline constexpr float kMillimetresPerMetre = 1000;
 
@@ -58,13 +58,13 @@ inline std::int32_t nearest_whole(float value, std::int32_t limit = 1 << 24) {
   return nearest_by_bits(value);
 }
 
-/// A place on the floor as one that looks along its own x axis has it, mm.
+/// A point of the floor in the frame of an observer that looks along its own x axis, mm.
 struct FloorPlace {
   std::int32_t depth = 0;
   std::int32_t left = 0;
 };
 
-/// Where such a one is on the floor, mm, and its axis. Within 32 m everything fits.
+/// The observer's position on the floor, mm, and its axis. Coordinates up to 32 m do not overflow.
 struct FloorFrame {
   std::int32_t x = 0;
   std::int32_t y = 0;

@@ -74,19 +74,18 @@ class Map {
   /// The stream has ended: outlines know all that was seen. The digest is that of the last frame.
   void finish() { fitter_.finish(table_); }
 
-  /// Frames come with another calibration from now on: what was learned by this one of the camera and
-  /// of the floor before the robot may be wrong.
+  /// The calibration has changed: clears everything that was learned with the old one about the camera and the floor.
   void recalibrated() {
     guard_.clear();
     lens_check_.clear();
     table_.recalibrated();
   }
-  /// Whether the robot stands, by the latest frame.
+  /// True if the robot is stationary, by the latest frame.
   [[nodiscard]] bool stands() const { return standing_.stands(); }
   /// Beside the objects: where the feet of blobs were seen, in the frame of odometry alone.
   [[nodiscard]] const guard::Guard<Profile::kFronts>& guard() const { return guard_; }
 
-  /// Whether the focal length is what the robot was told.
+  /// The check of the configured focal length.
   [[nodiscard]] const LensCheck& lens_check() const { return lens_check_; }
 
   /// Where the robot is in the map, by odometry and all corrections so far.
@@ -98,7 +97,7 @@ class Map {
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] std::uint32_t evicted() const { return table_.evicted(); }
   [[nodiscard]] std::uint32_t size() const { return table_.size(); }
-  /// What became of objects in the last frame, in order.
+  /// The objects' events of the last frame, in order.
   [[nodiscard]] std::span<const ObjectEvent> events() const { return table_.events(); }
   /// True if the object in this slot was seen in the last frame.
   [[nodiscard]] bool seen_now(std::size_t slot) const { return matcher_.seen(slot); }

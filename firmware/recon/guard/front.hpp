@@ -17,9 +17,8 @@ struct Front {
 };
 static_assert(sizeof(Front) == 8);
 
-/// Ticks of 0.1 ms.
-inline constexpr int kDoubtTicks = 32;
-inline constexpr int kSeenTicks = 2048;
+inline constexpr int kDoubtTicks = 32;   ///< unit of Front::doubt, ticks of 0.1 ms
+inline constexpr int kSeenTicks = 2048;  ///< unit of Front::seen, ticks of 0.1 ms
 
 /// At least kFewestViews of these eight: it takes three, and counting all of them costs more.
 constexpr bool enough_frames(unsigned frames) {

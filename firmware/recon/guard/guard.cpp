@@ -133,7 +133,7 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
 
 enum class Verdict : std::uint8_t { kUnknown, kSupported, kUnsure, kRefuted };
 
-// What the frame says of a point.
+// Decides how a frame affects a point.
 class Judgement {
  public:
   Judgement(const FloorCamera& floor, FootLines& feet) : floor_(floor), feet_(feet) {}

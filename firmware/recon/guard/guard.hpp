@@ -1,10 +1,10 @@
-// The guard beside the map: where the feet of blobs were seen, as points on the floor. No object, no identity and no
-// model: it knows a wall of which no end was ever seen as well as a post, and what the map has just lost. A later frame
-// that looks past a point refutes it; what is below the image or beside it stays as it was.
+// The guard beside the map: where the feet of blobs were seen, as points on the floor. It has no objects, identities or
+// models. It therefore keeps a wall without visible ends as well as a post, and what the map has just lost. A later
+// frame that looks past a point refutes it. Points below or beside the image stay as they were.
 //
 // In: frames as the camera sent them, and the robot's pose by odometry alone, for a corrected one may jump. Needs the
-// camera's pitch and height. It believes rows as they are: what does not stand on the floor is nearer than it says, and
-// of a foot behind something nearer it knows the upper bound.
+// camera's pitch and height. It takes every row for a foot on the floor: things that hang above the floor are nearer
+// than it says. For a foot occluded by something nearer it knows the upper bound.
 #pragma once
 
 #include <array>

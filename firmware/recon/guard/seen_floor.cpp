@@ -144,8 +144,7 @@ void SeenFloor::look(const WaitingFrame& frame, const CameraModel& camera, const
   ys.keep_within(first_y_, kCells);
   for (std::int32_t y = ys.low; y <= ys.high; ++y) {
     std::uint64_t shown = 0;
-    // The middle of the first cell of the row, and from one to the next.
-    const std::int32_t dx = xs.low * kFloorCell + kFloorCell / 2 - lens.x;
+    const std::int32_t dx = xs.low * kFloorCell + kFloorCell / 2 - lens.x;  // to the centre of the row's first cell
     const std::int32_t dy = y * kFloorCell + kFloorCell / 2 - lens.y;
     std::int32_t depth = lens.axis_x * dx + lens.axis_y * dy;
     std::int32_t left = lens.axis_x * dy - lens.axis_y * dx;

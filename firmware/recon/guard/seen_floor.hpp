@@ -13,17 +13,15 @@
 
 namespace fencepost::recon::guard {
 
-/// mm, the side of a cell. A power of two.
-inline constexpr int kFloorCellLog2 = 6;
-inline constexpr std::int32_t kFloorCell = 1 << kFloorCellLog2;
-/// mm along the optical axis: floor that is farther is not looked at, as the guard's points.
+inline constexpr int kFloorCellLog2 = 6;                         ///< log2 of the cell's side in mm
+inline constexpr std::int32_t kFloorCell = 1 << kFloorCellLog2;  ///< mm, the side of a cell
+/// mm along the optical axis. Floor beyond this is not evaluated, like the guard's points.
 inline constexpr std::int32_t kFloorReach = 1500;
-/// A frame is looked at so often, at most.
+/// Minimum time between two frames that are evaluated.
 inline constexpr base::Duration kFloorInterval = base::milliseconds(200);
-/// What was seen is known for so long at least, and for no more than twice that: what moves may have come since.
+/// Minimum time for which seen floor is remembered; the maximum is twice that. A mover may have come since.
 inline constexpr base::Duration kFloorRemembered = base::milliseconds(5000);
-/// mm. What stands on the floor is at least so high: nearer than the lowest row sees its foot, it would be in the
-/// image.
+/// mm, the minimum height of a thing on the floor. With its foot nearer than the lowest row, it is still in the image.
 inline constexpr std::int32_t kMinHeight = 60;
 
 class SeenFloor {
@@ -31,13 +29,13 @@ class SeenFloor {
   /// Nothing was seen: a new run, or another calibration.
   void clear() { has_looked_ = false; }
 
-  /// Floor that this frame shows empty: inside its columns, and nearer than the foot of what is in front of it.
-  /// `robot`: at the exposure, by odometry. Nothing without the camera's pitch and height, or if the camera may have
-  /// more blobs than it tells.
+  /// Adds the floor that this frame shows empty: inside its columns, and nearer than the feet of blobs. `robot`: at the
+  /// exposure, by odometry. Adds nothing without the camera's pitch and height, or if the camera may have more blobs
+  /// than it reports.
   void look(const WaitingFrame& frame, const CameraModel& camera, const MapPose& robot);
 
-  /// How far the floor was seen on a ray, from `first` mm on, looked up every `step` mm and no farther than
-  /// kFloorReach; 0 if it was not seen there. The ray is the frame's axis, mm, odometry's frame.
+  /// Returns how far the floor was seen along a ray without a gap, mm; 0 if it was not seen at `first` mm. It samples
+  /// the ray from `first` in steps of `step` mm, up to kFloorReach. `ray`: its axis, in odometry's frame.
   [[nodiscard]] std::int32_t seen_along(const FloorFrame& ray, std::int32_t first, std::int32_t step) const;
   /// mm, odometry's frame.
   [[nodiscard]] bool seen(std::int32_t x, std::int32_t y) const;

@@ -1,6 +1,6 @@
 // Numbers of the guard that were chosen and not derived. "Alert study": tests/studies/alerts, level 2, seeds 1 to
-// 1,000. "Flat": there values of about half and twice changed the stops in time (940 obstacles) by no more than one,
-// and the false ones by no more than three; the round number is kept. "By design": no study was made for the value.
+// 1,000. "Flat": in that study, half and twice the value changed the stops in time (940 obstacles) by at most one. They
+// changed the false stops by at most three; the round number is kept. "By design": no study was made for the value.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,8 @@ namespace fencepost::recon::guard {
 
 // --- where a front is ---
 
-/// mm. Points of one front are so far apart: no strip of floor that is this wide passes between two of them. A power
-/// of two. By design.
-inline constexpr int kSpacingLog2 = 6;
+inline constexpr int kSpacingLog2 = 6;  ///< log2 of kSpacing
+/// mm between neighbouring points of one front. No strip of floor of this width passes between two. By design.
 inline constexpr std::int32_t kSpacing = 1 << kSpacingLog2;
 /// mm along the optical axis. A front that is farther is not kept: its row says little. By design.
 inline constexpr std::int32_t kFarthest = 1500;
@@ -32,13 +31,15 @@ inline constexpr std::int32_t kBeyondSide = kSpacing;
 
 // --- which sighting means which point ---
 
-/// A sighting supports a point that is off in depth by no more than so many mm and quarters of a row, besides. More:
-/// two things count as one; less: doubles, and false stops (6 quarters: 11 more in 81 minutes). Alert study.
+/// mm of the gate in depth within which a sighting supports a point; kSupportRows adds to it. Alert study.
 inline constexpr std::int32_t kSupportSlack = 15;
+/// Quarters of a row of the same gate. More: two things count as one; less: doubles, and false stops (6: 11 more in 81
+/// minutes). Alert study.
 inline constexpr std::int32_t kSupportRows = 10;
-/// A blob whose foot is farther than a point by so much more looks past the point. More: stale points; less: noise
-/// refutes. Derived: a row and 5 mm beyond what supports.
+/// mm beyond a point from which a blob's foot refutes it; kPastRows adds to it. More: stale points; less: noise
+/// refutes. Derived: 5 mm more than supports.
 inline constexpr std::int32_t kPastSlack = kSupportSlack + 5;
+/// Quarters of a row of the same threshold. Derived: one row more than supports.
 inline constexpr std::int32_t kPastRows = kSupportRows + 4;
 /// px on either side by which a blob may be narrower than what it shows. Derived: two sigmas of an edge.
 inline constexpr auto kEdgePixels = static_cast<std::int32_t>(kUsualSigmas * kEdgeNoise);
@@ -49,10 +50,10 @@ inline constexpr std::int32_t kMinStep = 4;
 
 // --- how long ---
 
-/// A point at which frames have looked past for so long, in at least three of them, is gone. Support counts twice
-/// against it. More: stale alerts; less: alerts that end because a camera misses a blob. Flat.
+/// Time for which frames have to look past a point, in at least three of them, before it is deleted. Support counts
+/// twice against it. More: stale alerts; less: alerts that end because a camera misses a blob. Flat.
 inline constexpr base::Duration kRefutedAfter = base::milliseconds(300);
-/// Where frames neither support a point nor look past it although it should be visible, one of so many counts. A
+/// Of the frames that show neither support nor floor behind a visible point, one in this many counts against it. A
 /// power of two. By design.
 inline constexpr unsigned kUnsureFrames = 8;
 /// A point that fewer than kFewestViews frames have supported is forgotten after so long without support. So is where

@@ -1,6 +1,6 @@
-// Does odometry drift, or is the camera, or what stands there, not as was told? A row can lie, because of a wrong pitch
-// or a foot that hangs above the floor, and so can a width, of what is not round; then the filter moves the robot to
-// make them fit. That helps no bearing: where objects are that odometry has placed, they fit the odometry.
+// Decides whether odometry drifts, or whether the camera or the objects differ from their configuration. A wrong pitch
+// or a foot above the floor makes rows wrong. A shape that is not round makes widths wrong. The filter then moves the
+// robot to make them fit. Bearings gain nothing by that: they fit the objects where odometry has placed them.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace fencepost::recon {
 
-/// By how much bearings fit the poses of the filter and its landmarks better than the odometry and the map's objects.
+/// Sums how much better bearings fit the filter's pose and landmarks than odometry and the map's objects.
 template <std::size_t kLandmarks>
 class DriftEvidence {
  public:

@@ -174,8 +174,8 @@ bool is_plausible(std::span<const float> projected, float gain) {
                      [gain](float part) { return std::fabs(part * gain) < kFarthestStep; });
 }
 
-// Where what was driven since the last equation is a good part of the innovation, a residual larger than expected says
-// that odometry is worse than was thought, a smaller one that it is better: a step up the likelihood's gradient.
+// Adapts the drift factor: a step up the likelihood's gradient. A residual above the expected one raises it, one below
+// lowers it. The step is weighted by the share that the driving since the last equation has in the innovation.
 void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float innovation) {
   const float driven =
       gauge.position * jacobian.center.squared_norm() + gauge.heading * jacobian.heading * jacobian.heading;
@@ -323,7 +323,7 @@ CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   CylinderEstimate seen;
   seen.center = offset_from(filter.at.pose.position, landmark.center);
   seen.radius = landmark.radius;
-  // What turns the heading moves the centre backwards.
+  // In the robot's frame a turn of the heading moves the centre the other way.
   const Vec2 lever = -left_of(seen.center);
   const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX) + lever.x() * row(kHeading); };
   const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY) + lever.y() * row(kHeading); };
@@ -349,7 +349,7 @@ float distance_to(const FilterView& filter, const MapPose& other) {
   const Vec2 off = offset_from(pose.position, other.position);
   const float turn =
       static_cast<float>(short_way(static_cast<std::int64_t>(other.heading) - pose.heading)) / kMicroradians;
-  // Three equations in turn, each with what the ones before have told taken out.
+  // Three equations in turn; each has the correlation with the ones before removed (a Cholesky factorisation).
   const float xx = p.at(kX, kX), xy = p.at(kY, kX), xh = p.at(kHeading, kX);
   if (!(xx > 0)) return 0;
   const float y = off.y() - xy / xx * off.x();

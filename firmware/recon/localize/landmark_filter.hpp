@@ -1,11 +1,11 @@
 // Pose correction: an extended Kalman filter over the robot's pose and the landmarks that it has seen, circles that
 // stand still. It knows no camera and no object: odometry and tangents in the robot frame come in, poses go out.
 //
-// A tangent n.q = b of a circle (c, r), robot frame, says n.R'(c - P) + r = b: linear in (c, r), one number a time, so
-// nothing is ever inverted. Half the sum and half the difference of two such equations are of the same kind.
+// A tangent n.q = b of a circle (c, r), robot frame, gives the equation n.R'(c - P) + r = b. It is linear in (c, r) and
+// one number, so no matrix is inverted. Half the sum and half the difference of two such equations have the same form.
 // Covariances are kept as one triangle, which cannot be asymmetric. Those between the radii of two landmarks are not
-// kept: each is put on both variances instead, the safe side (for any d the matrix
-// [|d| -d; -d |d|] is not negative), which saves N (N - 1) / 2 floats and costs about 1 % of the correction.
+// kept; each is added to both variances instead. That is the safe side: for any d the matrix [|d| -d; -d |d|] is not
+// negative. It saves N (N - 1) / 2 floats and costs about 1 % of the correction.
 #pragma once
 
 #include <array>
@@ -38,21 +38,21 @@ struct Landmark {
   [[nodiscard]] bool used() const { return radius > 0; }
 };
 
-/// What is known of a landmark when it begins. The covariance does not contain the pose's.
+/// The first estimate of a landmark. Its covariance does not contain the pose's.
 struct LandmarkGuess {
   Vec2 away{0, 0};  ///< from the robot to its centre, map axes, m
   float radius = 0;
   Symmetric3 covariance;  ///< map axes
 };
 
-/// What a sighting says of a circle (c, r), robot frame: normal.c + radii * r = bound. Of a tangent the normal is a
-/// unit vector and `radii` 1.
+/// An equation that a sighting gives for a circle (c, r), robot frame: normal.c + radii * r = bound. A tangent has a
+/// unit normal and `radii` 1.
 struct CircleEquation {
   Vec2 normal{0, 0};
   float bound = 0;  ///< m
   float radii = 1;
-  /// The normal as the estimate expects it; without noise it is the same. What is seen from farther away has the larger
-  /// error: with its own normals for derivatives, noise would look like parallax and draw everything to the lens.
+  /// The normal that the estimate predicts, for the derivatives; without noise it equals `normal`. With the measured
+  /// normals as derivatives, noise would look like parallax and draw everything to the lens.
   Vec2 slope{0, 0};
 };
 
@@ -63,18 +63,18 @@ struct PoseSigma {
 
 enum class TangentFate : std::uint8_t {
   kUsed,
-  kKnown,    ///< hardly less certain than what was seen: not worth its cost, which is nearly all saved
-  kGated,    ///< more than three sigmas off: of something else, or cut short
+  kKnown,    ///< known far better than it was measured: not worth its cost, which is nearly all saved
+  kGated,    ///< more than kFilterGateSigmas off: of something else, or cut short
   kRefused,  ///< the numbers would not be a covariance any more, or the step is absurd: nothing was changed
 };
 
-/// Packed covariances of `n` landmarks: the lower triangle over the places (x, y, heading, then x, y of each landmark),
-/// by rows; then for each radius its covariances with all places and its variance.
+/// Packed covariances of `n` landmarks: first, by rows, the lower triangle over the places. These are x, y, heading,
+/// then x, y of each landmark. For each radius its covariances with all places and its variance follow.
 constexpr std::size_t places_of(std::size_t n) { return 3 + 2 * n; }
 constexpr std::size_t covariances_of(std::size_t n) {
   return places_of(n) * (places_of(n) + 1) / 2 + n * (places_of(n) + 1);
 }
-/// What correct_by() works with, one for each place and each radius.
+/// The number of states, and the size of correct_by()'s `step`: one for each place and each radius.
 constexpr std::size_t states_of(std::size_t n) { return places_of(n) + n; }
 
 struct FilterPose {
@@ -82,7 +82,7 @@ struct FilterPose {
   MapPose odometry;  ///< the same moment by odometry
 };
 
-/// By how much odometry is worse than it was said to be, as the innovations show.
+/// How much worse odometry is than configured, as the innovations show.
 struct DriftGauge {
   float factor = 1;  ///< on the variances of the noise, from 1 to kMaxDrift
   /// Variances of what was driven and not compared with any equation yet, m^2 and rad^2.
@@ -121,8 +121,8 @@ void forget_landmark(const FilterView& filter, std::size_t slot);
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
                        std::span<float> step, float least_told = 0);
 
-/// The landmark as seen from the robot: its centre from the pose's position, map axes, and the covariance of what is
-/// between the two, the heading's part included.
+/// The landmark relative to the robot: its centre from the pose's position, map axes. The covariance is that of the
+/// difference and includes the heading's part.
 CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
 /// Of the packed covariances of the pose.
 PoseSigma pose_sigma(std::span<const float> covariance);

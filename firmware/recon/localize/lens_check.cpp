@@ -89,7 +89,8 @@ void LensCheck::learn(float turned, float told) {
 void LensCheck::judge() {
   if (samples_ < kLensLeastSamples || objects_ < kLensObjects) return;
   const LensGate& gate = wrong_ ? kLensRight : kLensWrong;
-  const float share = turned_told_ / turned_square_;  // of the turn, as told
+  const float share =
+      turned_told_ / turned_square_;  // apparent turn over the robot's turn: true over configured focal length
   const float scatter = (told_square_ - share * turned_told_) / static_cast<float>(samples_ - 1);
   const float variance = std::max(scatter, kLensSampleSigma * kLensSampleSigma);
   const float off = share - 1;

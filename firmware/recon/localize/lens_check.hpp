@@ -1,11 +1,10 @@
-// Is the focal length what the robot was told? While it turns, a thing that stands moves across the image by as much as
-// the robot has turned. Told too long, the lens makes angles of pixels that are too small, and things seem to turn too
-// little; told too short, too much. Wheels whose track is told wrongly give the same picture: no camera tells them
-// apart.
+// Checks the configured focal length. While the robot turns, a static object moves across the image by the same angle.
+// A focal length configured too long makes angles from pixels too small, so objects seem to turn too little. One too
+// short makes them turn too much. A wrongly configured wheel track looks the same; the camera cannot separate the two.
 //
-// One object at a time is followed, frame by frame. After each kLensTurn of the heading its direction is compared with
-// where it was, less what the lens's own way makes of it, by the object's distance. What moves by itself contradicts
-// the others, or itself when the robot turns the other way, and is forgotten in time.
+// The check follows one object at a time, frame by frame. After each kLensTurn of the heading it compares the object's
+// direction with the earlier one. It subtracts the parallax of the lens's own way at the object's distance. A mover
+// contradicts the others, or itself when the robot turns the other way, and is forgotten in time.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +23,9 @@ class LensCheck {
   /// Nothing is known: a new run, or another calibration.
   void clear() { *this = LensCheck(); }
 
-  /// Looks at one frame. `odometry`: where the robot was at the exposure by odometry alone, for a corrected heading
-  /// has the camera's error in it; `lens`: in the map, where the objects are. cost: next to nothing but in a
-  /// frame that ends one turn of kLensTurn and begins the next one.
+  /// Looks at one frame. `odometry`: the robot's pose at the exposure by odometry alone, for a corrected heading
+  /// contains the camera's error. `lens`: in the map, where the objects are. cost: next to nothing, except in a frame
+  /// that ends one turn of kLensTurn and begins the next one.
   template <class Table, class Matcher>
   void look(const Table& table, const Matcher& matcher, const CameraModel& camera, const LensPose& lens,
             const MapPose& odometry) {
@@ -39,11 +38,11 @@ class LensCheck {
     take(table.objects()[slot_], matcher.observation_of(slot_), camera, lens, odometry, begins);
   }
 
-  /// The focal length as told is wrong by so much that it matters, and surely.
+  /// True if the configured focal length is wrong by a factor and a significance beyond kLensWrong; see kLensRight too.
   [[nodiscard]] bool wrong() const { return wrong_; }
-  /// What it is over the true one then.
+  /// The configured focal length over the true one, if wrong().
   [[nodiscard]] std::optional<float> error() const { return wrong_ ? std::optional(told_over_true()) : std::nullopt; }
-  /// The focal length as told over the true one, as far as is known; 1 as long as nothing is.
+  /// The estimated ratio of the configured focal length to the true one; 1 without a sample.
   [[nodiscard]] float told_over_true() const;
 
   /// One part in turn: `turn` counts frames.
@@ -73,7 +72,7 @@ class LensCheck {
     return false;
   }
 
-  // What one frame shows of the object that is followed.
+  // The followed object in one frame.
   struct View {
     Vec2 bearing{1, 0};  // of its middle, unit, axes of the level camera
     float distance = 0;  // m, from the lens to its middle
@@ -87,7 +86,8 @@ class LensCheck {
   void learn(float turned, float told);
   void judge();
 
-  // Sums over samples, rad^2: by how much the robot turned against the object, by how much that moved as told.
+  // Sums over samples, rad^2. `turned`: the robot's turn less parallax. `told`: the object's turn by the configured
+  // lens.
   float turned_square_ = 0;
   float turned_told_ = 0;
   float told_square_ = 0;

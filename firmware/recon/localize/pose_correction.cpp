@@ -82,8 +82,8 @@ LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& no
 using Line = SightedCircle::Line;
 float squared(float value) { return value * value; }
 
-// What both ends say together. A wrong heading shifts the one outwards and the other inwards by as much: half the sum
-// of their equations does not know it, half the difference does not know the radius.
+// Combines both ends. A wrong heading shifts one outwards and the other inwards by the same amount. Half the sum of
+// their equations is therefore free of the heading, and half the difference is free of the radius.
 Line width_of(const ViewTangents& view, const Vec2& slope, float variance) {
   const HalfPlane& left = view.left.line;
   const HalfPlane& right = view.right.line;
@@ -98,7 +98,7 @@ Line tangent_of(const Tangent& tangent, const Vec2& slope, float variance) {
   return {{tangent.line.normal, tangent.line.bound, 1, slope}, squared(tangent.sigma) + variance};
 }
 
-// What a foot's row tells. In a pinhole's image a row is a depth along the axis, whatever the column; through an
+// The equation of a foot's row. In a pinhole's image a row is a depth along the axis, whatever the column. Through an
 // equidistant lens the lowest point of a foot is the nearest one on the ray to it.
 Line foot_of(const Sighting& seen, float variance, const MeasurementNoise& noise) {
   const RowDepth foot = foot_depth(seen, noise);

@@ -1,5 +1,5 @@
-// The map's objects as landmarks of the pose: which of them are in the filter, what a sighting tells it, and what a
-// better pose does to the map.
+// The map's objects as landmarks of the pose. This class selects the landmarks, feeds their sightings to the filter,
+// and moves the map's objects when the pose is corrected.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@
 
 namespace fencepost::recon {
 
-/// What the filter is told of an object that becomes a landmark.
-/// Its cylinder, where rows have told how far it is; else the row's depth or a typical size
-/// tell how far it may be on the bearing of `seen`, from the corrected pose. Radius 0: nothing does.
+/// The first estimate of an object that becomes a landmark. It is the object's cylinder, where rows have measured its
+/// distance. Otherwise it lies on the bearing of `seen` from the corrected pose, as far as its row, its configured
+/// width or a typical size says. Radius 0: none of these gives a distance.
 LandmarkGuess guess_of(const ObjectCore& object, const Sighting& seen, const MeasurementNoise& noise);
 
-/// What a sighting tells the filter of a landmark, at most three equations in the robot frame.
+/// The equations that a sighting gives for a landmark, at most three, in the robot frame.
 struct SightedCircle {
   struct Line {
     CircleEquation equation;
@@ -31,17 +31,17 @@ struct SightedCircle {
   };
   std::array<Line, 3> lines;  ///< of width (or of the one end), middle and foot
 
-  /// Tells the bearing alone, of both ends.
+  /// The bearing alone, from both ends.
   [[nodiscard]] const Line& middle() const { return lines[1]; }
 };
 
-/// Both ends give the width, which no wrong heading changes, and the middle, which the radius does not change; a single
-/// end gives its tangent, the foot one more. `seen` from the robot; by the estimate the circle of this `radius` (m) is
-/// `away` from the lens, robot frame; `novelty` of the view.
+/// Both ends give the width, which a wrong heading does not change, and the middle, which the radius does not change. A
+/// single end gives its tangent; the foot gives one more equation. `seen`: from the robot. `away`, `radius`: the
+/// estimated circle from the lens, robot frame, m. `novelty`: of the view.
 SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radius, float novelty,
                              const MeasurementNoise& noise);
 
-/// What the pose correction is to do.
+/// The configuration of the pose correction.
 struct CorrectionOrder {
   float drift = 0;      ///< share of the distance by which odometry may be off; 0: nothing
   bool always = false;  ///< else from when odometry is known to drift
@@ -49,9 +49,9 @@ struct CorrectionOrder {
 
 /// Slot i of the filter is slot i of the map's table. An object is a landmark once kFewestViews views have shown it and
 /// its distance can at least be guessed. It ends when the object ends or moves, or its models begin again.
-/// Unless it is to correct always, the filter runs beside the odometry, which is believed until the filter knows
-/// better: odometry is kDriftKnown sigmas from where the landmarks say, and bearings alone bear that out. Poses and
-/// objects go over to the filter then.
+/// Unless it always corrects, the filter runs beside the odometry, which gives the pose at first. Two conditions switch
+/// poses and objects over to the filter. Odometry is kDriftKnown sigmas from the filter's pose, and bearings alone
+/// support the filter.
 template <class Profile>
 class PoseCorrection {
  public:
@@ -68,8 +68,8 @@ class PoseCorrection {
     filter_.view().at = at_ = {};
   }
 
-  /// The robot has moved; where it is now. What was corrected so far stays when it is switched off: the map is where it
-  /// is.
+  /// Moves the robot to `odometry` and returns its pose. Switched off, it keeps the correction so far: the map stays
+  /// where it is.
   MapPose drive(const MapPose& odometry, const CorrectionOrder& order) {
     const bool on = order.drift > 0;
     if (on && !running_) {
@@ -287,7 +287,7 @@ class PoseCorrection {
   bool running_ = false;
   bool corrects_ = false;
   bool looks_ = false;    ///< at this frame
-  bool guesses_ = false;  ///< how far landmarks are, too, where neither rows nor a configured width tell it
+  bool guesses_ = false;  ///< guesses the distance of landmarks for which neither rows nor a configured width give it
 };
 
 }  // namespace fencepost::recon

@@ -1,7 +1,7 @@
 // Numbers of the pose correction that were chosen and not derived. "Drift study" and "tours": chosen on simulated tours
 // and on the recording D7_R2 from eight starts, judged on others. "Real runs": chosen on the five robots of MRCLAM's
-// data set 1 (real_drift_study) and simulated loops of seeds 500 to 519, judged on data sets 4, 6 and 7. "By design":
-// no study was made for the value.
+// data set 1 (real_drift_study) and on simulated loops of seeds 500 to 519. They were judged on data sets 4, 6 and 7.
+// "By design": no study was made for the value.
 #pragma once
 
 #include <cstdint>
@@ -54,16 +54,17 @@ struct LookInterval {
   float step = 0;
   std::int32_t turn = 0;
 };
-/// What the correction may cost.
+/// Limits of the correction's cost.
 struct LandmarkPace {
   LookInterval believed;   ///< while odometry is believed
   LookInterval corrected;  ///< since it is not; a turn of -1: every frame
-  /// An equation is left out whose bound is known better than this share of its variance: it would tell hardly more.
+  /// An equation is left out if the prior variance of its bound is below this share of its own: it adds hardly
+  /// anything.
   float least_told = 0;
   bool in_turns = false;  ///< width and foot: one of them each time
-  /// By how many squared sigmas bearings have to fit the landmarks better than the odometry, in sum; each at most by
-  /// kMaxEvidence. Less: a wrong pitch, rows of what hangs above the floor or of feet far beside the lens's axis are
-  /// taken for drift; more: a drifting map for longer.
+  /// Minimum of the sum, in squared sigmas, by which bearings fit the landmarks better than the odometry. Each bearing
+  /// adds at most kMaxEvidence. Less: drift is seen where the pitch is wrong, where things hang above the floor, or
+  /// where feet are far from the lens's axis. More: a drifting map for longer.
   float evidence = 0;
 };
 /// Of profile full: desks and Linux. By design. Evidence: real runs, and seven drives of KITTI, each with three
@@ -72,15 +73,15 @@ inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 3
 /// Of small profiles: half as much evidence of half as many looks. Drift study with profile small, loops 500 to 529,
 /// also with five times the frames.
 inline constexpr LandmarkPace kPaceOfRobots{{0.08F, 160'000}, {0.04F, 80'000}, 0.02F, true, 6.0F};
-/// Share of the mean surprise that the last one makes. By design.
+/// Gain of the running mean of surprises. By design.
 inline constexpr float kUsualGain = 1.0F / 64.0F;
 /// Sigmas from the odometry to where landmarks say, from which on odometry is known to drift. Less: true poses are
 /// made worse; more: a drifting map for longer. Real runs.
 inline constexpr float kDriftKnown = 4.0F;
-/// Squared sigmas that a bearing tells at most for landmarks against odometry, see LandmarkPace: real bearings have
-/// long tails. Derived: where Huber's tails begin.
+/// Maximum evidence of one bearing, in squared sigmas, see LandmarkPace: real bearings have long tails. Derived: where
+/// Huber's tails begin.
 inline constexpr float kMaxEvidence = kUsualSigmas * kUsualSigmas;
-/// Squared sigmas that each bearing is worth less, for the filter is free to follow noise. Real runs.
+/// Squared sigmas subtracted from the evidence of each bearing, because the filter may follow noise. Real runs.
 inline constexpr float kEvidenceSlack = 0.1F;
 /// Mean surprise from which on a landmark is something that moves: a jump of the pose is over before that. Derived:
 /// where Huber's tails begin. Real runs, with the other robots.
@@ -109,9 +110,9 @@ inline constexpr auto kLensLeastRate = static_cast<std::int32_t>(kLensTurn / bas
 /// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
 /// the turn by a tenth. By design.
 inline constexpr float kLensSteady = 2.0F;
-/// share of the turn that the lens's own way may make, for the object's distance may be wrong, and m, nearer than which
-/// the lens's place on the robot matters too much. By design.
+/// Maximum share of the turn that parallax may have, for the object's distance may be wrong. By design.
 inline constexpr float kLensMostParallax = 0.25F;
+/// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. By design.
 inline constexpr float kLensNearest = 0.3F;
 /// A sample off by more than this factor is something else's. By design.
 inline constexpr float kLensMostOff = 2.5F;

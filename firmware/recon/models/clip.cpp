@@ -21,8 +21,8 @@ Vec2 crossing(const Vec2& inside, float d_inside, const Vec2& outside, float d_o
   return inside + share * (outside - inside);
 }
 
-// Where edge i grows to when it is given up: the meeting point of its neighbours, and the square of how far the outline
-// moves there. False if they do not meet outside.
+// Computes the apex that replaces edge i when it is removed: the meeting point of its neighbours. `moved`: the square
+// of the distance by which the outline moves there. False if the neighbours do not meet outside.
 bool apex_over_edge(std::span<const Vec2> v, std::size_t size, std::size_t i, Vec2& apex, float& moved) {
   const Vec2& a = v[i];
   const Vec2& b = v[next(i, size)];
@@ -81,8 +81,8 @@ std::size_t merge_new(std::span<Vec2> v, std::size_t size, std::size_t at) {
   return merge(v, smaller, at, previous(at, smaller));
 }
 
-// What a half plane leaves of the vertices: the run from first_in to last_in, around the innermost one. Float rounding
-// may put a vertex of an almost straight chain on the wrong side, so only the run around the innermost one is trusted.
+// The vertices that remain inside a half plane: the run from first_in to last_in around the innermost one. Rounding may
+// put a vertex of an almost straight chain on the wrong side, so only the run around the innermost vertex is trusted.
 struct Cut {
   bool any_outside = false;
   bool any_inside = false;

@@ -1,5 +1,5 @@
-// Alg. 3 without cells: the exact intersection of all wedges is convex, so it is one convex polygon clipped by one half
-// plane at a time (paper sec. II.D, the limit of an infinitely fine grid).
+// Alg. 3 without cells (paper sec. II.D, the limit of an infinitely fine grid). The exact intersection of all wedges is
+// convex, so it is one convex polygon, clipped by one half plane at a time.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ struct Bounds {
 };
 
 /// Removes what lies outside `half_plane` from the convex counter-clockwise polygon in vertices[0..size). Returns the
-/// new size (0: nothing is left). When the result would not fit into the span, the edge whose loss moves the outline
-/// least is given up first, so the polygon never loses a point that it should hold.
+/// new size (0: nothing is left). If the result does not fit into the span, it first removes the edge that moves the
+/// outline least. The polygon grows by that and never loses a point that it should hold.
 std::size_t clip_convex(std::span<Vec2> vertices, std::size_t size, const HalfPlane& half_plane);
 
 /// Bounding box of vertices; zero for none.

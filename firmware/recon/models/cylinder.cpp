@@ -11,8 +11,7 @@
 namespace fencepost::recon {
 namespace {
 
-// L D L' of the information: what a general solver does with it takes three times as many operations, and a square root
-// in each pivot.
+// L D L' of the information. A general solver takes three times as many operations, and a square root in each pivot.
 struct Factors {
   float xy, xr, yr;  ///< of L, below its diagonal of ones
   float x, y, r;     ///< one over D

@@ -1,6 +1,6 @@
 // Alg. 1, our version: centre and radius from edge tangents (paper sec. II.B; the paper takes interval centres).
-// A tangent with outward normal n and offset h touches a circle (c, r) when n.c + r = h: linear in (c, r), exact at
-// every distance. The bottom row of a box is a third tangent, with the optical axis reversed as its normal.
+// A tangent with outward normal n and offset h touches a circle (c, r) when n.c + r = h. That is linear in (c, r) and
+// exact at every distance. The bottom row of a box is a third tangent; its normal is the reversed optical axis.
 #pragma once
 
 #include <cstdint>
@@ -104,7 +104,7 @@ class Cylinder {
   [[nodiscard]] float row_count() const { return row_count_; }
   /// Whether the object's rows are to be believed.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
-  /// m; 0: not told.
+  /// m; 0: not configured.
   [[nodiscard]] float known_radius() const { return known_radius_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
   /// Several views in a row had both ends: not of something longer than the image, of which noise has taken an end.
@@ -123,7 +123,7 @@ class Cylinder {
   [[nodiscard]] CylinderEstimate solve(const Vec2& lens, const MeasurementNoise& noise) const;
   /// The edges alone know the distance, and not only because noise looks like parallax.
   [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
-  /// What rows say, or what their trend makes of it.
+  /// The equations of the rows, or the line of their trend if the rows say too far.
   [[nodiscard]] NormalEquations believed_rows(const MeasurementNoise& noise) const;
 
   NormalEquations edges_;
@@ -131,7 +131,7 @@ class Cylinder {
   float row_count_ = 0;
   float known_radius_ = 0;  ///< Sighting::known_radius
   RowTrend trend_;
-  float false_depth_ = 0;         ///< what noisy directions add to edges_' information on the distance, 1/m^2
+  float false_depth_ = 0;         ///< information on the distance in edges_ that is only bearing noise, 1/m^2
   std::uint8_t views_ = 0;        ///< counted as far as kFewestViews
   bool seen_whole_ = false;       ///< a view had both ends
   std::uint8_t whole_views_ = 0;  ///< in a row, counted as far as kViewsWhole, and kept then

@@ -14,8 +14,8 @@ struct HeightRange {
   float z_max = 0;
 };
 
-/// z = lens height - drop * depth, with depth = (c - P).axis - r of each view: linear in (c, r), so the sums need
-/// no memory of the views and follow the centre as it improves. A pitch that is not known counts as zero.
+/// z = lens height - drop * depth, with depth = (c - P).axis - r of each view. It is linear in (c, r), so sums suffice
+/// without the views, and they follow the centre as it improves. An unknown pitch counts as zero.
 class HeightBand {
  public:
   void add(const Sighting& sighting, MapPoint origin);

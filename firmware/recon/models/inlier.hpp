@@ -40,11 +40,11 @@ inline float with_misfit(float sigma, float misfit) {
   return misfit > 0 ? std::sqrt(sigma * sigma + misfit * misfit) : sigma;
 }
 
-/// What a fit takes for granted of its spread before it has seen any tangent.
+/// The prior of a fit's spread.
 struct SpreadPrior {
-  float weight;    ///< as if so many tangents had been seen
-  float expected;  ///< and their squared residuals, in sigmas, had had this mean
-  float freedoms;  ///< so many tangents a fit takes for itself
+  float weight;    ///< in tangents
+  float expected;  ///< mean of squared residuals, in squared sigmas
+  float freedoms;  ///< degrees of freedom of the fit, in tangents
   float least;
   float most;
 };

@@ -13,9 +13,9 @@
 
 namespace fencepost::recon {
 
-/// What each model is, and all that the map asks of it. Local frame: map axes, origin at the object's first estimated
-/// place. A model takes a sighting in add() and answers nothing; readers know it by its type. A robot's model has
-/// kHashParts parts beside, of which hash() takes one a frame.
+/// The interface of a model: all that the map calls. Local frame: map axes, origin at the object's first estimated
+/// place. add() takes a sighting and returns nothing; readers use the model's own type. A robot's model also has
+/// kHashParts parts, of which hash() takes one a frame.
 template <class M>
 concept Model = requires(M model, const ModelView& view, const Sighting& first, MapPoint origin, const Vec2& shift) {
   { M::kName } -> std::convertible_to<std::string_view>;

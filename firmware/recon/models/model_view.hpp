@@ -1,4 +1,4 @@
-// What a model is given of one sighting.
+// The input of a model: one sighting.
 #pragma once
 
 #include "firmware/recon/observe/sighting.hpp"
@@ -8,7 +8,7 @@ namespace fencepost::recon {
 struct ModelView {
   const Sighting& sighting;
   MapPoint origin;    ///< of the object's local frame
-  float novelty = 1;  ///< in (0, 1]: the weight of the view; what a parked robot sees again is not news
+  float novelty = 1;  ///< in (0, 1]: the weight of the view; less for what a stationary robot sees again
   const MeasurementNoise& noise;
 };
 

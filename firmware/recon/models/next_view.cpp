@@ -10,16 +10,18 @@ namespace fencepost::recon {
 namespace {
 
 constexpr float kTwoPi = 2 * 3.14159265F;
-/// share of the most news of an arc, and what half way round the object costs. By design.
+/// Minimum gain in the arc, as a share of the greatest. By design.
 constexpr float kNewsOfArc = 0.7F;
+/// Share of the gain that half the way round the object costs. By design.
 constexpr float kPriceOfWay = 0.05F;
 /// of a side's sigma: what another view takes from it, beside what it cuts off. Next-view study, seeds 8001 to 8060.
 constexpr float kOfSigma = 0.1F;
-/// The corner between two tangents to a circle of radius 1, beyond the chord of the points that they touch: 1/8 of the
-/// angle cubed, while that is small; turns beyond which it is not larger.
+/// Factor on the cube of a small angle between two tangents to a circle of radius 1. It gives the area of their corner
+/// beyond the chord between the points of contact.
 constexpr float kOfCorner = 0.125F;
-/// share of a corner that is as the outline has its sides; the rest is as of a round object. Next-view study.
+/// Weight of the corner as the outline's sides make it; the rest is that of a round object. Next-view study.
 constexpr float kOfSeen = 0.8F;
+/// Turns between two tangents beyond which their corner counts as no larger.
 constexpr float kWidestGap = 0.35F;
 
 /// One tangent as it was measured: a sector's most seen edge.
@@ -91,7 +93,7 @@ class SidesAround {
   std::size_t count_ = 0;
 };
 
-// What a tangent with each normal would tell, m^2 of a round object of radius 1.
+// Computes the gain of a tangent for each normal, in m^2 of a round object of radius 1.
 void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<float, kDirections>& news) {
   const auto whole = static_cast<float>(nodes);
   for (std::size_t i = 0; i < sides.count(); ++i) {

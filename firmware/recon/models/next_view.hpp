@@ -32,13 +32,14 @@ struct NextView {
   [[nodiscard]] bool ok() const { return refusal == NextViewRefusal::kNone; }
 };
 
-/// A view adds two tangents, whose normals lie some 85 degrees to either side of it. What a tangent tells is how much
-/// of the corner between the tangents beside it it may cut off: much between tangents far apart whose sides are long,
-/// little where they meet in a corner of the object; and a little where a side was seen once. The paper's novelty
-/// (section III.B), foreseen. The arc is where most of the greatest news is to be had, and nearer places count a little
-/// more. `robot` and `others` in the outline's local frame; the place is as far away as the robot is now, but within
-/// kNearestView and kFarthestView, and not within `clearance` of any of the others. What lies on the way, or hides the
-/// object from there, is not looked at.
+/// Finds the view with the greatest expected gain: the paper's novelty (section III.B), predicted. A view adds two
+/// tangents, whose normals lie some 85 degrees to either side of it. A tangent may cut off the corner between its two
+/// neighbours. That is much between distant tangents with long sides, and little where they meet in a corner of the
+/// object. Where a side was seen once, a second view adds a little. The arc holds the views with most of the greatest
+/// gain; nearer places count a little more.
+/// `robot` and `others`: in the outline's local frame. The place is at the robot's present distance, but within
+/// kNearestView and kFarthestView, and not within `clearance` of the others. Obstacles on the way and occlusion from
+/// there are not checked.
 NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec2& robot, std::span<const Disc> others,
                    float clearance);
 

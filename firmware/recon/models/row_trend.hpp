@@ -1,6 +1,6 @@
-// Do the rows of an object's foot come nearer as fast as the robot does? Of a foot on the floor they do. What stands on
-// a base, what hides its foot, a lens told too long or too high, or a wrong pitch make them say a depth that is wrong,
-// and then it shrinks too fast or too slowly: a line fitted to it over the robot's way meets zero where the object is.
+// Compares how fast the rows of an object's foot come nearer with how fast the robot does. A foot on the floor agrees.
+// A base, a hidden foot, a lens configured too long or too high, or a wrong pitch give a wrong depth. It then shrinks
+// too fast or too slowly. A line fitted to it over the robot's way reaches zero at the object's true place.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace fencepost::recon {
 
-/// What the depths' line says.
+/// The verdict of the line fitted to the depths.
 enum class RowVerdict : std::uint8_t {
-  kUnknown,  ///< the robot has not come nearer by enough, or it is too early to tell
+  kUnknown,  ///< the robot has not come near enough, or the estimate is still too uncertain
   kTrue,     ///< they shrink as they should
   kTooFar,   ///< the object is nearer than its rows say
   kTooNear,  ///< it is farther
@@ -30,7 +30,7 @@ class RowTrend {
   [[nodiscard]] RowVerdict verdict() const { return verdict_; }
   /// The true depth as a share of what the rows say; 1 as long as nothing is known.
   [[nodiscard]] float scale() const { return scale_; }
-  /// By how much what the rows say has to be shortened: nobody is told that an obstacle is farther than its rows say.
+  /// The factor that shortens the depth by the rows, at most 1: no obstacle is reported farther than its rows say.
   [[nodiscard]] float nearer() const { return verdict_ == RowVerdict::kTooFar ? scale_ : 1.0F; }
 
   /// The line that the object does not cross towards the latest lens, and the variance (m^2) of its offset. Needs a
@@ -46,7 +46,7 @@ class RowTrend {
  private:
   [[nodiscard]] float spread() const { return travel_square_ - travel_ * travel_ / weight_; }
 
-  // Weighted sums over how far the robot had come towards the object, and the ranges told there.
+  // Weighted sums over the robot's way towards the object and the ranges by its rows.
   float weight_ = 0;
   float travel_ = 0;
   float travel_square_ = 0;

@@ -8,8 +8,8 @@
 
 namespace fencepost::recon {
 
-/// Where a line of sight touches an object: metres from the lens in camera axes (x along the optical axis, y to the
-/// left), and the variance of that across the line of sight, m^2.
+/// The point where a line of sight touches an object, from the lens in camera axes, m. x is along the optical axis, y
+/// to the left. `variance`: across the line of sight, m^2.
 struct TouchPoint {
   Vec2 at{1, 0};
   float variance = 0;

@@ -1,5 +1,5 @@
-// Numbers of the models that were chosen and not derived; the hybrid's own are in hybrid/tuning.hpp, those of the sheaf
-// and of carving, which are the paper's, in sheaf.hpp and carve.hpp. "Prototype": measured with one that is not in
+// Numbers of the models that were chosen and not derived. The hybrid's own are in hybrid/tuning.hpp. Those of the sheaf
+// and of carving, which are the paper's, are in sheaf.hpp and carve.hpp. "Prototype": measured with one that is not in
 // the repository. "By design": no study was made for the value. Equations: firmware/recon/EQUATIONS.md.
 #pragma once
 
@@ -11,37 +11,38 @@ namespace fencepost::recon {
 
 // --- what is known before anything is seen ---
 
-/// m, radius of a typical obstacle and its sigma: the first guess of a distance, and the prior that lets one edge and
-/// the foot make a circle. Too little to matter once both edges are seen from two places. Prototype.
+/// m, radius of a typical obstacle, for the first guess of a distance. It is also the prior that lets one edge and the
+/// foot make a circle; both edges from two places outweigh it. Prototype.
 inline constexpr float kTypicalRadius = 0.08F;
+/// m, its sigma. Prototype.
 inline constexpr float kRadiusSigma = 0.05F;
-/// m. Where that leaves the distance open or the radius negative, the radius is taken for known to this: a rough place
-/// is better than none for the next match and for the alert. By design.
+/// m, sigma of the radius if the distance is otherwise open or the radius negative. A rough place is better than none
+/// for the next match and for the alert. By design.
 inline constexpr float kRadiusGuess = 0.01F;
 /// m. Guessed distances are at least this. By design.
 inline constexpr float kNearestGuess = 0.2F;
 
-/// views in a row with both ends before an object counts as seen whole. Of a wall longer than the image noise takes an
-/// end in one view or two. More: the robot is told "something", not the object's name; less: stops between walls.
+/// Consecutive views with both ends before an object counts as seen whole. A wall longer than the image loses an end to
+/// noise in one view or two. More: alerts say "something" instead of the object's name; less: stops between walls.
 /// Hazard table (corridors, walls, approaches), seeds 1 to 40.
 inline constexpr std::uint8_t kViewsWhole = 5;
 
-/// share of a radius that was told, one sigma of it: things of one colour are alike, and the user can measure. More:
-/// the first range is worse; less: a size that was told wrong bends what is seen. Car study, seeds 7001 to 7020.
+/// Sigma of a configured radius, as a share of it: things of one colour are alike, and the user can measure. More: the
+/// first range is worse; less: a wrongly configured size bends the outline. Car study, seeds 7001 to 7020.
 inline constexpr float kKnownRadiusSigma = 0.05F;
 
-/// What is known of a radius before anything is seen, m.
+/// The prior of a radius, m.
 struct RadiusPrior {
   float mean = kTypicalRadius;
   float sigma = kRadiusSigma;
 };
-/// `known`: by what the user told of that colour, m; 0: nothing.
+/// `known`: the radius configured for that colour, m; 0: none.
 constexpr RadiusPrior radius_prior(float known) {
   if (known > 0) return {known, kKnownRadiusSigma * known};
   return {};
 }
 
-/// m, radius of what only bearings have shown, and its sigma: a point, for nothing tells its width. No landmark is
+/// m, radius of an object known by bearings alone, and its sigma: a point, for its width is unknown. No landmark is
 /// smaller. By design.
 inline constexpr float kPointRadius = 0.005F;
 
@@ -58,8 +59,9 @@ inline constexpr float kNearestLens = 0.05F;
 
 /// share of tangents that are good, N(0, sigma). Prototype.
 inline constexpr float kInlierShare = 0.9F;
-/// m, and sigmas if that is more, within which the others lie, evenly. Prototype.
+/// m within which outliers lie, evenly. Prototype.
 inline constexpr float kOutlierReach = 0.3F;
+/// The same in sigmas; the larger of the two counts. Prototype.
 inline constexpr float kOutlierSigmas = 7.52F;
 /// likelihood of an outlier farther out than the model, against one inside it: pieces get lost far more often than
 /// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. Prototype.
@@ -77,11 +79,10 @@ inline constexpr float kTravelError = 0.02F;
 /// Rows are judged by how fast their depths shrink while the robot comes nearer. They are true once that is known to
 /// this share. Derived: the gate of the robot's own error.
 inline constexpr float kTrendSigma = kGateSigmas * kTravelError;
-/// m. By so much a foot wanders on the object while the robot passes it. Hazard table (bases; approaches for false
-/// stops).
+/// m by which a foot wanders on the object while the robot passes it. Hazard table (bases; approaches for false stops).
 inline constexpr float kFootWanders = 0.004F;
-/// Sine of the bearing within which rows are judged: what is aside is passed, and its nearest point is not where the
-/// middle of its box shows. By design.
+/// Sine of the maximum bearing at which rows are judged. The robot passes an object farther aside, and its nearest
+/// point is not at the middle of its box. By design.
 inline constexpr float kAheadForTrend = 0.35F;
 /// Sine of the angle by which the object may be seen from another side. By design.
 inline constexpr float kSameSide = 0.25F;
@@ -91,7 +92,7 @@ inline constexpr float kMinSpread = 10;
 inline constexpr float kTrendGate = 4.0F;
 /// share of the distance beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kMinTrend = 0.10F;
-/// Least share of a true depth in one that a row tells, and its inverse the most. By design.
+/// Minimum ratio of the true depth to a row's; its inverse is the maximum. By design.
 inline constexpr float kMinTrueShare = 0.4F;
 /// share of the distance: the distance is unknown while its sigma exceeds it, and a first one by the row is known
 /// to it. Drift study.

@@ -100,8 +100,8 @@ Vec2 undistort(const CameraModel& camera, float u, float v);
 /// Nearest whole pixel; far outside the image it stays inside 16 bits.
 std::int16_t whole_pixels(float value);
 
-/// Column where a direction of the level camera frame appears on the row of the horizon, clamped to far outside the
-/// image when it points sideways or backwards. For prediction; a pinhole's distortion is left out.
+/// Column where a direction of the level camera frame appears on the row of the horizon. A direction to the side or
+/// backwards is clamped to far outside the image. For prediction; a pinhole's distortion is left out.
 float column_of(const CameraModel& camera, const Vec2& direction);
 
 /// Columns a radian of bearing there, on the row of the horizon.

@@ -8,12 +8,12 @@
 namespace fencepost::recon {
 namespace {
 
-// Wider images than four focal lengths are no pinhole camera's: products stay inside 32 bits.
+// Maximum size of a pinhole's image, in focal lengths: products stay inside 32 bits.
 constexpr float kWidest = 4;
-constexpr std::int32_t kWidestSlope = 2 * kSlopeOne - 1;
-constexpr std::int32_t kSteepest = 4 * kSlopeOne;
-constexpr float kHighest = 4000;                 // mm
-constexpr std::int32_t kFarthestScale = 64'000;  // 2^-4 mm
+constexpr std::int32_t kWidestSlope = 2 * kSlopeOne - 1;  // half of it, the slope at the border
+constexpr std::int32_t kSteepest = 4 * kSlopeOne;         // maximum slope on the floor
+constexpr float kHighest = 4000;                          // mm, maximum height of the lens
+constexpr std::int32_t kFarthestScale = 64'000;           // 2^-4 mm
 
 // The factor f with f (1 + k1 f^2 r^2) = 1 that undoes the distortion, by c = k1 r^2: the series' coefficients are
 // (3n)! / (n! (2n+1)!), and it converges up to 4/27. Stronger distortion counts as the strongest that it holds.

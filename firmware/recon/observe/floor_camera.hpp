@@ -1,5 +1,4 @@
-// Where a pixel's ray meets the floor, in integers: a small core does this for all blobs of a frame in the time that it
-// takes for one in floats.
+// Where a pixel's ray meets the floor, in integers. On a small core all blobs of a frame take as long as one in floats.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 
 namespace fencepost::recon {
 
-/// What reconstruction needs of a blob, 10 bytes.
+/// The part of a blob that reconstruction needs, 10 bytes.
 struct WaitingBlob {
   Box box;
   std::uint8_t signature = 0;

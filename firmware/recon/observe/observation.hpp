@@ -1,5 +1,5 @@
-// One blob of one frame, as tracking and models take it: built once a frame, when pieces of one object are joined, and
-// read by all. What is known of an end of a blob is said here and nowhere else.
+// One blob of one frame, as tracking and models read it. It is built once a frame, after pieces of one object are
+// joined. The state of each end of a blob is stored here and nowhere else.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fencepost::recon {
 
-/// What a side of a blob says of the same side of its object.
+/// How a side of a blob relates to the same side of its object.
 enum class End : std::uint8_t {
   kSeen,        ///< the object's own edge
   kAmbiguous,   ///< an edge, but so near a neighbour or the border that it may be cut short: the hybrid, which can do

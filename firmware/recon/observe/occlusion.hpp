@@ -11,11 +11,11 @@
 
 namespace fencepost::recon {
 
-/// A side counts as hidden when another blob reaches to within `beside_px` of it (kTouchPixels if of its own signature:
-/// what of one colour has a gap between was not merged), is as high in the image as this one, and is not clearly
-/// farther. Order: the lower bottom row is the nearer object; a bottom on the image border is nearer than any that is
-/// not; equal rows do not tell, and what may be hidden is not used. The bottom counts as hidden when a nearer blob
-/// overlaps it from below in most of its columns: the foot of a part that is seen is a foot. Bearings hide nothing.
+/// A side counts as hidden by another blob that reaches to within `beside_px` of it, is as high in the image and not
+/// clearly farther. For a blob of the same signature the limit is kTouchPixels: with a gap the two were not merged.
+/// The object with the lower bottom row is nearer; a bottom on the image border is nearer than any other. With equal
+/// rows the order is unknown, and the side counts as hidden. The bottom counts as hidden if a nearer blob overlaps it
+/// from below in most of its columns. Otherwise the visible part shows the foot. Bearings hide nothing.
 Sides hidden_sides(std::span<const WaitingBlob> blobs, std::size_t index, std::int16_t image_rows,
                    int beside_px = kTouchPixels);
 

@@ -77,8 +77,8 @@ inline Vec2 to_map(const LensPose& pose, const Vec2& in_camera) { return rotated
 
 LensPose lens_pose(const MapPose& robot, const CameraModel& camera);
 
-/// The rays are computed here and not for all blobs of a frame: models take the sightings of a few objects a frame, and
-/// on a core without floating point each costs some thousand instructions.
+/// The rays are computed here and not for all blobs of a frame, for models use the sightings of a few objects a frame.
+/// On a core without floating point each costs some thousand instructions.
 Sighting make_sighting(const CameraModel& camera, const LensPose& pose, const Observation& observation);
 
 /// The tangent half planes of the two edges: the object lies inside both. Left edge: normal = direction turned left,
@@ -108,16 +108,16 @@ struct RowDepth {
   float variance = 0;  ///< m^2, noise of this row alone and pitch together
 };
 
-/// What a bottom row that is *not* seen still tells: the foot is lower, so the object is nearer than the row where it
-/// disappears. The middle of what that leaves, with a sigma that covers it. Known only if the bottom is censored.
+/// The depth of a foot that is *not* seen: it is lower, so the object is nearer than the row where it disappears.
+/// Returns the middle of the remaining range, with a sigma that covers it. Known only if the bottom is censored.
 RowDepth hidden_row_depth(const Sighting& sighting);
 
 /// Of a bottom that is not seen where it disappears: the foot is no farther than that. Not known if it is seen, or if
 /// the row is another object's.
 RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise);
 
-/// Not known when the camera's height or pitch is not, when the row is censored or above the horizon, when both edges
-/// are censored, or beyond kRowMaxDepth.
+/// The depth by the bottom row. Not known if the camera's height or pitch is not, or if the row is censored or above
+/// the horizon. Nor is it known if both edges are censored, or beyond kRowMaxDepth.
 RowDepth row_depth(const Sighting& sighting, const MeasurementNoise& noise);
 
 }  // namespace fencepost::recon

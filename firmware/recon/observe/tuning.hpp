@@ -60,8 +60,9 @@ inline constexpr int kBesidePixels = 2 * kBorderPixels + 2 * static_cast<int>(kG
 inline constexpr auto kClearPixels = static_cast<std::int16_t>(2 * kSurelySigmas * kEdgeNoise);
 /// px, of a box's bottom row. By design.
 inline constexpr float kRowNoise = 1.0F;
-/// rad and m, of the pose at one exposure of a driving robot. Where they came from was not kept.
+/// rad, of the heading at one exposure of a driving robot. Its source was not kept.
 inline constexpr float kHeadingNoise = 0.0070F;
+/// m, of the position at one exposure of a driving robot. Its source was not kept.
 inline constexpr float kPositionNoise = 0.004F;
 /// 10 um. A robot that has moved by no more is stationary; farther off than that, kFewestViews exposures in a row are
 /// no noise. Derived: kSurelySigmas of a position.
@@ -78,9 +79,10 @@ inline constexpr float kRoundness = 0.2F;
 /// m. Rows farther than this say more about the pitch than about the object. No distance is guessed beyond, and no
 /// object is expected there. Wrong depths stay inside the square in which models live. By design.
 inline constexpr float kRowMaxDepth = 2.5F;
-/// shares of the depth at which an unseen foot leaves the image: the mean and sigma of where the foot is. Very near
-/// objects fill the image and have no edge at all, so the far half is likelier. By design.
+/// Mean depth of an unseen foot, as a share of the depth at which feet leave the image. Very near objects fill the
+/// image and have no edge at all, so the far half is likelier. By design.
 inline constexpr float kHiddenFootMean = 0.75F;
+/// Its sigma, as a share of the same depth. By design.
 inline constexpr float kHiddenFootSigma = 0.18F;
 
 }  // namespace fencepost::recon

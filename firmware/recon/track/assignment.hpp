@@ -15,8 +15,8 @@ namespace fencepost::recon {
 inline constexpr std::uint8_t kNoMatch = std::numeric_limits<std::uint8_t>::max();
 inline constexpr std::uint8_t kImpossible = std::numeric_limits<std::uint8_t>::max();
 
-/// What assign() works with, one element a column and one more: a column for each object, and one for each blob, which
-/// may stay unmatched.
+/// A column of assign()'s scratch memory: one for each object, one for each blob, which may stay unmatched, and one
+/// more.
 struct AssignmentColumn {
   std::int16_t potential = 0;
   std::int16_t slack = 0;

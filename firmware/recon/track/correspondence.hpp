@@ -9,8 +9,9 @@
 
 namespace fencepost::recon {
 
-/// Cost of taking the blob for the object, 0 (perfect) to 200; kImpossible: it cannot be. The mean over the box's
-/// visible sides of the squared deviation in units of three sigmas, at most 1 a side: place, size and shape in one.
+/// Cost of matching the blob to the object, 0 (perfect) to 200; kImpossible: the gate excludes it. It is the mean over
+/// the box's visible sides of the squared deviation in units of three sigmas, at most 1 a side. Place, size and shape
+/// all count in it.
 std::uint8_t match_cost(const Prediction& prediction, const Observation& seen);
 
 /// True if the blob lies within the predicted interval, give or take three sigmas: it may be a piece of the object.
@@ -35,17 +36,18 @@ void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int 
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Observation& seen);
-/// True if the blob's foot was seen, and so much higher in the image than the predicted one that what it shows is
-/// farther: it hides nothing of the object. False where rows tell nothing.
+/// True if the blob's foot was seen clearly higher in the image than the predicted one. The blob is then farther away
+/// and hides nothing of the object. False where no row is predicted.
 bool stands_behind(const Observation& seen, const Prediction& prediction);
 
-/// True if the robot has stood since it saw the object, and this blob has another foot, and another top or more to the
-/// side: a piece of the object has not. Of one that was refuted, another foot is enough.
+/// True if the robot has been stationary since it saw the object, and the blob's foot is elsewhere. The top has to be
+/// elsewhere too, or the blob has to reach beyond the object's sides: a piece of the object does neither. For a refuted
+/// object another foot is enough.
 bool stands_elsewhere(const Prediction& prediction, const Observation& seen);
 
-/// True if the blob is two objects of one signature that touch in the image: its ends are those of a left and of a
-/// right object, and neither alone would be so wide. The distance of one of them must be known; the other one, without,
-/// must have been seen last beside it.
+/// True if the blob is two objects of one signature that touch in the image. Its ends are those of a left and a right
+/// object, and neither alone would be so wide. The distance of one of them must be known. If that of the other is not,
+/// it must have been seen last beside the known one.
 bool shows_both(const Prediction& left, const Prediction& right, const Observation& seen);
 
 /// True if the object, predicted nearer than `behind`, reaches over the blob's end at this column (px): that end is

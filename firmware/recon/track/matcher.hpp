@@ -83,8 +83,8 @@ class Matcher {
     return matched;
   }
 
-  /// What the frame shows of the object in this slot, which it does. Of a blob that two objects share, the ends and
-  /// rows that are the other one's are occluded.
+  /// The observation of the object in this slot, which must be seen. In a blob that two objects share, the other's ends
+  /// and rows are occluded.
   [[nodiscard]] Observation observation_of(std::size_t o) const {
     Observation observation = observations_[blob_of_[o]];
     if (!shared_[o].any) return observation;
@@ -111,8 +111,9 @@ class Matcher {
     return nullptr;
   }
 
-  /// The object of which a leftover blob may be a piece, besides the blob that it has: inside its interval, on the same
-  /// foot; or alike and close beside it, unless it stays there. One with another foot stands elsewhere. kObjects: none.
+  /// The slot of the object of which a leftover blob may be a further piece; kObjects: none. The piece is inside the
+  /// object's interval on the same foot, or it is alike and close beside the object's blob. A piece that stays beside
+  /// it for kDividingFrames no longer counts.
   [[nodiscard]] std::size_t piece_of(const Objects& objects, std::size_t b) const {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!may_be_piece(o, b)) continue;

@@ -32,7 +32,7 @@ struct SightingHistory {
   }
 };
 
-/// What does not depend on the profile.
+/// The part of an object that does not depend on the profile.
 struct ObjectCore {
   std::uint32_t id = 0;  ///< 0: free slot
   std::uint8_t signature = 0;
@@ -77,7 +77,7 @@ struct ObjectCore {
     return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kContradictingFrames;
   }
 
-  /// What matching, alerts and the table's order need of every sighting.
+  /// Updates what matching, alerts and the table's order need of every sighting.
   void track(End left_end, End right_end, base::Time t) {
     left = left_end;
     right = right_end;
@@ -90,7 +90,7 @@ struct ObjectCore {
   /// In [0, 1]: how well the outline is known, 1 - sqrt(mean sigma / radius), times the share of expected sightings
   /// that came. The outline is the hybrid's; the cylinder's until that has been fitted; without either 0.
   [[nodiscard]] float confidence() const;
-  /// Weight of a view from `lens`: what a parked robot sees again is not news. In [0.05, 1].
+  /// Weight of a view from `lens`, in [0.05, 1]: a stationary robot sees nothing new.
   [[nodiscard]] float novelty(const Vec2& lens) const;
   void hash(base::Fnv1a64& hash) const;
 };
@@ -157,8 +157,8 @@ struct Object : ObjectCore {
             outline_confidence != kNoOutline && outline_confidence >= kMinConfidence};
   }
 
-  /// A sighting for the models. At tens of frames a second those in between would say the same again: a view's weight
-  /// is how far the lens has moved since the last one that was taken.
+  /// Adds a sighting to the models. A view's weight is how far the lens has moved since the last one that was added. At
+  /// tens of frames a second, views in between would repeat it.
   [[gnu::noinline]] void model(const Sighting& sighting, const MeasurementNoise& noise) {
     const Vec2 lens = sighting.lens_from(origin);
     const float weight = cylinder.first_views() == 0 ? 1.0F : novelty(lens);

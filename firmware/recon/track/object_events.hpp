@@ -1,4 +1,4 @@
-// What becomes of the map's objects in one frame: for all who keep something by an object's id.
+// Events of the map's objects in one frame, for readers that store something by an object's id.
 #pragma once
 
 #include <cstddef>

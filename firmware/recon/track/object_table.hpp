@@ -21,7 +21,7 @@ struct Confirmation {
   int n = 5;
 };
 
-/// What became of one frame.
+/// Counts of one frame's blobs.
 struct FrameOutcome {
   std::uint16_t matched = 0;
   std::uint16_t born = 0;
@@ -117,7 +117,7 @@ class ObjectTable {
   static EndsOff open_ends(const ObjectType& object, const Prediction& prediction, const Observation& seen,
                            const CameraModel& camera, const LensPose& lens) {
     const auto& hybrid = object.hybrid();
-    // What goes on beyond the image, or may, has sides that nobody saw: there the models only guess.
+    // An object that reaches beyond the image, or may, has unseen sides: there the models only guess.
     const bool guessed = hybrid.large || !object.cylinder.known_whole() || !is_edge(seen.left) || !is_edge(seen.right);
     EndsOff open = ends_off(prediction, seen, guessed);
     if (!open.left && !open.right) return open;
@@ -167,7 +167,7 @@ class ObjectTable {
       object.begin(next_id_++, seen.signature, make_sighting(camera, lens, seen), exposure_);
       if (next_id_ == 0) next_id_ = 1;
       object.moving = seen.moves;
-      object.confirmed = divided && divided->confirmed;  // what it is a part of was known: so is this
+      object.confirmed = divided && divided->confirmed;  // a part of a confirmed object is confirmed
       object.track(seen.left, seen.right, exposure_);
       object.history.push(true);
       report(EventKind::kBorn, slot);
@@ -181,9 +181,10 @@ class ObjectTable {
     return whole < kObjects;
   }
 
-  // A free slot; else that of the least useful tentative object not seen in this frame: fewest views, then longest
-  // unseen, then the older id; else that of the confirmed one that is longest out of sight, or a robot with a small
-  // table would be blind to new places. kObjects if all were seen lately.
+  // Selects a free slot, else that of the least useful tentative object that this frame did not show. The order is
+  // fewest views, then longest unseen, then the older id. Without one it selects the confirmed object that is longest
+  // out of sight. Otherwise a robot with a small table would miss everything in new places. kObjects if all were seen
+  // lately.
   std::size_t slot_for_new(MatcherType& matcher) {
     std::size_t tentative = kObjects;
     std::size_t old = kObjects;

@@ -24,8 +24,8 @@ struct PiecePair {
 /// Predictions without signature are passed over.
 PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Prediction> predictions);
 
-/// True if they have one signature and the same rows, and the gap between them is no wider than they are together: the
-/// camera may have lost what was there.
+/// True if they have one signature and the same rows, and the gap between them is no wider than both together. The
+/// camera may have lost a piece there.
 bool are_alike(const Observation& one, const Observation& other);
 
 /// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. Where they are two

@@ -31,7 +31,7 @@ void predict_rows(const CameraModel& camera, const ObjectCore& object, const Cyl
   }
 }
 
-// What has its foot below the image may be below it as a whole. Where rows tell nothing, columns decide.
+// False if the foot may be below the image: the object may then be below it as a whole. True without a predicted row.
 bool foot_inside(const CameraModel& camera, const PredictedLine& bottom) {
   return bottom.sigma == 0 || bottom.at + kFootSigmas * bottom.sigma < camera.rows - 1 - kBorderPixels;
 }

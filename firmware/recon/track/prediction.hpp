@@ -17,7 +17,7 @@ struct PredictedLine {
 };
 
 /// Where an object should appear, before any clipping to the image. Without a distance (depth 0) it is somewhere on its
-/// last bearing: `left.at` is then the column of its middle if it is far away, `right.at` if it is as near as may be.
+/// last bearing. `left.at` is then the column of its middle at the greatest distance, `right.at` at the least.
 struct Prediction {
   PredictedLine left;
   PredictedLine right;

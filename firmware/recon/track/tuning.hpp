@@ -77,8 +77,8 @@ inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
 /// sigmas. A foot's predicted row is inside the image with these to spare. A blob stands clearly behind it if its foot
 /// is higher by these. Derived: kUsualSigmas.
 inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
-/// views. An object with fewer is deleted when it is refuted; of a better known one real cameras miss more than that:
-/// it stays, and only its alerts stop. On which study was not kept.
+/// Views. A refuted object with fewer is deleted. One with more stays, and only its alerts stop, for real cameras miss
+/// known objects in more frames than refute one. The study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;
 /// An object that was seen so shortly before something of its colour was known to move may have been that. More:
 /// objects that stand are forgotten; less: ghosts. By design.

@@ -48,8 +48,8 @@ unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const Vi
   return which;
 }
 
-// The side of a ring that `at`, in kOffsetStep, is farthest outside of: as OutlineView::distance_from() finds it by
-// looking at one after the other, all side by side.
+// The side of a ring that `at`, in kOffsetStep, is farthest outside of. OutlineView::distance_from() finds the same
+// side with a loop; this version compares the sides in parallel.
 FENCEPOST_FOR_EACH_PROCESSOR
 std::size_t side_before(std::span<const std::int16_t, kDirections> offsets, const WholeVector& at) {
   constexpr std::size_t kQuarter = kDirections / 4;
@@ -197,7 +197,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kViewsForShape, noise);
-  // What is only known to be larger than so much is no news by itself, unless the outline ends before.
+  // A lower bound alone is no new information, unless the outline ends before it.
   if ((view.present & ~known) == 0 && outgrowing(core, outline, view) == 0) return;
   const unsigned edges = view.present & ~unsigned{known};
   const unsigned limits = view.lower_bound & ~(known | unsigned{known} >> ViewTangents::kBits);

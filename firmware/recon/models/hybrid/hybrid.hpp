@@ -1,4 +1,4 @@
-// What an object keeps of its outline: tangents by direction, and the outline fitted last with its uncertainty.
+// The stored outline of an object: tangents by direction, and the outline fitted last with its uncertainty.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ constexpr std::string_view name(HybridRefusal refusal) {
   return "";
 }
 
-/// What does not depend on the number of sectors.
+/// The part of the state that does not depend on the number of sectors.
 struct HybridCore {
   MapPoint origin;          ///< of the local frame: within kRecentre of the outline's middle when it was fitted last
   Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
@@ -48,7 +48,7 @@ struct HybridCore {
   bool large : 1 = false;       ///< likewise: it may be longer than the image, and sides of it a guess
 };
 
-/// What a line and an outline have in common, low to high; empty if it passes by.
+/// The interval of a line inside an outline, low to high; empty if the line passes by.
 struct Chord {
   float low = 0;
   float high = 0;

@@ -28,8 +28,7 @@ void solve_lower(std::span<const float> factor, std::span<float> b);
 /// L' x = b, in place.
 void solve_upper(std::span<const float> factor, std::span<float> b);
 
-/// What is known of a series before anything is seen, as far as its coefficients `x` are from it: into the packed
-/// matrix and the right side.
+/// Adds the priors of a series with the current coefficients `x` to the packed matrix and the right side.
 void add_series_priors(const RadiusPrior& prior, std::size_t order, std::span<const float> x, std::span<float> matrix,
                        std::span<float> rhs);
 

@@ -84,7 +84,7 @@ inline std::size_t nearest_node(const Vec2& unit, std::size_t nodes) {
   return best;
 }
 
-/// What follows from the angle between two nodes.
+/// The angle between two neighbouring nodes, with its sine and cosine.
 struct NodeStep {
   float angle = 0;   ///< rad
   float sine = 0;    ///< of the angle

@@ -1,5 +1,5 @@
-// What depends only on where in its sector a cluster lies, for each of the places that are told apart: worked out by
-// the compiler, for every pass of every fit asks again.
+// Values that depend only on a cluster's place in its sector, one for each of kPhases places. The compiler computes the
+// tables, because every pass of every fit reads them.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline constexpr auto kTurns = [] {
   return turns;
 }();
 
-/// What the support values at both ends of a sector have in one between them, of 64 sectors.
+/// Weights of the support values at both ends of a sector in one between them, of 64 sectors.
 struct EndShares {
   float first = 1;
   float second = 0;

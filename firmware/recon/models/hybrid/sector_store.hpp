@@ -14,7 +14,7 @@ namespace fencepost::recon {
 
 inline constexpr std::size_t kClustersPerSector = 2;
 inline constexpr float kOffsetStep = 1e-4F;  ///< m; offsets reach to 3.27 m from the origin
-/// A side of an outline is known by edges that turn from it by no more than this part of a whole turn: by 11 degrees.
+/// 1/32 of a turn, 11 degrees: the maximum angle between a side and an edge that counts as an edge of this side.
 inline constexpr std::size_t kSideSectors = 32;
 inline constexpr float kViewsStep = 0.125F;     ///< weights are counted in eighths of a view
 inline constexpr float kSmallestSigma = 1e-4F;  ///< m, of a stored sigma
@@ -71,35 +71,36 @@ constexpr std::size_t place_in_sector(const PackedCluster& packed) { return pack
 /// Of cluster `index`; 64 or 32 sectors.
 Vec2 direction_of(ConstClusters clusters, std::size_t index);
 
-/// What the store must know of the model to compare tangents of slightly different directions.
+/// Values of the model that the store needs to compare tangents of slightly different directions.
 struct StoreContext {
   float slope = 0;  ///< h'(direction) of the model there, m/rad
   float scale = 1;  ///< how much larger residuals are than sigmas say
 };
 
-/// Takes a tangent with weight `novelty` in (0, 1]. It joins the cluster that it agrees with, else opens one, else
-/// takes the place of the weaker one if that is no stronger, else weakens it. One that says `at least` joins its like
-/// only; it is dropped where an edge is known that far out, and never takes anything from an edge.
+/// Inserts a tangent with weight `novelty` in (0, 1]. It joins the cluster that it agrees with, or opens a new one. If
+/// there is no room, it replaces the weaker cluster, or weakens that one if it is stronger than the tangent. A lower
+/// bound joins lower bounds only. It is dropped where an edge is known that far out, and never weakens an edge.
 void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent, float novelty,
             const StoreContext& context);
 
-/// A step of the origin in kOffsetStep, at most kFarthestOffset in x and y: whole numbers, so that a whole store moves
-/// in a few thousand instructions.
+/// A step of the origin in kOffsetStep, at most kFarthestOffset in x and y. With integers a whole store moves in a few
+/// thousand instructions.
 struct OriginShift {
   std::int32_t x = 0;
   std::int32_t y = 0;
 };
 
-/// What a shift takes from an offset, in kOffsetStep. The direction lies `part` of kParts into the sector.
-inline constexpr std::int32_t kParts = 512;
+inline constexpr std::int32_t kParts = 512;  ///< of a sector
+/// The amount that a shift subtracts from an offset, in kOffsetStep. The direction lies `part` of kParts into the
+/// sector.
 std::int32_t change_of_offset(const OriginShift& shift, std::size_t sector, std::int32_t part, std::size_t sectors);
 
 /// Coordinates from a point `shift` away. What gets out of range is forgotten.
 void move_origin(Clusters clusters, const OriginShift& shift);
 
-/// Share of its views that cluster `index` counts for: less if its neighbour in the sector has a larger offset and is
-/// not much weaker, for lost pieces and occluders bias offsets down far more often than up. What says `at least` does
-/// not contradict it.
+/// Share of its views that cluster `index` counts for. It is less if the neighbour in the sector has a larger offset
+/// and is not much weaker. Lost pieces and occluders bias offsets down far more often than up. Lower bounds never
+/// reduce it.
 float standing(ConstClusters clusters, std::size_t index);
 
 /// Was an edge seen of the side with this outward normal? Otherwise it is open: the object goes on there beyond what

@@ -25,12 +25,11 @@ class SupportFit {
   void begin(float spread = 1);
   /// Starts one weighing of all tangents; sigmas count `widening` times.
   void begin_pass(float widening);
-  /// What says `at least` counts where it is not met.
+  /// Adds a tangent; a lower bound counts only where the outline violates it.
   void add(ConstClusters clusters, std::size_t index);
   /// After all tangents of a pass.
   void begin_sides();
-  /// What is known of side k before anything is seen. In the first passes all sides are
-  /// alike; `polygonal`: few are long.
+  /// Adds the prior of side k. In the first passes all sides have the same length; `polygonal`: few are long.
   void add_side(std::size_t k, bool polygonal);
   void begin_elimination() { band_.begin_elimination(); }
   [[nodiscard]] bool eliminate(std::size_t k) { return band_.eliminate(k); }
@@ -51,7 +50,7 @@ class SupportFit {
   float radius_ = 0;       ///< mean support value, in a sensible range
   float size_ = 0;         ///< as it is
   float round_side_ = 0;   ///< of a round outline, m
-  float side_weight_ = 0;  ///< of what is known of a side
+  float side_weight_ = 0;  ///< of the prior of a side
   float spread_ = 1;
   float scale_ = 1;
   float misfit_ = 0;  ///< m, by which a large outline may be off as yet

@@ -15,8 +15,7 @@ float loss_variance(const Sighting& sighting, float distance) {
   return kLossProbability * kLostShare * kLostShare * width * width;
 }
 
-// Width (m) of what is seen of something that goes on beyond an end that was not, so far that its nearest point may be
-// there; else 0.
+// Width (m) of the seen part of an object that goes on so far that its nearest point may be beyond the image; else 0.
 float width_of_part(const Sighting& sighting) {
   if (sighting.both_edges() || !sighting.rows_known || !(sighting.bottom.drop > 0)) return 0;
   const float along = sighting.axis.dot(sighting.center);

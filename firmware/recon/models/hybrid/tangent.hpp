@@ -1,4 +1,4 @@
-// What one view says of an outline: tangents of its convex hull.
+// The tangents that one view gives of an outline's convex hull.
 #pragma once
 
 #include <cstdint>

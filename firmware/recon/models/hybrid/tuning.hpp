@@ -41,9 +41,10 @@ inline constexpr float kSmallestRadius = 0.02F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Prototype.
 inline constexpr float kWellKnownShare = 0.4F;
 
-/// m, sigma by which a foot stands back from the outline above it: real things are narrower below, rounded or not quite
-/// on the floor, and all rows of an object share the error of one pitch and one height. More: the distance is open on
-/// a straight approach; less: rows outvote the edges of a ring. Path table, seeds 5001 to 5024, and a ring of images.
+/// m, sigma of the distance by which a foot is set back from the outline above it. Real things are narrower below,
+/// rounded or not quite on the floor. All rows of an object share the error of one pitch and one height. More: the
+/// distance is open on a straight approach; less: rows outvote the edges of a ring. Path table, seeds 5001 to 5024, and
+/// a ring of images.
 inline constexpr float kFootSetBack = 0.02F;
 
 // --- clusters of tangents (sector_store) ---
@@ -56,11 +57,12 @@ inline constexpr float kMinScale = 0.35F;
 inline constexpr float kWeakening = 0.5F;
 /// ratio of sigmas beyond which an edge does not speak for a lower bound as far out. By design.
 inline constexpr float kUnsure = 3.0F;
-/// A cluster is overruled by one that is larger by two sigmas and has this share of its views, and this many views at
-/// least; then it counts for this share. More: wrong cuts stay; less: noise adds to the outline. Prototype, but for
-/// kOverruled: hybrid table.
+/// A cluster farther out by two sigmas overrules another from this share of the other's views on. More: wrong cuts
+/// stay; less: noise adds to the outline. Prototype.
 inline constexpr float kOverrulingShare = 0.35F;
+/// Minimum number of views to overrule another cluster; more and less as above. Prototype.
 inline constexpr float kOverrulingViews = 0.9F;
+/// Share of its views that an overruled cluster counts for; more and less as above. Hybrid table.
 inline constexpr float kOverruled = 0.5F;
 /// views that a cluster remembers; older ones fade. Prototype.
 inline constexpr float kMaxClusterViews = 30.0F;
@@ -83,10 +85,11 @@ inline constexpr float kLargestPrior = 0.4F;
 
 // --- what is large (both fits) ---
 
-/// m, radius up to which a series of low order is off by no more than tangents are. Beyond it, by this share of what is
-/// more; so much of it, for each widening above one, are polygons in the passes that narrow down.
+/// m, radius up to which a series of low order is off by no more than tangents are.
 inline constexpr float kFitsAny = 0.2F;
+/// Misfit of a series, as a share of the radius beyond kFitsAny.
 inline constexpr float kMisfit = 0.1F;
+/// The same for polygons, for each unit of widening above one, in the passes that narrow down.
 inline constexpr float kFirstMisfit = 0.04F;
 /// m. Lower bounds this far outside the fit are always treated as inliers: no noise adds as much.
 inline constexpr float kFarBeyond = 0.2F;
@@ -101,20 +104,22 @@ inline constexpr float kSideSigma = 1.8F;
 inline constexpr float kSharePerTangent = 1.0F / 56.0F;
 /// Share of kSideSigma with the fewest tangents. Hybrid table.
 inline constexpr float kMinSideShare = 0.45F;
-/// Weight of a side of length l relative to that of a round outline, D r: D r / (l + kSoftening D r); those above
-/// kLongSide of D r are drawn to D r, the others to nothing. Prototype.
+/// Softening of the weight of a side of length l relative to a round outline's side D r: D r / (l + kSoftening D r).
+/// Prototype.
 inline constexpr float kSoftening = 0.3F;
+/// Share of D r above which a side is drawn to the length D r; a shorter one is drawn to zero. Prototype.
 inline constexpr float kLongSide = 0.5F;
 /// relative weight against sides of negative length, which are no sides. Prototype.
 inline constexpr float kStiffness = 100.0F;
-/// m. What neither tangents nor sides tell (where the middle is, if all tangents are parallel) stays as the low order
-/// has it, with this sigma. By design.
+/// m, sigma of the prior that holds the polygon at the low order's fit. It decides only what neither tangents nor sides
+/// determine, such as the middle if all tangents are parallel. By design.
 inline constexpr float kHold = 0.15F;
 
 // --- how a fit narrows down (hybrid_solver, inlier) ---
 
-/// Factor on the sigmas in each pass; those of the support begin with the second. Prototype.
+/// Factor on the sigmas in each pass of the low order. Prototype.
 inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
+/// The same of the support fit, which begins with the second factor. Prototype.
 inline constexpr std::span<const float, 6> kSupportPasses = std::span(kLowOrderPasses).last<6>();
 /// pass of the support fit from which sides are weighed. Prototype.
 inline constexpr std::size_t kPolygonalFrom = 2;
@@ -122,8 +127,8 @@ inline constexpr std::size_t kPolygonalFrom = 2;
 inline constexpr float kLearningWidening = kSupportPasses[kPolygonalFrom];
 /// Tangents from which on the spread is learnt. Hybrid table.
 inline constexpr std::uint8_t kTangentsForSpread = 7;
-/// Factor on variances with which a fit begins: twice the sigmas. Nobody tells the robot how good camera and wheels
-/// are. Sigmas that are too small cost far more than those that are too large. Hybrid table.
+/// Factor on variances with which a fit begins: twice the sigmas, for the accuracy of camera and wheels is unknown.
+/// Sigmas that are too small cost far more than those that are too large. Hybrid table.
 inline constexpr float kFirstSpread = 4.0F;
 /// views it takes to see more than a cylinder. Hybrid table.
 inline constexpr std::uint8_t kViewsForShape = 4;
