@@ -29,8 +29,8 @@ struct AlertState {
   [[nodiscard]] bool in_force() const { return level > record::AlertLevel::kClear; }
 };
 
-/// Whether a person has to be told of a report, who is told: another level, or nearer or farther by kSaidAgain than
-/// when it was last said. Records and outputs repeat an alert as long as it is in force; words would bury all others.
+/// True if a report has to be shown to a person again, and updates the state: its level has changed, or its distance by
+/// kSaidAgain. Records and outputs repeat an alert as long as it is in force; in words that would bury all others.
 bool news(AlertState& state, const record::AlertReport& report);
 
 /// The settings as numbers to compare with, once for all objects.
@@ -48,10 +48,10 @@ struct AlertRules {
 /// Worth an alert: confirmed, and not gone from where it should be.
 [[nodiscard]] bool credible(const recon::ObjectCore& object);
 
-/// The level that the distances, widened by `slack` >= 1, call for. Only what lies in the path warns or stops;
-/// anything else as near as alert.warn is worth a notice. A stop is early rather than late: what is known badly counts
-/// as nearer than it seems, and so does what will be there before the path is watched again. All distances are moved by
-/// the obstacle's overhang.
+/// The level that the distances, widened by `slack` >= 1, call for. Only an obstacle in the path warns or stops; any
+/// other as near as alert.warn gives a notice. A stop is early rather than late. An uncertain distance counts as
+/// shorter, and so does one that shrinks before the path is watched again. All distances are moved by the obstacle's
+/// overhang.
 record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, float slack);
 
 /// m/s. The largest speed from which the robot still stops: one that slows down as this falls is not stopped by the
@@ -61,9 +61,9 @@ record::AlertLevel level_for(const Obstacle& obstacle, const AlertRules& rules, 
 /// m/s, the same before an obstacle; kFastest: none before this one.
 [[nodiscard]] float stopping_speed(const Obstacle& obstacle, const RobotPath& path, const AlertRules& rules);
 
-/// Updates a state and returns the level to report now, if any: a rise to `due` at once, a repeat of warn and stop at
-/// most alert.rate times a second (notice: once a second), an easing to `held`, which is `due` with the hysteresis,
-/// once that has lasted.
+/// Updates a state and returns the level to report now, if any. A rise to `due` is reported at once. Warn and stop
+/// repeat at most alert.rate times a second, notice once a second. An easing to `held`, which is `due` with the
+/// hysteresis, is reported once it has lasted for kEaseAfter.
 std::optional<record::AlertLevel> follow(AlertState& state, record::AlertLevel due, record::AlertLevel held,
                                          const AlertRules& rules, base::Time now);
 

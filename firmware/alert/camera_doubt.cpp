@@ -11,7 +11,7 @@ using record::Doubt;
 
 namespace {
 
-// Of those that are wrong to one side, if there are enough of them: as told over true.
+// Depth by the rows over the true depth: the inverse mean of `wrong` objects' scales.
 float factor_of(unsigned wrong, float scales) { return scales > 0 ? static_cast<float>(wrong) / scales : 1.0F; }
 
 }  // namespace

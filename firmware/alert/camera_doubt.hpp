@@ -1,6 +1,6 @@
-// Can the camera be as the robot was told? One object whose rows say a wrong depth stands on something or hides its
-// foot. Most of the map's objects, all wrong to the same side, mean a wrong pitch or height; things that do not turn as
-// the wheels do, a wrong focal length.
+// Checks the camera's configuration. One object with a wrong depth by its rows stands on something or hides its foot.
+// If most of the map's objects are wrong to the same side, the configured pitch or height is wrong. If objects do not
+// turn as the wheels do, the focal length is wrong.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace fencepost::alert {
 
-/// What the rows of the map's objects say, each of its own.
+/// Counts the verdicts on the rows of the map's objects.
 struct RowVotes {
   unsigned too_far = 0;
   unsigned too_near = 0;
   unsigned right = 0;
-  float scales_too_far = 0;  ///< sums of what is true as a share of what the rows say
+  float scales_too_far = 0;  ///< sums of the true depth over the depth by the rows
   float scales_too_near = 0;
 
   void add(const recon::ObjectCore& object);
@@ -24,9 +24,9 @@ struct RowVotes {
 /// One run's, with one calibration.
 class CameraDoubt {
  public:
-  /// After a frame, at t. `lens`: the focal length as told over the true one, if that is wrong. True: there is
-  /// something new to say. A doubt about rows lasts until more of them are right than wrong; objects that are out of
-  /// the map take nothing back.
+  /// After a frame, at t. `lens`: the configured focal length over the true one, if that is wrong. True if the result
+  /// has changed. A complaint about rows lasts until more of them are right than wrong. Objects that left the map take
+  /// nothing back.
   bool judge(const RowVotes& votes, std::optional<float> lens, base::Time t);
   /// Another calibration is in force from t on: nothing speaks against it yet. True as above.
   bool forget(base::Time t);
@@ -34,9 +34,9 @@ class CameraDoubt {
   [[nodiscard]] bool any() const { return said_.doubt != record::Doubt::kNone; }
   /// There was something to say in this run.
   [[nodiscard]] bool spoke() const { return any() || said_.t.raw != 0; }
-  /// What is thought now.
+  /// The present result.
   [[nodiscard]] const record::CalibrationDoubt& said() const { return said_; }
-  /// By how much alerts have to widen their distances: 1, unless things are nearer than the calibration says.
+  /// The factor by which alerts widen their distances: 1, unless things are nearer than the calibration says.
   [[nodiscard]] float caution() const;
 
  private:

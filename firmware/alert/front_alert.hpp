@@ -1,5 +1,4 @@
-// What the guard's points say of the floor that the robot is about to sweep: the alert of "something", with object id
-// 0.
+// The alert of "something", with object id 0, by the guard's points on the floor that the robot is about to sweep.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@ namespace fencepost::alert {
 
 /// Robot frame.
 struct FrontAhead {
-  record::AlertLevel due = record::AlertLevel::kClear;   ///< what the thresholds call for
+  record::AlertLevel due = record::AlertLevel::kClear;   ///< the level by the thresholds
   record::AlertLevel held = record::AlertLevel::kClear;  ///< the same, thresholds widened by the hysteresis
   float speed = kFastest;                                ///< m/s, see stopping_speed()
   bool something = false;                                ///< so near that what was never seen whole may be it

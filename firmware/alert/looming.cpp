@@ -163,7 +163,7 @@ std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
   const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
   const std::int32_t half = seen.across() / 2;
   const std::int32_t aside = std::abs(seen.middle() - track.slope);
-  // What has just been seen for the first time may move any way.
+  // A track with one sighting may move in any direction.
   const std::int32_t may =
       track.sightings > 1 ? 0 : (kFastestThing * track.unseen << (kSlopeBits - kSecondBits)) / depth;
   if (aside > half + kSideGate + may) return kNotIt;
@@ -206,7 +206,8 @@ void take_direction(LoomingTrack& track, std::int32_t slope, std::int32_t time) 
   if (more) track.sightings = static_cast<std::uint8_t>(n);
 }
 
-// Of what is cut on one side the middle is half of its width beside the other end.
+// Computes the slope of the middle; a box cut on one side has it half the track's width beside the other end. False if
+// that is not known.
 bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& middle) {
   middle = seen.middle();
   if (seen.whole()) return true;
@@ -217,7 +218,7 @@ bool find_middle(const LoomingTrack& track, const Seen& seen, std::int32_t& midd
   return true;
 }
 
-// What is known to come needs less to be believed still.
+// Counts frames of sure approach; a track that already comes has a lower threshold.
 void count_sure(LoomingTrack& track, std::int32_t robot_speed) {
   const std::int32_t sigmas = track.comes() ? kStillSigmas : kSureSigmas;
   const std::int32_t least = (kMinOwn + (kOwnShare * robot_speed >> 4)) * sigmas / kSureSigmas;
@@ -243,7 +244,7 @@ void count_moved(LoomingTrack& track, const Robot& robot) {
   const bool surely_across =
       robot.stands && track.sightings >= kMinSightings && across > kMinMoved + (depth >> kMovedDepthShareLog2);
   if (!track.guessed && (surely_along || surely_across)) {
-    // What crosses is soon gone.
+    // A crossing track soon leaves the image, so it counts three times.
     track.moved = static_cast<std::uint8_t>(std::min(track.moved + (surely_across ? 3 : 1), 3 * kMovedFrames));
   } else if (track.moved > 0) {
     --track.moved;
@@ -309,7 +310,7 @@ void take(LoomingTrack& track, const FloorCamera& floor, const Seen& seen, const
   count_sure(track, robot.speed);
 }
 
-// What is near enough that its growth can matter, and not a part of something nearer.
+// True if the box is near enough that its growth can matter, and no part of something nearer.
 bool worth_following(const FloorCamera& floor, const Seen& seen) {
   if (seen.depth > 0) return seen.depth <= kFarthestFollowed;
   if (seen.hidden || !seen.whole()) return false;
@@ -331,7 +332,7 @@ LoomingTrack* slot_for(std::span<LoomingTrack> tracks, std::int32_t depth) {
 bool is_over(const LoomingTrack& track) {
   const bool beside = track.slope == INT16_MIN || track.slope == INT16_MAX;
   if (beside || track.unmeasured > in_time(kUnmeasured) >> 4) return true;
-  // What comes on below the image is still coming.
+  // A track that approaches below the image is kept longer.
   const bool below = track.low && track.comes();
   return track.unseen > in_time(below ? kComesUnseen : kUnseen);
 }

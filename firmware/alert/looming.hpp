@@ -1,10 +1,10 @@
-// What comes closer by itself: how near things are and how fast each of them moves on its own, by the fall of the foot
-// of its box and by the growth of its width. No object and no model: that of the map stands still.
+// Tracks of things that approach by their own motion. The fall of a box's foot and the growth of its width give depth
+// and own speed. It uses no objects and no models, for those of the map are static.
 //
-// Each thing is followed from frame to frame by two small filters, in integers: depth and own speed towards the lens (a
-// Kalman filter, for a row is worth the more metres the farther the foot is), and direction and its change (least
-// squares over the last sightings). Odometry takes the robot's own motion out. While it is silent all that comes nearer
-// counts as coming by itself: the time to contact is right, who moves is not known.
+// Two small integer filters follow each thing from frame to frame. A Kalman filter estimates depth and own speed
+// towards the lens; there a row is worth the more metres the farther the foot is. Least squares over the last sightings
+// estimate direction and its change. Odometry removes the robot's own motion. While it is silent, everything that comes
+// nearer counts as moving by itself: the time to contact is right, but who moves is unknown.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct LoomingTrack {
   std::uint8_t sightings = 0;  ///< that the direction is known by; 0: a free slot
   std::uint8_t sure = 0;       ///< frames in a row in which it came closer by itself
   std::uint8_t moved = 0;      ///< frames in which it moved by itself, in any direction, less those in which it did not
-  std::uint8_t unmeasured = 0;  ///< 2^-6 s since neither foot nor width told how far it is
+  std::uint8_t unmeasured = 0;  ///< 2^-6 s since foot or width last gave its distance
   bool low : 1 = false;         ///< its foot was below the image when it was seen last
   bool guessed : 1 = false;     ///< its width was never seen together with its foot: depth and speed have a scale alone
   std::uint8_t whole : 2 = 0;   ///< sightings in a row with both ends in the image, at most 3
@@ -77,7 +77,7 @@ class Looming : public LoomingCore {
     LoomingCore::look(tracks_, frame, camera, odometry);
   }
 
-  /// What is due for the things that come closer by themselves and will meet the robot on `path`.
+  /// The alert for the things that approach by themselves and will meet the robot on `path`.
   [[nodiscard]] FrontAhead ahead(const recon::CameraModel& camera, const RobotPath& path, const AlertRules& rules,
                                  base::Time now) const {
     return LoomingCore::ahead(tracks_, camera, path, rules, now);

@@ -56,8 +56,8 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
 void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
                         Obstacle& obstacle);
 
-/// Alert model: the hybrid where it is known well, else the cylinder; and the cylinder where the rows that both were
-/// made with have turned out too far, for only that takes them back.
+/// Alert model: the hybrid where it is known well, else the cylinder. If the rows have turned out too far, it is the
+/// cylinder too. Both models used those rows, and only the cylinder drops them.
 template <class Profile>
 Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& robot, const SweptByBody& swept) {
   Obstacle obstacle = see_obstacle(static_cast<const recon::ObjectCore&>(object), robot, swept);

@@ -1,7 +1,8 @@
-// A virtual lidar: how far it is from the robot's origin to the nearest thing, in equal sectors all around, of what the
-// map and the guard know and of the floor that was seen empty. For planners that take ranges (VFH, gap following).
+// A virtual lidar: the range from the robot's origin to the nearest thing in equal sectors all around. It uses the map,
+// the guard and the floor that was seen empty. For planners that take ranges (VFH, gap following).
 //
-// A range never ends behind floor that was not seen: what is beyond it is not known. Unknown is said, and is not free.
+// A range never ends behind unseen floor, for everything beyond is unknown. Unknown is reported as such and is not
+// free.
 #pragma once
 
 #include <array>

@@ -47,8 +47,7 @@ bool surely_no_jump(const recon::MapPose& from, const recon::MapPose& to) {
          within(from.heading, to.heading, kTurn);
 }
 
-// By how many pixels the boxes should have moved at least, had the camera looked on: of those edges that are in the
-// image, the one that says most.
+// Expected motion of the boxes, px, if the camera is live: the largest over all edges inside the image.
 float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Displacement& by) {
   float shift = 0;
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {

@@ -1,5 +1,5 @@
-// Can the robot know what is ahead? Judged from the times and the contents of its inputs alone, so that a replay judges
-// as the robot did; what a driver knows of its cable is in FPLNK.
+// Decides whether the robot can know what is ahead. It uses only the times and contents of the inputs, so a replay
+// decides as the robot did. The state of a driver's cable is in FPLNK.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // The floor that the robot is about to sweep: its body and margin, moved on along the ways that lead on from here.
 //
-// Straight on, that is a strip as wide as the body and its margin. On an arc it is a ring around the pivot: inside it
-// begins at the body's inner side; outside it ends where the corners go, for they are farther from the pivot than the
-// body's side, which is what a nose or a tail swings out. A robot that spins sweeps a circle. What is beside the body
-// is passed only when it is behind the last corner. A round end has no corners, and what is beside it is passed.
+// Straight on, that is a strip as wide as the body and its margin. On an arc it is a ring around the pivot. The ring
+// begins at the body's inner side and ends at the circle of its corners. These are farther from the pivot than the
+// body's side: nose and tail swing out. A robot that spins sweeps a circle. A place beside the body is passed only when
+// it is behind the last corner. A round end has no corners, and a place beside it is passed.
 //
 // Robot frame. Per place two comparisons on a straight way, two products on an arc; no root.
 #pragma once
@@ -42,8 +42,8 @@ template <class Number>
 struct SweptBounds {
   /// One end of the body.
   struct End {
-    Number beside = 0;  ///< what is less far that way, on the outer side of a turn, is beside the body
-    Number passed = 0;  ///< what is as far that way is passed when the other end leads
+    Number beside = 0;  ///< maximum distance that way of a place beside the body, on the outer side of a turn
+    Number passed = 0;  ///< minimum distance that way of a place that is passed when the other end leads
     Number outer = 0;   ///< like `outer`, of this end's corners alone
   };
   Number half_width = 0;
@@ -54,7 +54,7 @@ struct SweptBounds {
   End rear;
 };
 
-/// What both units have in common.
+/// The part that is common to both units.
 template <class Number>
 struct Sweep {
   explicit Sweep(const RobotPath& path) : ways(path) {}

@@ -13,8 +13,9 @@
 
 namespace fencepost::alert {
 
-/// The path is watched at least so often, with frames or without. More: late stops; less: instructions. By design.
+/// Maximum time between two looks at the path, with frames or without. More: late stops; less: instructions. By design.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
+/// s, the same.
 inline constexpr float kLookSeconds =
     static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
 /// s from a look at the path until a robot that obeys the speed limit is seen to be slower. More: slow robots; less:
@@ -27,8 +28,8 @@ inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = recon::guard::kRefutedAfter;
 /// A notice is repeated no more often than this: it says where things are, nothing is urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
-/// In words an alert in force is said again when it is so much nearer or farther: twice the centimetre that is shown,
-/// so that one which wavers about a half is not. More: fewer sentences while the robot creeps. By design.
+/// Change of distance after which an alert in force is said again in words. It is twice the centimetre that is shown,
+/// so that jitter about a half does not repeat it. More: fewer sentences while the robot creeps. By design.
 inline constexpr base::Metres kSaidAgain{200};
 
 /// Safety margin for the uncertainty of a distance: it is subtracted before the comparison with the stop distance.
@@ -36,9 +37,9 @@ struct Margin {
   float sigmas;
   float most;  ///< as a share of the stop distance: uncertainty must not stop a robot far from anything
 };
-/// Seen whole; and where an end was not seen, the object may extend much nearer than its cylinder. More: false stops;
-/// less: late ones. Alert study.
+/// Margin of an object that was seen whole. More: false stops; less: late ones. Alert study.
 inline constexpr Margin kSeenWhole{3.0F, 0.2F};
+/// Margin of one with an unseen end: it may extend much nearer than its cylinder. More and less as above. Alert study.
 inline constexpr Margin kCutOff{4.0F, 0.4F};
 
 /// m by which the guard's points (recon/guard) count as nearer. More: false stops. Derived: the gate of the pose's
@@ -133,16 +134,18 @@ inline constexpr base::Duration kUnmeasured = recon::guard::kUnconfirmed;
 /// stops; less: late ones.
 inline constexpr float kMaxEarly = 0.4F;
 
-/// An input is overdue after this many of its usual intervals (in quarters), but not sooner than the least time and not
-/// later than the most; a standing robot has longer. More: blind unsaid; less: blind said of a camera that skips a
-/// frame. The least is what safety.md promises, less a turn of the loop. By design.
+/// Quarters of its usual interval after which an input is overdue, within the three bounds that follow. More: blindness
+/// is not reported; less: it is reported of a camera that skips a frame. By design.
 inline constexpr std::int64_t kOverdueQuarters = 10;
+/// Minimum of that time. Derived: the time that safety.md promises, less a turn of the loop.
 inline constexpr base::Duration kOverdueLeast = base::milliseconds(270);
+/// Maximum of that time. By design.
 inline constexpr base::Duration kOverdueMost = base::milliseconds(1500);
+/// Minimum of that time for a stationary robot. By design.
 inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
-/// Boxes that stay exactly as they are for this long are a frozen camera's, if meanwhile the robot's motion should have
-/// moved them by so many px. By design.
+/// Time without any change of the boxes after which the camera is frozen, if kFrozenShift was expected. By design.
 inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
+/// px by which the robot's motion should have moved the boxes meanwhile. By design.
 inline constexpr float kFrozenShift = 4;
 /// A camera that is asked more often than it sees repeats its images. Where one came so late and no sooner since, boxes
 /// may stay for a quarter more than that. What takes longer than this is no camera to drive by. Derived: things would
@@ -164,21 +167,21 @@ inline constexpr base::Duration kEmptyAfter = kOverdueStanding;
 inline constexpr float kStanding = 0.01F;
 /// m/s. What comes nearer more slowly does not come nearer. Derived: half of what the robot may creep.
 inline constexpr float kNotClosing = kStanding / 2;
-/// m/s. Odometry that wavers by 5 mm tells where a slower robot goes no better than by chance: it counts as going
-/// straight as well as on its arc, and ahead as well as back. More: a robot that backs off slowly is told of what is
-/// ahead; less: one that stands is told now and then that its way is free. Hazard table.
+/// m/s. Below this speed, odometry with 5 mm of jitter gives the direction no better than by chance. The robot then
+/// counts as going straight and on its arc, ahead and back. More: a robot that backs off slowly gets alerts of what is
+/// ahead; less: a stationary one gets a clear now and then. Hazard table.
 inline constexpr float kSurelyMoving = 0.08F;
-/// rad/s. Slow as that, it has an arc only if it turns so fast: half a degree of wavering is less. By design.
+/// rad/s. Minimum turn rate of an arc at such a speed: half a degree of jitter is less. By design.
 inline constexpr float kSurelyTurning = 0.15F;
-/// rad/s, of a robot that hardly drives. It surely spins, and what it stands beside then is in its way until it drives
-/// on. More: one that stops in a slow spin is told that its way is free; less: odometry that wavers turns a robot that
-/// stands. Derived: twice kSurelyTurning.
+/// rad/s, minimum turn rate of a spin, of a robot that hardly drives. A thing beside it is then in its way until it
+/// drives on. More: a robot that stops in a slow spin gets a clear; less: jitter of odometry turns a stationary one.
+/// Derived: twice kSurelyTurning.
 inline constexpr float kSpinning = 2 * kSurelyTurning;
 /// 2^-14 rad/s. Maximum turn rate of a robot that drives straight or is stationary. Derived: a slower one has no arc.
 inline constexpr auto kRobotStraight = static_cast<std::int32_t>((1 << 14) * kSurelyTurning);
-/// m, radii between which a path is an arc: tighter, the robot turns on the spot; flatter, it drives straight. By
-/// design.
+/// m, minimum radius of an arc: tighter, the robot turns on the spot. By design.
 inline constexpr float kTightestArc = 0.15F;
+/// m, maximum radius of an arc: flatter, the robot drives straight. By design.
 inline constexpr float kFlattestArc = 50.0F;
 
 /// rad. Part of the largest turn between two samples that does not grow with time. Derived: wheels on the tightest arc
@@ -193,15 +196,15 @@ inline constexpr float kNotTurning = kStanding / kTightestArc;
 
 /// Objects whose rows are wrong to the same side before the camera is to blame: fewer may stand on bases. By design.
 inline constexpr unsigned kDoubtfulObjects = 3;
-/// Their mean factor from which on the camera is to blame, where things are nearer than rows say. Less: complaints about
-/// ragged feet; more: two degrees of pitch, which make 1.45 or 1.5, are missed. Hazard table (cameras), seeds 1 to 40,
-/// levels 2 and 3.
+/// Their mean factor from which on the camera is to blame, where things are nearer than rows say. Less: complaints
+/// about ragged feet; more: two degrees of pitch, which make 1.45 or 1.5, are missed. Hazard table (cameras), seeds 1
+/// to 40, levels 2 and 3.
 inline constexpr float kMinNearer = 1.25F;
 /// The same where things are farther, which noise feigns more easily and which only makes alerts come early.
 inline constexpr float kMinFarther = 1.45F;
 /// Alerts widen their distances by what the doubt says, at most by this. By design.
 inline constexpr float kMaxCaution = 2.0F;
-/// Counts of 0.01: a factor is told anew once it has changed by as much. Less: the same said again. By design.
+/// Counts of 0.01. A factor is reported again once it has changed by this. Less: the same said again. By design.
 inline constexpr std::int32_t kDoubtStep = 10;
 
 }  // namespace fencepost::alert
