@@ -1,4 +1,4 @@
-// What was measured on one log, and the means over several.
+// Measures of one log, and the means over several.
 #pragma once
 
 #include <cstdint>

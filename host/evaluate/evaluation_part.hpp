@@ -1,5 +1,5 @@
-// Measures of a part of the logs, written on one machine and joined with others on another: with all their digits, so
-// that the means of the whole do not depend on how it was divided.
+// Measures of a part of the logs, written on one machine and joined with others on another. All digits are kept, so the
+// means of the whole do not depend on how it was divided.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ struct EvaluationPart {
 
 std::string part_json(const EvaluationPart& part);
 
-/// What it says: what is wrong and what to try.
+/// The message says what is wrong and what to try.
 class NotAPart : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

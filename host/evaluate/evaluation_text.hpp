@@ -10,8 +10,8 @@
 namespace fencepost::host {
 
 /// At most 80 columns for names of ordinary size. One log: each object, a row a model and a column a number of views.
-/// Several: means with their standard errors, a row a model and number of views, and what was missed in which log, and
-/// which could not be judged.
+/// Several: means with their standard errors, a row a model and number of views. Then the missed objects by log, and
+/// the logs that could not be judged.
 std::string evaluation_text(std::span<const Evaluation> evaluations, const Summary& summary,
                             const std::vector<std::uint32_t>& views, std::span<const UnjudgedLog> unjudged = {});
 

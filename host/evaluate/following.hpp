@@ -13,7 +13,7 @@
 
 namespace fencepost::host {
 
-/// What is kept for each object that ever was is looked through for deleted ones at so many; a map has fewer.
+/// From this many objects on, data of objects that the map has deleted is removed. A map has fewer objects.
 inline constexpr std::size_t kManyObjects = 256;
 
 class Following {

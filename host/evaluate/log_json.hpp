@@ -1,4 +1,4 @@
-// What was measured on one log as JSON, for the whole document and for a part of it.
+// Measures of one log as JSON, for the whole document and for a part of it.
 #pragma once
 
 #include <nlohmann/json.hpp>

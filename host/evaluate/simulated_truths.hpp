@@ -1,5 +1,5 @@
-// The true owner of each blob of a simulated log while the log is replayed: the scene is simulated beside it, a little
-// ahead, so that neither is ever in memory as a whole.
+// The true owner of each blob of a simulated log while the log is replayed. The scene is simulated beside it, a little
+// ahead, so neither is ever in memory as a whole.
 #pragma once
 
 #include <memory>

@@ -74,7 +74,7 @@ void add_pose(Table& table, const PoseResult& pose) {
 
 enum class What : std::uint8_t { kPose, kFrame, kObject, kAlert };
 
-/// What belongs to one time; its rows are made in order of it.
+/// One item with its time; rows are written in order of time.
 struct Entry {
   double t;
   What what;

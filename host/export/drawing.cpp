@@ -92,7 +92,7 @@ class Painter {
     label({f_.left + f_.width, bottom + 34}, "m; x to the right, y up", kInk, Align::kEnd);
   }
 
-  /// What only tentative objects say may lie outside.
+  /// The object's first model; nothing if it reaches out of the picture, as tentative objects may.
   [[nodiscard]] const ModelResult* shown(const ObjectResult& object) const {
     if (object.models.empty()) return nullptr;
     for (const Polygon& polygon : object.models.front().geometry) {

@@ -19,7 +19,7 @@ struct Shape {
   sensor::Rgb fill;
   double fill_opacity = 0;  ///< closed ones: 0 is no fill, areas are even-odd
   bool dashed = false;
-  std::string title;  ///< what a viewer shows where it can
+  std::string title;  ///< the tooltip in viewers that have one
 };
 
 enum class Align : unsigned char { kStart, kMiddle, kEnd };

@@ -26,9 +26,9 @@ class Projection {
  public:
   explicit Projection(const std::optional<Anchor>& anchor) : anchor_(anchor) {
     if (!anchor) return;
-    // Radii of curvature of the WGS 84 ellipsoid at the anchor.
-    constexpr double kSemiMajor = 6'378'137;
-    constexpr double kFlattening = 1 / 298.257223563;
+    // Radii of curvature at the anchor.
+    constexpr double kSemiMajor = 6'378'137;           // m, WGS 84
+    constexpr double kFlattening = 1 / 298.257223563;  // WGS 84
     constexpr double kSquare = kFlattening * (2 - kFlattening);
     const double s = std::sin(anchor->latitude * kRadians);
     const double w = std::sqrt(1 - kSquare * s * s);
@@ -94,7 +94,7 @@ void add_objects(Json& features, const Run& run, const std::string& model, const
                                                    {"confidence", rounded(object.confidence, 2)},
                                                    {"z_min", rounded(object.z_min, kMetreDecimals)},
                                                    {"z_max", rounded(object.z_max, kMetreDecimals)},
-                                                   // What geojson.io and others draw with.
+                                                   // geojson.io and others draw with these.
                                                    {"fill", colour},
                                                    {"stroke", colour}}));
   }

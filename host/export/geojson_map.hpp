@@ -15,7 +15,7 @@ struct Anchor {
   double bearing = 90;   ///< deg, clockwise from north; 90: x is east, y north
 };
 
-/// A FeatureCollection. Without an anchor coordinates are metres of the map frame, as a member of it says; with one
+/// A FeatureCollection. Without an anchor coordinates are metres of the map frame, as a member of it says. With one
 /// they are longitude and latitude (RFC 7946), good to a millimetre within a kilometre of the anchor.
 std::string geojson_of(const Run& run, const std::string& model, const std::optional<Anchor>& anchor);
 

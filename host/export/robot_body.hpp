@@ -9,7 +9,7 @@
 
 namespace fencepost::host::exports {
 
-/// Robot frame, m. An end whose length was not told is a half circle, as for the alerts.
+/// Robot frame, m. An end without a configured length is a half circle, as for the alerts.
 struct RobotBody {
   double half_width = 0;
   double front = 0;

@@ -47,8 +47,8 @@ class History : public RunObserver {
   std::vector<ObjectAt> objects_;
 };
 
-/// What the last run of a log holds beside what its replay finds: its frames, and its settings at the end. Takes the
-/// same bytes as the replay, in any portions.
+/// Data of a log's last run that its replay does not give: its frames, and its settings at the end. Takes the same
+/// bytes as the replay, in any portions.
 class RunInputs {
  public:
   /// `options`: of the replay; must outlive this. Without `frames` they are not kept.

@@ -23,7 +23,7 @@ struct ImportSummary {
   std::uint64_t frames = 0;
   std::uint64_t blobs = 0;
   std::uint64_t odometry = 0;
-  /// What was left out and why, e.g. {"rows of other robots", 120}; zero counts are not listed.
+  /// Skipped items by reason, e.g. {"rows of other robots", 120}; zero counts are not listed.
   std::vector<std::pair<std::string, std::uint64_t>> skipped;
   std::vector<std::string> notes;  ///< choices worth telling the user, one sentence each
 };

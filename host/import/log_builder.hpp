@@ -22,13 +22,13 @@ struct LogParts {
   std::vector<sensor::BlobFrame> frames;         ///< times strictly increasing
 };
 
-/// Header, calibration (again every 10 s), then odometry by time; each frame follows the first sample at or past
-/// its exposure, so no reader has to wait for its pose.
+/// Header, calibration (again every 10 s), then odometry by time. Each frame follows the first sample at or past its
+/// exposure, so no reader has to wait for its pose.
 /// error: ImportProblem when a value is outside the range of its record.
 std::string build_log(const LogParts& parts);
 
 /// A box from the left edge of column `left` to the right edge, both continuous pixel coordinates, clamped to the
-/// image, over its whole height (no ground row). False when nothing of it is inside.
+/// image. It has the image's whole height (no ground row). False when nothing of it is inside.
 bool make_box(const sensor::CameraIntrinsics& camera, double left, double right, sensor::Blob& blob);
 
 /// `index` of `count` colours evenly spaced in hue.

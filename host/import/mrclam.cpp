@@ -36,8 +36,8 @@ sensor::CameraIntrinsics virtual_camera() {
   return camera;
 }
 
-/// m, of the lens where ranges become ground rows: at 3 m a pitch that is known to 0.3 degrees is 5 % of the range
-/// then, which is the data's own noise.
+/// m. Height of the lens from which ranges become ground rows. At 3 m a pitch known to 0.3 degrees is then 5 % of the
+/// range, which is the data's own noise.
 constexpr double kLensHeight = 0.3;
 
 class MrclamImport {

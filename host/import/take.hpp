@@ -1,4 +1,4 @@
-// What an importer of blobs and poses takes from its source, before it is a record stream.
+// The blobs and poses of an importer's source, before they become a record stream.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +59,7 @@ struct Taken {
   std::vector<std::string> notes;
 };
 
-/// What the source does not know, given by the user.
+/// Given by the user where the source does not know it.
 struct TakeSettings {
   std::optional<sensor::CameraIntrinsics> camera;
   double rate = 20;              ///< frames a second, of texts without times

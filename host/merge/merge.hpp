@@ -49,16 +49,17 @@ struct MergeSource {
 };
 
 struct MergedMap {
-  /// Objects with new ids, of all runs that were joined: what several saw is there once, at the mean of their places,
-  /// with the models of the one with the most views. Counts, paths and guard points are of all joined; no alerts.
+  /// The objects of all joined runs, with new ids. An object that several runs saw is there once, at the mean of its
+  /// places, with the models of the one with the most views. Counts, paths and guard points are of all joined; no
+  /// alerts.
   ResultDocument map;
   std::vector<RunJoin> runs;                      ///< in the order given; the first is always joined
   std::vector<std::vector<MergeSource>> sources;  ///< by object of the map
   std::vector<std::string> notes;                 ///< signatures with two names: one sentence each
 };
 
-/// At least one run. A run whose objects do not tell surely where it belongs stays out, with the reason; others may
-/// help: each is tried again when the map has grown.
+/// Takes at least one run. A run stays out, with the reason, if its objects do not determine where it belongs. It is
+/// tried again when other runs have enlarged the map.
 MergedMap merge(const std::vector<RunMap>& runs);
 
 /// Why a run stays out, and what would help; for a joined one empty.

@@ -1,5 +1,5 @@
-// Where a run of a log begins in a map that was known before it, by what was seen from its start on: for runs that are
-// too short to make a map of their own.
+// Locates the start of a run in a known map, by the sightings from its start on. For runs that are too short to make a
+// map of their own.
 #pragma once
 
 #include <optional>

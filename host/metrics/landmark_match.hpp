@@ -45,7 +45,7 @@ constexpr MatchOutcome result_type(MatchOutcome outcome) {
 }
 std::string_view name(MatchOutcome outcome);
 
-/// What is true of a landmark in the real image.
+/// Ground truth about a landmark in the real image.
 struct LandmarkTruth {
   bool present = false;   ///< it is there, whole: to find it is expected
   bool is_match = false;  ///< the accepted region is (a piece of) the landmark

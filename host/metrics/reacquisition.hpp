@@ -1,5 +1,5 @@
-// Reacquisition error: the dissimilarity of a region of a real image and a rendered region (paper Fig. 6: hue, colour,
-// width and height, shape, location, in decreasing importance).
+// Reacquisition error: the dissimilarity of a region of a real image and a rendered region. Its terms in decreasing
+// importance are hue, colour, width and height, shape, location (paper Fig. 6).
 #pragma once
 
 #include <array>

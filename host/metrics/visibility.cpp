@@ -13,8 +13,8 @@ constexpr double kNear = 1e-3;
 /// Slopes closer together than this are one.
 constexpr double kSameSlope = 1e-12;
 
-/// In the camera's frame a ray of slope m is (1, -m) s, and along a wall 1/s is linear in m: so are all comparisons
-/// below, and their limits are exact.
+/// In the camera's frame a ray of slope m is (1, -m) s, and along a wall 1/s is linear in m. All comparisons below are
+/// linear too, so their limits are exact.
 struct Linear {
   double at_low = 0;  ///< at the ends of the slab in question
   double at_high = 0;
@@ -149,7 +149,7 @@ std::vector<const Wall*> crossed(const Solid& solid, Slab slab) {
 void list_hidden(const Solid& solid, const Target& target, Slab slab, std::vector<Slab>& hidden) {
   const std::vector<const Wall*> walls = crossed(solid, slab);
   for (std::size_t i = 0; i + 1 < walls.size(); i += 2) {
-    if (walls[i] == &target.wall) return;  // what is farther hides nothing
+    if (walls[i] == &target.wall) return;  // farther walls hide nothing
     const Slab part = hidden_by(solid, walls[i]->inverse(slab), walls[i + 1]->inverse(slab), target, slab);
     if (part.width() > 0) hidden.push_back(part);
   }

@@ -10,7 +10,7 @@
 
 namespace fencepost::host {
 
-/// What an image can show: slopes of rays (1, -across, rise), see PixelRays.
+/// Slopes of the rays (1, -across, rise) that an image can show, see PixelRays.
 struct FieldOfView {
   double across_min = 0;
   double across_max = 0;
@@ -22,9 +22,9 @@ struct FieldOfView {
 /// no upright rectangle of slopes; then the middle row and the middle column count.
 FieldOfView field_of_view(const sensor::CameraIntrinsics& camera, double pitch);
 
-/// The part of the perimeter of `objects[object]` above which some of the wall is in the image: it faces the lens, lies
-/// in the field of view, and no other single wall or lid occludes it from top to bottom. Joint occlusion by several
-/// objects is not considered. Cost: about 1 ms for two circles of 256 vertices.
+/// The visible part of the perimeter of `objects[object]`: it faces the lens and some of its wall is in the image. No
+/// other single wall or lid occludes it from top to bottom; joint occlusion by several objects is not considered. Cost:
+/// about 1 ms for two circles of 256 vertices.
 PerimeterPart visible_perimeter(const std::vector<SceneObject>& objects, std::size_t object, const CameraPose& camera,
                                 const FieldOfView& view);
 

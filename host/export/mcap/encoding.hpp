@@ -1,4 +1,4 @@
-// What a viewer is told of a run, in one of the vocabularies that viewers know.
+// A run as messages for a viewer, in one of the vocabularies that viewers know.
 #pragma once
 
 #include <memory>

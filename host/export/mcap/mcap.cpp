@@ -104,7 +104,7 @@ class Recording {
     add(std::move(change));
   }
 
-  /// What the map holds at the end, and what it does not hold any more.
+  /// The map's objects at the end, and the removal of those that it has no more.
   void add_end() {
     if (run_.document.path.empty()) return;
     SceneChange change;

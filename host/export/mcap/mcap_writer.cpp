@@ -44,7 +44,7 @@ class Fields {
     return *this;
   }
   Fields& string(std::string_view text) { return integer(static_cast<std::uint32_t>(text.size())).raw(text); }
-  /// What a count of bytes comes before.
+  /// A list with its number of bytes in front.
   Fields& list(const Fields& items) { return string(items.bytes_); }
   Fields& strings(const std::map<std::string, std::string>& values) {
     Fields items;

@@ -41,7 +41,7 @@ void colour(CdrWriter& cdr, sensor::Rgb rgb, float opacity) {
   cdr.single(rgb.red / kFull).single(rgb.green / kFull).single(rgb.blue / kFull).single(opacity);
 }
 
-/// What tells one marker from another: its namespace and number.
+/// A marker's identity is its namespace and number.
 struct MarkerHead {
   double t;
   std::string_view ns;

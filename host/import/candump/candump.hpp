@@ -1,4 +1,4 @@
-// What `candump -l`, `candump -L` and `candump -t a` print, through the mapping of a robot file.
+// Reads the output of `candump -l`, `candump -L` and `candump -t a` through the mapping of a robot file.
 #pragma once
 
 #include <string>

@@ -28,8 +28,8 @@ class CsvRow {
   std::string place_;
 };
 
-/// The header is the first line that is neither blank nor a comment (#); fields are parted by commas, or by semicolons
-/// or tabs if the header is.
+/// The header is the first line that is neither blank nor a comment (#). Fields are separated by commas, or by
+/// semicolons or tabs if the header has those.
 class CsvReader {
  public:
   /// errors: ImportProblem: nothing in it, or a name twice

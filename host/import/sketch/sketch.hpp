@@ -1,4 +1,4 @@
-// What the example programs of Pixy2's, Pixy's, the HuskyLens' and CMUcams' Arduino libraries print.
+// Reads the output of the example programs in the Arduino libraries of Pixy2, Pixy, HuskyLens and CMUcams.
 #pragma once
 
 #include <string>
