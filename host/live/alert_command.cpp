@@ -22,8 +22,8 @@ constexpr std::string_view kOurs = "FENCEPOST_";
 constexpr std::chrono::milliseconds kKillGrace{200};
 constexpr std::chrono::milliseconds kPoll{2};  // between looks whether a command has ended
 
-/// What the new process does before the shell, and as what it runs: in a group of its own, so that Ctrl-C is not for it
-/// and all that it started can be killed, with signals as a shell expects them, and nothing of ours open.
+/// Attributes of the new process, before its shell. It has a process group of its own: Ctrl-C does not reach it, and
+/// all its children can be killed together. Signals are as a shell expects them, and none of our files is open.
 class Spawning {
  public:
   Spawning() {

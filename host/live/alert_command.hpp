@@ -16,9 +16,9 @@
 
 namespace fencepost::host {
 
-/// Started on a thread of its own, one at a time: while one runs the newest change waits, and takes the place of one
-/// that waited. One that runs for longer than `longest` is killed, lest a stop wait behind it for ever. One that cannot
-/// be killed is given up, and the next one runs beside it.
+/// Runs the command on a thread of its own, one at a time. Meanwhile the newest change waits, in place of one that
+/// waited before. A command that runs longer than `longest` is killed, so that a stop does not wait behind it for ever.
+/// If it cannot be killed it is given up, and the next one runs beside it.
 class AlertCommand final : public AlertOutput {
  public:
   static constexpr std::chrono::milliseconds kLongest{2'000};
@@ -53,7 +53,7 @@ class AlertCommand final : public AlertOutput {
   std::vector<pid_t> given_up_;              ///< survived SIGKILL; of the thread
   std::optional<record::AlertLevel> level_;  ///< that was last pushed
 
-  std::mutex mutex_;  ///< of what follows, up to `thread_`
+  std::mutex mutex_;  ///< guards the members up to `thread_`
   std::condition_variable changed_;
   std::optional<AlertNow> due_;
   bool busy_ = false;

@@ -1,4 +1,4 @@
-// The alert in force, as outputs beside the console are told of it: commands, a line, frames of a bus.
+// The alert in force, for outputs beside the console: commands, a line, frames of a bus.
 #pragma once
 
 #include <map>
@@ -50,11 +50,11 @@ class AlertOutput {
   virtual void show(const AlertNow& alert, base::Time now) = 0;
   /// The run is over: what moves has to stop. May take a few seconds.
   virtual void end(base::Time now) = 0;
-  /// What became of it, a sentence each; asked once a turn.
+  /// Its messages, a sentence each; asked once a turn.
   virtual std::vector<std::string> news() { return {}; }
 };
 
-/// An output is told of the state in force at least so often.
+/// Maximum interval at which an output repeats the state in force.
 inline constexpr base::Duration kShowInterval = base::milliseconds(40);
 
 }  // namespace fencepost::host

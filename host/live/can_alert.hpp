@@ -55,7 +55,7 @@ class CanAlert final : public AlertOutput {
   std::vector<std::string> news() override;
 
  private:
-  /// What a receiver acts upon at once.
+  /// Fields that a receiver acts upon at once: a change is sent without delay.
   struct Key {
     record::AlertLevel level = record::AlertLevel::kBlind;
     sensor::LinkState camera = sensor::LinkState::kAbsent;

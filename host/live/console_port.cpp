@@ -22,9 +22,9 @@ namespace {
 using base::Error;
 using linux::Descriptor;
 
-/// What a terminal or a pipe takes without waiting once poll(2) says that it can be written.
+/// Bytes that a terminal takes without waiting once poll(2) says that it can be written.
 constexpr std::size_t kTerminalPortion = 256;
-constexpr std::size_t kPipePortion = 4096;  // PIPE_BUF
+constexpr std::size_t kPipePortion = 4096;  // for a pipe: PIPE_BUF
 
 /// A file is abandoned after its disk took nothing for this long while the memory for it is full.
 constexpr base::Duration kGivenUp = base::milliseconds(10'000);

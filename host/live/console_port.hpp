@@ -40,7 +40,7 @@ class ConsolePort : public BytePort {
   /// Waits until everything accepted has been written, as long as something is written every `patience`. Returns the
   /// bytes that will never be.
   virtual std::uint64_t finish(std::chrono::milliseconds /*patience*/) { return 0; }
-  /// What is typed is a file or a pipe, which waits until it is read.
+  /// The input is a file or a pipe, which waits until it is read.
   [[nodiscard]] virtual bool input_waits() const { return false; }
   /// The input has ended.
   [[nodiscard]] virtual bool ended() const { return false; }
@@ -120,10 +120,10 @@ class LineConsole final : public ConsolePort {
   std::unique_ptr<BytePort> port_;
 };
 
-/// The loop's link. Output is discarded while the line is gone and resumes with a whole line. With `may_lose`, so is
-/// output that was not accepted for a second: for a console in mode log beside a log on disk, which must not hold up
-/// the robot because nobody reads it. Without a log on disk such a console is the log, and inputs are refused rather
-/// than lost.
+/// The loop's link. Output is discarded while the line is gone and resumes with a whole line. With `may_lose`, output
+/// that was not accepted for a second is discarded too. That is for a console in mode log beside a log on disk: it must
+/// not hold up the robot because nobody reads it. Without a log on disk such a console is the log: inputs are refused
+/// rather than lost.
 class PatientConsole {
  public:
   PatientConsole(ConsolePort& port, bool may_lose) : port_(port), may_lose_(may_lose) {}

@@ -140,11 +140,11 @@ class PortedOdometry final : public PortedDevice<OdometryDevice, Stack> {
   base::Result<sensor::OdometrySample> poll(base::Time now) override { return this->stack_.driver.poll(now); }
 };
 
-/// What a run polls.
+/// The devices that a run polls.
 struct Devices {
   std::unique_ptr<OdometryDevice> odometry;
   std::unique_ptr<CameraDevice> camera;
-  /// The camera's own profile with the robot's numbers over it; empty where the console has to tell it.
+  /// The camera's own profile with the robot's numbers over it; empty where the calibration comes over the console.
   std::optional<sensor::CameraIntrinsics> intrinsics;
 };
 

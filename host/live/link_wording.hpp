@@ -1,4 +1,4 @@
-// What this machine knows of a device beyond its link's state: who and where it is, and what to try.
+// Wording for a device that its link's state does not have: its name, its place, and what to try.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ struct DeviceLabel {
   std::string name;     ///< "camera pixy2 at /dev/ttyUSB0"
   std::string device;   ///< "pixy2"
   std::string detail;   ///< "/dev/ttyUSB0"
-  std::string silent;   ///< what to check where nothing answers
+  std::string silent;   ///< things to check where nothing answers
   std::string unready;  ///< why it may answer and not work
 };
 
 /// As console::LinkWords, which are views; these own what they say.
 struct LinkWording {
   std::string name;    ///< "camera pixy2 at /dev/ttyUSB0"
-  std::string device;  ///< "pixy2"; empty: nothing is told of it
+  std::string device;  ///< "pixy2"; empty: no words about it
   std::string detail;  ///< "/dev/ttyUSB0"
   std::string remedy;
 };

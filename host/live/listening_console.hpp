@@ -8,8 +8,8 @@
 
 namespace fencepost::host {
 
-/// Whoever connects while another is, is told so and sent away. What is said while nobody is connected is discarded by
-/// PatientConsole, as on a line that is unplugged.
+/// A second visitor is refused with a message while another is connected. Output while nobody is connected is discarded
+/// by PatientConsole, as on a line that is unplugged.
 class ListeningConsole final : public ConsolePort {
  public:
   /// `host`: of this machine, an address or a name; port 0: any that is free. errors: DeviceFailure

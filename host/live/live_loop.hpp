@@ -42,7 +42,7 @@ class LiveLoop {
   /// The longest turn so far, for FPSTA.
   virtual void note_turn(std::uint32_t microseconds) = 0;
 
-  /// What is in force now.
+  /// The state in force now.
   [[nodiscard]] virtual record::Heartbeat in_force() const = 0;
   /// How fast the robot may be while that is in force.
   [[nodiscard]] virtual record::SpeedLimit speed_limit(const record::Heartbeat& beat) const = 0;

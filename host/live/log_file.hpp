@@ -22,7 +22,7 @@ struct LogFileSettings {
   /// A part ends with the first line that makes it this long, or that comes when it is this old. 0: never.
   std::uint64_t part_bytes = 0;
   base::Duration part_age{};
-  /// What each part after the first begins with, such as the records that say how to read the others; may be empty.
+  /// First lines of each later part, such as the records that say how to read the others; may be empty.
   std::function<std::string()> part_start{};
 };
 

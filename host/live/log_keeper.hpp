@@ -10,8 +10,8 @@
 
 namespace fencepost::host {
 
-/// The log is the whole truth up to its end. A disk that is too slow makes the loop refuse inputs, and count them; one
-/// that fails, or that takes nothing for long while all memory for it is full, ends the log but not the run.
+/// The log is the whole truth up to its end. A disk that is too slow makes the loop refuse inputs, and count them. The
+/// log ends, but not the run, when the disk fails or takes nothing for long while its memory is full.
 class LogKeeper {
  public:
   using Say = std::function<void(std::string_view)>;
@@ -34,8 +34,9 @@ class LogKeeper {
   /// Since the start, if it failed.
   [[nodiscard]] base::Duration until() const { return until_; }
 
-  /// After this long without progress the disk is reported; at the end, or without memory left, it is abandoned.
+  /// A disk without progress for this long is reported.
   static constexpr base::Duration kSlow = base::milliseconds(2'000);
+  /// After this long without progress the log is abandoned, at the end of a run or once its memory is full.
   static constexpr base::Duration kGivenUp = base::milliseconds(10'000);
 
  private:

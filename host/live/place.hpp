@@ -34,13 +34,13 @@ std::optional<Place> parse_tcp(std::string_view text, std::uint32_t least = 1);
 /// A serial port as Windows names it: "COM3", or "\\\\.\\COM12".
 bool is_com_port(std::string_view text);
 
-/// What a text without known name is the place of: "usb", "/dev/i2c-1", any path, and with `can` any other word too.
+/// The place that a text without known name means: "usb", "/dev/i2c-1", any path, and with `can` any other word too.
 Place place_in(std::string_view text, bool can);
 
 /// How places of a kind are written: "/dev/tty..."; of kNone nothing.
 std::string_view place_pattern(PlaceKind kind);
 
-/// What to check where nothing answers at such a place.
+/// Things to check where nothing answers at such a place.
 std::string_view silent_remedy(PlaceKind kind);
 
 }  // namespace fencepost::host

@@ -16,7 +16,7 @@
 
 namespace fencepost::host {
 
-/// What a port of any kind can do.
+/// The interface of ports of any kind.
 class Port {
  public:
   virtual ~Port() = default;

@@ -36,7 +36,7 @@ class FramesSession {
       static_cast<void>(record::decode(line_, {}, *this));
       line_.clear();
     } else if (line_.size() < record::kMaxLine) {
-      // What was cut off before a line, by an unplug or a start of the program, is no part of it.
+      // A piece of a line before the `$`, cut off by an unplug or a start of the program, is dropped.
       if (byte == '$') line_.clear();
       if (line_.empty()) began_ = now;
       line_ += static_cast<char>(byte);

@@ -18,7 +18,7 @@
 
 namespace fencepost::host {
 
-/// What the file says of the camera; the rest stays as in the camera's own profile. Units as in CameraIntrinsics.
+/// The file's numbers of the camera; the rest stays as in the camera's own profile. Units as in CameraIntrinsics.
 struct CameraNumbers {
   std::optional<sensor::Text> model;
   std::optional<std::uint16_t> width;
@@ -37,7 +37,7 @@ struct CameraNumbers {
   [[nodiscard]] sensor::CameraIntrinsics over(sensor::CameraIntrinsics profile) const;
 };
 
-/// What the file says of the wheels; the rest stays as the driver has it.
+/// The file's numbers of the wheels; the rest stays as the driver has it.
 struct WheelNumbers {
   std::optional<std::int64_t> left_pm_per_count;  ///< negative: counts down when driving forward
   std::optional<std::int64_t> right_pm_per_count;

@@ -228,8 +228,9 @@ class Run {
     summary_.log_bytes = parts_.log->bytes();
   }
 
-  /// When something may have become of what the disk or the console did not take.
+  /// Time after which the disk or the console is tried again.
   static constexpr base::Duration kSoon = base::milliseconds(10);
+  /// At the end the console's output is waited for as long as something of it is written this often.
   static constexpr std::chrono::milliseconds kPatience{10'000};
 
   const RunPlan& plan_;

@@ -30,7 +30,7 @@ struct RunPlan {
   bool ends_without_log = false;           ///< a log that cannot be written any more ends the run
 };
 
-/// What a run is given; all of it is borrowed.
+/// The parts of a run; all of them are borrowed.
 struct RunParts {
   linux::MonotonicClock clock;
   Devices& devices;
@@ -39,7 +39,7 @@ struct RunParts {
   std::function<void(std::string_view)> say;            ///< messages for people, a line each
   const volatile std::sig_atomic_t& interrupted;        ///< not 0: stop
   int interrupted_descriptor = -1;                      ///< readable then; -1: an interrupt is seen a little later
-  std::vector<AlertOutput*> outputs = {};               ///< what follows the alert in force, beside console and log
+  std::vector<AlertOutput*> outputs = {};               ///< follow the alert in force, beside console and log
   std::function<void(std::string_view)> follower = {};  ///< gets the log's lines, whole; must not wait
 };
 

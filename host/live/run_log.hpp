@@ -18,7 +18,7 @@ struct RunLogSettings {
   bool overwrite = false;
   std::uint64_t part_bytes = 0;  ///< 0: no limit
   base::Duration part_age{};     ///< 0: no limit
-  std::string profile;           ///< told at the start of later parts, which have no FPHDR
+  std::string profile;           ///< named at the start of later parts, which have no FPHDR
 };
 
 /// Later parts begin with a comment and the calibration in force, but without FPHDR: the run goes on. So all parts, one

@@ -69,7 +69,8 @@ class Guard {
   Clock::time_point until_;
 };
 
-// What the terminal or a service manager sends to all is for the program; its end is seen by the socket.
+// Ignores the signals that a terminal or a service manager sends to all: they are for the program. The socket shows the
+// program's end.
 void outlive_the_program() {
   for (const int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGTSTP}) std::signal(number, SIG_IGN);
   ::prctl(PR_SET_NAME, "fencepost-stop");

@@ -23,8 +23,8 @@ struct StopLineSpec {
 /// errors: a sentence that says what is wrong and what is allowed
 base::Result<StopLineSpec, std::string> parse_stop_line(std::string_view text);
 
-/// A process of its own has the line. It holds the motors when it was not told otherwise for kPatience: while this
-/// program hangs, and after it has ended, whatever ended it.
+/// A process of its own has the line. It holds the motors unless it got a go within kPatience: while this program
+/// hangs, and after it has ended for whatever reason.
 class StopLine final : public AlertOutput {
  public:
   static constexpr base::Duration kPatience = base::milliseconds(300);

@@ -30,7 +30,7 @@ class SyncThread {
  private:
   void run();
 
-  mutable std::mutex mutex_;  ///< of what follows, up to `thread_`
+  mutable std::mutex mutex_;  ///< guards the members up to `thread_`
   std::condition_variable changed_;
   std::deque<linux::Descriptor> due_;
   bool working_ = false;

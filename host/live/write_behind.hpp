@@ -32,8 +32,8 @@ class Sink {
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
 
-/// A bounded queue of lines and the thread that writes them. What does not fit is not accepted, which the caller sees:
-/// a loop that uses an input only if its record was accepted agrees with its log. After a fault nothing is accepted.
+/// A bounded queue of lines and the thread that writes them. Lines that do not fit are refused, and the caller sees it.
+/// So a loop that uses an input only if its record was accepted agrees with its log. After a fault nothing is accepted.
 class WriteBehind {
  public:
   using Fault = Sink::Fault;

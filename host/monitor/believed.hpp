@@ -1,4 +1,4 @@
-// What a robot believes, as its log says it: kept up to date record by record, for a screen or for plain lines.
+// The robot's beliefs by its log, kept up to date record by record, for a screen or for plain lines.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class Believed {
   [[nodiscard]] const std::optional<Pose>& pose() const { return pose_; }
   [[nodiscard]] const std::vector<Point>& trail() const { return trail_; }  ///< m, map frame, oldest first
   [[nodiscard]] const std::map<std::uint32_t, record::ObjectReport>& objects() const { return objects_; }
-  /// What is not clear, by object.
+  /// Alerts that are not clear, by object.
   [[nodiscard]] const std::map<std::uint32_t, record::AlertReport>& alerts() const { return alerts_; }
   [[nodiscard]] record::AlertLevel level() const;  ///< the highest in force
   [[nodiscard]] const std::map<std::string, record::LinkReport>& links() const { return links_; }

@@ -12,8 +12,8 @@ namespace fencepost::host::monitor {
 namespace {
 
 constexpr double kSmallest = 0.5;  ///< m, each way around the robot
-constexpr double kTallCells = 2;   ///< a cell is so many times as high as wide
-constexpr double kLongestAgo = 3;  ///< s; an object not told of since is remembered, not seen
+constexpr double kTallCells = 2;   ///< height of a cell over its width
+constexpr double kLongestAgo = 3;  ///< s; an object not reported for longer is remembered, not seen
 
 struct Bounds {
   Point low{HUGE_VAL, HUGE_VAL};

@@ -1,4 +1,4 @@
-// What a robot believes as one screen of a terminal: level, map, objects, alerts, links. A pure function of both.
+// The robot's beliefs as one screen of a terminal: level, map, objects, alerts, links. A pure function.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace fencepost::host::monitor {
 struct Caption {
   std::string name;   ///< of the port or log
   std::string state;  ///< such as "x2", "paused", "unplugged"; may be empty
-  std::string keys;   ///< what can be typed
+  std::string keys;   ///< the available keys
 };
 
-/// Fits any size: from 72 columns on the objects stand beside the map, else below it; what has no room is left out, the
-/// level and the nearest alert last.
+/// Fits any size. From 72 columns on the objects are beside the map, else below it. Parts without room are left out,
+/// the level and the nearest alert last.
 Cells screen_of(const Believed& believed, const Caption& caption, Size size);
 
 /// "STOP", ...

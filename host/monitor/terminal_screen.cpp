@@ -108,7 +108,7 @@ std::string TerminalScreen::keys() {
     }
     for (ssize_t i = 0; i < count; ++i) {
       const char c = buffer[static_cast<std::size_t>(i)];
-      if (c == '\x1b') break;  // what a cursor key sends comes as one
+      if (c == '\x1b') break;  // a cursor key's sequence comes as one
       typed += c;
     }
   }

@@ -22,7 +22,7 @@ class TerminalScreen {
   [[nodiscard]] static Size size();
   /// Sends the rows that changed. False: the terminal has gone.
   bool show(const Cells& cells, bool bell);
-  /// What was typed; nothing waits. Escape sequences of cursor keys are left out.
+  /// Typed characters; never waits. Escape sequences of cursor keys are left out.
   std::string keys();
   [[nodiscard]] bool has_keys() const { return has_keys_; }
 

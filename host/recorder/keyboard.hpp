@@ -23,7 +23,7 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// What is to be sent now; never waits. From a terminal whole lines, each ended with CR.
+  /// The characters to send now; never waits. From a terminal whole lines, each ended with CR.
   std::string read();
   /// Once in a while: a shell that stopped and continued the program has set the terminal its own way.
   void tend();

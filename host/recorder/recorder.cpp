@@ -153,7 +153,7 @@ void Recorder::sleep() {
   set.wait_until(parts_.clock, deadline);
 }
 
-// What the kernel holds already has come, too.
+// Also takes the bytes that the kernel holds already.
 RecordingEnd Recorder::end() {
   if (!fault_) receive();
   tally_.finish();

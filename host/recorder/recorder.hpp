@@ -18,8 +18,8 @@ namespace fencepost::host {
 
 struct RecorderSettings {
   std::string port_name;  ///< for messages
-  /// Sent when the port is there, each time it is there again, and a few times more until a record comes: many boards
-  /// restart when their port is opened, and miss what is sent meanwhile. Empty: nothing is sent.
+  /// Sent when the port is there, each time it is there again, and a few times more until a record comes. Many boards
+  /// restart when their port is opened, and miss the first greeting. Empty: nothing is sent.
   std::string greeting;
   bool ends_with_port = false;  ///< a pipe's end is the end; a serial port is waited for
   std::optional<base::Duration> length{};

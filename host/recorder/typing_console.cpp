@@ -16,7 +16,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kEraseTyped = "\r\x1b[K";
-constexpr std::size_t kPortion = 256;                            // what a terminal takes without waiting
+constexpr std::size_t kPortion = 256;                            // bytes that a terminal takes without waiting
 constexpr base::Duration kBellPause = base::milliseconds(2000);  // one alert is repeated faster than that
 
 bool writable() {
