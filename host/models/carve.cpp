@@ -13,8 +13,8 @@ namespace {
 // |normal.x| below this: the boundary is parallel to the rows to float precision, a row goes whole or not at all.
 constexpr float kParallelToRows = 1e-6F;
 
-// A half plane over the grid, distances in cells, from the corner `low`: cell (i, j) is wholly outside if its innermost
-// corner is, that is if nx (i + [nx < 0]) + ny (j + [ny < 0]) > bound.
+// A half plane over the grid, distances in cells, from the corner `low`. Cell (i, j) is wholly outside if its innermost
+// corner is: nx (i + [nx < 0]) + ny (j + [ny < 0]) > bound.
 struct Boundary {
   float nx;
   float ny;
@@ -26,10 +26,10 @@ struct Boundary {
   [[nodiscard]] float rest(int j) const { return bound - ny * static_cast<float>(j + from); }
 };
 
-// The loops below are written for vectors: no branches, as little as possible done a row, and all of it exact or
-// rounded once, so that it does not matter how many rows are done at a time.
+// The loops below are written for vectors: no branches, and as little work a row as possible. Every step is exact or
+// rounded once, so the number of rows done at a time does not change the result.
 
-// What is outside is at the right, from the first column i with i > x = rest / nx: all columns where x is negative.
+// Cuts the columns at the right, from the first i with i > x = rest / nx on: all columns where x is negative.
 void cut_right(const Boundary& b, std::int16_t* end, int row, int row_end) {
   for (; row < row_end; ++row) {
     const float x = b.rest(row) / b.nx;
@@ -41,7 +41,7 @@ void cut_right(const Boundary& b, std::int16_t* end, int row, int row_end) {
   }
 }
 
-// What is outside is at the left: the columns i with i + 1 < x = rest / nx.
+// Cuts the columns at the left: those i with i + 1 < x = rest / nx.
 void cut_left(const Boundary& b, std::int16_t* begin, int row, int row_end) {
   const float most = b.size + 0.5F;  // beyond the last column, and not whole
   for (; row < row_end; ++row) {
@@ -61,9 +61,9 @@ void cut_rows(const Boundary& b, std::int16_t* end, int row, int row_end) {
   }
 }
 
-// The same boundary in whole numbers, for a desk: x in units of 2^-20 columns, from row to row by one addition, where
-// the loops above divide. What the units and rounding leave open is less than `open`: as long as no x is as near to a
-// whole column as that, the cut is the same.
+// The same boundary in whole numbers, for a desk: x in units of 2^-20 columns. It goes from row to row by one addition,
+// where the loops above divide. Units and rounding leave open less than `open`. As long as no x is that near to a whole
+// column, the cut is the same.
 struct WholeBoundary {
   static constexpr int kBits = 20;
   static constexpr std::int32_t kColumn = 1 << kBits;
@@ -85,8 +85,9 @@ struct WholeBoundary {
     possible = std::fabs(x) < kMax && all_steps < kMax;
     start = possible ? nearest(x * kColumn) : 0;
     step = possible ? nearest(slope * kColumn) : 0;
-    // Half a unit a row for the step and a whole one for the start. The plain form rounds products of ny, what is left
-    // and x, each by 2^-24 of all steps, x and x at most, columns, and no x is larger than that of row 0 and all steps.
+    // Half a unit a row for the step and a whole one for the start. The plain form rounds products of ny, the rest and
+    // x. Each error is at most 2^-24 of all steps, x and x, in columns. No x is larger than that of row 0 and all
+    // steps.
     const double rounding = (2 * std::fabs(x) + 3 * all_steps) / 16;
     open = (possible ? static_cast<std::int32_t>(rounding) : 0) + 1 + rows / 2 + 2;
   }
@@ -108,8 +109,7 @@ template <class Lanes>
   return all != 0;
 }
 
-// x of a block of rows, those with even numbers and those with odd ones: so their upper halves, side by side, are in
-// the order of the rows.
+// x of a block of rows, even and odd rows apart: so their upper halves, side by side, are in the order of the rows.
 struct BlockOfRows {
   HalfBlock even;
   HalfBlock odd;

@@ -1,13 +1,13 @@
 // Alg. 3 as the paper has it (sec. II.D): the world is solid, cells outside the fenceposts are cut away. One grid of
 // cells per object. A cell goes only if it lies wholly outside a wedge's side, and never comes back.
 //
-// A half plane takes cells off one end of each row, so what is left of a row is one run, and a row is kept as where
-// that begins and ends: a quarter of a bit a cell, and a cut need not touch the cells.
+// A half plane takes cells off one end of each row, so the cells of a row that remain are one run. A row is kept as the
+// run's begin and end: a quarter of a bit a cell, and a cut need not touch the cells.
 //
-// Placement: a square, first as large as the arena around the first estimated centre. Whenever the clip of the same
-// wedges has become smaller than kRefineShare of the square, the grid is placed anew around the clip, with finer cells,
-// and carved by the clip's edges: no wedge is forgotten. The side shrinks by at least 1/kRefineMargin*kRefineShare each
-// time and never below kSmallestSide, so there are at most 9 placements.
+// Placement: a square, first as large as the arena around the first estimated centre. Once the clip of the same wedges
+// is smaller than kRefineShare of the square, the grid is placed anew around it, with finer cells. It is then carved by
+// the clip's edges, so no wedge is forgotten. The side shrinks by at least 1/kRefineMargin*kRefineShare each time and
+// never below kSmallestSide, so there are at most 9 placements.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,9 @@ inline constexpr float kSmallestSide = 0.04F;  ///< m
 /// A cell is kept unless it is outside by more than this (m): room for float rounding, on the safe side.
 inline constexpr float kCarveGuard = 2e-6F;
 
-/// Many rows are carved fastest in whole blocks of so many; kManyRows are not many yet.
+/// Many rows are carved fastest in whole blocks of this many.
 inline constexpr std::size_t kCarveBlock = 16;
+/// Up to this many rows blocks do not pay.
 inline constexpr std::size_t kManyRows = 4 * kCarveBlock;
 
 /// Where a square grid lies: local frame, metres. `low` is the outer corner of cell (0, 0).
@@ -56,8 +57,8 @@ struct RowRange {
 void carve_half_plane(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane);
 
-/// The same bits where rows are many, in whole blocks of kCarveBlock: the other rows of a block in which the range ends
-/// have to be empty. Returns the range without the rows that are empty at either end.
+/// The same bits where rows are many, in whole blocks of kCarveBlock. The rows outside the range have to be empty in
+/// the blocks in which it ends. Returns the range without the rows that are empty at either end.
 RowRange carve_blocks(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane);
 
@@ -128,8 +129,8 @@ class CarveGrid {
  private:
   void place(const GridPlacement& placement) {
     placement_ = placement;
-    // A zero that compilers do not know of: of a known one they make the processor's string instruction, which takes
-    // longer to begin than all rows of it.
+    // A zero that compilers cannot see: a known one makes them use the processor's string instruction, whose start
+    // takes longer than all rows.
     std::int32_t zero = 0;
     __asm__("" : "+r"(zero));
     begin_.fill(static_cast<std::int16_t>(zero));

@@ -1,5 +1,5 @@
-// Alg. 3 as one model (paper sec. II.D): the grid of cells, and the exact polygon of the same wedges, by which the grid
-// is placed anew with finer cells.
+// Alg. 3 as one model (paper sec. II.D): the grid of cells, and the exact polygon of the same wedges. The grid is
+// placed anew around the polygon, with finer cells.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 namespace fencepost::recon {
 
-/// What elimination leaves of each row, for the way back.
+/// The parts of each row that elimination leaves, for the way back.
 template <class Number>
 struct BandFactors {
   std::array<Number, kRing> first;

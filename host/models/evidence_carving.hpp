@@ -1,6 +1,6 @@
-// Alg. 3 (paper sec. II.D) with the cuts that the hybrid's evidence contradicts left out. One wedge that is wrong, or a
-// hundred that are noisy, carve all away, and nothing that was carved comes back; so the tangents are kept, and carved
-// with when somebody asks. The paper's form is recon::Carving.
+// Alg. 3 (paper sec. II.D) without the cuts that the hybrid's evidence contradicts. One wrong wedge, or a hundred noisy
+// ones, carve all away, and carved cells never come back. So the tangents are kept, and carved with on request. The
+// paper's form is recon::Carving.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +44,8 @@ class KeptTangents {
   std::vector<recon::HalfPlane> tangents_;
 };
 
-/// A tangent is contradicted if it cuts off a piece of the hybrid's outline that is thicker than so many of the
-/// outline's own sigmas there. More: noise eats the object; less: corners stay. quality_table, seeds 5001 to 5016.
+/// Threshold in sigmas of the hybrid's outline. A tangent is contradicted if the piece that it cuts off is thicker
+/// there. More: noise eats the object; less: corners stay. quality_table, seeds 5001 to 5016.
 inline constexpr float kContradictedSigmas = 2.0F;
 
 /// The outline of one hybrid, to be asked about tangents.

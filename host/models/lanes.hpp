@@ -1,5 +1,5 @@
-// Four numbers in the place of one, for what is done to four outlines at once: each lane has the bits that a float
-// would have. GCC and clang make of it what the processor has.
+// Four numbers in place of one, for four outlines at once: each lane has the bits that a float would have. GCC and
+// clang compile it to the processor's own vectors.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// Fits the outlines of up to four objects at once, from beginning to end: on a processor with vectors in a fraction of
-// the time that HybridSolver takes for one after the other, to the same bits. All tangents of an object are weighed
-// side by side (tangent_terms), and what has to be done row by row is done for four objects at a time (lanes).
+// Fits the outlines of up to four objects at once, to the same bits as HybridSolver one after the other. A processor
+// with vectors needs a fraction of the time. All tangents of an object are weighed side by side (tangent_terms). Work
+// that goes row by row is done for four objects at a time (lanes).
 #pragma once
 
 #include <array>
@@ -31,13 +31,13 @@ class OutlineBatch {
  private:
   using Coefficients = std::array<float, kSeries>;
 
-  // What goes with an object through all passes.
+  // An object's data in all passes.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): gathered before it is read
   struct Outline {
     Hybrid<kRing>* hybrid = nullptr;
     RadiusPrior radius_prior;
     bool refused = false;  // the series was ill-conditioned
-    bool stopped = false;  // the ring was: what the passes before left stands
+    bool stopped = false;  // the ring was: the result of the passes before is kept
     float spread = 1;
     Coefficients x{};  // of the series
     float size = 0;    // mean support value, m

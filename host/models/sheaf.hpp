@@ -1,10 +1,10 @@
-// Alg. 2, the plane sheaf (paper sec. II.C): left edge rays of two views meet in the left post, right ones in the right
-// post, a vertical plane joins the two, and the footprint is the convex hull of all posts.
+// Alg. 2, the plane sheaf (paper sec. II.C). Left edge rays of two views meet in the left post, right ones in the right
+// post. A vertical plane joins the two, and the footprint is the convex hull of all posts.
 //
-// What an object remembers is a bounded store of views (SheafViews); the sheaf is computed from it when it is asked for
-// (PlaneSheaf), so an early, ill-conditioned post is gone as soon as its view has a better partner. Two rules:
-//   sheaf_paper: every pair of views whose rays cross at 5 degrees or more. The paper pairs consecutive images; from a
-//     camera of 50 frames a second these cross at a fraction of a degree, and all pairs lose less of the object.
+// An object keeps a bounded store of views (SheafViews). The sheaf is computed from it on request (PlaneSheaf), so an
+// early, ill-conditioned post is gone as soon as its view has a better partner. Two rules:
+//   sheaf_paper: every pair of views whose rays cross at 5 degrees or more. The paper pairs consecutive images. From a
+//     camera of 50 frames a second these cross at a fraction of a degree. Pairing all loses less of the object.
 //   sheaf: one partner a view, about 15 degrees away, and posts far from the others are dropped. Wide pairs cross far
 //     outside the object: without noise, from 75 views, all pairs leave 99 % of the hull empty and this rule 29 %.
 #pragma once
@@ -48,28 +48,29 @@ SheafView sheaf_view(const Sighting& sighting, MapPoint origin);
 /// True if `view` is less than 1 deg of bearing from `other`: no rule would pair the two.
 bool repeats(const SheafView& view, const SheafView& other);
 
-/// What a full store keeps of its views from one newcomer to the next, so that a newcomer costs one look at each view
-/// and not one at each pair: bearings, true ends, and squared chords to the nearest bearings on either side, a column
-/// each of whole eights. The newest view is not among them, for it may be replaced. 20 bytes a view, desk only.
+/// Float lanes: thinning columns have whole multiples of this many floats.
 inline constexpr std::size_t kThinningLanes = 8;
+/// Columns of ThinningColumns: bearings, true ends, and squared chords to the nearest bearings on either side.
 inline constexpr std::size_t kThinningColumns = 5;
 constexpr std::size_t thinning_room(std::size_t views) {
   return (views + kThinningLanes) / kThinningLanes * kThinningLanes;
 }
+/// A full store's views, kept from one newcomer to the next: a newcomer costs one look at each view, not one at each
+/// pair. The newest view is not in it, for it may be replaced. 20 bytes a view, desk only.
 struct ThinningColumns {
   std::span<float> values;  ///< kThinningColumns * thinning_room() floats; they need no first value
-  std::size_t& known;       ///< of so many views, the oldest ones; 0: of none yet
+  std::size_t& known;       ///< number of views in it, the oldest ones; 0: none yet
 };
 
-/// Which of the full store's views goes when `newcomer` comes: the one whose loss leaves the smallest gap of bearings
-/// between its two neighbours; a gap counts half for a view with one true end. Ties: the oldest. `columns` forgets that
+/// The index of the full store's view that goes when `newcomer` comes: its loss leaves the smallest gap of bearings
+/// between its two neighbours. A gap counts half for a view with one true end. Ties: the oldest. `columns` forgets that
 /// view, so the store has to, too. Cost: n, about 5 ns each on a desk, and n^2 for the first newcomer.
 std::size_t view_to_give_up(std::span<const SheafView> views, const SheafView& newcomer, ThinningColumns columns);
 
 /// The views of one object, oldest first. Not full, it holds every view that is 1 deg or more from the one before; a
-/// view nearer than that takes the newest one's place. Full, it thins out evenly over all bearings from which the
-/// object was seen, and where the robot comes by again the new views replace the old ones. Measured over whole tours,
-/// the newest view has a partner within 3.2 deg of 15 deg for N = 75, within 7.0 deg for N = 36.
+/// nearer view takes the newest one's place. Full, it thins out evenly over all bearings from which the object was
+/// seen. Where the robot comes by again the new views replace the old ones. Measured over whole tours, the newest view
+/// has a partner within 3.2 deg of 15 deg for N = 75, within 7.0 deg for N = 36.
 template <std::size_t N>
 class SheafViews {
   static_assert(N >= 8);
@@ -112,8 +113,7 @@ class SheafViews {
   std::size_t known_ = 0;
 };
 
-/// What two views make: a post where the left edges meet, one where the right edges meet, a vertical plane between
-/// them.
+/// The plane of two views: a post where the left edges meet, one where the right edges meet, a vertical plane between.
 struct SheafPlane {
   Vec2 left{0, 0};  ///< local frame, m
   Vec2 right{0, 0};
@@ -128,12 +128,12 @@ struct SheafPlane {
 /// than kPostFarthest.
 SheafPlane sheaf_plane(const SheafView& a, const SheafView& b, float least_sine);
 
-/// The later view nearest to 15 deg from views[i], within 1..60 deg, that has a true end in common; an earlier one if
+/// The later view nearest to 15 deg from views[i], within 1..60 deg, that has a true end in common. An earlier one if
 /// it is nearer by a degree (the last views have no good later one). views.size() if there is none.
 std::size_t sheaf_partner(std::span<const SheafView> views, std::size_t i);
 
 /// Adds a point to the convex counter-clockwise hull in vertices[0..size) and returns the new size. The last place of
-/// the span is working room. When the hull would need it, the vertex whose loss moves the outline least goes, so a full
+/// the span is working room. A hull that would need it drops the vertex whose loss moves the outline least. So a full
 /// hull is never larger than the true one. Fewer than three vertices: all points so far lie on one line.
 std::size_t grow_hull(std::span<Vec2> vertices, std::size_t size, const Vec2& point);
 

@@ -35,8 +35,8 @@ inline void widen(const TangentColumns& columns, std::size_t places, const Widen
   }
 }
 
-// exp(-x) of all places, in place. Two conditions in a loop of their own each: where the second one follows from the
-// first, compilers make a branch of both, and no vectors.
+// exp(-x) of all places, in place. Each condition has a loop of its own: where the second follows from the first,
+// compilers make a branch of both, and no vectors.
 [[gnu::always_inline]] inline void exp_minus(TangentRow& x, std::size_t places) {
   alignas(64) TangentRow not_nothing;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (std::size_t i = 0; i < places; ++i) not_nothing[i] = x[i] < base::kExpUnderflow ? 1.0F : 0.0F;
@@ -104,7 +104,7 @@ using Row = float __attribute__((vector_size(sizeof(SeriesTangents::Functions)))
 // series_basis() at each node.
 constexpr auto kRingBasis = [] {
   static_assert(kRing == kDirections);
-  constexpr std::size_t kQuarter = kRing / 4;
+  constexpr std::size_t kQuarter = kRing / 4;  // nodes
   std::array<std::array<float, kRing>, kSeries> basis{};
   for (std::size_t k = 0; k < kRing; ++k) {
     const float along = kQuarterCosines[k % kQuarter];
@@ -130,8 +130,8 @@ constexpr auto kSigmas = [] {
   return sigmas;
 }();
 
-// unpack() and standing() of all tangents of a fit, which are called for every one of them: the bits of those, and the
-// test of a batch compares what comes of them. The phase is left out.
+// unpack() and standing() of all tangents of a fit, to the same bits; the phase is left out. They are inlined for
+// speed: a fit calls them for each tangent. The test of a batch compares their results.
 [[gnu::always_inline]] inline Cluster unpacked(const PackedCluster& packed) {
   const auto steps =
       static_cast<std::int16_t>(static_cast<std::uint16_t>(packed.offset_low | (packed.offset_high << 8U)));
@@ -329,9 +329,9 @@ void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Wi
     ends.diagonal[i] = at_end * b[i];
     ends.rhs[i] = at_end * terms.residual[i];
   }
-  // In the order of the tangents: first what ends there; at the first node the last sector comes last.
   constexpr float kHeld = 1.0F / (kHold * kHold);
   constexpr std::size_t kEnd = kRing - 1;
+  // Sums in the order of the tangents: first those that end at the node; at the first node the last sector comes last.
   const auto sum = [](float start, const TangentRow& one, std::size_t i, const TangentRow& other, std::size_t j) {
     return start + one[i] + one[kRing + i] + other[j] + other[kRing + j];
   };

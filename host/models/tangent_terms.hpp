@@ -1,5 +1,5 @@
-// All tangents of an outline side by side, for processors that handle several numbers at a time: what
-// LowOrderFit::add() and SupportFit::add() do to one after the other, to the same bits.
+// All tangents of an outline side by side, for processors that handle several numbers at a time. The same bits as
+// LowOrderFit::add() and SupportFit::add(), which take one after the other.
 #pragma once
 
 #include <array>
@@ -17,21 +17,21 @@ namespace fencepost::recon {
 inline constexpr std::size_t kMaxTangents = kClustersPerSector * kRing;
 using TangentRow = std::array<float, kMaxTangents>;
 
-/// What is the same in every pass, of each tangent in its place. Places without one have a weight of nothing.
+/// Per tangent, in its place: the values that are the same in every pass. Places without a tangent have no weight.
 struct TangentColumns {
   alignas(64) TangentRow offset;   ///< m
   alignas(64) TangentRow sigma;    ///< m
   alignas(64) TangentRow counted;  ///< its views times its standing
-  alignas(64) TangentRow is_edge;  ///< 1; 0: it says `at least`
+  alignas(64) TangentRow is_edge;  ///< 1; 0: a lower bound
   alignas(64) TangentRow least;    ///< m: a residual that is no larger does not count
-  alignas(64) TangentRow firm;     ///< m: nor in a pass that doubts nothing
-  alignas(64) TangentRow certain;  ///< m: a residual that is larger is not doubted
+  alignas(64) TangentRow firm;     ///< m: the same in a pass that takes all as inliers
+  alignas(64) TangentRow certain;  ///< m: a larger residual is always an inlier
 
   void put(std::size_t place, const Cluster& cluster, float counts_for);
   void leave_out(std::size_t begin, std::size_t end);
 };
 
-/// What a pass makes of them.
+/// Per tangent: the results of one pass.
 struct TangentTerms {
   alignas(64) TangentRow residual;
   alignas(64) TangentRow weight;
@@ -41,7 +41,7 @@ struct TangentTerms {
 
 /// How sigmas count in a pass.
 struct Widening {
-  float scale;   ///< times so much
+  float scale;   ///< factor
   float misfit;  ///< m
 };
 
@@ -104,7 +104,7 @@ struct RingEquations {
 void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Widening& widening,
               RingEquations& equations, TangentTerms& terms);
 
-/// What is known of the sides: SupportFit::add_side() for all of them.
+/// Knowledge of the sides: SupportFit::add_side() for all of them.
 struct RingSides {
   float round_side;  ///< m, of a round outline
   float weight;

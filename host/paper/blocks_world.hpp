@@ -16,12 +16,11 @@ enum class BlocksWorld : unsigned char {
 };
 
 inline constexpr int kPaperViews = 75;
-/// Places of the landmarks among the scene's objects.
-inline constexpr std::size_t kRedLandmark = 0;
-inline constexpr std::size_t kYellowLandmark = 1;
+inline constexpr std::size_t kRedLandmark = 0;     ///< index among the scene's objects
+inline constexpr std::size_t kYellowLandmark = 1;  ///< index among the scene's objects
 
 /// The same seed gives the same scene. A red box and a yellow round or square block (in kFigures by the seed's parity)
-/// of 8 to 22 cm, all higher than the lens, so that occlusion is that of the plane; grey panels 2 to 3.5 m away as
+/// of 8 to 22 cm. All are higher than the lens, so occlusion is that of the plane. Grey panels 2 to 3.5 m away are the
 /// background. Camera: 176x144 px, 43 degrees, level, 15 cm above the floor. Noise: medium (edges 1.5 px, 5 % of the
 /// segments lose a piece, 2 % grow, 2 % are missed; poses 4 mm, 0.4 degrees), for kHard high. `noisy` false: only whole
 /// pixels.

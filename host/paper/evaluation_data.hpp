@@ -47,7 +47,7 @@ struct NoveltySample {
 /// Sets of first images that Figure 13 builds its models of.
 inline const std::vector<std::size_t> kNoveltySets{8, 18, 36};
 
-/// What an algorithm decided about one landmark in one image.
+/// One algorithm's decision about one landmark in one image.
 struct Decision {
   BlocksWorld world = BlocksWorld::kPaperLike;
   std::uint64_t seed = 0;
@@ -57,7 +57,7 @@ struct Decision {
   double confidence = 0;  ///< of the match, if there is one
 };
 
-/// What is worth a picture.
+/// Decisions to be drawn as pictures.
 struct Examples {
   std::optional<Decision> least_sure_mismatch;
   std::array<std::optional<Decision>, kMatchOutcomes> outcomes;  ///< the first of each by an algorithm of the paper
@@ -84,13 +84,11 @@ struct PaperData {
 /// Images after which the means over scenes are taken, as far as there are so many.
 inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
 
-/// Hears what has been done, and how much work that was since it heard last, in scenes of the table.
+/// Gets a description of the finished step, and its work in units of one table scene.
 using Progress = std::function<void(std::string_view what, double work)>;
-/// Of one scene of the curves, and of one that is evaluated alone.
-inline constexpr double kWorkOfMeanScene = 4;
-inline constexpr double kWorkOfSingleScene = 6;
-/// Of the sequence that is drawn.
-inline constexpr double kWorkOfShown = 3;
+inline constexpr double kWorkOfMeanScene = 4;    ///< one scene of the curves
+inline constexpr double kWorkOfSingleScene = 6;  ///< one scene that is evaluated alone
+inline constexpr double kWorkOfShown = 3;        ///< the sequence that is drawn
 
 /// `mean_scenes` scenes for the curves, `table_scenes` for Figure 10; seeds count up from `seed`.
 PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_t table_scenes,
@@ -99,8 +97,8 @@ PaperData evaluate_paper(std::uint64_t seed, std::size_t mean_scenes, std::size_
 /// The same of one scene of the curves and one of the table, alone: is a statement about many true of each?
 PaperData evaluate_scene(std::uint64_t seed);
 
-/// The same of one recorded run: the scene's first two objects are the landmarks (red, yellow), the means are of this
-/// run alone, and so is the table. errors: std::runtime_error: too few frames or objects.
+/// The same of one recorded run: the scene's first two objects are the landmarks (red, yellow). The means and the table
+/// are of this run alone. errors: std::runtime_error: too few frames or objects.
 PaperData evaluate_run(const std::string& name, Tour tour, const Progress& progress);
 
 /// A member of Score; not a number for the paranoia of an empty model.

@@ -48,9 +48,9 @@ struct PaperFigure {
   /// Adds an image with a caption below it (HTML), and its file.
   void add_picture(const std::string& name, const Picture& picture, const std::string& caption);
   void add_file(std::string name, std::string bytes) { files.push_back({std::move(name), std::move(bytes)}); }
-  /// What the paper says. `holds`: the claim is kMatches, otherwise kDiffers and `otherwise` is appended.
+  /// A claim of the paper. `holds`: the claim is kMatches, otherwise kDiffers and `otherwise` is appended.
   void say(const std::string& key, bool holds, const std::string& text, const std::string& otherwise = {});
-  /// What the paper does not have, against what it has.
+  /// A comparison of what the paper does not have with what it has.
   void compare(const std::string& key, bool better, const std::string& text);
   void add(const std::string& markup) { html += markup; }
 };
@@ -80,7 +80,7 @@ std::string scenes_text(const PaperData& data, std::size_t scenes);
 /// The first frame from `from` on (else before it) that shows both landmarks whole; `from` if there is none.
 std::size_t frame_with_both(const Tour& tour, std::size_t from);
 
-/// What `algorithm` has of `landmark` at a snapshot; empty if nothing.
+/// The geometry that `algorithm` has of `landmark` at a snapshot; may be empty.
 MultiPolygon model_geometry(const SequenceData& data, const Algorithm& algorithm, std::size_t landmark,
                             std::size_t snapshot);
 

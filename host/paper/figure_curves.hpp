@@ -1,4 +1,4 @@
-// What the charts of several figures share.
+// Shared by the charts of several figures.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,8 @@ struct Slope {
   [[nodiscard]] bool falls() const { return value < -2 * sigma; }
 };
 
-/// Of the least-squares line, x being a share; empty if there are fewer than three points, or all x are the same but
-/// for rounding: nothing can be fitted.
+/// Of the least-squares line, x being a share. Empty if nothing can be fitted: fewer than three points, or all x are
+/// the same but for rounding.
 std::optional<Slope> slope(const std::vector<Point>& points);
 
 /// The points whose x is in one of the equal parts of a range.

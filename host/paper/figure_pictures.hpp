@@ -12,7 +12,7 @@ namespace fencepost::host {
 
 inline constexpr sensor::Rgb kTakenColour{200, 0, 160};
 
-/// What the pictures below are onto.
+/// The view that the pictures below are drawn onto.
 PictureView view_at(const Tour& tour, const TimedPose& robot);
 
 std::vector<Solid> true_world(const Tour& tour);

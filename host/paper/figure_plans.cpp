@@ -46,7 +46,7 @@ std::size_t half_new_image(const SequenceData& shown, const ViewSet& set, std::s
   return std::min(next, shown.tour.frames.size() - 1);
 }
 
-/// What the set has seen of the yellow landmark, and what image `next` shows of it.
+/// Draws the part of the yellow landmark that the set has seen, and the part that image `next` shows.
 void draw_perimeters(PaperFigure& fig, const SequenceData& shown, const ViewSet& set, std::size_t images,
                      std::size_t next) {
   const LinearRing& outline = shown.tour.scene.objects[kYellowLandmark].footprint.outer;

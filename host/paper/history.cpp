@@ -37,7 +37,7 @@ std::optional<std::size_t> widest_blob(const FrameTruth& frame, std::size_t obje
 
 recon::Sighting sighting_of(const recon::CameraModel& camera, const sensor::OdometrySample& pose,
                             const sensor::Blob& blob, HiddenEnds hidden) {
-  recon::Observation seen = recon::observe_alone(camera, box_of(blob));  // what noise moved to the border is cut there
+  recon::Observation seen = recon::observe_alone(camera, box_of(blob));  // noise may move an end to the border
   if (hidden.left) seen.left = recon::End::kLowerBound;
   if (hidden.right) seen.right = recon::End::kLowerBound;
   return recon::make_sighting(camera, recon::lens_pose(recon::to_map_pose(pose), camera), seen);

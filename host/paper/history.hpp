@@ -1,4 +1,4 @@
-// What the robot's models of one true object were after each frame of a tour.
+// The robot's models of one true object after each frame of a tour.
 #pragma once
 
 #include <cstddef>
@@ -41,8 +41,9 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
 /// was. One that is not found has empty snapshots.
 std::vector<History> follow_inferred(const Tour& tour, const std::vector<std::size_t>& after);
 
-/// The model `name` of a snapshot, raised to the height band that its own distance gives the rows of the blobs taken so
-/// far (median over the views), in their mean colour. Without area if the model has none.
+/// The model `name` of a snapshot, raised to a height band, in the mean colour of the blobs taken so far. The band is
+/// what the model's own distance gives the rows of those blobs (median over the views). Without area if the model has
+/// none.
 Solid solid_of_model(const Tour& tour, const History& history, const Snapshot& snapshot, std::string_view name,
                      std::size_t object);
 

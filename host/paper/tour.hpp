@@ -20,8 +20,8 @@ struct RealImage {
   std::vector<BlobTruth> truths;
 };
 
-/// Which ends of an object's widest region the border or a nearer object cuts, noise apart: a piece that noise takes
-/// away, or adds, changes nothing of that.
+/// The ends of an object's widest region that the border or a nearer object cuts. Noise that takes a piece away, or
+/// adds one, does not change them.
 struct HiddenEnds {
   bool left = false;
   bool right = false;
@@ -34,7 +34,7 @@ struct Tour {
   std::vector<sensor::OdometrySample> poses;    ///< as the log has them, at each frame's exposure
   std::vector<RealImage> images;                ///< one for each frame
   std::vector<std::vector<HiddenEnds>> hidden;  ///< by frame and object
-  /// What the camera took, by the frame's number; none: images are drawn from the scene.
+  /// The camera's photograph by the frame's number; none: images are drawn from the scene.
   std::function<Picture(std::uint32_t)> photograph;
 };
 

@@ -17,17 +17,16 @@ constexpr float kBend = 0.03F;
 constexpr float kWidestGate = 0.75F;
 /// m: objects nearer to each other than this tell no direction.
 constexpr float kNearestPair = 0.25F;
-/// Radii may differ by this share of the larger one, and this much, m: most are seen from one side.
+/// Allowed difference of radii, as a share of the larger one: most are seen from one side.
 constexpr float kRadiusShare = 0.5F;
-constexpr float kRadiusMore = 0.05F;
-/// m, beyond the farthest known object: so far the known map reaches.
-constexpr float kRegionMargin = 0.5F;
+constexpr float kRadiusMore = 0.05F;   ///< m, added to that
+constexpr float kRegionMargin = 0.5F;  ///< m: the known map reaches this far beyond its farthest object
 constexpr int kRefinements = 3;
 
 constexpr std::uint8_t kFewestMatches = 3;
 /// Motions as good that two maps of different places are expected to have.
 constexpr float kFalseAlarms = 1e-3F;
-/// The rival's chance has to be so many times the best one's.
+/// Minimum ratio of the rival's chance to the best one's.
 constexpr float kLead = 100.0F;
 
 float square_of(float value) { return value * value; }
@@ -44,7 +43,7 @@ float variance_of(const ConstellationPoint& a, const ConstellationPoint& b) {
   return square_of(a.sigma) + square_of(b.sigma) + 2 * square_of(kPlaceSigma);
 }
 
-// What is far from the middle of the matches moves most by an error of the direction: `turn`, its sine.
+// An error of the direction (`turn`, its sine) moves points far from the middle of the matches most.
 float gate_of(const ConstellationPoint& a, const ConstellationPoint& b, float from_middle, float turn) {
   const float sigma = std::sqrt(variance_of(a, b) + square_of(turn * from_middle));
   return std::min(kMatchSigmas * sigma, kWidestGate);
@@ -260,7 +259,7 @@ JoinResult verdict_of(std::size_t in_common, const JoinQuality& best, const Join
   const float beside = rival.matched < kFewestMatches ? 1.0F : std::min(1.0F, rival.chance);
   result.lead = beside / std::max(best.chance, 1e-30F);
   result.verdict = JoinVerdict::kJoined;
-  // What is not where it should be is more than what is.
+  // More expected objects are missing than matched.
   const bool contradicted = 2 * best.matched < best.expected;
   if (contradicted) result.verdict = JoinVerdict::kContradicted;
   if (result.false_alarms > kFalseAlarms) result.verdict = JoinVerdict::kChance;

@@ -1,9 +1,9 @@
-// Where one map lies in another, by the objects of both alone: pairs alike in colour and distance propose a motion, all
-// other objects judge it. For a robot that was carried, for two runs, for two robots.
+// Finds how one map lies in another, by the objects of both alone. Pairs alike in colour and distance propose a motion,
+// all other objects judge it. For a robot that was carried, for two runs, for two robots.
 //
-// A motion is accepted if so many objects would hardly meet by chance (a contrario: the expected number of motions as
-// good among places drawn at random, as Desolneux, Moisan and Morel have it), and if no other motion is nearly as good:
-// a square of equal posts is refused, four ways to lay it are.
+// A motion is accepted if that many objects would hardly meet by chance, and no other motion is nearly as good. The
+// chance is a contrario: the expected number of motions as good among places drawn at random (Desolneux, Moisan and
+// Morel). A square of equal posts is refused: it fits in four ways.
 #pragma once
 
 #include <algorithm>
@@ -91,8 +91,8 @@ bool better(const JoinQuality& a, const JoinQuality& b);
 
 }  // namespace constellation
 
-/// The search, a pair of seen objects a step. No heap: 44 bytes and 2 a point. Cost of a step: with n known and m seen
-/// objects of one colour n (n - 1) comparisons of distances, and for each that fits some 6 n m of places.
+/// The search, a pair of seen objects a step. No heap: 44 bytes and 2 a point. Cost of a step, with n known and m seen
+/// objects of one colour: n (n - 1) comparisons of distances. Each that fits costs some 6 n m comparisons of places.
 template <std::size_t kPoints>
 class ConstellationSearch {
   static_assert(kPoints < constellation::kNone);

@@ -10,35 +10,32 @@ namespace fencepost::recon {
 namespace {
 
 // Chosen on the relocation study's data set D1, which they hardly move; judged on D4, D6 and D7.
-/// share of the range to which it has to follow.
+/// Maximum sigma of a sighting's range, as a share of the range.
 constexpr float kWorstRange = 0.34F;
 /// Candidates all around a thing.
 constexpr int kAround = 24;
-/// of odometry that nothing corrects: m for a root of a metre, rad for a root of a metre and of a radian.
-constexpr float kPlaceStrays = 0.05F;
-constexpr float kTurnStrays = 0.05F;
-constexpr float kTurnStraysTurning = 0.08F;
-/// m, sigma of a thing's place in the map beside its own, and as a share of the range: maps are bent.
-constexpr float kThingSigma = 0.05F;
-constexpr float kRangeShare = 0.04F;
-/// of its variance: what is seen again and again has the same error.
+constexpr float kPlaceStrays = 0.05F;        ///< sigma of the odometry's drift, m per root of a metre
+constexpr float kTurnStrays = 0.05F;         ///< rad per root of a metre
+constexpr float kTurnStraysTurning = 0.08F;  ///< rad per root of a radian
+constexpr float kThingSigma = 0.05F;         ///< m, sigma of a thing's place in the map beside its own: maps are bent
+constexpr float kRangeShare = 0.04F;         ///< a further sigma, as a share of the range
+/// Factor on the variance of a thing that was met before: repeated sightings share their error.
 constexpr float kSeenAgain = 6.0F;
-/// sigmas^2 within which a thing is where a candidate says.
+/// Gate, sigmas^2: a thing within it is where the candidate predicts it.
 constexpr float kGate = 9.0F;
 /// Share of things that are new, moved, or of a wrong colour.
 constexpr float kStrangers = 0.05F;
-/// What a candidate is worth after a sighting that is not where a thing was that it met, or might have met.
+/// Factor on a candidate's weight after a sighting that fits none of the known things it could be.
 constexpr float kMissed = 0.7F;
-/// m and the cosine of an angle within which candidates are the same place.
-constexpr float kSamePlace = 0.5F;
-constexpr float kSameTurn = 0.96F;
+constexpr float kSamePlace = 0.5F;  ///< m within which candidates are the same place
+constexpr float kSameTurn = 0.96F;  ///< cosine of the angle within which they are
 /// Share of the probability that other places may keep when one is reported.
 constexpr float kMaxDoubt = 0.003F;
 /// Known things that must have been met before a place is reported.
 constexpr int kFewestMet = 3;
 constexpr float kWorstPlace = 0.3F;  ///< m, sigma of a reported place
 constexpr float kWorstTurn = 0.1F;   ///< rad, sigma of its heading
-/// m, beyond the farthest known thing: so far the known map reaches.
+/// m: the known map reaches this far beyond its farthest thing.
 constexpr float kBeyondTheMap = 0.5F;
 
 using Covariance2 = Eigen::Matrix2f;

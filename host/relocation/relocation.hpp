@@ -1,7 +1,7 @@
-// Where a robot is that lost its place in a map that it has: a filter over candidate poses. A thing of the map in sight
-// tells the pose but for a circle around it; candidates are put all around, a Gaussian each, and driven along. Each
-// other thing is where a candidate says, or where a stranger's things are: anywhere. A place is told only if one
-// candidate outweighs all others and the chance that the robot is in a place it does not know.
+// Finds a lost robot's pose in a map that it has: a filter over candidate poses. A sighting of a known thing determines
+// the pose but for a circle around the thing. Candidates are put all around it, a Gaussian each, and driven along. Each
+// other thing is where a candidate predicts it, or where a stranger's things are: anywhere. A place is reported only if
+// one candidate outweighs all others and the chance of an unknown place.
 //
 // A search by objects that have a place (constellation.hpp) needs three of these, and a narrow lens places one a
 // minute.

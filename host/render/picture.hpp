@@ -28,7 +28,7 @@ enum class PictureStyle : unsigned char {
   kSegmented,  ///< each solid in one flat colour on white, as a segmentation shows it
 };
 
-/// What to draw onto: an image of `camera`, `scale` times enlarged, from `lens`. Without the camera's distortion.
+/// The target: an image of `camera`, `scale` times enlarged, from `lens`. Without the camera's distortion.
 struct PictureView {
   sensor::CameraIntrinsics camera;
   CameraPose lens;

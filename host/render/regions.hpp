@@ -1,5 +1,5 @@
-// Solids rendered to the regions of an image: what a camera would see according to the reconstruction (paper sec.
-// III.A, "move the camera to it in both the real and rendered worlds").
+// Renders solids to the regions of an image, as a camera would see the reconstruction. Paper sec. III.A: "move the
+// camera to it in both the real and rendered worlds".
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ class RegionRenderer {
   /// The camera's known pitch counts; an unknown one is level.
   explicit RegionRenderer(const sensor::CameraIntrinsics& camera);
 
-  /// For each solid its largest connected region that no nearer solid hides; nothing if that is too little of it, if
-  /// the lens is inside it, or if it has no area. What hides is every solid that has an area and does not enclose the
-  /// lens. errors: std::length_error for more than 256 solids. Cost: about 0.1 ms a solid that fills a tenth of a
+  /// For each solid its largest connected region that no nearer solid hides. Nothing if that is too little of it, if
+  /// the lens is inside it, or if it has no area. Every solid with an area that does not enclose the lens hides those
+  /// behind it. errors: std::length_error for more than 256 solids. Cost: about 0.1 ms a solid that fills a tenth of a
   /// 176x144 image.
   std::vector<std::optional<Region>> render(std::span<const Solid> solids, const CameraPose& lens);
 

@@ -1,4 +1,4 @@
-// What can be rendered: an outline on the floor, raised to a height band, in one colour.
+// A solid to render: an outline on the floor, raised to a height band, in one colour.
 #pragma once
 
 #include <cstddef>

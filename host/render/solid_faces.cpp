@@ -9,9 +9,8 @@ namespace {
 
 /// Nothing nearer than this is drawn, m.
 constexpr double kNear = 0.01;
-/// Where the light comes from, and how much of it there is on faces that look away.
-constexpr double kLightAngle = 0.7 * std::numbers::pi;
-constexpr double kAmbient = 0.55;
+constexpr double kLightAngle = 0.7 * std::numbers::pi;  ///< direction of the light
+constexpr double kAmbient = 0.55;                       ///< brightness of faces that look away from it
 constexpr double kLidLight = 1.0;
 constexpr double kUndersideLight = 0.35;
 
