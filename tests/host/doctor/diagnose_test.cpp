@@ -145,7 +145,7 @@ TEST(DoctorLog, ComparesACameraWithWhatItsMakerSays) {
 
 TEST(DoctorLog, FindsACalibrationThatChangedOnTheWay) {
   EXPECT_EQ(codes({.more = {camera_with(11, "0.1300")}}), Codes{"calibration_changed"});
-  EXPECT_EQ(codes({.more = {Drive().camera}}), Codes{}) << "it is only told again";
+  EXPECT_EQ(codes({.more = {Drive().camera}}), Codes{}) << "it is only repeated";
 }
 
 TEST(DoctorLog, HandsOnWhatTheRobotItselfDoubts) {

@@ -65,7 +65,7 @@ Findings doubted(const char* recording, int field, const std::string& value) {
   return testing::findings_of(log);
 }
 
-/// Three posts, seen by a lens that is wider than told, while the robot turns to and fro before them.
+/// Three posts, seen by a lens that is wider than configured, while the robot turns to and fro before them.
 Findings wrong_lens() {
   const std::vector<test::RoundPost> posts = {{1, 1.2, 0.18, 0.04}, {2, 1.15, 0.0, 0.04}, {3, 1.2, -0.18, 0.04}};
   std::string log = line_of("FPHDR,1,fencepost,0.1.0,test,full") + test::line_of(test::level_pixy2(0));
@@ -272,7 +272,7 @@ TEST(DoctorFindings, HaveEachAProvocation) {
   EXPECT_EQ(unprovoked(every), std::vector<std::string>{});
   EXPECT_EQ(every.size(), std::size(doctor::kCodes));
   every.erase("colour_pieces");
-  EXPECT_EQ(unprovoked(every), std::vector<std::string>{"colour_pieces"}) << "and one without is told";
+  EXPECT_EQ(unprovoked(every), std::vector<std::string>{"colour_pieces"}) << "and a code without one is named";
 }
 
 TEST(DoctorFindings, ComeWhereTheyAreProvoked) {

@@ -77,7 +77,7 @@ std::string log_of(const host::Scene& scene) {
   return log;
 }
 
-/// The same log by a robot that was told another camera.
+/// The same log by a robot with another camera configured.
 std::string told(std::string log, const sensor::CameraIntrinsics& camera) {
   std::array<char, record::kMaxLine> line{};
   const std::size_t size = record::encode(camera, line);
@@ -133,7 +133,7 @@ TEST(Fisheye, AMapIsAsGoodAtItsSideAsThroughALensOf60Degrees) {
   }
 }
 
-// What k1 can do: the one that suits the blocks' bearings best is still no fisheye.
+// The k1 that suits the blocks' bearings best is still no fisheye.
 TEST(Fisheye, APinholeWithK1IsNoFisheye) {
   for (const auto& [across, aside, k1] : {std::array{120.0, 42.0, -0.18}, {120.0, 42.0, -0.15}, {150.0, 57.0, -0.14}}) {
     const double sum = mean_sum(
@@ -142,7 +142,8 @@ TEST(Fisheye, APinholeWithK1IsNoFisheye) {
           camera.lens = sensor::Lens::kPinhole;
           camera.k1 = base::Ratio4::nearest(k1);
         });
-    std::printf("  %.0f degrees, %.0f aside, told a pinhole with k1 %.2f: R + P %.1f %%\n", across, aside, k1, sum);
+    std::printf("  %.0f degrees, %.0f aside, configured as a pinhole with k1 %.2f: R + P %.1f %%\n", across, aside, k1,
+                sum);
     EXPECT_GT(sum, 30);
   }
 }

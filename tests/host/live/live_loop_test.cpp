@@ -62,7 +62,7 @@ TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {
   EXPECT_NE(log.find("$FPODO,0.0000,"), std::string::npos);
   EXPECT_NE(log.find("$FPODO,1090.0000,"), std::string::npos);
   EXPECT_EQ(count(log, "$FPLNK,998990.0000,create2,ok"), 1U) << log.substr(0, 2000);
-  EXPECT_EQ(count(log, ",create2,ok"), 2U) << "each run is told the state in force";
+  EXPECT_EQ(count(log, ",create2,ok"), 2U) << "each run has the state in force";
   EXPECT_EQ(count(log, "$FPODO,99900"), 0U) << "the new run began in time";
 }
 

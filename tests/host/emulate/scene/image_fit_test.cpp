@@ -32,11 +32,11 @@ TEST(ImageFit, LeavesBoxesOfItsOwnSizeAlone) {
   EXPECT_EQ(fitted.blobs[1].x2, 17);
   EXPECT_EQ(fitted.blobs[1].y2, 99);
   EXPECT_EQ(fitted.blobs[1].cx.raw, 170);
-  EXPECT_EQ(fitted.blobs[1].pixels, 70U) << "not told: the box's";
+  EXPECT_EQ(fitted.blobs[1].pixels, 70U) << "not given: the box's";
 }
 
-// 640 x 480 to 160 x 120: edges 100 and 141 become 25 and 35.25, so the columns 25 to 34; 8 to 9 are less than a pixel:
-// edges 2 and 2.5, half up.
+// 640 x 480 to 160 x 120: edges 100 and 141 become 25 and 35.25, so the columns are 25 to 34. Edges 4 and 5 become 1
+// and 1.25, which is less than a pixel.
 TEST(ImageFit, ScalesEdges) {
   ImageFit fit(camera(640, 480), {160, 120});
   EXPECT_TRUE(fit.scales());
