@@ -32,8 +32,8 @@ TEST(CalibratedRobot, IsARobotFileByItself) {
   EXPECT_EQ(robot->signatures[0], found_calibration().signatures[0]);
 }
 
-// Wheels that roll 2 % farther, turn 1 % less than told, and go round by 0.04 rad a metre. A motion of the corrected
-// wheels has to be the reported one as corrected: ahead 1.02, turn 0.99 of it and 0.04 for each reported metre.
+// Wheels that roll 2 % farther, turn 1 % less than configured, and go round by 0.04 rad a metre. The corrected wheels
+// have to report the corrected motion: 1.02 of the way, 0.99 of the turn, and 0.04 rad more for each reported metre.
 TEST(CalibratedRobot, CorrectsItsWheels) {
   Calibration found = found_calibration();
   found.wheels = {0.02, -0.01, 0.04};

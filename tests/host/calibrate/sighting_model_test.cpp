@@ -93,7 +93,7 @@ TEST(SightingModel, AShapeDoesNotMakeResidualsSmaller) {
     double exact = 157.5;
     for (int i = 0; i < 20; ++i) exact = edge(exact);
     for (const double off : {-1.0, 1.0}) {
-      // What is left are curvatures: of second order in a pixel.
+      // The remainder is curvature: of second order in a pixel.
       EXPECT_NEAR(edge(exact + off) - (exact + off), -off, 0.01) << sign;
     }
   }

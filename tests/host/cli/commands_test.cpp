@@ -1,4 +1,4 @@
-// What the commands do when all is well.
+// The commands when all is well.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -213,7 +213,7 @@ TEST(Report, StaticHasNoScriptAndMeasuresTheModels) {
   EXPECT_EQ(shell(folder, "fencepost report run.log run.log --static").exit_code, 2);
 }
 
-// What the command line is told of the camera is in the page's log.
+// The camera that the command line gives is in the page's log.
 TEST(Report, ALogWithoutCalibrationTakesACamera) {
   const Folder folder;
   const std::string make = "grep -v FPCAM " + kLog + " >nocam.log; grep FPCAM " + kLog + " | head -1 >cam; ";

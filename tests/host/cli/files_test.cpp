@@ -1,4 +1,4 @@
-// What happens to files when things go wrong.
+// Files when things go wrong.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -190,7 +190,7 @@ TEST(Interrupt, NothingHalfWrittenIsLeft) {
   EXPECT_EQ(entries(folder), 0U);
 }
 
-// What is closed must not become the file that is written: messages would go into it.
+// A closed stream must not become the file that is written: messages would go into it.
 TEST(ClosedStreams, MessagesDoNotGoIntoTheResult) {
   const Folder folder;
   const std::string first = "head -n 200 " + recording("approach_stop.log") + " > cut.log; ";

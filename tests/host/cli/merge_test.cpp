@@ -19,8 +19,8 @@ struct Place {
   double y = 0;
 };
 
-/// Six posts in a room, seen from an arc about its middle; `turned`: the map frame lies 90 degrees to the left of the
-/// other one, at (3, -1).
+/// Six posts in a room, seen from an arc about its middle. `turned`: the map frame is turned by 90 degrees to the left
+/// of the other one and lies at (3, -1).
 std::string scene(bool turned, int seed, double start, int colours = 2) {
   const auto at = [turned](Place p) { return turned ? Place{p.y + 1, 3 - p.x} : p; };
   const Place posts[] = {{0.5, 0.1}, {-0.6, 0.3}, {0.1, -0.55}, {-0.2, 0.7}, {0.75, 0.6}, {-0.65, -0.4}};

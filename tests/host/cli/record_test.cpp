@@ -29,7 +29,7 @@ const std::string kNext = "$FPODO,7.6400,1.3860,-0.0143,0.0666*9409\r\n";      /
 class Record : public ::testing::Test {
  protected:
   [[nodiscard]] std::string log() const { return slurp(folder.path() / "run.log"); }
-  /// What the robot hears, until it is that long.
+  /// The bytes that the robot hears, until there are `size` of them.
   std::string heard(std::size_t size) {
     std::string text;
     eventually([&] { return (text += far.heard()).size() >= size; });
@@ -311,7 +311,7 @@ TEST_F(Record, AKillLosesNothingThatWasShown) {
   EXPECT_GE(lines, std::size_t{kKills});
 }
 
-// What a robot calls its camera is said to people, at the end and twice a second.
+// The robot's name for its camera is shown to people, at the end and twice a second.
 TEST_F(Record, ARobotsWordsDoNotReachTheTerminalAsControlSequences) {
   const std::string body = "FPLNK,1.0000,%1B]0;mine%07%0Aforged,silent,%C2%9B2J";
   const std::string line = fmt::format("${}*{:04X}\r\n", body, base::crc16(body));

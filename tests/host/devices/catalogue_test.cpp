@@ -1,4 +1,4 @@
-// What has to be true of every row, and of the documents that show them.
+// The rules for every row of the catalogue, and for the documents that show them.
 #include "host/devices/catalogue.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 const fs::path kSource = FENCEPOST_SOURCE_DIR;
 constexpr Use kUses[] = {Use::kCamera, Use::kOdometry, Use::kEmulated};
 
-// What a row leaves out does not compile: these have no default.
+// A row that leaves one of these out does not compile: they have no default.
 static_assert(!std::is_default_constructible_v<Row>);
 static_assert(!std::is_default_constructible_v<Live>);
 static_assert(!std::is_default_constructible_v<Emulated>);
@@ -121,7 +121,7 @@ TEST(Catalogue, HelpNamesEveryDeviceAndItsOptions) {
   EXPECT_NE(help_for(Use::kEmulated).find("tick=0.0001 track=0.235 layout=canopen|talon"), std::string::npos);
 }
 
-// What a board can have is in the catalogue, through the same lens; `encoders` are the board's own.
+// Every device that a board can have is in the catalogue, with the same lens; `encoders` are the board's own.
 TEST(Catalogue, KnowsEveryDeviceOfABoardsImage) {
   std::set<std::string> known = {"odometry encoders"};
   for (const Row& row : catalogue()) {
@@ -200,7 +200,7 @@ TEST(Catalogue, CoverageHasALineForEachDeviceAndLink) {
   }
 }
 
-// What a camera sees is from its maker, from others, or assumed, and says which.
+// A camera's field of view is from its maker, from others, or assumed, and says which.
 TEST(Catalogue, EveryLensHasItsSource) {
   std::size_t lenses = 0;
   for (const Row* row : rows_for(Use::kCamera)) {

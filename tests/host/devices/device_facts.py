@@ -30,7 +30,7 @@ class Device:
     options: list = field(default_factory=list)
     images: list = field(default_factory=list)  # OnBoard
     lens: list = field(default_factory=list)  # the row of its lens: image, across, focal length, lens, latency, source
-    tells: str = ""  # what emulate says of it; empty: it is not emulated
+    tells: str = ""  # emulate's words on it; empty: it is not emulated
     unready: str = ""
     tried: list = field(default_factory=list)  # (link, driver, emulator, guest, board, others)
 

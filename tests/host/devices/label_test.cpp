@@ -1,4 +1,4 @@
-// What is said of a device when its link's state changes.
+// The words for a device when its link's state changes.
 #include <gtest/gtest.h>
 
 #include "host/devices/catalogue.hpp"

@@ -1,8 +1,8 @@
 """usage: sensor_pages.py SOURCES [--write]
 
-The pages of host/share/doc/sensors, one a device: what stands between `<!-- NAME -->` and `<!-- end -->` is made of the catalogue's and the
-boards' tables (device_facts.py), the rest is written by hand. Compares; with --write it renews those parts, the scenes beside the pages and
-the list of them. Exit status 1 if something differs, or a device has no page.
+The pages of host/share/doc/sensors, one a device. The text between `<!-- NAME -->` and `<!-- end -->` is made of the
+catalogue's and the boards' tables (device_facts.py); the rest is written by hand. Compares; with --write it renews those
+parts, the scenes beside the pages and the list of them. Exit status 1 if something differs, or a device has no page.
 """
 
 import json

@@ -1,7 +1,8 @@
 """usage: sensor_runs.py FENCEPOST SOURCES [NAME...]
 
-Runs what the pages of host/share/doc/sensors show of each device: emulate and run in two terminals, replay --check of the log, and doctor at
-the emulated device and at a port where nobody answers, whose sentences are those of the page. NAMEs: these alone.
+Runs what the pages of host/share/doc/sensors show of each device: emulate and run in two terminals, replay --check of
+the log, and doctor. Doctor looks at the emulated device and at a port where nobody answers; its sentences have to be
+those of the page. NAMEs: these alone.
 """
 
 import os
@@ -23,7 +24,7 @@ START = 4  # s: what the slowest takes from being switched on (emulate.md), for 
 
 
 class Wrong(Exception):
-    """What was seen is not what the page says."""
+    """The run differs from the page."""
 
 
 def start(command, folder, environment):
@@ -68,7 +69,7 @@ def drive(emulate, run, program, sources):
 
 
 def sentence(page, says):
-    """What the page's table shows doctor to say, as a pattern, of any place and with any numbers."""
+    """Doctor's sentence in the page's table, as a pattern: of any place and with any numbers."""
     shown = re.search(rf"^\| `(\S+ at \S+ {says}[^`]*)`", page, re.MULTILINE)
     if not shown:
         raise Wrong(f"the page has no sentence '{says}'")

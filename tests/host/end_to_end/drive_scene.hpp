@@ -35,9 +35,9 @@ inline sensor::CameraIntrinsics camera_of(const std::string& device) {
   return profile.value_or(sensor::CameraIntrinsics{});
 }
 
-/// It starts straight ahead, so that the map frame is the world of wheels that count from zero, and turns twice, for a
-/// baseline across it; slowly, because bytes on their way add to the latency that the calibration knows: 0.1 s at 0.4
-/// rad/s are 2 degrees. `speed`: m/s.
+/// It starts straight ahead, so that the map frame is the world of wheels that count from zero. It turns twice, for a
+/// baseline across it. It turns slowly, because bytes on their way add to the latency that the calibration knows: 0.1 s
+/// at 0.4 rad/s are 2 degrees. `speed`: m/s.
 inline std::string scene_for(const sensor::CameraIntrinsics& camera, double rate, double speed) {
   nlohmann::json scene = nlohmann::json::parse(R"({"format": 1, "seed": 1, "robot": {"width": 0.2},
     "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}, {"id": 2, "name": "yellow", "rgb": "d8c020"}],
@@ -62,9 +62,9 @@ inline std::string scene_for(const sensor::CameraIntrinsics& camera, double rate
   return scene.dump();
 }
 
-/// How far off an object may be, m: two pixels of width and of its foot's row at the nearest distance from which the
-/// foot is seen, and half of its size, since only its front is seen. `odometry`: the base's error, in shares of the
-/// way.
+/// The maximum error of an object's place, m. It is two pixels of width and of its foot's row, at the nearest distance
+/// from which the foot is seen. Half of its size comes on top, since only its front is seen. `odometry`: the base's
+/// error, in shares of the way.
 inline double bound_of(const Thing& thing, const sensor::CameraIntrinsics& camera, double odometry) {
   constexpr double kPixels = 2;
   const double foot = camera.fy.to_double() * 0.12;  // px m: the row below the horizon is this over the distance
@@ -86,8 +86,9 @@ inline void expect_replays(const Folder& folder, const std::string& run_err) {
   EXPECT_EQ(digest_in(replay.out), digest_in(run_err));
 }
 
-/// The objects of the log's map. `boxes`: the camera tells them; one that tells areas makes the tall post seem nearer
-/// than it is, and whether the first guess is corrected or is lost and begun anew depends on a few milliseconds.
+/// The objects of the log's map. `boxes`: the camera reports them. One that reports areas makes the tall post seem
+/// nearer than it is; whether the first guess is corrected or is lost and begun anew then depends on a few
+/// milliseconds.
 inline nlohmann::json believed(const Folder& folder, bool boxes) {
   constexpr double kGivenUp = 0.2;  // confidence
   const Outcome replay = shell(folder, "fencepost replay --json run.log");

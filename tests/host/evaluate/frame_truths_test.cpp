@@ -67,7 +67,7 @@ TEST(FrameTruths, WithoutAPathKnowsNothing) {
   EXPECT_FALSE(FrameTruths(scene).owners(frame).has_value());
 }
 
-// A can split in two by a post in front of it: the robot may join its pieces, and the box belongs to the wider one's
+// A post in front of a can splits it in two. The robot may join the pieces, and the box belongs to the wider piece's
 // object, although the post's blob lies inside it.
 TEST(FrameTruths, AJoinedBlobBelongsToItsWidestPart) {
   Scene scene = blocks();

@@ -31,8 +31,8 @@ TEST(Matching, TwoOfOneColourAreSharedOutAsAWhole) {
   EXPECT_EQ(match_objects({at(1, 1, {0.19, 0}), at(2, 1, {0.12, 0})}, truth), (Matches{1, 0}));
 }
 
-// A ghost at x = -0.3 could mean only the first box, pushing the object that sits on it to the second, 0.29 m off:
-// 0.3 + 0.29 of 0.32 each is more than leaving the ghost alone.
+// A ghost at x = -0.3 could mean only the first box. That would push the object that sits on it to the second, 0.29 m
+// off. 0.3 + 0.29 of 0.32 each is more than leaving the ghost alone.
 TEST(Matching, AGhostDoesNotPushAnObjectFromItsPlace) {
   const Scene truth = squares({{1, {0, 0}}, {1, {0.3, 0}}});
   EXPECT_EQ(match_objects({at(1, 1, {0.01, 0}), at(2, 1, {-0.3, 0})}, truth), (Matches{0, std::nullopt}));

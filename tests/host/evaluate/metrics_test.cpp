@@ -25,7 +25,7 @@ void expect_score(const Score& score, double recklessness, double paranoia, doub
 
 TEST(Score, OfTheTruthItselfIsPerfect) { expect_score(score({box(1, 2, 0.3, 0.2)}, box(1, 2, 0.3, 0.2)), 0, 0, 1); }
 
-// Footprint 2 x 2 = 4, model 5 x 1 = 5, in common 1 x 1 = 1: R = 1 - 1/4, P = 1 - 1/5, IoU = 1 / (4 + 5 - 1).
+// Footprint 2 x 2 = 4, model 5 x 1 = 5, in common 1 x 1 = 1. R = 1 - 1/4, P = 1 - 1/5, IoU = 1 / (4 + 5 - 1).
 TEST(Score, IsSharesOfArea) { expect_score(score({box(1, 1, 5, 1)}, box(0, 0, 2, 2)), 0.75, 0.8, 0.125); }
 
 // A model around the footprint is never reckless, one inside it never paranoid.
@@ -94,7 +94,7 @@ TEST(Centroid, OfABoxIsItsMiddle) {
   EXPECT_NEAR(circumscribed_radius(box(10, 20, 4, 2)), std::sqrt(5), kTiny);
 }
 
-// An L of a 2 x 1 foot (middle (1, 0.5)) and a 1 x 1 top (middle (0.5, 1.5)): x = (2 * 1 + 1 * 0.5) / 3 = 5/6,
+// An L of a 2 x 1 foot (middle (1, 0.5)) and a 1 x 1 top (middle (0.5, 1.5)). x = (2 * 1 + 1 * 0.5) / 3 = 5/6,
 // y = (2 * 0.5 + 1 * 1.5) / 3 = 5/6.
 TEST(Centroid, OfAnL) {
   const Polygon l{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};

@@ -1,4 +1,4 @@
-// What a camera's pitch costs: the table in host/share/doc/frames.md, computed again.
+// The cost of a camera's pitch: the table in host/share/doc/frames.md, computed again.
 #include <gtest/gtest.h>
 
 #include <algorithm>

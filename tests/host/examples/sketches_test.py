@@ -30,7 +30,7 @@ class Robot:
         return self.now
 
     def read(self):
-        """What has come; each look takes a millisecond."""
+        """The bytes that have come; each look takes a millisecond."""
         self.now += 1
         if self.now > self.end:
             raise Over
@@ -120,7 +120,7 @@ def beats(begin, end, *words):
 
 
 def play(name, said, end, portion=64):
-    """What the script of that name does while the console says so."""
+    """Runs the script of that name against what the console says, and returns the robot."""
     robot = Robot(said, end, portion)
     modules = SCRIPTS[name](robot)
     before = {module: sys.modules.get(module) for module in modules}

@@ -26,9 +26,9 @@ TEST(HalfPlanes, CutASquare) {
 
 TEST(Wedges, TwoAtRightAnglesMakeASquareDiamond) {
   // From (-1, 0) looking along +x and from (0, -1) along +y, half opening atan(0.5):
-  // |y| <= (x + 1) / 2 and |x| <= (y + 1) / 2. Corners: (1, 1), (1/3, ...) by symmetry: the lines y = (x+1)/2 and
-  // x = (y+1)/2 meet in (1, 1); y = -(x+1)/2 and x = -(y+1)/2 in (-1/3, -1/3);
-  // y = (x+1)/2 and x = -(y+1)/2 in (-3/5, 1/5); and its mirror (1/5, -3/5).
+  // |y| <= (x + 1) / 2 and |x| <= (y + 1) / 2. The lines y = (x+1)/2 and x = (y+1)/2 meet in the corner (1, 1).
+  // y = -(x+1)/2 and x = -(y+1)/2 meet in (-1/3, -1/3).
+  // y = (x+1)/2 and x = -(y+1)/2 meet in (-3/5, 1/5), and by symmetry there is its mirror (1/5, -3/5).
   const double half = std::atan(0.5);
   const std::vector<Wedge> wedges = {{{-1, 0}, -half, half}, {{0, -1}, kPi / 2 - half, kPi / 2 + half}};
   const LinearRing region = intersect_wedges(square({0, 0}, 4), wedges);

@@ -47,7 +47,7 @@ class Files {
 struct Damage {
   const char* file;
   const char* text;
-  const char* where;  ///< what follows the folder
+  const char* where;  ///< the place of the error, behind the folder
   const char* what;
 };
 

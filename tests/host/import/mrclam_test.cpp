@@ -86,8 +86,8 @@ TEST(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
   const ImportResult result = import_mrclam(files.folder(), options);
   ASSERT_TRUE(result.ok()) << result.error().message();
   const Recorded log = read_back(result->log);
-  // From the truth at the first velocity (0, 0, 0): a quarter circle of radius 2/pi in 1 s, then 2 s straight up
-  // at 0.5 m/s.
+  // From the truth at the first velocity (0, 0, 0): a quarter circle of radius 2/pi in 1 s. Then 2 s straight up at
+  // 0.5 m/s.
   ASSERT_EQ(log.odometry.size(), 3U);
   EXPECT_EQ(log.odometry[0].t.raw, 10'000);
   EXPECT_EQ(log.odometry[0].x.raw, 0);

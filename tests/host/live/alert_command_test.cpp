@@ -33,7 +33,7 @@ std::string read(const std::filesystem::path& path) {
 class AlertCommandTest : public ::testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const { return folder.file(name); }
-  /// What it says within a generous time.
+  /// Its first message within a generous time.
   static std::string said_by(AlertCommand& command) {
     for (int i = 0; i < 5'000; ++i) {
       const std::vector<std::string> news = command.news();

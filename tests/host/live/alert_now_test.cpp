@@ -1,4 +1,4 @@
-// What outputs are told of the alert in force.
+// The alert in force, as outputs get it.
 #include "host/live/alert_now.hpp"
 
 #include <gtest/gtest.h>

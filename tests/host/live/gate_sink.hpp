@@ -12,7 +12,7 @@
 
 namespace fencepost::host {
 
-/// What the test and the sink share.
+/// Shared by the test and the sink.
 class Gate {
  public:
   /// Lets so many more calls through.

@@ -1,4 +1,4 @@
-// What the tests of logs on disk share.
+// Shared by the tests of logs on disk.
 #pragma once
 
 #include <gtest/gtest.h>

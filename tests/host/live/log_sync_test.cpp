@@ -1,4 +1,4 @@
-// When the log is brought to the disk. fdatasync is replaced in this program by one that counts and fails when told.
+// When the log is brought to the disk. This program replaces fdatasync by one that counts, and fails on demand.
 #include <unistd.h>
 
 #include <atomic>

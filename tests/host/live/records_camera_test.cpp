@@ -19,10 +19,11 @@ static_assert(sensor::BlobCamera<serial::Pump<serial::LinkArchetype, FramesSessi
 
 Time at(std::int64_t ms) { return Time{} + milliseconds(ms); }
 
-// As host/share/examples/openmv_frames.py prints them (tests/host/examples/cameras_test.py).
+// A frame without a blob, as host/share/examples/openmv_frames.py prints it (tests/host/examples/cameras_test.py).
 const std::string kNothing = "$FPFRM,5.0400,1,0*8C3E\r\n";
+// A frame with one blob, as the same example prints it.
 const std::string kOne = "$FPFRM,5.0800,2,1,1,168,66,231,113,200.4,89.5,2500,*2653\r\n";
-constexpr sensor::Blob kBlob{1, 168, 66, 231, 113, {2'004}, {895}, 2'500, {}};
+constexpr sensor::Blob kBlob{1, 168, 66, 231, 113, {2'004}, {895}, 2'500, {}};  // of kOne
 
 struct FramesTest : ::testing::Test {
   /// How many frames were complete; a byte a millisecond.

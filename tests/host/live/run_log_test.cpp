@@ -58,8 +58,8 @@ TEST_F(RunLogTest, APortionIsOneWriteWhereThereAreNoParts) {
   EXPECT_EQ(contents(path), lines);
 }
 
-// A part of 400 bytes ends with the line that makes it this long: the long one. What was in force then is told in the
-// next one, not what came later.
+// A part of 400 bytes ends with the line that makes it this long: the long one. The next part begins with what was in
+// force then, not with what came later.
 TEST_F(RunLogTest, ALaterPartBeginsWithWhatWasInForceThere) {
   RunLog log = opened({path, false, 400, {}, "small"});
   const std::string head = "$FPHDR,1,fencepost*0000\r\n";

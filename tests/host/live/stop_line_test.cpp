@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Ms = std::chrono::milliseconds;
 
-/// What the process that has the line does with it, seen from here.
+/// The line as the process that has it sets it, seen from here.
 struct Level {
   std::atomic<int> high{-1};
   std::atomic<int> sets{0};

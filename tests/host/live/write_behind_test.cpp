@@ -106,7 +106,7 @@ TEST_F(LogKeeperTest, ASlowDiskIsNamedAndCostsNothingWhileThereIsRoom) {
   EXPECT_EQ(keeper.lost(), 0U);
 }
 
-// What is not taken stays with the loop, which then refuses its inputs.
+// Lines that are not taken stay with the loop, which then refuses its inputs.
 TEST_F(LogKeeperTest, AFullQueueTakesNothingAndSaysSo) {
   EXPECT_EQ(keeper.take(line + line, at(1)), 50U);
   EXPECT_TRUE(keeper.behind());

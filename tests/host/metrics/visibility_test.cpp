@@ -84,8 +84,8 @@ TEST(VisiblePerimeter, OfAnLIsHiddenByItsOwnArm) {
   const double perimeter = 0.8;
   // From (0.05, 1): straight above the notch. The arm's side x = 0 faces right: seen too, but not its back.
   EXPECT_NEAR(share({ell}, {0.05, 1, 0.15, -kPi / 2}), (0.1 + 0.1 + 0.1) / perimeter, 1e-12);
-  // From (-0.05, 1.1): the ray past the arm's corner (0, 0.1) goes 0.05 right for 1 down, so it meets y = 0 at
-  // x = 0.005: 0.095 of the floor stays in view, and of the arm its end.
+  // From (-0.05, 1.1) the ray past the arm's corner (0, 0.1) goes 0.05 right for 1 down. It meets y = 0 at x = 0.005:
+  // 0.095 of the floor stays in view, and of the arm its end.
   EXPECT_NEAR(share({ell}, {-0.05, 1.1, 0.15, -kPi / 2}), (0.1 + 0.095) / perimeter, 1e-12);
 }
 

@@ -52,7 +52,7 @@ TEST(ConvexClip, KeepsEverythingOrNothing) {
   clip.cut(half_plane(0.3, -10));
   EXPECT_TRUE(clip.vertices().empty());
   clip.cut(half_plane(0.3, 10));
-  EXPECT_TRUE(clip.vertices().empty());  // what is gone stays gone
+  EXPECT_TRUE(clip.vertices().empty());  // an empty polygon stays empty
 }
 
 // Rounding may leave an almost straight chain with a dent: only the run around the innermost vertex is kept then,
@@ -300,8 +300,8 @@ TEST(ConvexClip, OfCutsThroughItsCorners) {
   expect_said(sweep, {"vertices 4923 ee5c37ef", "x 23246 b7f17d87", "y 23302 d3a9f2eb", "box 4922 96b9b226"});
 }
 
-// What is left of few vertices that are small multiples of the shallowest cut apart, as many in the span as there is
-// room for.
+// The remainder of few vertices that are small multiples of the shallowest cut apart. The span has room for a few more
+// vertices, or for none.
 TEST(ConvexClip, OfCutsAsShallowAsTheShallowest) {
   constexpr float u = recon::kShallowestCut;
   Draw draw(72);

@@ -21,8 +21,8 @@ float uniform(std::mt19937& random, float low, float high) {
   return low + (high - low) * static_cast<float>(random() >> 8U) * 0x1p-24F;
 }
 
-/// A hybrid that any log might have left, or none: circles of 1 cm to 1.5 m with noise, outliers, gaps, what says
-/// `at least`, and what contradicts all of it.
+/// A hybrid that any log might have left, or none: circles of 1 cm to 1.5 m with noise, outliers, gaps and lower
+/// bounds. Some are wild: their tangents contradict each other.
 Wide any_hybrid(std::mt19937& random) {
   Wide hybrid;
   hybrid.clusters.fill({});
@@ -126,8 +126,8 @@ Wide ill_conditioned_series(std::mt19937& random) {
   return hybrid;
 }
 
-/// A large circle, of which all residuals are far smaller than sigmas say, and of which a few tangents are known far
-/// better than sides are: pivots of the ring get lost.
+/// A large circle. Its residuals are all far smaller than sigmas say, and a few tangents are known far better than
+/// sides are: pivots of the ring get lost.
 Wide ill_conditioned_ring(std::mt19937& random) {
   Wide hybrid = any_hybrid(random);
   hybrid.clusters.fill({});
@@ -138,7 +138,7 @@ Wide ill_conditioned_ring(std::mt19937& random) {
   return hybrid;
 }
 
-// What is ill-conditioned is given up in the same step, and its neighbours in the batch do not notice.
+// An ill-conditioned hybrid is given up in the same step, and its neighbours in the batch do not notice.
 TEST(OutlineBatch, LosesNobodysNeighbour) {
   if (!base::kLaneVectors) GTEST_SKIP() << "nobody uses it here";
   std::mt19937 random(43);

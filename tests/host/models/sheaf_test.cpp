@@ -36,8 +36,8 @@ SheafView view_at(Vec2 lens, double bearing, double half = 3) {
 }
 
 // From (0, 0) the edges are seen along (1, 2)/sqrt 5 and (3, 4)/5, from (1, 0) along (-3, 4)/5 and (-1, 2)/sqrt 5.
-//   left:  a (1, 2) = (1, 0) + b (-3, 4)  =>  2 a = 4 b, a = 1 - 3 b  =>  b = 0.2, a = 0.4: the post is (0.4, 0.8).
-//   right: a (3, 4) = (1, 0) + b (-1, 2)  =>  4 a = 2 b, 3 a = 1 - b  =>  a = 0.2, b = 0.4: the post is (0.6, 0.8).
+//   left:  a (1, 2) = (1, 0) + b (-3, 4)  =>  2 a = 4 b, a = 1 - 3 b  =>  b = 0.2, a = 0.4. The post is (0.4, 0.8).
+//   right: a (3, 4) = (1, 0) + b (-1, 2)  =>  4 a = 2 b, 3 a = 1 - b  =>  a = 0.2, b = 0.4. The post is (0.6, 0.8).
 SheafView first_view() { return {{0, 0}, {0.52574F, 0.85065F}, Vec2{1, 2}.normalized(), {0.6F, 0.8F}}; }
 SheafView second_view() { return {{1, 0}, {-0.52574F, 0.85065F}, {-0.6F, 0.8F}, Vec2{-1, 2}.normalized()}; }
 
@@ -134,7 +134,7 @@ TEST(PlaneSheaf, SaysWhyItIsEmpty) {
 }
 
 // Eight posts 0.1 m from the middle at 22.5, 67.5, ... degrees, and four on one line through it at 0.249 and 0.251 m.
-// The middle two of the twelve x are -0.1 sin(22.5 deg) and 0.1 sin(22.5 deg), of the radii 0.1 and 0.1: the medians
+// The middle two of the twelve x are -0.1 sin(22.5 deg) and 0.1 sin(22.5 deg), of the radii 0.1 and 0.1. So the medians
 // are 0 and 0.1, and 2.5 x 0.1 = 0.25 lies between the far ones. The same in every direction of the axis.
 TEST(PlaneSheaf, PostsFarFromTheOthersAreTrimmed) {
   for (const double turn : {0.0, 31.0, 200.0}) {
@@ -363,8 +363,8 @@ double hull_area(std::vector<host::Point> points) {
   return host::signed_area(hull);
 }
 
-// All posts of one view lie on its ray, so whole fans of them are on one line but for rounding: the sheaf's own way to
-// go wrong. Noisy rays at one place, all pairs that cross at 5 degrees or more.
+// All posts of one view lie on its ray, so whole fans of them are on one line but for rounding. That is the sheaf's own
+// way to go wrong. Noisy rays at one place, all pairs that cross at 5 degrees or more.
 TEST(GrowHull, HoldsFansOfPostsOnOneRay) {
   std::mt19937 random(3);
   std::normal_distribution<float> noise(0.0F, 0.03F);

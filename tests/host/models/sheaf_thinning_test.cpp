@@ -83,8 +83,8 @@ TEST(SheafThinning, ChoosesAsThePlainRuleDoesFromRegularBearings) {
   }
 }
 
-// What is kept from one newcomer to the next: always the same views, wherever the robot goes; the newest one is
-// replaced in between, and bearings come again.
+// With columns kept from one newcomer to the next, the choice stays that of the plain rule, wherever the robot goes.
+// The newest view is replaced in between, and bearings come again.
 TEST(SheafThinning, ChoosesAsThePlainRuleDoesFromNewcomerToNewcomer) {
   std::mt19937 random(5);
   for (const std::size_t size : {8U, 9U, 24U, 31U, 75U}) {

@@ -22,7 +22,7 @@ LONGEST = 60  # s; a busy machine is slow
 
 
 class Screen:
-    """What a terminal of that size would show of the few sequences that are used."""
+    """The picture on a terminal of that size, by the few sequences that are used."""
 
     def __init__(self, columns, rows):
         self.resize(columns, rows)

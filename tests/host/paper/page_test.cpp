@@ -153,7 +153,7 @@ TEST(WritePaper, ShowsTheSixOutcomes) {
     if (files().contains(prefix + "_real.png")) ++shown;
   }
   EXPECT_GE(shown, 5U);
-  // What has no example is named.
+  // An outcome without an example is named.
   EXPECT_EQ(shown < 6, page().find("There is no example of: ") != std::string::npos);
 }
 

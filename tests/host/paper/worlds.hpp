@@ -5,8 +5,9 @@
 
 namespace fencepost::host::testing {
 
-/// A red and a yellow square of 10 cm, 20 cm high, at (1, 0.15) and (1, -0.15); the robot stands at the origin for
-/// three frames, looking along x, 0.15 and 0.3 rad to the left: then both landmarks, both, and yellow beside the image.
+/// A red and a yellow square of 10 cm, 20 cm high, at (1, 0.15) and (1, -0.15). The robot stands at the origin for
+/// three frames, looking along x, then 0.15 and 0.3 rad to the left. The first two show both landmarks; in the third
+/// yellow is beside the image.
 inline Scene two_squares() {
   Scene scene;
   sensor::CameraIntrinsics& camera = scene.camera;

@@ -1,7 +1,7 @@
 """Documents that show commands and what they print: their pieces, and whether a print is what they show.
 
-A block of lines that begin with "| " is the file named last before it; one that begins with "$ " is a command, and what it prints, on
-either stream. A line "..." stands for any lines.
+A block of lines that begin with "| " is the file named last before it. One that begins with "$ " is a command, and what
+it prints, on either stream. A line "..." stands for any lines.
 """
 
 import re
@@ -32,7 +32,7 @@ def trimmed(shown):
 
 
 def parts(shown):
-    """What is shown between lines "...", each as a list of lines."""
+    """The parts between lines "...", each as a list of lines."""
     found = [[]]
     for line in shown:
         if line == MORE:
@@ -59,7 +59,7 @@ def is_shown(printed, shown):
 
 
 def renewed(printed, shown):
-    """What the document is to show now: as many lines as it showed. With "..." before its end it is left as it is."""
+    """The lines that the document is to show now: as many as it showed. With "..." before its end it stays as it is."""
     if MORE in shown[:-1]:
         return shown
     return [*printed[:len(shown) - 1], MORE] if shown and shown[-1] == MORE else printed

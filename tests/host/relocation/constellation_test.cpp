@@ -128,7 +128,8 @@ TEST(Constellation, WhatIsMissingSpeaksAgainst) {
   EXPECT_EQ(join(known, crowd).verdict, JoinVerdict::kContradicted);
 }
 
-// A world of `n` things in 6 x 6 m of `colours` colours, seen twice with an error of `sigma`, a part of them each time.
+// A world of `n` things of `colours` colours in 6 x 6 m. It is seen twice with an error of `sigma`, a part of it each
+// time.
 struct World {
   Points known;
   Points seen;
@@ -220,8 +221,8 @@ void tell_join(test::Sweep& sweep, const JoinResult& result) {
   sweep.tell("lead", result.lead);
 }
 
-// Few things on a lattice of a quarter of a metre, some of them displaced, of two colours and two sizes: many pairs are
-// alike, many gates are met, and what is found is told to the last bit.
+// Few things of two colours and two sizes on a lattice of a quarter of a metre, some of them displaced. Many pairs are
+// alike and many gates are met; the result is compared to the last bit.
 TEST(Constellation, OfThingsOnALattice) {
   test::Draw draw(101);
   test::Sweep sweep;
@@ -260,7 +261,8 @@ TEST(Constellation, OfThingsOnALattice) {
                       "false alarms 400 ae366276", "lead 211 1ddde47d", "partner 1073 eb54546e"});
 }
 
-// A place counts where it is as far off as it may be, that included: 3 sigmas of the two and of what all views have.
+// The gate is 3 sigmas of the two places and of the error that all views have in common. The widest gate, 0.75 m, is
+// itself too far.
 TEST(Constellation, MatchesUpToItsGate) {
   const ConstellationPoint wide = point(0, 0, 1, 0.5F);  // 3 sigmas are more than the widest gate of 0.75 m
   for (const float off : {0.75F, 0.7499F}) {

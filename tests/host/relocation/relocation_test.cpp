@@ -53,8 +53,8 @@ struct Answer {
   float turn = 0;   ///< rad
 };
 
-/// Four frames a second while it drives arcs of a metre, turning at the walls; odometry counts from the start, and
-/// strays by 3 % of each step and 3 % of each turn. `truth`: what stands there; `known`: the map.
+/// Four frames a second while it drives arcs of a metre and turns at the walls. Odometry counts from the start, and
+/// strays by 3 % of each step and 3 % of each turn. `truth`: the things in the room; `known`: the map.
 std::optional<Answer> drive(std::mt19937& random, const Room& truth, const Room& known, float seconds) {
   std::uniform_real_distribution<float> even(-1, 1);
   std::normal_distribution<float> normal(0, 1);
@@ -219,8 +219,8 @@ TEST(Relocation, ARangeFollowsFromWidthAndFootTogether) {
                       "x 956 49dfd13d", "y 842 fde70266"});
 }
 
-// A robot on a lattice in rooms of things on a lattice, of few colours, some of which are not where they should be: how
-// sure it is of what, after each sighting.
+// A robot on a lattice, in rooms of things on a lattice. They have few colours, and some are not where they should be.
+// The filter's answers and their certainty are compared after each sighting.
 TEST(Relocation, OfThingsOnALattice) {
   test::Draw draw(112);
   test::Sweep sweep;

@@ -28,7 +28,8 @@ void expect_box(const std::optional<Region>& region, double left, double top, do
 }
 
 TEST(RegionRenderer, ProjectsTheNearFaceOfABlock) {
-  // Face 1 m ahead, 0.2 m wide and from 0.15 m below the lens to 0.15 m above: 40 px by 60 px around the centre.
+  // The face is 1 m ahead, 0.2 m wide and from 0.15 m below the lens to 0.15 m above. That is 40 px by 60 px around the
+  // centre.
   const auto regions = render({block(1, -0.1, 1.2, 0.1)});
   expect_box(regions[0], 79.5, 29.5, 119.5, 89.5);
   EXPECT_EQ(regions[0]->pixels, 40 * 60);

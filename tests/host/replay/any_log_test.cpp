@@ -1,5 +1,6 @@
-// Whatever a robot had to refuse or drop, the log that it wrote is the whole truth: random robots - profile, buffers,
-// names, rates, blobs, link, console mode, commands - and each log replays to the robot's digest, refusing nothing.
+// Whatever a robot had to refuse or drop, the log that it wrote is the whole truth. Robots have random profiles,
+// buffers, names, rates, blobs, links, console modes and commands. Each log replays to the robot's digest, refusing
+// nothing.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -101,7 +102,7 @@ Plan random_plan(Dice& dice, bool journal, std::size_t capacity) {
   return plan;
 }
 
-/// What the robot did, and the log that it wrote.
+/// The log that the robot wrote, and its state at the end.
 struct Driven {
   std::string log;
   std::uint64_t digest = 0;

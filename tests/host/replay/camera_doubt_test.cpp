@@ -1,4 +1,4 @@
-// A log of a robot whose camera looks lower than it was told: the result document says so, and a check compares it.
+// A log of a robot whose camera looks lower than configured: the result document says so, and a check compares it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -253,7 +253,7 @@ TEST(Replay, FromAndToLimitTheStreamTime) {
   EXPECT_LT(outcome.result.objects[0].views, 40U);
 }
 
-// What the robot assumes when nobody says otherwise, said: the same run. Better poses: other weights, surer outlines.
+// The robot's own assumption, given as an option, is the same run. Better poses: other weights, surer outlines.
 TEST(Replay, PoseNoiseIsWhatItIsToldToBe) {
   const std::string log = recording("blocks_arc");
   ReplayOptions options = with("full");

@@ -148,8 +148,8 @@ TEST(Check, ComparesWhicheverComesFirst) {
   EXPECT_NE(check.outcome().mismatches[1].find("nothing of that kind"), std::string::npos);
 }
 
-// A record of ours is forgotten after so many others, and one that has no partner is settled in time: neither list
-// grows with the log.
+// A record of ours is forgotten after Check::kWindow others, and one that has no partner is settled in time. Neither
+// list grows with the log.
 TEST(Check, LooksNoFurtherThanItsWindow) {
   Check check;
   const auto count = static_cast<std::uint32_t>(Check::kWindow);

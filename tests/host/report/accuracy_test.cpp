@@ -28,8 +28,8 @@ Scene scene_of(const std::vector<std::pair<std::uint8_t, LinearRing>>& objects) 
   return scene;
 }
 
-// Footprint 2 x 2 = 4 m^2, model 4 x 1 shifted so that they share 1 x 1 = 1 m^2:
-// recklessness 1 - 1/4 = 0.75, paranoia 1 - 1/4 = 0.75 for a model of 4 m^2.
+// Footprint 2 x 2 = 4 m^2, model 4 x 1 shifted so that they share 1 x 1 = 1 m^2. Recklessness is 1 - 1/4 = 0.75,
+// paranoia 1 - 1/4 = 0.75 for a model of 4 m^2.
 TEST(Accuracy, CountsSharesOfArea) {
   ResultDocument d;
   d.objects = {found(1, 1, {1.3, 1.4}, box(1, 1, 4, 1))};

@@ -32,8 +32,8 @@ std::string circles(int count, double radius) {
   return objects;
 }
 
-/// A row of `teeth` teeth, 2 mm apart, 1 mm thin, 20 cm long, on a bar; along x, or turned and moved so that each tooth
-/// crosses each one of the other.
+/// A row of `teeth` teeth on a bar, 2 mm apart, 1 mm thin, 20 cm long. It lies along x, or turned and moved so that
+/// each tooth crosses each one of the other comb.
 std::string comb(int teeth, bool turned) {
   std::string ring;
   const auto corner = [&](double along, double across) {

@@ -53,9 +53,9 @@ TEST(Blocks, TheirFourColoursAreFoundWithoutAHint) {
   EXPECT_GE(segmented.summary.background.size(), 2U) << "table and wall";
 }
 
-// What an ideal sensor would have said, from the same scene and the same poses: ends are classified by how far off they
-// are. Ends at which the two sensors see different things (hidden by bare wood, of which the scene knows nothing, or
-// small pieces) are counted, not measured.
+// Compares with an ideal sensor, from the same scene and the same poses: ends are classified by how far off they are.
+// The two sensors see different things at some ends: hidden by bare wood, of which the scene knows nothing, or small
+// pieces. These are counted, not measured.
 TEST(Blocks, MostEndsAreWithinAPixelOfAnIdealSensors) {
   const Recorded log = read_back(segmented_blocks(true).log);
   const Simulated ideal = run(blocks_scene());

@@ -98,8 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"image,t,x,y,heading\na,1e-300,0,0,0\nb,2e-300,0,0,0\n", "p:3: t is not later than the line before"},
         Bad{"image,t,x,y,heading\na,0,0,0,0\nb,1e6,0,0,0\n", "p:3: t is more than 999999 s after the first"}));
 
-// What a hostile file may hold: pieces of tables, mixed and damaged at random. Each is refused with a place, or read to
-// poses that the stream can hold.
+// Hostile files: pieces of tables, mixed and damaged at random. Each is refused with a place, or read to poses that the
+// stream can hold.
 TEST(PosesTable, HostileTablesAreRefusedOrSound) {
   const std::vector<std::string> pieces = {"image",
                                            "t",

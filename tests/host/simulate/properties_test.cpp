@@ -1,4 +1,4 @@
-// What must hold of any scene.
+// Properties of any scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the perfect camera sees, worked out by hand.
+// The view of the perfect camera, worked out by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ TEST(World, AnObjectMovesWithThePointOfItsPath) {
   // Before its first pose it stands where it was drawn.
   EXPECT_EQ(footprint_at(box, 0).outer[0].x, 1);
   EXPECT_EQ(footprint_at(box, 2).outer[0].y, -0.1);
-  // At the end the point (1, 0) is at (3, 0) and the box is turned by 90 degrees: (1, -0.1) is 0.1 to its right, so it
+  // At the end the point (1, 0) is at (3, 0) and the box is turned by 90 degrees. (1, -0.1) is 0.1 to its right, so it
   // comes to (3.1, 0); (1.2, -0.1) comes to (3.1, 0.2).
   for (const double t : {4.0, 9.0}) {
     const LinearRing ring = footprint_at(box, t).outer;

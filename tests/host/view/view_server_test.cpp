@@ -63,7 +63,7 @@ class Browser {
   std::size_t searched_ = 0;
 };
 
-/// What was sent in chunks; "<unfinished>" behind it without the last one.
+/// The text that was sent in chunks; "<unfinished>" behind it without the last one.
 std::string unchunked(const std::string& answer) {
   std::size_t at = answer.find("\r\n\r\n") + 4;
   std::string text;

@@ -1,4 +1,4 @@
-// What the tests of the page share: the page in a browser, records with their check sums, the command line.
+// Shared by the tests of the page: the page in a browser, records with their check sums, the command line.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";

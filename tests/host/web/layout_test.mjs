@@ -1,5 +1,5 @@
-// usage: node layout_test.mjs PAGE CLI NPM SHARE [PART]: names that read alike, labels over each other, and what is wider than the page,
-// measured on its elements at 400 and 1280 px: the page, and the report without a script.
+// usage: node layout_test.mjs PAGE CLI NPM SHARE [PART]. Finds names that read alike, labels over each other, and
+// elements wider than the page, measured at 400 and 1280 px. It tests the page, and the report without a script.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -18,7 +18,7 @@ execFileSync(tools.cli, ["simulate", scene, "-o", log], { stdio: "ignore" });
 const found = JSON.parse(tools.result(log));
 const WIDTHS = [400, 1280];
 
-/** What is wider than the page, or cut off without a way to see the rest. */
+/** Elements wider than the page, or cut off without a way to see the rest. */
 const tooWide = (page) => page.evaluate(() => {
   const wide = [];
   const width = document.documentElement.clientWidth;
@@ -37,7 +37,7 @@ const tooWide = (page) => page.evaluate(() => {
 
 const over = (a, b) => a[0] < b[2] - 0.5 && a[2] > b[0] + 0.5 && a[1] < b[3] - 0.5 && a[3] > b[1] + 0.5;
 
-/** What is wrong with labels [{ key, text, box }] in [0, width] x [0, height]. */
+/** The faults of labels [{ key, text, box }] in [0, width] x [0, height]. */
 function faults(labels, [width, height]) {
   const wrong = [];
   labels.forEach((a, i) => {

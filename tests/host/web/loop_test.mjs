@@ -1,5 +1,5 @@
-// usage: node loop_test.mjs PAGE CLI NPM SHARE SOURCE: the loop that is in the page against the command line, byte by byte, for
-// each bundled recording and profile; and what its copies of memory are good for.
+// usage: node loop_test.mjs PAGE CLI NPM SHARE SOURCE. Compares the loop in the page with the command line, byte by
+// byte, for each bundled recording and profile. Its copies of memory serve to go to a time, which is compared as well.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";

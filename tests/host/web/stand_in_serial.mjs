@@ -1,4 +1,4 @@
-// Runs in the page: a navigator.serial with one port that plays a recorded robot, or has the fault that the page is told: window.fault.
+// Runs in the page: a navigator.serial with one port that plays a recorded robot, or has the fault in window.fault.
 export function standIn({ base64 = "", portion = 512, every = 10 }) {
   const log = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   window.written = "";

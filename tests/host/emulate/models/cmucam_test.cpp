@@ -8,10 +8,11 @@
 namespace fencepost::emulate {
 namespace {
 
-// The worked examples: 11 x 21 pixels in 1-based coordinates 40..50, 60..80; 10 x 20 in 0-based 20..29, 40..59.
+// The worked example in 1-based coordinates: 11 x 21 pixels, 40..50, 60..80.
 const std::vector<ColouredSpot> kOneBased = {{100, 30, 30, 39, 59, 49, 79, 116}};
+// The worked example in 0-based coordinates: 10 x 20 pixels, 20..29, 40..59.
 const std::vector<ColouredSpot> kZeroBased = {{100, 30, 30, 20, 40, 29, 59, 150}};
-const std::vector<ColouredSpot> kNothing;
+const std::vector<ColouredSpot> kNothing;  // no spot in view
 
 TEST(EmulatedCmuCam, Versions) {
   CmuCamDevice one(CmuCamModel::kOne);
@@ -110,8 +111,8 @@ TEST(EmulatedCmuCam, TheTrapsOfRawInput) {
   EXPECT_EQ(three.frame(kZeroBased), "T 0 0 0 0 0 0 0 0\r");
 }
 
-// A host that seeks the baud rate, resets, and goes to the fastest rate: three zeros and a CR before each attempt, the
-// answer to BM without ':', a CR at the new rate, then the stop bits.
+// A host seeks the baud rate, resets, and goes to the fastest rate. It sends three zeros and a CR before each attempt.
+// The answer to BM comes without ':', then a CR at the new rate, then the stop bits.
 TEST(EmulatedCmuCam, ACmucam4ChangesItsBaudRate) {
   CmuCamDevice four(CmuCamModel::kFour);
   (void)four.power_up();

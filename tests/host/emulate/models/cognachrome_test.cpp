@@ -22,9 +22,9 @@ std::string say(Cognachrome& camera, const Bytes& bytes, base::Time now = kCogna
 }
 std::string say(Cognachrome& camera, std::string_view keys) { return say(camera, text(keys)); }
 
-// A at column 120, row 80 with 600 pixels, B at 33, 110 with 45.
+// At column 120, row 80, with 600 pixels.
 const sensor::Blob kA{1, 110, 70, 129, 89, {}, {}, 600, {}};
-const sensor::Blob kB{2, 30, 108, 35, 111, {}, {}, 45, {}};
+const sensor::Blob kB{2, 30, 108, 35, 111, {}, {}, 45, {}};  // at column 33, row 110, with 45 pixels
 
 TEST(CognachromeModel, SendsWhatItWasToldTo) {
   Cognachrome camera(Cognachrome::Preset::kVision, 0);

@@ -10,11 +10,11 @@ namespace {
 using test::hex;
 
 constexpr base::Time kHuskylens2Up = base::Time{} + HuskyLens2::kDeaf;
-// Of the vendor's library: header, command, algorithm, length, data, sum.
+// Of the vendor's library, as the next three: header, command, algorithm, length, data, sum.
 const Bytes kAskKnock = hex("55 AA 20 00 0A 00 00 00 00 00 00 00 00 00 00 29");
-const Bytes kAskColour = hex("55 AA 30 00 0A 05 00 00 00 00 00 00 00 00 00 3E");
+const Bytes kAskColour = hex("55 AA 30 00 0A 05 00 00 00 00 00 00 00 00 00 3E");  // algorithm 5
 const Bytes kAskResults = hex("55 AA 21 05 00 25");
-const Bytes kOkay = hex("55 AA 40 00 0A 00 00 00 00 00 00 00 00 00 00 49");
+const Bytes kOkay = hex("55 AA 40 00 0A 00 00 00 00 00 00 00 00 00 00 49");  // an answer
 
 Bytes tell(HuskyLens2& camera, const Bytes& bytes, base::Time now = kHuskylens2Up) {
   Bytes reply;

@@ -10,9 +10,11 @@ namespace {
 using test::hex;
 
 constexpr base::Time kPixy1Up = base::Time{} + Pixy1::kStart;
-// The document's example: sig 1 at (160, 100), 40 x 30, and sig 2 at (50, 60), 12 x 10.
+// Of the document's example: sig 1 at (160, 100), 40 x 30.
 const sensor::Blob kOne{1, 140, 85, 179, 115, {}, {}, 0, {}};
-const sensor::Blob kTwo{2, 44, 55, 55, 65, {}, {}, 0, {}};
+const sensor::Blob kTwo{2, 44, 55, 55, 65, {}, {}, 0, {}};  // sig 2 at (50, 60), 12 x 10
+
+// The document's example, with both.
 const Bytes kBoth = hex("55 AA 55 AA 4B 01 01 00 A0 00 64 00 28 00 1E 00 55 AA 86 00 02 00 32 00 3C 00 0C 00 0A 00");
 
 TEST(Pixy1Model, SendsAnImageAsTheDocumentHasIt) {

@@ -140,7 +140,7 @@ TEST(EmulatedDevice, NxtBringsWheelsAndACameraOnItsPort) {
   EXPECT_NEAR(last.y.to_double(), 0, 0.002);
 }
 
-// What no device knows is answered as the protocol says.
+// A command that no device knows is answered as the protocol says.
 TEST(EmulatedDevice, AnswersTheUnknownWithItsOwnError) {
   struct Case {
     const char* device;

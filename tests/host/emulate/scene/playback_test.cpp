@@ -74,7 +74,8 @@ TEST(Playback, EndsAfterTheSecondsAndAtItsSpeed) {
   EXPECT_EQ(rig.playback.endpoint(0).counts().frames, 5U) << "at 0.1 to 0.5 s of the feed";
 }
 
-// A round is 0.5 s and the pause of 20 ms: in 2 s three whole ones and the frames at 0.1 to 0.4 s of the fourth.
+// A round is 0.5 s and the pause of 20 ms. In 2 s there are three whole ones and the frames at 0.1 to 0.4 s of the
+// fourth.
 TEST(Playback, LoopsAndTheWheelsGoOn) {
   PlaybackSettings settings = after(0);
   settings.loop = true;

@@ -98,7 +98,7 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
     EXPECT_TRUE(eventually(running.clock(), [&] {
       const std::string command = "GV\r";
       const base::Time now = running.clock().now();
-      // What is said before the server has seen the host open is lost, as on a cable that is being plugged in.
+      // Bytes sent before the server has seen the host open are lost, as on a cable that is being plugged in.
       if (now - asked > base::milliseconds(100)) {
         asked = now;
         (void)tty->write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
@@ -211,7 +211,7 @@ TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
         said, [](const std::string& line) { return line.find("the host has set") != std::string::npos; });
   };
   EXPECT_TRUE(eventually(running.clock(), complained));
-  // What it still had to answer the first one comes before.
+  // The answers that it still owed the first host come before.
   const auto quiet = [&] {
     const bool silent = !tty->read(in).ok();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

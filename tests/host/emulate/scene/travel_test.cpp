@@ -30,7 +30,7 @@ TEST(TravelLog, DrivesStraightAndBack) {
   EXPECT_DOUBLE_EQ(log.sideways(), 0);
 }
 
-// A quarter of a circle of 1 m radius to the left: the origin comes pi/2 m, the left wheel of a 0.2 m track 0.9 of it,
+// A quarter of a circle of 1 m radius to the left. The origin comes pi/2 m, the left wheel of a 0.2 m track 0.9 of it,
 // the right one 1.1.
 TEST(TravelLog, DrivesAnArcInOneStep) {
   const std::vector<OdometrySample> poses = {pose(0, 0, 0, 0), pose(1, 1, 1, 1.5708)};
@@ -51,8 +51,8 @@ TEST(TravelLog, TellsWayThatNoWheelCan) {
   EXPECT_DOUBLE_EQ(TravelLog(poses).at(base::Time::nearest(1)).distance, 0);
 }
 
-// Ten minutes at 50 Hz of a random walk of speeds and turns; the driver's own integration of the rounded counts comes
-// back to the pose. What is left are the poses' rounding to 0.1 mm, which walks: sqrt(30000) steps of 0.03 mm.
+// Ten minutes at 50 Hz of a random walk of speeds and turns. The driver's own integration of the rounded counts comes
+// back to the pose. The remainder is the poses' rounding to 0.1 mm, which walks: sqrt(30000) steps of 0.03 mm.
 TEST(TravelLog, CountsDoNotDrift) {
   std::mt19937 random(5);
   std::vector<OdometrySample> poses = {{}};

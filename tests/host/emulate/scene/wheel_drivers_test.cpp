@@ -50,7 +50,7 @@ TEST(EmulatedWheels, Create2BringsThePose) {
   EXPECT_NEAR(last.heading.to_double(), feed.poses.back().heading.to_double(), 0.003);
 }
 
-// A frame's reading would be 3 mm and 0.17 degrees, cut off to 3 and 0: the turn would never be told. The requested
+// A frame's reading would be 3 mm and 0.17 degrees, cut off to 3 and 0: the turn would never be reported. The requested
 // speeds are whole mm/s.
 TEST(EmulatedWheels, Create1BringsThePose) {
   const Feed feed = quarter_circle();

@@ -69,7 +69,7 @@ class Picture:
         self.blobs = blobs
 
     def find_blobs(self, thresholds, pixels_threshold=10, area_threshold=10, merge=False):
-        """One threshold: which colour it is, the first or the second, is told by its sign of A."""
+        """One threshold: its sign of A says which colour it is, the first or the second."""
         assert not merge and all(len(t) == 6 for t in thresholds)
         seen = [self.blob(*b) for b in self.blobs]
         if len(thresholds) == 1:
