@@ -1,4 +1,4 @@
-// What a reader has seen, for the result document and the summary on stderr.
+// Counts of a reader's lines and records, for the result document and the summary on stderr.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@
 
 namespace fencepost::record {
 
-/// What a number field may hold, in units of its last decimal.
+/// The range of a number field, in units of its last decimal.
 struct NumberField {
   std::int64_t min;
   std::int64_t max;

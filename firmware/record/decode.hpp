@@ -25,8 +25,8 @@ constexpr bool takes_all(RecordList<Records...> /*list*/) {
 }
 
 /// Takes each kind of record by `accept(const X&)`. One that wants few kinds adds a template for the rest:
-/// `template <class X> void accept(const X&) {}`. If it also has `template <class X> static constexpr bool wants()`,
-/// the fields of what it does not want are not even read: a line of such a kind is no fault if its CRC is right.
+/// `template <class X> void accept(const X&) {}`. With `template <class X> static constexpr bool wants()` the fields of
+/// unwanted kinds are not read. A line of such a kind is then no fault if its CRC is right.
 template <class S>
 concept RecordSink = takes_all<S>(AllRecords{});
 

@@ -11,8 +11,8 @@
 namespace fencepost::record {
 
 /// Writes the whole line, CRC and "\r\n" included, and returns its length; kMaxLine characters hold any line.
-/// Returns 0 if the line does not fit into `line` or into kMaxLine, or if a value is outside the range of its
-/// field: a record that a reader would reject is never written. `line` then holds nothing of use.
+/// Returns 0 if the line does not fit into `line` or into kMaxLine, or if a value is outside the range of its field.
+/// Thus a record that a reader would reject is never written. `line` then holds nothing of use.
 template <RecordType Record>
 [[nodiscard]] std::size_t encode(const Record& record, std::span<char> line) {
   FieldWriter fields(kKindOf<Record>, line);

@@ -12,7 +12,7 @@ namespace fencepost::record {
 /// A line whose length, CRC and kind are right.
 struct Line {
   Kind kind = Kind::kHeader;
-  std::string_view fields;      ///< what follows the kind's comma; borrowed from the line
+  std::string_view fields;      ///< the text after the kind's comma; borrowed from the line
   std::size_t field_count = 0;  ///< 0 only if the kind has no comma after it
 };
 

@@ -13,7 +13,7 @@ namespace fencepost::record {
 
 enum class LineUse : std::uint8_t { kRecord, kForeign, kRejected };
 
-/// What became of one line.
+/// The outcome of one line.
 struct LineOutcome {
   LineUse use = LineUse::kForeign;
   Kind kind = Kind::kHeader;      ///< of a record

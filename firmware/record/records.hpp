@@ -115,8 +115,8 @@ constexpr std::string_view name(AlertLevel level) {
 /// The id of an alert that is no object's: the guard saw something, or nothing can be seen.
 inline constexpr std::uint32_t kNoObject = 0;
 
-/// FPALR: bearing and distance in the robot frame, from its origin to the nearest point of the alert model; or, of the
-/// guard, to the nearest of its points that is in the way. At level blind only t, level and id are told.
+/// FPALR: bearing and distance in the robot frame, from its origin to the nearest point of the alert model. An alert of
+/// the guard has those of its nearest point that is in the way. At level blind only t, level and id are given.
 struct AlertReport {
   base::Time t;
   AlertLevel level = AlertLevel::kClear;
@@ -153,7 +153,7 @@ struct SpeedLimit {
   friend constexpr bool operator==(const SpeedLimit&, const SpeedLimit&) = default;
 };
 
-/// What of the calibration cannot be right.
+/// The part of the calibration that cannot be right.
 enum class Doubt : std::uint8_t {
   kNone,
   kRows,  ///< pitch or height of the camera: the rows of most feet say a wrong depth
@@ -169,8 +169,8 @@ constexpr std::string_view name(Doubt doubt) {
   return "none";
 }
 
-/// FPCAL: what the robot thinks of its camera's calibration, from t on. `factor` is what follows from the calibration
-/// over what was found, of depths by rows or of the focal length: above 1, things are nearer than they seem by it.
+/// FPCAL: the result of the camera's check, from t on. `factor` is the depth by rows, or the focal length, of the
+/// calibration over the one that was found. Above 1, things are nearer than the calibration says.
 struct CalibrationDoubt {
   base::Time t;
   Doubt doubt = Doubt::kNone;

@@ -1,4 +1,4 @@
-// What a record may not do given the records before it in the same run.
+// The rules that a record has to obey, given the records before it in the same run.
 #pragma once
 
 #include <cstdint>

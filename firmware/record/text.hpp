@@ -16,7 +16,7 @@ constexpr bool stands_for_itself(char c) {
   return c >= ' ' && c <= '~' && c != ',' && c != '*' && c != '$' && c != kEscape;
 }
 
-/// What follows the first `at` characters. Not substr(): that one links an exception's machinery.
+/// The text after the first `at` characters. Not substr(): that one links an exception's machinery.
 constexpr std::string_view after(std::string_view text, std::size_t at) {
   text.remove_prefix(std::min(at, text.size()));
   return text;
