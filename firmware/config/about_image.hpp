@@ -1,4 +1,4 @@
-// What an image says of itself to a program that reads its file (`fencepost configure`), beside mcu::AboutBoard.
+// The description inside an image for a program that reads its file (`fencepost configure`), beside mcu::AboutBoard.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ static_assert(sizeof(AboutImage) == 52 + 4 * kDeviceKeys);
 constexpr AboutImage about_image(std::string_view version, std::size_t signatures, const DeviceLimits& limits) {
   AboutImage about;
   AboutImage::kMark.copy(about.mark.data(), about.mark.size());
-  version.copy(about.version.data(), about.version.size());  // what does not fit is left out
+  version.copy(about.version.data(), about.version.size());  // cut to the field's size
   about.signatures = static_cast<std::uint8_t>(signatures);
   about.cameras = limits.cameras;
   about.odometries = limits.odometries;

@@ -10,7 +10,7 @@ namespace fencepost::config {
 
 odometry::CarGeometry car_of(const Settings& settings);
 
-/// What is wrong, and what to do.
+/// The message for a problem: its cause and its remedy.
 std::string_view reason(odometry::CarProblem problem);
 
 }  // namespace fencepost::config

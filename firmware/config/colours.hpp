@@ -1,4 +1,4 @@
-// The colours of one robot's world, for cameras that are told them: a CMUcam's windows. Change them for yours.
+// The colours of one robot's world, for cameras that need them configured: a CMUcam's windows. Change them for yours.
 #pragma once
 
 #include <algorithm>

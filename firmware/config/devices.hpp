@@ -96,7 +96,7 @@ constexpr const KeyInfo& info(DeviceKey key) { return kDeviceInfo[static_cast<st
 /// Of the setting with that name; kDeviceKeys if there is none.
 std::size_t device_key_named(std::string_view name);
 
-/// What is in force, as numbers by DeviceKey; a device's is its id.
+/// The settings in force, as numbers by DeviceKey; a device's number is its id.
 class Devices {
  public:
   constexpr Devices() {
@@ -128,14 +128,14 @@ class Devices {
   std::array<std::int32_t, kDeviceKeys> values_{};
 };
 
-/// What an image contains, and what its board can do.
+/// The contents of an image, and the abilities of its board.
 struct DeviceLimits {
   std::uint32_t cameras = 0;        ///< bit n: CameraId n
   std::uint32_t odometries = 0;     ///< bit n: OdometryId n
   bool one_line = false;            ///< camera and wheel base would share it
   std::uint8_t lowest_address = 0;  ///< that the two-wire bus can speak to
   bool motors = false;              ///< the board drives two by itself
-  Devices initial;                  ///< of an image that has been told nothing
+  Devices initial;                  ///< of an image without any setting
 
   [[nodiscard]] constexpr bool contains(CameraId id) const { return (cameras >> static_cast<unsigned>(id) & 1U) != 0; }
   [[nodiscard]] constexpr bool contains(OdometryId id) const {
@@ -169,7 +169,7 @@ constexpr Refusal refusal(const Devices& devices, const DeviceLimits& limits) {
 /// Why, and what to do instead.
 std::string_view reason(Refusal refusal);
 
-/// What a robot's program offers to its console; borrowed by it.
+/// The devices that a robot's program offers to its console, which borrows this.
 struct DeviceOffer {
   DeviceLimits limits;
   bus::PinNames pins;

@@ -1,5 +1,5 @@
-// How much fits into one part. Every capacity of the loop is here, with its reason; the bytes that follow from them are
-// checked against the budget where the memory is defined (firmware/loop/memory.hpp).
+// The capacities of the loop for each size of part, with their reasons. The resulting bytes are checked against the
+// budget where the memory is defined (firmware/loop/memory.hpp).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a robot has been told, in flash: an append log of short lines, in two pages that take turns.
+// A robot's settings in flash: an append log of short lines, in two pages that take turns.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,11 @@
 
 namespace fencepost::config {
 
-/// A page: its head, a word: a sequence number and its complement. Then entries: a word of length and complement,
-/// the line, padded with 0xFF to whole words, and a word with the line's CRC-16 and its complement; in an entry that
-/// the next one belongs to, these two change places. Words are written in this order, but a page's head last of all: a
-/// page that was not finished is none.
-/// A cut of the power therefore loses the entries that were being written together, all of them, and nothing that was
-/// there before.
+/// A page begins with its head, a word of a sequence number and its complement. Entries follow. Each begins with a word
+/// of length and complement. The line follows, padded with 0xFF to whole words, then a word of its CRC-16 and the
+/// complement. In an entry that continues in the next one, CRC and complement change places. Words are written in this
+/// order, but the head of a page last, so an unfinished page does not count. A power cut therefore loses all entries
+/// that were being written together, and nothing older.
 template <bus::FlashPages Flash>
 class SettingsStore {
  public:

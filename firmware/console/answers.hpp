@@ -14,7 +14,7 @@
 
 namespace fencepost::console {
 
-/// What the answers report.
+/// The facts that the answers report.
 struct AnswerFacts {
   Mode mode = Mode::kText;
   bool alerts = true;

@@ -1,4 +1,4 @@
-// What can be typed: the commands in one table, words of a line, and the word that was probably meant.
+// Typed commands: the table of commands, the words of a line, and the word that was probably meant.
 #pragma once
 
 #include <array>
@@ -105,8 +105,8 @@ Answer about_key(Reply reply, Reply of_device, bool offered, std::string_view ke
 /// The names of all settings, those of devices behind the others.
 std::string_view name_of_key(std::size_t index);
 
-/// The name nearest to `word` among those that are offered, if any is near: it begins with `word`, or
-/// holds it, or differs by at most two letters.
+/// The name nearest to `word` among those that are offered. A near name begins with `word`, contains it or differs by
+/// at most two letters.
 class NearestName {
  public:
   explicit NearestName(std::string_view word) : word_(word) {}

@@ -1,4 +1,4 @@
-// What the console remembers between two turns.
+// The console's state between two turns.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace fencepost::console {
 
-/// What the console shows of itself. In `log` an input is used only if its record could be queued.
+/// The mode of the console's own output. In `log` an input is used only if its record could be queued.
 enum class Mode : std::uint8_t { kText, kLog, kPlot, kQuiet };
 inline constexpr std::size_t kModes = 4;
 
@@ -75,12 +75,12 @@ struct Answer {
   [[nodiscard]] bool pending() const { return reply != Reply::kNone; }
 };
 
-/// What was typed of the robot's motion, and what is known of it here.
+/// The typed commands on the robot's motion, and its permission.
 struct Motion {
   bool held : 1 = false;       ///< `stop`: nothing may move until `go`
   bool by_button : 1 = false;  ///< it was the board's button that set `ahead`: it needs no port
   bool ahead = false;  ///< `go`: the board's motors; whatever is typed next ends it, and so does whoever drives them
-  bool may = false;    ///< would it be allowed now, by loop::MotionPermit: told by whoever drives them
+  bool may = false;    ///< loop::MotionPermit allows it now; set by whoever drives the motors
 };
 
 struct ConsoleState {

@@ -1,4 +1,4 @@
-// What came in and what was done with it.
+// Counters of the inputs and of how they were used.
 #pragma once
 
 #include <array>

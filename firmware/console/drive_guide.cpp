@@ -79,7 +79,7 @@ void DriveGuide::count_blobs(const recon::WaitingFrame& frame, const recon::Came
 }
 
 void DriveGuide::count_step(float way, std::int32_t turn, bool in_view) {
-  // What is met is not counted any more: no sum overflows.
+  // A need that is met is not counted any more, so no sum overflows.
   if (lacks(DriveNeed::kLeft) && turn > 0) left_ += turn;
   if (lacks(DriveNeed::kRight) && turn < 0) right_ -= turn;
   if (lacks(DriveNeed::kAround)) turned_ += turn;

@@ -12,7 +12,7 @@
 
 namespace fencepost::console {
 
-/// What a drive needs, in the order in which it is said.
+/// The needs of a drive, in the order in which they are said.
 enum class DriveNeed : std::uint8_t {
   kBlocks,     ///< that the map knows
   kStraights,  ///< with a near and a far block in view: yaw
@@ -40,11 +40,11 @@ class DriveGuide {
   [[nodiscard]] bool lacks(DriveNeed need) const { return ((met_ >> static_cast<unsigned>(need)) & 1U) == 0; }
   [[nodiscard]] bool enough() const { return met_ == kAllMet; }
 
-  /// A frame of the log, at that pose of the odometry; `known`: confirmed objects of the map. True: a need is met of
-  /// which nothing was said yet.
+  /// Counts a frame of the log, at that pose of the odometry; `known`: confirmed objects of the map. True if a need is
+  /// met that was not said yet.
   bool look(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose& pose,
             unsigned known);
-  /// What is met now is being said. After the last need it is over: the next `calibrate` begins anew.
+  /// Marks all needs met so far as said. After the last need the guide ends; the next `calibrate` begins anew.
   void say() {
     said_ = met_;
     on_ = !enough();

@@ -23,7 +23,7 @@ struct SettingsInForce {
 
 /// Lines that a terminal of 24 rows shows above the one that is being typed.
 inline constexpr std::size_t kScreenLines = 22;
-inline constexpr std::size_t kHelpLines = kVerbs + 1;
+inline constexpr std::size_t kHelpLines = kVerbs + 1;  ///< of `help`: one for each command, and one more
 static_assert(kHelpLines <= kScreenLines);
 
 /// `line` < kHelpLines.

@@ -14,7 +14,7 @@ struct LinkWords {
   std::string_view name;    ///< for people: "camera"; empty: there is no sentence
   std::string_view device;  ///< of FPLNK; empty: it has no cable, nothing is reported
   std::string_view detail;  ///< of FPLNK, at most sensor::kMaxText characters, no comma
-  std::string_view remedy;  ///< what to check
+  std::string_view remedy;  ///< the thing to check
 };
 
 /// For a sensor that offers no words of its own: `name` is "camera" or "odometry".

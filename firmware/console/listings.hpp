@@ -18,7 +18,7 @@
 
 namespace fencepost::console {
 
-/// What `status` reports.
+/// The facts that `status` reports.
 struct StatusFacts {
   std::string_view profile;
   Mode mode = Mode::kText;

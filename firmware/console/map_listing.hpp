@@ -17,7 +17,7 @@ inline constexpr std::size_t kMapLines = TopView::kRows + 4;
 
 inline constexpr char kTrailMark = 'o';
 
-/// What the drawing shows: the slots of the map's table, and the names of the signatures.
+/// The contents of the drawing: the slots of the map's table, the names of the signatures, and the trail.
 template <class Profile>
 struct MapContents {
   std::span<const recon::Object<Profile>> objects;

@@ -1,4 +1,4 @@
-// What an object looks like from above, for all who draw it.
+// The shape of an object from above, for every drawing of the map.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a signature is called and looks like, as the camera was taught it.
+// The name and look of a signature, as the camera was taught it.
 #pragma once
 
 #include <cstdint>

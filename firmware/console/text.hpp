@@ -19,11 +19,11 @@ inline constexpr std::size_t kMaxSentence = 128;
 /// alert is of "something", or of "something red". Returns the length, 0 if `out` is too small.
 std::size_t describe(const record::AlertReport& alert, std::string_view name, std::span<char> out);
 
-/// "BLIND   no frame comes from the camera\r\n". Without a reason: what a log tells of such an alert.
+/// "BLIND   no frame comes from the camera\r\n". Without a reason: the sentence for such an alert in a log.
 std::size_t describe_blind(alert::Blindness reason, std::span<char> out);
 
-/// What to check: "check the camera's pitch and height: things are 1.31 times nearer than it tells". A line in mode
-/// text, "CAMERA  check ...\r\n", and a part of `status`.
+/// The advice "check the camera's pitch and height: things are 1.31 times nearer than it tells". The first writes a
+/// line of mode text, "CAMERA  check ...\r\n", the second a part of `status`.
 std::size_t describe(const record::CalibrationDoubt& doubt, std::span<char> out);
 std::size_t describe_calibration(const record::CalibrationDoubt& doubt, std::span<char> out);
 
@@ -33,10 +33,10 @@ struct Nearest {
   base::Radians bearing;
 };
 
-/// "dist_cm:83,bear_deg:-12,level:2,camera:4,odometry:4\r\n": what serial plotters read. Degrees to the left are
-/// positive; level 0 to 4 (clear to blind) is the highest in force, the states 0 to 4 are absent to ok. Without a
-/// nearest obstacle there are only these. While there is a doubt about the camera, "doubt:1" (rows) or 2 (lens)
-/// follows.
+/// "dist_cm:83,bear_deg:-12,level:2,camera:4,odometry:4\r\n": a line for serial plotters. Degrees to the left are
+/// positive. Level 0 to 4 (clear to blind) is the highest in force; the states 0 to 4 are absent to ok. Without a
+/// nearest obstacle the line has only level and states. If the camera's calibration seems wrong, "doubt:1" (rows) or 2
+/// (lens) follows.
 std::size_t describe_plot(const std::optional<Nearest>& nearest, const record::Heartbeat& beat, record::Doubt doubt,
                           std::span<char> out);
 

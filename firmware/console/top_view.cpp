@@ -12,10 +12,9 @@ namespace {
 // Millimetres a column; the coarsest shows the whole range of positions, +-1000 m.
 constexpr std::array<std::int32_t, 16> kScales = {20,  30,   40,   50,   100,   150,   200,   300,
                                                   500, 1000, 2000, 5000, 10000, 20000, 50000, 100000};
-// Empty characters kept around what is shown.
-constexpr std::int32_t kRim = 1;
-constexpr std::int32_t kTickRows = 5;
-constexpr std::int32_t kTickColumns = 10;
+constexpr std::int32_t kRim = 1;           // empty characters around the contents
+constexpr std::int32_t kTickRows = 5;      // between two ticks
+constexpr std::int32_t kTickColumns = 10;  // between two ticks
 constexpr std::int32_t kSixteenths = 16;
 constexpr std::int64_t kTurn = 6'283'185;  // microradians
 

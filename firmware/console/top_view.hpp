@@ -77,7 +77,7 @@ class TopViewRow {
 
 /// '^', '<', 'v' or '>', the nearest to the heading.
 char robot_arrow(const TopView& view);
-/// What a row and a column are.
+/// The title: the size of a row and of a column.
 std::size_t write_map_title(const TopView& view, std::span<char> out);
 /// The lower edge with ticks, and their numbers.
 std::size_t write_ticks(const TopView& view, std::span<char> out);
