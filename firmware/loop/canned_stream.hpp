@@ -19,9 +19,9 @@ struct CannedStream {
   std::uint64_t digest = 0;              ///< state digest after the last of them
 };
 
-/// Record lines: a camera and two dozen frames of a drive around two objects. An image has them packed alone.
+/// Record lines: a camera and two dozen frames of a drive around two objects.
 extern const std::string_view kCannedLines;
-extern const std::span<const std::uint8_t> kPackedLines;
+extern const std::span<const std::uint8_t> kPackedLines;  ///< the same, packed; an image contains only these
 
 /// By profile: they keep different numbers of objects, vertices and cells. A change of the reconstruction changes
 /// these; tests/firmware/loop/selftest_test.cpp then prints the new ones.

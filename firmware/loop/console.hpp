@@ -1,4 +1,4 @@
-// What the received lines do: records are inputs, all others commands.
+// Handles the received lines: records are inputs, all others are commands.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace fencepost::loop {
 /// A line that begins like this is one of our own, sent back by a terminal or port that echoes: it is not answered.
 inline constexpr std::string_view kErrorStart = "error:";
 
-// What loop and console do for themselves is not inlined: its locals would lie under the reconstruction's stack.
+// Functions of loop and console alone are not inlined: their locals would lie under the reconstruction's stack.
 template <class Profile>
 class Console {
  public:

@@ -12,8 +12,8 @@ namespace fencepost::loop {
 
 enum class Purpose : std::uint8_t { kRun, kSelftest };
 
-/// Hands what one line holds to the pipeline. The other kinds are no inputs: a log that is played into a robot has them
-/// too, and they are passed over unread, but for a header, whose format may be another.
+/// Hands the contents of one line to the pipeline. A log that is played into a robot also has kinds that are no inputs.
+/// They are skipped unread, except for a header, whose format may be another.
 template <class Profile>
 struct Intake {
   Pipeline<Profile>& pipeline;

@@ -15,8 +15,8 @@ struct Journaled : Base {
   static constexpr std::size_t kJournalBytes = kBytes;
 };
 
-/// Lines on their way to the log's file. While it is on, an input is used only if its record is in here: what the file
-/// holds is what was used, as with a console in mode log.
+/// Lines on their way to the log's file. While it is on, an input is used only if its record is in here. The file
+/// therefore holds exactly the inputs that were used, as with a console in mode log.
 template <std::size_t N>
 class Journal {
  public:

@@ -9,8 +9,9 @@
 
 namespace fencepost::loop {
 
-/// Absent and ok are reported at once; other states when they have lasted a second, since a device that starts, or a
-/// blob that flickers, goes through several. Three bytes, because the smallest memory holds one for each sensor.
+/// Absent and ok are reported at once. Other states are reported once they have lasted a second, for a device that
+/// starts, or a blob that flickers, goes through several. Three bytes, because the smallest memory holds one for each
+/// sensor.
 class LinkWatch {
  public:
   /// The state to report now. It stays due until sent().

@@ -27,8 +27,8 @@ class Loop {
   Loop& operator=(const Loop&) = delete;
   ~Loop() = default;
 
-  /// One turn; `now` is the robot's clock. All effects follow from the inputs one by one, never from how many of them
-  /// one turn happened to find: a replay, which has one input a turn, does the same.
+  /// One turn; `now` is the robot's clock. All effects follow from each input alone, never from the number of inputs in
+  /// one turn. A replay, which has one input a turn, therefore does the same.
   void step(base::Time now) {
     if (poll_odometry(now)) process(now, odometry_);
     if (poll_camera(now)) process(now, camera_);
@@ -94,15 +94,15 @@ class Loop {
     if (count) console_.filled(*count);
   }
 
-  // Time passes by this robot's clock, also before the first input, unless all inputs come over the console: then it is
-  // the sender's time, and stands still when that is silent.
+  // Time passes by this robot's clock, also before the first input. If all inputs come over the console, it is the
+  // sender's time, which stops while the sender is silent.
   void pass_time(base::Time now) {
     const bool stamped = sensor::stamped_here(camera_) || sensor::stamped_here(odometry_);
     if (stamped && !pipeline_.has_clock()) pipeline_.set_clock(now);
     pipeline_.pass_time(now);
   }
 
-  // What was refused has no effects: a replay does not know of it.
+  // A refused input has no effects, for a replay does not have it.
   template <class Source>
   void process(base::Time now, const Source& source) {
     if (!pipeline_.used_input()) return;

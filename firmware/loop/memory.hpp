@@ -1,5 +1,5 @@
-// The one owner of memory: everything that the loop remembers, in one static object. Why static: a part that fails for
-// want of memory must fail at compile time, on the desk, and not after ten minutes in front of a class.
+// The one owner of memory: everything that the loop remembers, in one static object. Too small a part therefore fails
+// at compile time, on the desk, and not after ten minutes in front of a class.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@
 
 namespace fencepost::loop {
 
-/// What was last reported of one object; reset when it ends.
+/// The last report of one object; reset when it ends.
 struct ReportState {
   bool sent = false;
   record::ObjectState state = record::ObjectState::kTentative;
@@ -94,7 +94,7 @@ struct Memory {
   recon::MeasurementNoise noise;
   std::array<alert::AlertState, Profile::kObjects> alerts{};
   alert::Looming<Profile::kTracks> looming;
-  alert::AlertState front_alert;  ///< of what is no object: the guard's, what comes by itself, or nothing can be seen
+  alert::AlertState front_alert;  ///< without an object: by the guard, by looming, or because the robot is blind
   alert::CameraDoubt camera_doubt;
   std::array<ReportState, Profile::kObjects> reports{};
   console::Counters counters;
@@ -132,7 +132,7 @@ template <class Profile>
   return recon::next_view(object.hybrid().outline(), object.hybrid().clusters, robot, others.view(), clearance);
 }
 
-/// What `sectors` answers, and a planner takes for a lidar's ranges. Needs odometry.
+/// The answer of `sectors`, which a planner takes for a lidar's ranges. Needs odometry.
 template <class Profile>
 requires(Profile::kSeesFloor) [[gnu::noinline]] record::SectorReport sectors_of(const Memory<Profile>& memory) {
   const recon::MapPose odometry = memory.poses.latest();

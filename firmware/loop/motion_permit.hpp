@@ -1,5 +1,5 @@
-// May the robot drive? What an output that releases motors follows: of a board's STOP pin, of a Linux machine's line
-// and frame, and of a wheel base that drives. Where anything is not known, the answer is no.
+// Decides whether the robot may drive, for every output that releases motors. These are a board's STOP pin, a Linux
+// machine's line and frame, and a wheel base that drives. Where anything is not known, the answer is no.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,9 @@ constexpr std::int16_t most_of(const record::SpeedLimit& limit) {
   return static_cast<std::int16_t>(std::min<std::int32_t>(limit.speed->raw / kUnits, INT16_MAX));
 }
 
-/// How fast may a base go that drives by itself? One that stopped before something would else creep up to it in jerks,
-/// since what it stands before is not coming closer: it goes on when nothing warns any more.
+/// The maximum speed of a base that drives by itself. After a stop it drives on only when nothing warns any more.
+/// Otherwise it would creep up to the obstacle in jerks, because an obstacle does not come closer to a stationary
+/// robot.
 class DrivePermit {
  public:
   /// mm/s; 0: it has to stand.

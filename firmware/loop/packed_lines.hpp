@@ -1,5 +1,5 @@
-// Record lines in less than half their bytes: they are nearly all digits, so a character is four bits, and a fifteenth
-// code announces one of sixteen pieces. The self-test's stream is packed when it is compiled.
+// Record lines in less than half their bytes. They are nearly all digits, so a character takes a code of four bits.
+// Code 15 announces one of up to sixteen pieces. The self-test's stream is packed when it is compiled.
 #pragma once
 
 #include <array>
@@ -10,9 +10,8 @@
 
 namespace fencepost::loop {
 
-/// Codes 0 to 14 are a character each; 15 and one more code, a piece.
-inline constexpr std::string_view kPackedCharacters = "0123456789,.-*\n";
-inline constexpr std::uint8_t kPieceFollows = 15;
+inline constexpr std::string_view kPackedCharacters = "0123456789,.-*\n";  ///< codes 0 to 14
+inline constexpr std::uint8_t kPieceFollows = 15;                          ///< one more code follows, of a piece
 inline constexpr std::array<std::string_view, 12> kPackedPieces = {
     "A", "B", "C", "D", "E", "F", "$FPODO,", "$FPFRM,", "$FPCAM,", "selftest", "d02020", "2040d0"};
 static_assert(kPackedCharacters.size() == kPieceFollows && kPackedPieces.size() <= 16);
@@ -37,7 +36,7 @@ class CodeWriter {
   std::size_t count_ = 0;
 };
 
-/// What a character may begin. A table, since compilers bound the steps of what they compute.
+/// The codes that a character may begin. A table, because compilers bound the steps of a constant expression.
 struct FirstCharacter {
   std::uint8_t code = kPieceFollows;  ///< the character's own; kPieceFollows if it has none
   bool begins_piece = false;
@@ -62,8 +61,8 @@ constexpr std::size_t piece_at_front(std::string_view text) {
   return i;
 }
 
-/// Bytes that the packed `text` takes, of which those that have room are in `out`; 0 if it has a character that no code
-/// stands for. A text of whole lines ends with '\n'.
+/// Packs `text` into `out`, as far as there is room, and returns the bytes that all of it takes. 0 if it has a
+/// character without a code. A text of whole lines ends with '\n'.
 constexpr std::size_t pack_lines(std::string_view text, std::span<std::uint8_t> out) {
   CodeWriter codes(out);
   for (std::size_t at = 0; at < text.size();) {

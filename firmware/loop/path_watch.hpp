@@ -35,7 +35,7 @@ class PathWatch {
     }
   }
 
-  /// After a frame: can the camera be as the robot was told?
+  /// After a frame: checks the camera's configuration.
   [[gnu::noinline]] void judge_camera(base::Time now) {
     alert::RowVotes votes;
     for (const recon::ObjectCore& object : m_.map.slots()) votes.add(object);
@@ -101,7 +101,7 @@ class PathWatch {
     return {beat.t, base::Metres{m_.run.speed_limit * (base::Metres::kPerUnit / 1000)}};
   }
 
-  /// What is in force now.
+  /// The level and the link states in force now.
   [[nodiscard]] record::Heartbeat heartbeat(base::Time now) const {
     record::AlertLevel level = m_.front_alert.level;
     for (const alert::AlertState& state : m_.alerts) level = std::max(level, state.level);
@@ -181,7 +181,7 @@ class PathWatch {
     return !front_within(guard.fronts(), guard.origin(), by_odometry, obstacle.toward, reach);
   }
 
-  // What stands, by the guard, which knows odometry's frame only, and what comes by itself.
+  // Static things by the guard, which knows odometry's frame only, and things that approach by themselves.
   [[nodiscard]] alert::FrontAhead fronts_ahead(const alert::RobotPlace& robot, const alert::RobotPath& path,
                                                const alert::AlertRules& rules, base::Time now) const {
     const auto& guard = m_.map.guard();

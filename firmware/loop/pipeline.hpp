@@ -1,4 +1,4 @@
-// What one input does: every effect of an odometry sample, a frame, a calibration. Knows no sensor and no link.
+// Every effect of one input: an odometry sample, a frame or a calibration. Knows no sensor and no link.
 // All times in here are stream times, so a replay decides as the robot did.
 #pragma once
 
@@ -64,8 +64,8 @@ class Pipeline {
     if (reporter_.logs()) reporter_.resend_links();
   }
 
-  /// In force for the frames after it. Frames that wait keep the calibration that they came with; of more than two
-  /// calibrations in use at a time, those of the oldest are refused.
+  /// In force for the frames after it. Waiting frames keep the calibration that they came with. With a third
+  /// calibration in use, the frames of the oldest are refused.
   void set_camera(const sensor::CameraIntrinsics& intrinsics) {
     Calibration& calibration = m_.calibration;
     if (calibration.known && calibration.intrinsics == intrinsics) return;
@@ -109,13 +109,13 @@ class Pipeline {
     return error;
   }
 
-  /// The devices to choose from, which must outlive this; the ones of an image that was told nothing are in force.
+  /// The devices to choose from, which must outlive this. Those of an image without any setting are in force.
   void offer(const config::DeviceOffer& offer) {
     m_.offer = &offer;
     choose(offer.limits.initial);
     use_delivered_calibration();
   }
-  /// Of what was kept: applied as it is, whether or not it can be had with what was kept before it.
+  /// Applies a stored setting as it is, whether or not it fits the settings restored before it.
   void restore_device(std::string_view key, std::string_view value) {
     config::Devices devices = m_.devices;
     if (devices.set(key, value)) return;
@@ -123,7 +123,7 @@ class Pipeline {
     choose(devices);
     if (seen_otherwise) use_delivered_calibration();
   }
-  /// After all of it: if the devices cannot be had together, those of an image that was told nothing.
+  /// After the last stored setting: if the devices cannot be had together, those of an image without any setting.
   void end_restoring() {
     if (refusal(m_.devices, m_.offer->limits) == config::Refusal::kNone) return;
     choose(m_.offer->limits.initial);
@@ -135,9 +135,9 @@ class Pipeline {
     config::Refusal refusal = config::Refusal::kNone;
     [[nodiscard]] bool done() const { return !error && refusal == config::Refusal::kNone; }
   };
-  /// In force at once. A camera and a lens come with their calibration, but for where they are mounted; what was
-  /// measured with other devices is forgotten: a new run. Nothing changes on an error, or where the devices cannot be
-  /// had together.
+  /// In force at once. A camera and a lens come with their calibration, except for where they are mounted. A new run
+  /// begins: everything measured with other devices is forgotten. Nothing changes on an error, or if the devices cannot
+  /// be had together.
   DeviceChange set_device(std::string_view key, std::string_view value) {
     config::Devices devices = m_.devices;
     const DeviceChange change{devices.set(key, value), refusal(devices, m_.offer->limits)};
@@ -243,7 +243,7 @@ class Pipeline {
     return true;
   }
 
-  /// What does not wait for a frame: alerts and the heartbeat, after each input.
+  /// After each input: the alerts and the heartbeat that do not wait for a frame.
   void watch_without_frames() {
     watch_.watch_without_frames();
     if (m_.run.time && !m_.run.testing && beat_due(*m_.run.time)) beat(*m_.run.time);
@@ -309,7 +309,7 @@ class Pipeline {
   [[nodiscard]] const Reporter<Profile>& reporter() const { return reporter_; }
   [[nodiscard]] std::optional<base::Time> stream_time() const { return m_.run.time; }
   [[nodiscard]] bool has_clock() const { return m_.run.behind.has_value(); }
-  /// What is in force now, whether it has been said yet or not. A robot that tests itself sees nothing else.
+  /// The heartbeat in force now, sent or not. During the self-test the robot sees nothing else and is blind.
   [[nodiscard]] record::Heartbeat in_force() const {
     record::Heartbeat beat = watch_.heartbeat(m_.run.time.value_or(base::Time{}));
     if (m_.run.testing) beat.level = record::AlertLevel::kBlind;
@@ -319,7 +319,7 @@ class Pipeline {
   /// How fast the robot may be while that is in force.
   [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const { return watch_.speed_limit(beat); }
 
-  // What a screen shows, see view::MapSource.
+  // The contents of a screen, see view::MapSource.
   static constexpr std::size_t kObjects = Profile::kObjects;
   [[nodiscard]] std::span<const recon::Object<Profile>> objects() const { return m_.map.slots(); }
   [[nodiscard]] std::optional<recon::MapPose> robot() const {
@@ -455,7 +455,7 @@ class Pipeline {
     return noise;
   }
 
-  // Of things of this colour, mm; 0: not told. The self-test is the same on every robot.
+  // Of things of this colour, mm; 0: not configured. The self-test is the same on every robot.
   [[nodiscard]] std::uint16_t width_of(std::uint8_t signature) const {
     const record::Signature* known = console::find_signature(signature, m_.signatures.view());
     return known != nullptr && !m_.run.testing ? known->width : std::uint16_t{0};

@@ -1,4 +1,4 @@
-// What the loop emits of its own accord: records in mode log, sentences in mode text, numbers in mode plot.
+// The loop's own output: records in mode log, sentences in mode text, numbers in mode plot.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline constexpr base::Duration kHeartbeatInterval = base::milliseconds(100);
 inline constexpr std::uint32_t kDigestEvery = 50;  ///< frames
 
 /// Back-pressure: an answer of the console waits for an empty queue, so that the log comes first. After this many turns
-/// it takes any room, and inputs and reports are refused until it got it: a console must answer on the slowest link.
+/// it takes any room, and until then inputs and reports are refused. A console must answer on the slowest link.
 inline constexpr std::uint8_t kTurnsBeforeYield = 64;
 
 template <class Profile>
@@ -49,11 +49,11 @@ class Reporter {
   /// Reports and inputs yield to an answer that has waited too long.
   [[nodiscard]] bool yields() const { return m_.console.turns_without_room >= kTurnsBeforeYield; }
 
-  /// The calibration's records in the order in which they are sent: header, camera, signatures, settings, and what the
-  /// robot thinks of it.
+  /// Index of the first of the calibration's records. They are sent in the order header, camera, signatures, settings,
+  /// result of the camera's check.
   static constexpr std::size_t kHeaderRecord = 0;
-  static constexpr std::size_t kCameraRecord = 1;
-  static constexpr std::size_t kSignatureRecords = 2;
+  static constexpr std::size_t kCameraRecord = 1;      ///< index of the camera's record
+  static constexpr std::size_t kSignatureRecords = 2;  ///< index of the first signature's
   [[nodiscard]] std::size_t setting_records() const { return kSignatureRecords + m_.signatures.size(); }
   [[nodiscard]] std::size_t doubt_record() const { return setting_records() + config::kKeys; }
 
@@ -78,8 +78,8 @@ class Reporter {
     calibration();
   }
 
-  /// As many records as the queue has room for; inputs wait for all of them, so that none is used before the log holds
-  /// the calibration that it is used with.
+  /// Sends as many of the calibration's records as the queue has room for. Inputs wait for all of them, so that the log
+  /// holds the calibration before any input that uses it.
   void calibration() {
     if (!logs()) return;
     while (m_.run.next_record <= doubt_record()) {
@@ -92,20 +92,20 @@ class Reporter {
   void alert(const record::AlertReport& report) {
     emit(report, [&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
   }
-  /// One that may be a repetition of what was said of it: in words it is said when it is news.
+  /// A report that may repeat an earlier one: in words it is said only if news() says so.
   void alert(const record::AlertReport& report, alert::AlertState& state) {
     const bool in_words = m_.console.alerts && shown_in(console::Mode::kText);
-    if (!in_words) state.said = record::AlertLevel::kClear;  // who is told from now on is told all
+    if (!in_words) state.said = record::AlertLevel::kClear;  // a reader from now on gets all alerts
     if (!in_words || news(state, report)) return alert(report);
     journal_or_drop(report);
   }
 
-  /// The same, of which a person is told the reason.
+  /// The same at level blind; its sentence has the reason.
   void blind(alert::Blindness reason, base::Time now) {
     emit(console::report_blind(now), [reason](std::span<char> room) { return console::describe_blind(reason, room); });
   }
 
-  /// What is thought of the camera's calibration has changed. Its record goes before the next input.
+  /// The result of the camera's check has changed. Its record goes before the next input.
   void camera_doubt() {
     resend_from(doubt_record());
     if (!shown_in(console::Mode::kText)) return;
@@ -192,7 +192,7 @@ class Reporter {
   }
 
  private:
-  // A switched-off console is told nothing; the journal has it all the same.
+  // A switched-off console gets nothing; the journal has it all the same.
   template <class Sentence>
   void emit(const record::AlertReport& report, Sentence&& sentence) {
     if (!m_.run.testing) m_.listener.tell(report, sentence);
@@ -210,7 +210,7 @@ class Reporter {
     if (!logged || !shown_in(console::Mode::kText) || std::string_view(words.name).empty()) return logged;
     const bool fits = m_.output.put_line(
         [&](std::span<char> room) { return console::describe_link(state, words.name, words.remedy, room); });
-    // What does not fit into an empty queue never will. With a journal, the record is there already.
+    // A line that does not fit into an empty queue never will. With a journal, the record is there already.
     if (!fits && (logs() || m_.output.waiting().empty())) ++m_.counters.records_dropped;
     return fits || logs() || m_.output.waiting().empty();
   }
