@@ -15,7 +15,10 @@ const MAX_UNPACKED = 512e6; // bytes; a log of fifty hours, and what a browser h
 /** Unpacks gzip, and leaves other bytes as they are. Throws a sentence where it is damaged, cut off or too long. */
 export async function unpacked(bytes, most = MAX_UNPACKED) {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
+  const { readable, writable } = new DecompressionStream("gzip");
+  const writer = writable.getWriter();
+  for (const end of [writer.write(bytes), writer.close()]) end.catch(() => {});  // the reader has the same fault
+  const reader = readable.getReader();
   const parts = [];
   let size = 0;
   try {
@@ -30,7 +33,13 @@ export async function unpacked(bytes, most = MAX_UNPACKED) {
     await reader.cancel();
     throw new Error(t("tooLong", { megabytes: most / 1e6 }));
   }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
+  const whole = new Uint8Array(size);
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
 }
 
 const read = (id) => JSON.parse(byId(id)?.textContent || "null");

@@ -1,6 +1,6 @@
 // The loop as WebAssembly: one log, drive or camera at a time, and copies of its memory to come back to.
 
-const BLOCK = 4096;
+const BLOCK = 1024;  // words of memory that are compared and kept together
 const RESULT = 0;
 const STATE = 1;
 const STATE_WITH_ALERTS = 2;
@@ -165,30 +165,32 @@ export class Engine {
   /** The log of the drive or of the camera so far. */
   log() { return new Uint8Array(this.#code.memory.buffer, this.#code.log(), this.#code.log_size()).slice(); }
 
-  /** All memory, in blocks; those that are as in `previous` are not kept twice. */
+  /** All memory: a copy of all that was there first, and the blocks that have changed; those as in `previous` are shared. */
   snapshot(previous) {
-    const memory = new Uint8Array(this.#code.memory.buffer);
     const words = new Int32Array(this.#code.memory.buffer);
-    const blocks = [];
-    for (let at = 0; at < memory.length; at += BLOCK) {
-      const old = previous?.blocks[at / BLOCK];
-      blocks.push(old && sameWords(words, at / 4, old) ? old : new Int32Array(words.slice(at / 4, (at + BLOCK) / 4)));
+    const first = previous?.first ?? words.slice();
+    const changed = new Map();
+    for (let at = 0; previous && at < words.length; at += BLOCK) {
+      const known = previous.changed.get(at);
+      if (!sameWords(words, at, known ?? first, known ? 0 : at)) changed.set(at, words.slice(at, at + BLOCK));
+      else if (known) changed.set(at, known);
     }
-    return { blocks, time: this.time };
+    return { first, changed, size: words.byteLength, time: this.time };
   }
 
   /** Another instance, for memory never shrinks. */
-  restore({ blocks }) {
+  restore({ first, changed, size }) {
     this.#start();
     const { memory } = this.#code;
-    const missing = blocks.length * BLOCK - memory.buffer.byteLength;
+    const missing = size - memory.buffer.byteLength;
     if (missing > 0) memory.grow(Math.ceil(missing / 65536));
     const words = new Int32Array(memory.buffer);
-    blocks.forEach((block, i) => words.set(block, i * BLOCK / 4));
+    words.set(first);
+    for (const [at, block] of changed) words.set(block, at);
   }
 }
 
-function sameWords(words, start, block) {
-  for (let i = 0; i < block.length; ++i) if (words[start + i] !== block[i]) return false;
+function sameWords(words, at, others, from) {
+  for (let i = 0; i < BLOCK; ++i) if (words[at + i] !== others[from + i]) return false;
   return true;
 }

@@ -76,6 +76,7 @@ function draw() {
   const frame = view.page.frame?.number;
   if (!driver?.going || frame !== drawnNow.frame) byId("camera-note").textContent = drawCamera(byId("camera"), { ...all, memory: memory.camera, picture: webcam?.picture });
   drawnNow.frame = frame;
+  if (view.path.length) document.documentElement.dataset.pictured ??= String(Math.round(performance.now()));
   if (!made() || shownTables.at !== drawnNow.tables) drawTimeline(byId("timeline"), { rows: state.rows, begin: state.begin, end: state.end, t: state.t, ink });
   drawnNow.tables = shownTables.at;
   byId("clock").textContent = `${state.t.toFixed(2)} s`;
@@ -247,7 +248,7 @@ async function openEntry(entry) {
   for (const id of ["save-result", "save-log", "profile"]) byId(id).disabled = Boolean(entry.kept);
   byId("thinned").hidden = !entry.kept;
   byId("thinned").textContent = entry.kept ? plain(t("thinned", entry.kept)) : "";
-  let shown = performance.now();
+  let shown = -Infinity;  // the first picture comes at once
   let last = null;
   try {
     last = await player.load(entry.bytes, Number(byId("profile").value), (share, look) => {
@@ -318,7 +319,8 @@ function setTheme(name) {
   document.documentElement.dataset.theme = name;
   byId("theme").setAttribute("aria-pressed", String(name === "dark"));
   ink = inks();
-  if (player) fillTables(true);
+  if (!player) return;  // the loop comes before the first picture
+  fillTables(true);
   for (const card of cards) card();
   if (compared.length) compare(compared, { ink, theme: name });
   redraw();

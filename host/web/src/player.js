@@ -3,7 +3,7 @@
 const TURN = 10;          // ms of work before the page gets its turn
 const CHUNK = 4096;       // bytes between two looks at the clock
 const CHECKPOINTS = 48;   // at most
-const REPLAYED = 20;      // ms of replay between two of them at least: a jump costs that
+const REPLAYED = 50;      // ms of replay between two of them at least: a jump costs that
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
 /** What the page shows at one time; alerts up to then, or none. */
