@@ -25,7 +25,7 @@ std::string_view reason(odometry::CarProblem problem) {
   switch (problem) {
     case odometry::CarProblem::kNone: return {};
     case odometry::CarProblem::kNoCounts:
-      return "how far a count is was not told: drive a metre, then 'set car.counts' to what the encoder counted";
+      return "car.counts is not set: drive a metre, then 'set car.counts' to what the encoder counted";
     case odometry::CarProblem::kNoHeading:
       return "it has no yaw rate and no steering angle: an encoder alone knows no heading; send one of the two";
     case odometry::CarProblem::kNoWheelbase:

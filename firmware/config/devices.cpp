@@ -107,7 +107,7 @@ std::string_view reason(Refusal refusal) {
     case Refusal::kAddress:
       return "this part's two-wire bus does not speak to addresses 0 to 7, and an NXTCam has 1; connect its serial "
              "pins, camera nxtcam";
-    case Refusal::kNoLens: return "the lens of a camera behind the console is told by $FPCAM; lens has to be 0";
+    case Refusal::kNoLens: return "$FPCAM gives the lens of a camera behind the console; lens has to be 0";
     case Refusal::kNoCounts: return "a wheel has counts; 0 is none";
     case Refusal::kNoMotors:
       return "no motor of this board's robot is driven by its own program; its STOP pin goes to a motor driver, or "

@@ -63,7 +63,7 @@ void put_doubt(Sentence& s, const record::CalibrationDoubt& said) {
       s.put(more ? " times nearer than it tells" : " times farther than it tells");
       return;
     case record::Doubt::kLens:
-      s.put("check the focal length, or the wheels' track: the lens seems told ");
+      s.put("check the focal length, or the wheels' track: the lens seems configured ");
       s.number(factor, base::Ratio2::kDecimals).put(more ? " times too long" : " times too short");
       return;
   }

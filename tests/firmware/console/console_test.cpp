@@ -58,10 +58,11 @@ TEST(Console, Settings) {
       "  camera.noise    0.00  0.00..10.00 px sigma of a box edge; 0: by its columns\r\n"
       "  correct.drift    3.0  0.1..50.0 %   of the distance: how far off odometry is\r\n"
       "  correct.pose    auto  off|on|auto   by landmarks seen again; auto: if odometry drifts\r\n"
-      "  car.counts       0.0  -1000000.0..1000000.0 /m of a car's encoder; 0: not told; negative: backwards\r\n"
-      "  car.wheelbase  0.000  0.000..3.000 m between its axles; 0: not told\r\n"
-      "  steer.scale    1.000  -10.000..10.000 turn of the wheels for one told; negative: right is told positive\r\n"
-      "  steer.offset    0.00  -45.00..45.00 deg told when it goes straight\r\n"
+      "  car.counts       0.0  -1000000.0..1000000.0 /m of a car's encoder; 0: not configured; negative: backwards\r\n"
+      "  car.wheelbase  0.000  0.000..3.000 m between its axles; 0: not configured\r\n"
+      "  steer.scale    1.000  -10.000..10.000 turn of the wheels over the reported one; negative: right is "
+      "positive\r\n"
+      "  steer.offset    0.00  -45.00..45.00 deg reported when it goes straight\r\n"
       "  gyro.scale    1.0000  -2.0000..2.0000 true turn for one measured; negative: clockwise is positive\r\n"
       "  gyro.bias      0.000  -30.000..30.000 deg/s measured when nothing turns, until it has stood\r\n");
 }

@@ -88,9 +88,10 @@ TEST(Text, ADoubtAboutTheCameraSaysWhatToCheck) {
   EXPECT_EQ(said(record::Doubt::kRows, 80),
             "CAMERA  check the camera's pitch and height: things are 1.25 times farther than it tells\r\n");
   EXPECT_EQ(said(record::Doubt::kLens, 145),
-            "CAMERA  check the focal length, or the wheels' track: the lens seems told 1.45 times too long\r\n");
-  EXPECT_EQ(said(record::Doubt::kLens, 1),
-            "CAMERA  check the focal length, or the wheels' track: the lens seems told 100.00 times too short\r\n");
+            "CAMERA  check the focal length, or the wheels' track: the lens seems configured 1.45 times too long\r\n");
+  EXPECT_EQ(
+      said(record::Doubt::kLens, 1),
+      "CAMERA  check the focal length, or the wheels' track: the lens seems configured 100.00 times too short\r\n");
   EXPECT_EQ(said(record::Doubt::kNone, 100), "CAMERA  nothing speaks against its calibration any more\r\n");
 }
 

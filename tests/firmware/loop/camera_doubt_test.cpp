@@ -92,7 +92,7 @@ TEST(CameraDoubt, WidensTheDistancesOfAlertsMeanwhile) {
 
 TEST(CameraDoubt, OfItsLensIsSaidAfterTurning) {
   const Played wide = play({.focal = 273.6 / 1.3}, console::Mode::kText, 20, 0, 0.8);
-  EXPECT_NE(wide.said.find("CAMERA  check the focal length, or the wheels' track: the lens seems told 1."),
+  EXPECT_NE(wide.said.find("CAMERA  check the focal length, or the wheels' track: the lens seems configured 1."),
             std::string::npos)
       << wide.said;
   const Played log = play({.focal = 273.6 * 1.3}, console::Mode::kLog, 20, 0, 0.8);

@@ -18,7 +18,7 @@ std::string reading(double t, std::int32_t count, std::optional<std::int32_t> ra
 
 TEST(CarOnTheConsole, SaysWhatIsMissing) {
   Desk<> desk;
-  EXPECT_NE(desk.type(reading(1, 0, 0)).find("$FPCAR rejected (range): how far a count is was not told: drive a metre"),
+  EXPECT_NE(desk.type(reading(1, 0, 0)).find("$FPCAR rejected (range): car.counts is not set: drive a metre"),
             std::string::npos);
   desk.type("set car.counts 2000\n");
   EXPECT_NE(desk.type(reading(1, 0, {})).find("an encoder alone knows no heading"), std::string::npos);
