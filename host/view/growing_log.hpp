@@ -37,7 +37,7 @@ class GrowingLog {
   struct Part {
     std::string bytes;        ///< empty: nothing new
     std::uint64_t place = 0;  ///< of the next one
-    bool lost = false;        ///< what was at this place is not kept any more
+    bool lost = false;        ///< the bytes of this place are not kept any more
     bool ended = false;       ///< and nothing follows
   };
   [[nodiscard]] Part read(std::uint64_t place) const;

@@ -1,4 +1,4 @@
-// What a browser asks for, and whether it gets it.
+// Judges a browser's request: what it gets, or why nothing.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,8 @@ struct Judgement {
   std::string because;  ///< of a refusal: a sentence for whoever reads it
 };
 
-/// `head`: all up to the empty line, without it. Refuses what is no GET of the page or the stream; a `Host` that is
-/// no name of this machine, since a foreign name that is made to lead here (DNS rebinding) comes with it; and what
-/// another origin's page asks for.
+/// `head`: all up to the empty line, without it. Refuses requests that are no GET of the page or the stream, and those
+/// of another origin's page. Refuses a `Host` that is no name of this machine: DNS rebinding leads a foreign name here.
 Judgement judge(std::string_view head);
 
 /// The head of an answer, its empty line included. `more`: further header lines.

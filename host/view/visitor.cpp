@@ -24,8 +24,8 @@ void Visitor::serve(Time now) {
   if (fd_.open() && too_slow(now)) fd_.close();
 }
 
-// What follows a request is read and dropped: closing with unread bytes would cut off the answer. A little at a time:
-// there are others.
+// Bytes behind the request are read and dropped: closing with unread bytes would cut off the answer. It reads a little
+// at a time, for other visitors wait.
 void Visitor::receive(Time now) {
   std::array<char, 4096> buffer{};
   for (int turn = 0; turn < 16 && fd_.open(); ++turn) {

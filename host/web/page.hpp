@@ -24,7 +24,7 @@ std::optional<std::string> page_with(std::string_view page, const std::vector<Gi
 /// that server, and nobody else. Nothing if the page has no place for it.
 std::optional<std::string> page_of_stream(std::string_view page, std::string_view name, std::string_view stream);
 
-/// What page_with adds for such a log beside its bytes in base64, no more.
+/// Maximum bytes that page_with adds for such a log beside its own in base64.
 std::size_t bytes_around(const GivenLog& log);
 
 }  // namespace fencepost::host

@@ -31,8 +31,8 @@ class PageReplay final : private RunObserver {
   /// The same without the path, which the page reads from memory; `with_alerts`: those of the run so far, which are
   /// many in a long one.
   [[nodiscard]] std::string state(bool with_alerts) const;
-  /// What is not in the result document: the latest frame with the objects that took its boxes, settings in force, bad
-  /// lines, complaints, how far the robot's own log agrees.
+  /// Data that the result document lacks: the latest frame with the objects that took its boxes, and settings in force.
+  /// Also bad lines, complaints, and how far the robot's own log agrees.
   [[nodiscard]] std::string page() const;
 
  private:

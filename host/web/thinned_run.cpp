@@ -26,7 +26,7 @@ void round_points(std::vector<Point>& points) {
   for (Point& point : points) point = {millimetres(point.x), millimetres(point.y)};
 }
 
-/// Of an object's models those that the page shows unless told otherwise.
+/// Keeps of an object's models those that the page shows by default.
 void keep_plain_models(std::vector<ObjectResult>& objects) {
   for (ObjectResult& object : objects) {
     std::erase_if(object.models,

@@ -1,5 +1,5 @@
-// What the page shows of a log that is too long to be in it: looks at some times of it, its path and alerts as far as
-// they can be told apart, and all that there is to say at its end.
+// The data for the page of a log that is too long to be in it. Looks at some times, path and alerts as fine as they can
+// be shown, and all final results.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 namespace fencepost::host {
 
-/// The bytes of a log in portions, with a line more in every run: behind its header, or before the first record of a
-/// log that begins without one.
+/// The bytes of a log in portions, with a further line in every run. The line follows the header, or comes before the
+/// first record of a log that begins without one.
 class WithCalibration {
  public:
   /// `line`: an FPCAM record with its line end.

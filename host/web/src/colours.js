@@ -1,4 +1,4 @@
-// Colours that are told apart with every common kind of colour vision (Okabe and Ito), and a mark for each signature.
+// Colours that are distinct with every common kind of colour vision (Okabe and Ito), and a mark for each signature.
 
 const WHEEL = [  // hue of what a camera was taught, and what is drawn for it by day and by night
   { hue: 5, light: "#c24a00", dark: "#ff7a3d" },     // red: vermilion
@@ -56,7 +56,7 @@ export function drawMark(g, mark, x, y, size) {
   g.fill();
 }
 
-/** What the style sheet says for the theme in force. */
+/** The style sheet's colours for the theme in force. */
 export function inks() {
   const style = getComputedStyle(document.documentElement);
   const ink = (name) => style.getPropertyValue(`--${name}`).trim();

@@ -1,4 +1,4 @@
-// What the user does: pointer, buttons, keys, files. `page` is what main.js offers.
+// The user's actions: pointer, buttons, keys, files. `page` is what main.js offers.
 import { byId, make, plain } from "./dom.js";
 import { describe } from "./map2d.js";
 import { listen } from "./pointer.js";
@@ -59,7 +59,7 @@ export function bindMap(page) {
   byId("follow").onchange = redraw;
 }
 
-/** What keys do, wherever they are pressed. */
+/** Actions of keys, wherever they are pressed. */
 export function bindKeys({ state, play, stop, goTo, fit }) {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("select, summary, input:not([type=range])")) return;

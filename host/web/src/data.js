@@ -1,4 +1,4 @@
-// What is in the page: the loop, recordings, and the logs that `fencepost report` puts there; and files.
+// Data in the page (the loop, recordings, and the logs that `fencepost report` puts there) and files.
 import { byId } from "./dom.js";
 import { truthOf } from "./scene.js";
 import { t } from "./words.js";
@@ -59,7 +59,8 @@ export async function entryOf({ name, log, thinned, scene }) {
 /** The boards' programs in this copy of the page: [{ board, image }], packed. */
 export const boardImages = () => read("images") ?? [];
 
-/** What this copy of the page was written for, or null: { logs, profile }, or { stream: { name, path } } of a run that goes on. */
+/** The logs that this copy of the page was written for: { logs, profile }. Of a run that goes on: { stream: { name, path } }.
+ * Else null. */
 export const given = () => read("given");
 
 const stem = (name) => name.replace(/(\.(log|txt|json|gz))+$/i, "");

@@ -1,4 +1,4 @@
-// What a report kept of a log that was too long for the page: how things were at some times, and at the end. Where a Player is.
+// A report's data of a log that was too long for the page: its state at some times, and at the end. It takes a Player's place.
 import { poseIndex } from "./scene.js";
 
 const until = (path, t) => path.subarray(0, path.length && path[0] <= t ? 4 * (poseIndex(path, t) + 1) : 0);
@@ -21,7 +21,7 @@ export class Kept {
   stop() {}
   async score() { return null; }
 
-  /** What was kept of `t`, or of the time before it that is nearest. */
+  /** The data kept for `t`, or for the nearest earlier time. */
   async seek(t) {
     if (t >= this.end) return this.last;
     const look = this.#looks.findLast(({ time }) => time <= t) ?? this.#looks[0] ?? this.last;

@@ -1,4 +1,4 @@
-// What the map shows, by choice: layers, and the outlines of which models.
+// The user's choice of the map's layers, and of the models whose outlines it shows.
 import { make } from "./dom.js";
 import { language, t } from "./words.js";
 

@@ -227,7 +227,7 @@ function lineOf(bytes, number) {
   return new TextDecoder().decode(bytes.subarray(start, Math.min(end < 0 ? bytes.length : end, start + 200))).trimEnd();
 }
 
-// What is still coming has no end to go back from.
+// A run that still goes on has no end to go back from.
 function setLive(live) {
   state.live = live;
   for (const id of ["slider", "play", "save-result", "save-log", "profile"]) byId(id).disabled = live;

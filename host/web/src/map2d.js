@@ -235,8 +235,8 @@ function drawHighlight({ g, window, ink, view, selected }) {
   g.stroke();
 }
 
-/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers; `memory`: of
- * where names were. For tests, what is named where is `placed` of the canvas, and its `toPage` is the window's. */
+/** `view`: a look with t, pose, truth and layers; `whole`: the path of all the run; `bare`: too small for numbers.
+ * `memory`: of where names were. For tests the canvas has `placed` (names and their places) and the window's `toPage`. */
 export function drawMap(canvas, window, { view, whole, ink, theme, selected, bare = false, memory }) {
   const { g, width, height } = prepare(canvas);
   window.size(width, height);

@@ -6,7 +6,7 @@ const CHECKPOINTS = 48;   // at most
 const REPLAYED = 50;      // ms of replay between two of them at least: a jump costs that
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
-/** What the page shows at one time; alerts up to then, or none. */
+/** The page's data at one time; alerts up to then, or none. */
 function look(engine, withAlerts) {
   return { result: engine.result(withAlerts), page: engine.page(), path: engine.path(), time: engine.time };
 }

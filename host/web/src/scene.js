@@ -1,4 +1,4 @@
-// What a look means in metres: outlines, the robot's body and zones, poses in between. Map frame.
+// A look in metres: outlines, the robot's body and zones, poses in between. Map frame.
 import { plain } from "./dom.js";
 import { t } from "./words.js";
 

@@ -22,7 +22,7 @@ export function explain(error) {
 
 export const absent = () => ({ says: t("errNoSerial"), fix: t("fixNoSerial"), detail: "navigator.serial" });
 
-/** What the bytes up to now suggest; null: all is well. `quiet`: ms since the last one. */
+/** The fault that the bytes up to now suggest; null: all is well. `quiet`: ms since the last one. */
 export function diagnose({ bytes, strange, records, quiet }) {
   if (quiet > SILENT) {
     return { says: t(bytes ? "errStopped" : "errNothing"), detail: t("silentFor", { seconds: (quiet / 1000).toFixed(0) }), fix: t("fixSilent") };

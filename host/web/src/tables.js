@@ -86,7 +86,7 @@ export function fillFacts(list, facts) {
   list.replaceChildren(...facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value instanceof Node ? value : plain(value))]));
 }
 
-/** What there is to say of a run; `last`: of all of it, null while it goes on. */
+/** The facts of a run; `last`: of all of it, null while it goes on. */
 export function factsOf({ name, result, page, last, took, duration }) {
   const { log } = result;
   const total = (counts) => Object.values(counts).reduce((a, b) => a + b, 0);
@@ -109,7 +109,7 @@ const REASONS = { crc: "whyCrc", kind: "whyKind", fields: "whyFields", number: "
 const REFUSED = { no_pose: "whyNoPose", odometry_gap: "whyGap", no_camera: "whyNoCamera", queue: "whyQueue" };
 const because = (reasons, reason) => reason in reasons ? t(reasons[reason]) : reason;
 
-/** What a log is short of; nothing and hidden where all is well. `lines(n)`: the text of a line. */
+/** Lists a log's problems; empty and hidden where all is well. `lines(n)`: the text of a line. */
 export function fillProblems(section, { result, page, lines }) {
   const parts = [];
   const say = (text) => parts.push(make("p", {}, plain(text)));
