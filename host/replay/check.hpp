@@ -31,8 +31,8 @@ class Check {
     take_own(key_of(record), line_of(record));
   }
 
-  /// A line that is no record that can be read, by its first characters: counted if it was one of those that are
-  /// compared, as far as the damage lets one tell.
+  /// A line that is no readable record, with its first characters. It counts as damaged if it may have been one of the
+  /// compared records.
   void unread(std::string_view start, const record::LineOutcome& line);
   static constexpr std::size_t kStart = 7;  ///< characters of a line that it looks at: "$FPALR,"
 

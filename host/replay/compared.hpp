@@ -13,12 +13,12 @@
 
 namespace fencepost::host {
 
-/// Views of the sheaf, 75: the paper's tour, whole; and the vertices of its hull.
+/// Views of the sheaf: the paper's whole tour.
 inline constexpr std::size_t kSheafViews = 75;
-inline constexpr std::size_t kSheafPosts = 192;
+inline constexpr std::size_t kSheafPosts = 192;  ///< vertices of its hull
 
-/// A profile with more models. Its robot's state, decisions and digest are those of `Profile`: what is compared is no
-/// part of them, and it sees the sightings that the robot's models take.
+/// A profile with more models for comparison. They are no part of its robot: state, decisions and digest are those of
+/// `Profile`. They see the sightings that the robot's models take.
 template <class Profile>
 struct Compared : Profile {
   /// 75 views of a round object leave a polygon of at most 154 vertices.

@@ -1,4 +1,4 @@
-// What is to be said about a log, each sentence once, however often the log gives rise to it.
+// Complaints about a log, each sentence once, however often the log gives rise to it.
 #pragma once
 
 #include <algorithm>

@@ -33,13 +33,13 @@ class LogReplay {
   }
   /// Takes one line off the front of `bytes`, or all of them if none ends there.
   std::optional<record::LineOutcome> take(std::string_view& bytes);
-  /// What follows is not used: there are frames enough, the run asked for is over, or the stream has another format.
+  /// Later bytes are not used: there are frames enough, the requested run is over, or the stream has another format.
   [[nodiscard]] bool ended() const { return complete_ || reader_.other_format().has_value(); }
   /// The stream has ended: an unfinished line and the frames that still wait are counted. At most once, at the end.
   /// What became of that line, if there is one.
   std::optional<record::LineOutcome> finish();
 
-  /// What was found up to now; `path` only if asked for, it is long.
+  /// The results so far; `path` only on request, since it is long.
   [[nodiscard]] ResultDocument now(bool with_path = true) const;
   [[nodiscard]] const CheckOutcome& check() const { return check_.outcome(); }
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_.all(); }

@@ -78,8 +78,8 @@ class OutlineTracer {
     if (!solid(i, j + 1)) edges_.insert({{i + 1, j + 1}, {i, j + 1}});
     if (!solid(i - 1, j)) edges_.insert({{i, j + 1}, {i, j}});
   }
-  // Where two solid cells meet at a corner only, turn left: the cells stay apart. A path that comes back to a corner it
-  // has passed (a hole that touches itself or the outline) is cut there, so every loop is simple.
+  // Where two solid cells meet at a corner only, turn left: the cells stay apart. A path that comes back to a corner (a
+  // hole that touches itself or the outline) is cut there. So every loop is simple.
   void trace() {
     std::vector<Corner> path{edges_.begin()->first};
     Corner direction{0, 0};

@@ -35,7 +35,7 @@ ModelResult carve_model(const recon::ObjectCore& object, std::string name, const
 /// Puts models into the order of the result document.
 void sort_models(std::vector<ModelResult>& models);
 
-/// What each type of model is in the result document: a further one needs a further function here, or it does not
+/// The result document's form of each type of model. A further type needs a further function here, or it does not
 /// compile.
 inline void add_results(const recon::ObjectCore& object, const recon::CylinderPaper& paper,
                         std::vector<ModelResult>& models) {

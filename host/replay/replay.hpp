@@ -20,7 +20,7 @@ namespace fencepost::host {
 class AlertSink {
  public:
   virtual ~AlertSink() = default;
-  /// What came before was of an earlier run.
+  /// A new run begins: earlier alerts were of the run before.
   virtual void run_begins() = 0;
   virtual void hear(const record::AlertReport& alert) = 0;
 };

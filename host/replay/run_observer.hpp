@@ -30,7 +30,7 @@ struct PlacedFrame {
   std::function<ObjectResult(std::uint32_t id)> outline;
   /// Whether the map still has the object of that id, seen now or not. Ids do not come again.
   std::function<bool(std::uint32_t id)> in_map;
-  /// What `sectors` would answer now; nothing of a profile that has none.
+  /// The answer of `sectors` now; nothing of a profile that has none.
   std::function<std::optional<record::SectorReport>()> sectors;
   std::function<std::optional<record::WayReport>()> ways;  ///< likewise
 };

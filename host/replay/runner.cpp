@@ -23,8 +23,7 @@ template <class Base>
 class ProfileRunner final : public Runner {
  public:
   using Profile = Replayed<Base>;
-  // As far apart as a cache is deep, objects would drive each other out of it: each frame asks all of them if they are
-  // used.
+  // At this distance, a cache's depth, objects would drive each other out of it: each frame looks at all of them.
   static_assert(sizeof(recon::Object<Profile>) % 4096 != 0);
 
   ProfileRunner(std::function<void(std::string_view)> log, bool inputs)
@@ -82,7 +81,7 @@ class ProfileRunner final : public Runner {
   }
   void finish() override {
     loop_.pipeline().finish();
-    loop_.pipeline().reporter().calibration();  // what no further input waits for
+    loop_.pipeline().reporter().calibration();  // no further input waits for it
     hand_on_log();
   }
   void observe(RunObserver* observer) override { observer_ = observer; }

@@ -24,7 +24,7 @@ class Runner {
   virtual void take(const record::Signature& signature) = 0;
   virtual void take(const record::Setting& setting) = 0;
   virtual void take(const sensor::OdometrySample& sample) = 0;
-  /// What was driven past so far.
+  /// Objects that were driven past so far.
   [[nodiscard]] virtual const std::vector<PassResult>& passes() const = 0;
   /// The pose that it led to; empty where it could not be used.
   virtual std::optional<sensor::OdometrySample> take(const sensor::CarSample& sample) = 0;
@@ -45,16 +45,16 @@ class Runner {
   [[nodiscard]] virtual PoseResult pose_of(const sensor::OdometrySample& sample) const = 0;
   /// All objects with all models of the profile.
   [[nodiscard]] virtual std::vector<ObjectResult> objects() const = 0;
-  /// What the guard would alert of.
+  /// The guard's points, which it would raise alerts for.
   [[nodiscard]] virtual std::vector<GuardPoint> guard() const = 0;
-  /// What `sectors` would answer now; nothing without odometry or of a profile that has none.
+  /// The answer of `sectors` now; nothing without odometry or of a profile that has none.
   [[nodiscard]] virtual std::optional<record::SectorReport> sectors() const = 0;
   /// The answer of `ways`, likewise.
   [[nodiscard]] virtual std::optional<record::WayReport> ways() const = 0;
   /// How fast the robot may be now.
   [[nodiscard]] virtual record::SpeedLimit speed_limit() const = 0;
-  /// Signatures and settings that did not fit or could not be parsed, a doubtful pitch, and each doubt of the robot's
-  /// own about its camera, one sentence each.
+  /// Signatures and settings that did not fit or could not be parsed, an implausible pitch, and each suspicion of the
+  /// robot's own about its camera. One sentence each.
   [[nodiscard]] virtual const std::vector<std::string>& complaints() const = 0;
 };
 

@@ -22,7 +22,7 @@ class ShortNames {
 
  private:
   double widest_;                             ///< px
-  std::map<std::string, std::string> shown_;  ///< what it stands for
+  std::map<std::string, std::string> shown_;  ///< texts by the short label in their place
 };
 
 class LabelSpace {
@@ -41,8 +41,9 @@ class LabelSpace {
     std::optional<Point> from;  ///< it had to go so far that a line should lead to it, from there
   };
   static constexpr double kReach = 260;  ///< px, the furthest that a label goes
-  /// Best centred at the baseline `best`, above (`direction` -1) or below (+1) what it names, whose middle is `named`;
-  /// else some lines further that way, then around it, ever further. Nothing where there is no place left.
+  /// The best place is centred at the baseline `best`, above (`direction` -1) or below (+1) the named thing, whose
+  /// middle is `named`. Else some lines further that way, then around it, ever further. Nothing where there is no place
+  /// left.
   std::optional<Placed> place(Point best, Point named, std::string_view text, int direction, double reach = kReach);
 
  private:

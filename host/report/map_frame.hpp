@@ -14,7 +14,7 @@ struct MapFrame {
   double top = 14;
   double width = 886;
   double height = 560;
-  // What it shows, m.
+  // The part of the map that it shows, m.
   Point centre;
   double scale = 100;  ///< px/m
 

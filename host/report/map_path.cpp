@@ -42,7 +42,7 @@ std::string draw_line(const MapFrame& f, const std::vector<PoseResult>& whole) {
   return fmt::format(R"(<polyline class="track" points="{}"/>)", points);
 }
 
-/// An arrow head every kTickSpacing, of a long path less often: it shows where the robot faced, also where it turned on
+/// An arrow head every kTickSpacing, of a long path less often. It shows the robot's heading, also where it turned on
 /// the spot or drove back.
 std::string draw_heading_ticks(const MapFrame& f, const std::vector<PoseResult>& path) {
   std::string svg;

@@ -8,8 +8,9 @@
 
 namespace fencepost::host {
 
-/// Relative luminance (WCAG 2) below which a colour has contrast 3:1, or 4.5:1 for text, with white paper.
+/// Relative luminance (WCAG 2) below which a line's colour has contrast 3:1 with white paper.
 inline constexpr double kLineLuminance = 1.05 / 3.0 - 0.05;
+/// The same for text, 4.5:1.
 inline constexpr double kTextLuminance = 1.05 / 4.5 - 0.05;
 
 /// "#rrggbb" of the same hue, darkened until its luminance is at most `max_luminance`.

@@ -28,7 +28,7 @@ std::string alert_sentence(const ResultDocument& document, const record::AlertRe
 /// One sentence per alert, in order.
 std::string alert_list(const ResultDocument& document, const TextOptions& options = {});
 
-/// What to check, in the robot's own words.
+/// The robot's own advice what to check.
 std::string calibration_sentence(const record::CalibrationDoubt& doubt);
 
 /// One line for each change of what the robot thought of its calibration: `12.380 s  check the camera's pitch ...`.

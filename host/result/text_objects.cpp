@@ -12,7 +12,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::size_t kNameWidth = 10;      ///< at least
-constexpr std::size_t kAreaWidth = 7;       ///< what a longer name takes from them
+constexpr std::size_t kAreaWidth = 7;       ///< a longer name takes room from them
 constexpr double kSquareCentimetres = 1e4;  ///< per m^2
 
 std::string number(double value, int decimals) {

@@ -86,7 +86,7 @@ Whole whole_of(const EachAlert& each) {
   return whole;
 }
 
-/// What is kept with cells of `cell` s, nothing if that is more than `most`.
+/// The alerts that remain with cells of `cell` s; nothing if they are more than `most`.
 std::optional<std::vector<Numbered>> thinned(const EachAlert& each, double begin, double cell, bool by_object,
                                              std::size_t most) {
   struct Cell {

@@ -10,8 +10,8 @@
 
 namespace fencepost::host {
 
-/// Those poses between which an even, straight drive is never farther than `tolerance` (m) from where the robot was at
-/// that time, nor turned by more than 0.02 rad: the first, the last, and what it takes between. Costs n log n.
+/// The first and last pose, and those needed in between. An even, straight drive from one to the next is never farther
+/// than `tolerance` (m) from the robot's place at that time. Nor is it turned by more than 0.02 rad. Costs n log n.
 std::vector<PoseResult> thin_path(const std::vector<PoseResult>& path, double tolerance);
 
 /// The same within 1/4096 of the drive's extent, or as much more as it takes for `most` of them (2 at least).
@@ -23,9 +23,9 @@ struct ThinnedAlerts {
   std::uint64_t stops = 0;  ///< of all
 };
 
-/// All, if they are no more than `most` (16 at least). Else of those of one object that follow each other faster than a
-/// timeline could show the worst (of several the nearest) and the last, and the nearest of them all. In memory that
-/// does not grow with their number; `each` is called several times.
+/// All, if they are no more than `most` (16 at least). Else one object's alerts are thinned where they follow each
+/// other faster than a timeline could show. There the worst (of several the nearest) and the last are kept, and always
+/// the nearest of them all. In memory that does not grow with their number; `each` is called several times.
 ThinnedAlerts thin_alerts(const EachAlert& each, std::size_t most);
 
 }  // namespace fencepost::host

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr int kRecordDecimals = 4;  ///< what the record stream carries
+constexpr int kRecordDecimals = 4;  ///< as in the record stream
 constexpr int kRatioDecimals = 4;
 
 Json log_json(const LogCounts& log) {

@@ -17,7 +17,7 @@ struct DeviceOption {
 /// The parts as written; whether they are valid is not checked here.
 struct DeviceWord {
   std::string kind;
-  std::optional<std::string> place;  ///< what is behind the first colon
+  std::optional<std::string> place;  ///< text behind the first colon
   std::vector<DeviceOption> options;
   /// A clause, if an option is no NAME=VALUE or is given twice. To be reported once kind and place are known to be
   /// valid.

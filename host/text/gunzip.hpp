@@ -1,4 +1,4 @@
-// What gzip packed.
+// Unpacks gzip.
 #pragma once
 
 #include <array>

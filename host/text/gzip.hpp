@@ -20,7 +20,7 @@ class Gzip {
   void feed(std::string_view bytes);
   /// The last call.
   void finish();
-  /// What is packed so far; a whole member after `finish`.
+  /// The packed bytes so far; a whole member after `finish`.
   [[nodiscard]] const std::string& packed() const { return packed_; }
   [[nodiscard]] std::string take() { return std::move(packed_); }
 

@@ -1,4 +1,4 @@
-// Text from logs, robots and scenes is shown on terminals: nothing in it may move the cursor, change a colour or begin
+// Text from logs, robots and scenes is shown on terminals. Nothing in it may move the cursor, change a colour or begin
 // a line of its own.
 #pragma once
 

@@ -7,8 +7,8 @@
 
 namespace fencepost::host {
 
-/// The candidate with the fewest typing errors (swaps of neighbours count one) from `word`; empty when none is near
-/// enough to be a guess rather than noise.
+/// The candidate with the fewest typing errors (swaps of neighbours count one) from `word`. Empty when none is near
+/// enough to be more than a guess.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 /// " did you mean pixy2?", or nothing: to be put behind a complaint.
