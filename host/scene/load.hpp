@@ -9,7 +9,7 @@
 
 namespace fencepost::host {
 
-/// What is wrong with a scene file, where, and what to do about it.
+/// An error in a scene file: its place and its remedy.
 struct SceneError {
   std::string file;
   std::string where;   ///< "line 3, column 7" for bad JSON, a JSON pointer such as "/objects/0/height" for content

@@ -1,4 +1,4 @@
-// What a user should know about a camera's pitch before trusting the map.
+// A warning about a camera's pitch, for users who trust the map.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ struct SceneSignature {
   std::uint8_t id = 0;
   std::string name;
   sensor::Rgb rgb;
-  std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: not told
+  std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: unknown
 };
 
 struct TimedPose {
@@ -62,7 +62,7 @@ struct PosesPath {
   std::vector<TimedPose> poses;  ///< interpolated, headings the short way round
 };
 
-/// What its wheels tell.
+/// Its wheels' readings.
 struct SceneOdometry {
   enum class Kind : std::uint8_t { kPoses, kGyro, kSteering };
   Kind kind = Kind::kPoses;

@@ -7,7 +7,7 @@
 
 namespace fencepost::host {
 
-/// A colour as a point: hue is the direction and saturation the length of (x, y), so red has no seam at 360 degrees; z
+/// A colour as a point: hue is the direction and saturation the length of (x, y), so red has no seam at 360 degrees. z
 /// is brightness, which counts for greys and little for strong colours: a block's lit and shaded sides are neighbours.
 /// Length 0..0.8 in the plane, z 0..0.8.
 struct Appearance {

@@ -8,7 +8,7 @@
 
 namespace fencepost::host {
 
-/// Mean-shift filtering (Comaniciu and Meer 2002, as in the paper's Edison): each pixel moves to the mode of its
+/// Mean-shift filtering (Comaniciu and Meer 2002, as in the paper's Edison). Each pixel moves to the mode of its
 /// neighbourhood of `spatial` px and `range` grey levels. 8-bit blue, green, red.
 cv::Mat mean_shift(const cv::Mat& image, double spatial, double range);
 

@@ -21,9 +21,9 @@ struct ImageList {
 /// Files of `folder` that are named like images, sorted.
 std::vector<std::string> images_in(const std::string& folder);
 
-/// `sources`: one folder, whose images the table names (relative to it), or image files, each of which the table names
-/// by its path or its file name. errors: SegmentProblem: an image that the table names is missing, an image file
-/// without a pose, no image at all
+/// `sources`: one folder, whose images the table names relative to it, or image files. The table names each file by its
+/// path or its file name. errors: SegmentProblem: an image that the table names is missing, an image file without a
+/// pose, no image at all
 ImageList list_images(const std::vector<std::string>& sources, const PosesTable& table);
 
 }  // namespace fencepost::host

@@ -11,7 +11,7 @@ namespace {
 constexpr double kMaxPixels = 2;
 constexpr double kLargest = 32'767;
 
-/// What the coefficients beyond k1 do to the farthest corner, px.
+/// The shift of the farthest corner by the coefficients beyond k1, px.
 double beyond_k1(const Pinhole& p) {
   const auto& [k1, k2, p1, p2, k3] = p.distortion;
   const double x = std::max(p.cx, p.width - p.cx) / p.fx;

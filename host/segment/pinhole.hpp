@@ -1,4 +1,4 @@
-// What calibrations of other programs have in common.
+// Shared by the calibrations of other programs.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Pinhole {
 };
 
 /// errors: SegmentProblem: numbers that no camera has, or coefficients beyond k1 that move a corner of the image by
-/// more than two pixels, for which `remedy` is told
+/// more than two pixels. `remedy` is for the second.
 sensor::CameraIntrinsics to_camera(const Pinhole& pinhole, const char* model, const std::string& name,
                                    const char* remedy);
 

@@ -11,9 +11,8 @@
 
 namespace fencepost::host {
 
-/// A table (poses_table.hpp), COLMAP's images.txt, or TUM's trajectory, whose images are found among `images` by the
-/// time that is their name (s, or ns), at most 0.2 s from a pose on each side. errors: SegmentProblem with file and
-/// line
+/// A table (poses_table.hpp), COLMAP's images.txt, or TUM's trajectory. TUM's poses belong to those of `images` whose
+/// name is a time (s, or ns), at most 0.2 s from a pose on each side. errors: SegmentProblem with file and line
 PosesTable read_poses(std::string_view text, const std::string& file, const std::vector<std::string>& images,
                       const sensor::CameraMount& mount, const FloorOptions& options);
 

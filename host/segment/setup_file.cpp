@@ -43,7 +43,7 @@ bool is_json(std::string_view text) {
   return start != std::string_view::npos && text[start] == '{';
 }
 
-/// What `read` makes of the JSON text; a complaint of the reader becomes ours.
+/// The result of `read` on the JSON text; an error of the reader becomes a SegmentProblem.
 template <class Read>
 auto from_json(std::string_view text, const std::string& name, Read read) {
   try {

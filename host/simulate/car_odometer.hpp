@@ -11,9 +11,11 @@ namespace fencepost::host {
 
 /// One reading each kOdometryPeriod from t = 0. Whole counts of the way of the path, scaled by 1 + drift_scale.
 ///
-/// Gyro: the mean rate of the 20 ms around the reading, times 1 + gyro_scale, plus gyro_bias, which walks by gyro_walk
-/// (rad/s per root of a second), plus white gyro_noise (rad/s). Steering angle: told is what makes the front wheels
-/// turn as the path does: those have 1 + steer_scale of it, behind steer_offset, after play of steer_backlash.
+/// Gyro: the mean rate of the 20 ms around the reading, times 1 + gyro_scale, plus gyro_bias, plus white gyro_noise
+/// (rad/s). The bias walks by gyro_walk (rad/s per root of a second).
+///
+/// Steering angle: the reported command is the one that makes the front wheels turn as the path does. The wheels get 1
+/// + steer_scale times the command, less steer_offset and the play of steer_backlash.
 class CarOdometer {
  public:
   CarOdometer(const Scene& scene, const Trajectory& trajectory) : scene_(scene), trajectory_(trajectory) {}

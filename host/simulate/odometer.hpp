@@ -15,11 +15,11 @@ inline constexpr base::Duration kOdometryPeriod = base::milliseconds(20);
 
 /// Reports one sample each period from t = 0.
 ///
-/// Drift: each step's true motion, measured along the path, is scaled by 1 + drift_scale, turned by drift_turn
-/// (rad/m), and shifted by a gaussian of drift_walk (m/sqrt(m)) on each axis.
-/// Per-view noise: view i has one offset (x, y, heading), which all samples hold whose nearest exposure is i. The
-/// pose interpolated at the exposure is then off by exactly that offset as long as its two neighbouring samples
-/// belong to it: for rates up to 25 /s, and for 50 /s. In between, some views blend with a neighbour's.
+/// Drift: each step's true motion, measured along the path, is scaled by 1 + drift_scale and turned by drift_turn
+/// (rad/m). It is also shifted by a gaussian of drift_walk (m/sqrt(m)) on each axis. Per-view noise: view i has one
+/// offset (x, y, heading), which all samples hold whose nearest exposure is i. The pose at the exposure is interpolated
+/// between two samples. It is off by exactly that offset if both belong to the view: for rates up to 25 /s, and for 50
+/// /s. In between, some views blend with a neighbour's.
 class Odometer {
  public:
   Odometer(const Scene& scene, const Trajectory& trajectory);

@@ -21,8 +21,8 @@ struct Stretch {
   double leave = 0;
 };
 
-/// The footprint's edges sorted by the rays that cross them. In the upright camera frame a ray of slope m is
-/// (1, -m) s, and 1/s is linear in m along an edge, so a crossing costs one division.
+/// The footprint's edges sorted by the rays that cross them. In the upright camera frame a ray of slope m is (1, -m) s.
+/// Along an edge 1/s is linear in m, so a crossing costs one division.
 class Prism {
  public:
   Prism(const SceneObject& object, const CameraPose& camera);

@@ -68,9 +68,9 @@ bool Silhouette::covers(int u, int v) const {
   return v >= run.first && v <= run.last;
 }
 
-// Downwards along the stretch a ray meets the lid, the wall, the underside: some of them. A ray's height at the wall,
-// and the distance at which it meets a lid, rise or fall with the row, rounding included; so each is one run of rows,
-// and its nearest pixel is beside the wall.
+// Downwards along the stretch a ray meets the lid, the wall, the underside, or some of them. Its height at the wall,
+// and its distance at a lid, rise or fall with the row, rounding included. So each is one run of rows, and its nearest
+// pixel is beside the wall.
 ColumnRun Silhouette::run_of(const Prism& prism, const PixelRays& rays, const Stretch& stretch) {
   const int top = bounds_.y1;
   const int bottom = bounds_.y2;

@@ -1,4 +1,4 @@
-// What one solid alone shows of itself in an image without pitch and distortion, column by column: no pixel is touched.
+// One solid alone in an image without pitch and distortion, column by column: no pixel is touched.
 #pragma once
 
 #include <cstddef>

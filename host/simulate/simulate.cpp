@@ -8,7 +8,7 @@ namespace fencepost::host {
 
 namespace {
 
-/// What every pixel costs memory and time for; photographs have the same limit.
+/// Maximum pixels of an image, since each costs memory and time; photographs have the same limit.
 constexpr std::uint64_t kMaxPixels = 64U << 20U;
 
 std::string too_large(const sensor::CameraIntrinsics& camera) {

@@ -28,8 +28,8 @@ struct SimulationSummary {
 using LineSink = std::function<void(std::string_view line)>;
 
 /// Writes FPHDR, FPCAM, FPSIG, then FPODO (50 Hz) and FPFRM in order of arrival. Same scene, same bytes.
-/// The error is a sentence for the user: the scene has no path, its image more than 64 megapixels, or the run
-/// would leave the stream's ranges.
+/// The error is a sentence for the user. The scene has no path, its image more than 64 megapixels, or the run would
+/// leave the stream's ranges.
 base::Result<SimulationSummary, std::string> simulate(const Scene& scene, const LineSink& sink);
 
 }  // namespace fencepost::host

@@ -1,4 +1,4 @@
-// What is where at a time: objects that move, come and go.
+// A scene's objects at a time: they move, come and go.
 #pragma once
 
 #include <vector>

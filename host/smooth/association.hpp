@@ -14,12 +14,12 @@ struct Reassigned {
   std::size_t taken_back = 0;  ///< that fit no object
 };
 
-/// Boxes that fit no longer go to the object of their signature that they fit, if there is one, else to the spare ones;
-/// spare ones that fit are taken. No object gets two boxes of a frame.
+/// A box that no longer fits its object goes to the object of its signature that it fits, else to the spare boxes.
+/// Spare boxes that fit an object are taken. No object gets two boxes of a frame.
 Reassigned reassign(StartedProblem& started);
 
-/// Objects of one signature that no frame shows side by side become one if the sightings fit one place as well as two:
-/// a likelihood-ratio test, pair by pair, nearest first. Answers how many went.
+/// Objects of one signature that no frame shows side by side become one if one place fits the sightings as well as two.
+/// It is a likelihood-ratio test, pair by pair, nearest first. Answers how many objects went.
 std::size_t join_by_test(StartedProblem& started, const SolverOptions& options);
 
 /// Objects whose sightings fit no place (they move, or are several), or of which fewer than `least` are left, go; their

@@ -53,8 +53,8 @@ ImageNoise image_noise(const CalibrationProblem& problem, const Estimate& estima
 
 namespace {
 
-/// How much longer or shorter, and how much more turned, the estimate is than the odometry, in units of good wheels,
-/// over so many seconds: the medians.
+/// Differences between the estimate and the odometry in way and turn over `baseline` s: the medians, in units of good
+/// wheels.
 Strays strays_over(double baseline, const CalibrationProblem& problem, const Estimate& estimate) {
   const std::vector<double>& times = problem.node_times;
   std::vector<double> turns;

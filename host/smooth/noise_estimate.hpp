@@ -14,8 +14,8 @@ struct Strays {
 /// more than they do take up the bearings' noise, and the map shrinks. Each at least a quarter, at most 60 and 4.
 Strays strays_of(const CalibrationProblem& problem, const Estimate& estimate);
 
-/// By the residuals, but of bearings and widths at least what they differ from one view of an object to its next, both
-/// seen from one node: poses that may stray have taken up a part of the residuals.
+/// Noise by the residuals. Of bearings and widths it is at least their difference from one view of an object to its
+/// next, both seen from one node. Poses that may stray have taken up a part of the residuals.
 ImageNoise image_noise(const CalibrationProblem& problem, const Estimate& estimate);
 
 }  // namespace fencepost::host

@@ -62,8 +62,8 @@ MultiPolygon moved_areas(const MultiPolygon& areas, const FloorMotion& motion) {
   return result;
 }
 
-/// The online object that is the same thing: of its signature, the nearest after the motion, each once; where the
-/// optimum has one of a signature only, the one that was seen most.
+/// The online object that is the same thing: of its signature, the nearest after the motion, each once. Where the
+/// optimum has only one of a signature, it is the one that was seen most.
 std::vector<const ObjectResult*> counterparts(const ResultDocument& online, const ResultDocument& optimum,
                                               const FloorMotion& motion) {
   std::vector<const ObjectResult*> result;

@@ -24,8 +24,8 @@ SolverOptions all_held() {
   return options;
 }
 
-/// Poses and objects, and what the wheels do evenly. The unit of length is the lens's height where rows of feet tell it
-/// and it is not what is asked for, else the odometry's metre.
+/// Estimates poses, objects and the wheels' systematic errors. Rows of feet fix the unit of length by the lens's
+/// height, unless the camera is estimated. Else the unit is the odometry's metre.
 SolverOptions wanted(const CalibrationProblem& problem, bool calibrate) {
   SolverOptions options;
   options.hold_camera.fill(!calibrate);
@@ -104,7 +104,7 @@ bool strays_too_far(Attempt attempt, const SolverOptions& options) {
   return !attempt.failure.empty() || attempt.started.problem.drift > kTooFar;
 }
 
-/// What cannot be told is held at what was told, as calibrate does it.
+/// Holds what the log does not determine at the configured value, as calibrate does it.
 void add_findings(StartedProblem& started, SolverOptions options, Smoothed& smoothed) {
   const std::optional<CalibratedMatrix> matrix = covariance_at(started.problem, options, started.estimate);
   if (!matrix) {

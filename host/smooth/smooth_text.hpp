@@ -1,4 +1,4 @@
-// What smoothing found, for a terminal and as JSON.
+// Smoothing's results, for a terminal and as JSON.
 #pragma once
 
 #include <string>
